@@ -19,15 +19,15 @@ namespace epura::edges {
 namespace {
 
 constexpr std::size_t crossings_a_look = 1024;
-// Of the mean height of arcs over their facets: the highest ones.
+// Greatest height of an arc over its facet, as a multiple of the mean height.
 constexpr double highest = 1.5;
-// Number of triangles that determine the position of a face.
+// Most triangles of a face that are tested.
 constexpr std::size_t most_asked = 256;
 
-/// A face of a part: the number of its model, and its own.
+/// A face of a part: the number of its model, and its number in the part.
 using FaceOfModel = std::array<int, 2>;
 
-/// The recognised surfaces of a world, asked by its triangles and points.
+/// The recognised surfaces of a world, found by its triangles.
 class PlacedFaces {
  public:
   explicit PlacedFaces(const scene::World& world) : world_(world), models_(world.models.size()) {
@@ -45,7 +45,7 @@ class PlacedFaces {
     return face_at(face).surface.kind != features::SurfaceKind::free_form;
   }
 
-  /// Whether one of two faces lies on the surface of the other, as far as facets show.
+  /// Whether one of two faces lies on the surface of the other, within the accuracy of the facets.
   [[nodiscard]] bool touch(const FaceOfModel& one, const FaceOfModel& two) const {
     const double slack = this->slack(one) + this->slack(two);
     return lies_on(one, two, slack) || lies_on(two, one, slack);
@@ -53,8 +53,8 @@ class PlacedFaces {
 
  private:
   struct Model {
-    std::vector<int> face_of_triangle;  ///< empty where no faces are recognised, or the model is stretched
-    Groups<int> triangles;              ///< of each face, in the whole mesh
+    std::vector<int> face_of_triangle;  ///< empty if no faces are recognised, or if the model is scaled non-uniformly
+    Groups<int> triangles;              ///< by face; numbers in the uncut mesh
     Mat4 to_file{1};
     double scale = 1;
   };
@@ -69,7 +69,7 @@ class PlacedFaces {
     model = {scene::faces_of_triangles(placed), triangles, glm::inverse(placed.to_world), *scale};
   }
 
-  // How far facets may lie from the surface, as a length of the world.
+  // Greatest distance between facets and their surface, in units of the world.
   [[nodiscard]] double slack(const FaceOfModel& face) const {
     return (highest * face_at(face).sagitta + face_at(face).residual + part(face).tolerance) * models_[face[0]].scale;
   }
@@ -102,7 +102,7 @@ class ContactJudge {
   ContactJudge(const scene::World& world, double normalisation, double crease_angle)
       : world_(world), normalisation_(normalisation), crease_angle_(crease_angle), faces_(world) {}
 
-  /// The faces of parts that cross there, the first one's model and number lower; nothing where one is not recognised.
+  /// The two faces that cross there, in ascending order of model and number; nothing if one of them is not recognised.
   [[nodiscard]] std::optional<std::array<FaceOfModel, 2>> faces_at(const FaceCrossing& crossing) const {
     auto one = faces_.face_of(crossing.triangles[0]);
     auto two = faces_.face_of(crossing.triangles[1]);
@@ -111,13 +111,13 @@ class ContactJudge {
     return std::array{*one, *two};
   }
 
-  /// Whether faces of closed form touch; nothing of free forms.
+  /// Whether the faces touch; nothing if one of them is a free form.
   [[nodiscard]] std::optional<bool> touch(const std::array<FaceOfModel, 2>& faces) const {
     if (!faces_.has_form(faces[0]) || !faces_.has_form(faces[1])) return std::nullopt;
     return faces_.touch(faces[0], faces[1]);
   }
 
-  /// Whether facets cross by no more than their surfaces turn from facet to facet.
+  /// Whether two facets cross at an angle that the turn of their surfaces from facet to facet explains.
   [[nodiscard]] bool is_within_turn(const FaceCrossing& crossing) const {
     double turn = 0;
     for (const int triangle : crossing.triangles) {
@@ -136,7 +136,7 @@ class ContactJudge {
 
 double length_of(const FaceCrossing& crossing) { return glm::distance(crossing.ends[0], crossing.ends[1]); }
 
-// Free forms touch where most of their crossings do.
+// Free forms touch if most of the length of their crossings does.
 void judge_faces(const ContactJudge& judge, const std::vector<FaceCrossing>& crossings,
                  std::vector<Contact>& contacts) {
   struct Pair {

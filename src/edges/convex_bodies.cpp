@@ -16,18 +16,18 @@ namespace epura::edges {
 namespace {
 
 constexpr std::size_t grain = 8192;
-// Determinants of three differences are computed to this part of the sum of their products, all taken as positive: each
-// of those has been rounded eight times.
+// Error bound for a determinant of three differences, as a fraction of the sum of the absolute values of its products:
+// each product has been rounded eight times.
 constexpr double determinant_rounding = 9 * 0x1p-53;
-// Unit normals are computed to this part of longest side / height of their triangle.
+// Error bound for a unit normal, as a multiple of longest side / height of its triangle.
 constexpr double normal_rounding = 0x1p-49;
-// Distances from planes, of points of about unit size.
+// Error bound for the distance between a plane and a point of about unit size.
 constexpr double distance_rounding = 0x1p-50;
-// Edges that are folded inwards by more (radians) are not due to rounding. The others are added up as whole numbers of
-// a unit, so that the sum does not depend on the order.
+// An inward fold of more than this (radians) is not due to rounding. Smaller ones are summed as integers, in multiples
+// of a unit, so that the sum does not depend on the order.
 constexpr double most_fold = 1e-6;
 constexpr double fold_unit = 0x1p-60;
-// One edge of so many is examined before all others: few bodies pass in vain.
+// One edge in this many is tested before all others, which rejects most bodies that are not convex.
 constexpr std::size_t sample_step = 64;
 
 void raise(double& value, double other) {
@@ -39,23 +39,23 @@ void raise(double& value, double other) {
 
 double determinant(const Vec3& a, const Vec3& b, const Vec3& c) { return glm::dot(glm::cross(a, b), c); }
 
-// It is nothing where the points lie in a plane along two axes.
+// Zero if the vectors lie in one coordinate plane.
 double rounding_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto both = [&](int i, int j) { return std::abs(a[i] * b[j]) + std::abs(a[j] * b[i]); };
   const double products = both(1, 2) * std::abs(c.x) + both(2, 0) * std::abs(c.y) + both(0, 1) * std::abs(c.z);
   return determinant_rounding * products;
 }
 
-// What is found out about a body.
+// What is known about a body.
 struct Finding {
-  Vec3 sum{0};              // of the corners of its triangles
-  int corners = 0;          // how many
-  int first = -1;           // triangle
-  double reach = 0;         // no corner lies farther from the middle
+  Vec3 sum{0};              // sum of the corners of its triangles
+  int corners = 0;          // number of these corners
+  int first = -1;           // its first triangle
+  double reach = 0;         // greatest distance of a corner from the middle, or more
   double slimness = 0;      // greatest longest side / height of a triangle
   double flatness = 0;      // greatest reach / distance of a triangle's plane from the middle
-  std::uint64_t folds = 0;  // of the edges that are folded inwards, in units
-  int on_ray = 0;           // how many triangles the ray through the first one may meet
+  std::uint64_t folds = 0;  // sum of the angles of inward folds, in multiples of fold_unit
+  int on_ray = 0;           // number of triangles that the ray through the first one may meet
   char refuted = 0;
 
   [[nodiscard]] Vec3 middle() const { return sum / static_cast<double>(corners); }
@@ -122,7 +122,7 @@ class ConvexityTest {
     }
   }
 
-  // Closed: every edge has two triangles that run along it in opposite directions.
+  // Also tests that the body is closed: every edge has two triangles that traverse it in opposite directions.
   void test_edge(int model, const mesh::MeshEdge& edge) {
     const auto all = world_.models[model].mesh->triangles_of(edge);
     if (all.empty()) return;
@@ -144,7 +144,7 @@ class ConvexityTest {
     test_fold(body, points_[v] - points_[u], points_[*forth] - points_[u], points_[*back] - points_[u]);
   }
 
-  // The third corner of a triangle that runs from u to v.
+  // The third corner of a triangle that traverses its side from u to v.
   [[nodiscard]] std::optional<int> apex_of(int triangle, int u, int v) const {
     const auto& c = world_.triangles[triangle];
     for (std::size_t i = 0; i < 3; ++i)
@@ -152,12 +152,13 @@ class ConvexityTest {
     return std::nullopt;
   }
 
-  // An edge, and the corners on its left and right as they are seen from outside, all from one of its ends.
+  // `along` is an edge, `left` and `right` are the corners on its two sides as seen from outside, all relative to one
+  // end of the edge.
   static void test_fold(Finding& body, const Vec3& along, const Vec3& left, const Vec3& right) {
     const double over = determinant(along, left, right) + rounding_of(along, left, right);
     if (over <= 0) return;
     const double areas = glm::length(glm::cross(along, left)) * glm::length(glm::cross(along, right));
-    const double fold = over * glm::length(along) / areas;  // its sine, and little more
+    const double fold = over * glm::length(along) / areas;  // slightly more than its sine
     if (!(fold <= most_fold)) return refute(body);
     std::atomic_ref<std::uint64_t>(body.folds)
         .fetch_add(static_cast<std::uint64_t>(fold / fold_unit) + 1, std::memory_order_relaxed);
@@ -189,7 +190,7 @@ class ConvexityTest {
       std::atomic_ref<int>(body.on_ray).fetch_add(1, std::memory_order_relaxed);
   }
 
-  // How far a corner may lie before the plane of a triangle, by the edges that are folded inwards.
+  // Greatest distance by which a corner may lie in front of the plane of a triangle, given the inward folds.
   static double rise(const Finding& body, double flatness) {
     const double turns = std::numbers::pi / 2 * flatness * static_cast<double>(body.folds) * fold_unit;
     return 1.1 * std::numbers::pi * body.reach * flatness * turns;

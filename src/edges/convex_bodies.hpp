@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proof that a closed body is convex: the whole body is on one side of the plane of each face.
+// Proves that closed bodies are convex: the whole body lies on one side of the plane of each face.
 #pragma once
 
 #include <span>
@@ -9,26 +9,27 @@
 
 namespace epura::edges {
 
-/// The bodies of all models in one numbering.
+/// The bodies of all models, numbered consecutively.
 struct BodyTable {
-  std::vector<int> of_triangle;  ///< of the world
-  std::vector<Box> box;          ///< by body; empty where it has no triangles
+  std::vector<int> of_triangle;  ///< by triangle of the world
+  std::vector<Box> box;          ///< by body; empty if it has no triangles
 };
 BodyTable bodies_of(const scene::World& world, std::span<const Vec3> points);
 
-/// Of the bodies that are marked in `candidates`, those keep their mark that are closed, run once around their middle,
-/// and lie at most `contact` before the plane of any of their triangles, planes and distances computed in double.
-/// `points` are the world's, of about unit size and near the origin; `contact` is a length there. A body that loses its
-/// mark may be convex all the same.
+/// A body that is marked in `candidates` keeps its mark if it is closed, its surface encloses its middle exactly once,
+/// and it extends at most `contact` in front of the plane of any of its triangles, with planes and distances computed
+/// in double. `points` are those of the world, of about unit size and near the origin; `contact` is a length in the
+/// same unit. A body that loses its mark may be convex nevertheless.
 ///
-/// Local tests suffice. Let every triangle show its inner side to the mean c of the corners, from a distance of at
-/// least rho, and let one ray from c meet one triangle only. Radial projection from c is then a covering of the sphere
-/// by one sheet. Cut the body by a plane through c, a place x of a triangle and a vertex v: the outline is a polygon
-/// around c. Follow it from x to v by the shorter way. As long as v may lie before the line of x, the way has turned
-/// left by less than half a turn; so it rises before that line only by right turns, which are R in all, and no higher
-/// than R times its length. The length is at most pi r^2 / rho where r is the greatest distance from c, and R at most
-/// the sum over all edges that are folded inwards of the angle times pi / 2 * r / rho: a plane crosses an edge once.
-/// (Local tests: Mehlhorn, Naeher, Seel, Seidel, Schilz, Schirra, Uhrig. Checking geometric programs. CGTA 1999.)
+/// Local tests suffice. Let every triangle face the mean c of the corners with its inner side, with c at a distance of
+/// at least rho from its plane, and let one ray from c meet only one triangle. Then radial projection from c is a
+/// one-sheeted covering of the sphere. Cut the body by a plane through c, a point x of a triangle and a vertex v: the
+/// outline is a polygon around c. Follow it from x to v the shorter way. As long as v can lie in front of the line of
+/// x, the path has turned left by less than half a turn; hence it rises in front of that line only by right turns,
+/// whose sum is R, and by no more than R times its length. The length is at most pi r^2 / rho, where r is the greatest
+/// distance from c, and R is at most the sum over all inward folds of the angle times pi / 2 * r / rho, since a plane
+/// crosses an edge only once. (Local tests: Mehlhorn, Naeher, Seel, Seidel, Schilz, Schirra, Uhrig. Checking geometric
+/// programs. CGTA 1999.)
 void keep_convex(const scene::World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact,
                  std::vector<char>& candidates);
 

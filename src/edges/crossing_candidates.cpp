@@ -21,7 +21,8 @@ std::array<double, 6> corners_of(const Box& box) {
   return {box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z};
 }
 
-// Of each box the first body that has it, ascending; no other is lonely. A cut may take bodies away.
+// For each distinct box the first body that has it, in ascending order; bodies with equal boxes are not isolated. A cut
+// may remove bodies, whose boxes are then empty.
 std::vector<int> unlike_bodies(const std::vector<Box>& boxes, std::vector<char>& isolated) {
   std::vector<int> there;
   for (std::size_t b = 0; b < boxes.size(); ++b)
@@ -39,7 +40,7 @@ std::vector<int> unlike_bodies(const std::vector<Box>& boxes, std::vector<char>&
   return unlike;
 }
 
-// Marks bodies whose box meets that of no other body.
+// Marks the bodies whose box does not overlap that of any other body.
 std::vector<char> isolated_bodies(const std::vector<Box>& boxes, const Progress& progress) {
   std::vector<char> isolated(boxes.size(), 1);
   const std::vector<int> there = unlike_bodies(boxes, isolated);
@@ -70,8 +71,9 @@ Corners corners_of(const scene::World& world, int triangle) {
   return corners;
 }
 
-// Parts in one place cross other parts there alike. Two stay, since a face crosses a copy where it does not cross its
-// own neighbour. What the others would add are copies of lines that come before them, and so are not drawn.
+// Coincident parts have the same crossings with other parts. Two copies are kept, since a face may cross a copy where
+// it does not cross its own neighbour. Further copies would only add copies of lines that come before them, and so are
+// not drawn.
 void drop_third_copies(const scene::World& world, const Progress& progress, std::vector<int>& triangles) {
   if (world.models.size() < 3) return;  // no mesh has a triangle twice
   const std::vector<char> is_third = mark_third_copies(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which triangles may cross others at all; the rest are excluded from the search for intersection lines.
+// Selects the triangles that may cross others; the rest are excluded from the search for intersection lines.
 #pragma once
 
 #include <vector>
@@ -9,21 +9,23 @@
 
 namespace epura::edges {
 
-/// Triangles of the world that may cross, ascending. With the others find_intersections finds nothing, to the last bit,
-/// or copies of lines that come before them and so are drawn in their place:
+/// Returns the triangles of the world that may cross others, in ascending order. With any other triangle,
+/// find_intersections finds, to the last bit, either nothing or copies of lines that come earlier and are drawn
+/// instead:
 ///
-/// - The search takes two triangles as apart when no corner of one lies more than `contact` before the plane of the
-///   other. In a body proved to be convex (convex_bodies.hpp) that holds for any two.
-/// - It takes triangles as apart when their boxes are. So they are where those of their bodies are.
-/// - Low triangles (is_low) have no plane to be crossed in.
+/// - The search treats two triangles as separate if no corner of one lies more than `contact` in front of the plane of
+///   the other. In a body proved to be convex (convex_bodies.hpp) this holds for any two.
+/// - It treats triangles as separate if their boxes do not overlap. This is the case if the boxes of their bodies do
+///   not.
+/// - Low triangles (is_low) have no plane in which they could be crossed.
 ///
-/// Left out are low triangles, those of convex bodies whose box meets that of no other body, and of copies of a
-/// triangle in one place all but two: lines that only others would add are drawn already. `normalisation` and
+/// Excluded are low triangles, triangles of convex bodies whose box does not overlap that of any other body, and all
+/// but two of coincident triangles: lines that only further copies would add are already drawn. `normalisation` and
 /// `contact` are those of find_intersections. Throws OutOfTime.
 std::vector<int> crossing_candidates(const scene::World& world, double normalisation, double contact,
                                      const Progress& progress = {});
 
-/// Without shortcuts: all triangles.
+/// Returns all triangles: the candidates without any shortcut.
 std::vector<int> all_triangles(const scene::World& world);
 
 }  // namespace epura::edges

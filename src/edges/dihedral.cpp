@@ -65,7 +65,7 @@ FoldLimit::FoldLimit(double limit) : degrees(limit), squared_cosine(2) {
 bool folds_by(const std::array<Vec3, 2>& normals, const FoldLimit& limit) {
   const auto& [n1, n2] = normals;
   const double product = glm::dot(n1, n2);
-  // Plainly flatter than the limit, beyond all rounding.
+  // Flatter than the limit by more than rounding can explain.
   const double min = 1.0001 * limit.squared_cosine * glm::dot(n1, n1) * glm::dot(n2, n2);
   if (product > 0 && product * product > min) return false;
   return fold_angle(normals) >= limit.degrees;

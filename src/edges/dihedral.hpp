@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The angle of the fold between two triangles at their common edge, for any orientation.
+// Computes the fold angle between two triangles at their common edge, whatever their orientation.
 #pragma once
 
 #include <array>
@@ -8,12 +8,13 @@
 
 namespace epura::edges {
 
-/// One model of a world, with what edge decisions need of it.
+/// One model of a world, with the data needed to classify its edges.
 struct EdgeSurroundings {
   const scene::World& world;
   int model;
-  double normalisation;  ///< power of two that brings lengths near 1, so that products of them stay in range
-  /// The mesh before a plane cut it, to be judged in its place: edges and triangles below are of that then.
+  double normalisation;  ///< power of two that scales lengths to about 1, so that their products stay in range
+  /// The mesh before it was cut by a plane, if it is to be judged instead: edges and triangles below are those of this
+  /// mesh then.
   const mesh::Mesh* uncut = nullptr;
 
   [[nodiscard]] const mesh::Mesh& mesh() const { return uncut != nullptr ? *uncut : *world.models[model].mesh; }
@@ -25,40 +26,42 @@ struct EdgeSurroundings {
     return corners;
   }
   [[nodiscard]] Vec3 point(int vertex) const { return world.points[vertex] * normalisation; }
-  /// The corner of a triangle that is not on the edge. Behind a sliver a triangle may share less than the whole edge
-  /// with the one before it, so it is the corner farthest from the edge's line.
+  /// The corner of a triangle that is not on the edge. Beyond a sliver a triangle may share only a part of the edge
+  /// with the triangle before it; the result is then the corner farthest from the line of the edge.
   [[nodiscard]] int apex(const std::array<int, 2>& edge, int triangle) const;
 };
 
-/// The edge between two vertices of the world, the lower number first; null when the model has none there.
+/// Returns the edge between two vertices of the world, given with the lower number first; null if the model has no such
+/// edge.
 const mesh::MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side);
 
-/// Normals of two triangles at their common edge, of any length, equal in direction where one continues the other
-/// flatly.
+/// Returns the normals of two triangles at their common edge, not normalised; they have equal directions if the
+/// triangles are coplanar and do not overlap.
 std::array<Vec3, 2> normals_at(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second);
 
-/// Degrees by which the second triangle turns away from continuing the first one flatly: 0 flat, 180 folded back.
+/// Returns the angle in degrees by which the second triangle deviates from a flat continuation of the first one: 0
+/// flat, 180 folded back.
 double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second);
 
-/// The same of normals as normals_at gives them.
+/// The same for normals from normals_at.
 double fold_angle(const std::array<Vec3, 2>& normals);
 
-/// An angle to compare folds with.
+/// A threshold for fold angles.
 struct FoldLimit {
   double degrees;
-  double squared_cosine;  ///< 2 from a right angle on, which nothing exceeds
+  double squared_cosine;  ///< 2 for 90 degrees and more, so that nothing exceeds it
 
   explicit FoldLimit(double limit);
 };
 
-/// Whether a fold is at least this large; for most edges without an arc tangent.
+/// Whether a fold reaches the limit. Most edges are decided without an arc tangent.
 bool folds_by(const std::array<Vec3, 2>& normals, const FoldLimit& limit);
 
-/// The largest fold at the sides of a triangle that is below `crease_angle`: how far the surface that it approximates
-/// turns from one facet to the next. 0 for a facet of a plane.
+/// Returns the largest fold below `crease_angle` at the sides of a triangle, in degrees: how far the surface that it
+/// approximates turns from one facet to the next. 0 for a facet of a plane.
 double turn_of_surface(const EdgeSurroundings& around, int triangle, double crease_angle);
 
-/// The height of a triangle over its longest side.
+/// Returns the height of a triangle above its longest side.
 double height_of(const EdgeSurroundings& around, int triangle);
 
 }  // namespace epura::edges

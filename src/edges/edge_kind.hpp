@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why an edge is drawn.
+// The reason why an edge is drawn.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace epura::edges {
 
-/// Whether the edge lies inside a surface that continues across it: such lines are drawn narrow.
+/// Whether the surface continues smoothly across the edge: such lines are drawn narrow.
 constexpr bool is_within_surface(EdgeKind kind) { return kind >= EdgeKind::tangent; }
 
 inline std::string_view name_of(EdgeKind kind) { return scene::word_of(kind); }

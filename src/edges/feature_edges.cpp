@@ -15,13 +15,13 @@ namespace epura::edges {
 
 namespace {
 
-// So that a threshold of 360/N takes all edges of an N-sided prism or none.
+// Degrees; with a threshold of 360/N either all or none of the edges of an N-sided prism are creases.
 constexpr double angle_rounding = 1e-6;
-// A triangle that leaves the plane of its neighbour by less than this part of the scene lies in it.
+// A triangle that deviates from the plane of its neighbour by less than this fraction of the scene's size lies in it.
 constexpr double flatness = 0x1p-29;
 
-// The vector areas of the polygons of the file, by number: normals of polygons that may be bent (Newell). Empty where
-// all are triangles.
+// Twice the vector areas of the polygons of the file, by number: normals of polygons that need not be flat (Newell).
+// Empty if all polygons are triangles.
 std::vector<Vec3> mean_normals(const EdgeSurroundings& around) {
   const mesh::Mesh& mesh = around.mesh();
   if (std::none_of(mesh.edges.begin(), mesh.edges.end(), [](const mesh::MeshEdge& e) { return e.diagonal; })) return {};
@@ -40,24 +40,24 @@ struct Judge {
   const EdgeOptions& options;
   const Slivers& slivers;
   const std::vector<char>& is_tangent;       ///< by edge; empty if not needed
-  const std::vector<Vec3>& polygon_normals;  ///< by number of the polygon
+  const std::vector<Vec3>& polygon_normals;  ///< by polygon number
   FoldLimit crease;
-  const features::PartFaces* part;  ///< null where none is recognised
-  double edge_on;                   ///< cells from the line of an edge within which a corner is on it
+  const features::PartFaces* part;  ///< null if no faces are recognised
+  double edge_on;                   ///< distance in cells up to which a corner counts as lying on the line of an edge
 
   [[nodiscard]] const mesh::Mesh& mesh() const { return around.mesh(); }
 
-  // Where the third corner of a triangle lies: 1 left of the edge on the page, -1 right, 0 on its line or no farther
-  // than `reach` cells from it.
+  // The side of the edge on which the third corner of a triangle lies on the page: 1 left, -1 right, 0 on its line or
+  // no farther than `reach` cells from it.
   [[nodiscard]] int side(const std::array<int, 2>& edge, int triangle, double reach) const {
     const int corner = around.apex(edge, triangle);
-    // Corners that a plane took away may lie anywhere.
+    // Corners that a clipping plane removes may lie anywhere.
     if (view.triangle_planes.empty() && around.uncut == nullptr) return side_on_grid(edge, corner, reach);
     const bool before_viewer = is_before_viewer(edge[0]) && is_before_viewer(edge[1]) && is_before_viewer(corner);
     return before_viewer ? side_on_page(edge, corner, reach) : side_in_space(edge, corner);
   }
 
-  // Whether all corners of a triangle lie on the lines of the sides opposite to them.
+  // Whether every corner of a triangle lies on the line of the opposite side.
   [[nodiscard]] bool is_edge_on(int triangle) const {
     const std::array<int, 3> c = around.corners(triangle);
     for (int i = 0; i < 3; ++i)
@@ -65,9 +65,9 @@ struct Judge {
     return true;
   }
 
-  // Whether the outline of the surface runs along the edge: the triangles lie on one side of it, or one of them is seen
-  // edge-on. A triangle on the line of this edge may well face the viewer at its other sides, so between two of those
-  // the sign decides, however small, or the outline would have a gap there.
+  // Whether the edge is a contour: both triangles lie on one side of it, or one of them is seen edge-on. A triangle
+  // whose third corner is on the line of this edge may still face the viewer at its other sides, so between two such
+  // triangles the sign decides, however small; otherwise the contour would have a gap there.
   [[nodiscard]] bool is_contour(const std::array<int, 2>& edge, int first, int second) const {
     const int side_one = side(edge, first, edge_on);
     const int side_two = side(edge, second, edge_on);
@@ -79,10 +79,10 @@ struct Judge {
     return sign != 0 && sign == side(edge, second, 0);
   }
 
-  // Far enough from the plane of the viewer for places on the page to keep their digits.
+  // Far enough in front of the viewer for positions on the page to keep their precision.
   [[nodiscard]] bool is_before_viewer(int vertex) const { return view.clipper.vertices[vertex].w > 0x1p-20; }
 
-  // Without the grid, for corners that may lie beyond the window.
+  // The same without the grid, for corners that may lie outside the window.
   [[nodiscard]] int side_on_page(const std::array<int, 2>& edge, int corner, double reach) const {
     const auto place = [this](int v) { return Vec2(view.vertices[v].x, view.vertices[v].y); };
     const Vec2 along = place(edge[1]) - place(edge[0]), to = place(corner) - place(edge[0]);
@@ -96,13 +96,14 @@ struct Judge {
     const view::GridPoint& b = view.grid[edge[1]];
     const double area = static_cast<double>(view::cross(a, b, view.grid[corner]));
     const double dx = static_cast<double>(b.x) - a.x, dy = static_cast<double>(b.y) - a.y;
-    // The way along the axes is longer, and found without a root: nearly always it is enough.
+    // The 1-norm is at least as large as the length, needs no square root, and nearly always decides.
     const bool beside = std::abs(area) > reach * (std::abs(dx) + std::abs(dy));
     if (!beside && std::abs(area) <= reach * std::hypot(dx, dy)) return 0;
     return area > 0 ? 1 : -1;
   }
 
-  // The same without division, for corners that may lie behind the viewer: the side of the plane through edge and eye.
+  // The same without division, for corners that may lie behind the viewer: the side of the plane through the edge and
+  // the centre of projection.
   [[nodiscard]] int side_in_space(const std::array<int, 2>& edge, int corner) const {
     const view::Mapped& a = view.clipper.vertices[edge[0]];
     const view::Mapped& b = view.clipper.vertices[edge[1]];
@@ -113,7 +114,7 @@ struct Judge {
     return std::abs(volume) <= rounding ? 0 : volume > 0 ? 1 : -1;
   }
 
-  // Whether the second triangle, of these normals at the edge, is folded back over the first in its plane.
+  // Whether the second triangle is folded back over the first one in its plane, given their normals at the edge.
   [[nodiscard]] bool is_folded_over(const std::array<int, 2>& edge, const std::array<Vec3, 2>& normals) const {
     const auto& [n1, n2] = normals;
     if (!(glm::dot(n1, n2) < 0)) return false;
@@ -122,8 +123,8 @@ struct Judge {
     return sine * height <= std::max(flatness, around.world.rounding * around.normalisation);
   }
 
-  // What continues the surface at an edge with a triangle that is folded over, where the next one is folded over back
-  // again: three layers in one plane, and no line.
+  // The triangle that continues the surface if the triangle at the edge is folded over and the next one is folded back
+  // again: three layers in one plane, which need no line.
   [[nodiscard]] std::optional<int> behind_pleat(const std::array<int, 2>& edge, int triangle, int folded) const {
     if (!is_folded_over(edge, normals_at(around, edge, triangle, folded))) return std::nullopt;
     const auto [side, next] = slivers.way_out(edge, folded);
@@ -133,7 +134,8 @@ struct Judge {
     return ends_in_its_plane(folded, edge, side) ? next : std::nullopt;
   }
 
-  // Whether the third side of a pleat is short, or the surface folds back there, too: otherwise the pleat sticks out.
+  // Whether the third side of a pleat is short, or the surface is folded back there as well; otherwise the pleat sticks
+  // out.
   [[nodiscard]] bool ends_in_its_plane(int folded, const std::array<int, 2>& one,
                                        const std::array<int, 2>& other) const {
     const std::array<int, 3> corners = around.corners(folded);
@@ -150,7 +152,7 @@ struct Judge {
     return true;
   }
 
-  // The triangles between which an edge is judged, with their normals there.
+  // The triangles that decide about an edge, with their normals there.
   struct Pair {
     int first, second;
     std::array<Vec3, 2> normals;
@@ -166,18 +168,18 @@ struct Judge {
     return plain;
   }
 
-  // Two triangles at an edge.
+  // The kind of an edge between two triangles.
   [[nodiscard]] std::optional<EdgeKind> judge_pair(const mesh::MeshEdge& edge, const std::array<int, 2>& ends,
                                                    int first, int second) const {
     const std::optional<EdgeKind> border = kind_of_border(edge);
     const Beyond one = slivers.beyond(ends, first);
     const Beyond two = slivers.beyond(ends, second);
-    // Of the two sides of a sliver between faces of the part one is their border.
+    // One of the two sides of a sliver between faces of the part is their border.
     if (one.covered || two.covered) return border == EdgeKind::crease ? if_wanted(EdgeKind::crease) : std::nullopt;
     if (!one.triangle || !two.triangle) return if_wanted(EdgeKind::boundary);
     const Pair pair = pair_at(ends, *one.triangle, *two.triangle);
     if (options.contour && is_contour(ends, pair.first, pair.second)) return EdgeKind::contour;
-    // Inside a polygon nothing is folded: it is one face in the file.
+    // A polygon of the file is one face, so its diagonals are not drawn.
     if (edge.diagonal) return std::nullopt;
     if (part != nullptr) return border && if_wanted(*border) ? border : if_wanted(EdgeKind::smooth);
     if (options.crease && folds_by(normals_of_faces(pair), crease)) return EdgeKind::crease;
@@ -186,7 +188,7 @@ struct Judge {
     return if_wanted(EdgeKind::smooth);
   }
 
-  // What an edge between faces of the part is; nothing inside a face.
+  // The kind of an edge between faces of the part; nothing inside a face.
   [[nodiscard]] std::optional<EdgeKind> kind_of_border(const mesh::MeshEdge& edge) const {
     if (part == nullptr) return std::nullopt;
     const features::PartBorder* border = part->border_at(&edge - mesh().edges.data());
@@ -194,7 +196,7 @@ struct Judge {
     return border->angle > options.part_angle ? EdgeKind::crease : EdgeKind::tangent;
   }
 
-  // The normals of the polygons that the triangles are parts of, turned as those of the triangles.
+  // The normals of the polygons to which the triangles belong, oriented like those of the triangles.
   [[nodiscard]] std::array<Vec3, 2> normals_of_faces(const Pair& pair) const {
     std::array<Vec3, 2> normals = pair.normals;
     if (polygon_normals.empty()) return normals;
@@ -216,7 +218,7 @@ struct Judge {
     return wanted ? std::optional(kind) : std::nullopt;
   }
 
-  // Triangles of one body at an edge.
+  // The kind of an edge, judged by the triangles of one body.
   [[nodiscard]] std::optional<EdgeKind> judge_body(const mesh::MeshEdge& edge, const std::array<int, 2>& ends,
                                                    const std::vector<int>& triangles) const {
     if (triangles.size() == 1) return if_wanted(EdgeKind::boundary);
@@ -224,15 +226,15 @@ struct Judge {
     return if_wanted(EdgeKind::crease);
   }
 
-  // Where the file has a line, it is drawn unless the faces give a stronger reason.
+  // A line of the file is drawn as such unless the faces give a stronger reason.
   [[nodiscard]] std::optional<EdgeKind> kind_of(const mesh::MeshEdge& edge) const {
     const std::optional<EdgeKind> kind = kind_of_fold(edge);
     const bool is_wire = edge.wire && options.wire && (!kind || *kind > EdgeKind::wire);
     return is_wire ? EdgeKind::wire : kind;
   }
 
-  // An edge of the mesh that is drawn. A cut leaves faces in their planes but may leave thin pieces of them, so what it
-  // left of an edge is judged by the whole faces.
+  // The kind of an edge of the drawn mesh. A cut may leave only thin pieces of faces, so the remains of an edge are
+  // judged by the uncut faces.
   [[nodiscard]] std::optional<EdgeKind> kind_of_fold(const mesh::MeshEdge& edge) const {
     if (edge.cut == mesh::CutEdge::inside) return std::nullopt;
     if (edge.cut == mesh::CutEdge::outline) return EdgeKind::section;
@@ -251,7 +253,7 @@ struct Judge {
     const auto all = mesh().triangles_of(edge);
     if (all.size() == 2) return judge_pair(edge, ends, all[0], all[1]);
 
-    // Bodies that touch in an edge are judged each by itself; the strongest reason wins.
+    // Bodies that touch in an edge are judged separately; the strongest reason wins.
     std::optional<EdgeKind> strongest;
     std::vector<int> triangles(all.begin(), all.end());
     std::stable_sort(triangles.begin(), triangles.end(), [&](int a, int b) { return mesh().body[a] < mesh().body[b]; });

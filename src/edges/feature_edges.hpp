@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which mesh edges are drawn: contours, boundaries, creases.
+// Selects the mesh edges that are drawn: contours, boundaries, creases and others.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,16 @@
 
 namespace epura::edges {
 
-/// For every edge of a model why it is drawn, or nothing.
+/// Returns for every edge of a model the reason why it is drawn, or nothing.
 ///
-/// Orientation of faces is not used: an edge is a contour when its two triangles lie on the same side of it on the
-/// page, or when one of them is seen edge-on; so inside-out, one-sided and randomly oriented surfaces are drawn alike.
-/// Outlines of cuts are always drawn. Throws OutOfTime.
+/// The orientation of faces is not used: an edge is a contour if its two triangles lie on the same side of it on the
+/// page, or if one of them is seen edge-on. Hence inside-out, one-sided and inconsistently oriented surfaces are drawn
+/// alike. Outlines of cuts are always drawn. Throws OutOfTime.
 std::vector<std::optional<EdgeKind>> feature_edges(const scene::World& world, const view::ProjectedScene& view,
                                                    int model, const EdgeOptions& options,
                                                    const Progress& progress = {});
 
-/// The same where the model's slivers in the view are known.
+/// The same, if the slivers of the model in the view are already known.
 std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& view, const EdgeOptions& options,
                                                    const EdgeSurroundings& around, const Slivers& slivers,
                                                    const Progress& progress = {});

@@ -17,10 +17,10 @@ namespace epura::edges {
 
 namespace {
 
-// Of the time that is left, for what finds crossings; the lines that they become take the rest.
+// Fraction of the remaining time for each of the two steps that find crossings; the lines need the rest.
 constexpr double part_for_search = 0.4;
 
-// What meets in the edge, including slivers next to it; empty where there are none.
+// The triangles that meet in the edge, including slivers next to it; empty if no slivers are there.
 std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Slivers& slivers,
                                     const mesh::MeshEdge& edge) {
   const auto triangles = around.world.models[around.model].mesh->triangles_of(edge);
@@ -41,7 +41,7 @@ void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, 
   const EdgeSurroundings whole{world, model, around.normalisation, uncut};
   const Slivers of_whole(whole, view, progress);
   const std::vector<std::optional<EdgeKind>> kinds = feature_edges(view, options, whole, of_whole, progress);
-  // Edges are judged by whole faces; what meets in them are the pieces that a cut left.
+  // Edges are judged by the uncut faces, but the triangles that meet in them are the pieces that a cut left.
   const Slivers of_pieces(around, SliverRule(around, view));
   const Slivers& slivers = uncut == nullptr ? of_whole : of_pieces;
   const auto& edges = world.models[model].mesh->edges;
@@ -59,7 +59,7 @@ void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, 
   }
 }
 
-// Crossings not judged in time count as not searched.
+// Crossings that could not be judged in time count as not searched.
 void drop_contacts(const scene::World& world, double normalisation, double crease_angle, FeatureEdges& drawn,
                    const Progress& progress) {
   const std::vector<Contact> contacts = judge_contacts(world, normalisation, crease_angle, drawn.crossings, progress);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All edges to draw, as straight pieces between vertices of the view.
+// Finds all edges to draw, as straight segments between vertices of the view.
 #pragma once
 
 #include <array>
@@ -13,22 +13,22 @@ namespace epura::edges {
 
 struct EdgeOptions {
   bool contour = true, boundary = true, crease = true, intersection = true;
-  bool wire = true;          ///< lines of the file that bound no face
+  bool wire = true;          ///< lines of the file (see MeshEdge::wire)
   bool tangent = false;      ///< see edges/tangent_edges.hpp
   bool smooth = false;       ///< all other edges of the mesh
-  double crease_angle = 30;  ///< degrees between the triangles' normals from which an edge of a mesh is a crease
-  double part_angle = 5;     ///< the same all along a border between faces of a part that are recognised
+  double crease_angle = 30;  ///< least angle between the triangles' normals at a crease of a mesh, degrees
+  double part_angle = 5;     ///< the same for a border between recognised faces of a part, along all of it
 };
 
-/// A straight piece to be split into visible and hidden spans.
+/// A straight segment, to be split into visible and hidden spans.
 struct FeatureEdge {
   std::array<int, 2> vertex;  ///< of the view
-  std::array<double, 2> t;    ///< 3D parameters of the ends along the edge it comes from (Mesh::origin_of)
+  std::array<double, 2> t;    ///< 3D parameters of its ends along the original edge (Mesh::origin_of)
   EdgeKind kind;
   int model;
-  int mesh_edge;                     ///< in its model; -1 for an intersection line
-  int crossing;                      ///< of an intersection line, in FeatureEdges::crossings; otherwise -1
-  std::array<int, 2> shown{-1, -1};  ///< vertices of the view where its ends are drawn; -1: where they are
+  int mesh_edge;                     ///< number in its model; -1 for an intersection line
+  int crossing;                      ///< index in FeatureEdges::crossings of an intersection line; otherwise -1
+  std::array<int, 2> shown{-1, -1};  ///< vertices of the view at which its ends are drawn; -1: not moved
 };
 
 /// The triangles of a model that meet in an edge next to slivers: those at the edge and those beyond the slivers.
@@ -39,14 +39,14 @@ struct MetAcrossSlivers {
 
 struct FeatureEdges {
   std::vector<FeatureEdge> edges;                ///< in order of model and mesh edge, then the intersection lines
-  std::vector<MetAcrossSlivers> beside_slivers;  ///< of edges that have slivers, in order of model and mesh edge
+  std::vector<MetAcrossSlivers> beside_slivers;  ///< for edges next to slivers, in order of model and mesh edge
   std::vector<FaceCrossing> crossings;
-  double moved = 0;     ///< how far at most ink lies from the edges that it shows; view units
-  double searched = 1;  ///< part of the search for crossings that was done before time was over
+  double moved = 0;     ///< greatest distance between ink and the edges that it shows; view units
+  double searched = 1;  ///< fraction of the search for crossings that was completed in time
 };
 
-/// Without time for all crossings those that were found are there; without time for the edges of the meshes, OutOfTime
-/// is thrown. `view` gets the vertices that clipping and crossings make.
+/// If time runs out during the search for crossings, those found so far are returned; if it runs out before, OutOfTime
+/// is thrown. Vertices created by clipping and by crossings are added to `view`.
 FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 Progress progress = {});
 

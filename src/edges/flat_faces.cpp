@@ -12,9 +12,10 @@ namespace epura::edges {
 
 namespace {
 
-// Pairs within smaller faces are few.
+// Smaller faces have few pairs of triangles to skip.
 constexpr std::size_t least_triangles = 256;
-// Two neighbours are taken as parts of one where the corners of one lie so near to the plane of the other.
+// Two neighbours belong to one face if the corners of one are within this multiple of `contact` of the plane of the
+// other.
 constexpr double join_contacts = 4;
 
 class FlatFaces {
@@ -35,13 +36,13 @@ class FlatFaces {
   }
 
  private:
-  // Doubled and square to the triangle.
+  // Normal vector; its length is twice the area.
   [[nodiscard]] Vec3 area_of(int triangle) const {
     const auto& [a, b, c] = world_.triangles[triangle];
     return glm::cross(points_[b] - points_[a], points_[c] - points_[a]);
   }
 
-  // That of the larger one, whose own corners are rounded, too.
+  // The plane is that of the larger triangle, whose corners are rounded as well.
   [[nodiscard]] bool lie_in_one_plane(int a, int b) const {
     Vec3 normal = area_of(a);
     const Vec3 other = area_of(b);
@@ -56,7 +57,7 @@ class FlatFaces {
                        [&](int v) { return std::abs(glm::dot(normal, points_[v] - origin)) <= max; });
   }
 
-  // `count` triangles of the model from the given place of the list on.
+  // Considers `count` triangles of the model, starting at index `first` of the list.
   void join_neighbours(std::size_t model, std::ptrdiff_t first, std::ptrdiff_t count) {
     const mesh::Mesh& mesh = *world_.models[model].mesh;
     std::vector<int> place(mesh.polygon.size(), -1);
@@ -70,7 +71,8 @@ class FlatFaces {
     }
   }
 
-  // The plane of the sum of their areas: that of one alone is uncertain, of needles more so.
+  // Uses the plane perpendicular to the sum of the area vectors: that of a single triangle is uncertain, particularly
+  // that of a needle.
   [[nodiscard]] bool is_flat(std::span<const int> region) const {
     Vec3 normal(0);
     for (const int i : region) {
@@ -88,7 +90,7 @@ class FlatFaces {
   }
 
   std::vector<int> numbered() {
-    std::vector<std::pair<int, int>> by_region;  // root and place in the list
+    std::vector<std::pair<int, int>> by_region;  // root and index in the list
     for (int i = 0; i < static_cast<int>(triangles_.size()); ++i)
       if (const int root = regions_.root(i); root != i) by_region.emplace_back(root, i);
     std::sort(by_region.begin(), by_region.end());
@@ -110,7 +112,7 @@ class FlatFaces {
   std::span<const Vec3> points_;
   double contact_;
   const std::vector<int>& triangles_;
-  DisjointSets regions_;  // of places in the list
+  DisjointSets regions_;  // of indices in the list
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faces of many coplanar triangles: these do not cross each other, however their boxes overlap.
+// Finds faces of many coplanar triangles: these do not cross each other, even if their boxes overlap.
 #pragma once
 
 #include <span>
@@ -9,9 +9,9 @@
 
 namespace epura::edges {
 
-/// For each of the triangles, which ascend, the number of the large flat face that it is part of, or -1; empty if there
-/// is no such face. Its triangles hang together by their sides, and their corners lie within `contact` of a plane.
-/// `points` are the world's, where `contact` is measured.
+/// Returns for each of the triangles, which are in ascending order, the number of the large flat face to which it
+/// belongs, or -1; empty if there is no such face. The triangles of a face are connected by their sides, and their
+/// corners lie within `contact` of a plane. `points` are those of the world, in the same unit as `contact`.
 std::vector<int> flat_faces(const scene::World& world, std::span<const Vec3> points, double contact,
                             const std::vector<int>& triangles);
 

@@ -19,7 +19,7 @@ namespace epura::edges {
 
 namespace {
 
-// Planes that differ by less than this angle (radians) have no reliable line in common.
+// Planes at a smaller angle (radians) have no reliable common line.
 constexpr double least_angle = 1e-9;
 
 // n . p = offset with a unit normal; a zero normal for a low triangle.
@@ -45,8 +45,8 @@ class Crossings {
         middle_(middle_of(world, normalisation)),
         points_(normalised_points(world, normalisation)) {}
 
-  /// Of the triangles that `cross` will be called for. Apart from the constructor, since the tree is built in between,
-  /// which needs room.
+  /// Computes the planes of the triangles for which `cross` will be called. Not done in the constructor: the tree is
+  /// built first, and needs the memory.
   void find_planes(const std::vector<int>& triangles) {
     planes_.resize(world_.triangles.size());
     parallel_for(triangles.size(), 8192, [&](std::size_t begin, std::size_t end) {
@@ -67,7 +67,7 @@ class Crossings {
   [[nodiscard]] std::optional<FaceCrossing> cross(int a, int b) const {
     const int first = std::min(a, b);
     const int second = std::max(a, b);
-    // Nearly all are neighbours, or part here: all corners of one on one side of the other.
+    // Nearly all pairs are neighbours or are rejected here: all corners of one are on one side of the other.
     if (common_vertices(first, second) >= 2) return std::nullopt;
     if (stays_apart(second, planes_[first]) || stays_apart(first, planes_[second])) return std::nullopt;
     if (!boxes_overlap(box(first), box(second))) return std::nullopt;
@@ -98,7 +98,7 @@ class Crossings {
 
   [[nodiscard]] int sign(double distance) const { return distance > contact_ ? 1 : distance < -contact_ ? -1 : 0; }
 
-  // No corner in front of the plane, or none behind it and no edge in it.
+  // Whether no corner is in front of the plane, or none is behind it and no edge lies in it.
   [[nodiscard]] bool stays_apart(int triangle, const Plane& plane) const {
     int in_front = 0;
     int behind = 0;
@@ -117,7 +117,8 @@ class Crossings {
     return common;
   }
 
-  // Where the edge between two vertices meets the plane: computed alike from both triangles at the edge.
+  // The point at which the edge between two vertices meets the plane, computed identically for both triangles at the
+  // edge.
   [[nodiscard]] Vec3 meet(const Plane& plane, int a, int b) const {
     const Vec3 p = point(std::min(a, b));
     const Vec3 q = point(std::max(a, b));
@@ -125,7 +126,7 @@ class Crossings {
     return p + (from / (from - plane.distance(q))) * (q - p);
   }
 
-  // The piece of a triangle in a plane that it crosses.
+  // The segment in which a triangle cuts a plane that it crosses.
   [[nodiscard]] std::optional<Piece> cut(int triangle, const Plane& plane) const {
     const auto& c = world_.triangles[triangle];
     std::array<int, 3> signs{};
@@ -142,8 +143,8 @@ class Crossings {
     return Piece{{met[0], met[1]}};
   }
 
-  // Two corners in the plane, the third in front: a crossing only if the surface continues behind the plane. It is
-  // found from the triangle in front alone, so it is found once.
+  // Two corners are in the plane and the third one is in front: a crossing only if the surface continues behind the
+  // plane. It is found only from the triangle in front, hence once.
   [[nodiscard]] std::optional<Piece> edge_in_plane(int triangle, const std::array<int, 3>& signs,
                                                    const Plane& plane) const {
     const auto& c = world_.triangles[triangle];
@@ -163,7 +164,7 @@ class Crossings {
     return false;
   }
 
-  // What two pieces of one line have in common, if that is longer than the contact distance.
+  // The common part of two segments of one line, if it is longer than the contact distance.
   [[nodiscard]] std::optional<Piece> overlap(Piece one, Piece two, const Vec3& along) const {
     for (Piece* piece : {&one, &two})
       if (glm::dot(piece->ends[0], along) > glm::dot(piece->ends[1], along)) std::swap(piece->ends[0], piece->ends[1]);
@@ -177,7 +178,7 @@ class Crossings {
   const scene::World& world_;
   double normalisation_, contact_;
   Vec3 middle_;
-  UnsetVector<Vec3> points_;  ///< normalised and moved to the middle
+  UnsetVector<Vec3> points_;  ///< normalised and centred
   UnsetVector<Plane> planes_;
 };
 
@@ -229,7 +230,7 @@ FaceCrossings find_intersections(const scene::World& world, double normalisation
     parallel_for(tasks.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t task = begin; task < end; ++task) search(task);
     });
-  } catch (const OutOfTime&) {  // what was found so far is right
+  } catch (const OutOfTime&) {  // what was found so far is valid
   }
   FaceCrossings all{{}, static_cast<double>(finished) / static_cast<double>(tasks.size())};
   for (const auto& part : found) all.found.insert(all.found.end(), part.begin(), part.end());

@@ -11,20 +11,20 @@ namespace epura::edges {
 
 namespace {
 
-// Products of coordinates of triangles lower than this part of the scene keep too few digits.
+// Relative to the scene's size: for lower triangles, products of coordinates keep too few digits.
 constexpr double scene_rounding = 0x1p-48;
-// Triangles are slivers that are lower on the page than so many times its resolution, so that the page grid takes none
-// of the others for a line.
+// Slivers are lower on the page than this multiple of its resolution, so that no other triangle becomes a line on the
+// page grid.
 constexpr double lowest_on_page = 2;
-// Those that are so many times as high in space, or no lower than this part of their length, are not: they are seen
-// edge-on.
+// Triangles that are higher in space than this multiple of the limit on the page, or whose height is more than this
+// fraction of their length, are not slivers: they are seen edge-on.
 constexpr double edge_on = 1024;
 constexpr double slender = 1.0 / 64;
-// Nor are walls: a triangle that is so many roundings high faces a known way, and where it meets another such one at
-// this angle or more, both are faces of a step.
+// Walls are not slivers either: a triangle higher than this multiple of the rounding has a known normal, and if it
+// meets another such triangle at this angle or more, both are faces of a step.
 constexpr double known_height = 16;
 constexpr double step_angle = 30;  // degrees
-constexpr int longest_row = 256;   // of slivers side by side; more than that is not a surface any more
+constexpr int longest_row = 256;   // adjacent slivers; a longer row is not a surface any more
 
 std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
@@ -32,18 +32,18 @@ double length_of(const EdgeSurroundings& around, const std::array<int, 2>& side)
   return glm::length(around.point(side[1]) - around.point(side[0]));
 }
 
-// The strict order of sides.
+// A strict order of sides.
 auto rank(const EdgeSurroundings& around, const std::array<int, 2>& side) {
   return std::tuple(length_of(around, side), side);
 }
 
-// Zero on the side, growing away from it.
+// Zero on the side, and increasing away from it.
 double detour(const EdgeSurroundings& around, const std::array<int, 2>& side, const Vec3& place) {
   const Vec3 a = around.point(side[0]), b = around.point(side[1]);
   return glm::length(place - a) + glm::length(b - place) - glm::length(b - a);
 }
 
-// The side of the triangle on which `place` lies, `entry` left out.
+// The side of the triangle, other than `entry`, on which `place` lies.
 std::array<int, 2> side_at(const EdgeSurroundings& around, const std::array<int, 3>& corners,
                            const std::array<int, 2>& entry, const Vec3& place) {
   std::array<int, 2> best{};
@@ -64,7 +64,7 @@ Vec3 middle_of(const EdgeSurroundings& around, const std::array<int, 2>& edge) {
   return (around.point(edge[0]) + around.point(edge[1])) * 0.5;
 }
 
-// The only other triangle at a side of one.
+// The other triangle at a side, if there is exactly one.
 std::optional<int> other_side(const EdgeSurroundings& around, const std::array<int, 2>& side, int triangle) {
   const mesh::MeshEdge* edge = find_edge(around, side);
   if (edge == nullptr || edge->count != 2) return std::nullopt;
@@ -72,13 +72,13 @@ std::optional<int> other_side(const EdgeSurroundings& around, const std::array<i
   return both[0] == triangle ? both[1] : both[0];
 }
 
-// The way out of a triangle that was entered through `entry`: where `place` lies.
+// The exit from a triangle that was entered through `entry`: the side on which `place` lies.
 Exit exit_at(const EdgeSurroundings& around, const std::array<int, 2>& entry, int triangle, const Vec3& place) {
   const std::array<int, 2> side = side_at(around, around.corners(triangle), entry, place);
   return {side, other_side(around, side, triangle)};
 }
 
-// Whether both ends of the edge lie on the side, but for `slack`.
+// Whether both ends of the edge lie on the side, with a tolerance of `slack`.
 bool spans(const EdgeSurroundings& around, const std::array<int, 2>& side, const std::array<int, 2>& edge,
            double slack) {
   const Vec3 from = around.point(side[0]), along = around.point(side[1]) - from;
@@ -89,7 +89,7 @@ bool spans(const EdgeSurroundings& around, const std::array<int, 2>& side, const
   });
 }
 
-// Height over the longest side on the page; no number for a triangle that reaches behind the viewer.
+// Height above the longest side on the page; NaN for a triangle that extends behind the viewer.
 double height_on_page(const view::ProjectedScene& view, const std::array<int, 3>& corners) {
   std::array<Vec2, 3> p{};
   for (int i = 0; i < 3; ++i) {
@@ -172,7 +172,7 @@ Exit Slivers::way_out(const std::array<int, 2>& edge, int triangle) const {
 }
 
 double page_resolution(const scene::World& world, const view::ProjectedScene& view) {
-  // Both ends of a line and the point next to it were rounded to the grid.
+  // Both ends of a line and the point compared with it were rounded to the grid.
   constexpr double grid = 2;
   return std::max(grid * view.cell, world.rounding * view.map.normalisation * view.map.unit);
 }

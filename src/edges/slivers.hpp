@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles too low to be meaningful, and how a surface continues across them.
+// Finds triangles too low to be meaningful, and determines how a surface continues across them.
 //
-// Which way a sliver faces is determined by rounding: of the file, of doubles, or of the page lattice. Edges next to
-// slivers are judged by the faces behind them, and of several edges along one line, one is drawn. The longest side of a
-// sliver lies on the other two, which are drawn instead. Of two sides that are equal within the height of the sliver
-// (the long sides of a needle, as at the pole of a surface of revolution), the shorter one is drawn. A strict order of
-// all sides prevents the two rules from removing both.
+// The normal of a sliver is determined by rounding: of the file, of doubles, or of the page lattice. Edges next to
+// slivers are judged by the faces beyond them, and of several edges along one line, one is drawn. The longest side of a
+// sliver lies on the other two, which are drawn instead. If two sides are equal within the height of the sliver (the
+// long sides of a needle, as at the pole of a surface of revolution), the shorter one is drawn. A strict order of all
+// sides prevents the two rules from removing both.
 #pragma once
 
 #include <array>
@@ -19,23 +19,23 @@
 
 namespace epura::edges {
 
-/// Distances on the page up to which a point may be on either side of a line: the page grid or, where that is more,
-/// what rounding in the files may have moved (view units).
+/// Returns the distance on the page (view units) below which the side of a line on which a point lies is uncertain: the
+/// resolution of the page grid or, if larger, the effect of rounding in the files.
 double page_resolution(const scene::World& world, const view::ProjectedScene& view);
 
-/// What continues a surface at an edge.
+/// The continuation of a surface at an edge.
 struct Beyond {
-  std::optional<int> triangle;  ///< of the model; none where the surface ends
+  std::optional<int> triangle;  ///< number in the model; nothing if the surface ends
   bool covered = false;         ///< another side of a sliver is drawn in place of the edge
 };
 
-/// The way out of a triangle.
+/// The exit from a triangle.
 struct Exit {
   std::array<int, 2> side;
-  std::optional<int> next;  ///< the triangle behind it, if it is the only one there
+  std::optional<int> next;  ///< the triangle beyond the side, if there is exactly one
 };
 
-/// Which triangles of a model are slivers in a view.
+/// Decides which triangles of a model are slivers in a view.
 class SliverRule {
  public:
   SliverRule(const EdgeSurroundings& around, const view::ProjectedScene& view);
@@ -53,11 +53,11 @@ class SliverRule {
 /// The slivers of one model in one view.
 class Slivers {
  public:
-  /// For few queries: triangles are examined on demand. The view must outlive this object.
+  /// For few queries: triangles are tested on demand. The view must outlive this object.
   Slivers(const EdgeSurroundings& around, const SliverRule& rule) : around_(around), rule_(rule) {}
-  /// For many queries: all triangles are examined beforehand. Throws OutOfTime.
+  /// For many queries: all triangles are tested in advance. Throws OutOfTime.
   Slivers(const EdgeSurroundings& around, const view::ProjectedScene& view, const Progress& progress = {});
-  /// For tests: these and no others.
+  /// For tests: exactly these slivers.
   Slivers(const EdgeSurroundings& around, std::vector<char> slivers)
       : around_(around), is_sliver_(std::move(slivers)) {}
 
@@ -65,21 +65,21 @@ class Slivers {
     return rule_ ? rule_->holds_for(triangle) : is_sliver_[triangle] != 0;
   }
 
-  /// The first triangle from this one on, away from the edge, that is not a sliver. Each sliver is left through the
-  /// side on which the middle of the edge lies.
+  /// Returns the first triangle that is not a sliver, starting with this one and moving away from the edge. Each sliver
+  /// is left through the side on which the middle of the edge lies.
   [[nodiscard]] Beyond beyond(const std::array<int, 2>& edge, int triangle) const {
     return contain(triangle) ? across(edge, triangle) : Beyond{triangle, false};
   }
-  /// The same; slivers that are passed are added to `passed`.
+  /// The same; slivers on the way are appended to `passed`.
   [[nodiscard]] Beyond across(const std::array<int, 2>& edge, int triangle, std::vector<int>* passed = nullptr) const;
 
-  /// The other side of a triangle on which the middle of the edge lies.
+  /// Returns the side of a triangle, other than the edge, on which the middle of the edge lies.
   [[nodiscard]] Exit way_out(const std::array<int, 2>& edge, int triangle) const;
 
  private:
   EdgeSurroundings around_;
   std::optional<SliverRule> rule_;
-  std::vector<char> is_sliver_;  ///< by triangle; where there is no rule
+  std::vector<char> is_sliver_;  ///< by triangle; used if there is no rule
 };
 
 }  // namespace epura::edges

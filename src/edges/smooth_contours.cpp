@@ -17,10 +17,10 @@ namespace {
 
 using features::SurfaceKind;
 
-// Of the height of a triangle: surfaces have their contours no farther from those of their facets.
+// Relative to the height of a triangle: the contour of a surface is no farther from that of its facets.
 constexpr double most_moved = 1;
 
-// Whether contours at a triangle follow the surface.
+// Whether contours at a triangle are moved to the surface.
 bool is_smoothed(const scene::Placed& placed, int triangle) {
   const int face = placed.part->face_of_triangle[triangle];
   const SurfaceKind kind = placed.part->faces[static_cast<std::size_t>(face)].surface.kind;
@@ -28,7 +28,7 @@ bool is_smoothed(const scene::Placed& placed, int triangle) {
   return kind == SurfaceKind::sphere || kind == SurfaceKind::torus;
 }
 
-/// The contours of one model; all in the lengths of its file.
+/// The contours of one model, in units of its file.
 class ModelContours {
  public:
   ModelContours(const scene::Placed& placed, const projection::Projection& projection, double part_angle)
@@ -39,7 +39,7 @@ class ModelContours {
       for (std::size_t i = 0; i < mesh_.corners.size(); ++i)
         visit(static_cast<std::size_t>(mesh_.corners[i]), static_cast<int>(i / 3));
     });
-    // Of each vertex the largest angle between faces of the part that meet there.
+    // The largest angle between faces of the part at each vertex.
     angle_at_.assign(mesh_.points.size(), 0);
     for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
       const features::PartBorder* border = part_.border_at(static_cast<std::ptrdiff_t>(e));
@@ -51,7 +51,7 @@ class ModelContours {
     }
   }
 
-  /// Where the surface has the contour beside a vertex; nothing where that stays.
+  /// Returns the point on the contour of the surface that is nearest to a vertex; nothing if the vertex is not moved.
   [[nodiscard]] std::optional<Vec3> moved(int vertex) const {
     if (angle_at_[vertex] > part_angle_) return std::nullopt;
     const Vec3 from = mesh_.point(vertex);
@@ -78,7 +78,7 @@ class ModelContours {
     return part_.faces[static_cast<std::size_t>(part_.face_of_triangle[triangle])].surface;
   }
 
-  // Their order changes from run to run.
+  // Sorted because their order in the groups differs from run to run.
   [[nodiscard]] std::vector<int> sorted_triangles_at(int vertex) const {
     const auto there = at_vertex_[static_cast<std::size_t>(vertex)];
     std::vector<int> triangles(there.begin(), there.end());
@@ -88,13 +88,13 @@ class ModelContours {
 
   [[nodiscard]] Vec3 towards_viewer(const Vec3& point) const { return central_ ? projector_ - point : projector_; }
 
-  // Twice its area long.
+  // Its length is twice the area.
   [[nodiscard]] Vec3 normal_of(int triangle) const {
     const auto [a, b, c] = mesh_.triangle(triangle);
     return glm::cross(mesh_.point(b) - mesh_.point(a), mesh_.point(c) - mesh_.point(a));
   }
 
-  // Over its longest side.
+  // Height above the longest side.
   [[nodiscard]] double height_of(int triangle) const {
     const auto [a, b, c] = mesh_.triangle(triangle);
     const double longest =
@@ -103,7 +103,8 @@ class ModelContours {
     return longest > 0 ? glm::length(normal_of(triangle)) / longest : 0;
   }
 
-  // Of the face that a triangle is part of, at one of its corners: a free form has the mean of its facets there.
+  // The normal of the face to which a triangle belongs, at one of its corners; for a free form the mean of its facets
+  // there.
   [[nodiscard]] Vec3 normal_at(int vertex, int triangle) const {
     const features::PartSurface& surface = surface_of(triangle);
     if (surface.kind != SurfaceKind::free_form) return features::normal_near(surface, mesh_.point(vertex));
@@ -114,7 +115,7 @@ class ModelContours {
     return length > 0 ? sum / length : sum;
   }
 
-  // The line across a triangle along which interpolated normals are square to the projectors.
+  // The segment across a triangle along which interpolated normals are perpendicular to the projectors.
   [[nodiscard]] std::optional<std::array<Vec3, 2>> contour_across(int triangle) const {
     const std::array<int, 3> corners = mesh_.triangle(triangle);
     std::array<double, 3> facing{};
@@ -135,12 +136,12 @@ class ModelContours {
   const features::PartFaces& part_;
   bool central_;
   double part_angle_;
-  Vec3 projector_;  ///< the centre, or a direction towards the viewer
+  Vec3 projector_;  ///< the centre of projection, or a direction towards the viewer
   Groups<int> at_vertex_;
   std::vector<double> angle_at_;
 };
 
-/// Ends of contours that are moved.
+/// Moves ends of contours.
 class MovedEnds {
  public:
   MovedEnds(const scene::World& world, view::ProjectedScene& view, FeatureEdges& drawn)
@@ -186,7 +187,7 @@ class MovedEnds {
   }
 
  private:
-  // Contours of the model inside of faces that are smoothed, whole in the window.
+  // Contours of the model inside smoothed faces, if they are entirely in the window.
   [[nodiscard]] std::vector<int> smoothed_edges(int model, double part_angle) const {
     const scene::Placed& placed = world_.models[model];
     std::vector<int> found;
@@ -204,14 +205,14 @@ class MovedEnds {
     return found;
   }
 
-  // Edges come model by model.
+  // Edges are sorted by model.
   [[nodiscard]] std::array<int, 2> edges_of(int model) const {
     const auto begin = std::ranges::lower_bound(drawn_.edges, model, {}, &FeatureEdge::model);
     const auto end = std::ranges::upper_bound(drawn_.edges, model, {}, &FeatureEdge::model);
     return {static_cast<int>(begin - drawn_.edges.begin()), static_cast<int>(end - drawn_.edges.begin())};
   }
 
-  // The ends of contours of the model that stay where they are.
+  // The ends of contours of the model that are not moved, in ascending order.
   [[nodiscard]] std::vector<int> ends_of_others(int model, const std::vector<int>& smoothed) const {
     std::vector<int> ends;
     const auto [first, last] = edges_of(model);
@@ -226,13 +227,14 @@ class MovedEnds {
 
   [[nodiscard]] Vec2 on_page(int vertex) const { return {view_.vertices[vertex].x, view_.vertices[vertex].y}; }
 
-  // A vertex of the view at a place; -1 behind the viewer.
+  // Adds a vertex to the view; -1 if it is behind the viewer.
   int add(const Vec3& place) {
     const view::Mapped mapped = view_.map(place);
     return mapped.w > 0 ? view::add_mapped_point(view_, mapped) : -1;
   }
 
-  // How far a vertex lies from the contours drawn around it, or its drawn place from those of the mesh.
+  // The greater of two distances: of a vertex from the contours drawn around it, and of its drawn position from those
+  // of the mesh.
   [[nodiscard]] double distance_moved(int vertex, int shown, const std::vector<int>& around) const {
     double from_drawn = HUGE_VAL, from_mesh = HUGE_VAL;
     for (const int e : around) {
@@ -260,7 +262,7 @@ void smooth_contours(const scene::World& world, view::ProjectedScene& view, cons
   MovedEnds ends(world, view, drawn);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
     const scene::Placed& placed = world.models[model];
-    // What a plane cut ends where the plane has it.
+    // Contours of a cut mesh must end in the cutting plane.
     if (placed.part != nullptr && placed.mesh->uncut == nullptr) ends.move(model, options.part_angle);
   }
 }

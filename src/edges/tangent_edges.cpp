@@ -13,11 +13,11 @@ namespace epura::edges {
 
 namespace {
 
-constexpr double flat = 0.05;            // degrees: coordinates are rounded
+constexpr double flat = 0.05;            // degrees; tolerates rounded coordinates
 constexpr double curvature_ratio = 2.5;  // a fillet begins with half a fold, which counts less than a whole one
 constexpr double parallel = 0.996;       // cosine of 5 degrees
-constexpr double no_fold = -1;           // of an edge that has not two triangles
-// Large faces are compared by their size alone, so that time stays in proportion to the number of edges.
+constexpr double no_fold = -1;           // for an edge that does not have two triangles
+// Only the size of larger facets is considered, so that the time stays proportional to the number of edges.
 constexpr std::size_t most_sides = 64;
 
 std::array<int, 2> ends_of(const EdgeSurroundings& around, const mesh::MeshEdge& edge) {
@@ -38,7 +38,7 @@ std::vector<double> folds_of(const EdgeSurroundings& around, const mesh::Mesh& m
   return folds;
 }
 
-/// Triangles that lie in one plane next to each other, and the edges around them.
+/// Connected coplanar triangles, and the edges around them.
 class Facets {
  public:
   Facets(const mesh::Mesh& mesh, const std::vector<double>& folds) : facet_(facets_of(mesh, folds)) {
@@ -51,7 +51,7 @@ class Facets {
 
   [[nodiscard]] int facet_of(int triangle) const { return facet_[triangle]; }
 
-  /// Pairs of this facet and an edge around it.
+  /// Returns pairs of this facet and an edge around it.
   [[nodiscard]] std::span<const std::pair<int, int>> sides(int facet) const {
     const auto [begin, end] = std::equal_range(sides_.begin(), sides_.end(), std::pair(facet, 0),
                                                [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -69,7 +69,7 @@ class Facets {
     return std::move(facets).roots();
   }
 
-  std::vector<int> facet_;  // of each triangle
+  std::vector<int> facet_;  // by triangle
   std::vector<std::pair<int, int>> sides_;
 };
 
@@ -82,8 +82,8 @@ struct Judge {
 
   [[nodiscard]] bool is_smooth(std::size_t edge) const { return folds[edge] > flat && folds[edge] < crease_angle; }
 
-  // Degrees per length across the edge, on the side of the triangle; the fold continues evenly where nothing else is
-  // known.
+  // Degrees per length across the edge, on the side of the triangle; the fold is taken to continue evenly if nothing
+  // else is known.
   [[nodiscard]] double curvature(std::size_t edge, int triangle) const {
     const std::array<int, 2> ends = ends_of(around, mesh.edges[edge]);
     const Vec3 a = around.point(ends[0]), along = glm::normalize(around.point(ends[1]) - a);

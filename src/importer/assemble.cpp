@@ -85,7 +85,7 @@ class Assembler {
       throw Error(ErrorKind::input, "", "puts down more corners than can be numbered", "split the model");
   }
 
-  // A mirror turns the outside in, unless corners run the other way round.
+  // A reflection turns faces inside out, so the order of their corners is reversed.
   void add_polygons(const Shape& shape, int first_point, bool is_mirrored) {
     std::vector<int>& corners = result_.soup.corners;
     const auto first_corner = static_cast<int>(corners.size());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A document becomes one mesh: every shape where its nodes put it, with names of bodies and faces of the part.
+// Assembles a document into one mesh: every shape at the positions given by its nodes, with the names of bodies and the
+// faces of the part.
 #pragma once
 
 #include <string>
@@ -9,22 +10,23 @@
 
 namespace epura::importer {
 
-/// A node of the file's tree, or a shape that stands by itself.
+/// A node of the file's tree, or a shape in a file without nodes.
 struct TreePart {
-  int parent = -1;  ///< number of an earlier one
+  int parent = -1;  ///< index of an earlier node; -1: none
   std::string name{};
-  int bodies = 0, faces = 0;  ///< of its own shape
+  int bodies = 0, faces = 0;  ///< number in its own shape
 };
 
 struct Assembled {
   mesh::Soup soup;
   std::vector<TreePart> tree;
-  /// No faces where some polygon is of none: then they are to be recognised.
+  /// Empty if some polygon belongs to no face: faces must then be recognised.
   features::DeclaredPart part;
 };
 
-/// In the unit of the file. Bodies are named by what tells them apart of node, shape and body. `format` is the
-/// importer's name. Throws Error{input} without a place where the nodes put down more than can be numbered.
+/// Lengths are in the unit of the file. Names of bodies combine the name of the node or its shape with that of the
+/// body. `format` is the name of the importer. Throws Error{input} without a location if the nodes result in more items
+/// than can be numbered.
 Assembled assemble(const Document& document, const std::string& format);
 
 }  // namespace epura::importer

@@ -21,7 +21,7 @@ std::vector<ImporterTable> built_in_importers() {
 
 std::vector<fs::path> importer_folders(const std::vector<fs::path>& extra) {
   std::vector<fs::path> folders = foreign::plugin_folders(extra, "importers");
-  // A program without importers has no such folder.
+  // Without importers, the program's installation has no such folder.
   if (std::error_code error; !folders.empty() && !fs::exists(folders.back(), error)) folders.pop_back();
   return folders;
 }

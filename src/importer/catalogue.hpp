@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which importers there are.
+// Lists the available importers.
 #pragma once
 
 #include <filesystem>
@@ -13,20 +13,21 @@
 namespace epura::importer {
 
 struct Catalogue {
-  std::vector<ImporterEntry> entries;  ///< of one name the first that was found
+  std::vector<ImporterEntry> entries;  ///< of several with one name, the first one found
   std::vector<foreign::BadPlugin> bad;
 };
 
-/// What is read without a library: meshes.
+/// Returns the formats that are read without a library: meshes.
 std::vector<ImporterTable> built_in_importers();
 
-/// `extra` and $EPURA_PLUGIN_PATH may hold projections, too; then importers/ of what came with this program.
+/// Returns `extra` and $EPURA_PLUGIN_PATH, which may contain projections as well, and the folder importers/ installed
+/// with this program.
 std::vector<std::filesystem::path> importer_folders(const std::vector<std::filesystem::path>& extra);
 
-/// Loads every library in the folders, each in a process of its own.
+/// Loads every library in the folders, each in its own process.
 Catalogue load_catalogue(const std::vector<std::filesystem::path>& folders);
 
-/// The Debian package that reads files with an extension; empty where there is none.
+/// Returns the Debian package that reads files with an extension; empty if there is none.
 std::string_view package_for(std::string_view extension);
 
 }  // namespace epura::importer

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that is there as long as this.
+/// A temporary folder, removed by the destructor.
 class Scratch {
  public:
   Scratch() {
@@ -120,7 +120,7 @@ class Checker {
     });
   }
 
-  // Error{input} is what a good importer answers.
+  // A correct importer answers with Error{input}.
   std::optional<std::string> fault_of_garbage(const fs::path& file) {
     try {
       const Document document = read(file);

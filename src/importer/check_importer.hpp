@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests of an importer that know nothing but its table: for authors of importers, and for the ones built here.
+// Tests an importer by its table alone: for authors of importers, and for the importers of this project.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace epura::importer {
 
-/// The checks in a fixed order. `models` are files; from each that has an extension of the importer, damaged ones are
-/// made in a folder of temporary files. An answer may take `seconds`.
+/// Runs the checks in a fixed order. `models` are files; each one with an extension of the importer is also tested in
+/// damaged versions, which are written to a temporary folder. Each answer may take `seconds`.
 std::vector<foreign::CheckResult> check_importer(const ImporterEntry& importer,
                                                  const std::vector<std::filesystem::path>& models, double seconds,
                                                  const foreign::TellResult& tell = {});

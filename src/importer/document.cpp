@@ -34,7 +34,7 @@ bool is_sound(const Shape& shape) {
          are_ends(shape.wire_ends, shape.wire_vertices.size());
 }
 
-// One function for both directions: what is put in is taken out.
+// One function for both packing and unpacking, so that the two always agree.
 
 template <class Pack, class Value>
 void pack_shape(Pack& pack, Value& shape) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an importer hands over of a file: shapes, and a tree that says where they stand.
+// The content of a file as an importer returns it: shapes, and a tree with their positions.
 #pragma once
 
 #include <array>
@@ -17,35 +17,35 @@ namespace epura::importer {
 struct Shape {
   std::string name{};
   mesh::Points points{};
-  std::vector<int> corners{};          ///< of all polygons, one after the other: points of the shape
-  std::vector<int> polygon_ends{};     ///< where each polygon ends in `corners`
-  std::vector<int> face_of_polygon{};  ///< -1: of none
-  std::vector<int> body_of_polygon{};  ///< -1: of none
+  std::vector<int> corners{};          ///< indices of points, of all polygons one after the other
+  std::vector<int> polygon_ends{};     ///< end of each polygon in `corners`
+  std::vector<int> face_of_polygon{};  ///< -1: none
+  std::vector<int> body_of_polygon{};  ///< -1: none
   std::vector<std::string> body_names{};
   std::vector<features::PartSurface> faces{};
   std::vector<features::DeclaredEdge> edges{};
   std::vector<int> edge_vertices{};
-  std::vector<int> wire_vertices{};  ///< of all wires, one after the other
-  std::vector<int> wire_ends{};      ///< where each wire ends in `wire_vertices`
+  std::vector<int> wire_vertices{};  ///< indices of points, of all wires one after the other
+  std::vector<int> wire_ends{};      ///< end of each wire in `wire_vertices`
 };
 
 struct Node {
   int parent, shape;  ///< -1: none
   std::string name;
-  std::array<double, 12> transform;  ///< rows of the 3x4 matrix to its parent
+  std::array<double, 12> transform;  ///< rows of the 3x4 matrix to the coordinates of its parent
 };
 
 struct Document {
   double unit = 1;  ///< millimetres
   int is_y_up = 0;  ///< instead of z
   int is_single_precision = 0;
-  int is_printed = 0;  ///< coordinates were written as text
+  int is_printed = 0;  ///< coordinates were stored as text
   std::vector<Shape> shapes{};
   std::vector<Node> nodes{};
   std::vector<std::string> notes{};
 };
 
-/// Throws Error{plugin} where numbers lead to nothing: the process that they come from may have been damaged.
+/// Throws Error{plugin} for indices out of range: the process that sent them may be corrupted.
 void expect_sound(const Document& document);
 
 void pack_document(foreign::Packer& pack, const Document& document);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program epura-importer: loads one library of importers and answers the program that started it, over
-// descriptor 3.
+// The program epura-importer: loads one library of importers and answers the program that started it over descriptor 3.
 #include <sys/prctl.h>
 #include <unistd.h>
 
@@ -23,5 +22,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "epura-importer: %s\n", error.what());
     ::_exit(1);
   }
-  ::_exit(0);  // without the library's code at exit
+  ::_exit(0);  // skips exit handlers of the library
 }

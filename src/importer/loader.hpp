@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One library of importers, in the process that loads it: its tables, checked, and its answers.
+// One library of importers, in the process that loads it: its checked tables and its answers.
 #pragma once
 
 #include <epura/importer_abi.h>
@@ -15,15 +15,15 @@
 
 namespace epura::importer {
 
-/// What an importer says of itself.
+/// The description of an importer by its library.
 struct ImporterTable {
   std::string name, summary;
   std::vector<std::string> extensions;  ///< lower case, without dots
   std::vector<foreign::Parameter> parameters;
-  int has_mark = 0;  ///< whether it tells by their first bytes which files are its own
+  int has_mark = 0;  ///< whether it can recognise files by their first bytes
 };
 
-/// A file to be read; as epura_source says it.
+/// A file to read; the fields correspond to epura_source.
 struct Reading {
   std::string path;
   std::vector<double> values;
@@ -36,11 +36,12 @@ struct LoadedImporter {
   const epura_importer* definition;
 };
 
-/// Opens the library. It is used whole or not at all: Error{plugin} says what is wrong with it, without its path.
-/// Nothing where it is a library of projections.
+/// Opens the library. If any of its importers is invalid, throws Error{plugin} with the reason, without the path.
+/// Returns nothing for a library of projections.
 std::vector<LoadedImporter> load_importers(const std::filesystem::path& library);
 
-/// Throws Error{input} with what the importer says is wrong with the file, Error{plugin} where it contradicts itself.
+/// Throws Error{input} with the importer's message if the file is invalid, and Error{plugin} if the importer violates
+/// the interface.
 Document read_by(const epura_importer& importer, const Reading& reading, const std::function<void(double)>& tell);
 
 }  // namespace epura::importer

@@ -21,14 +21,14 @@ using foreign::Clock;
 using foreign::Packer;
 using foreign::Unpacker;
 
-/// A message is longer only where the process was damaged.
+/// Only a corrupted process sends longer messages.
 constexpr std::size_t most_bytes = std::size_t{1} << 36;
 
 enum class Question { recognise, read };
-/// What a message about a file that is read is.
+/// The kind of a message that answers Question::read.
 enum class Answer { progress, document, refusal };
 
-// One function for both directions: what is put in is taken out.
+// One function for both packing and unpacking, so that the two always agree.
 
 template <class Pack, class Value>
 void pack_table(Pack& pack, Value& table) {
@@ -60,7 +60,7 @@ std::vector<ImporterTable> unpack_tables(Unpacker& unpack) {
   return tables;
 }
 
-// What follows runs in the process of the library.
+// The following functions run in the process of the library.
 
 const epura_importer& importer_named(const std::vector<LoadedImporter>& importers, const std::string& name) {
   for (const LoadedImporter& importer : importers)
@@ -114,7 +114,7 @@ void serve(const std::filesystem::path& library, int socket) {
   }
 }
 
-// What follows runs in the program.
+// The following code runs in the main program.
 
 class Process {
  public:
@@ -171,7 +171,8 @@ class Process {
     return document;
   }
 
-  /// Looks at the clock while it waits. Throws OutOfTime, Stopped; before that calls `end`.
+  /// Waits for the next message, and checks the time limit meanwhile. Throws OutOfTime after calling `end`, and
+  /// Stopped.
   std::string next(const Progress& progress, const std::function<void()>& end) {
     constexpr auto look = std::chrono::milliseconds(50);
     while (true) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Importers at arm's length: their library is loaded by a program of its own (importer/host.cpp). What it does there -
-// crash, hang, end the program, print - reaches this process as a sentence.
+// Runs importers in a separate process: their library is loaded by another program (importer/host.cpp). Whatever the
+// library does there - crash, hang, exit, print - reaches this process only as an error message.
 #pragma once
 
 #include <filesystem>
@@ -14,30 +14,30 @@
 
 namespace epura::importer {
 
-/// Seconds that a library may take to load. Reading may take as long as the run.
+/// Time limit for loading a library, in seconds. Reading is limited only by the time of the run.
 inline constexpr double loading_seconds = 10;
 
 /// The library's process.
 class Process;
 
-/// An importer that a library offers. Copies share the process, which ends with the last.
+/// An importer provided by a library. Copies share the process, which ends with the last of them.
 struct ImporterEntry {
   ImporterTable table;
   std::filesystem::path library;
   std::shared_ptr<Process> process;
 
-  /// Whether a file with these first bytes is one of its own. Throws Error{plugin} with the library.
+  /// Whether the importer recognises a file by its first bytes. Throws Error{plugin} with the path of the library.
   [[nodiscard]] bool recognises(std::string_view first_bytes) const;
-  /// `tell` is told how much is done, from 0 to 1. Throws Error{input} with the path for what is wrong with the file,
-  /// Error{plugin} with the library for what is wrong with the importer; OutOfTime, Stopped.
+  /// `tell` receives the fraction that is done, from 0 to 1. Throws Error{input} with the path of the file if it is
+  /// invalid, Error{plugin} with the path of the library if the importer fails; OutOfTime, Stopped.
   [[nodiscard]] Document read(const Reading& reading, const std::function<void(double)>& tell,
                               const Progress& progress) const;
 };
 
-/// What the library offers; nothing where it is one of projections. Throws Error{plugin} without its path.
+/// Returns the importers of a library; nothing for a library of projections. Throws Error{plugin} without its path.
 std::vector<ImporterEntry> importers_of(const std::filesystem::path& library, double seconds = loading_seconds);
 
-/// What the program in importer/host.cpp does: loads the library and answers over the socket until that is closed.
+/// The main function of importer/host.cpp: loads the library and answers over the socket until it is closed.
 void serve(const std::filesystem::path& library, int socket);
 
 }  // namespace epura::importer

@@ -27,7 +27,7 @@ std::string extension_of(const fs::path& path) {
   return dotted.empty() ? dotted : dotted.substr(1);
 }
 
-// As many as there are; throws as read_file does where there is nothing to read.
+// At most `mark_bytes`. Throws like read_file if there is nothing to read.
 std::string first_bytes_of(const fs::path& path) {
   std::string bytes(mark_bytes, 0);
   std::ifstream file(path, std::ios::binary);
@@ -38,7 +38,7 @@ std::string first_bytes_of(const fs::path& path) {
   return bytes;
 }
 
-// The one of its extension, otherwise the first that takes it for its own.
+// The first importer for the extension, otherwise the first one that recognises the content.
 const ImporterEntry* importer_for(const Catalogue& catalogue, const std::string& extension, const fs::path& path) {
   for (const ImporterEntry& entry : catalogue.entries)
     if (std::find(entry.table.extensions.begin(), entry.table.extensions.end(), extension) !=
@@ -56,7 +56,7 @@ const ImporterEntry* importer_for(const Catalogue& catalogue, const std::string&
   throw Error(ErrorKind::input, path.string(), "no importer for '." + extension + "' is installed", hint);
 }
 
-/// A file's bytes as they count: once by what the importer tells, once when the mesh is there.
+/// Reports progress in bytes of the file: once while the importer reads, once more when the mesh is complete.
 class Advance {
  public:
   Advance(const Progress& progress, std::size_t bytes) : progress_(progress), bytes_(static_cast<double>(bytes)) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any model file -> mesh, and the faces of the part where the file has them.
+// Reads any model file into a mesh, with the faces of the part if the file has them.
 #pragma once
 
 #include <filesystem>
@@ -17,27 +17,27 @@
 namespace epura::importer {
 
 struct ReadOptions {
-  std::vector<std::filesystem::path> plugin_path;  ///< more folders with importers
-  double tolerance = 0;                            ///< mm that curved surfaces may be off by; 0: no bound
-  double relative_tolerance = 1e-4;  ///< the same in parts of the diagonal of the model's box; 0: no bound
-  int threads = 0;                   ///< that an importer may use; 0: all cores
+  std::vector<std::filesystem::path> plugin_path;  ///< additional folders with importers
+  double tolerance = 0;              ///< greatest deviation of facets from curved surfaces, mm; 0: no bound
+  double relative_tolerance = 1e-4;  ///< the same as a fraction of the diagonal of the model's box; 0: no bound
+  int threads = 0;                   ///< greatest number for an importer; 0: all cores
 };
 
 struct ReadModel {
   mesh::Mesh mesh;
-  std::shared_ptr<const features::PartFaces> part{};  ///< as the file declares them; null where it does not
-  std::optional<double> unit{};                       ///< millimetres; nothing where the file does not say it
-  bool is_y_up = false;                               ///< as far as the file says it
-  std::vector<TreePart> tree{};                       ///< parents before children; empty for formats without parts
+  std::shared_ptr<const features::PartFaces> part{};  ///< faces declared by the file; null if there are none
+  std::optional<double> unit{};                       ///< millimetres; nothing if the file does not state it
+  bool is_y_up = false;                               ///< if the file states it
+  std::vector<TreePart> tree{};                       ///< parents before children; empty for formats without a tree
 };
 
-/// Reads what mesh::read_mesh reads, and all other files by the importer of their extension or content. `parameters`
-/// are the importer's. Throws Error{input} with the place, Error{plugin}, OutOfTime. Every byte of the file counts
-/// twice as progress.
+/// Reads mesh formats with mesh::read_mesh, and all other files with the importer for their extension or content.
+/// `parameters` are those of the importer. Throws Error{input} with the location, Error{plugin}, OutOfTime. Every byte
+/// of the file counts twice as progress.
 ReadModel read_model(const std::filesystem::path& path, const foreign::Assignments& parameters,
                      const ReadOptions& options = {}, const Progress& progress = {});
 
-/// The path and the parameters that `PATH:key=value...` stands for; a file of that very name is a path.
+/// The path and parameters in `PATH:key=value...`. If a file with this whole name exists, all of it is the path.
 struct ModelRequest {
   std::string path;
   foreign::Assignments parameters;

@@ -25,7 +25,7 @@ std::string text_of(const char* text) { return text == nullptr ? "" : text; }
 
 Vec3 vector_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
-// By their numbers in importer_abi.h.
+// Indexed by the numbers in importer_abi.h.
 constexpr std::array surface_kinds{SurfaceKind::free_form, SurfaceKind::plane,  SurfaceKind::cylinder,
                                    SurfaceKind::cone,      SurfaceKind::sphere, SurfaceKind::torus};
 

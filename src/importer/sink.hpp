@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an importer calls becomes a document. Everything that it says is checked here.
+// Builds a document from the calls of an importer, and checks all their arguments.
 #pragma once
 
 #include <epura/importer_abi.h>
@@ -13,14 +13,14 @@ namespace epura::importer {
 
 class DocumentSink {
  public:
-  /// `tell` is told how much is done, from 0 to 1.
+  /// `tell` receives the fraction that is done, from 0 to 1.
   explicit DocumentSink(std::function<void(double)> tell);
   DocumentSink(const DocumentSink&) = delete;
   DocumentSink& operator=(const DocumentSink&) = delete;
 
-  /// To be handed to the importer; it refers to this.
+  /// The table of calls for the importer; it refers to this object.
   [[nodiscard]] const epura_sink& calls() const { return calls_; }
-  /// What the importer said that cannot be; empty where nothing is wrong.
+  /// The first invalid call of the importer; empty if there is none.
   [[nodiscard]] const std::string& fault() const { return fault_; }
   [[nodiscard]] Document& document() { return document_; }
 

@@ -15,22 +15,22 @@ namespace epura::mesh {
 
 namespace {
 
-constexpr double float_rounding = 0x1p-22, double_rounding = 0x1p-46;  // of the largest coordinate
-constexpr double most_doubt = 0.05;       // radians by which a direction from an edge may be uncertain
-constexpr double least_volume = 0x1p-40;  // of the cube around a shell: one of less has no inside
+constexpr double float_rounding = 0x1p-22, double_rounding = 0x1p-46;  // as a fraction of the largest coordinate
+constexpr double most_doubt = 0.05;       // greatest admissible uncertainty of a direction from an edge, radians
+constexpr double least_volume = 0x1p-40;  // of the cube around a shell; a smaller shell has no inside
 
-/// A triangle at an edge, seen along the edge.
+/// A triangle at an edge, viewed along the edge.
 struct Leaf {
   int triangle;
-  double angle, doubt;         ///< its direction from the edge, counterclockwise, and the uncertainty of that; radians
-  bool forward;                ///< runs along the edge from its lower vertex
-  bool ends_material = false;  ///< going counterclockwise; if not, it begins there
+  double angle, doubt;  ///< its direction from the edge, counterclockwise, and the uncertainty of this angle; radians
+  bool forward;         ///< traverses the edge from its lower vertex
+  bool ends_material = false;  ///< in counterclockwise order; otherwise material begins there
 };
 using Leaves = std::vector<Leaf>;
 
 bool may_be_touched(const MeshEdge& edge) { return edge.count >= 4 && edge.count % 2 == 0; }
 
-/// Triangles that run the same or the other way round as one of them.
+/// Groups of triangles with known relative orientation (disjoint sets with parity).
 class WaysRound {
  public:
   explicit WaysRound(std::size_t count) : parent_(count), turned_(count, 0), contradictory_(count, 0) {
@@ -39,12 +39,12 @@ class WaysRound {
 
   struct Way {
     int root;
-    bool turned;  ///< against the root
+    bool turned;  ///< opposite to the root
   };
   Way of(int i) {
     Way way{i, false};
     for (; parent_[way.root] != way.root; way.root = parent_[way.root]) way.turned ^= turned_[way.root] != 0;
-    for (bool turned = way.turned; parent_[i] != i;) {  // shorter paths for the next one
+    for (bool turned = way.turned; parent_[i] != i;) {  // path compression
       const bool next_turned = turned ^ (turned_[i] != 0);
       turned_[i] = static_cast<char>(turned);
       turned = next_turned;
@@ -90,7 +90,7 @@ class Shells {
     find_volumes();
   }
 
-  /// Calls `join(triangle, triangle)` for triangles that belong together at an edge of four or more.
+  /// Calls `join(triangle, triangle)` for triangles that belong together at an edge with four or more.
   template <class Join>
   void pair(const MeshEdge& edge, const Join& join) {
     const Leaves leaves = in_turns(edge);
@@ -105,10 +105,10 @@ class Shells {
  private:
   [[nodiscard]] Vec3 point(int vertex) const { return mesh_.point(vertex) * normalisation_; }
 
-  // In order around an edge; those in one cluster lie on each other. Empty where the order is not certain.
+  // The triangles in order around an edge; those in one cluster coincide. Empty if the order is uncertain.
   [[nodiscard]] std::vector<Leaves> clusters_around(const MeshEdge& edge) const;
 
-  // Crossing the faces around an edge one leaves and enters material by turns, also where two lie on each other.
+  // Going around an edge, one leaves and enters material alternately, also where two faces coincide.
   void alternate(const std::vector<Leaves>& clusters) {
     std::vector<Leaf> alone;
     const auto differ = [&](const Leaf& a, const Leaf& b) {
@@ -121,7 +121,7 @@ class Shells {
     for (std::size_t i = 1; i < alone.size(); ++i) differ(alone[i - 1], alone[i]);
   }
 
-  // Of all consistently oriented ones together: the sign determines the outside.
+  // Volumes of consistently oriented groups: the sign determines the outside.
   void find_volumes() {
     const int count = mesh_.triangle_count();
     std::vector<Box> box(static_cast<std::size_t>(count));
@@ -144,8 +144,8 @@ class Shells {
     }
   }
 
-  // In order around the edge, beginning and ending material by turns; empty where there is no such order. Faces of two
-  // bodies that lie on each other enclose nothing: there one ends before the other begins.
+  // The triangles in order around the edge, where material alternately begins and ends; empty if there is no such
+  // order. Coincident faces of two bodies enclose nothing: one body ends before the other begins.
   [[nodiscard]] Leaves in_turns(const MeshEdge& edge) {
     const double volume = volume_[ways_.of(table_.halfedges_of(edge)[0] / 3).root];
     Leaves leaves;
@@ -164,7 +164,7 @@ class Shells {
   const EdgeTable& table_;
   double normalisation_ = 1, rounding_ = 0;
   WaysRound ways_;
-  std::vector<double> volume_;  ///< by root; 0: the outside is undetermined
+  std::vector<double> volume_;  ///< by root; 0: the outside is unknown
 };
 
 std::vector<Leaves> clusters_of(Leaves leaves) {

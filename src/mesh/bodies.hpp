@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which triangles form a body.
+// Assigns triangles to bodies.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,17 @@
 
 namespace epura::mesh {
 
-/// A number for each triangle, the same for all that are connected through shared edges; counted from the first on.
+/// Returns a number for each triangle, equal for all triangles that are connected through shared edges, in order of
+/// first appearance.
 ///
-/// Where two shells touch along an edge, four triangles or more share it. There those belong together that enclose
-/// material: crossing them one after another around the edge one enters and leaves it by turns, and where it is follows
-/// from the volume of all that touch. So shells that touch are separate bodies, and one that touches itself stays
-/// one. Which way round triangles run in the file does not matter. Where the order around an edge is not certain, or
-/// this is contradictory, as for one-sided surfaces, all faces at the edge stay together.
+/// Along an edge where two shells touch, four or more triangles meet. Those that enclose material together are joined:
+/// going around the edge, one enters and leaves material alternately, and the volume of all touching shells tells which
+/// side is inside. So shells that touch are separate bodies, and a shell that touches itself remains one body. The
+/// orientation of triangles in the file does not matter. If the order around an edge is uncertain or the orientation
+/// contradictory, as for one-sided surfaces, all faces at the edge are joined.
 std::vector<int> connected_parts(const Mesh& mesh, const EdgeTable& table);
 
-/// Replaces labels by 0, 1, ... in the order in which they appear; returns the labels that were there.
+/// Replaces labels by 0, 1, ... in order of first appearance; returns the original labels.
 std::vector<int> renumber_labels(std::vector<int>& labels);
 
 }  // namespace epura::mesh

@@ -47,17 +47,18 @@ EdgeTable edges_of(const Faces& triangles, const MeshReport& report) {
   return make_edge_table(triangles.corners, triangles.number, report.vertices);
 }
 
-/// If all faces are triangles, their edges show whether any are equal, which is rare.
+/// If all faces are triangles, the edge table shows whether any are equal, which is rare.
 void drop_equal_triangles(Faces& triangles, EdgeTable& table, MeshReport& report) {
   if (!has_equal_triangles(table, triangles.corners)) return;
   report.dropped_duplicates += drop_duplicate_faces(triangles, report.vertices);
   table = edges_of(triangles, report);
 }
 
-/// Welds across cracks, as at the seam of a surface of revolution, whose first and last points are cos and sin of 0 and
-/// of a full turn; then some triangles may have become equal. Vertices that the file numbers keep their numbers.
+/// Welds across cracks, such as the seam of a surface of revolution whose first and last points are computed from the
+/// cosines and sines of 0 and of a full turn; some triangles may then be equal. Vertices that the file numbers keep
+/// their numbers.
 void close_cracks(Soup& soup, Faces& triangles, EdgeTable& table, MeshReport& report) {
-  const bool single = soup.single_precision || soup.corners_repeat_points;  // text STL holds floats as a rule
+  const bool single = soup.single_precision || soup.corners_repeat_points;  // text STL usually holds floats
   Mending mending = mend_cracks(soup.points, triangles.corners, table, single ? 0x1p-23 : 0x1p-52);
   if (mending.joined == 0) return;
   report.welded_vertices += mending.joined;
@@ -73,7 +74,7 @@ void close_cracks(Soup& soup, Faces& triangles, EdgeTable& table, MeshReport& re
   drop_equal_triangles(triangles, table, report);
 }
 
-/// With their edges in `table`.
+/// Puts their edges into `table`.
 Faces usable_triangles(Soup& soup, EdgeTable& table, MeshReport& report, const Progress& progress) {
   Faces faces = usable_faces(soup, report);
   const bool polygons = faces.corners.size() != 3 * faces.size();
@@ -88,14 +89,14 @@ Faces usable_triangles(Soup& soup, EdgeTable& table, MeshReport& report, const P
   return triangles;
 }
 
-/// The triangles of a face follow each other.
+/// The triangles of a face are consecutive.
 int count_faces(const Faces& triangles) {
   int count = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t) count += t == 0 || triangles.number[t] != triangles.number[t - 1];
   return count;
 }
 
-/// Bodies that touch in an edge share it; each by itself may be sound.
+/// Bodies that touch in an edge share it; each of them may be manifold.
 bool is_non_manifold(const MeshEdge& edge, const EdgeTable& table, const std::vector<int>& body) {
   std::vector<int> bodies;
   for (const int halfedge : table.halfedges_of(edge)) bodies.push_back(body[halfedge / 3]);
@@ -105,7 +106,7 @@ bool is_non_manifold(const MeshEdge& edge, const EdgeTable& table, const std::ve
   return false;
 }
 
-/// Pieces without length are none.
+/// Segments of zero length are ignored.
 void take_wires(const Mesh& mesh, Soup& soup, EdgeTable& table, MeshReport& report) {
   if (soup.wires.empty()) return;
   const std::size_t all = soup.wires.size();
@@ -128,7 +129,7 @@ void count_edges(Mesh& mesh, const EdgeTable& table) {
   }
 }
 
-/// Such triangles stay, since leaving them out would open the edges next to them.
+/// Such triangles are kept, since dropping them would open the edges next to them.
 void note_triangles_without_area(Mesh& mesh) {
   MeshReport& report = mesh.report;
   int count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soup -> Mesh: weld, drop invalid faces, triangulate, pair edges, and add wires to them.
+// Soup -> Mesh: weld, drop invalid faces, triangulate, build the edge table, and add wires to it.
 #pragma once
 
 #include <string>

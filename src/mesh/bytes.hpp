@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers in binary files.
+// Reads numbers in binary files.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace epura::mesh {
 
-/// The number at `from`, which need not be aligned.
+/// Returns the number at `from`, which need not be aligned.
 template <class Number>
 Number load(const char* from, std::endian order) {
   std::array<char, sizeof(Number)> bytes;

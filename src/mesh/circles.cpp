@@ -20,8 +20,8 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr int least_edges = 5;
 constexpr double least_sweep = 60 * degree;
-constexpr double most_step = 45 * degree;       // of one edge
-constexpr double most_mean_step = 30 * degree;  // twelve edges a turn
+constexpr double most_step = 45 * degree;       // for one edge
+constexpr double most_mean_step = 30 * degree;  // twelve edges per turn
 constexpr double most_step_in_means = 4;
 constexpr double angle_slack = 1e-3 * degree;
 
@@ -34,7 +34,7 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return portable_atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-// Circles along one line of features.
+// A line of feature edges, with circles fitted to runs of it.
 struct Line {
   const PlacedMesh& mesh;
   const FeatureLine& line;
@@ -45,7 +45,7 @@ struct Line {
   [[nodiscard]] const Vec3& point(int i) const { return mesh.point(vertex(i)); }
   [[nodiscard]] Vec3 step(int i) const { return point(i + 1) - point(i); }
 
-  // The shortest run that turns far enough to determine its circle.
+  // End of the shortest run that turns far enough to determine its circle.
   [[nodiscard]] int window(int first, int max) const {
     for (int last = first + least_edges; last <= max; ++last) {
       const double turned = angle_between(step(first), step(last - 1));
@@ -57,7 +57,8 @@ struct Line {
   [[nodiscard]] std::optional<Fit> fit(int first, int last) const;
 };
 
-// Steps go round one way, none is much longer than the others, and there are twelve or more to a turn.
+// Whether the steps have one direction of rotation, none is much longer than the others, and there are twelve or more
+// per turn.
 bool steps_of_circle(std::span<const Vec2> points, const Vec2& centre, bool whole) {
   double sweep = 0, longest = 0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -76,7 +77,7 @@ bool steps_of_circle(std::span<const Vec2> points, const Vec2& centre, bool whol
 
 std::optional<Fit> Line::fit(int first, int last) const {
   if (last - first < least_edges) return std::nullopt;
-  // The plane by the area between the run and its chord.
+  // The plane is that of the area between the run and its chord.
   const auto count = static_cast<double>(last - first + 1);
   Vec3 middle(0), area(0);
   for (int i = first; i <= last; ++i) middle += point(i) / count;
@@ -102,7 +103,7 @@ std::optional<Fit> Line::fit(int first, int last) const {
              std::hypot(circle->deviation, off_plane), tolerance * circle->radius};
 }
 
-// From the lowest vertex towards its lower neighbour; an arc from the lower one of its ends.
+// Starts at the lowest vertex and continues to its lower neighbour; an arc starts at the lower one of its ends.
 void order_vertices(MeshCircle& circle) {
   std::vector<int>& vertices = circle.vertices;
   if (circle.whole) std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());

@@ -14,7 +14,7 @@ namespace epura::mesh {
 
 namespace {
 
-// A coordinate is off by half a rounding; two that were computed in different ways, by some more.
+// Rounding moves a coordinate by half a unit in the last place; coordinates computed in different ways differ by more.
 constexpr double roundings = 4;
 
 Vec3 place(const Points& points, int vertex) { return {points[vertex][0], points[vertex][1], points[vertex][2]}; }
@@ -28,24 +28,24 @@ double largest_coordinate(const Points& points, std::span<const int> corners) {
 
 /// A vertex at the end of an open edge.
 struct OpenEnd {
-  double along;   ///< its place along the direction in which pairs are sought
-  double radius;  ///< it may be joined with what is no farther away
+  double along;   ///< its position along the sweep direction
+  double radius;  ///< greatest distance over which it may be merged
   int vertex;
 };
 
-/// All of them, sorted along a direction in which models hardly ever have many vertices at one height.
+/// Returns all open ends, sorted along a direction in which models rarely have many vertices at one height.
 std::vector<OpenEnd> open_ends(const Points& points, const EdgeTable& table, double tolerance) {
   const Vec3 direction = glm::normalize(Vec3(0.577, 0.331, 0.747));
   std::vector<OpenEnd> ends;
   for (const MeshEdge& edge : table.edges) {
     if (edge.count != 1) continue;
     const Vec3 a = place(points, edge.vertex[0]), b = place(points, edge.vertex[1]);
-    // A quarter of the edge: cracks are much narrower than they are long, and real small edges survive.
+    // At most a quarter of the edge: cracks are much narrower than they are long, and genuine small edges survive.
     const double radius = std::min(tolerance, 0.25 * glm::distance(a, b));
     ends.push_back({glm::dot(a, direction), radius, edge.vertex[0]});
     ends.push_back({glm::dot(b, direction), radius, edge.vertex[1]});
   }
-  // One entry a vertex, with its smallest radius.
+  // One entry per vertex, with its smallest radius.
   std::sort(ends.begin(), ends.end(), [](const OpenEnd& a, const OpenEnd& b) {
     return a.vertex != b.vertex ? a.vertex < b.vertex : a.radius < b.radius;
   });
@@ -61,9 +61,9 @@ struct Pair {
   int a, b;  ///< a < b
 };
 
-/// Open ends near enough to each other, the nearest first.
+/// Pairs of open ends that are close enough to each other, nearest first.
 std::vector<Pair> near_pairs(const Points& points, const std::vector<OpenEnd>& ends) {
-  // Many corners at one place are joined through each other, so not every pair of them is needed.
+  // Where many vertices coincide, they are merged transitively, so not every pair of them is needed.
   constexpr std::size_t most_looked_at = 64;
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < ends.size(); ++i)
@@ -79,7 +79,7 @@ std::vector<Pair> near_pairs(const Points& points, const std::vector<OpenEnd>& e
   return pairs;
 }
 
-/// Vertices joined so far. Two with an edge between them never come into one cluster.
+/// Vertices merged so far. Two vertices with an edge between them are never in one cluster.
 class Clusters {
  public:
   Clusters(std::size_t vertex_count, const std::vector<OpenEnd>& ends, const EdgeTable& table)
@@ -88,7 +88,7 @@ class Clusters {
     for (const OpenEnd& end : ends) members_[end.vertex] = {end.vertex};
     for (const MeshEdge& edge : table.edges) {
       const auto [a, b] = edge.vertex;
-      if (members_[a].empty() || members_[b].empty()) continue;  // not both can be joined with anything
+      if (members_[a].empty() || members_[b].empty()) continue;  // one of them cannot be merged
       links_.push_back({a, b});
       links_.push_back({b, a});
     }
@@ -104,7 +104,7 @@ class Clusters {
     members_[small] = {};
   }
 
-  /// For each vertex the lowest one of its cluster.
+  /// Returns for each vertex the lowest one of its cluster.
   [[nodiscard]] std::vector<int> representatives() const {
     constexpr int none = -1;
     std::vector<int> lowest(cluster_.size(), none), found(cluster_.size());
@@ -126,8 +126,8 @@ class Clusters {
     return false;
   }
 
-  std::vector<int> cluster_;               // of each vertex, named by one of its members
-  std::vector<std::vector<int>> members_;  // of each cluster; empty for vertices that are not open ends
+  std::vector<int> cluster_;               // cluster of each vertex, identified by one of its members
+  std::vector<std::vector<int>> members_;  // members of each cluster; empty for vertices that are not open ends
   std::vector<std::array<int, 2>> links_;  // edges between open ends, in both directions
 };
 

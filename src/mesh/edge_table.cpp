@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-/// A half-edge as its lower vertex sees it: the other vertex in the upper half, the half-edge in the lower one, so that
-/// one comparison sorts by both.
+/// A half-edge in the list of its lower vertex: the other vertex in the upper 32 bits, the half-edge in the lower ones,
+/// so that one comparison sorts by both.
 using Entry = std::uint64_t;
 
 Entry make_entry(int other, int halfedge) { return Entry(other) << 32 | Entry(halfedge); }
@@ -25,7 +25,7 @@ int other_of(Entry entry) { return static_cast<int>(entry >> 32); }
 int halfedge_of(Entry entry) { return static_cast<int>(entry & 0xFFFFFFFF); }
 
 struct Buckets {
-  std::vector<int> ends;  ///< of each vertex
+  std::vector<int> ends;  ///< end of the entries of each vertex
   UnsetVector<Entry> entries;
 
   [[nodiscard]] int begin_of(std::size_t vertex) const { return vertex == 0 ? 0 : ends[vertex - 1]; }

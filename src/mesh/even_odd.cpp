@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plane is swept upwards in slabs between the heights of all ends and crossings. No two segments cross within a
-// slab, so those that span it are sorted from left to right, and the inside lies between each first and second of them.
-// Trapezoids between the same two segments in consecutive slabs are merged.
+// A sweep moves upwards in slabs between the heights of all ends and crossings. No two segments cross within a slab, so
+// those that span it are sorted from left to right, and the inside lies between the first and second, the third and
+// fourth of them, and so on. Trapezoids between the same two segments in consecutive slabs are merged.
 // [Zalik, Clapworthy. A universal trapezoidation algorithm for planar polygons. Computers & Graphics 1999]
 #include "mesh/even_odd.hpp"
 
@@ -14,7 +14,7 @@ namespace epura::mesh {
 
 namespace {
 
-constexpr double crossing_part = 1e-12;  // of the whole: lines closer than this do not cross but touch
+constexpr double crossing_part = 1e-12;  // as a fraction of the whole size: closer lines touch instead of crossing
 
 using Pair = std::array<int, 2>;
 
@@ -64,7 +64,7 @@ class Sweep {
     divide(slab);
   }
 
-  // From left to right over the middle of a slab.
+  // Sorts from left to right along the middle of a slab.
   void sort_active(const Slab& slab) {
     const double middle = slab.bottom + (slab.top - slab.bottom) / 2;
     order_.clear();
@@ -73,7 +73,7 @@ class Sweep {
     for (std::size_t i = 0; i < order_.size(); ++i) active_[i] = order_[i].second;
   }
 
-  // Slabs in which segments cross are cut there.
+  // Divides slabs at the heights at which segments cross.
   void divide(const Slab& whole) {
     std::vector<Slab> slabs{whole};
     while (!slabs.empty()) {
@@ -90,7 +90,7 @@ class Sweep {
     }
   }
 
-  // A height at which neighbours change places; NaN where none do.
+  // A height at which neighbours change their order; NaN if there is none.
   [[nodiscard]] double crossing_in(const Slab& slab) const {
     for (std::size_t i = 1; i < active_.size(); ++i) {
       const double below = x_at(active_[i], slab.bottom) - x_at(active_[i - 1], slab.bottom);
@@ -114,7 +114,7 @@ class Sweep {
     open_ = std::move(going_on);
   }
 
-  // The number of the place where a segment has this height.
+  // The number of the point on a segment at this height.
   int place_on(int segment, double y) {
     for (const int end : segments_[segment])
       if (places_[end].y == y) return end;
@@ -135,13 +135,13 @@ class Sweep {
   }
 
   std::vector<Vec2>& places_;
-  std::vector<Pair> segments_;  ///< each from its lower place, ascending
+  std::vector<Pair> segments_;  ///< each from its lower end, sorted by its height
   std::vector<double> heights_;
   double slack_ = 0;
-  std::size_t next_ = 0;     ///< segment that has not begun yet
+  std::size_t next_ = 0;     ///< first segment that has not begun yet
   std::vector<int> active_;  ///< segments that span the slab
   std::vector<std::pair<double, int>> order_;
-  std::map<Pair, double> open_;  ///< trapezoids by their sides, and where they begin
+  std::map<Pair, double> open_;  ///< bottom of unfinished trapezoids, by their sides
   std::map<std::pair<int, double>, int> made_;
   std::vector<std::array<int, 3>> triangles_;
 };

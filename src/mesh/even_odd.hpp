@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Areas bounded by outlines with the even-odd rule, as triangles.
+// Triangulates areas bounded by outlines with the even-odd rule.
 #pragma once
 
 #include <array>
@@ -10,15 +10,16 @@
 
 namespace epura::mesh {
 
-/// The places of closed outlines, and segments between them in any order. From a point inside, a ray crosses an odd
+/// The vertices of closed outlines, and segments between them in any order. From a point inside, a ray crosses an odd
 /// number of segments.
 struct Outlines {
   std::vector<Vec2> places;
   std::vector<std::array<int, 2>> segments;
 };
 
-/// Triangles that fill the inside without overlap. Their corners are places, and new ones on segments that are appended
-/// to `outlines.places`. Segments may cross and coincide. Lengths far below 1e-12 of the whole are not resolved.
+/// Returns triangles that fill the inside without overlap. Their corners are vertices of the outlines, and new points
+/// on segments, which are appended to `outlines.places`. Segments may cross and coincide. Lengths far below 1e-12 of
+/// the whole size are not resolved.
 std::vector<std::array<int, 3>> fill_even_odd(Outlines& outlines);
 
 /// Whether a point lies inside. For points on the outline, either result is possible.

@@ -10,11 +10,11 @@ namespace epura::mesh {
 
 namespace {
 
-/// `keep(face, ring)` may change the ring and returns how many of its corners stay, 0 to drop the face.
+/// `keep(face, ring)` may change the ring and returns the number of corners to keep, 0 to drop the face.
 template <class Keep>
 int keep_faces(Faces& faces, const Keep& keep) {
   std::size_t kept = 0;
-  int begin = 0;      // of the ring as it was
+  int begin = 0;      // of the original ring
   int write_end = 0;  // of the kept rings
   for (std::size_t face = 0; face < faces.size(); ++face) {
     const int end = faces.ends[face];
@@ -44,7 +44,7 @@ bool has_three_corners(std::span<const int> ring) {
          std::any_of(ring.begin() + 2, ring.end(), [&](int c) { return c != ring[0] && c != ring[1]; });
 }
 
-/// A face seen from its lowest vertex: the two neighbours there, the lower one first.
+/// A face represented by the two neighbours of its lowest vertex, the lower one first.
 struct Entry {
   int low, high, face;
 };
@@ -56,7 +56,8 @@ std::vector<int> canonical_ring(std::span<const int> ring) {
   return turned;
 }
 
-/// Negative, zero or positive as the canonical ring of one face comes before, is, or comes after that of the other.
+/// Negative, zero or positive if the canonical ring of one face is less than, equal to or greater than that of the
+/// other.
 int compare(const Faces& faces, const Entry& a, const Entry& b) {
   if (a.low != b.low) return a.low < b.low ? -1 : 1;
   if (a.high != b.high) return a.high < b.high ? -1 : 1;
@@ -93,7 +94,7 @@ int drop_faces_with_non_finite_corners(Faces& faces, const Points& points) {
 }
 
 int drop_duplicate_faces(Faces& faces, int vertex_count) {
-  // Counting sort by the lowest vertex: equal faces meet in one short bucket.
+  // Counting sort by the lowest vertex: equal faces are in one short bucket.
   std::vector<int> bucket_end(static_cast<std::size_t>(vertex_count) + 1, 0);
   for (std::size_t f = 0; f < faces.size(); ++f) ++bucket_end[std::ranges::min(faces.ring(f)) + 1];
   for (int v = 0; v < vertex_count; ++v) bucket_end[v + 1] += bucket_end[v];

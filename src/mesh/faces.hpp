@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faces as rings of vertex numbers, and which of them are valid.
+// Faces as rings of vertex numbers; drops invalid ones.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@ namespace epura::mesh {
 
 struct Faces {
   std::vector<int> corners;  ///< all rings, one after the other
-  std::vector<int> ends;     ///< where each ends
-  std::vector<int> number;   ///< of each face in the file
+  std::vector<int> ends;     ///< end of each ring
+  std::vector<int> number;   ///< of each face, in the file
 
   [[nodiscard]] std::size_t size() const { return ends.size(); }
   [[nodiscard]] int begin_of(std::size_t face) const { return face == 0 ? 0 : ends[face - 1]; }
@@ -21,14 +21,14 @@ struct Faces {
   }
 };
 
-// Each of these returns how many faces it dropped. The order of the rest stays.
+// Each of these functions returns the number of dropped faces. The order of the others is preserved.
 
-/// Also shortens rings that name one vertex twice in succession.
+/// Also removes consecutive repetitions of a vertex from rings.
 int drop_faces_without_three_corners(Faces& faces);
 
 int drop_faces_with_non_finite_corners(Faces& faces, const Points& points);
 
-/// Keeps the first of faces that go through the same vertices in the same order, whatever their start and direction.
+/// Of faces with the same vertices in the same cyclic order or its reverse, keeps the first.
 int drop_duplicate_faces(Faces& faces, int vertex_count);
 
 }  // namespace epura::mesh

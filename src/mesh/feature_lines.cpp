@@ -18,12 +18,12 @@ namespace epura::mesh {
 
 namespace {
 
-// Triangles lower than this part of their longest side have no reliable normal.
+// Triangles lower than this fraction of their longest side have no reliable normal.
 constexpr double sliver = 1e-6;
-constexpr double angle_rounding = 1e-6;  // degrees: a limit of 360/N takes all edges of an N-sided prism or none
+constexpr double angle_rounding = 1e-6;  // degrees; a limit of 360/N takes either all edges of an N-sided prism or none
 constexpr std::size_t most_at_a_vertex = 64;
 
-// Twice the area, along the normal; 0 for slivers.
+// Normal vector, twice as long as the area; 0 for slivers.
 Vec3 area_of(const PlacedMesh& placed, int triangle) {
   const std::array<int, 3>& c = placed.triangles[triangle];
   const Vec3 &a = placed.points[c[0]], &b = placed.points[c[1]], &d = placed.points[c[2]];
@@ -32,14 +32,13 @@ Vec3 area_of(const PlacedMesh& placed, int triangle) {
   return glm::length(area) > sliver * longest * longest ? area : Vec3(0);
 }
 
-// Normals of triangles, times any length: those of the faces of the file that they are parts of. A face of nothing but
-// slivers has none.
+// For each triangle the normal of its face in the file, not normalised. A face that consists of slivers only has none.
 std::vector<Vec3> normals_of(const PlacedMesh& placed) {
   std::vector<Vec3> normals(placed.mesh.polygon.size());
   parallel_for(normals.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) normals[t] = area_of(placed, static_cast<int>(t));
   });
-  // Triangles of one face follow each other.
+  // Triangles of one face are consecutive.
   for (std::size_t first = 0, end = 0; first < normals.size(); first = end) {
     Vec3 sum(0);
     for (; end < normals.size() && placed.mesh.polygon[end] == placed.mesh.polygon[first]; ++end) sum += normals[end];
@@ -49,7 +48,7 @@ std::vector<Vec3> normals_of(const PlacedMesh& placed) {
   return normals;
 }
 
-// Whether the triangle runs along the edge from its first vertex to its second one.
+// Whether the triangle traverses the edge from its first vertex to its second one.
 bool runs_along(const PlacedMesh& placed, const MeshEdge& edge, int triangle) {
   const std::array<int, 3>& c = placed.triangles[triangle];
   const auto at = std::find(c.begin(), c.end(), placed.first_vertex + edge.vertex[0]) - c.begin();
@@ -61,19 +60,19 @@ bool is_feature(const PlacedMesh& placed, const MeshEdge& edge, std::span<const 
   if (edge.diagonal) return false;
   const auto triangles = placed.mesh.triangles_of(edge);
   const Vec3& a = normals[triangles[0]];
-  // Against a neighbour that runs the same way round the normal is the wrong one.
+  // If the neighbour has the opposite orientation, its normal is reversed.
   const bool turned = runs_along(placed, edge, triangles[0]) == runs_along(placed, edge, triangles[1]);
   const Vec3 b = turned ? -normals[triangles[1]] : normals[triangles[1]];
   if (a == Vec3(0) || b == Vec3(0)) return false;
   return portable_atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) >= least_fold;
 }
 
-// One end of an edge: 2 * edge + (0 or 1), the place in MeshEdge::vertex.
+// One end of an edge: 2 * edge + (0 or 1), where 0 or 1 is the index in MeshEdge::vertex.
 using End = int;
 constexpr End none = -1;
 End other(End end) { return end ^ 1; }
 
-/// Edges of features and how they continue.
+/// Feature edges and their continuations.
 struct Features {
   const PlacedMesh& placed;
   std::vector<char> wanted;  ///< by edge
@@ -89,7 +88,7 @@ struct Features {
   [[nodiscard]] FeatureLine follow(End start, std::vector<char>& used) const;
 };
 
-// The two that run on most straightly first.
+// Pairs edges in order of straightness.
 void Features::pair_up(std::span<const End> ends, double most_turn) {
   if (ends.size() > most_at_a_vertex) return;
   std::vector<std::tuple<double, End, End>> pairs;
@@ -106,7 +105,7 @@ void Features::pair_up(std::span<const End> ends, double most_turn) {
   }
 }
 
-// From the end `start`, whose edge is walked towards its other end.
+// Starts at the end `start` and proceeds to the other end of its edge.
 FeatureLine Features::follow(End start, std::vector<char>& used) const {
   FeatureLine line{{vertex(start)}, false};
   End at = start;
@@ -119,7 +118,7 @@ FeatureLine Features::follow(End start, std::vector<char>& used) const {
   return line;
 }
 
-// Ends of the required edges by their vertices.
+// Ends of the feature edges, sorted by vertex.
 std::vector<End> ends_by_vertex(const Features& features) {
   std::vector<End> ends;
   for (std::size_t e = 0; e < features.wanted.size(); ++e)
@@ -154,7 +153,7 @@ std::vector<FeatureLine> find_feature_lines(const PlacedMesh& placed, double cre
   std::vector<char> used(placed.mesh.edges.size(), 0);
   for (const End end : ends)
     if (features.partner[end] == none && used[end / 2] == 0) lines.push_back(features.follow(end, used));
-  // What is left runs in rings.
+  // The remaining lines are closed.
   for (const End end : ends)
     if (used[end / 2] == 0) lines.push_back(features.follow(end, used));
   return lines;

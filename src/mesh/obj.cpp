@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ: v, f, l, o and g; other lines describe neither surfaces nor wires.
+// Reads Wavefront OBJ: v, f, l, o and g; other lines describe neither surfaces nor wires.
 #include <optional>
 #include <span>
 #include <string>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t part_bytes = 1 << 18;
 
-// Behind line ends; a line that continues behind a backslash stays whole.
+// Cuts after line ends; a line that is continued by a backslash is not divided.
 std::vector<std::string_view> cut_in_parts(std::string_view text) {
   std::vector<std::string_view> parts;
   while (text.size() > part_bytes) {
@@ -33,7 +33,7 @@ std::vector<std::string_view> cut_in_parts(std::string_view text) {
   return parts;
 }
 
-/// None for a part with an error. What line that is on is not known yet.
+/// Nothing for a part with an error, whose line number is not known yet.
 std::vector<std::optional<ObjPart>> read_parts(const std::vector<std::string_view>& texts, const Progress& progress) {
   std::vector<std::optional<ObjPart>> parts(texts.size());
   parallel_for(texts.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
@@ -53,7 +53,7 @@ struct ObjBodies {
   std::vector<int> of_face;
 };
 
-/// Faces by the name last given. A name that comes again means the same body; one without faces means none.
+/// Assigns faces to the name given last. A repeated name denotes the same body; a name without faces denotes none.
 ObjBodies bodies_by(const std::vector<ObjNaming>& namings, std::size_t faces) {
   ObjBodies bodies;
   std::unordered_map<std::string_view, int> numbers;
@@ -70,7 +70,7 @@ ObjBodies bodies_by(const std::vector<ObjNaming>& namings, std::size_t faces) {
   return bodies;
 }
 
-/// The elements of one kind of all parts.
+/// Joins the elements of one kind from all parts.
 class ObjElementJoiner {
  public:
   ObjElementJoiner(std::string_view name, const char* what) : name_(name), what_(what) {}
@@ -80,7 +80,7 @@ class ObjElementJoiner {
     ends_.reserve(elements);
   }
 
-  /// `vertices` come before the part, which begins in line `first_line`.
+  /// `vertices` precede the part, which begins in line `first_line`.
   void add(ObjElements elements, long long vertices, std::size_t first_line) {
     for (const ObjRelativeCorner& corner : elements.relative) {
       const long long before = vertices + static_cast<long long>(corner.vertices_before);
@@ -113,14 +113,14 @@ class ObjElementJoiner {
   std::string_view name_;
   const char* what_;
   std::vector<int> corners_, ends_;
-  long long largest_ = -1;        // vertex that an element names
-  std::size_t largest_line_ = 0;  // and where it does so first
+  long long largest_ = -1;        // largest vertex number of an element
+  std::size_t largest_line_ = 0;  // line where it occurs first
 };
 
-/// Puts the parts of a file together, one after the other.
+/// Joins the parts of a file in order.
 class ObjJoiner {
  public:
-  /// For all of `parts`.
+  /// Reserves memory for all of `parts`.
   ObjJoiner(std::string_view name, const std::vector<std::optional<ObjPart>>& parts)
       : faces_(name, obj_face), wires_(name, obj_wire) {
     std::size_t points = 0, corners = 0, faces = 0;
@@ -144,7 +144,7 @@ class ObjJoiner {
     lines_ += part.lines;
   }
 
-  /// The number of the line that begins behind the parts added.
+  /// Returns the number of the line after the parts added so far.
   [[nodiscard]] std::size_t line() const { return 1 + lines_; }
 
   Soup finish() {
@@ -196,7 +196,7 @@ class ObjJoiner {
   ObjElementJoiner faces_, wires_;
   std::vector<ObjNaming> objects_, groups_;
   ObjIgnored ignored_;
-  std::size_t lines_ = 0;  // of the parts added
+  std::size_t lines_ = 0;  // of the parts added so far
 };
 
 }  // namespace

@@ -52,7 +52,7 @@ class ObjPartReader {
     elements.ends.push_back(static_cast<int>(elements.corners.size()));
   }
 
-  // "7", "7/1", "7//3", "7/1/3": only the vertex matters. It may come later.
+  // "7", "7/1", "7//3", "7/1/3": only the vertex is used. It may be defined later.
   void corner(std::string_view word, ObjElements& elements, const char* what) {
     const long long number = text_.integer(word.substr(0, word.find('/')), "the number of the vertex");
     if (number == 0) text_.fail(std::string(what) + " refers to vertex 0", "vertices are numbered from 1");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geomview's Object File Format: [ST][C][N]OFF, counts, one vertex per line, one face per line.
+// Reads Geomview's Object File Format: [ST][C][N]OFF, counts, one vertex per line, one face per line.
 // Format: http://www.geomview.org/docs/html/OFF.html
 #include "base/text.hpp"
 #include "mesh/off_keyword.hpp"
@@ -15,7 +15,7 @@ struct Counts {
   long long faces;
 };
 
-// The keyword may be missing; letters before "OFF" state what a vertex line contains after the position.
+// The keyword may be missing; letters before "OFF" state what a vertex line contains after the coordinates.
 void read_keyword(TextCursor& text) {
   const TextCursor before = text;
   const std::string_view word = text.word_of_any_line(), keyword = off_keyword(word);
@@ -37,7 +37,7 @@ Counts read_counts(TextCursor& text) {
   for (long long* count : {&counts.vertices, &counts.faces}) {
     const std::string what = count == &counts.vertices ? "vertices" : "faces";
     *count = text.integer(text.word_of_any_line(), "the number of " + what);
-    // A vertex takes at least six bytes and a face two, so a wrong count cannot make us ask for all memory.
+    // A vertex takes at least six bytes and a face two; this check prevents a wrong count from exhausting the memory.
     const long long least_bytes = count == &counts.vertices ? 6 : 2;
     const auto max = static_cast<long long>(text.bytes_left() / least_bytes) + 1;
     if (*count < 0 || *count > max)
@@ -66,7 +66,7 @@ void read_vertices(TextCursor& text, Soup& soup, long long count, Pace& pace) {
     point[0] = text.number(expect_word(text, "vertex", v, count));
     const TextCursor first_line = text;
     for (const std::size_t axis : {1, 2}) point[axis] = text.number(expect_word(text, "vertex", v, count));
-    // A vertex may continue in the next line; but where that holds more, it is of the next vertex.
+    // A vertex may continue on the next line; but if that line holds more numbers, they belong to the next vertex.
     if (text.line() != first_line.line() && !text.word().empty())
       first_line.fail("a coordinate of the vertex is missing");
     text.next_line();
@@ -89,7 +89,7 @@ void read_faces(TextCursor& text, Soup& soup, long long count, Pace& pace) {
                   "vertices are numbered from 0");
       soup.corners.push_back(static_cast<int>(index));
     }
-    // Faces of two corners are lines.
+    // Faces with two corners are lines.
     if (corners == 2) {
       soup.add_wire(std::vector<int>(soup.corners.end() - 2, soup.corners.end()));
       soup.corners.resize(soup.corners.size() - 2);

@@ -20,15 +20,15 @@ struct SurfaceEdges {
   int count = 0;
 };
 
-/// One edge for two triangles that stay joined, one for each half-edge otherwise. They are numbered along the triangles
-/// and not as in the table, which keeps neighbours near each other in memory.
+/// Creates one edge for two triangles that remain joined, otherwise one for each half-edge. They are numbered in order
+/// of the triangles, not of the table, which keeps neighbours close to each other in memory.
 SurfaceEdges number_edges(std::span<const int> corners, const EdgeTable& table) {
   SurfaceEdges numbered;
-  numbered.of.resize(corners.size());  // not valid yet
+  numbered.of.resize(corners.size());  // not yet valid
   for (const MeshEdge& edge : table.edges)
     if (is_two_sided(table, edge, corners)) {
       const auto halfedges = table.halfedges_of(edge);
-      numbered.of[halfedges[1]] = HalfedgeHandle(halfedges[0]);  // for the moment the later one names the earlier one
+      numbered.of[halfedges[1]] = HalfedgeHandle(halfedges[0]);  // for now, the later one refers to the earlier one
     }
   for (HalfedgeHandle& own : numbered.of)
     own = own.is_valid() ? HalfedgeHandle(numbered.of[own.idx()].idx() + 1) : HalfedgeHandle(2 * numbered.count++);
@@ -39,7 +39,7 @@ void link_faces(Surface& surface, const std::vector<HalfedgeHandle>& of) {
   parallel_for(surface.n_faces(), 16384, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t) {
       const FaceHandle face(static_cast<int>(t));
-      // The last half-edge ends at corner 0, so that OpenMesh's circulators begin there.
+      // The last half-edge ends at corner 0, so that OpenMesh's circulators start there.
       surface.set_halfedge_handle(face, of[3 * t + 2]);
       for (std::size_t k = 0; k < 3; ++k) {
         surface.set_face_handle(of[3 * t + k], face);
@@ -49,7 +49,8 @@ void link_faces(Surface& surface, const std::vector<HalfedgeHandle>& of) {
   });
 }
 
-/// The triangles around one vertex: from the outgoing half-edge at their right end (any, if they close a ring).
+/// Links the triangles around one vertex, starting at the outgoing half-edge at their right end (any half-edge if they
+/// form a ring).
 void link_fan(Surface& surface, HalfedgeHandle right, VertexHandle vertex) {
   const HalfedgeHandle border_in = surface.opposite_halfedge_handle(right);
   for (HalfedgeHandle outgoing = right;;) {
@@ -58,7 +59,7 @@ void link_fan(Surface& surface, HalfedgeHandle right, VertexHandle vertex) {
     outgoing = surface.opposite_halfedge_handle(incoming);
     if (outgoing == right) return surface.set_halfedge_handle(vertex, right);
     if (!surface.is_boundary(outgoing)) continue;
-    // OpenMesh expects a border's half-edge at the vertex.
+    // OpenMesh expects a boundary half-edge at the vertex.
     surface.set_vertex_handle(border_in, vertex);
     surface.set_next_halfedge_handle(border_in, outgoing);
     return surface.set_halfedge_handle(vertex, outgoing);
@@ -81,7 +82,7 @@ HalfedgeMesh to_openmesh(const Mesh& mesh) {
   const SurfaceEdges edges = number_edges(mesh.corners, table);
   HalfedgeMesh made;
   Surface& surface = made.surface;
-  // Room for copies of vertices; memory that is never written costs nothing.
+  // Reserves room for copies of vertices; memory that is never written costs nothing.
   surface.reserve(2 * mesh.points.size(), static_cast<std::size_t>(edges.count), mesh.polygon.size());
   surface.resize(mesh.points.size(), static_cast<std::size_t>(edges.count), mesh.polygon.size());
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
@@ -93,7 +94,7 @@ HalfedgeMesh to_openmesh(const Mesh& mesh) {
   link_faces(surface, edges.of);
 
   for (std::size_t h = 0; h < mesh.corners.size(); ++h) {
-    if (surface.to_vertex_handle(surface.prev_halfedge_handle(edges.of[h])).is_valid()) continue;  // fan done
+    if (surface.to_vertex_handle(surface.prev_halfedge_handle(edges.of[h])).is_valid()) continue;  // fan already linked
     VertexHandle vertex(mesh.corners[h]);
     if (!surface.is_isolated(vertex)) {
       vertex = surface.new_vertex();

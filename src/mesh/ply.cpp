@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PLY: text and binary in both byte orders, elements and properties in any order.
+// Reads PLY: text and binary in both byte orders, elements and properties in any order.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace epura::mesh {
 
 namespace {
 
-// Both sources give numbers as doubles, which hold every index of 32 bits.
+// Both sources return numbers as doubles, which represent every 32-bit index exactly.
 
 class BinarySource {
  public:
@@ -102,7 +102,8 @@ class TextSource {
   }
 
  private:
-  // An element may continue in the next line; but where that holds more, or the file ends, its own line was too short.
+  // An element may continue on the next line; but if that line holds more numbers, or the file ends, the element's own
+  // line was too short.
   std::string_view next_word() {
     std::string_view word = text_.word();
     if (word.empty()) {
@@ -121,9 +122,9 @@ class TextSource {
 
   TextCursor text_;
   std::string_view name_;
-  const PlyProperty* property_ = nullptr;  // that is read
-  const PlyProperty* missing_ = nullptr;   // the first one that the line where the element begins does not hold
-  std::size_t row_line_ = 0;               // that line; 0 before the element
+  const PlyProperty* property_ = nullptr;  // currently read
+  const PlyProperty* missing_ = nullptr;   // first property missing from the line where the element begins
+  std::size_t row_line_ = 0;               // number of that line; 0 before the element
 };
 
 template <class Source>
@@ -156,7 +157,7 @@ class PlyReader {
   }
 
  private:
-  // A wrong count must not make us ask for all memory.
+  // A wrong count must not exhaust the memory.
   void check_count(const PlyElement& element) const {
     std::size_t least_bytes = 0;
     for (const PlyProperty& property : element.properties)
@@ -169,7 +170,7 @@ class PlyReader {
               "is the file complete?");
   }
 
-  /// Calls `take(property, number)` for each number and `end(property)` behind each property of all elements.
+  /// Calls `take(property, number)` for each number and `end(property)` after each property of all elements.
   template <class Take, class End>
   void read_rows(const PlyElement& element, const Take& take, const End& end) {
     if (element.properties.empty()) return;
@@ -210,7 +211,7 @@ class PlyReader {
       soup_.single_precision = soup_.single_precision && found->type == PlyType::float32;
     }
     soup_.points.reserve(soup_.points.size() + static_cast<std::size_t>(element.count));
-    std::array<double, 4> point{};  // the last element takes unused values
+    std::array<double, 4> point{};  // the last one receives unused values
     read_rows(
         element, [&](std::size_t p, double value) { point[axis[p]] = value; },
         [&](std::size_t p) {
@@ -264,7 +265,7 @@ class PlyReader {
         });
   }
 
-  /// A vertex number; -1 ends a strip.
+  /// Returns a vertex number; -1 ends a strip.
   int index(double value, bool may_end, const std::string& of) {
     if (value == -1 && may_end) return -1;
     if (!(value >= 0) || value != std::floor(value) || value > 2147483646.0)
@@ -278,7 +279,7 @@ class PlyReader {
     return static_cast<int>(number);
   }
 
-  /// Every further vertex of a strip makes a triangle with the two before it; every second one is turned.
+  /// Every further vertex of a strip forms a triangle with the two before it; every second triangle is reversed.
   void add_strip(const std::vector<int>& strip) {
     std::size_t begin = 0;
     for (std::size_t i = 0; i < strip.size(); ++i) {
@@ -286,7 +287,7 @@ class PlyReader {
       if (i < begin + 2 || strip[i] < 0) continue;
       std::array<int, 3> triangle{strip[i - 2], strip[i - 1], strip[i]};
       if ((i - begin) % 2 == 1) std::swap(triangle[0], triangle[1]);
-      // Strips are joined by triangles that repeat a vertex: these are not faces.
+      // Strips are connected by triangles that repeat a vertex; these are not faces.
       if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
       soup_.corners.insert(soup_.corners.end(), triangle.begin(), triangle.end());
       soup_.end_face();
@@ -297,9 +298,9 @@ class PlyReader {
   std::string_view name_;
   Pace pace_;
   Soup soup_;
-  long long largest_ = -1;         // the largest vertex number, checked when all vertices are known
-  std::size_t largest_place_ = 0;  // where that stands
-  std::string largest_of_;         // and in what
+  long long largest_ = -1;         // largest vertex number, checked when all vertices are known
+  std::size_t largest_place_ = 0;  // its position in the file
+  std::string largest_of_;         // the element that has it
 };
 
 }  // namespace

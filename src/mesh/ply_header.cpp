@@ -92,7 +92,7 @@ std::size_t size_of(PlyType type) {
 PlyHeader read_ply_header(std::string_view bytes, std::string_view name) {
   TextCursor text(bytes, name);
   if (text.word() != "ply") text.fail("does not begin with 'ply'");
-  // Where lines end with CR alone, a byte 0x0A behind the header belongs to the data.
+  // If lines end with CR alone, a byte 0x0A after the header belongs to the data.
   const bool carriage_returns = bytes.size() > 4 && bytes[3] == '\r' && bytes[4] != '\n';
 
   std::optional<PlyEncoding> encoding;

@@ -86,7 +86,7 @@ const Format* format_named(std::string_view name) {
 }
 
 Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress) {
-  // Half-edges, twice as many as corners at most, are numbered with int.
+  // Half-edges, at most twice as many as corners, are numbered with int.
   if (soup.corners.size() > INT_MAX / 6 || soup.wires.size() > INT_MAX / 6 || soup.points.size() > INT_MAX)
     throw Error(ErrorKind::input, name, "has too many corners", "split the model");
   Mesh mesh = build_mesh(std::move(soup), name, progress);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Model files -> meshes.
+// Reads model files into meshes.
 #pragma once
 
 #include <filesystem>
@@ -13,9 +13,10 @@
 
 namespace epura::mesh {
 
-/// Reads OBJ, STL (text, binary), PLY (text, both byte orders) or OFF, by what the file holds and then by its
-/// extension. Coordinates arrive as the file's doubles. Throws Error{input} with path and line (text) or byte (binary),
-/// and OutOfTime. Every byte of the file counts twice as progress: once it is read, and once the mesh is there.
+/// Reads OBJ, STL (text, binary), PLY (text, both byte orders) or OFF. The format is determined by the content of the
+/// file, then by its extension. Coordinates are the doubles nearest to those in the file. Throws Error{input} with path
+/// and line (text) or byte (binary), and OutOfTime. Every byte of the file counts twice as progress: when it has been
+/// read, and when the mesh is complete.
 Mesh read_mesh(const std::filesystem::path& path, const Progress& progress = {});
 
 /// A format that read_mesh reads.
@@ -26,10 +27,10 @@ struct Format {
 };
 std::span<const Format> formats();
 
-/// The format with a name; null where there is none.
+/// Returns the format with a name; null if there is none.
 const Format* format_named(std::string_view name);
 
-/// The same from memory; `name` precedes the reason in errors.
+/// Builds a mesh from polygons in memory; `name` precedes the reason in errors.
 Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress = {});
 
 // One reader for each format; `name` precedes the line or byte in errors.

@@ -16,7 +16,7 @@ namespace epura::mesh {
 
 namespace {
 
-// With fewer, coordinates are as likely chosen as rounded.
+// With fewer decimals, coordinates are as likely to be chosen as rounded.
 constexpr int fewest_decimals = 5;
 constexpr int most_decimals = 9;
 constexpr int fewest_digits = 5;
@@ -52,8 +52,8 @@ bool all_multiples(const Points& points, int decimals) {
   return all_coordinates(points, [&](double c) { return is_multiple(c, decimals); });
 }
 
-// The double next to 10^exponent, which the C library's powers and logarithms miss on some processors; 0 below all
-// doubles.
+// The double nearest to 10^exponent, which the powers and logarithms of the C library miss on some processors; 0 below
+// the range of doubles.
 double power_of_ten(int exponent) {
   constexpr int min = -323, max = 308;
   static const std::vector<double> all = [] {
@@ -65,11 +65,11 @@ double power_of_ten(int exponent) {
   return exponent > max ? HUGE_VAL : all[static_cast<std::size_t>(exponent - min)];
 }
 
-// The exponent of the first digit.
+// The decimal exponent of the first digit.
 int first_place(double coordinate) {
   constexpr double log10_of_2 = 0.30102999566398120;
   int place = static_cast<int>(std::floor(std::ilogb(coordinate) * log10_of_2));
-  // That was the exponent of the power of two below.
+  // The estimate is that of the next lower power of two.
   if (std::abs(coordinate) >= power_of_ten(place + 1)) ++place;
   return place;
 }
@@ -89,8 +89,8 @@ double decimals_of(const Points& points) {
   return 4 * needing >= 3 * points.size() ? 1 / powers[decimals] : 0;
 }
 
-// Of the last digit of the largest coordinate that needs it, where all have the same number of digits: smaller ones
-// have more decimals then.
+// The place of the last digit of the largest coordinate that needs it, if all coordinates have the same number of
+// digits: smaller coordinates then have more decimals.
 double digits_of(const Points& points) {
   const auto all_have = [&](int digits) {
     return all_coordinates(points, [&](double c) { return has_digits(c, digits); });

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decimal place to which a text file's coordinates were rounded.
+// Detects the decimal place to which the coordinates of a text file were rounded.
 #pragma once
 
 #include "mesh/soup.hpp"
 
 namespace epura::mesh {
 
-/// 10^-d when all coordinates are multiples of it, with 5 to 9 decimals, and so many need the last one that they look
-/// rounded: a quarter of them, of a hundred points at least. Where not the decimals but the digits are alike (5 to 8,
-/// as "%g" and "%e" write them), the last place of the largest coordinate. Otherwise 0: the coordinates mean what they
-/// say.
+/// Returns 10^-d if all coordinates are multiples of it, with d from 5 to 9, and so many need the last decimal that
+/// they appear rounded: a quarter of them, with a hundred points at least. If not the decimals but the significant
+/// digits are equal in number (5 to 8, as "%g" and "%e" write them), returns the last place of the largest coordinate.
+/// Otherwise 0: the coordinates are taken as exact.
 double decimal_resolution(const Points& points);
 
 }  // namespace epura::mesh

@@ -11,7 +11,7 @@ namespace epura::mesh {
 
 namespace {
 
-// Places from the first corner of a ring, of about unit size.
+// Positions relative to the first corner of a ring, scaled to about unit size.
 class Places {
  public:
   Places(std::span<const int> ring, const Points& points) : points_(points), origin_(ring.front()) {
@@ -39,7 +39,7 @@ class Places {
   double scale_ = 1;
 };
 
-// Takes ways there and back out, also around the end of the ring.
+// Removes spikes, which lead to a corner and back, including those across the end of the ring.
 void drop_spikes(std::vector<int>& ring) {
   std::vector<int> kept;
   for (const int corner : ring) {
@@ -66,7 +66,7 @@ void drop_spikes(std::vector<int>& ring) {
 }  // namespace
 
 bool repeats_corner(std::span<const int> ring) {
-  // Nearly all polygons are small: no memory is requested.
+  // Nearly all polygons are small: no memory is allocated.
   if (ring.size() <= 16) {
     for (std::size_t i = 1; i < ring.size(); ++i)
       if (std::find(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(i), ring[i]) !=

@@ -9,12 +9,12 @@
 
 namespace epura::mesh {
 
-/// The polygons of which a ring of corners consists. It is divided at a corner that it names twice where both parts
-/// turn the same way round, as two loops that touch do; a part that turns the other way is a hole with a bridge to it
-/// and stays. A way there and back is left out: it bounds nothing.
+/// Returns the polygons of which a ring of corners consists. The ring is divided at a corner that occurs twice if both
+/// parts have the same orientation, like two loops that touch; a part with the opposite orientation is a hole connected
+/// by a bridge, and is kept. Spikes, which lead to a corner and back, bound nothing and are removed.
 std::vector<std::vector<int>> simple_rings(std::span<const int> ring, const Points& points);
 
-/// Whether a corner is named twice.
+/// Whether a corner occurs twice.
 bool repeats_corner(std::span<const int> ring);
 
 }  // namespace epura::mesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The raw content of a file: points, polygons as runs of corner indices, and lines that bound no polygon.
+// The raw content of a file: points, polygons as sequences of corner indices, and lines that bound no polygon.
 #pragma once
 
 #include <array>
@@ -14,22 +14,22 @@ using Points = std::vector<std::array<double, 3>>;
 struct Soup {
   Points points;
   std::vector<int> corners;    ///< corner indices of all faces, one face after the other, all in range
-  std::vector<int> face_ends;  ///< where each face ends in `corners`
-  std::vector<int> face_body;  ///< named group of each face; empty when the file names none
+  std::vector<int> face_ends;  ///< end of each face in `corners`
+  std::vector<int> face_body;  ///< named group of each face; empty if the file has no names
   std::vector<std::string> body_names;
-  /// The straight pieces of wires: from point to point, in range. None where `corners_repeat_points`.
+  /// The segments of wires between two points, in range. None if `corners_repeat_points`.
   std::vector<std::array<int, 2>> wires;
-  int wire_faces = 0;                  ///< faces without corners, which only keep the numbers of the others
+  int wire_faces = 0;                  ///< empty faces in place of wires, which preserve the numbers of the others
   std::string format;                  ///< "obj", "stl", "ply", "off"
   bool single_precision = false;       ///< coordinates are stored in 32 bits
-  bool printed = false;                ///< coordinates were written as text, so perhaps rounded to decimals
-  bool corners_repeat_points = false;  ///< every face brings its own points (STL)
+  bool printed = false;                ///< coordinates were written as text, hence possibly rounded to decimals
+  bool corners_repeat_points = false;  ///< every face has its own points (STL)
   std::vector<std::string> notes;
 
-  /// The corners added since the last face are a face.
+  /// Makes a face of the corners added since the last one.
   void end_face() { face_ends.push_back(static_cast<int>(corners.size())); }
 
-  /// Through these points.
+  /// Adds a wire through these points.
   template <class Numbers>
   void add_wire(const Numbers& numbers) {
     for (std::size_t i = 1; i < numbers.size(); ++i)

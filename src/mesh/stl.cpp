@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// STL: binary (80 arbitrary bytes, a count, 50 bytes per triangle) and text (solid, facet, vertex).
+// Reads STL: binary (80 arbitrary bytes, a count, 50 bytes per triangle) and text (solid, facet, vertex).
 #include <array>
 #include <cstdint>
 
@@ -40,7 +40,7 @@ Soup read_binary(std::string_view bytes, std::string_view name, const Progress& 
   Pace pace(progress, bytes.size());
   for (std::size_t corner = 0; corner < soup.points.size(); ++corner) {
     pace.left(bytes.size() - corner / 3 * triangle_bytes);
-    // A triangle is its normal, three corners and two bytes of attributes.
+    // A triangle consists of its normal, three corners and two bytes of attributes.
     const char* const from = bytes.data() + header_bytes + corner / 3 * triangle_bytes + 12 * (1 + corner % 3);
     for (std::size_t axis = 0; axis < 3; ++axis)
       soup.points[corner][axis] = static_cast<double>(load<float>(from + 4 * axis, std::endian::little));
@@ -56,7 +56,7 @@ class TextReader {
       : text_(bytes, name), pace_(progress, bytes.size()) {}
 
   Soup read() {
-    // Programs write text STL from floats, whatever the number of digits.
+    // Programs write text STL from floats, regardless of the number of digits.
     soup_.single_precision = true;
     soup_.printed = true;
     for (std::string_view word = text_.word_of_any_line(); !word.empty(); word = text_.word_of_any_line()) {
@@ -121,7 +121,7 @@ StlKind stl_kind(std::string_view bytes) {
   TextCursor text(bytes, "");
   const std::string first = to_lower(text.word_of_any_line().substr(0, 6));
   if (first != "solid" && first != "facet") return StlKind::neither;
-  // Binary files may begin with "solid", too; "facet" is then not far in text only.
+  // Binary files may begin with "solid" as well; only text then has "facet" near the beginning.
   const std::string_view beginning = bytes.substr(0, 65536);
   const auto holds = [&](std::string_view word) { return beginning.find(word) != std::string_view::npos; };
   const bool text_words = holds("facet") || holds("FACET") || holds("endsolid") || holds("ENDSOLID");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether bytes are an STL file, and which kind.
+// Detects STL files and their kind.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@ namespace epura::mesh {
 
 enum class StlKind { text, binary, neither };
 
-/// Binary files are known by their size alone, since their headers may begin with "solid" as well.
+/// Binary files are recognised by their size alone, since their headers may begin with "solid" as well.
 StlKind stl_kind(std::string_view bytes);
 
 }  // namespace epura::mesh

@@ -18,7 +18,7 @@ std::optional<double> windows_value(std::string_view word) {
   const bool negative = word.starts_with('-');
   if (negative || word.starts_with('+')) word.remove_prefix(1);
   for (const std::string_view name : {"1.#INF", "1.#IND", "1.#QNAN", "1.#SNAN"}) {
-    // Zeros fill up the decimals that were requested.
+    // Padded with zeros to the requested decimals.
     if (!word.starts_with(name) || word.find_first_not_of('0', name.size()) != std::string_view::npos) continue;
     if (name != "1.#INF") return std::numeric_limits<double>::quiet_NaN();
     return negative ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words of a text file, line by line, and the position of the reader for error messages.
+// Reads the words of a text file, line by line, and keeps the position for error messages.
 //
-// Lines end with LF, CR or CRLF; '#' begins a comment; a backslash at the end of a line continues it on the next. Words
-// such as "-1.#IND" are complete: the C library of Windows wrote them for non-finite values.
+// Lines end with LF, CR or CRLF; '#' begins a comment; a backslash at the end of a line continues it on the next one.
+// Words such as "-1.#IND" are not split: the C library of Windows wrote them for non-finite values.
 #pragma once
 
 #include <array>
@@ -14,28 +14,28 @@ namespace epura::mesh {
 
 class TextCursor {
  public:
-  /// `name` is the file in errors; `first_line` counts from 1. Both views must outlive the cursor.
+  /// `name` denotes the file in errors; `first_line` counts from 1. Both views must outlive the cursor.
   TextCursor(std::string_view text, std::string_view name, std::size_t first_line = 1);
 
-  /// The next word of this line; empty when there is none left.
+  /// Returns the next word of this line; empty if there is none left.
   std::string_view word();
-  /// The next word of this line or a later one; empty at the end of the text.
+  /// Returns the next word of this line or a later one; empty at the end of the text.
   std::string_view word_of_any_line();
-  /// What is left of this line, comments too, without blanks around it.
+  /// Returns the rest of this line including comments, without surrounding blanks.
   std::string_view rest_of_line();
-  /// Skips what is left of this line; false when no line follows.
+  /// Skips the rest of this line; false if no line follows.
   bool next_line();
-  /// The last `bytes` of the previous word become a separate word, which comes next.
+  /// Makes the last `bytes` of the previous word a separate word, which comes next.
   void put_back(std::size_t bytes) { at_ -= bytes; }
 
   [[nodiscard]] std::size_t line() const { return line_; }
   [[nodiscard]] std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
 
-  /// `word` as a number, or an error that names this line; for an empty word, that `what` is missing. NaN and
-  /// infinity are numbers here.
+  /// Returns `word` as a number. Otherwise throws an error with this line; for an empty word it states that `what` is
+  /// missing. NaN and infinity are accepted as numbers.
   [[nodiscard]] double number(std::string_view word, std::string_view what = "a number") const;
   [[nodiscard]] long long integer(std::string_view word, std::string_view what = "a number") const;
-  /// The next three numbers of this line.
+  /// Returns the next three numbers of this line.
   [[nodiscard]] std::array<double, 3> point();
   [[noreturn]] void fail(const std::string& reason, const std::string& hint = {}) const;
 
@@ -50,7 +50,7 @@ class TextCursor {
   std::string_view name_;
 };
 
-/// A word of a file for a message: quoted, shortened, without unprintable bytes.
+/// Formats a word of a file for a message: quoted, shortened, without unprintable bytes.
 std::string quoted(std::string_view word);
 
 }  // namespace epura::mesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ear clipping [Meisters. Polygons Have Ears. Amer. Math. Monthly 1975] for polygons that may touch themselves, such as
-// those whose holes are joined to the outline by a bridge. Each cut removes the signed area of its triangle from the
-// polygon, so the sum is preserved whatever is cut.
+// those whose holes are connected to the outline by a bridge. Each cut subtracts the signed area of its triangle from
+// that of the polygon, so the total is preserved whatever is cut.
 #include "mesh/triangulate.hpp"
 
 #include <algorithm>
@@ -18,12 +18,13 @@ constexpr std::size_t faces_a_look = 256;
 
 double area(Vec2 a, Vec2 b, Vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
-/// The ring's corners in a coordinate plane where its area is largest and positive.
+/// The ring's corners projected to the coordinate plane in which its area is largest, oriented so that the area is
+/// positive.
 std::vector<Vec2> flattened(std::span<const int> ring, const Points& points) {
   double largest = 0;
   for (const int corner : ring)
     for (const double x : points[corner]) largest = std::max(largest, std::abs(x));
-  // A power of two scales without error, and keeps products of very large or small coordinates in range.
+  // A power of two scales without rounding, and keeps products of very large or small coordinates in range.
   const double scale = largest > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1.0;
   std::vector<Vec3> places;
   for (const int c : ring) places.push_back(Vec3(points[c][0], points[c][1], points[c][2]) * scale);
@@ -39,14 +40,14 @@ std::vector<Vec2> flattened(std::span<const int> ring, const Points& points) {
   return flat;
 }
 
-/// Whether the first corner sees all others within less than half a turn.
+/// Whether the polygon is a fan: all other corners are visible from the first one, within less than half a turn.
 bool is_fan(const std::vector<Vec2>& p) {
   for (std::size_t i = 2; i < p.size(); ++i)
     if (!(area(p[0], p[1], p[i]) > 0 && area(p[0], p[i - 1], p[i]) > 0)) return false;
   return true;
 }
 
-/// The corners that a polygon still has, by square cell.
+/// The remaining corners of a polygon, by square cell.
 class CornerGrid {
  public:
   explicit CornerGrid(const std::vector<Vec2>& places) : p_(places), least_(places.front()) {
@@ -65,7 +66,7 @@ class CornerGrid {
 
   void remove(int corner) { std::erase(cell_of(corner), corner); }
 
-  /// Whether `is(corner)` for a corner in a box, and maybe for one near it.
+  /// Whether `is(corner)` holds for a corner in a box; corners near the box may be tested as well.
   template <class Is>
   [[nodiscard]] bool any_in(const Vec2& min, const Vec2& max, const Is& is) const {
     for (int y = row(min.y); y <= row(max.y); ++y)
@@ -117,7 +118,7 @@ class EarClipper {
   }
 
  private:
-  /// The first ear from `start` on. Where a polygon crosses itself there may be none: then a corner without area or,
+  /// The first ear, beginning at `start`. A polygon that crosses itself may have none: then a corner without area or,
   /// failing that, any convex one.
   int choose(int start, std::size_t left) {
     int flat = -1, convex = -1, at = start;
@@ -130,7 +131,8 @@ class EarClipper {
     return flat >= 0 ? flat : convex >= 0 ? convex : start;
   }
 
-  /// Strictly convex, with a diagonal inside the polygon at both ends, and with no other corner in the triangle.
+  /// Whether the corner is strictly convex, its diagonal is inside the polygon at both ends, and no other corner is in
+  /// its triangle.
   bool is_ear(int at) {
     const int before = previous_[at], behind = next_[at];
     const Vec2 a = p_[before], b = p_[at], c = p_[behind];
@@ -138,7 +140,7 @@ class EarClipper {
     return !corners_.any_in(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), [&](int other) {
       ++work_;
       const Vec2 q = p_[other];
-      if (q == a || q == b || q == c) return false;  // at bridges, too; `sees` has examined what leaves from there
+      if (q == a || q == b || q == c) return false;  // also at bridges; `sees` has tested the edges from there
       return area(a, b, q) >= 0 && area(b, c, q) >= 0 && area(c, a, q) >= 0;
     });
   }
@@ -147,11 +149,11 @@ class EarClipper {
   [[nodiscard]] bool sees(int corner, Vec2 target) const {
     const Vec2 before = p_[previous_[corner]], at = p_[corner], behind = p_[next_[corner]];
     const bool left_of_next = area(at, behind, target) > 0, left_of_last = area(before, at, target) > 0;
-    // At a reflex corner it is enough to be on the inner side of one edge.
+    // At a reflex corner it suffices to be on the inner side of one edge.
     return area(before, at, behind) > 0 ? left_of_next && left_of_last : left_of_next || left_of_last;
   }
 
-  // Bounds the time for polygons of many thousand corners that have hardly any ear: the rest becomes a fan.
+  // Bounds the time for polygons with many thousand corners but hardly any ears: the rest becomes a fan.
   static constexpr long long most_work = 400'000'000;
 
   const std::vector<Vec2>& p_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Polygons -> triangles with the same corners and the same signed area.
+// Divides polygons into triangles with the same corners and the same signed area.
 #pragma once
 
 #include "base/progress.hpp"
@@ -7,9 +7,9 @@
 
 namespace epura::mesh {
 
-/// Every face as triangles that keep its number and direction: a fan where its first corner sees all others, ears cut
-/// off in the plane of the Newell normal otherwise. A triangle that would name one vertex twice is left out.
-/// Throws OutOfTime.
+/// Divides every face into triangles with the same number and orientation: a fan if all corners are visible from the
+/// first one, otherwise ears clipped in a coordinate plane chosen by the Newell normal. A triangle that would contain
+/// one vertex twice is omitted. Throws OutOfTime.
 Faces triangulate(Faces faces, const Points& points, const Progress& progress = {});
 
 }  // namespace epura::mesh

@@ -16,17 +16,17 @@ bool is_finite(const Place& p) { return std::isfinite(p[0]) && std::isfinite(p[1
 
 std::uint64_t hash(const Place& p) {
   std::uint64_t h = 0;
-  // Adding zero makes -0 and 0 one.
+  // Adding zero makes -0 equal to 0.
   for (const double x : p) h = std::rotl((h ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15u, 32);
   return h * 0x9E3779B97F4A7C15u;
 }
 
-// Points in a table with open addressing, which grows when half full.
+// A hash table of points with open addressing, which grows when half full.
 class PlaceTable {
  public:
   explicit PlaceTable(const Points& points) : points_(points), slots_(std::bit_ceil(points.size() / 2 + 2), -1) {}
 
-  /// The point entered first at the place of `point`, which is entered if there is none.
+  /// Returns the first point entered at the position of `point`, which is entered if there is none.
   int first_at_place_of(int point) {
     int& slot = slot_of(point);
     if (slot >= 0) return slot;
@@ -70,7 +70,7 @@ std::vector<int> same_places(const Points& points) {
 void renumber(Points& points, std::vector<int>& corners, std::vector<int> representative) {
   int kept = 0;
   for (std::size_t point = 0; point < points.size(); ++point) {
-    // A representative precedes those that it represents, so its new number is known.
+    // A representative precedes the points that it represents, so its new number is known.
     int& number = representative[point];
     if (number != static_cast<int>(point)) {
       number = representative[number];
