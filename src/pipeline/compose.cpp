@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/compose.hpp"
 
+#include <algorithm>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -43,6 +45,18 @@ std::vector<sheet::Text> labels_of(const SheetPlan& plan, std::span<const scene:
     if (!label.empty()) labels.push_back(sheet::label_above(label, {drawing.min, drawing.max}));
   }
   return labels;
+}
+
+// The unit of all dimensions, once, above the title block. ISO 129-1.
+std::optional<sheet::Text> unit_note(const SheetInput& input) {
+  const sheet::SheetFurniture& furniture = input.plan.furniture;
+  const bool has_dimensions = std::any_of(input.annotations.begin(), input.annotations.end(),
+                                          [](const Annotations& one) { return !one.dimensions.empty(); });
+  if (!has_dimensions || !furniture.title_block) return std::nullopt;
+  const auto box = sheet::title_block_box(*furniture.title_block, furniture.paper);
+  if (!box) return std::nullopt;
+  constexpr double height = 2.5, above = 2.5;
+  return sheet::Text{"Dimensions in mm", {box->min.x, box->max.y + above}, height, 0, sheet::Align::left, "note"};
 }
 
 std::vector<sheet::ViewFrame> frames_of(const std::vector<ViewResult>& views) {
@@ -126,6 +140,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   const sheet::Paper& paper = plan.furniture.paper;
   sheet::SheetFurniture furniture = plan.furniture;
   furniture.labels = labels_of(plan, input.views.descriptions, results);
+  if (const auto note = unit_note(input)) furniture.labels.push_back(*note);
   sheet::FurnitureLayers around = furniture_layers(furniture);
   FinishedSheet finished{
       {paper.width, paper.height, title_of(sheet), std::move(around.layers), frames_of(results), facts_of(sheet)},

@@ -36,6 +36,17 @@ bool wants_wires(const scene::SceneDescription& scene) {
                      [](const scene::ViewDescription& view) { return view.edges.value_or({}).wire; });
 }
 
+// Dimensions are in millimetres, and most formats have no unit. `without_unit`: the first model without one, or empty.
+void doubt_size(const Messages& messages, const scene::World& world, const std::string& without_unit) {
+  constexpr double least = 1, most = 10'000;  // mm
+  const Vec3 size = world.box.max - world.box.min;
+  const double largest = std::max({size.x, size.y, size.z});
+  if (without_unit.empty() || (largest >= least && largest <= most)) return;
+  messages.warn(without_unit + " has no unit and is dimensioned in millimetres: the largest size is " +
+                format_rounded(largest, 4) + " mm\n  hint: --unit m or --unit in, if that is too " +
+                (largest < least ? "small" : "large"));
+}
+
 // A misspelt pattern must not pass for a drawing without such bodies.
 void warn_about_idle(const Messages& messages, const scene::SceneDescription& scene, const scene::World& world) {
   for (const scene::StyleDescription& style : scene.styles) {
@@ -146,12 +157,15 @@ scene::World read_models(const scene::SceneDescription& scene, const importer::R
   // Who chooses the kinds of edges knows of them.
   const bool says_wires = std::any_of(scene.views.begin(), scene.views.end(),
                                       [](const scene::ViewDescription& view) { return !view.edges.given(); });
+  std::string without_unit;
   std::vector<scene::Placed> placed;
   for (std::size_t i = 0; i < models.size(); ++i) {
     // Models that are not drawn keep their numbers.
     const bool drawn = is_drawn(models[i]);
     importer::ReadModel model = drawn ? read(models[i], options, progress) : importer::ReadModel{};
     const Mat4 place = place_of(models[i], model);
+    if (drawn && models[i].soup == nullptr && without_unit.empty() && !models[i].unit.given() && !model.unit)
+      without_unit = model.mesh.report.name;
     std::vector<scene::StyleDescription> styles =
         scene::styles_of_bodies(model.mesh, scene::name_of(models[i]), scene.styles);
     leave_out(model, styles);
@@ -163,6 +177,7 @@ scene::World read_models(const scene::SceneDescription& scene, const importer::R
   }
   scene::World world = scene::make_world(std::move(placed), wants_wires(scene));
   warn_about_idle(messages, scene, world);
+  if (!scene.dimensions.empty()) doubt_size(messages, world, without_unit);
   return world;
 }
 
