@@ -24,11 +24,11 @@ enum class LayersBy { role, body };
 
 /// Which edges of a model are drawn.
 struct EdgeKinds {
-  bool contour = true;       ///< where the surface turns away from the viewer
+  bool contour = true;       ///< where a surface turns away from the viewer
   bool crease = true;        ///< where two faces meet at an angle
   bool boundary = true;      ///< where a surface ends
   bool intersection = true;  ///< where faces cross
-  bool wire = true;          ///< lines of the file that bound no face
+  bool wire = true;          ///< lines of the file
   bool tangent = false;      ///< between a flat face and a curved one that continues it
   bool smooth = false;       ///< all other edges of the mesh
 

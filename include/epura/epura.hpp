@@ -50,7 +50,7 @@ struct Settings {
   bool wireframe = false;              ///< no hidden-line removal
   std::optional<double> arcs{};        ///< recognise arcs of circles and ellipses within this tolerance in mm
   bool centre_lines = false;           ///< add centre lines and axes of circular features
-  std::optional<int> verify{};         ///< test the drawing at so many random points, and its outline
+  std::optional<int> verify{};         ///< test the drawing at this number of random points, and its outline
   std::optional<double> time_limit{};  ///< seconds; draws the longest edges first
   int threads = 0;                     ///< 0: all cores. For concurrent calls, the lowest number applies
   std::vector<std::filesystem::path> plugin_path{};  ///< additional folders with projection plugins
@@ -60,7 +60,7 @@ struct Settings {
   std::stop_token stop{};  ///< on request, the call soon throws Failure{stopped}
 };
 
-/// A straight piece of ink. Lengths on paper are millimetres, y up, from the lower left corner of the sheet.
+/// A straight segment of ink. Lengths on paper are in millimetres, y up, from the lower left corner of the sheet.
 struct Line {
   std::array<double, 2> from, to;
   EdgeKind kind;

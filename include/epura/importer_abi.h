@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The contract between epura and an importer: a shared library that reads files of models. Plain C.
+/* The interface between epura and an importer: a shared library that reads model files. Plain C.
  *
- * An importer exports one function, epura_importers_v1. Structures are only ever appended to: each carries its size,
- * and the reader uses what both sides know. Nothing is allocated on one side and freed on the other; what is handed to
- * the host is copied before the call returns. An importer runs in a process of its own: what it does there to the
- * process reaches the program as an error.
+ * An importer exports one function, epura_importers_v1. Structures are only ever extended at the end: each contains its
+ * size, and only members known to both sides are used. Nothing is allocated on one side and freed on the other; data
+ * passed to the host are copied before the call returns. An importer runs in a separate process: if that process fails,
+ * the program reports an error.
  *
- * What a file holds is handed over through a sink: shapes (points, faces of polygons, edges of the part, wires), and a
- * tree of nodes that says where shapes stand, as often as they do.
+ * The content of a file is passed to a sink: shapes (points, faces with polygons, edges of the part, wires), and a tree
+ * of nodes with the positions of the shapes. A shape may occur several times.
  */
 #ifndef EPURA_IMPORTER_ABI_H
 #define EPURA_IMPORTER_ABI_H
@@ -37,7 +37,7 @@ enum {
 /* A face of the part: the polygons that follow, up to the next face, belong to it. */
 typedef struct epura_face {
   uint32_t size; /* sizeof(epura_face) */
-  uint32_t kind; /* of its surface */
+  uint32_t kind; /* kind of its surface */
   double origin[3];
   double axis[3]; /* of any length */
   double radius, minor, slope;
@@ -45,76 +45,76 @@ typedef struct epura_face {
 
 /* How coordinates of a file are rounded. */
 enum {
-  EPURA_SINGLE = 1, /* to 32 bits */
-  EPURA_PRINTED = 2 /* they were written as text, so perhaps to some decimals */
+  EPURA_SINGLE = 1, /* to 32-bit floats */
+  EPURA_PRINTED = 2 /* written as text, hence possibly rounded to decimals */
 };
 
 /* How two faces meet in an edge of the part. */
 enum {
   EPURA_SHARP = 0,   /* at an angle */
-  EPURA_TANGENT = 1, /* without one */
-  EPURA_WIRE = 2     /* no faces meet: a line of its own, such as one of a sketch */
+  EPURA_TANGENT = 1, /* smoothly */
+  EPURA_WIRE = 2     /* no faces meet: a separate line, such as one of a sketch */
 };
 
-/* An edge of the part between two faces, or a wire. Seams, where one face meets itself, are none. */
+/* An edge of the part between two faces, or a wire. A seam, where a face meets itself, is not an edge. */
 typedef struct epura_edge {
   uint32_t size;            /* sizeof(epura_edge) */
   uint32_t kind;            /* EPURA_SHARP, EPURA_TANGENT or EPURA_WIRE */
-  double angle;             /* degrees between the normals of the faces; NaN: not known, or a wire */
-  uint64_t count;           /* of points along it, at least two */
-  const uint32_t* vertices; /* numbers of points of the shape; the first one again at the end of a closed edge */
+  double angle;             /* degrees between the normals of the faces; NaN: unknown, or a wire */
+  uint64_t count;           /* number of points along it, at least two */
+  const uint32_t* vertices; /* numbers of points of the shape; a closed edge repeats the first one at its end */
 } epura_edge;
 
-/* A place in the tree. */
+/* A node of the tree. */
 typedef struct epura_node {
   uint32_t size;        /* sizeof(epura_node) */
   uint32_t parent;      /* number of an earlier node, from 0 in the order of calls; EPURA_NONE: none */
-  uint32_t shape;       /* number of a shape, from 0 in the order of calls; EPURA_NONE: none stands here */
+  uint32_t shape;       /* number of a shape, from 0 in the order of calls; EPURA_NONE: no shape */
   uint32_t unused;      /* 0 */
   const char* name;     /* UTF-8; may be NULL */
-  double transform[12]; /* rows of the 3x4 matrix that takes a point of the node to its parent */
+  double transform[12]; /* rows of the 3x4 matrix that maps points of the node to its parent */
 } epura_node;
 
-/* What the importer calls. Every function returns 0; or another number where the host wants no more: the file holds too
- * much, the data contradict themselves, or the run was cancelled. The importer then returns at once, with whatever
- * sentence. */
+/* The functions that the importer calls. Each returns 0, or another number if the host stops the reading: the content
+ * is too large or inconsistent, or the run was cancelled. The importer must then return at once; the sentence that it
+ * returns is ignored. */
 typedef struct epura_sink {
   uint32_t size; /* sizeof(epura_sink) */
   uint32_t unused;
   void* host; /* the first argument of every call */
-  /* Millimetres of a unit of length of the file; 1 unless told. */
+  /* The unit of length of the file in millimetres; 1 if not called. */
   int (*unit)(void* host, double millimetres);
-  /* The axis of the file that points up: 'y' or 'z', which it is unless told. */
+  /* The axis of the file that points up: 'y' or 'z'; 'z' if not called. */
   int (*up)(void* host, char axis);
-  /* What follows, up to the next shape, belongs to a new one. */
+  /* Begins a shape, to which everything up to the next shape belongs. */
   int (*shape)(void* host, const char* name);
-  /* What follows, up to the next one, belongs to a body of the shape. */
+  /* Begins a body of the shape, to which everything up to the next body belongs. */
   int (*body)(void* host, const char* name);
   /* Adds points, three numbers each. */
   int (*points)(void* host, uint64_t count, const double* xyz);
   int (*face)(void* host, const epura_face* face);
-  /* Adds polygons to the face, or to none before the first one: `corners` are numbers of points, counterclockwise as
-   * seen from outside, of one polygon after the other; `ends` says where each ends in it. */
+  /* Adds polygons to the last face; before the first face they belong to none. `corners` are the numbers of points,
+   * counterclockwise as seen from outside, of one polygon after the other; `ends` are the polygons' ends in it. */
   int (*polygons)(void* host, uint64_t count, const uint64_t* ends, const uint32_t* corners);
   int (*edge)(void* host, const epura_edge* edge);
-  /* Without any node each shape stands once, as it is. */
+  /* Without any node, each shape occurs once, untransformed. */
   int (*node)(void* host, const epura_node* node);
-  /* A sentence for the user: what was repaired or left out. */
+  /* A sentence for the user about repairs or omissions. */
   int (*note)(void* host, const char* sentence);
-  /* How much of the work is done, from 0 to 1. To be called a few times a second where that is easy. */
+  /* The fraction of the work that is done, from 0 to 1. Should be called a few times a second if this is easy. */
   int (*progress)(void* host, double done);
-  /* How points are rounded: the sum of what holds; not at all unless told. */
+  /* How points are rounded: the sum of the values that apply; not rounded if not called. */
   int (*rounding)(void* host, uint32_t kinds);
 } epura_sink;
 
-/* What is to be read, and how precisely. */
+/* The file to read, and the required precision. */
 typedef struct epura_source {
   uint32_t size;             /* sizeof(epura_source) */
-  uint32_t threads;          /* that may be used; at least 1 */
-  const char* path;          /* of the file */
-  const double* values;      /* of the parameters in the order of the table, vectors flattened */
-  double tolerance;          /* mm that curved surfaces may be off by; 0: no bound */
-  double relative_tolerance; /* the same in parts of the diagonal of the box of everything; 0: no bound */
+  uint32_t threads;          /* greatest number of threads; at least 1 */
+  const char* path;          /* path of the file */
+  const double* values;      /* values of the parameters in the order of the table, vectors flattened */
+  double tolerance;          /* permitted deviation from curved surfaces, mm; 0: no bound */
+  double relative_tolerance; /* the same as a fraction of the diagonal of the model's box; 0: no bound */
 } epura_source;
 
 /* One importer. */
@@ -126,10 +126,10 @@ typedef struct epura_importer {
   const char* extensions;            /* "step|stp": lower case, without dots */
   const epura_parameter* parameters; /* rows parameters[0].size bytes apart */
   uint64_t parameter_count;
-  /* Whether the file begins as its files do; NULL: files have no mark of their own. `count` is 4096 at most. */
+  /* Whether the importer recognises a file by its first bytes, at most 4096; NULL: its files have no signature. */
   int (*recognises)(const unsigned char* bytes, uint64_t count);
-  /* Returns NULL when done, otherwise a sentence that says what is wrong and where in the file; it stays valid until
-   * the next call. No exception may leave it. */
+  /* Returns NULL on success, otherwise a sentence that states the error and its location in the file; it must remain
+   * valid until the next call. Must not throw exceptions. */
   const char* (*read)(const epura_source* source, const epura_sink* sink);
 } epura_importer;
 
@@ -140,7 +140,7 @@ typedef struct epura_importer_list {
   const epura_importer* importers; /* `count` rows, each importers[0].size bytes apart */
 } epura_importer_list;
 
-/* The one symbol of an importer, and its type for whoever looks it up. */
+/* The only symbol of an importer, and its type for callers that look it up. */
 #define EPURA_IMPORTER_ENTRY_POINT "epura_importers_v1"
 EPURA_EXPORT const epura_importer_list* epura_importers_v1(void);
 typedef const epura_importer_list* (*epura_importer_entry_point)(void);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C++ face of importer_abi.h: header-only, compiled into the plugin, so that only C crosses the border.
+// C++ wrapper of importer_abi.h: header-only, compiled into the plugin, so that only C crosses the interface.
 //
-// An importer is a struct with name, summary, extensions, a table `parameters` (may be left out), and
+// An importer is a struct with name, summary, extensions, optionally a table `parameters`, and
 //   static void read(const Source&, Sink&)
-// and, where files have a mark of their own, static bool recognises(std::string_view first_bytes). A file that cannot
-// be read: throw std::runtime_error with a sentence for the user. EPURA_IMPORTER(Struct) makes a library of it,
-// EPURA_IMPORTERS(A, B...) of several.
+// and, if its files can be recognised by their first bytes, static bool recognises(std::string_view first_bytes). If a
+// file cannot be read, throw std::runtime_error with a message for the user. EPURA_IMPORTER(Struct) defines the
+// library's entry point for one importer, EPURA_IMPORTERS(A, B...) for several.
 #pragma once
 
 #include <epura/importer_abi.h>
@@ -23,30 +23,30 @@
 
 namespace epura::plugin {
 
-/// Thrown by a sink where the host wants no more; nothing to catch.
+/// Thrown by a sink if the host stops the reading; importers need not catch it.
 struct Cancelled {};
 
 using Point = std::array<double, 3>;
 
-/// The rows of a 3x4 matrix that takes a point of a node to its parent.
+/// The rows of a 3x4 matrix that maps points of a node to its parent.
 using Transform = std::array<double, 12>;
 inline constexpr Transform identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
-/// What is to be read, and how precisely: see epura_source.
+/// The file to read, and the required precision: see epura_source.
 struct Source {
   std::string path;
   unsigned threads = 1;
   double tolerance = 0, relative_tolerance = 0;
-  const double* values = nullptr;  ///< of the parameters
+  const double* values = nullptr;  ///< values of the parameters
 
-  /// The distance in mm that curved surfaces may be off by, for a model whose box has this diagonal in mm.
+  /// Returns the permitted deviation from curved surfaces in mm, for a model whose box has this diagonal in mm.
   [[nodiscard]] double tolerance_of(double diagonal) const {
     const double relative = relative_tolerance * diagonal;
     return tolerance > 0 && (tolerance < relative || relative == 0) ? tolerance : relative;
   }
 };
 
-/// Where what was read goes: see epura_sink.
+/// Receives the content of the file: see epura_sink.
 class Sink {
  public:
   explicit Sink(const epura_sink& sink) : sink_(sink) {}
@@ -55,7 +55,7 @@ class Sink {
   void up(char axis) { expect(sink_.up(sink_.host, axis)); }
   /// EPURA_SINGLE, EPURA_PRINTED or both.
   void rounding(std::uint32_t kinds) { expect(sink_.rounding(sink_.host, kinds)); }
-  /// Its number.
+  /// Returns its number.
   std::uint32_t shape(const std::string& name) {
     expect(sink_.shape(sink_.host, name.c_str()));
     return shapes_++;
@@ -76,16 +76,16 @@ class Sink {
     for (std::size_t i = 0; i < ends.size(); ++i) ends[i] = 3 * (i + 1);
     polygons(ends, {corners.empty() ? nullptr : corners.front().data(), 3 * corners.size()});
   }
-  /// `angle` in degrees between the faces.
+  /// `angle` is in degrees, between the normals of the faces.
   void edge(std::span<const std::uint32_t> vertices, bool is_tangent,
             double angle = std::numeric_limits<double>::quiet_NaN()) {
     tell_edge(vertices, is_tangent ? EPURA_TANGENT : EPURA_SHARP, angle);
   }
-  /// A line that bounds no face, through these points.
+  /// Adds a line that bounds no face, through these points.
   void wire(std::span<const std::uint32_t> vertices) {
     tell_edge(vertices, EPURA_WIRE, std::numeric_limits<double>::quiet_NaN());
   }
-  /// Its number.
+  /// Returns its number.
   std::uint32_t node(const std::string& name, std::uint32_t parent = EPURA_NONE, std::uint32_t shape = EPURA_NONE,
                      const Transform& transform = identity) {
     epura_node node{sizeof(epura_node), parent, shape, 0, name.c_str(), {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of the table by which a projection or an importer says what its parameters are.
+// Rows of the table in which a projection or an importer declares its parameters.
 #pragma once
 
 #include <epura/parameter_abi.h>
@@ -11,10 +11,10 @@
 namespace epura::plugin {
 
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();
-/// As a default: the plugin finds the value, as from the model's box. Such a value arrives as NaN.
+/// As a default: the plugin determines the value, for example from the model's box. The value is then passed as NaN.
 inline constexpr double from_box = std::numeric_limits<double>::quiet_NaN();
 
-/// One row of the table for each kind of parameter.
+/// Rows of the table, with one function for each kind of parameter.
 constexpr epura_parameter number(const char* name, const char* unit, const char* help, double initial, double least,
                                  double most) {
   return {sizeof(epura_parameter), EPURA_NUMBER, 1, name, unit, help, nullptr, {initial}, least, most};
@@ -29,7 +29,7 @@ constexpr epura_parameter vector(const char* name, const char* unit, const char*
   return row;
 }
 
-/// A vector that is found from the box unless it is given.
+/// A vector that is determined from the box unless it is given.
 template <std::size_t N>
 constexpr epura_parameter vector(const char* name, const char* unit, const char* help) {
   std::array<double, N> initial{};
@@ -37,7 +37,7 @@ constexpr epura_parameter vector(const char* name, const char* unit, const char*
   return vector(name, unit, help, initial);
 }
 
-/// `choices` are written "a|b|c"; `initial` is a place in that list.
+/// `choices` has the form "a|b|c"; `initial` is an index into that list.
 constexpr epura_parameter choice(const char* name, const char* help, const char* choices, int initial) {
   double most = 0;
   for (const char* c = choices; *c != 0; ++c) most += *c == '|';

@@ -41,8 +41,8 @@ inline Vec3 unit(Vec3 a) { return (1 / length(a)) * a; }
 
 constexpr double radians(double degrees) { return degrees / 180 * std::numbers::pi; }
 
-/// The same bits on every machine: the C library has several versions of its functions for doubles, by the instructions
-/// of the processor, but one of those for long doubles.
+/// Give the same bits on every machine: the C library has several versions of its functions for doubles, selected by
+/// the instruction set of the processor, but only one version for long doubles.
 inline double portable_sin(double angle) { return static_cast<double>(std::sin(static_cast<long double>(angle))); }
 inline double portable_cos(double angle) { return static_cast<double>(std::cos(static_cast<long double>(angle))); }
 inline double portable_tan(double angle) { return static_cast<double>(std::tan(static_cast<long double>(angle))); }

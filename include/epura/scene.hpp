@@ -72,7 +72,7 @@ struct View {
   std::string label{};                        ///< text above the view; by default "A-A" for section A
 };
 
-/// A plane that cuts the models. The side that the normal points to is removed.
+/// A plane that cuts the models. The side to which the normal points is removed.
 struct Section {
   std::string name{};
   std::array<double, 3> point{0, 0, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `epura plugins check`: tests of a plugin, for its author.
+// `epura plugins check`: tests a plugin, for its author.
 #include <cstdio>
 
 #include "app/commands.hpp"
@@ -12,7 +12,7 @@ namespace epura {
 
 namespace {
 
-/// Prints the table; the number of failures.
+/// Prints the results; returns the number of failures.
 int print_checks(const projection::ProjectionEntry& entry) {
   int failed = 0;
   std::printf("%s (%s)\n", entry.name.c_str(), entry.family.c_str());

@@ -52,10 +52,10 @@ int run_command_line(const ProgramTexts& texts, std::vector<DefinedCommand> (*de
 }
 
 int run_program(const std::function<int()>& run) {
-  // All threads take from one heap, where what one of them has freed serves another: a tenth less memory. They wait
-  // for each other there, which makes whole runs at most a few percent longer.
+  // All threads share one heap, where memory freed by one thread serves another: this saves a tenth of the memory.
+  // Contention makes whole runs at most a few percent slower.
   mallopt(M_ARENA_MAX, 1);
-  // A file that may not grow further is refused as one on a full disk.
+  // A file at the limit of its size then fails like one on a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     const int code = run();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line of a program: parsing, help and suggestions from one table.
+// The command line of a program: parsing, help and suggestions, all from one table.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,16 +17,16 @@ struct ExitCode {
   std::string meaning;
 };
 
-/// Texts of a program for its help and manual, apart from its commands.
+/// Texts for the help and manual of a program, except those of its commands.
 struct ProgramTexts {
-  std::string name;  ///< as users write it: "epura study"
+  std::string name;  ///< as typed by users: "epura study"
   std::string summary;
   std::string description;
   std::vector<ExitCode> exit_codes;
-  std::vector<std::pair<std::string, std::string>> environment;  ///< variables
-  std::vector<std::pair<std::string, std::string>> examples;     ///< command lines
-  bool lists_projections = false;                                ///< in the manual
-  bool has_completion_scripts = false;                           ///< that shells read
+  std::vector<std::pair<std::string, std::string>> environment;  ///< variables and their meanings
+  std::vector<std::pair<std::string, std::string>> examples;     ///< command lines and their meanings
+  bool lists_projections = false;                                ///< whether the manual lists projections
+  bool has_completion_scripts = false;                           ///< whether there are scripts for shells
 };
 
 /// A CLI11 command, and the function to call when it is parsed.
@@ -36,7 +36,7 @@ struct DefinedCommand {
   std::vector<scene::OptionInfo> options;
 };
 
-/// A command that calls `run(part)` with the parsed options.
+/// Defines a command that calls `run(part)` with the parsed options.
 template <class Part, class Run>
 DefinedCommand define_command(CLI::App* app, scene::Options<Part> options, Run run) {
   for (const scene::OptionInfo& option : options) define(*app, option);
@@ -50,12 +50,12 @@ DefinedCommand define_command(CLI::App* app, scene::Options<Part> options, Run r
           std::move(infos)};
 }
 
-/// Runs the command that is named, of those that `define` adds to the program. Returns the exit code. Throws
-/// Error{input} for wrong usage.
+/// Runs the chosen one of the commands that `define` adds to the program. Returns the exit code. Throws Error{input}
+/// for wrong usage.
 int run_command_line(const ProgramTexts& texts, std::vector<DefinedCommand> (*define)(CLI::App& program), int argc,
                      char** argv);
 
-/// The exit code of `run`; prints errors to standard error.
+/// Returns the exit code of `run`; prints errors to standard error.
 int run_program(const std::function<int()>& run);
 
 }  // namespace epura

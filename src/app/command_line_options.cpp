@@ -39,7 +39,7 @@ std::vector<std::string> names_of_commands(const CLI::App& app) {
   return names;
 }
 
-// "-o,--output" by its long name.
+// The long name in "-o,--output".
 std::string name_of(const scene::OptionInfo& option) { return option.flag.substr(option.flag.rfind(',') + 1); }
 
 bool is_argument(const scene::OptionInfo& option) { return !option.flag.starts_with('-'); }
@@ -56,11 +56,11 @@ CLI::Option* add(CLI::App& app, const scene::OptionInfo& option) {
                            ->type_name(form.placeholder);
   if (!option.repeatable && is_argument(option)) return added;
   if (!option.repeatable) return added->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  // An option takes one value each time: what follows may be a model.
+  // An option takes one value per occurrence: the next word may be a model.
   return added->expected(1, -1)->allow_extra_args(is_argument(option));
 }
 
-// "--dimensions -o x.pdf" lacks a value.
+// In "--dimensions -o x.pdf" a value is missing.
 void refuse_option_as_value(const CLI::App& app, const std::string& name, const std::string& text) {
   if (text.size() > 1 && text.starts_with('-') && app.get_option_no_throw(text) != nullptr)
     throw Error(ErrorKind::input, name, "needs a value, but '" + text + "' is an option", "write " + name + "=VALUE");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Connects tables of options to CLI11: declares them, and reads the values that it found.
+// Connects tables of options to CLI11: declares options, and reads the parsed values.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,16 +11,16 @@
 
 namespace epura {
 
-/// Words with spaces between them.
+/// Joins words with spaces.
 std::string joined(const std::vector<std::string>& words);
 
 void define(CLI::App& app, const scene::OptionInfo& option);
 
-/// What the command line gives it, in order; of an option that is not repeatable the last value alone. Throws
-/// Error{input} if another option takes the place of a value.
+/// Returns the values of an option on the command line in order; only the last value if the option is not repeatable.
+/// Throws Error{input} if another option stands where a value is expected.
 std::vector<scene::TomlValue> given_values(const CLI::App& app, const scene::OptionInfo& option);
 
-/// To be called when `app` is parsed. Throws Error{input}.
+/// Must be called after `app` is parsed. Throws Error{input}.
 template <class Part>
 void read_options(const CLI::App& app, const scene::Options<Part>& options, Part& part) {
   for (const scene::Option<Part>& option : options)
@@ -30,7 +30,7 @@ void read_options(const CLI::App& app, const scene::Options<Part>& options, Part
 /// The options of each command.
 using OptionTables = std::map<const CLI::App*, std::vector<scene::OptionInfo>>;
 
-/// The innermost command that was named.
+/// Returns the innermost command on the command line.
 const CLI::App& chosen_command(const CLI::App& app);
 
 /// Turns arguments that CLI11 did not recognise into errors with suggestions. Throws Error{input}.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of all commands but `draw`.
+// The options of all commands except `draw`.
 #pragma once
 
 #include "app/options.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands of the program as plain values, from which manual and shell completion are made.
+// The commands of the program as plain values, from which the manual and shell completion are generated.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,17 +11,17 @@
 namespace epura {
 
 struct OptionDescription {
-  std::vector<std::string> names;  ///< "-o", "--output"; one without dashes is an argument, found by its place
-  std::string type;                ///< of the value as the help names it, "FILE"; empty for flags
+  std::vector<std::string> names;  ///< "-o", "--output"; without dashes: a positional argument
+  std::string type;                ///< placeholder of the value in the help, "FILE"; empty for flags
   std::string help;
   std::string usual;        ///< default value; empty if there is none
   bool takes_word = false;  ///< the next word is its value
   bool is_required = false;
-  scene::ValueForm form{};  ///< of its value, for completion
+  scene::ValueForm form{};  ///< form of its value, for completion
 
   [[nodiscard]] bool is_argument() const { return !names.front().starts_with('-'); }
 
-  /// Whether the manual describes both in the same way.
+  /// Whether the manual describes both equally.
   bool operator==(const OptionDescription& other) const { return names == other.names && help == other.help; }
 };
 
@@ -32,10 +32,10 @@ struct CommandDescription {
   std::vector<CommandDescription> commands;
 };
 
-/// The command and those inside it; without what is hidden from the help.
+/// Describes a command and its subcommands, except those hidden from the help.
 CommandDescription describe_command(const CLI::App& command, const OptionTables& tables);
 
-/// Arguments of the command after its name, as in a synopsis: "[OPTION...] MODEL...".
+/// Returns the arguments after the command's name for a synopsis: "[OPTION...] MODEL...".
 std::string synopsis(const CommandDescription& command);
 
 }  // namespace epura

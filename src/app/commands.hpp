@@ -6,9 +6,9 @@
 
 namespace epura {
 
-/// A drawing or a plugin was tested and is wrong.
+/// A test found an error in a drawing or plugin.
 inline constexpr int found_wrong_exit_code = 1;
-/// The drawing was written, but --time-limit left edges out.
+/// The drawing was written, but edges are missing because of --time-limit.
 inline constexpr int partial_exit_code = 5;
 
 int draw(const DrawOptions& options);

@@ -24,7 +24,7 @@ bool is_html(const std::string& path) {
   return extension == ".html" || extension == ".htm";
 }
 
-// Looked at before any work is done.
+// Checked before any work is done.
 std::vector<pipeline::Target> overlay_targets(const std::string& path) {
   if (path.empty() || is_html(path)) return {};
   std::vector<pipeline::Target> targets = pipeline::targets_of({path}, "");

@@ -34,7 +34,7 @@ scene::SceneDescription described(const std::string& file, const CompareOptions&
   return describe(draw);
 }
 
-/// `file`: what it would be written to.
+/// `file` is the name of the file to which the drawing would be written.
 Drawn draw_scene(const scene::SceneDescription& scene, const std::string& file, const CompareOptions& options,
                  const pipeline::Messages& messages) {
   pipeline::RunOptions run;
@@ -62,7 +62,7 @@ void set_scale(scene::SceneDescription& scene, double scale) {
   for (scene::SheetDescription& sheet : scene.sheets) sheet.scale = {scene::ScaleChoice{scale}, "--scale"};
 }
 
-// By how much the page of the second view is moved against that of the first, if it is the same view otherwise.
+// The shift from the page of the second view to that of the first one, if the views are otherwise equal.
 Vec2 shift_between(const drawing::ViewDrawing& first, const drawing::ViewDrawing& second) {
   constexpr double rounding = 1e-12;
   const Mat4 one = first.world_to_page / first.world_to_page[3][3];
@@ -99,7 +99,7 @@ void place_as(const Drawn& first, Drawn& second) {
 std::array<compare::PictureFile, 2> pictures_to_compare(const CompareOptions& options) {
   const bool is_drawn = compare::is_drawing(options.before);
   if (is_drawn || compare::is_drawing(options.after)) {
-    // What is drawn to be compared with a file is what would be written to one of that format.
+    // A drawing made for comparison with a file has the content of a file in the same format.
     const fs::path like(is_drawn ? options.before : options.after);
     const auto read = [&](const std::string& file) {
       if (compare::is_drawing(file)) return compare::read_pictures(file);
@@ -108,7 +108,7 @@ std::array<compare::PictureFile, 2> pictures_to_compare(const CompareOptions& op
     return {read(options.before), read(options.after)};
   }
   scene::SceneDescription one = described(options.before, options), other = described(options.after, options);
-  // Curved surfaces become the same facets in both only if the scale is known when they are read.
+  // Curved surfaces are divided into the same facets in both only if the scale is known before they are read.
   const char* const format = "drawing.json";
   const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
   const double scale = draw_scene(one, format, options, silent).sheets[0].scale;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of `epura compare` -> pictures: drawings are read, models and scene files are drawn.
+// Converts the files of `epura compare` to pictures: drawings are read, models and scene files are drawn.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace epura {
 
-/// Two models or scenes are drawn to one scale, that of the first, and parallel views are placed so that what has not
-/// changed in space lies in the same place. Throws Error as reading and drawing do.
+/// Returns the pictures of both files. Two models or scenes are drawn at the scale of the first, and parallel views are
+/// aligned so that geometry unchanged in space has the same position. Throws Error like reading and drawing.
 std::array<compare::PictureFile, 2> pictures_to_compare(const CompareOptions& options);
 
 }  // namespace epura

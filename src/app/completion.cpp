@@ -31,12 +31,12 @@ const CommandDescription* command_named(const CommandDescription& command, const
   return nullptr;
 }
 
-/// What the words before the cursor leave to be written.
+/// The state of the command line before the word at the cursor.
 struct Place {
   const CommandDescription* command;  ///< innermost one
-  const OptionDescription* option;    ///< that waits for its value
-  bool only_arguments;                ///< behind "--"
-  int arguments;                      ///< given so far
+  const OptionDescription* option;    ///< option whose value is next, or null
+  bool only_arguments;                ///< after "--"
+  int arguments;                      ///< number of arguments so far
   std::vector<std::filesystem::path> plugin_path;
 };
 
@@ -66,7 +66,7 @@ void take(Place& place, const std::string& word) {
   }
 }
 
-/// The argument at the place: the next one, or one that continues for ever.
+/// The next argument, or a repeatable one.
 const OptionDescription* next_argument(const Place& place) {
   const OptionDescription* next = nullptr;
   int index = 0;
@@ -84,7 +84,7 @@ std::string one_line(std::string text) {
   return text;
 }
 
-/// Those that begin with `begin`, each behind `before`.
+/// One line for each suggestion that begins with `begin`, with the prefix `before`.
 std::string lines(const std::vector<Suggestion>& suggestions, const std::string& begin,
                   const std::string& before = {}) {
   std::string text;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shell completion. The scripts call the program for suggestions, so third-party plugins complete as well.
+// Shell completion. The scripts call the program for suggestions, so that names from third-party plugins are completed
+// as well.
 #pragma once
 
 #include <string>
@@ -9,15 +10,15 @@
 
 namespace epura {
 
-/// Shells that there is a script for.
+/// Returns the shells for which there is a script.
 const std::vector<std::string>& shells();
 
-/// What the shell has to read. Throws Error{input} for others.
+/// Returns the script for a shell. Throws Error{input} for unknown shells.
 std::string completion_script(const std::string& shell);
 
-/// Completions of the last of `words`, which follow the name of the program: a line for each, with its help after
-/// a tab. Words that end with ':', '=' or ',' are to be continued. The line ":files" or ":folders" stands for the names
-/// of those.
+/// Returns completions of the last of `words`, which follow the name of the program: one line for each, with its help
+/// after a tab. A completion that ends with ':', '=' or ',' is incomplete. The line ":files" or ":folders" stands for
+/// names of files or folders.
 std::string complete(const CommandDescription& program, const std::vector<std::string>& words);
 
 }  // namespace epura

@@ -27,12 +27,12 @@ namespace epura {
 
 namespace {
 
-// Runs shorter than the first wait show nothing.
+// Runs shorter than the first wait show no progress.
 constexpr int first_wait_ms = 300, next_wait_ms = 100;
-// How long a cancelled run may keep the process for the sake of its files.
+// Greatest delay of cancelling for the sake of files that are being written.
 constexpr std::chrono::seconds patience(2);
 
-// Without those that the parent process had ignored, as nohup does: they stay ignored.
+// Signals ignored by the parent process, as with nohup, remain ignored.
 sigset_t ending_signals() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -58,8 +58,8 @@ void put(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stder
 
 Console::Console(ProgressBoard& board, bool shows_progress, std::optional<double> time_limit)
     : board_(board), shows_progress_(shows_progress), time_limit_(time_limit) {
-  // A thread waits for the signals, rather than a handler or a flag that the stages look at: it may take locks, and it
-  // ends the process even while a stage is deep in another library.
+  // A thread waits for signals; unlike a signal handler it may take locks, and unlike a flag that stages check it ends
+  // the process even while a stage is inside another library.
   const sigset_t signals = ending_signals();
   ::pthread_sigmask(SIG_BLOCK, &signals, &old_mask_);
   signals_ = ::signalfd(-1, &signals, SFD_CLOEXEC);
@@ -107,7 +107,7 @@ int Console::wait_ms(bool is_first) const {
   return shows_progress_ ? std::min(for_line, until_over) : until_over;
 }
 
-// As if it were cancelled.
+// Ends the process like cancel().
 void Console::give_up_when_over() {
   if (!time_limit_ || !board_.has_limit() || board_.seconds() < pipeline::last_second(*time_limit_)) return;
   std::unique_lock files(board_.ending(), patience);
@@ -124,13 +124,13 @@ void Console::draw_line() {
   line_length_ = line.size() + rest;
 }
 
-// With blanks, since terminals differ in their control sequences.
+// Overwrites with blanks, since terminals differ in their control sequences.
 void Console::erase_line() {
   if (line_length_ > 0) put("\r" + std::string(line_length_, ' ') + "\r");
   line_length_ = 0;
 }
 
-// Nothing is unwound: memory goes with the process, and an output is not there before it is complete.
+// Nothing needs to be unwound: memory is freed with the process, and outputs appear only when they are complete.
 void Console::cancel() {
   signalfd_siginfo signal{};
   check(::read(signals_, &signal, sizeof signal) == sizeof signal, "a signal can be read");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Standard error and signals of a run: warnings, the progress line, and Ctrl-C.
+// Handles standard error and signals of a run: warnings, the progress line, and Ctrl-C.
 #pragma once
 
 #include <csignal>
@@ -16,21 +16,21 @@
 
 namespace epura {
 
-/// While it lives, SIGINT and SIGTERM end the process with the exit code 128 + number, at once and at any stage, and
-/// (if asked for) a line shows how far the run is. To be made before any thread: threads inherit which signals reach
-/// them.
+/// During its lifetime, SIGINT and SIGTERM end the process with exit code 128 + number, immediately and in any stage,
+/// and (if requested) a line shows the progress. Must be constructed before any thread, since threads inherit the
+/// signal mask.
 class Console {
  public:
-  /// A run with a time limit is ended when a stage that cannot be stopped, such as one in another library, has gone on
-  /// beyond it for longer than is promised.
+  /// Ends a run with a time limit if a stage that cannot be stopped, such as one in another library, exceeds the limit
+  /// by more than the guaranteed margin.
   Console(ProgressBoard& board, bool shows_progress, std::optional<double> time_limit = std::nullopt);
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
   ~Console();
 
-  /// Prints whole lines, with the progress line out of the way.
+  /// Erases the progress line, and prints whole lines.
   void print(std::string_view lines);
-  /// Prints a sentence behind the program's name.
+  /// Prints a sentence after the program's name.
   void warn(const std::string& sentence) { print("epura: " + sentence + "\n"); }
 
  private:
@@ -45,14 +45,14 @@ class Console {
   const bool shows_progress_;
   const std::optional<double> time_limit_;
   sigset_t old_mask_{};
-  int signals_ = -1;  ///< descriptor that signals arrive at
-  int end_ = -1;      ///< descriptor that makes the thread end
+  int signals_ = -1;  ///< descriptor that receives signals
+  int end_ = -1;      ///< descriptor that ends the thread
   std::mutex printing_;
-  std::size_t line_length_ = 0;  ///< of the line on the screen
+  std::size_t line_length_ = 0;  ///< length of the line on the screen
   std::thread watcher_;
 };
 
-/// Whether the line of progress is shown; `automatic`: on a terminal.
+/// Whether the progress line is shown; `automatic`: on a terminal.
 bool shows_progress(ShowProgress when);
 
 /// Prints the messages of a run to the console.

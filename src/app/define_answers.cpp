@@ -26,7 +26,7 @@ struct WordOptions {
   std::vector<std::string> words;
 };
 
-/// A command that prints what `text` makes of its options.
+/// A command that prints the result of `text` for its options.
 template <class Part, class Text>
 DefinedCommand answering(CLI::App* app, const scene::Options<Part>& options, const Text& text) {
   return define_command(app, options, [text](const Part& part) {
@@ -43,7 +43,7 @@ std::string script_for(const WordOptions& options) {
 }  // namespace
 
 void define_answers(CLI::App& program, const ProgramTexts& texts, std::vector<DefinedCommand>& commands) {
-  // Asked when all commands are known.
+  // Evaluated when all commands are defined.
   const auto tables = std::make_shared<OptionTables>();
   const auto describe = [&program, tables] { return describe_command(program, *tables); };
 

@@ -8,7 +8,7 @@
 
 namespace epura {
 
-/// Adds them to the program and to its commands. Program and texts have to live as long as they.
+/// Adds these commands to the program and to `commands`. `program` and `texts` must outlive them.
 void define_answers(CLI::App& program, const ProgramTexts& texts, std::vector<DefinedCommand>& commands);
 
 }  // namespace epura

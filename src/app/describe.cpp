@@ -19,7 +19,7 @@ bool is_scene_file(const std::string& path) {
   return to_lower(std::filesystem::path(path).extension().string()) == ".toml";
 }
 
-// The n-th transform belongs to the n-th model; a single one to all.
+// The n-th transform applies to the n-th model; a single one to all models.
 std::vector<scene::ModelDescription> models_of(const DrawOptions& options) {
   const std::size_t transforms = options.transforms.size();
   if (transforms > 1 && transforms != options.models.size())

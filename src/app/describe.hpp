@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options, and the scene file that they may name -> description of the drawing.
+// Converts options, and the scene file that they may name, to the description of the drawing.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace epura {
 
-/// Options override the scene file. Every description has models, views and sheets.
-/// Throws Error{input} for a scene file together with models, and for options that conflict with a scene file.
+/// Options override the scene file. Every description has models, views and sheets. Throws Error{input} for a scene
+/// file together with models, and for options that conflict with a scene file.
 scene::SceneDescription describe(const DrawOptions& options);
 
-/// The files that are read for it.
+/// Returns the files that are read for the drawing.
 std::vector<std::string> inputs_of(const DrawOptions& options, const scene::SceneDescription& scene);
 
 }  // namespace epura

@@ -35,7 +35,7 @@ void expect_outputs(const DrawOptions& options) {
                 "omit one of them");
 }
 
-// The whole run once more, from reading on, by other shortcuts.
+// Repeats the whole run, including reading, with other shortcuts.
 std::string draw_again(const DrawOptions& options, const scene::SceneDescription& scene,
                        std::vector<pipeline::Target> targets, const pipeline::Shortcuts& leave_out) {
   pipeline::RunOptions again = options.run;
@@ -61,7 +61,7 @@ report::PlanStep formats_step(const std::vector<pipeline::Target>& targets) {
           static_cast<long long>(wanted.size())};
 }
 
-// The formats of a run are reported to people only: what is in a file does not depend on the files next to it.
+// The formats of a run are only printed, not written to files: the content of a file must not depend on other outputs.
 std::string explanation(const report::Report& report, const report::PlanStep& formats) {
   std::vector<report::PlanStep> plan = report.plan;
   plan.push_back(formats);
@@ -70,7 +70,7 @@ std::string explanation(const report::Report& report, const report::PlanStep& fo
   return text;
 }
 
-// The longest lines, if there is no time to write all.
+// Keeps only the longest lines if there is not enough time to write all.
 std::vector<pipeline::FileBytes> encode_in_time(const std::vector<pipeline::Target>& targets,
                                                 std::vector<pipeline::FinishedSheet>& sheets,
                                                 const output::VectorOptions& vector_options, report::Report& report,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `epura draw`: a run with its terminal.
+// `epura draw`: a run on a terminal.
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -15,16 +15,16 @@ int exit_code_of(const DrawnFiles& drawn) {
   return drawn.report.partial.stages.empty() ? 0 : partial_exit_code;
 }
 
-// Messages go to standard error, since a drawing may go to standard output.
+// Messages go to standard error, since the drawing may go to standard output.
 int draw(const DrawOptions& options) {
   ProgressBoard board;
   Console console(board, shows_progress(options.progress), options.run.time_limit);
   const pipeline::Messages messages = messages_to(console);
   DrawnFiles drawn = draw_files(options, messages, Progress(board, options.run.time_limit));
-  console.print("");  // the line of progress makes room
+  console.print("");  // erases the progress line
   std::fputs(drawn.answers.c_str(), stdout);
   tell_the_end(messages, options, drawn);
-  // Never freed one by one: a million small pieces of memory go at once with the program.
+  // Deliberately not freed: a million small blocks of memory are released at once when the program ends.
   static_cast<void>(new std::vector<pipeline::FinishedSheet>(std::move(drawn.sheets)));
   return exit_code_of(drawn);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One run from options to files, without a terminal.
+// A run from options to files, without a terminal.
 #pragma once
 
 #include <string>
@@ -15,22 +15,22 @@
 namespace epura {
 
 struct DrawnFiles {
-  std::vector<std::string> paths;  ///< that were written
+  std::vector<std::string> paths;  ///< written files
   report::Report report;
-  std::string answers;  ///< to --why and --dump
+  std::string answers;  ///< answers to --why, --dump and --explain
   pipeline::Stopwatch watch;
-  std::vector<pipeline::FinishedSheet> sheets;  ///< what the files show; theirs is most of the memory
+  std::vector<pipeline::FinishedSheet> sheets;  ///< content of the files; takes most of the memory
 
   [[nodiscard]] bool is_wrong() const { return report.verification && !report.verification->is_right(); }
 };
 
-/// Of the run: wrong goes before partial.
+/// Returns the exit code of the run: wrong takes precedence over partial.
 int exit_code_of(const DrawnFiles& drawn);
 
-/// Draws and writes all files. Throws Error: Error{time} where time is over before there is a line to show.
+/// Draws and writes all files. Throws Error; Error{time} if time runs out before there is a line to show.
 DrawnFiles draw_files(const DrawOptions& options, const pipeline::Messages& messages, Progress progress);
 
-/// Prints the results of --timings and --verify, and what --time-limit omitted.
+/// Prints the result of --timings, and what --time-limit omitted.
 void tell_the_end(const pipeline::Messages& messages, const DrawOptions& options, const DrawnFiles& drawn);
 
 }  // namespace epura

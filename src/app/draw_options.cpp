@@ -15,7 +15,7 @@ namespace {
 
 using Draw = DrawOptions;
 
-// What a member of the run's options is in those of the command.
+// Returns a function that finds a member of the run's options in the options of the command.
 template <class Member>
 auto run(Member member) {
   return [member](auto& draw) -> auto& { return draw.run.*member; };
@@ -205,7 +205,7 @@ scene::Options<Draw> title_options() {
 }  // namespace
 
 scene::ValueKind<std::string> file_name(const std::string& placeholder) {
-  // Names may have any characters.
+  // Names may contain any characters.
   const scene::ValueKind<std::string> any{
       {"text", placeholder}, [](const scene::TomlValue& value) { return std::get<std::string>(value.content); }};
   return any.completed_by(scene::Completion::files);

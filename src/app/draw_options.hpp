@@ -9,10 +9,10 @@ namespace epura {
 
 scene::Options<DrawOptions> draw_options();
 
-/// Those of `epura explain`.
+/// The options of `epura explain`.
 scene::Options<DrawOptions> explain_options();
 
-// Rows that several commands have.
+// Rows shared by several commands.
 template <class Command, class Member>
 scene::Option<Command> threads_option(Member threads) {
   return scene::option<Command>({.flag = "--threads", .help = "number of threads, 0 for all cores", .usual = "0"},
@@ -56,7 +56,7 @@ scene::Option<Command> views_option(const std::string& help,
       }};
 }
 
-/// Files, or folders, to read or to write.
+/// The name of a file or folder to read or to write.
 scene::ValueKind<std::string> file_name(const std::string& placeholder);
 
 }  // namespace epura

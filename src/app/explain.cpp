@@ -15,14 +15,14 @@ namespace {
 
 constexpr int rounds = 5;
 
-// Seconds that an item usually takes where the stage runs, on one core of a server of 2023 (docs/accuracy.md).
+// The usual time per item of each stage in seconds, on one core of a server of 2023 (docs/accuracy.md).
 const std::vector<std::pair<std::string, double>>& usual_seconds() {
   static const std::vector<std::pair<std::string, double>> table{
       {"clip", 2e-7}, {"intersections", 4e-7}, {"visibility", 1e-6}, {"hidden", 5e-7}, {"text", 2e-3}};
   return table;
 }
 
-// Of all cores together: other programs have little influence on it.
+// Processor time of all threads, which other programs hardly affect.
 double seconds_of(const DrawAgain& again, const pipeline::Shortcuts& leave_out, const std::string& expected) {
   const std::clock_t start = std::clock();
   const bool same = again(leave_out) == expected;
@@ -31,7 +31,7 @@ double seconds_of(const DrawAgain& again, const pipeline::Shortcuts& leave_out, 
   return static_cast<double>(end - start) / CLOCKS_PER_SEC;
 }
 
-// Both ways in every round, in alternating order: what runs first warms what runs next.
+// Every round has both runs, in alternating order, since the first one warms the caches for the next.
 double measured_saving(const pipeline::Shortcuts& with, const pipeline::Shortcuts& without, const DrawAgain& again,
                        const std::string& expected) {
   std::vector<double> differences;
@@ -68,7 +68,7 @@ bool says_something(const std::vector<Row>& rows, std::size_t column) {
   return std::any_of(rows.begin() + 1, rows.end(), [&](const Row& row) { return row[column] != "-"; });
 }
 
-// Columns under their headings; the last one needs no room behind it.
+// Aligns columns under their headings; the last one is not padded.
 std::string aligned(const std::vector<Row>& rows) {
   std::string text;
   for (const Row& row : rows) {

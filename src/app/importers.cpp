@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `epura importers`: which formats are read by plugins, and `epura importers check` for their authors.
+// `epura importers` lists the formats that can be read; `epura importers check` tests importers for their authors.
 #include <algorithm>
 #include <cstdio>
 #include <string>

@@ -39,9 +39,9 @@ struct ModelInfo {
   mesh::MeshReport report;
   Box box;
   std::optional<double> unit;        ///< millimetres, as stated by the file
-  std::optional<Unit> guessed_unit;  ///< the most likely one where the file does not state it
+  std::optional<Unit> guessed_unit;  ///< most likely unit if the file does not state it
   features::PartFaces part;
-  bool is_declared = false;  ///< by the file; otherwise the faces are recognised
+  bool is_declared = false;  ///< faces are declared by the file; otherwise recognised
   std::vector<features::Hole> holes;
   std::vector<importer::TreePart> tree;
 
@@ -58,7 +58,7 @@ Box box_of(const mesh::Mesh& mesh) {
   return box;
 }
 
-// The share of diameters that are a whole number of steps.
+// The fraction of diameters that are integer multiples of a step.
 double share_of_round(const std::vector<double>& diameters, double step) {
   if (diameters.empty()) return 0;
   const auto is_round = [&](double d) {
@@ -69,11 +69,11 @@ double share_of_round(const std::vector<double>& diameters, double step) {
          static_cast<double>(diameters.size());
 }
 
-// Designers choose round diameters, and parts have the size of things.
+// Guesses the unit in which most diameters are round and the part has a plausible size.
 std::optional<Unit> guess_unit(const Box& box, const features::PartFaces& part) {
   struct Guess {
     Unit unit;
-    double step, least, most;  ///< of diameters; sizes of things
+    double step, least, most;  ///< step of diameters; range of plausible sizes
   };
   constexpr std::array guesses{Guess{Unit::mm, 0.5, 2, 2e4}, Guess{Unit::in, 1.0 / 32, 0.1, 400},
                                Guess{Unit::m, 0.0005, 0.005, 100}};
@@ -109,7 +109,7 @@ ModelInfo info_of(const std::string& path, const std::vector<std::filesystem::pa
   return info;
 }
 
-/// Numbers with as many decimals as the file is sure of.
+/// Formats numbers with as many decimals as the precision of the file justifies.
 class Rounded {
  public:
   explicit Rounded(double tolerance) : decimals_(std::floor(-std::log10(2 * tolerance))) {}
@@ -138,7 +138,7 @@ std::string line_of(std::string key, const std::string& value) {
   return "  " + key + one_line(value) + "\n";
 }
 
-// Direction of an axis; which way it points is nothing to a hole.
+// The direction of an axis, with a normalised sign, which is irrelevant for a hole.
 std::string axis_text(Vec3 axis) {
   const auto names = {std::pair("x", Vec3(1, 0, 0)), std::pair("y", Vec3(0, 1, 0)), std::pair("z", Vec3(0, 0, 1))};
   for (const auto& [name, along] : names)
@@ -162,7 +162,7 @@ std::string bodies_text(const ModelInfo& info) {
   return text;
 }
 
-// "R 3.5 (6), R 18": what a kind is known by, and how often each comes.
+// "R 3.5 (6), R 18": the characteristic sizes of a kind of surface, and how often each occurs.
 std::string radii_text(const features::PartFaces& part, features::SurfaceKind kind, const Rounded& rounded) {
   std::map<std::pair<double, double>, std::pair<std::string, int>> radii;
   for (const features::PartFace& face : part.faces) {
@@ -235,7 +235,7 @@ std::string hole_text(const features::Hole& hole, const Rounded& rounded) {
   return text + rounded(length) + " long, along " + axis_text((hole.to - hole.from) / length);
 }
 
-// Equal holes on one line.
+// Equal holes share a line.
 std::string holes_text(const std::vector<features::Hole>& holes, const Rounded& rounded) {
   if (holes.empty()) return line_of("holes", "none");
   std::vector<std::pair<std::string, std::vector<Vec3>>> groups;
@@ -263,7 +263,7 @@ std::vector<std::string> repairs_of(const mesh::MeshReport& report) {
   const auto add = [&](int count, const std::string& one, const std::string& many) {
     if (count > 0) repairs.push_back(counted(count, one, many));
   };
-  // Triangles of an STL file bring their own corners: joining these is reading, and no repair.
+  // Triangles of an STL file have separate corners: merging these is part of reading, not a repair.
   if (report.format != "stl") add(report.welded_vertices, "vertex joined", "vertices joined");
   add(report.dropped_degenerate, "face without area left out", "faces without area left out");
   add(report.dropped_duplicates, "duplicate face left out", "duplicate faces left out");
@@ -313,7 +313,7 @@ std::string text_of(const ModelInfo& info) {
   return text;
 }
 
-// JSON. Areas of huge models may be beyond all doubles: null.
+// JSON. Areas of huge models may exceed the range of doubles: null.
 
 std::string json_of(const Vec3& p) {
   return "[" + json_number(p.x) + ", " + json_number(p.y) + ", " + json_number(p.z) + "]";

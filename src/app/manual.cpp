@@ -12,7 +12,7 @@ namespace epura {
 
 namespace {
 
-/// `text` as roff prints it: no character has another meaning there.
+/// Escapes `text` so that roff interprets no character of it.
 std::string escaped(std::string_view text) {
   std::string roff = !text.empty() && (text[0] == '.' || text[0] == '\'') ? "\\&" : "";
   for (const char c : text) {
@@ -41,7 +41,7 @@ std::string italic(std::string_view text) { return "\\fI" + escaped(text) + "\\f
 
 std::string section(const std::string& title) { return ".SH " + title + "\n"; }
 std::string paragraph(const std::string& roff) { return ".PP\n" + roff + "\n"; }
-/// The meaning of `tag`; both are roff.
+/// A tagged paragraph; `tag` and its meaning are roff.
 std::string item(const std::string& tag, const std::string& roff) { return ".TP\n" + tag + "\n" + roff + "\n"; }
 
 std::string tag_of(const OptionDescription& option) {
@@ -58,7 +58,7 @@ std::string item(const OptionDescription& option) {
 
 bool is_help(const OptionDescription& option) { return option.names.back() == "--help"; }
 
-/// The one of `earlier` commands all whose options `command` has, too; nothing if there is none.
+/// Returns the earlier command all of whose options `command` has as well; null if there is none.
 const CommandDescription* extended(const CommandDescription& command, const std::vector<CommandDescription>& earlier) {
   constexpr std::size_t worth_it = 5;
   const auto has = [&](const OptionDescription& option) {
@@ -115,7 +115,7 @@ std::string table(const std::string& title, const std::vector<std::pair<std::str
   return text;
 }
 
-/// "EPURA-STUDY", as pages are called.
+/// "EPURA-STUDY", as in titles of manual pages.
 std::string title_of(std::string name) {
   for (char& c : name) c = c == ' ' ? '-' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The manual page, generated from the command line and the plugins.
+// Generates the manual page from the command line and the plugins.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace epura {
 
-/// The source of a page of section 1, by the macros of man(7). Without projections it has no section of them.
+/// Returns the source of a page of section 1, with the macros of man(7). Without projections, their section is omitted.
 std::string manual_page(const CommandDescription& program, const ProgramTexts& texts,
                         const std::vector<projection::ProjectionEntry>& projections);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Creates a projection plugin: the sample plugin-military under another name.
+// Creates a projection plugin: a renamed copy of the sample plugin-military.
 #include <cctype>
 #include <cstdio>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line's requests as plain values. The tables in draw_options.cpp and command_options.cpp define names and
-// permitted values.
+// The options of the command line as plain values. The tables in draw_options.cpp and command_options.cpp define names
+// and permitted values.
 #pragma once
 
 #include <filesystem>
@@ -29,9 +29,9 @@ struct scene::Words<AutomaticDimensions> {
 };
 
 struct DrawOptions {
-  std::vector<std::string> models;   ///< or one scene file
-  std::vector<std::string> outputs;  ///< "-" is standard output
-  std::string format;                ///< of "-"
+  std::vector<std::string> models;   ///< models, or one scene file
+  std::vector<std::string> outputs;  ///< "-": standard output
+  std::string format;                ///< format of "-"
   std::vector<scene::Located<scene::ProjectionRequest>> projections, views;
   std::vector<scene::Located<Mat4>> transforms;
   // These override the scene file.
@@ -44,7 +44,7 @@ struct DrawOptions {
   pipeline::RunOptions run;
   bool timings = false;
   ShowProgress progress = ShowProgress::automatic;
-  bool measure = false;  ///< measure what shortcuts save, by runs without them
+  bool measure = false;  ///< measure the time saved by shortcuts, by runs without them
 };
 
 struct PluginsOptions {
@@ -64,7 +64,7 @@ struct ImportersOptions {
 
 struct CheckImporterOptions {
   std::filesystem::path file;
-  std::vector<std::filesystem::path> models;  ///< that the importers of the file are to read
+  std::vector<std::filesystem::path> models;  ///< files that the importers should read
   double time_limit = importer::loading_seconds;
 };
 
@@ -73,8 +73,8 @@ struct NewProjectionOptions {
 };
 
 struct CompareOptions {
-  std::string before, after;                                    ///< files of drawings, models or scenes
-  std::vector<scene::Located<scene::ProjectionRequest>> views;  ///< of models
+  std::string before, after;                                    ///< drawings, models or scene files
+  std::vector<scene::Located<scene::ProjectionRequest>> views;  ///< views of models
   std::vector<std::filesystem::path> plugin_path;
   double tolerance = 0.001;   ///< mm
   std::string json, overlay;  ///< files to write; empty: none
@@ -87,11 +87,11 @@ struct InfoOptions {
 };
 
 struct SnapshotOptions {
-  std::vector<std::string> folders;  ///< with cases in them, or cases
-  bool accept = false;               ///< what comes is what is expected from now on
+  std::vector<std::string> folders;  ///< folders that contain cases, or cases themselves
+  bool accept = false;               ///< make the current drawings the expected ones
   double tolerance = 0.001;          ///< mm
   std::string report, junit;         ///< files to write; empty: none
-  int threads = 0;                   ///< cases at the same time
+  int threads = 0;                   ///< number of cases drawn concurrently
 };
 
 }  // namespace epura

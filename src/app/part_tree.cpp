@@ -14,7 +14,7 @@ namespace {
 using importer::TreePart;
 using Lines = std::vector<std::string>;
 
-/// The parts by their parents: those without one first.
+/// Groups parts by parent: parts without a parent come first.
 Groups<int> children_of(const std::vector<TreePart>& tree) {
   return {tree.size() + 1, [&](const auto& visit) {
             for (std::size_t i = 0; i < tree.size(); ++i)
@@ -29,7 +29,7 @@ std::string sizes_of(const TreePart& part) {
   return text;
 }
 
-/// What stands under one parent: how often, its name and sizes, and the lines below it.
+/// Equal parts under one parent: their number, name and sizes, and the lines below them.
 struct Row {
   int count;
   const TreePart* part;
@@ -59,7 +59,7 @@ void add_row(std::vector<Row>& rows, const TreePart& part, Lines below) {
 }  // namespace
 
 std::vector<std::string> tree_lines(const std::vector<TreePart>& tree) {
-  // Children come after their parents, so that from the last one on all that is below a part is known.
+  // Children follow their parents, so that in reverse order everything below a part is known.
   std::vector<Lines> below(tree.size() + 1);
   const Groups<int> children = children_of(tree);
   for (std::size_t parent = tree.size() + 1; parent-- > 0;) {

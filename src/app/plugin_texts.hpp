@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plugins, their parameters and what tests of them found, as text for the terminal.
+// Formats plugins, their parameters and their test results for the terminal.
 #pragma once
 
 #include <string>
@@ -10,20 +10,21 @@
 
 namespace epura {
 
-/// The value by default, as it may be given: "45", "0,0,1" or a word; empty if it is found from the model.
+/// Returns the default value in the form accepted as input: "45", "0,0,1" or a word; empty if it is derived from the
+/// model.
 std::string usual_value(const projection::Parameter& parameter);
 
 /// "default 45; 0..90 [deg]"
 std::string values_text(const projection::Parameter& parameter);
 
-/// Followed by at least one blank.
+/// Pads `text` with blanks, at least one.
 std::string padded(std::string text, std::size_t width);
 
-/// A line, with control characters made visible.
+/// Prints a line, with control characters made visible.
 void print(const std::string& line);
-/// Two lines for each parameter.
+/// Prints two lines for each parameter.
 void print_parameters(const std::vector<projection::Parameter>& parameters);
-/// A line for the result of a test, and one for its fault.
+/// Prints a line with the result of a test, and one with its fault.
 void print_check(const foreign::CheckResult& result);
 
 }  // namespace epura

@@ -9,7 +9,7 @@ namespace epura {
 namespace {
 
 constexpr std::size_t bar_width = 20;
-constexpr std::size_t name_width = 22;  // so that the bar does not move from stage to stage
+constexpr std::size_t name_width = 22;  // keeps the bar at the same position in all stages
 constexpr double longest = 360'000;     // seconds: a hundred hours
 
 std::string two_digits(long long number) { return (number < 10 ? "0" : "") + std::to_string(number); }

@@ -20,7 +20,7 @@ std::optional<std::vector<std::string>> study_arguments(int argc, char** argv) {
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (!words.empty() && words[0] == "study") return std::vector(words.begin() + 1, words.end());
   const std::size_t asked = asks_for_words.size();
-  // If the command itself is last, epura completes it.
+  // If the word "study" itself is last, epura completes it.
   if (words.size() <= asked + 1 || words[asked] != "study" ||
       !std::equal(asks_for_words.begin(), asks_for_words.end(), words.begin()))
     return std::nullopt;

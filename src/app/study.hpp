@@ -8,11 +8,11 @@
 
 namespace epura {
 
-/// The arguments for epura-study, if a command line is meant for it: 'epura study ...', or its completion.
+/// Returns the arguments for epura-study if the command line is meant for it: 'epura study ...', or its completion.
 std::optional<std::vector<std::string>> study_arguments(int argc, char** argv);
 
-/// Becomes epura-study: its streams, signals and exit code are those of this process. Throws Error{input} where it is
-/// not installed.
+/// Replaces this process by epura-study, which keeps its streams and determines its exit code. Throws Error{input} if
+/// it is not installed.
 [[noreturn]] void start_study(std::vector<std::string> arguments);
 
 }  // namespace epura

@@ -14,10 +14,10 @@ namespace {
 
 using Folders = std::vector<std::filesystem::path>;
 
-/// `text` up to and with the last `separator`.
+/// Returns `text` up to and including the last `separator`.
 std::string before_last(const std::string& text, char separator) { return text.substr(0, text.rfind(separator) + 1); }
 
-/// The next word of a list with commas: those that are not in it yet.
+/// Suggestions for the next word of a comma-separated list: words that are not yet in it.
 std::vector<Suggestion> continue_list(const std::string& text, const std::vector<Suggestion>& words) {
   const std::string before = before_last(text, ',');
   const auto given = split(before, ',');
@@ -43,7 +43,7 @@ std::vector<Suggestion> values_of(const projection::Parameter& parameter, const 
   return suggestions;
 }
 
-/// Parameters that have no value yet, or the values of the one that waits for its.
+/// Parameters without a value, or values of the last parameter.
 std::vector<Suggestion> parameters(const projection::ProjectionEntry& entry, const std::string& text) {
   const std::string before = before_last(text, ':');
   const std::string last = text.substr(before.size());
@@ -64,7 +64,7 @@ std::vector<Suggestion> continue_request(const std::string& text, const Folders&
   try {
     return parameters(projection::find_projection(text.substr(0, colon), folders), text);
   } catch (const Error&) {
-    return {};  // a name that is not known has no parameters
+    return {};  // an unknown projection has no parameters
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Possible values of an option, for shell completion.
+// Suggests values of an option, for shell completion.
 #pragma once
 
 #include <filesystem>
@@ -15,8 +15,9 @@ struct Suggestion {
   std::string word, help;
 };
 
-/// `text` is what the value begins with so far; suggestions are whole values, some of which do not begin like it.
-/// Projections and their parameters are asked of the plugins in `folders`. Nothing where every text would do.
+/// Returns suggestions for a value of which `text` has been typed. They are whole values, some of which may not begin
+/// with `text`. Projections and their parameters are obtained from the plugins in `folders`. Empty if any text is
+/// permitted.
 std::vector<Suggestion> value_suggestions(const scene::ValueForm& form, const std::string& text,
                                           const std::vector<std::filesystem::path>& folders);
 

@@ -24,12 +24,12 @@ using features::SurfaceKind;
 
 constexpr double half_turn = 179.5;  // degrees
 constexpr double half_turn_slack = 2;
-constexpr double least_side = 90;     // of a groove
+constexpr double least_side = 90;     // degrees, of a groove
 constexpr double parallel = 1e-3;     // sine
 constexpr double same_length = 1e-4;  // relative
 constexpr double opposite = 0.99;     // cosine
 
-/// Round features of a model whose faces are recognised.
+/// Finds round features of a model whose faces are recognised.
 class FeatureFinder {
  public:
   FeatureFinder(const World& world, int model, PlacedPart part)
@@ -55,7 +55,7 @@ class FeatureFinder {
   }
 
  private:
-  // Of the whole model: rims that a cut has shortened are edges of the file.
+  // Uses the uncut mesh: rims that a cut has shortened are still edges of the file.
   void find_vertices() {
     const Placed& placed = world_.models[model_];
     const mesh::Mesh& mesh = placed.mesh->whole();
@@ -88,7 +88,7 @@ class FeatureFinder {
     return std::min(aside(a, middle_of(b)), aside(b, middle_of(a))) <= slack;
   }
 
-  // By their planes: which half cylinders touch each without an edge.
+  // For each plane the half cylinders that are tangent to it.
   [[nodiscard]] std::map<int, std::vector<int>> half_cylinders_at_planes() const {
     std::map<int, std::vector<int>> at_planes;
     const auto add = [&](int plane, int face) {
@@ -137,7 +137,7 @@ class FeatureFinder {
     }
   }
 
-  // Faces about one axis, by the places of their axes along a direction that no pattern of holes follows.
+  // Groups of faces about one axis, found by a sweep along a direction in which holes of a pattern do not line up.
   [[nodiscard]] std::vector<std::vector<int>> coaxial_groups() const {
     const Vec3 along = glm::normalize(Vec3(0.5377, 0.7236, 0.4326)), centre = world_.box.centre();
     const double window = same_length * glm::length(world_.box.size());
@@ -164,7 +164,7 @@ class FeatureFinder {
     return groups;
   }
 
-  // Two arcs, one within the other, with nothing between them: sides of a groove, or of a stroke of a letter.
+  // Whether two arcs, one within the other, are the sides of a groove, or of a stroke of a letter.
   [[nodiscard]] bool are_sides_of_groove(const RoundFace& outer, const RoundFace& inner) const {
     const Vec3& axis = outer.face.surface.axis;
     if (!outer.face.inwards || inner.face.inwards || glm::length(glm::cross(axis, inner.face.surface.axis)) > parallel)
@@ -183,7 +183,7 @@ class FeatureFinder {
            });
   }
 
-  // Of one cylinder that is interrupted, as by flats: degrees that its arcs take together.
+  // The total sweep in degrees of the arcs of one cylinder that is interrupted, for example by flats.
   [[nodiscard]] double sweep_with_others(const RoundFace& round, const std::vector<int>& group) const {
     if (round.face.surface.kind != SurfaceKind::cylinder || round.is_whole()) return round.face.sweep;
     std::vector<std::array<double, 2>> arcs;
@@ -193,7 +193,7 @@ class FeatureFinder {
           other.is_whole() ||
           std::abs(other.face.surface.radius - round.face.surface.radius) > same_length * round.face.surface.radius)
         continue;
-      // Angles from the middle of the first arc on, as they lie next to the opposite one.
+      // Angles relative to the middle of this arc; full turns are added so that arcs across 180 degrees are included.
       const double sine = glm::dot(round.face.surface.axis, glm::cross(round.middle, other.middle));
       const double middle = portable_atan2(sine, glm::dot(round.middle, other.middle)) * 180 / std::numbers::pi;
       for (const double turn : {-360, 0, 360})
@@ -209,7 +209,7 @@ class FeatureFinder {
     return sweep;
   }
 
-  // Those of a group for which its axis is drawn, with the round ends behind them.
+  // The faces of a group whose axis is drawn, with the spherical ends adjacent to them.
   [[nodiscard]] std::vector<int> with_axis(const std::vector<int>& group) const {
     std::vector<int> faces;
     for (const int i : group)
@@ -242,7 +242,7 @@ class FeatureFinder {
     return radii;
   }
 
-  // About the axis of the largest of them, which is known best.
+  // Uses the axis of the largest face, which is the most accurate one.
   [[nodiscard]] RoundFeature feature_of(const std::vector<int>& faces) const {
     const RoundFace* best = nullptr;
     for (const int i : faces)
@@ -265,7 +265,7 @@ class FeatureFinder {
     return feature;
   }
 
-  // Heights on the axis and radii.
+  // Adds pairs of a height on the axis and a radius.
   void add_rings(std::vector<std::pair<double, double>>& rings, const RoundFace& round, const RoundFace& best) const {
     const auto height_of = [&](const Vec3& p) {
       return glm::dot(p - best.face.surface.origin, best.face.surface.axis);
@@ -285,7 +285,7 @@ class FeatureFinder {
       rings.emplace_back(height, std::sqrt(std::max(radius * radius - (height - centre) * (height - centre), 0.0)));
   }
 
-  // Whole circles around faces without a known surface, which no round face accounts for.
+  // Adds whole circles around free-form faces that belong to no round face.
   void add_rims(std::vector<RoundFeature>& features) const {
     const bool free = std::any_of(part_.faces.begin(), part_.faces.end(), [](const features::PartFace& face) {
       return face.surface.kind == SurfaceKind::free_form;
@@ -323,9 +323,9 @@ class FeatureFinder {
   int model_;
   PlacedPart part_;
   std::vector<RoundFace> faces_;
-  std::vector<char> used_;                  ///< by slots
-  std::vector<int> place_of_face_;          ///< among the round faces, -1 for others
-  std::vector<std::vector<int>> vertices_;  ///< of the file, by round face
+  std::vector<char> used_;                  ///< by face: whether it belongs to a slot
+  std::vector<int> place_of_face_;          ///< index of each face among the round faces, -1 for others
+  std::vector<std::vector<int>> vertices_;  ///< in the file, by round face
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Features with centre lines: shafts and bores over their whole length, slots, holes on a pitch circle. ISO 128-2, type
-// 04.1.
+// Finds features with centre lines: shafts and bores over their whole length, slots, holes on a pitch circle. ISO
+// 128-2, type 04.1.
 #pragma once
 
 #include <array>
@@ -17,13 +17,13 @@ struct Ring {
   double radius;
 };
 
-/// Round faces of a model about one axis, half a turn of them at least; or a rim where no faces are recognised.
+/// Round faces of a model about one axis, together at least half a turn; or a rim if no faces are recognised.
 struct RoundFeature {
   int model;
   Vec3 axis;                    ///< unit
-  std::vector<Ring> rings{};    ///< where its faces end; at least one
-  std::vector<int> vertices{};  ///< of its faces or its rim, in the model's file; ascending
-  bool enclosed = false;  ///< whole bores and slots that no cut has laid open: they are seen through their ends alone
+  std::vector<Ring> rings{};    ///< circles at the ends of its faces; at least one
+  std::vector<int> vertices{};  ///< vertices of its faces or its rim, in the model's file; ascending
+  bool enclosed = false;        ///< a whole bore or slot, not opened by a cut: visible only through its ends
 };
 
 /// Two half cylinders and the planes between them, tangent to both: a slot, or a bar with round ends.
@@ -35,7 +35,7 @@ struct SlotFeature {
 struct PitchCircle {
   Vec3 centre, axis;
   double radius;
-  std::vector<int> holes;  ///< places among the round features
+  std::vector<int> holes;  ///< indices of round features
 };
 
 struct CentredFeatures {
@@ -44,9 +44,9 @@ struct CentredFeatures {
   std::vector<PitchCircle> pitch_circles;
 };
 
-/// Of all models, in their order. Arcs of less than half a turn have no axis, nor have the sides of grooves and
-/// engraved letters that run in an arc. Where no faces are recognised, whole circles among creases of `crease_angle`
-/// degrees or more and boundaries count, and arcs of half a turn or more. Throws OutOfTime.
+/// Returns the features of all models, in their order. Arcs of less than half a turn have no axis, nor have the sides
+/// of grooves and engraved letters that run along an arc. If no faces are recognised, whole circles and arcs of half a
+/// turn or more count, among boundaries and creases of `crease_angle` degrees or more. Throws OutOfTime.
 CentredFeatures find_centred_features(const World& world, double crease_angle = 30, const Progress& progress = {});
 
 }  // namespace epura::scene

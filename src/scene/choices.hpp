@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// User choices: enums with their words, and values that are more than a number.
+// User choices: enums with their words, and values that are more than one number.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ template <>
 struct Words<Unit> {
   static constexpr std::array list{"mm", "in", "m"};
 };
-/// The length of one unit.
+/// Returns the length of one unit in mm.
 double millimetres(Unit unit);
 
 template <>
@@ -56,7 +56,7 @@ struct Words<EdgeKind> {
   static constexpr std::array list{"contour", "boundary", "crease",  "intersection",
                                    "section", "wire",     "tangent", "smooth"};
 };
-/// Those that can be chosen: lines of sections are always drawn.
+/// The kinds that can be chosen; outlines of sections are always drawn.
 inline constexpr std::array<std::pair<EdgeKind, bool EdgeKinds::*>, 7> chosen_edge_kinds{
     {{EdgeKind::contour, &EdgeKinds::contour},
      {EdgeKind::crease, &EdgeKinds::crease},
@@ -91,8 +91,8 @@ struct Words<DimensionDirection> {
   static constexpr std::array list{"horizontal", "vertical", "width", "height", "depth"};
 };
 
-/// Millimetres of paper per unit of the model. Without a fixed one: as large as fits, or the largest standard scale
-/// that fits (ISO 5455).
+/// Millimetres on paper per unit of the model. Without a fixed value: the largest scale that fits, or the largest
+/// standard scale that fits (ISO 5455).
 struct ScaleChoice {
   std::optional<double> fixed{};
   bool standard = false;
@@ -100,20 +100,20 @@ struct ScaleChoice {
   bool operator==(const ScaleChoice&) const = default;
 };
 
-/// No side of a paper and no drawing may be longer, mm: 100 m.
+/// Greatest length of a sheet's side and of a drawing, mm: 100 m.
 inline constexpr double longest_side = 100'000;
 
-/// A size of paper.
+/// A paper size.
 struct PaperChoice {
   enum class Kind { iso, custom, none, automatic };
   Kind kind = Kind::iso;
-  int number = 4;                    ///< iso: of A0 to A4
+  int number = 4;                    ///< iso: 0 to 4, for A0 to A4
   std::array<double, 2> size{0, 0};  ///< custom: width and height, mm
 
   bool operator==(const PaperChoice&) const = default;
 };
 
-/// A projection by its name, and values of its parameters as text: the plugin's table defines the permitted ones.
+/// The name of a projection, and values of its parameters as text: the plugin's table defines the permitted ones.
 struct ProjectionRequest {
   std::string name;
   std::vector<std::pair<std::string, std::string>> assignments{};
@@ -122,9 +122,9 @@ struct ProjectionRequest {
   [[nodiscard]] std::string text() const;
 };
 
-// Throw Error{input} that names `where` the text comes from.
+// These functions throw Error{input} with `where` as the location of the text.
 ScaleChoice parse_scale(std::string_view text, const std::string& where);       ///< fit, auto, 1:2, 0.5
 PaperChoice parse_paper_size(std::string_view text, const std::string& where);  ///< A4 to A0, 300x200, none, auto
-ProjectionRequest parse_request(std::string_view text);                         ///< NAME[:key=value]...; names the text
+ProjectionRequest parse_request(std::string_view text);                         ///< NAME[:key=value]...; location: text
 
 }  // namespace epura::scene

@@ -15,8 +15,8 @@ int body_count(const mesh::Mesh& mesh) {
   return mesh.body.empty() ? 0 : *std::max_element(mesh.body.begin(), mesh.body.end()) + 1;
 }
 
-// Whether each body's surface is inside out: its volume by the divergence theorem is negative. What is not closed has
-// no volume, but the area that its closed outlines bound has a sign.
+// Whether each body's surface is inside out: its volume by the divergence theorem is negative. For an open body, whose
+// volume is undefined, the sign of the area bounded by its closed outlines is used.
 std::vector<bool> inside_out(const CutModel& model, const std::vector<char>& is_open) {
   const World& world = model.world;
   const mesh::Mesh& mesh = *world.models[model.model].mesh;
@@ -39,8 +39,8 @@ std::vector<bool> inside_out(const CutModel& model, const std::vector<char>& is_
 
 struct BodyCut {
   mesh::Outlines outlines;
-  Vec2 min{HUGE_VAL}, max{-HUGE_VAL};  ///< box around them
-  Vec2 sample{0.0};                    ///< a place of the body
+  Vec2 min{HUGE_VAL}, max{-HUGE_VAL};  ///< bounding box of the outlines
+  Vec2 sample{0.0};                    ///< a point of the body's cut
 
   [[nodiscard]] double extent() const { return max.x - min.x + max.y - min.y; }
   [[nodiscard]] bool is_around(const BodyCut& other) const {
@@ -88,7 +88,7 @@ std::vector<int> material_of(const CutModel& model, const std::vector<char>& is_
 
   const std::map<int, BodyCut> cuts = cuts_of(model);
   for (const auto& [body, here] : cuts) {
-    std::vector<std::pair<double, int>> around;  // bodies around it, the innermost first
+    std::vector<std::pair<double, int>> around;  // bodies around it, innermost first
     for (const auto& [other, there] : cuts)
       if (other != body && there.is_around(here)) around.emplace_back(there.extent(), other);
     std::sort(around.begin(), around.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of a model's bodies are solid, which are cavities, and which are not closed.
+// Determines which of a model's bodies are solid, which are cavities, and which are not closed.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace epura::scene {
 
-/// A model of a world, and what a plane cuts of it.
+/// A model of a world, and its cut by a plane.
 struct CutModel {
   const World& world;
   int model;
@@ -18,12 +18,12 @@ struct CutModel {
   const PlaneFrame& frame;
 };
 
-/// For each body the body to whose material it belongs: itself, or, for a cavity, the one around it. A cavity is a
-/// surface of its own inside another that runs the other way round. Only bodies that the cut meets are examined, by
-/// their closed outlines. `is_open` is what open_bodies says.
+/// Returns for each body the body to whose material it belongs: itself or, for a cavity, the body around it. A cavity
+/// is a separate surface inside another one, with opposite orientation. Only bodies that the plane cuts are examined,
+/// by their closed outlines. `is_open` is the result of open_bodies.
 std::vector<int> material_of(const CutModel& model, const std::vector<char>& is_open);
 
-/// By body, whether there is an edge at which an odd number of its triangles meet.
+/// Returns for each body whether it has an edge at which an odd number of its triangles meet.
 std::vector<char> open_bodies(const mesh::Mesh& mesh);
 
 }  // namespace epura::scene

@@ -12,21 +12,21 @@ namespace epura::scene {
 
 namespace {
 
-constexpr std::size_t most_ends = 1024;  // of a body's open outlines; beyond, what they bound is unknown
-constexpr double line_part = 1e-3;       // of the square of its length: an outline around less area is a line
-constexpr double most = 0.5;             // of an area: so much must be bounded one way round
+constexpr std::size_t most_ends = 1024;  // per body, of open outlines; with more, the area that they bound is unknown
+constexpr double line_part = 1e-3;       // of the squared length: an outline around a smaller area is a line
+constexpr double most = 0.5;             // of an area: the part that must have one orientation
 
 double signed_area(const Vec2& a, const Vec2& b) { return (a.x * b.y - a.y * b.x) / 2; }
 
-/// Outlines that are connected.
+/// A set of connected outlines.
 struct Piece {
   int body;
-  mesh::Outlines outlines;  ///< from first to second end; places are not shared
+  mesh::Outlines outlines;  ///< from first to second end; vertices are not shared
   std::vector<int> senses;
-  bool unsure = false;  ///< what it bounds is unknown
+  bool unsure = false;  ///< the area that it bounds is unknown
   Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
   Vec2 sample{0.0};
-  double directed = 0, around = 0, length = 0;  ///< areas: to the left less to the right, and by the even-odd rule
+  double directed = 0, around = 0, length = 0;  ///< areas: on the left minus on the right, and by the even-odd rule
 
   void add(const Vec2& a, const Vec2& b, int sense) {
     const int first = static_cast<int>(outlines.places.size());
@@ -63,7 +63,7 @@ struct Chord {
   int sense;
 };
 
-// Straight lines between the nearest ends, in the sense of the outlines that they close.
+// Straight lines that close outlines between the nearest ends, with the orientation of these outlines.
 std::vector<Chord> chords(const FlatOutlines& flat, std::span<const CutSegment> segments) {
   std::vector<int> degree(flat.vertices.size(), 0), arriving(flat.vertices.size(), 0), ends;
   for (std::size_t s = 0; s < segments.size(); ++s) {
@@ -91,7 +91,7 @@ std::vector<Chord> chords(const FlatOutlines& flat, std::span<const CutSegment> 
   return chosen;
 }
 
-/// What the outlines of a body consist of, and by segment in which piece it is.
+/// The connected pieces of outlines, and the piece of each segment.
 struct Pieces {
   std::vector<Piece> pieces;
   std::vector<int> of_segment;
@@ -135,16 +135,16 @@ Pieces pieces_of(std::span<const CutSegment> segments, const CutPlaces& places, 
   return pieces;
 }
 
-// Whether one bounds a hole where the other bounds material, or may do so.
+// Whether one piece bounds a hole where the other one bounds material, or may do so.
 bool contradict(const Piece& loose, const Piece& closed) {
   const int product = loose.sense() * closed.sense();
   return product < 0 || (product == 0 && loose.body == closed.body);
 }
 
-// Closed pieces that one loose piece casts doubt on: what it may be a hole of, or, where it is none, what it may have
-// for a hole.
+// Marks the closed pieces that one loose piece makes doubtful: those in which it may be a hole or, if there are none,
+// those that may be holes in it.
 void doubt(const Piece& loose, std::span<const Piece> closed, std::vector<char>& doubted) {
-  std::map<int, std::vector<std::size_t>> around;  // pieces around it, by body
+  std::map<int, std::vector<std::size_t>> around;  // pieces around the loose one, by body
   for (std::size_t c = 0; c < closed.size(); ++c) {
     if (loose.unsure && loose.body == closed[c].body) doubted[c] = 1;
     if (!loose.unsure && closed[c].holds(loose.sample)) around[closed[c].body].push_back(c);
@@ -174,7 +174,7 @@ std::vector<char> doubtful(std::span<const CutSegment> closed, std::span<const C
   for (const Piece& piece : open.pieces)
     if (piece.unsure || !piece.is_line()) doubt(piece, sound.pieces, doubted);
 
-  // Holes go with what they are in.
+  // A hole is as doubtful as the piece around it.
   DisjointSets nested(sound.pieces.size());
   for (std::size_t i = 0; i < sound.pieces.size(); ++i)
     for (std::size_t j = 0; j < sound.pieces.size(); ++j)

@@ -10,26 +10,26 @@ namespace epura::scene {
 
 namespace {
 
-// Two vertices that should be one are each moved by rounding, and so is the edge that the plane cuts there.
+// Rounding moves each of two vertices that should be equal, and also the edges that the plane cuts there.
 constexpr double roundings = 4;
-// The mean height of a surface over the middles of its facets is half to two thirds of the largest one.
+// The mean height of a surface above the middles of its facets is half to two thirds of the largest height.
 constexpr double highest = 2;
-constexpr int joints = 4;                // from an end on, for estimating how fine the tessellation is there
-constexpr double largest_turn = 0.4143;  // tangent of half of the 45 degrees beyond which chords are not an arc
-constexpr double least_outline = 50;     // times the gap, from both ends on
-constexpr double least_room = 3;         // times the gap, to the next end
+constexpr int joints = 4;                // vertices from an end, used to estimate the fineness of tessellation
+constexpr double largest_turn = 0.4143;  // tangent of half of 45 degrees; chords with a larger turn form no arc
+constexpr double least_outline = 50;     // length of the outline at each end, as a multiple of the gap
+constexpr double least_room = 3;         // distance to the next end, as a multiple of the gap
 
-/// The outline from an end on, up to the next end or branch.
+/// The outline from one end to the next end or branch.
 struct Chain {
   double length = 0;
-  double arc = 0;  ///< largest height of an arc over its chords near the end
+  double arc = 0;  ///< largest height of an arc above its chords near the end
 };
 
 struct End {
-  int vertex;  ///< its place in the list
+  int vertex;  ///< its index in the list
   double arc;
   std::optional<double> sagitta;
-  double reach;  ///< widest gap that it may have
+  double reach;  ///< greatest width of a gap at this end
   int nearest = -1;
   double distance = HUGE_VAL, next_distance = HUGE_VAL;
 };
@@ -63,7 +63,7 @@ class Outline {
     return bridges;
   }
 
-  // By segment, whether it belongs to outlines that are closed.
+  // Returns for each segment whether it belongs to closed outlines.
   std::vector<char> closed() const {
     std::vector<char> kept(segments_.size(), 1);
     std::vector<std::size_t> degree;
@@ -95,7 +95,7 @@ class Outline {
   }
 
   [[nodiscard]] const std::vector<CutSegment>& segments() const { return segments_; }
-  // Where an odd number of segments meets.
+  // Vertices at which an odd number of segments meets.
   [[nodiscard]] std::vector<int> odd_vertices() const {
     std::vector<int> odd;
     for (std::size_t v = 0; v < at_.size(); ++v)
@@ -126,7 +126,8 @@ class Outline {
     }
   }
 
-  // Of a circle that touches two chords' ends and middle, for small turns t between them: a quarter of tan(t / 2).
+  // Height of the arc above the shorter of two chords of a circle: for small turns t between them, a quarter of its
+  // length times tan(t / 2).
   static double arc_height(const Vec2& a, const Vec2& b) {
     const double product = glm::length(a) * glm::length(b) + glm::dot(a, b);
     const double turn = product > 0 ? std::abs(a.x * b.y - a.y * b.x) / product : HUGE_VAL;
@@ -147,12 +148,12 @@ class Outline {
     return ends;
   }
 
-  // In a direction in which ends of regular meshes do not line up.
+  // Position along a direction in which ends of regular meshes do not line up.
   [[nodiscard]] double along_sweep(const End& end) const {
     return 0.8507 * place(end.vertex).x + 0.5257 * place(end.vertex).y;
   }
 
-  // Only what lies within three times the reach.
+  // Considers only ends within three times the reach.
   void find_nearest(std::vector<End>& ends) const {
     const auto look = [&](End& end, std::size_t j) {
       const double distance = glm::distance(place(end.vertex), place(ends[j].vertex));
@@ -171,7 +172,7 @@ class Outline {
     }
   }
 
-  // The widest gap between two ends that tessellation or rounding leave.
+  // The widest gap between two ends that tessellation or rounding can explain.
   static double explained(const End& one, const End& other, double rounding) {
     const auto height = [](const End& end) { return end.sagitta ? highest * *end.sagitta : end.arc; };
     return std::min({std::max({roundings * rounding, height(one), height(other)}), one.reach, other.reach});
@@ -179,7 +180,7 @@ class Outline {
 
   std::vector<CutSegment> segments_;
   FlatOutlines flat_;
-  std::vector<std::vector<int>> at_;  ///< segments at each place
+  std::vector<std::vector<int>> at_;  ///< segments at each vertex
 };
 
 bool is_even_everywhere(std::span<const CutSegment> segments) {

@@ -13,7 +13,7 @@ namespace epura::scene {
 
 namespace {
 
-constexpr double rounding_part = 0x1p-44;  // of the world's size, by which computed distances are uncertain
+constexpr double rounding_part = 0x1p-44;  // uncertainty of computed distances, as a fraction of the world's size
 
 class Knife {
  public:
@@ -84,7 +84,7 @@ class Knife {
     }
   }
 
-  // A piece that lies in the plane stays.
+  // A segment in the plane is kept.
   void cut_wire(const std::array<int, 2>& vertex) {
     const auto [a, b] = vertex;
     if (side(a) <= 0 && side(b) <= 0) return result_.wires.push_back(vertex);
@@ -97,7 +97,8 @@ class Knife {
     const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
     const auto [place, made] = made_.try_emplace(key, file_vertices_ + static_cast<int>(result_.points.size()));
     if (made) {
-      // From the end that is first by its place, so that how vertices are numbered does not matter.
+      // Starts at the end with the lexicographically smaller coordinates, so that the numbering of vertices does not
+      // matter.
       const auto place_of = [&](int v) {
         const Vec3& p = world_.points[first_ + v];
         return std::array{p.x, p.y, p.z};
@@ -105,7 +106,7 @@ class Knife {
       const bool forward = place_of(a) < place_of(b);
       const int from = first_ + (forward ? a : b), to = first_ + (forward ? b : a);
       const auto part = [&](int u, int v) { return sides_.distance[u] / (sides_.distance[u] - sides_.distance[v]); };
-      // Normalised first: the difference of two large coordinates may be no double.
+      // Normalised first: the difference of two large coordinates may overflow.
       const Vec3 p = world_.points[from] * sides_.normalisation;
       const Vec3 q = world_.points[to] * sides_.normalisation;
       result_.points.push_back((p + part(from, to) * (q - p)) / sides_.normalisation);
@@ -120,7 +121,7 @@ class Knife {
   const mesh::Mesh& mesh_;
   std::vector<bool> is_uncut_;  ///< by body; empty if all are cut
   CutMesh result_;
-  std::unordered_map<std::uint64_t, int> made_;  ///< edge -> vertex; only looked up, so its order does not matter
+  std::unordered_map<std::uint64_t, int> made_;  ///< edge -> vertex; never iterated, so its order does not matter
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 using Pair = std::array<int, 2>;
 
-// Triangles that are joined by sides without an outline have one label, the number of one of them.
+// Labels triangles: those connected through sides without an outline have one label, the number of one of them.
 std::vector<int> patches(std::span<const std::array<int, 3>> triangles, std::span<const CutSegment> segments) {
   std::vector<std::pair<Pair, int>> sides;
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -63,7 +63,7 @@ std::vector<std::vector<int>> rings_of(std::span<const CutSegment> segments) {
     for (const int vertex : segments[s].vertex) ends.push_back({vertex, static_cast<int>(s)});
   std::sort(ends.begin(), ends.end());
   std::vector<bool> used(segments.size(), false);
-  // The other end of a segment at this vertex that is not used yet.
+  // The other end of an unused segment at this vertex.
   const auto go_on = [&](int vertex) {
     auto end = std::lower_bound(ends.begin(), ends.end(), Pair{vertex, 0});
     while (used[(*end)[1]]) ++end;
@@ -89,7 +89,7 @@ std::vector<bool> lie_inside(std::span<const std::array<int, 3>> triangles, std:
                              const CutPlaces& places, const PlaneFrame& frame) {
   const mesh::Outlines outlines = flatten(segments, places, frame).outlines;
   const std::vector<int> label = patches(triangles, segments);
-  std::vector<std::pair<double, Vec2>> largest(triangles.size(), {-1, Vec2(0)});  // by label: area and middle
+  std::vector<std::pair<double, Vec2>> largest(triangles.size(), {-1, Vec2(0)});  // by label: area and centroid
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto [i, j, k] = triangles[t];
     const Vec2 a = frame.flat(places[i]), b = frame.flat(places[j]), c = frame.flat(places[k]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closed outlines in the plane of a cut.
+// Outlines in the plane of a cut.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace epura::scene {
 
-/// The cutting plane with its own coordinates: normalised, with an origin near the middle of the world.
+/// The cutting plane with its own coordinates: normalised, with the origin near the middle of the world.
 struct PlaneFrame {
   CuttingPlane plane;
   double normalisation;
@@ -27,7 +27,7 @@ struct PlaneFrame {
   }
 };
 
-/// One model's vertices: those of its file, then those of the cut.
+/// The vertices of one model: those of its file, then those of the cut.
 struct CutPlaces {
   std::span<const Vec3> file, made;
 
@@ -37,7 +37,7 @@ struct CutPlaces {
   }
 };
 
-/// Calls `visit(body, segments)` for the segments of each body; they are sorted.
+/// Calls `visit(body, segments)` for the segments of each body. The segments must be sorted.
 template <class Visit>
 void visit_bodies(std::span<const CutSegment> segments, const Visit& visit) {
   for (std::size_t begin = 0, end = 0; begin < segments.size(); begin = end) {
@@ -46,18 +46,18 @@ void visit_bodies(std::span<const CutSegment> segments, const Visit& visit) {
   }
 }
 
-/// Segments with the places of their vertices in the plane.
+/// Segments with the positions of their vertices in the plane.
 struct FlatOutlines {
-  std::vector<int> vertices;  ///< of each place
+  std::vector<int> vertices;  ///< vertex of each position
   mesh::Outlines outlines;
 };
 FlatOutlines flatten(std::span<const CutSegment> segments, const CutPlaces& places, const PlaneFrame& frame);
 
-/// Segments of which an even number meets in each vertex, as closed rings of vertices.
+/// Converts segments, of which an even number meets in each vertex, to closed rings of vertices.
 std::vector<std::vector<int>> rings_of(std::span<const CutSegment> segments);
 
-/// Which of some triangles in the plane lie inside outlines that run along some of their sides. Neighbours with no
-/// outline between them are decided as one.
+/// Returns which of the triangles, all in the plane, lie inside outlines that run along some of their sides. Neighbours
+/// without an outline between them have the same result.
 std::vector<bool> lie_inside(std::span<const std::array<int, 3>> triangles, std::span<const CutSegment> segments,
                              const CutPlaces& places, const PlaneFrame& frame);
 

@@ -20,17 +20,17 @@ namespace epura::scene {
 
 namespace {
 
-constexpr double least_gap = 0x1p-44;  // of the world's size: narrower ones are roundings of the cut, and not reported
+constexpr double least_gap = 0x1p-44;  // of the world's size; narrower gaps are rounding errors, and are not reported
 
-/// One model on its way through the plane.
+/// The cut of one model.
 struct ModelCut {
   const World& world;
   int model;
   const PlaneFrame& frame;
   CutMesh cut;
-  std::size_t of_surface = 0;  ///< triangles before those of cut faces
+  std::size_t of_surface = 0;  ///< number of triangles before those of cut faces
   std::vector<WorldCutFace> faces{};
-  std::vector<CutSegment> loose{};  ///< of outlines that are not closed, or that bound nothing for certain
+  std::vector<CutSegment> loose{};  ///< of outlines that are open, or that bound no certain area
   std::vector<OpenOutline> open{};
   std::vector<BridgedGaps> bridged{};
 
@@ -109,7 +109,7 @@ void ModelCut::leave_out_doubtful() {
   cut.segments = std::move(certain);
 }
 
-// Faces in the plane bound what remains where material lies behind them. Where that is not known, all stay.
+// Faces in the plane are kept if there is material behind them. If this is unknown, all are kept.
 void ModelCut::take_faces_in_plane(const std::vector<int>& material, const std::vector<char>& is_open) {
   std::vector<std::vector<int>> by_body(material.size());
   for (const int t : cut.in_plane) by_body[material[mesh().body[t]]].push_back(t);
@@ -194,7 +194,7 @@ mesh::Mesh ModelCut::make_mesh() const {
   for (const CutSegment& segment : loose) outline.push_back(segment.vertex);
   std::sort(outline.begin(), outline.end());
   for (mesh::MeshEdge& edge : cut_away.edges) {
-    // Triangles of cut faces come last.
+    // Triangles of cut faces are last.
     const bool in_face = edge.count > 0 && cut_away.triangles_of(edge).front() >= static_cast<int>(of_surface);
     if (std::binary_search(outline.begin(), outline.end(), edge.vertex))
       edge.cut = mesh::CutEdge::outline;

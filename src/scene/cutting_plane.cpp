@@ -28,7 +28,7 @@ CuttingPlane make_cutting_plane(const SectionDescription& section) {
   const double largest = std::max({size.x, size.y, size.z});
   if (!(largest > 0)) throw Error(ErrorKind::input, where, "the normal has no direction", "0,-1,0 removes the front");
   const Vec3 normal = glm::normalize(section.normal / largest);
-  // The axis that is most nearly in the plane: normals along an axis give axes.
+  // The axis that is closest to the plane: if the normal is along an axis, so are the directions in the plane.
   Vec3 axis(0);
   axis[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1;
   const Vec3 right = glm::normalize(glm::cross(axis, normal));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Description of a drawing as given by the user: by options on the command line, in a scene file (docs/formats.md), or
-// by a program. Values are typed; references are resolved by the stage that knows their targets.
+// The description of a drawing as given by the user: by options on the command line, in a scene file (docs/formats.md),
+// or by a program. Values are typed; references are resolved by the stage that has their targets.
 #pragma once
 
 #include <array>
@@ -18,14 +18,14 @@
 
 namespace epura::scene {
 
-/// A value, and where it was given: an option such as "--scale", or "scene.toml:12:9".
+/// A value and its location: an option such as "--scale", or "scene.toml:12:9".
 template <class Value>
 struct Located {
   std::optional<Value> value{};
   std::string where{};
 
   [[nodiscard]] bool given() const { return value.has_value(); }
-  /// The value, or `usual` where none is given.
+  /// Returns the value, or `usual` if none is given.
   [[nodiscard]] Value value_or(const Value& usual) const { return value.value_or(usual); }
   const Value& operator*() const { return *value; }
   const Value* operator->() const { return &*value; }
@@ -34,17 +34,17 @@ struct Located {
 using LocatedText = Located<std::string>;
 
 struct ModelDescription {
-  LocatedText file;                                           ///< in a scene file relative to its folder
+  LocatedText file;                                           ///< in a scene file, relative to its folder
   std::vector<std::pair<std::string, std::string>> import{};  ///< parameters of the file's importer and their values
   std::shared_ptr<const mesh::Soup> soup{};                   ///< instead of a file
-  LocatedText name;             ///< by which dimensions call it; the file's name without extension by default
-  Located<Unit> unit;           ///< the file's by default, or mm
-  Located<UpAxis> up;           ///< the file's by default, or z
-  Located<Mat4> transform;      ///< steps as in scene/transform.hpp
-  Located<LineRole> line;       ///< of its visible lines
-  Located<HiddenLines> hidden;  ///< the view's by default
-  Located<Surfaces> surfaces;   ///< automatic by default
-  Located<bool> drawn;          ///< true by default
+  LocatedText name;             ///< name in dimensions; by default the file's name without extension
+  Located<Unit> unit;           ///< by default that of the file, or mm
+  Located<UpAxis> up;           ///< by default that of the file, or z
+  Located<Mat4> transform;      ///< see scene/transform.hpp
+  Located<LineRole> line;       ///< role of its visible lines
+  Located<HiddenLines> hidden;  ///< by default as in the view
+  Located<Surfaces> surfaces;   ///< by default automatic
+  Located<bool> drawn;          ///< by default true
 };
 
 /// How bodies with certain names are drawn, whatever their models and views say. Of several styles that match a body,
@@ -58,24 +58,24 @@ struct StyleDescription {
   Located<bool> drawn;  ///< true by default
 };
 
-/// A view of the models. Views without a place are arranged: ISO 5456-2.
+/// A view of the models. Views without a position are arranged automatically: ISO 5456-2.
 struct ViewDescription {
-  LocatedText name;  ///< of its layers; the projection's by default
+  LocatedText name;  ///< name of its layers; by default that of the projection
   Located<ProjectionRequest> projection;
-  Located<ScaleChoice> scale;  ///< the sheet's by default
+  Located<ScaleChoice> scale;  ///< by default that of the sheet
   Located<HiddenLines> hidden;
   Located<EdgeKinds> edges;
-  LocatedText section;           ///< name of the section that it shows
-  LocatedText label;             ///< written above it; "A-A" for a section by default
+  LocatedText section;           ///< name of the section shown
+  LocatedText label;             ///< text above it; by default "A-A" for section A
   Located<double> crease_angle;  ///< degrees
-  Located<double> join_within;   ///< mm of paper
+  Located<double> join_within;   ///< mm on paper
   Located<LayersBy> layers;
   Located<double> near, far;  ///< depths, in units of the world
-  Located<Vec2> at;           ///< middle of its ink, mm from the lower left corner of the sheet
-  Located<int> sheet;         ///< which one of several, from 1; the first by default
+  Located<Vec2> at;           ///< centre of its ink, mm from the lower left corner of the sheet
+  Located<int> sheet;         ///< number of its sheet, from 1; by default the first
 };
 
-/// A plane that cuts the models. The side that the normal points to is removed.
+/// A plane that cuts the models. The side to which the normal points is removed.
 struct SectionDescription {
   LocatedText name;  ///< "A"
   Vec3 point{0.0};
@@ -85,23 +85,23 @@ struct SectionDescription {
 /// Vertex `second` of model `first`, both counted from 0 as in the drawing JSON; or a point of the world.
 using Anchor = std::variant<std::array<int, 2>, Vec3>;
 
-/// A dimension in a view: it follows the model. ISO 129-1.
+/// A dimension in a view, attached to the model. ISO 129-1.
 struct DimensionDescription {
   std::string where;  ///< for errors
-  LocatedText view;   ///< name of the view; the first one by default
+  LocatedText view;   ///< name of the view; by default the first one
   Located<DimensionType> type;
   Located<DimensionDirection> direction;  ///< linear: horizontal or vertical; overall: width, height or depth
-  std::vector<Anchor> anchors;  ///< two ends; angular: the corner, then the ends of its legs; radius, diameter: a
+  std::vector<Anchor> anchors;  ///< two ends; angular: the vertex, then the ends of the legs; radius, diameter: a
                                 ///< vertex on the circle; overall: none
-  Located<double> offset;       ///< of the dimension line from the anchors, mm of paper; its sign gives the side
+  Located<double> offset;       ///< of the dimension line from the anchors, mm on paper; its sign selects the side
   LocatedText text;             ///< instead of the measured value; "<>" stands for the value
 };
 
-/// The fields of a title block by name ("title", "owner", "number", "date" ...). ISO 7200.
+/// Fields of a title block by name ("title", "owner", "number", "date" ...). ISO 7200.
 using TitleBlockFields = std::vector<std::pair<std::string, LocatedText>>;
 
 struct SheetDescription {
-  std::string where;  ///< for errors; a [[sheet]] of a scene file
+  std::string where;  ///< location for errors; a [[sheet]] of a scene file
   Located<PaperChoice> size;
   Located<Orientation> orientation;
   Located<ScaleChoice> scale;
@@ -117,7 +117,7 @@ struct SceneDescription {
   std::vector<StyleDescription> styles;
   std::vector<SectionDescription> sections;
   std::vector<DimensionDescription> dimensions;
-  std::vector<SheetDescription> sheets;  ///< the first one where a file has none
+  std::vector<SheetDescription> sheets;  ///< one default sheet if a scene file has none
 };
 
 }  // namespace epura::scene

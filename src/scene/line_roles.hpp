@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The line roles of sheets, one row each: name, width and dashes. ISO 128-2. Sheets, writers and comparison use this
-// table. It is in `scene` because models choose their role in the scene.
+// table. It is in `scene` because a model's role is chosen in the scene.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +13,16 @@
 
 namespace epura::scene {
 
-/// Nominal lengths of a line type in line widths; dash 0: continuous.
+/// Nominal lengths of a line type, in line widths; dash 0: continuous.
 struct DashType {
   double dash = 0, gap = 0, dot = 0;
   int dots = 0;
   const char* dxf = "CONTINUOUS";  ///< beginning of its name there
 
   [[nodiscard]] constexpr bool is_broken() const { return dash > 0; }
-  /// All but the dash.
+  /// Length of the pattern without the dash.
   [[nodiscard]] constexpr double rest() const { return gap + dots * (dot + gap); }
-  /// Lines below two dashes and what is between them are continuous.
+  /// Shorter lines are drawn continuous: two dashes and the pattern between them do not fit.
   [[nodiscard]] constexpr double shortest() const { return 2 * dash + rest(); }
 };
 
@@ -31,15 +31,15 @@ inline constexpr DashType dashed{12, 3, 0, 0, "DASHED"};                  ///< t
 inline constexpr DashType long_dash_dot{24, 3, 0.5, 1, "DASHDOT"};        ///< type 04
 inline constexpr DashType long_dash_double_dot{24, 3, 0.5, 2, "DIVIDE"};  ///< type 05
 
-/// The broken type with this number of dots between its dashes; at most two.
+/// Returns the broken type with this number of dots between its dashes; at most two.
 constexpr const DashType& type_with_dots(int dots) {
   return dots == 0 ? dashed : dots == 1 ? long_dash_dot : long_dash_double_dot;
 }
 
-/// `wide` and `narrow` follow the size of the sheet, the others are the same on all sheets (ISO 5457, ISO 7200).
+/// `wide` and `narrow` depend on the size of the sheet, the others are the same on all sheets (ISO 5457, ISO 7200).
 enum class LineWidth { wide, narrow, frame, grid, symbol };
 
-/// In the order in which they are painted in one view.
+/// In painting order within one view.
 enum class SheetLine {
   frame,
   grid,
@@ -63,12 +63,12 @@ enum class SheetLine {
 
 struct SheetLineRow {
   SheetLine line;
-  const char* name;   ///< of the style: class in SVG
-  const char* layer;  ///< behind VIEW/
+  const char* name;   ///< name of the style: class in SVG
+  const char* layer;  ///< name of the layer after "VIEW/"
   LineWidth width;
-  DashType dashes{};  ///< of all lines of the layer; single ones of other layers may be broken, too
+  DashType dashes{};  ///< dashes of all lines of the layer; individual lines of other layers may also be broken
   bool is_hidden = false;
-  std::optional<LineRole> role{};  ///< of models whose visible lines these are
+  std::optional<LineRole> role{};  ///< role of the models whose visible lines these are
 };
 
 inline constexpr std::array sheet_lines = {
@@ -99,7 +99,7 @@ static_assert(std::all_of(sheet_lines.begin(), sheet_lines.end(), [](const Sheet
 
 constexpr const SheetLineRow& row_of(SheetLine line) { return sheet_lines[static_cast<std::size_t>(line)]; }
 
-/// The visible lines of models of a role.
+/// Returns the kind of visible lines for models with this role.
 constexpr SheetLine line_of(LineRole role) {
   return std::find_if(sheet_lines.begin(), sheet_lines.end(),
                       [role](const SheetLineRow& row) { return row.role == role; })

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One option of a drawing or command, completely described in one place. Tables of such rows feed the command line,
-// scene files, help, completion, the manual and the documentation.
+// The complete description of one option of a drawing or command. Tables of such rows define the command line, scene
+// files, help, completion, the manual and the documentation.
 #pragma once
 
 #include <functional>
@@ -13,35 +13,35 @@
 
 namespace epura::scene {
 
-/// What an option has to do with: the look of a drawing, files that are read or written, code that is loaded, or the
-/// run and what it says. In the hands of third parties only the first is harmless.
+/// What an option affects: the drawing, files that are read or written, code that is loaded, or the run and its
+/// messages. Only the first is safe to accept from third parties.
 enum class Nature { unsaid, drawing, file, code, run };
 
-/// A switch of the command line that represents one word of an option: "--portrait".
+/// A command-line switch that stands for one word of an option: "--portrait".
 struct Switch {
   std::string flag, word, help;
 };
 
-/// What is known of an option without the part that it belongs to.
+/// The properties of an option that do not depend on the part to which it belongs.
 struct OptionInfo {
-  std::string key{};   ///< in scene files; empty: it is none there
-  std::string flag{};  ///< on the command line: "-o,--output", or "models" for an argument; empty: it is none there
+  std::string key{};   ///< in scene files; empty: not available there
+  std::string flag{};  ///< on the command line: "-o,--output", or "models" for an argument; empty: not available there
   ValueForm form{};
   std::string help{};
-  std::string usual{};  ///< its value where none is given
+  std::string usual{};  ///< default value
   Nature nature = Nature::unsaid;
   bool required = false;
-  bool repeatable = false;         ///< each time one more value; otherwise the last one counts
-  std::vector<Switch> switches{};  ///< on the command line instead of a flag
+  bool repeatable = false;         ///< each occurrence adds a value; otherwise the last one counts
+  std::vector<Switch> switches{};  ///< instead of a flag on the command line
 
-  /// The help, with the words that may be chosen.
+  /// Returns the help, with the permitted words.
   [[nodiscard]] std::string meaning() const;
 };
 
 template <class Part>
 struct Option : OptionInfo {
-  std::function<void(Part&, const TomlValue&)> read;   ///< throws Error{input} for values it does not take
-  std::function<void(Part&, const Part&)> overrule{};  ///< takes over what the second was given
+  std::function<void(Part&, const TomlValue&)> read;   ///< throws Error{input} for invalid values
+  std::function<void(Part&, const Part&)> overrule{};  ///< copies the value of the second part, if given
 };
 
 template <class Part>
@@ -74,7 +74,8 @@ void take_over(Located<Value>& member, const Located<Value>& other) {
 }
 void take_over(auto&, const auto&) {}
 
-/// An option whose value goes to `member` of the part, or to what `member` as a function finds in the part.
+/// Makes an option whose value is assigned to `member` of the part; `member` may be a function that returns a reference
+/// into the part.
 template <class Part, class Member, class Value>
 Option<Part> option(OptionInfo info, Member member, const ValueKind<Value>& kind) {
   info.form = kind.form;
@@ -86,7 +87,7 @@ Option<Part> option(OptionInfo info, Member member, const ValueKind<Value>& kind
       [member](Part& part, const Part& other) { take_over(std::invoke(member, part), std::invoke(member, other)); }};
 }
 
-/// The options of a part as options of the whole that has it as `member`: they are about the drawing.
+/// Appends the options of a part as options of the whole that has the part as `member`. They affect the drawing.
 template <class Whole, class Part>
 void append_options(Options<Whole>& all, const Options<Part>& options, Part Whole::*member) {
   for (const Option<Part>& one : options)

@@ -18,7 +18,7 @@ Option<DimensionWords> anchor_option(const std::string& key, const std::string& 
           }};
 }
 
-// One view has no choice of a scale of its own.
+// An automatic standard scale cannot be chosen for a single view.
 ValueKind<ScaleChoice> scale_of_a_view() {
   const auto read = [](const TomlValue& value) {
     const ScaleChoice scale = scale_choice().read(value);

@@ -16,7 +16,7 @@ struct DimensionWords {
   std::vector<std::pair<std::string, AnchorWords>> anchors;
 };
 
-/// A member of the description that words of a file have.
+/// Returns a function that finds a member of the description in parsed words.
 template <class Member>
 auto in_description(Member member) {
   return [member](auto& words) -> auto& { return words.description.*member; };
@@ -30,14 +30,14 @@ Options<DimensionWords> dimension_options();
 Options<SheetDescription> sheet_options();
 Options<TitleBlockFields> title_block_options();
 
-/// Takes over what `other` was given.
+/// Copies the values that were given in `other`.
 template <class Part>
 void overrule(Part& part, const Part& other, const Options<Part>& options) {
   for (const Option<Part>& one : options)
     if (one.overrule) one.overrule(part, other);
 }
 
-/// One field alone has this name.
+/// Sets a field, and removes earlier fields with this name.
 void set_field(TitleBlockFields& fields, const std::string& name, const LocatedText& text);
 
 }  // namespace epura::scene

@@ -25,7 +25,7 @@ Vec3 spoke_to(const RoundFeature& hole, const RoundFeature& hub) {
   return d - glm::dot(d, hub.axis) * hub.axis;
 }
 
-/// Equal holes with parallel axes, by the places of their features.
+/// Equal holes with parallel axes, as indices of their features.
 using Pattern = std::vector<int>;
 
 std::vector<Pattern> patterns_of(std::span<const RoundFeature> features, std::span<const HoleSize> sizes) {
@@ -49,8 +49,8 @@ std::vector<Pattern> patterns_of(std::span<const RoundFeature> features, std::sp
   return patterns;
 }
 
-// Corners of a rectangle lie two by two on opposite sides of its middle; of a square they lie square to each other,
-// too.
+// Whether the spokes lead to the corners of a rectangle that is not square: they form opposite pairs, but are not
+// perpendicular to each other.
 bool is_oblong(const std::vector<Vec3>& spokes) {
   if (spokes.size() != 4) return false;
   const double radius = glm::length(spokes[0]);
@@ -63,7 +63,7 @@ bool is_oblong(const std::vector<Vec3>& spokes) {
   return opposite == 1 && glm::length(sum) <= 8 * same_length * radius && square < 2;
 }
 
-// The circles about one hub that holes of a pattern lie on.
+// Adds the circles about one hub on which holes of a pattern lie.
 void add_circles(std::vector<PitchCircle>& circles, std::span<const RoundFeature> features, const Pattern& pattern,
                  const RoundFeature& hub) {
   std::vector<std::pair<double, int>> by_distance;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holes on a circle around a round feature.
+// Finds holes on a circle around a round feature.
 #pragma once
 
 #include <span>
@@ -9,15 +9,16 @@
 
 namespace epura::scene {
 
-/// What decides whether a round feature is one of several equal holes.
+/// The sizes by which equal holes are recognised.
 struct HoleSize {
-  int feature;                ///< its place among the round features
-  std::vector<double> radii;  ///< of its whole bores, ascending; none for shafts
+  int feature;                ///< index of the round feature
+  std::vector<double> radii;  ///< radii of its whole bores, ascending; none for shafts
 };
 
-/// Three or more equal holes in equal distance from the axis of another feature, all axes parallel. Corners of a
-/// rectangle that is not square lie on no pitch circle, although their distances from its middle are equal: they are
-/// dimensioned along its sides. A hole lies on one pitch circle at most, that with most holes. Throws OutOfTime.
+/// Finds three or more equal holes at equal distances from the axis of another feature, with all axes parallel. The
+/// corners of a rectangle that is not square form no pitch circle, although their distances from its centre are equal:
+/// such holes are dimensioned along the sides. A hole lies on at most one pitch circle, the one with the most holes.
+/// Throws OutOfTime.
 std::vector<PitchCircle> find_pitch_circles(std::span<const RoundFeature> features, std::span<const HoleSize> sizes,
                                             const Progress& progress);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The circles of the models of a world, in world coordinates.
+// Finds the circles of the models of a world, in world coordinates.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace epura::scene {
 
-/// Circles and arcs of a model in world coordinates, except those that unequal scales turn into ellipses.
+/// Returns circles and arcs of a model in world coordinates, except those that a non-uniform scale turns into ellipses.
 std::vector<mesh::MeshCircle> find_circles(const World& world, int model, double crease_angle = 30);
 
-/// Of these what drawings give centre lines: whole circles, and arcs of half a turn or more.
+/// Returns those with centre lines: whole circles, and arcs of half a turn or more.
 std::vector<mesh::MeshCircle> find_round_rims(const World& world, int model, double crease_angle = 30);
 
 }  // namespace epura::scene

@@ -30,7 +30,7 @@ std::vector<int> faces_of_triangles(const Placed& placed) {
     face_of_polygon[polygon] = placed.part->face_of_triangle[t];
   }
   std::vector<int> faces;
-  // What the cut made is on no face, and follows the polygons of the file.
+  // Polygons created by the cut belong to no face, and follow those of the file.
   for (const int polygon : mesh.polygon)
     faces.push_back(polygon < static_cast<int>(face_of_polygon.size()) ? face_of_polygon[polygon] : -1);
   return faces;

@@ -12,16 +12,16 @@ namespace epura::scene {
 using features::similarity_scale;
 
 struct PlacedPart {
-  std::vector<features::PartFace> faces;  ///< lengths and places of the world
-  std::vector<int> face_of_triangle;      ///< of the model's triangles in the world; -1 where nothing was recognised
-  double tolerance;                       ///< as in PartFaces, a length of the world
+  std::vector<features::PartFace> faces;  ///< lengths and positions in the world
+  std::vector<int> face_of_triangle;      ///< face of each of the model's triangles in the world; -1: none
+  double tolerance;                       ///< as in PartFaces, in units of the world
 };
 
-/// Nothing where no faces are recognised, or a transform with unequal scales has made other surfaces of them. Of a
-/// model that was cut the triangles are what is left, the faces are those of the whole.
+/// Returns nothing if no faces are recognised, or if a non-uniform scale changes the kind of their surfaces. For a cut
+/// model, the triangles are those of the remainder, the faces those of the uncut part.
 std::optional<PlacedPart> place_part(const Placed& placed);
 
-/// By triangle of a model, which may have been cut: faces of its part, -1 where there is none.
+/// Returns for each triangle of a model, which may be cut, its face of the part; -1 if it has none.
 std::vector<int> faces_of_triangles(const Placed& placed);
 
 inline bool is_round(features::SurfaceKind kind) {

@@ -17,7 +17,7 @@ using features::SurfaceKind;
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Directions around an axis.
+/// Two directions perpendicular to an axis.
 struct Around {
   Vec3 u, v;
 
@@ -26,7 +26,7 @@ struct Around {
         v(glm::cross(axis, u)) {}
 };
 
-/// Of points around an axis: the angle that they take, and the direction of its middle.
+/// The angle that points around an axis span, and the direction of its middle.
 struct Sweep {
   double degrees = 0;
   Vec3 middle{0};
@@ -52,7 +52,7 @@ Sweep sweep_of(const features::PartSurface& surface, const std::vector<Vec3>& po
   return {360 - gap / degree, portable_cos(middle) * around.u + portable_sin(middle) * around.v};
 }
 
-/// The part of a face in the world.
+/// The remainder of a face in the world.
 struct Remains {
   std::vector<int> vertices;
   int triangles = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Round faces of a part, as far as they are in the world.
+// Finds the round faces of a part, limited to what remains of them in the world.
 #pragma once
 
 #include <vector>
@@ -10,23 +10,23 @@ namespace epura::scene {
 
 /// A cylinder, cone, sphere or torus. Heights are along its axis from its origin.
 struct RoundFace {
-  int number;  ///< of the face of the part
+  int number;  ///< number of the face in the part
   features::PartFace face;
-  std::vector<int> vertices;  ///< of the world, ascending: of what a cut has left
-  double from, to;            ///< heights of its ends, likewise; none of a sphere
-  double reach;               ///< of its vertices, farthest from the axis
-  double sweep_left;          ///< degrees: what a cut has left of `face.sweep`
-  Vec3 middle{0};             ///< of an arc: the direction from the axis to its middle, in the whole
-  bool cut = false;           ///< a plane has laid it open
+  std::vector<int> vertices;  ///< vertices of the remainder in the world, ascending
+  double from, to;            ///< heights of the ends of the remainder; unused for a sphere
+  double reach;               ///< greatest distance of its vertices from the axis
+  double sweep_left;          ///< remainder of `face.sweep` after a cut, degrees
+  Vec3 middle{0};             ///< for an arc: direction from the axis to its middle
+  bool cut = false;           ///< a plane cuts it
 
   [[nodiscard]] Vec3 at(double height) const { return face.surface.origin + height * face.surface.axis; }
   [[nodiscard]] double radius_at(double height) const;
   [[nodiscard]] bool is_whole() const { return face.sweep >= 359; }
-  /// Whether the axis is still meaningful: half of the face is left.
+  /// Whether the axis is still meaningful: at least half of the face remains.
   [[nodiscard]] bool has_its_axis() const { return sweep_left >= face.sweep / 2 - 1; }
 };
 
-/// Of one model, in order of their numbers, without those that a cut has removed.
+/// Returns the round faces of one model in order of their numbers, without those that a cut removes.
 std::vector<RoundFace> find_round_faces(const World& world, int model, const PlacedPart& part);
 
 }  // namespace epura::scene

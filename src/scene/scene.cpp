@@ -25,8 +25,8 @@ double size_of(const Box& box) {
   return std::max({largest_component(box.size()), largest_component(box.min), largest_component(box.max)});
 }
 
-// Of a placed model, in world lengths: of 32-bit floats by their size in the world or, where that is larger, in the
-// file; of decimals by the last place of both of two vertices that should be equal.
+// The rounding of a placed model, in units of the world. For 32-bit floats it is relative to the model's size in the
+// world or, if larger, in the file; for decimals it is the last place of each of two vertices that should be equal.
 double rounding_of(const Placed& model, const Box& box, const Box& in_file) {
   const Mat3 turn(model.to_world);
   const double stretch = std::max({glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2])});
@@ -48,7 +48,7 @@ Vec3 place(const Mat4& to_world, const Vec3& point) {
   return to_world == Mat4(1.0) ? point : Vec3(to_world * Vec4(point, 1.0));
 }
 
-// By vertex, 1 where a triangle uses it, or a wire.
+// By vertex: 1 if a triangle uses it, or a wire if these count.
 std::vector<char> used_vertices(const mesh::Mesh& mesh, bool by_wires) {
   std::vector<char> used(mesh.points.size(), 0);
   for (const int vertex : mesh.corners) used[vertex] = 1;
@@ -58,7 +58,7 @@ std::vector<char> used_vertices(const mesh::Mesh& mesh, bool by_wires) {
   return used;
 }
 
-// The places in the world of the vertices that are used; false when one leaves the range of doubles.
+// Computes world positions of used vertices; false if one exceeds the range of doubles.
 bool place_vertices(const Placed& model, const std::vector<char>& used, std::span<Vec3> points) {
   std::atomic<bool> all_finite = true;
   parallel_for(points.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -70,7 +70,7 @@ bool place_vertices(const Placed& model, const std::vector<char>& used, std::spa
   return all_finite;
 }
 
-// Of the vertices that are used, where `place(v)` has them.
+// The box of the used vertices at their positions `place(v)`.
 template <class Place>
 Box box_of(const std::vector<char>& used, const Place& place) {
   Box box;

@@ -16,30 +16,30 @@ namespace epura::scene {
 
 /// A model and its position.
 struct Placed {
-  std::shared_ptr<const mesh::Mesh> mesh;  ///< by worlds that are cut from one another
+  std::shared_ptr<const mesh::Mesh> mesh;  ///< shared by worlds cut from each other
   Mat4 to_world{1.0};
-  std::shared_ptr<const features::PartFaces> part{};  ///< of the mesh before it was cut; null where none is recognised
+  std::shared_ptr<const features::PartFaces> part{};  ///< of the uncut mesh; null if no faces are recognised
   std::vector<StyleDescription> styles{};             ///< by body of the mesh; empty if none matches a body
 };
 
-/// All models in one numbering: vertex v of model m is number first_vertex[m] + v, triangles likewise.
+/// All models with common numbering: vertex v of model m has the number first_vertex[m] + v; likewise for triangles.
 struct World {
   std::vector<Placed> models;
-  UnsetVector<Vec3> points;  ///< world coordinates; the origin for vertices that no triangle and no wire uses
+  UnsetVector<Vec3> points;  ///< in the world; the origin for vertices that no triangle or wire uses
   UnsetVector<std::array<int, 3>> triangles;
-  std::vector<std::array<int, 2>> wires;  ///< edges that no triangle has, lower vertex first, in order of their models
-  std::vector<int> first_vertex, first_triangle;  ///< one more than there are models
-  Box box;                                        ///< of all vertices that triangles or wires use
-  double rounding = 0;   ///< largest shift of vertices by rounding in the files; 0: coordinates are exact
-  Vec3 one_rounding{0};  ///< the same by a single rounding of each coordinate, along the axes of the world
+  std::vector<std::array<int, 2>> wires;          ///< edges without triangles, lower vertex first, in order of models
+  std::vector<int> first_vertex, first_triangle;  ///< one element more than there are models
+  Box box;                                        ///< box of all vertices that triangles or wires use
+  double rounding = 0;   ///< largest displacement of vertices by rounding in the files; 0: coordinates are exact
+  Vec3 one_rounding{0};  ///< the same for a single rounding of each coordinate, along the axes of the world
 
   [[nodiscard]] int model_of_triangle(int triangle) const;
 };
 
-/// Adds those of a model whose vertices are counted from `first_vertex` on.
+/// Adds the wires of a model whose vertices are numbered from `first_vertex`.
 void append_wires(World& world, const mesh::Mesh& mesh, int first_vertex);
 
-/// Throws Error{input} when a transform throws a model out of the range of doubles. Without
+/// Throws Error{input} if a transform moves a model out of the range of doubles. Without
 /// wires, those of models with faces do not widen the box, though their vertices have positions.
 World make_world(std::vector<Placed> models, bool with_wires = true);
 

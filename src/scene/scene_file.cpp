@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 using Names = std::set<std::string>;
 
-/// The numbers of the models that dimensions may call by a name.
+/// The numbers of the models with each name to which dimensions may refer.
 using ModelNumbers = std::map<std::string, std::vector<int>>;
 
 ModelNumbers numbers_of(const std::vector<ModelDescription>& models) {
@@ -37,7 +37,7 @@ ModelNumbers numbers_of(const std::vector<ModelDescription>& models) {
   return numbers;
 }
 
-/// The names that parts were given. Throws Error{input} for the second of two with one name.
+/// Returns the names of parts. Throws Error{input} for the second of two parts with one name.
 template <class Part>
 Names names_of(const std::vector<Part>& parts, const std::string& what) {
   Names names;
@@ -64,7 +64,7 @@ void check_views(const SceneDescription& scene, const Names& sections) {
   }
 }
 
-/// Keys of the anchors that a dimension has, in the order of DimensionDescription::anchors.
+/// Keys of the anchors of a dimension, in the order of DimensionDescription::anchors.
 const std::vector<std::string>& anchor_keys(DimensionType type) {
   // In order of DimensionType.
   static const std::array<std::vector<std::string>, 6> keys = {
@@ -72,7 +72,7 @@ const std::vector<std::string>& anchor_keys(DimensionType type) {
   return keys[static_cast<std::size_t>(type)];
 }
 
-// The number of the model that an anchor names.
+// Returns the number of an anchor's model.
 int model_of(const AnchorWords& anchor, const ModelNumbers& models, int count) {
   if (const int* number = std::get_if<int>(&anchor.model)) {
     if (*number < count) return *number;
@@ -91,7 +91,7 @@ int model_of(const AnchorWords& anchor, const ModelNumbers& models, int count) {
   return found->second.front();
 }
 
-/// What dimensions refer to.
+/// The models and views to which dimensions refer.
 struct Subjects {
   const std::vector<ModelDescription>& models;
   ModelNumbers numbers;
@@ -127,7 +127,7 @@ DimensionDescription dimension_of(const DimensionWords& words, const Subjects& s
   return dimension;
 }
 
-// A file's path, as seen from the folder of the scene file.
+// Resolves paths of models relative to the folder of the scene file.
 void find_files(std::vector<ModelDescription>& models, const fs::path& folder) {
   for (ModelDescription& model : models) model.file.value = (folder / *model.file).string();
 }

@@ -23,7 +23,7 @@ Option<Part> table_option(const std::string& key, const std::string& help,
   return {{.key = key, .form = {table_kind}, .help = help}, std::move(read)};
 }
 
-// A key of the whole file is often written where it belongs to the last section.
+// A key of the whole file is often written in the last section by mistake.
 std::string hint_for(const std::string& key, const std::vector<std::string>& known) {
   return key == "views" ? "it belongs above the first section" : did_you_mean(key, known);
 }
@@ -58,7 +58,7 @@ void read_free_fields(TitleBlockFields& fields, const TomlValue& table) {
     names.insert(entry.key);
     read.emplace_back(entry.key, LocatedText{field_text().read(entry), entry.where});
   }
-  // As set_field would do, all at once: a table names no key twice.
+  // Has the effect of set_field for all fields at once: a table has no duplicate keys.
   std::erase_if(fields, [&names](const auto& field) { return names.contains(field.first); });
   fields.insert(fields.end(), read.begin(), read.end());
 }
@@ -82,7 +82,7 @@ Options<SheetDescription> sheet_keys() {
   return keys;
 }
 
-// What a part is before its keys are read.
+// Initialises a part before its keys are read.
 void prepare(const SceneWords&, const TomlValue&, auto&) {}
 void prepare(const SceneWords&, const TomlValue& table, DimensionWords& words) {
   words.description.where = table.where;
@@ -92,7 +92,7 @@ void prepare(const SceneWords& words, const TomlValue& table, SheetDescription& 
   sheet.where = table.where;
 }
 
-/// A key of several tables, or a single one: each is a part in the list that `parts` finds.
+/// A key for several tables, or a single one. Each table is appended as a part to the list that `parts` returns.
 template <class Part, class Parts>
 Option<SceneWords> parts_key(const std::string& name, const Options<Part>& keys, Parts parts) {
   const auto read = [name, keys, parts](SceneWords& words, const TomlValue& value) {
@@ -125,7 +125,7 @@ void read_title_block(SceneWords& words, const TomlValue& value) {
   read_entries(words.every_sheet.title_block, value, title_block_keys(), "[title_block]");
 }
 
-// In the order of reading: shared values of all sheets precede the sheets.
+// In reading order: values shared by all sheets precede the sheets.
 Options<SceneWords> scene_keys() {
   return {
       {{.key = "views", .form = {"list of texts"}, .help = "projections; short for a `[[view]]` for each"},

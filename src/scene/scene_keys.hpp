@@ -18,10 +18,10 @@ struct SceneWords {
   SheetDescription every_sheet;
 };
 
-/// Throws Error{input} for unknown keys, missing keys and values that are not what the key takes.
+/// Throws Error{input} for unknown keys, missing keys and invalid values.
 SceneWords read_scene_words(const TomlValue& file);
 
-/// A table in Markdown with the keys of all sections: section, key, value, default, meaning.
+/// Returns a table in Markdown with the keys of all sections: section, key, value, default, meaning.
 std::string describe_scene_keys();
 
 }  // namespace epura::scene

@@ -26,12 +26,12 @@ std::string kind_name() {
 
 [[noreturn]] void refuse_kind(const TomlValue& value, const std::string& wanted) {
   const std::string found(kinds[value.content.index()]);
-  const bool loose =  // a word that lacks its quotes
+  const bool loose =  // a word without quotes
       wanted == kind_name<std::string>() && value.content.index() < TomlContent(TomlList()).index();
   refuse(value, "is " + found + ", " + wanted + " is wanted", loose ? "put it in quotes" : "");
 }
 
-// The text on the command line, if the value comes from there.
+// Returns the text if the value comes from the command line, otherwise null.
 const std::string* option_text(const TomlValue& value) {
   return value.is_option ? std::get_if<std::string>(&value.content) : nullptr;
 }
@@ -104,7 +104,7 @@ Vec3 read_direction(const TomlValue& value) {
   return vector;
 }
 
-// A value of a projection's parameter, as on the command line.
+// Returns the value of a projection's parameter as it is written on the command line.
 std::string read_parameter(const TomlValue& value) {
   if (const auto* flag = std::get_if<bool>(&value.content)) return *flag ? "true" : "false";
   if (std::holds_alternative<std::string>(value.content)) return read_text(value);
@@ -115,7 +115,7 @@ std::string read_parameter(const TomlValue& value) {
   return text;
 }
 
-// What `parse` makes of a text. Where it names the text, an error in a scene file names the place there first.
+// Parses a text. Errors of `parse` may name only the text; for a scene file, the location in the file is added.
 template <class Parse>
 auto parsed(const TomlValue& value, const Parse& parse) {
   const std::string text = read_text(value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kinds of values in scene files: their names for the documentation, and how they are read.
+// Kinds of values in scene files: their names for the documentation, and their readers.
 #pragma once
 
 #include <functional>
@@ -17,18 +17,18 @@ namespace epura::scene {
 /// Throws Error{input} at the value: "scene.toml:12:9: 'at' " + reason.
 [[noreturn]] void refuse(const TomlValue& value, const std::string& reason, const std::string& hint = {});
 
-/// Source of words for shell completion, in addition to those listed in a form.
+/// The source of words for shell completion, in addition to those listed in a form.
 enum class Completion { words, files, folders, projection, projections };
 
 /// The form of a value, for help, documentation and completion.
 struct ValueForm {
   std::string name{};                ///< in documentation: "text", "0 to 180, degrees"
   std::string placeholder{};         ///< on the command line: "DEG"; empty: a switch, which takes no value
-  std::vector<std::string> words{};  ///< that it may be
-  bool is_closed = false;            ///< it may be no other
-  bool is_list = false;              ///< of words, with commas
+  std::vector<std::string> words{};  ///< permitted or suggested values
+  bool is_closed = false;            ///< no other values are permitted
+  bool is_list = false;              ///< of words, separated by commas
   Completion completion = Completion::words;
-  std::string implied{};  ///< value of the option alone: --arcs; another one follows "="
+  std::string implied{};  ///< value of the option without "=": --arcs
 };
 
 /// A kind of values. `read` throws Error{input} for values of other kinds.
@@ -42,7 +42,7 @@ struct ValueKind {
     kind.form.placeholder = placeholder;
     return kind;
   }
-  /// With words that it often is.
+  /// Adds words for frequent values.
   [[nodiscard]] ValueKind such_as(std::vector<std::string> words) const {
     ValueKind kind = *this;
     kind.form.words = std::move(words);
@@ -55,10 +55,9 @@ struct ValueKind {
   }
 };
 
-/// An option on the command line.
 TomlValue value_of_option(const std::string& flag, const std::string& text);
 
-/// An anchor of a dimension whose model is not looked up yet.
+/// An anchor of a dimension with an unresolved model.
 struct AnchorWords {
   std::string where;
   std::variant<int, std::string> model;  ///< number or name
@@ -66,7 +65,7 @@ struct AnchorWords {
   std::optional<Vec3> point;  ///< instead of a vertex
 };
 
-// Texts have one line without control characters, and are not empty where nothing else is said.
+// Texts are single lines without control characters, and not empty unless stated.
 ValueKind<std::string> any_text();
 ValueKind<std::string> field_text();                ///< may be empty, or a date: 2026-11-21
 ValueKind<ProjectionRequest> projection_request();  ///< from a text, or a table {name = NAME, key = value}
@@ -85,7 +84,7 @@ ValueKind<PaperChoice> paper_choice();
 ValueKind<EdgeKinds> edge_kinds();
 ValueKind<AnchorWords> anchor();  ///< [model, vertex] or {point = [x, y, z]}
 
-/// One of the words of an enum.
+/// Returns the index of one of the words.
 std::size_t read_word(const TomlValue& value, const std::vector<std::string>& words);
 std::string words_as_text(const std::vector<std::string>& words);
 template <class Enum>
@@ -95,17 +94,17 @@ ValueKind<Enum> choice() {
   return {std::move(form), [words](const TomlValue& value) { return static_cast<Enum>(read_word(value, words)); }};
 }
 
-/// The text itself.
+/// Returns a text, which must not be empty.
 std::string read_text(const TomlValue& value);
 
-/// The words of a list, which on the command line and in a text have commas between them; blanks around them do not
-/// count.
+/// Returns the words of a list. On the command line and in a text they are separated by commas; surrounding blanks are
+/// ignored.
 std::vector<LocatedText> each_word(const TomlValue& value);
 
-/// A table with entries of any name.
+/// Returns a table with entries of any name.
 const TomlTable& table_of(const TomlValue& value);
 
-/// Several tables, or a single one.
+/// Returns several tables, or a single one.
 std::vector<const TomlValue*> tables_of(const TomlValue& value);
 
 }  // namespace epura::scene

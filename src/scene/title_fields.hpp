@@ -12,7 +12,7 @@ struct TitleField {
   std::string help;
 };
 
-/// The table from which options, keys of scene files and the documentation are made.
+/// The table from which options, keys of scene files and the documentation are generated.
 const std::vector<TitleField>& title_fields();
 
 }  // namespace epura::scene

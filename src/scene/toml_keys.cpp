@@ -7,7 +7,8 @@ namespace epura::scene {
 
 namespace {
 
-// Behind the string that begins at `at`. What is left open ends with the line, and is an error to the library.
+// Returns the position after the string that begins at `at`. An unterminated string ends at the end of its line; the
+// TOML library reports it as an error.
 std::size_t end_of_string(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const std::string_view rest = text.substr(at);

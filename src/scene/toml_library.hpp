@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// toml++ as toml_tree.cpp needs it; included only there, since it takes seconds to compile.
+// toml++ configured for toml_tree.cpp; included only there, since it takes seconds to compile.
 //
 // Works around two bugs of version 3.3, both found by fuzzing and triggered by a bare key with an umlaut:
 // - An assertion fails on "[+", which the code below it reports correctly. Assertions must neither abort nor, with

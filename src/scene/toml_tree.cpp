@@ -82,15 +82,15 @@ class Reader {
   std::string file_;
 };
 
-// toml++ counts how deep values are nested, but not dotted keys; it would exhaust the stack.
+// toml++ limits the nesting of values, but not of dotted keys, which would exhaust the stack.
 void refuse_deep_keys(std::string_view text, const std::string& file) {
   if (const auto line = line_of_deep_key(text, most_dots))
     throw Error(ErrorKind::input, file + ":" + std::to_string(*line), "has more than 100 dots in a key",
                 "dots in a key nest tables; write a shorter key");
 }
 
-// Of "Error while parsing string: ...", without what only the library's users can change and without the line breaks
-// of the file.
+// Turns "Error while parsing string: ..." into a sentence, without hints for users of the library and without line
+// breaks of the file.
 std::string sentence_of(const toml::parse_error& error) {
   constexpr std::string_view head = "Error ";
   std::string_view text = error.description();

@@ -27,23 +27,23 @@ struct TomlTable {
   std::vector<TomlValue> values;  ///< in the order of the file
 };
 
-/// Whole numbers are numbers, too: those above 2^53 are rounded.
+/// Integers are stored as doubles: those above 2^53 are rounded.
 using TomlContent = std::variant<std::string, double, bool, TomlDate, TomlTime, TomlList, TomlTable>;
 
 struct TomlValue {
-  std::string key;        ///< its key; for an element, that of its list
+  std::string key;        ///< key of the value; for an element, key of its list
   std::string where;      ///< "scene.toml:12:9": file as given, line and column in characters, both from 1
-  std::string key_where;  ///< the same of the key
+  std::string key_where;  ///< the same for the key
   TomlContent content;
-  bool is_option = false;  ///< a text of the command line, where numbers and lists are texts, too; `where` is its name
+  bool is_option = false;  ///< from the command line: always text, also for numbers and lists; `where` is its name
 };
 
-/// Whether it is a line break, a tab, an escape or another control character of ASCII.
+/// Whether a character is a line break, a tab, an escape or another ASCII control character.
 bool is_control(char c);
 
-/// The table that a file is. No key in it is empty or has control characters. Throws Error{input} for what cannot be
-/// read and is no TOML, with line and column, and for files that no person writes: larger than 2 MB, or nested deeper
-/// than the reader can follow.
+/// Returns the root table of a file. No key in it is empty or has control characters. Throws Error{input} for files
+/// that cannot be read or are not TOML, with line and column, and for files that no person writes: larger than 2 MB, or
+/// nested deeper than the reader can follow.
 TomlValue read_toml(const std::filesystem::path& path);
 
 }  // namespace epura::scene

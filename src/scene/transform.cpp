@@ -21,7 +21,7 @@ namespace {
               "steps: translate:X,Y,Z  rotate:x|y|z,DEGREES  scale:S or scale:X,Y,Z  matrix:16 numbers");
 }
 
-// Quarter turns are exact, without a negative zero, so that a turned box stays a box.
+// Quarter turns are exact, without a negative zero, so that a rotated box remains a box.
 Mat4 rotation(const Vec3& axis, double degrees) {
   const double turned = std::remainder(degrees, 360.0), radians = turned * std::numbers::pi / 180;
   const bool quarters = std::remainder(turned, 90.0) == 0;

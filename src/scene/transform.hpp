@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transforms of a model as text: steps from left to right.
+// Parses transforms of a model.
 #pragma once
 
 #include <string_view>
@@ -13,7 +13,7 @@ namespace epura::scene {
 /// Throws Error{input} naming the step.
 Mat4 parse_transform(std::string_view text);
 
-/// Turns a model whose y axis points up (z towards the viewer) so that z points up.
+/// Returns the rotation of a model whose y axis points up (z towards the viewer) after which z points up.
 Mat4 y_up_to_z_up();
 
 }  // namespace epura::scene

@@ -20,14 +20,14 @@ using features::SurfaceKind;
 
 constexpr double whole_turn = 359;    // degrees
 constexpr double parallel = 1e-9;     // sine
-constexpr double across = 1e-4;       // cosine: a diameter lies across its axis
-constexpr double same = 1e-6;         // of the size of the world
-constexpr double most_sagittas = 16;  // of a face's mean one: the highest facets
+constexpr double across = 1e-4;       // cosine; a diameter is perpendicular to its axis
+constexpr double same = 1e-6;         // as a fraction of the world's size
+constexpr double most_sagittas = 16;  // height of the highest facets, as a multiple of a face's mean sagitta
 
 using Triangle = std::array<Vec3, 3>;
 
-/// A surface as a direction sees it. Points are (x, h, s): outwards along the half-plane through the axis that leads
-/// farthest in that direction, along the axis, and square to the half-plane.
+/// A surface and a direction. The half-plane through the axis that extends farthest in that direction has coordinates
+/// (x, h, s): outwards in it, along the axis, and perpendicular to it.
 class Outward {
  public:
   Outward(const PartFace& face, const Vec3& direction) : face_(face), direction_(direction) {
@@ -44,7 +44,7 @@ class Outward {
     base_ = glm::dot(face.surface.origin, direction);
   }
 
-  /// How far the surface reaches above a triangle; nothing where it has its farthest point elsewhere.
+  /// The greatest extent of the surface above a triangle; nothing if the surface has its farthest point elsewhere.
   [[nodiscard]] std::optional<double> reach_over(const Triangle& triangle) const {
     const SurfaceKind kind = face_.surface.kind;
     if (kind == SurfaceKind::cylinder || kind == SurfaceKind::cone) return along_axis_ ? std::nullopt : ridge(triangle);
@@ -57,7 +57,7 @@ class Outward {
     int count = 0;
   };
 
-  // Where the half-plane meets the sides of a triangle, as (x, h).
+  // The points at which the half-plane meets the sides of a triangle, as (x, h).
   [[nodiscard]] Cut cut(const Triangle& triangle) const {
     Cut cut;
     std::array<Vec3, 3> q;
@@ -74,7 +74,7 @@ class Outward {
     return cut;
   }
 
-  // No farther from the facets than these lie from their surface.
+  // Whether the surface is no farther from a facet than facets deviate from their surface.
   [[nodiscard]] bool is_above(double rise) const {
     return std::abs(rise) <= most_sagittas * face_.sagitta + face_.residual;
   }
@@ -93,7 +93,7 @@ class Outward {
     return reach;
   }
 
-  // The circle in which the half-plane meets a sphere or the tube of a torus.
+  // The extent of the circle in which the half-plane meets a sphere or the tube of a torus.
   [[nodiscard]] std::optional<double> meridian(const Triangle& triangle) const {
     const bool ball = face_.surface.kind == SurfaceKind::sphere;
     const double ring = ball ? 0 : face_.surface.radius, radius = ball ? face_.surface.radius : face_.surface.minor;
@@ -112,7 +112,7 @@ class Outward {
     return reach;
   }
 
-  // Along the axis of a torus it reaches farthest in a circle.
+  // Along its axis, a torus has its greatest extent in a circle.
   [[nodiscard]] std::optional<double> crown(const Triangle& triangle) const {
     if (face_.surface.kind != SurfaceKind::torus) return std::nullopt;
     double least = HUGE_VAL, most = -HUGE_VAL;
@@ -140,7 +140,7 @@ Triangle corners_of(const World& world, int triangle) {
   return {world.points[a], world.points[b], world.points[c]};
 }
 
-// Where facets are farthest from the surface through their corners.
+// The height of the surface above a facet, sampled where facets are farthest from the surface through their corners.
 double height_over(const PartSurface& surface, const Triangle& p) {
   double height = 0;
   for (const Vec3& place : {0.5 * (p[0] + p[1]), 0.5 * (p[1] + p[2]), 0.5 * (p[2] + p[0]), (p[0] + p[1] + p[2]) / 3.0})
@@ -148,7 +148,7 @@ double height_over(const PartSurface& surface, const Triangle& p) {
   return height;
 }
 
-/// What reaches how far in one direction.
+/// The extent of a face in one direction.
 struct Reach {
   double value;
   const PartFace* face;  ///< null for vertices of other faces
@@ -174,7 +174,7 @@ class ExtentFinder {
   }
 
  private:
-  // Three backwards, three forwards.
+  // Ends 0 to 2 are backwards, 3 to 5 forwards.
   static Vec3 direction_of(int end) {
     Vec3 direction(0);
     direction[end % 3] = end < 3 ? -1 : 1;
@@ -230,7 +230,7 @@ class ExtentFinder {
       known->value = std::max(known->value, reach.value);
   }
 
-  // The size is a diameter where nothing but round faces about one axis reaches as far, on both sides alike.
+  // The size is a diameter if only round faces about one axis reach this far, equally on both sides.
   void set_form(Extent& extent, int axis) const {
     const double slack = same * size_;
     const PartFace* turned = nullptr;
@@ -270,7 +270,7 @@ class ExtentFinder {
 
   const World& world_;
   double size_;
-  std::vector<char> of_round_;  ///< by vertex: turned faces end there, so that it is not an end of others
+  std::vector<char> of_round_;  ///< by vertex: whether it is on a complete round face and so does not count itself
   std::vector<std::optional<PlacedPart>> parts_;
   std::array<double, 6> farthest_{};
   std::array<std::vector<Reach>, 6> reaches_;

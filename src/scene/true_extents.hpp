@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extents of the part along the axes of the world. The mesh has only vertices: a polygon around a circle is narrower
-// than the circle unless a corner lies at its extreme.
+// Computes extents of the part along the axes of the world. The vertices of the mesh do not suffice: a polygon around a
+// circle is narrower than the circle unless a corner lies at its extreme.
 #pragma once
 
 #include <array>
@@ -14,20 +14,20 @@ enum class ExtentForm : unsigned char { length, diameter, sphere };
 
 struct Extent {
   double from = 0, to = 0;
-  ExtentForm form = ExtentForm::length;  ///< what reaches farthest at both ends: anything, one shaft, one sphere
-  Vec3 centre{0}, axis{0};               ///< of the shaft; of the sphere without axis
+  ExtentForm form = ExtentForm::length;  ///< what determines both ends: anything, one shaft, one sphere
+  Vec3 centre{0}, axis{0};               ///< of the shaft; a sphere has no axis
 
   [[nodiscard]] double size() const { return to - from; }
   /// Whether both are the diameter of one shaft or sphere.
   [[nodiscard]] bool is_same_as(const Extent& other) const;
 };
 
-/// Along x, y and z. A point of a recognised cylinder, cone, sphere or torus counts where facets of its face lie below
-/// it; everywhere else vertices do.
+/// Returns the extents along x, y and z. Points of a recognised cylinder, cone, sphere or torus count if facets of its
+/// face lie below them; elsewhere vertices count.
 std::array<Extent, 3> true_extents(const World& world);
 
-/// The largest distance of facets from the surfaces that they represent, a length of the world; 0 where no round face
-/// is recognised. Throws OutOfTime.
+/// Returns the largest distance between facets and the surfaces that they represent, in units of the world; 0 if no
+/// round face is recognised. Throws OutOfTime.
 double tessellation_error(const World& world, const Progress& progress = {});
 
 }  // namespace epura::scene

@@ -10,10 +10,10 @@
 
 namespace epura::scene {
 
-/// Throws Error{input} for more than 1000 views, all of which `where` requests.
+/// Throws Error{input} with the location `where` for more than 1000 views.
 void expect_few_views(std::size_t views, const std::string& where);
 
-/// Gives the name of its projection to each view without a name; numbered where another view has it: "front-2". Throws
+/// Names each view without a name after its projection, with a number if the name is taken: "front-2". Throws
 /// Error{input} for more than 1000 views.
 void name_views(std::vector<ViewDescription>& views);
 

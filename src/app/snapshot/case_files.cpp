@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Both without links.
+/// Both paths must be free of symbolic links.
 bool is_within(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
@@ -75,7 +75,7 @@ std::vector<std::string> drawing_options(const std::string& text, const std::str
   draw.get_option("models")->required(false);
   draw.set_help_flag();
   const std::vector<std::string> words = words_of(text);
-  std::vector<std::string> arguments(words.rbegin(), words.rend());  // CLI11 takes the last one first
+  std::vector<std::string> arguments(words.rbegin(), words.rend());  // CLI11 expects them in reverse order
   arguments.emplace_back("draw");
   try {
     program.parse(std::move(arguments));

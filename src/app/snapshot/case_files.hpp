@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Restrictions on the content and location of a case's files, since the folder may be untrusted.
+// Restricts the content and location of a case's files, since the folder may be untrusted.
 #pragma once
 
 #include <string>
@@ -9,15 +9,16 @@
 
 namespace epura {
 
-/// Everything that is read for a case, and what is expected of it. Throws Error{input} for a scene that is none.
+/// Returns all files that are read for a case, including its expected drawings. Throws Error{input} for an invalid
+/// scene.
 std::vector<std::filesystem::path> files_of(const SnapshotCase& one);
 
-/// Throws Error{input} where a link in the folder that was named leads out of it on the way to one of the files, and
-/// for devices and pipes. A path that a scene file names may lead anywhere: it can be seen there.
+/// Throws Error{input} if a symbolic link on the way to one of the files leads out of the given folder, and for devices
+/// and pipes. A path in a scene file may lead anywhere, since it is visible there.
 void refuse_links_outside(const SnapshotCase& one);
 
-/// The words in the text of `options`. Throws Error{input} naming `file` where one is not an option of `epura draw`, or
-/// is one that reads, writes, loads or runs something.
+/// Returns the words in the text of `options`. Throws Error{input} with `file` as the location for a word that is not
+/// an option of `epura draw`, or is an option that reads, writes, loads or runs something.
 std::vector<std::string> drawing_options(const std::string& text, const std::string& file);
 
 }  // namespace epura

@@ -26,7 +26,7 @@ std::vector<fs::path> expectations(const fs::path& folder) {
   return files;
 }
 
-// Whether it was drawn.
+// Returns whether the case was drawn.
 bool draw(const SnapshotCase& one, SnapshotResult& result) {
   refuse_links_outside(one);
   std::vector<std::string> arguments{"draw", (one.folder / "scene.toml").string()};
@@ -57,7 +57,7 @@ void compare_with_expectation(SnapshotResult& result, double tolerance, bool wit
     result.pictures = compare::add_pictures({result.name, false, result.words}, expected, actual, comparison);
 }
 
-// Others than regular files may have no end, or wait for one who never comes.
+// Other files may be endless, or block.
 void refuse_irregular_files(const fs::path& folder) {
   constexpr std::uintmax_t most_option_bytes = 1'000'000;
   for (const char* name : {"options", "expected.json", "expected.svg", "expected.pdf"})

@@ -10,32 +10,32 @@
 
 namespace epura {
 
-/// A folder with scene.toml, perhaps `options` (words for `epura draw`, with blanks between them), and expected.json,
-/// expected.svg or expected.pdf, or several of them.
+/// A folder with scene.toml, optionally `options` (words for `epura draw`, separated by blanks), and one or more of
+/// expected.json, expected.svg and expected.pdf.
 struct SnapshotCase {
   std::string name;
   std::filesystem::path folder;
-  std::filesystem::path root;  ///< the folder that was named, without links: no link in it may lead out of it
+  std::filesystem::path root;  ///< the given folder, without symbolic links: no link inside may lead out of it
 };
 
-/// The folders themselves, where they are cases, and all cases below them, sorted by path. A case below is named by its
-/// path from there. Throws Error{input} for a folder without any.
+/// Returns those of the folders that are cases, and all cases below them, sorted by path. A case below a folder is
+/// named by its path relative to it. Throws Error{input} for a folder without cases.
 std::vector<SnapshotCase> find_cases(const std::vector<std::string>& folders);
 
 enum class SnapshotVerdict { as_expected, different, new_case, failed };
 
-/// A drawing that was made for a case, and the file that it should be like.
+/// A drawing made for a case, and the file with which it is compared.
 struct SnapshotResult {
   std::string name;  ///< "cube-isometric/expected.json"
   std::filesystem::path expected;
   SnapshotVerdict verdict = SnapshotVerdict::failed;
-  std::string words;     ///< what differs, or why nothing was drawn
+  std::string words;     ///< differences, or the reason why nothing was drawn
   std::string actual{};  ///< bytes of the drawing
   compare::ReportedCase pictures{};
 };
 
-/// Draws the case and compares each expectation; a case without any is drawn for expected.svg. `pictures` are made
-/// where `with_pictures` and something differs.
+/// Draws the case and compares it with each expected drawing; a case without any is drawn for expected.svg. If
+/// `with_pictures`, `pictures` are made for differences.
 std::vector<SnapshotResult> run_case(const SnapshotCase& one, double tolerance, bool with_pictures);
 
 }  // namespace epura

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results as JUnit XML for CI servers.
+// Formats results as JUnit XML for CI servers.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace epura {
 
-/// JUnit XML as Jenkins and GitLab take it: a case that differs is a <failure>, one that could not be drawn an <error>.
-/// No times: the same results give the same bytes.
+/// Returns JUnit XML for Jenkins and GitLab: a case that differs is a <failure>, one that could not be drawn is an
+/// <error>. Times are omitted, so that equal results give equal bytes.
 std::string junit_report(const std::vector<SnapshotResult>& results);
 
 }  // namespace epura

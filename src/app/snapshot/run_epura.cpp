@@ -20,7 +20,7 @@ namespace {
   throw Error(ErrorKind::output, "epura", what, "there may be too little memory or too many processes");
 }
 
-// A file without a name: nothing is left behind, however the run ends.
+// A file without a name, so that nothing is left behind, however the run ends.
 class Capture {
  public:
   Capture() : file_(::memfd_create("epura", MFD_CLOEXEC)) {

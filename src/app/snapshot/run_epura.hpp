@@ -8,11 +8,11 @@
 namespace epura {
 
 struct ProgramRun {
-  int code = 0;  ///< exit code; 128 + number when a signal ended it
+  int code = 0;  ///< exit code; 128 + number if a signal ended it
   std::string out{}, err{};
 };
 
-/// Waits for the end. Throws Error{output} when no process can be made.
+/// Waits for the process to end. Throws Error{output} if it cannot be started.
 ProgramRun run_epura(const std::vector<std::string>& arguments);
 
 }  // namespace epura

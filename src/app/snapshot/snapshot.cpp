@@ -33,7 +33,7 @@ std::vector<SnapshotResult> run_all(const std::vector<SnapshotCase>& cases, cons
   return results;
 }
 
-// The report has the rest.
+// The report contains the rest.
 std::string first_lines(const std::string& text) {
   constexpr std::size_t max = 10;
   const std::vector<std::string_view> lines = split(text, '\n');
@@ -74,7 +74,7 @@ std::vector<std::string> inputs_of(const std::vector<SnapshotCase>& cases) {
     try {
       for (const std::filesystem::path& file : files_of(one)) inputs.push_back(file.string());
     } catch (const Error&) {
-      inputs.push_back((one.folder / "scene.toml").string());  // if this is not a scene, the result will say so
+      inputs.push_back((one.folder / "scene.toml").string());  // if it is not a scene, the result says so
     }
   }
   return inputs;
