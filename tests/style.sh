@@ -58,7 +58,7 @@ complain "types of one name" "$(repeated_types "${files[@]}")"
 complain "headers without a guard" \
   "$(printf '%s\n' "${files[@]}" | grep -E '\.(hpp|h)$' | xargs -r grep -L -e '#pragma once' -e '#ifndef')"
 complain "paths of a machine" "$(grep -rInE '(^|[^A-Za-z0-9_.])/(home|work|root)/|\.\./shared' . \
-  --exclude-dir=.git --exclude-dir=build --exclude-dir=out)"
+  --exclude-dir=.git --exclude=.git --exclude-dir=build --exclude-dir=out)"
 if command -v clang-format-14 >/dev/null; then
   complain "not formatted (clang-format-14 -i)" "$(clang-format-14 --dry-run -Werror "${files[@]}" 2>&1 |
     grep error: | cut -d: -f1 | sort | uniq -c)"

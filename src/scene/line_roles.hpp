@@ -106,8 +106,8 @@ constexpr SheetLine line_of(LineRole role) {
       ->line;
 }
 
-/// Finds a row by the name of its style, or of its layer without the view; null if there is none. The names of layers of
-/// single bodies have more words, which do not count.
+/// Finds a row by the name of its style, or of its layer without the view; null if there is none. The names of layers
+/// of single bodies have more words, which do not count.
 constexpr const SheetLineRow* find_line(std::string_view name) {
   name = name.substr(0, name.find(' '));
   const auto is_it = [name](const SheetLineRow& row) { return row.name == name || row.layer == name; };
