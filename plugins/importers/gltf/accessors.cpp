@@ -93,20 +93,17 @@ Elements elements_in(const Model& model, int view, std::size_t offset, std::size
   return {count == 0 ? nullptr : bytes.data() + offset, stride};
 }
 
-const Accessor& accessor_at(const Model& model, int number, int type, const std::string& what) {
-  refuse_if(number < 0 || static_cast<std::size_t>(number) >= model.accessors.size(), what + " is not there");
-  const Accessor& accessor = model.accessors[static_cast<std::size_t>(number)];
-  refuse_if(accessor.type != type,
-            what + (type == TINYGLTF_TYPE_VEC3 ? " holds no points" : " holds no single numbers"));
+std::string name_of(int accessor) { return "accessor " + std::to_string(accessor); }
+
+const Accessor& uncompressed(const Model& model, int number, int type) {
+  const Accessor& accessor = accessor_at(model, number, type);
   std::size_t bytes = 0;
   for (const tinygltf::Buffer& buffer : model.buffers) bytes += buffer.data.size();
   // Accessors without data are filled with zeros, but no file needs that many.
-  refuse_if(accessor.count > bytes,
-            what + " claims to have " + std::to_string(accessor.count) + " elements, more than there are bytes");
+  refuse_if(accessor.count > bytes, name_of(number) + " claims to have " + std::to_string(accessor.count) +
+                                        " elements, more than there are bytes");
   return accessor;
 }
-
-std::string name_of(int accessor) { return "accessor " + std::to_string(accessor); }
 
 template <class Replace>
 void replace_sparse(const Model& model, const Accessor& accessor, std::size_t value_bytes, const std::string& what,
@@ -143,9 +140,24 @@ std::span<const unsigned char> bytes_of(const Model& model, int view) {
   return std::span(bytes).subspan(found.byteOffset, found.byteLength);
 }
 
+const Accessor& accessor_at(const Model& model, int number, int type) {
+  const std::string what = name_of(number);
+  refuse_if(number < 0 || static_cast<std::size_t>(number) >= model.accessors.size(), what + " is not there");
+  const Accessor& accessor = model.accessors[static_cast<std::size_t>(number)];
+  refuse_if(accessor.type != type,
+            what + (type == TINYGLTF_TYPE_VEC3 ? " holds no points" : " holds no single numbers"));
+  return accessor;
+}
+
+int position_of(const tinygltf::Primitive& primitive, const std::string& what) {
+  const auto position = primitive.attributes.find("POSITION");
+  refuse_if(position == primitive.attributes.end(), what + " has no positions");
+  return position->second;
+}
+
 std::vector<Point> positions(const Model& model, int number) {
   const std::string what = name_of(number);
-  const Accessor& accessor = accessor_at(model, number, TINYGLTF_TYPE_VEC3, what);
+  const Accessor& accessor = uncompressed(model, number, TINYGLTF_TYPE_VEC3);
   const Kind& kind = kind_of(coordinate_kinds, accessor.componentType, what + " has positions");
   const auto point_at = [&](const unsigned char* bytes) {
     Point point{};
@@ -169,7 +181,7 @@ std::vector<Point> positions(const Model& model, int number) {
 
 std::vector<std::uint32_t> indices(const Model& model, int number) {
   const std::string what = name_of(number);
-  const Accessor& accessor = accessor_at(model, number, TINYGLTF_TYPE_SCALAR, what);
+  const Accessor& accessor = uncompressed(model, number, TINYGLTF_TYPE_SCALAR);
   const IndexKind& kind = kind_of(index_kinds, accessor.componentType, what + " has indices");
   std::vector<std::uint32_t> found(accessor.count);
   if (accessor.bufferView >= 0) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "draco.hpp"
 #include "refuse.hpp"
 
 namespace epura::plugin::gltf {
@@ -20,6 +21,7 @@ constexpr std::string_view of_shape = "KHR_mesh_quantization";
 
 bool is_read(std::string_view extension) {
   const auto is_family = [&](std::string_view family) { return extension.substr(0, family.size()) == family; };
+  if (extension == draco_extension) return reads_draco();
   return extension == of_shape || std::any_of(of_looks.begin(), of_looks.end(), is_family);
 }
 
@@ -27,7 +29,9 @@ bool is_read(std::string_view extension) {
 
 void expect_extensions(const tinygltf::Model& model) {
   for (const std::string& extension : model.extensionsRequired)
-    refuse_if(!is_read(extension), "needs the extension " + shortened(extension) + ", which is not read");
+    refuse_if(!is_read(extension),
+              "needs the extension " + shortened(extension) + ", which is not read" +
+                  (extension == draco_extension ? ": this importer was built without libdraco-dev" : ""));
 }
 
 }  // namespace epura::plugin::gltf

@@ -11,8 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "draco.hpp"
 #include "extensions.hpp"
 #include "refuse.hpp"
+#include "set_aside.hpp"
 
 namespace epura::plugin::gltf {
 
@@ -21,16 +23,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view magic = "glTF";
-constexpr std::size_t header_bytes = 12;
+constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8;
 
 // tinygltf traverses values recursively.
 constexpr int deepest_json = 200;
+
+void expect_32_bits(std::uint64_t size) {
+  refuse_if(size > std::numeric_limits<std::uint32_t>::max(), "is larger than 4 GB, and glTF counts in 32 bits");
+}
 
 std::string whole_file(const fs::path& path) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   const std::streamoff size = file.tellg();
   if (!file || size < 0) throw std::runtime_error("cannot be opened");
-  refuse_if(size > std::numeric_limits<std::uint32_t>::max(), "is larger than 4 GB, and glTF counts in 32 bits");
+  expect_32_bits(static_cast<std::uint64_t>(size));
   std::string bytes(static_cast<std::size_t>(size), 0);
   file.seekg(0);
   file.read(bytes.data(), size);
@@ -71,10 +77,35 @@ void expect_shallow(std::string_view json) {
 
 // The JSON part of a GLB, or the whole of another file.
 std::string_view json_of(std::string_view bytes, bool is_binary) {
-  constexpr std::size_t chunk_header_bytes = 8;
   if (!is_binary) return bytes;
   if (bytes.size() < header_bytes + chunk_header_bytes) return {};
   return bytes.substr(header_bytes + chunk_header_bytes, word_at(bytes, header_bytes));
+}
+
+void put_word(std::string& bytes, std::size_t place, std::size_t word) {
+  for (std::size_t i = 0; i < 4; ++i) bytes[place + i] = static_cast<char>(word >> (8 * i) & 0xff);
+}
+
+// Longer JSON in place of what is there. Chunks end at multiples of four.
+std::string with_json(std::string_view bytes, std::string json, bool is_binary) {
+  if (!is_binary) return json;
+  constexpr std::size_t begin = header_bytes + chunk_header_bytes;
+  const std::size_t end = begin + json_of(bytes, is_binary).size();
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string whole = std::string(bytes.substr(0, begin)) + json;
+  // A header that says something else stays wrong.
+  for (const std::size_t length : {magic.size() + 4, header_bytes})
+    put_word(whole, length, word_at(bytes, length) + (begin + json.size() - end));
+  return whole.append(bytes.substr(end));
+}
+
+void prepare_compressed(std::string& bytes, bool is_binary) {
+  const std::string_view json = json_of(bytes, is_binary);
+  if (!reads_draco() || json.find(draco_extension) == std::string_view::npos) return;
+  std::string edited = set_indices_aside(json);
+  if (edited == json) return;
+  bytes = with_json(bytes, std::move(edited), is_binary);
+  expect_32_bits(bytes.size());
 }
 
 bool has_scheme(std::string_view uri) {
@@ -159,6 +190,7 @@ tinygltf::Model load(const std::string& path, std::string& warning) {
   const bool is_binary = std::string_view(bytes).substr(0, magic.size()) == magic;
   if (is_binary) expect_whole(bytes);
   expect_shallow(json_of(bytes, is_binary));
+  prepare_compressed(bytes, is_binary);
   Companions companions(path);
   tinygltf::TinyGLTF reader;
   reader.SetFsCallbacks(companions.callbacks());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "accessors.hpp"
+#include "draco.hpp"
 #include "refuse.hpp"
 
 namespace epura::plugin::gltf {
@@ -15,12 +16,6 @@ namespace epura::plugin::gltf {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
-
-/// The corners of a primitive, in the order given by its mode.
-struct Corners {
-  std::vector<Point> points;
-  std::vector<std::uint32_t> numbers;
-};
 
 using Wire = std::vector<std::uint32_t>;
 
@@ -56,17 +51,21 @@ std::vector<Triangle> triangles_of(int mode, const std::vector<std::uint32_t>& n
   return triangles;
 }
 
-Corners corners_of(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& what) {
+Corners uncompressed(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& what) {
   Corners corners;
-  const auto position = primitive.attributes.find("POSITION");
-  refuse_if(position == primitive.attributes.end(), what + " has no positions");
-  corners.points = positions(model, position->second);
+  corners.points = positions(model, position_of(primitive, what));
   if (primitive.indices >= 0) {
     corners.numbers = indices(model, primitive.indices);
   } else {
     corners.numbers.resize(corners.points.size());
     std::iota(corners.numbers.begin(), corners.numbers.end(), 0u);
   }
+  return corners;
+}
+
+Corners corners_of(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& what) {
+  Corners corners =
+      is_compressed(primitive) ? decompressed(model, primitive, what) : uncompressed(model, primitive, what);
   for (const std::uint32_t number : corners.numbers)
     refuse_if(number >= corners.points.size(), what + " has a corner " + std::to_string(number) + ", but only " +
                                                    std::to_string(corners.points.size()) + " positions");
