@@ -105,6 +105,9 @@ typedef struct epura_sink {
   int (*progress)(void* host, double done);
   /* How points are rounded: the sum of the values that apply; not rounded if not called. */
   int (*rounding)(void* host, uint32_t kinds);
+  /* The colour of what began last: a node, a body, or a shape and those of its bodies that have none. That of a node
+   * takes precedence over all below it. sRGB, each from 0 to 1. */
+  int (*colour)(void* host, double red, double green, double blue);
 } epura_sink;
 
 /* The file to read, and the required precision. */

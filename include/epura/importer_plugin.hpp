@@ -93,6 +93,11 @@ class Sink {
     expect(sink_.node(sink_.host, &node));
     return nodes_++;
   }
+  /// Of the node, body or shape that began last; sRGB, each from 0 to 1. Older hosts ignore it.
+  void colour(double red, double green, double blue) {
+    if (sink_.size >= offsetof(epura_sink, colour) + sizeof sink_.colour)
+      expect(sink_.colour(sink_.host, red, green, blue));
+  }
   void note(const std::string& sentence) { expect(sink_.note(sink_.host, sentence.c_str())); }
   void progress(double done) { expect(sink_.progress(sink_.host, done)); }
 

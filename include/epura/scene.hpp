@@ -45,6 +45,7 @@ struct Style {
   std::optional<LineRole> line{};
   std::optional<HiddenLines> hidden{};
   std::optional<std::array<int, 3>> colour{};  ///< red, green and blue, 0 to 255; black by default
+  bool file_colour = false;                    ///< the colours of the files instead, darkened if they are light
   bool cut = true;                             ///< false: sections leave them whole, as bolts, shafts and balls
   bool drawn = true;
 };

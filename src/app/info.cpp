@@ -362,6 +362,10 @@ std::string json_of(const ModelInfo& info) {
           number("open_edges", report.open_edges) + number("non_manifold_edges", report.non_manifold_edges) +
           number("misoriented_edges", report.misoriented_edges);
   text += ",\n   \"body_names\": " + json_list(info.report.body_names, json_string);
+  if (!report.body_colours.empty()) {
+    const auto colour = [](const std::optional<Colour>& c) { return c ? json_string(hexadecimal(*c)) : "null"; };
+    text += ",\n   \"body_colours\": " + json_list(report.body_colours, colour);
+  }
   text += ",\n   \"parts\": " + tree_json(info.tree);
   text += ",\n   \"tolerance\": " + json_number(info.part.tolerance) +
           ", \"recognised\": " + json_number(info.part.recognised);

@@ -32,7 +32,7 @@ class Assembler {
     result_.soup.printed = document_.is_printed != 0;
     if (document_.nodes.empty()) {
       for (const Shape& shape : document_.shapes) {
-        place(shape, Mat4(1), shape.name);
+        place(shape, Mat4(1), shape.name, no_colour);
         add_to_tree({-1, shape.name}, &shape);
       }
     } else {
@@ -41,19 +41,25 @@ class Assembler {
     if (std::find(result_.part.face_of_polygon.begin(), result_.part.face_of_polygon.end(), -1) !=
         result_.part.face_of_polygon.end())
       result_.part = {};
+    std::vector<std::optional<Colour>>& colours = result_.soup.body_colours;
+    if (std::none_of(colours.begin(), colours.end(), [](const auto& colour) { return colour.has_value(); }))
+      colours.clear();
     return std::move(result_);
   }
 
  private:
   void place_nodes() {
     std::vector<Mat4> to_file;  // parents come before their children
+    std::vector<int> colours;
     for (const Node& node : document_.nodes) {
       const Mat4 own = matrix_of(node.transform);
       to_file.push_back(node.parent < 0 ? own : to_file[static_cast<std::size_t>(node.parent)] * own);
       const Shape* shape = node.shape < 0 ? nullptr : &document_.shapes[static_cast<std::size_t>(node.shape)];
       const std::string& name = node.name.empty() && shape != nullptr ? shape->name : node.name;
       add_to_tree({node.parent, name}, shape);
-      if (shape != nullptr) place(*shape, to_file.back(), name);
+      const int above = node.parent < 0 ? no_colour : colours[static_cast<std::size_t>(node.parent)];
+      colours.push_back(above == no_colour ? node.colour : above);
+      if (shape != nullptr) place(*shape, to_file.back(), name, colours.back());
     }
   }
 
@@ -65,7 +71,8 @@ class Assembler {
     result_.tree.push_back(std::move(part));
   }
 
-  void place(const Shape& shape, const Mat4& to_file, const std::string& name) {
+  // `colour` takes precedence over those of the shape.
+  void place(const Shape& shape, const Mat4& to_file, const std::string& name, int colour) {
     expect_room(result_.soup.corners.size() + shape.corners.size());
     expect_room(result_.soup.points.size() + shape.points.size());
     expect_room(result_.soup.wires.size() + shape.wire_vertices.size());
@@ -77,6 +84,7 @@ class Assembler {
     add_polygons(shape, first_point, glm::determinant(Mat3(to_file)) < 0);
     add_wires(shape, first_point);
     add_bodies(shape, name);
+    add_colours(shape, colour);
     add_part(shape, to_file, first_point);
   }
 
@@ -123,6 +131,20 @@ class Assembler {
     if (has_rest) names.push_back(name);
     for (const int body : shape.body_of_polygon)
       result_.soup.face_body.push_back(body < 0 ? static_cast<int>(names.size()) - 1 : first + body);
+  }
+
+  // Must follow add_bodies.
+  void add_colours(const Shape& shape, int colour) {
+    const auto first_of = [](int one, int other) { return one == no_colour ? other : one; };
+    std::vector<std::optional<Colour>>& colours = result_.soup.body_colours;
+    for (const int own : shape.body_colours)
+      colours.push_back(colour_of(first_of(colour, first_of(own, shape.colour))));
+    colours.resize(result_.soup.body_names.size(), colour_of(first_of(colour, shape.colour)));
+  }
+
+  static std::optional<Colour> colour_of(int number) {
+    if (number == no_colour) return std::nullopt;
+    return Colour{number >> 16, (number >> 8) & 255, number & 255};
   }
 
   void add_part(const Shape& shape, const Mat4& to_file, int first_point) {

@@ -146,12 +146,13 @@ class Checker {
       return one.name == two.name && one.points == two.points && one.corners == two.corners &&
              one.polygon_ends == two.polygon_ends && one.face_of_polygon == two.face_of_polygon &&
              one.body_of_polygon == two.body_of_polygon && one.body_names == two.body_names &&
+             one.body_colours == two.body_colours && one.colour == two.colour &&
              one.edge_vertices == two.edge_vertices && one.wire_vertices == two.wire_vertices &&
              one.wire_ends == two.wire_ends;
     };
     const auto same_node = [](const Node& one, const Node& two) {
       return one.parent == two.parent && one.shape == two.shape && one.name == two.name &&
-             one.transform == two.transform;
+             one.transform == two.transform && one.colour == two.colour;
     };
     return a.unit == b.unit && a.is_y_up == b.is_y_up && std::ranges::equal(a.shapes, b.shapes, same_shape) &&
            std::ranges::equal(a.nodes, b.nodes, same_node);

@@ -21,12 +21,16 @@ bool are_ends(const std::vector<int>& ends, std::size_t count) {
          (ends.empty() || ends.front() >= 0);
 }
 
+bool is_colour(int colour) { return no_colour <= colour && colour <= 0xffffff; }
+
 bool is_sound(const Shape& shape) {
   std::vector<int> edge_ends;
   for (const features::DeclaredEdge& edge : shape.edges) edge_ends.push_back(edge.end);
   return are_within(shape.corners, 0, shape.points.size()) && are_ends(shape.polygon_ends, shape.corners.size()) &&
          shape.face_of_polygon.size() == shape.polygon_ends.size() &&
          shape.body_of_polygon.size() == shape.polygon_ends.size() &&
+         shape.body_colours.size() == shape.body_names.size() && is_colour(shape.colour) &&
+         std::all_of(shape.body_colours.begin(), shape.body_colours.end(), is_colour) &&
          are_within(shape.face_of_polygon, -1, shape.faces.size()) &&
          are_within(shape.body_of_polygon, -1, shape.body_names.size()) &&
          are_within(shape.edge_vertices, 0, shape.points.size()) && are_ends(edge_ends, shape.edge_vertices.size()) &&
@@ -39,13 +43,13 @@ bool is_sound(const Shape& shape) {
 template <class Pack, class Value>
 void pack_shape(Pack& pack, Value& shape) {
   pack(shape.name), pack(shape.points), pack(shape.corners), pack(shape.polygon_ends), pack(shape.face_of_polygon);
-  pack(shape.body_of_polygon), pack(shape.body_names), pack(shape.faces), pack(shape.edges), pack(shape.edge_vertices);
-  pack(shape.wire_vertices), pack(shape.wire_ends);
+  pack(shape.body_of_polygon), pack(shape.body_names), pack(shape.body_colours), pack(shape.colour), pack(shape.faces);
+  pack(shape.edges), pack(shape.edge_vertices), pack(shape.wire_vertices), pack(shape.wire_ends);
 }
 
 template <class Pack, class Value>
 void pack_node(Pack& pack, Value& node) {
-  pack(node.parent), pack(node.shape), pack(node.name), pack(node.transform);
+  pack(node.parent), pack(node.shape), pack(node.name), pack(node.transform), pack(node.colour);
 }
 
 template <class Pack, class Value>
@@ -60,7 +64,8 @@ void expect_sound(const Document& document) {
   foreign::require(std::all_of(document.shapes.begin(), document.shapes.end(), is_sound), "corrupts its process");
   for (std::size_t i = 0; i < document.nodes.size(); ++i) {
     const Node& node = document.nodes[i];
-    foreign::require(node.parent >= -1 && node.parent < static_cast<int>(i), "corrupts its process");
+    foreign::require(node.parent >= -1 && node.parent < static_cast<int>(i) && is_colour(node.colour),
+                     "corrupts its process");
     foreign::require(node.shape >= -1 && node.shape < static_cast<int>(document.shapes.size()),
                      "hands over a node with a shape that it does not hand over");
   }

@@ -14,6 +14,9 @@
 
 namespace epura::importer {
 
+/// Colours are 0xrrggbb.
+inline constexpr int no_colour = -1;
+
 struct Shape {
   std::string name{};
   mesh::Points points{};
@@ -22,6 +25,8 @@ struct Shape {
   std::vector<int> face_of_polygon{};  ///< -1: none
   std::vector<int> body_of_polygon{};  ///< -1: none
   std::vector<std::string> body_names{};
+  std::vector<int> body_colours{};  ///< by body
+  int colour = no_colour;           ///< of bodies without one
   std::vector<features::PartSurface> faces{};
   std::vector<features::DeclaredEdge> edges{};
   std::vector<int> edge_vertices{};
@@ -33,6 +38,7 @@ struct Node {
   int parent, shape;  ///< -1: none
   std::string name;
   std::array<double, 12> transform;  ///< rows of the 3x4 matrix to the coordinates of its parent
+  int colour = no_colour;            ///< of everything below it
 };
 
 struct Document {

@@ -73,7 +73,8 @@ DocumentSink::DocumentSink(std::function<void(double)> tell)
              &call<&DocumentSink::node, const epura_node*>,
              &call<&DocumentSink::note, const char*>,
              &call<&DocumentSink::progress, double>,
-             &call<&DocumentSink::rounding, uint32_t>} {}
+             &call<&DocumentSink::rounding, uint32_t>,
+             &call<&DocumentSink::colour, double, double, double>} {}
 
 template <auto member, class... A>
 int DocumentSink::call(void* host, A... arguments) noexcept {
@@ -118,12 +119,15 @@ int DocumentSink::up(char axis) {
 int DocumentSink::shape(const char* name) {
   expect_fewer(document_.shapes.size());
   document_.shapes.emplace_back().name = text_of(name);
+  begun_ = Begun::shape;
   return 0;
 }
 
 int DocumentSink::body(const char* name) {
   expect_fewer(current().body_names.size());
   current().body_names.push_back(text_of(name));
+  current().body_colours.push_back(no_colour);
+  begun_ = Begun::body;
   return 0;
 }
 
@@ -193,6 +197,7 @@ int DocumentSink::node(const epura_node* node) {
   require(std::all_of(taken.transform.begin(), taken.transform.end(), [](double v) { return std::isfinite(v); }),
           "hands over a node whose transform is not finite");
   document_.nodes.push_back(std::move(taken));
+  begun_ = Begun::node;
   return 0;
 }
 
@@ -205,6 +210,19 @@ int DocumentSink::rounding(uint32_t kinds) {
   require((kinds & ~(EPURA_SINGLE | EPURA_PRINTED)) == 0, "tells of a rounding that is not known");
   document_.is_single_precision = (kinds & EPURA_SINGLE) != 0 ? 1 : 0;
   document_.is_printed = (kinds & EPURA_PRINTED) != 0 ? 1 : 0;
+  return 0;
+}
+
+int DocumentSink::colour(double red, double green, double blue) {
+  int number = 0;
+  for (const double part : {red, green, blue}) {
+    require(part >= 0 && part <= 1, "hands over a colour that is not between 0 and 1");
+    number = 256 * number + static_cast<int>(std::lround(255 * part));
+  }
+  require(begun_ != Begun::nothing, "hands over a colour of nothing");
+  if (begun_ == Begun::node) document_.nodes.back().colour = number;
+  if (begun_ == Begun::shape) document_.shapes.back().colour = number;
+  if (begun_ == Begun::body) document_.shapes.back().body_colours.back() = number;
   return 0;
 }
 

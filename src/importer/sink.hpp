@@ -37,6 +37,7 @@ class DocumentSink {
   int note(const char* sentence);
   int progress(double done);
   int rounding(uint32_t kinds);
+  int colour(double red, double green, double blue);
 
   template <auto member, class... A>
   static int call(void* host, A... arguments) noexcept;
@@ -44,9 +45,12 @@ class DocumentSink {
   void expect_points(uint64_t count, const uint32_t* numbers, const char* what);
   void expect_fewer(std::size_t items) const;
 
+  enum class Begun { nothing, node, shape, body };  ///< what began last
+
   Document document_;
   std::function<void(double)> tell_;
   std::string fault_;
+  Begun begun_ = Begun::nothing;
   epura_sink calls_;
 };
 

@@ -152,8 +152,9 @@ scene::StyleDescription describe(const Style& style, const std::string& where) {
     const auto part = [&](std::size_t i) {
       return static_cast<int>(checked((*style.colour)[i], where + ".colour", 0, 255));
     };
-    description.colour = {Colour{part(0), part(1), part(2)}, where + ".colour"};
+    description.colour = {scene::ColourChoice{.colour = {part(0), part(1), part(2)}}, where + ".colour"};
   }
+  if (style.file_colour) description.colour = {scene::ColourChoice{.of_file = true}, where + ".file_colour"};
   if (!style.cut) description.cut = {false, where + ".cut"};
   if (!style.drawn) description.drawn = {false, where + ".drawn"};
   return description;

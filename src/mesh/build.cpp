@@ -147,9 +147,14 @@ void number_bodies(Mesh& mesh, const Soup& soup, const EdgeTable& table) {
   const bool named = soup.body_names.size() > 1;
   if (!named) {
     mesh.body = connected_parts(mesh, table);
+    if (!soup.body_names.empty()) mesh.report.only_body = soup.body_names.front();
+    mesh.report.body_colours = soup.body_colours;
   } else {
     for (const int face : mesh.polygon) mesh.body.push_back(soup.face_body[face]);
-    for (const int body : renumber_labels(mesh.body)) mesh.report.body_names.push_back(soup.body_names[body]);
+    for (const int body : renumber_labels(mesh.body)) {
+      mesh.report.body_names.push_back(soup.body_names[body]);
+      if (!soup.body_colours.empty()) mesh.report.body_colours.push_back(soup.body_colours[body]);
+    }
   }
   const auto last = std::max_element(mesh.body.begin(), mesh.body.end());
   mesh.report.bodies = last == mesh.body.end() ? 0 : *last + 1;

@@ -58,19 +58,21 @@ struct MeshReport {
   int triangles = 0;   ///< after triangulation
   int wires = 0;       ///< segments of lines in the file
   int bodies = 0;      ///< named groups if there are at least two, otherwise parts connected through edges
-  std::vector<std::string> body_names;  ///< empty for files without named groups
-  int open_edges = 0;                   ///< edges with one face
-  int non_manifold_edges = 0;           ///< edges with three or more faces of one body
-  int misoriented_edges = 0;            ///< edges whose two faces have opposite orientations
-  int welded_vertices = 0;              ///< vertices merged with another at the same position (STL: across cracks)
-  int dropped_degenerate = 0;           ///< faces with fewer than three distinct corners
-  int dropped_duplicates = 0;           ///< faces with the same corners as an earlier one
-  int non_finite_vertices = 0;          ///< vertices with NaN or infinity; their faces are dropped
-  int dropped_non_finite = 0;           ///< faces dropped because of such a vertex
-  double weld_distance = 0;             ///< largest distance over which vertices were merged
-  bool single_precision = false;        ///< the file stores 32-bit coordinates
-  double resolution = 0;                ///< decimal place to which coordinates are rounded, 10^-d; 0: not rounded
-  std::vector<std::string> notes;       ///< other facts that a user should know, one sentence each
+  std::vector<std::string> body_names;              ///< empty for files without named groups
+  std::string only_body;                            ///< the name of all bodies, if there is one named group
+  std::vector<std::optional<Colour>> body_colours;  ///< of `body_names` or `only_body`; empty if the file has none
+  int open_edges = 0;                               ///< edges with one face
+  int non_manifold_edges = 0;                       ///< edges with three or more faces of one body
+  int misoriented_edges = 0;                        ///< edges whose two faces have opposite orientations
+  int welded_vertices = 0;         ///< vertices merged with another at the same position (STL: across cracks)
+  int dropped_degenerate = 0;      ///< faces with fewer than three distinct corners
+  int dropped_duplicates = 0;      ///< faces with the same corners as an earlier one
+  int non_finite_vertices = 0;     ///< vertices with NaN or infinity; their faces are dropped
+  int dropped_non_finite = 0;      ///< faces dropped because of such a vertex
+  double weld_distance = 0;        ///< largest distance over which vertices were merged
+  bool single_precision = false;   ///< the file stores 32-bit coordinates
+  double resolution = 0;           ///< decimal place to which coordinates are rounded, 10^-d; 0: not rounded
+  std::vector<std::string> notes;  ///< other facts that a user should know, one sentence each
 
   /// Facts that do not affect the drawing, one sentence each.
   std::vector<std::string> remarks{};

@@ -178,9 +178,12 @@ class ObjJoiner {
   void take_bodies() {
     const std::size_t faces = soup_.face_ends.size();
     ObjBodies bodies = bodies_by(objects_, faces);
-    if (bodies.names.size() < 2) bodies = bodies_by(groups_, faces);
-    if (bodies.names.size() < 2) return;
-    soup_.face_body = std::move(bodies.of_face);
+    if (bodies.names.size() < 2 && (objects_.empty() || !groups_.empty())) {
+      ObjBodies groups = bodies_by(groups_, faces);
+      if (groups.names.size() > 1 || objects_.empty()) bodies = std::move(groups);
+    }
+    if (objects_.empty() && groups_.empty()) return;
+    if (bodies.names.size() > 1) soup_.face_body = std::move(bodies.of_face);
     soup_.body_names = std::move(bodies.names);
   }
 

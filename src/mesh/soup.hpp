@@ -4,8 +4,11 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "base/colour.hpp"
 
 namespace epura::mesh {
 
@@ -17,6 +20,7 @@ struct Soup {
   std::vector<int> face_ends;  ///< end of each face in `corners`
   std::vector<int> face_body;  ///< named group of each face; empty if the file has no names
   std::vector<std::string> body_names;
+  std::vector<std::optional<Colour>> body_colours;  ///< of each named group; empty if the file has none
   /// The segments of wires between two points, in range. None if `corners_repeat_points`.
   std::vector<std::array<int, 2>> wires;
   int wire_faces = 0;                  ///< empty faces in place of wires, which preserve the numbers of the others

@@ -32,7 +32,10 @@ sheet::BodyStyle style_of(const scene::Placed& placed, int body, const sheet::Bo
     const scene::StyleDescription& wanted = placed.styles[static_cast<std::size_t>(body)];
     style.line = wanted.line.value_or(style.line);
     style.hidden = wanted.hidden.value_or(style.hidden);
-    style.colour = wanted.colour.value_or(style.colour);
+    if (wanted.colour.given()) {
+      const scene::ColourChoice& choice = *wanted.colour;
+      style.colour = choice.of_file ? scene::colour_of_body(*placed.mesh, body).value_or(Colour{}) : choice.colour;
+    }
   }
   const std::string& name = scene::name_of_body(*placed.mesh, body);
   if (layers == LayersBy::body && !name.empty()) style.layer = name;

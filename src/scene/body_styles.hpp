@@ -2,6 +2,7 @@
 // Styles that match the names of bodies.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,10 @@ std::string name_of(const ModelDescription& model);
 
 /// The name of a body; empty if its file does not name bodies.
 const std::string& name_of_body(const mesh::Mesh& mesh, int body);
+
+/// The colour of a body in its file, darkened if it would be hard to see on paper: to at least 3 : 1 of contrast with
+/// white. Nothing if the file gives none.
+std::optional<Colour> colour_of_body(const mesh::Mesh& mesh, int body);
 
 /// Whether a style is for a body, by its name or by that of its model. Patterns are those of fnmatch (POSIX).
 bool matches(const StyleDescription& style, const mesh::Mesh& mesh, int body, const std::string& model);

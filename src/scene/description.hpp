@@ -47,13 +47,19 @@ struct ModelDescription {
   Located<bool> drawn;          ///< by default true
 };
 
+/// The colour of lines.
+struct ColourChoice {
+  bool of_file = false;  ///< that of the body in its file; if there is none, black
+  Colour colour{};       ///< otherwise
+};
+
 /// How bodies with certain names are drawn, whatever their models and views say. Of several styles that match a body,
 /// the last one that has a value counts.
 struct StyleDescription {
   LocatedText match;  ///< names of bodies or models: * stands for any text, ? for one character, [ab] for a or b
   Located<LineRole> line;
   Located<HiddenLines> hidden;
-  Located<Colour> colour;
+  Located<ColourChoice> colour;
   Located<bool> cut;    ///< by sections; true by default
   Located<bool> drawn;  ///< true by default
 };

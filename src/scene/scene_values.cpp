@@ -262,14 +262,15 @@ ValueKind<Mat4> transform_steps() {
   return {{"text", "STEPS"}, [](const TomlValue& value) { return parsed(value, parse_transform); }};
 }
 
-ValueKind<Colour> colour() {
+ValueKind<ColourChoice> colour() {
   const auto read = [](const TomlValue& value) {
     const std::string text = read_text(value);
+    if (text == "file") return ColourChoice{.of_file = true};
     const std::optional<Colour> found = parse_colour(text);
-    if (!found) refuse(value, "'" + text + "' is not a colour", "write it as #rgb or #rrggbb, such as #c00");
-    return *found;
+    if (!found) refuse(value, "'" + text + "' is not a colour", "write it as #rgb or #rrggbb, such as #c00, or file");
+    return ColourChoice{.colour = *found};
   };
-  return {{"`#rgb` or `#rrggbb`", "COLOUR"}, read};
+  return {{"`#rgb`, `#rrggbb` or `file`", "COLOUR"}, read};
 }
 
 ValueKind<ScaleChoice> scale_choice() {

@@ -78,7 +78,7 @@ ValueKind<Vec2> pair_of_numbers(const std::string& unit);
 ValueKind<Vec3> triple_of_numbers(const std::string& unit);
 ValueKind<Vec3> direction();        ///< three numbers, not all zero
 ValueKind<Mat4> transform_steps();  ///< see scene/transform.hpp
-ValueKind<Colour> colour();         ///< "#c00" or "#cc0000"
+ValueKind<ColourChoice> colour();   ///< "#c00", "#cc0000" or "file"
 ValueKind<ScaleChoice> scale_choice();
 ValueKind<PaperChoice> paper_choice();
 ValueKind<EdgeKinds> edge_kinds();

@@ -47,6 +47,7 @@ class Tree {
     std::uint32_t shape = EPURA_NONE;
     if (!object.triangles.empty()) {
       shape = sink_.shape(object.name);
+      if (object.colour) sink_.colour((*object.colour)[0], (*object.colour)[1], (*object.colour)[2]);
       sink_.points(object.points);
       sink_.triangles(object.triangles);
     }

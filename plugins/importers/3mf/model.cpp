@@ -123,6 +123,29 @@ void read_mesh(NMR::PLib3MFBase* mesh, Object& object) {
   if (NMR::lib3mf_meshobject_getslicestackid(mesh, &slices) == LIB3MF_OK) object.has_slices = slices != 0;
 }
 
+// That of the object as a whole; those of single triangles are not read.
+std::optional<std::array<double, 3>> colour_of(NMR::PLib3MFBase* source, NMR::PLib3MFBase* object) {
+  Handle property, materials;
+  NMR::eModelPropertyType type{};
+  if (NMR::lib3mf_object_createdefaultpropertyhandler(object, property.out()) != LIB3MF_OK ||
+      NMR::lib3mf_defaultpropertyhandler_getpropertytype(property.get(), &type) != LIB3MF_OK)
+    return std::nullopt;
+  NMR::MODELMESHCOLOR_SRGB found{};
+  if (type == NMR::MODELPROPERTYTYPE_COLOR) {
+    if (NMR::lib3mf_defaultpropertyhandler_getcolor(property.get(), 0, &found) != LIB3MF_OK) return std::nullopt;
+  } else if (type == NMR::MODELPROPERTYTYPE_BASEMATERIALS) {
+    std::uint32_t group = 0, index = 0;
+    if (NMR::lib3mf_defaultpropertyhandler_getbasematerial(property.get(), &group, &index) != LIB3MF_OK ||
+        NMR::lib3mf_model_getbasematerialbyid(source, group, materials.out()) != LIB3MF_OK ||
+        NMR::lib3mf_basematerial_getdisplaycolor(materials.get(), index, &found.m_Red, &found.m_Green, &found.m_Blue,
+                                                 &found.m_Alpha) != LIB3MF_OK)
+      return std::nullopt;
+  } else {
+    return std::nullopt;
+  }
+  return std::array<double, 3>{found.m_Red / 255.0, found.m_Green / 255.0, found.m_Blue / 255.0};
+}
+
 void read_components(NMR::PLib3MFBase* components, Object& object) {
   std::uint32_t count = 0;
   expect(NMR::lib3mf_componentsobject_getcomponentcount(components, &count), "components");
@@ -150,6 +173,7 @@ void read_objects(NMR::PLib3MFBase* source, Model& model) {
     expect(NMR::lib3mf_object_ismeshobject(found.get(), &is_mesh), "an object");
     Object& object = model.objects[id];
     object.name = name_of(found.get());
+    object.colour = colour_of(source, found.get());
     if (is_mesh != 0)
       read_mesh(found.get(), object);
     else

@@ -2,11 +2,13 @@
 // The build of a 3MF package, read by lib3mf.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <epura/importer_plugin.hpp>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,7 @@ struct Object {
   std::vector<Point> points{};
   std::vector<std::array<std::uint32_t, 3>> triangles{};
   std::vector<Placed> components{};
+  std::optional<std::array<double, 3>> colour{};  ///< sRGB, each part from 0 to 1
   std::size_t beams = 0;
   bool has_slices = false;
 };

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shapes.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -90,10 +92,33 @@ void keep_used(std::vector<Point>& points, std::vector<Element>& elements, std::
     for (std::uint32_t& corner : element) corner = number[corner];
 }
 
+// Of the mesh, if all its primitives have it. White is what programs write for materials without a colour.
+const std::vector<double>* colour_of(const tinygltf::Model& model, const tinygltf::Mesh& mesh) {
+  const std::vector<double>* common = nullptr;
+  for (const tinygltf::Primitive& primitive : mesh.primitives) {
+    if (primitive.material < 0 || static_cast<std::size_t>(primitive.material) >= model.materials.size())
+      return nullptr;
+    const auto& material = model.materials[static_cast<std::size_t>(primitive.material)].pbrMetallicRoughness;
+    const std::vector<double>& factor = material.baseColorFactor;  // linear
+    if (factor.size() < 3 || std::all_of(factor.begin(), factor.begin() + 3, [](double part) { return part == 1; }) ||
+        (common != nullptr && factor != *common))
+      return nullptr;
+    common = &factor;
+  }
+  return common;
+}
+
+// IEC 61966-2-1.
+double srgb_of(double linear) {
+  const double part = std::clamp(linear, 0.0, 1.0);
+  return part <= 0.0031308 ? 12.92 * part : 1.055 * std::pow(part, 1 / 2.4) - 0.055;
+}
+
 /// Builds a mesh for the sink, primitive by primitive.
 class ShapeMaker {
  public:
-  ShapeMaker(const tinygltf::Mesh& mesh, std::size_t number, Sink& sink) : mesh_(mesh), number_(number), sink_(sink) {}
+  ShapeMaker(const tinygltf::Model& model, std::size_t number, Sink& sink)
+      : model_(model), mesh_(model.meshes[number]), number_(number), sink_(sink) {}
 
   void add_triangles(int mode, Corners corners) {
     std::vector<Triangle> triangles = triangles_of(mode, corners.numbers);
@@ -116,10 +141,17 @@ class ShapeMaker {
     keep_used(points, elements, points_);
     points_ += points.size();
     refuse_if(points_ >= EPURA_NONE, numbered("mesh", number_) + " has more points than can be numbered");
-    if (shape_ == EPURA_NONE) shape_ = sink_.shape(mesh_.name);
+    if (shape_ == EPURA_NONE) begin_shape();
     sink_.points(points);
   }
 
+  void begin_shape() {
+    shape_ = sink_.shape(mesh_.name);
+    if (const std::vector<double>* colour = colour_of(model_, mesh_))
+      sink_.colour(srgb_of((*colour)[0]), srgb_of((*colour)[1]), srgb_of((*colour)[2]));
+  }
+
+  const tinygltf::Model& model_;
   const tinygltf::Mesh& mesh_;
   std::size_t number_;
   Sink& sink_;
@@ -143,7 +175,7 @@ std::string LeftOut::sentence() const {
 
 std::uint32_t add_shape(const tinygltf::Model& model, std::size_t number, Sink& sink, LeftOut& left_out) {
   const tinygltf::Mesh& mesh = model.meshes[number];
-  ShapeMaker maker(mesh, number, sink);
+  ShapeMaker maker(model, number, sink);
   for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
     const tinygltf::Primitive& primitive = mesh.primitives[i];
     const std::string what = numbered("mesh", number) + ", " + numbered("primitive", i);

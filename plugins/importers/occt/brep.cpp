@@ -18,9 +18,9 @@ Model read_brep(const std::string& path, epura::plugin::Sink& sink) {
   stage->finish();
   if (!is_read || shape.IsNull()) throw std::runtime_error(damaged);
   Model model;
-  const Names names;
-  TreeBuilder tree(model, names);
-  tree.add(shape, {}, {}, EPURA_NONE, gp_Trsf());
+  const Attributes attributes;
+  TreeBuilder tree(model, attributes);
+  tree.add(shape, {}, {{}, EPURA_NONE, EPURA_NONE, gp_Trsf()});
   tree.finish();
   return model;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tree of products in an XCAF document, Open CASCADE's model of assemblies.
+#include <Quantity_Color.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
+#include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
@@ -24,21 +26,32 @@ std::string name_of(const TDF_Label& label) {
 
 gp_Trsf location_of(const TDF_Label& label) { return XCAFDoc_ShapeTool::GetLocation(label).Transformation(); }
 
-void add(const TDF_Label& label, const std::string& instance, std::uint32_t parent, const gp_Trsf& transform,
-         TreeBuilder& tree) {
+std::optional<Colour> colour_of(const TDF_Label& label) {
+  const Handle(XCAFDoc_ColorTool) colours = XCAFDoc_DocumentTool::ColorTool(label);
+  Quantity_Color found;
+  if (!colours->GetColor(label, XCAFDoc_ColorSurf, found) && !colours->GetColor(label, XCAFDoc_ColorGen, found))
+    return std::nullopt;
+  Colour colour{};
+  found.Values(colour[0], colour[1], colour[2], Quantity_TOC_sRGB);
+  for (double& part : colour) part = std::clamp(part, 0.0, 1.0);
+  return colour;
+}
+
+void add(const TDF_Label& label, Place place, TreeBuilder& tree) {
   const std::string product = name_of(label);
-  const std::string& name = instance.empty() ? product : instance;
+  if (place.name.empty()) place.name = product;
   if (!XCAFDoc_ShapeTool::IsAssembly(label)) {
-    tree.add(XCAFDoc_ShapeTool::GetShape(label), product, name, parent, transform);
+    tree.add(XCAFDoc_ShapeTool::GetShape(label), product, std::move(place));
     return;
   }
-  const std::uint32_t assembly = tree.add_assembly(name, parent, transform);
+  if (!place.colour) place.colour = colour_of(label);
+  const std::uint32_t assembly = tree.add_assembly(std::move(place));
   TDF_LabelSequence components;
   XCAFDoc_ShapeTool::GetComponents(label, components);
   for (const TDF_Label& component : components) {
     TDF_Label referred;
     if (!XCAFDoc_ShapeTool::GetReferredShape(component, referred)) continue;
-    add(referred, name_of(component), assembly, location_of(component), tree);
+    add(referred, {name_of(component), assembly, EPURA_NONE, location_of(component), colour_of(component)}, tree);
   }
 }
 
@@ -70,11 +83,29 @@ void add_document(const Handle(TDocStd_Document) & document, TreeBuilder& tree) 
   for (const TDF_Label& root : roots) {
     TDF_Label referred;
     if (XCAFDoc_ShapeTool::GetReferredShape(root, referred)) {
-      add(referred, name_of(root), EPURA_NONE, location_of(root), tree);
+      add(referred, {name_of(root), EPURA_NONE, EPURA_NONE, location_of(root), colour_of(root)}, tree);
     } else {
-      add(root, {}, EPURA_NONE, gp_Trsf(), tree);
+      add(root, {{}, EPURA_NONE, EPURA_NONE, gp_Trsf()}, tree);
     }
   }
+}
+
+Colours colours_of(const Handle(TDocStd_Document) & document) {
+  Colours colours;
+  const auto keep = [&](const TDF_Label& label) {
+    const std::optional<Colour> colour = colour_of(label);
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+    if (colour && !shape.IsNull()) colours.Bind(shape.Located(TopLoc_Location()), *colour);
+  };
+  TDF_LabelSequence products;
+  XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetShapes(products);
+  for (const TDF_Label& product : products) {
+    keep(product);
+    TDF_LabelSequence parts;
+    XCAFDoc_ShapeTool::GetSubShapes(product, parts);
+    for (const TDF_Label& part : parts) keep(part);
+  }
+  return colours;
 }
 
 }  // namespace occt

@@ -30,8 +30,13 @@ struct Totals {
   }
 };
 
+void hand_over(const std::optional<Colour>& colour, epura::plugin::Sink& sink) {
+  if (colour) sink.colour((*colour)[0], (*colour)[1], (*colour)[2]);
+}
+
 void hand_over(const Body& body, const BodyMesh& mesh, epura::plugin::Sink& sink) {
   sink.body(body.name);
+  hand_over(body.colour, sink);
   sink.points(mesh.points);
   for (const Facets& facets : mesh.faces) {
     sink.face(surface_of(facets.face));
@@ -81,6 +86,7 @@ void hand_over(Model& model, const Fineness& fineness, epura::plugin::Sink& sink
     const Part& part = model.parts[i];
     sink.progress(done + (1 - done) * static_cast<double>(i) / static_cast<double>(model.parts.size()));
     sink.shape(part.name);
+    hand_over(part.colour, sink);
     std::uint32_t points = 0;
     for (const Body& body : part.bodies) {
       const BodyMesh mesh = mesh_of(body.shape, points, fineness.deflection);
@@ -96,7 +102,10 @@ void hand_over(Model& model, const Fineness& fineness, epura::plugin::Sink& sink
   note(totals, model.notes);
   for (const std::string& sentence : model.notes) sink.note(sentence);
   if (totals.faces == 0 && totals.wires == 0) throw std::runtime_error("holds no face that could be tessellated");
-  for (const Place& place : model.places) sink.node(place.name, place.parent, place.part, rows_of(place.transform));
+  for (const Place& place : model.places) {
+    sink.node(place.name, place.parent, place.part, rows_of(place.transform));
+    hand_over(place.colour, sink);
+  }
   sink.progress(1);
 }
 

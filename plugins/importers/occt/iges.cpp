@@ -60,7 +60,7 @@ Model read_iges(const std::string& path, epura::plugin::Sink& sink) {
   IGESControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   IGESCAFControl_Reader reader;
-  reader.SetColorMode(false);
+  reader.SetColorMode(true);
   reader.SetLayerMode(false);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw std::runtime_error("the file is cut off or damaged: its sections could not be read");
@@ -74,7 +74,7 @@ Model read_iges(const std::string& path, epura::plugin::Sink& sink) {
   TopoDS_Compound everything;
   const BRep_Builder builder;
   builder.MakeCompound(everything);
-  Names names;
+  Attributes attributes{{}, colours_of(document)};
   TDF_LabelSequence roots;
   XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(roots);
   for (const TDF_Label& root : roots) {
@@ -82,10 +82,10 @@ Model read_iges(const std::string& path, epura::plugin::Sink& sink) {
     if (shape.IsNull()) continue;
     builder.Add(everything, shape);
     const std::string name = name_of(root);
-    if (!name.empty()) names.Bind(shape.Located(TopLoc_Location()), name);
+    if (!name.empty()) attributes.names.Bind(shape.Located(TopLoc_Location()), name);
   }
-  TreeBuilder tree(model, names);
-  tree.add(everything, {}, {}, EPURA_NONE, gp_Trsf());
+  TreeBuilder tree(model, attributes);
+  tree.add(everything, {}, {{}, EPURA_NONE, EPURA_NONE, gp_Trsf()});
   tree.finish();
   return model;
 }

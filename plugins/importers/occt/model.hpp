@@ -6,30 +6,38 @@
 #include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
+#include <array>
 #include <cstdint>
 #include <gp_Trsf.hxx>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace occt {
 
+/// sRGB, each part from 0 to 1.
+using Colour = std::array<double, 3>;
+
 /// A solid, a shell, or a compound of faces that belong to neither.
 struct Body {
   TopoDS_Shape shape;
   std::string name;  ///< its own name in the file; may be empty
+  std::optional<Colour> colour{};
 };
 
 struct Part {
   std::string name;
   std::vector<Body> bodies;
   std::vector<TopoDS_Edge> wires;  ///< edges that bound no face, each with a curve in space
+  std::optional<Colour> colour{};  ///< of bodies without one
 };
 
 struct Place {
   std::string name;
-  std::uint32_t parent;  ///< an earlier position, or EPURA_NONE
-  std::uint32_t part;    ///< or EPURA_NONE
-  gp_Trsf transform;     ///< to the parent
+  std::uint32_t parent;            ///< an earlier position, or EPURA_NONE
+  std::uint32_t part;              ///< or EPURA_NONE
+  gp_Trsf transform;               ///< to the parent
+  std::optional<Colour> colour{};  ///< instead of those of everything below
 };
 
 /// Lengths in millimetres.
@@ -39,8 +47,15 @@ struct Model {
   std::vector<std::string> notes;  ///< sentences about repairs and omissions
 };
 
-/// Names of shapes, without their locations.
+/// Names and colours of shapes, without their locations.
 using Names = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher>;
+using Colours = NCollection_DataMap<TopoDS_Shape, Colour, TopTools_ShapeMapHasher>;
+
+/// What a file says of its shapes.
+struct Attributes {
+  Names names;
+  Colours colours;
+};
 
 /// "1 edge", "12 edges".
 inline std::string counted(std::size_t count, const std::string& thing) {

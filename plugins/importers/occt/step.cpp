@@ -89,7 +89,7 @@ Model read_step(const std::string& file, epura::plugin::Sink& sink) {
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   const Handle(Complaints) complaints = Complaints::install();
   STEPCAFControl_Reader reader;
-  reader.SetColorMode(false);
+  reader.SetColorMode(true);
   reader.SetLayerMode(false);
   reader.SetPropsMode(false);
   reader.SetGDTMode(false);
@@ -114,8 +114,8 @@ Model read_step(const std::string& file, epura::plugin::Sink& sink) {
   const bool is_transferred = reader.Transfer(document, stage->Start());
   stage->finish();
   if (!is_transferred) throw std::runtime_error("holds no shape" + (faults.empty() ? std::string() : ": " + faults));
-  const Names names = names_of_bodies(reader.Reader());
-  TreeBuilder tree(model, names);
+  const Attributes attributes{names_of_bodies(reader.Reader()), colours_of(document)};
+  TreeBuilder tree(model, attributes);
   add_document(document, tree);
   tree.finish();
   return model;

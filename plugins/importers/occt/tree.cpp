@@ -52,24 +52,25 @@ std::size_t count_outside(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind, TopA
 
 }  // namespace
 
-void TreeBuilder::add(const TopoDS_Shape& shape, const std::string& part_name, const std::string& name,
-                      std::uint32_t parent, const gp_Trsf& transform) {
+void TreeBuilder::add(const TopoDS_Shape& shape, const std::string& part_name, Place place) {
   if (shape.IsNull()) return;
   const TopoDS_Shape own = without_location(shape);
   int index = prototypes_.FindIndex(own);
   if (index == 0) index = prototypes_.Add(own, make(own, part_name));
   const Prototype& prototype = prototypes_(index);
   if (prototype.part == EPURA_NONE && prototype.inside.empty()) return;
-  const auto place = static_cast<std::uint32_t>(model_.places.size());
-  model_.places.push_back({name, parent, prototype.part, transform * shape.Location().Transformation()});
+  const auto number = static_cast<std::uint32_t>(model_.places.size());
+  place.part = prototype.part;
+  place.transform *= shape.Location().Transformation();
+  model_.places.push_back(std::move(place));
   for (Place inside : prototype.inside) {
-    inside.parent = place;
+    inside.parent = number;
     model_.places.push_back(inside);
   }
 }
 
-std::uint32_t TreeBuilder::add_assembly(const std::string& name, std::uint32_t parent, const gp_Trsf& transform) {
-  model_.places.push_back({name, parent, EPURA_NONE, transform});
+std::uint32_t TreeBuilder::add_assembly(Place place) {
+  model_.places.push_back(std::move(place));
   return static_cast<std::uint32_t>(model_.places.size() - 1);
 }
 
@@ -94,8 +95,10 @@ TreeBuilder::Prototype TreeBuilder::make(const TopoDS_Shape& shape, const std::s
   sewn_into_ += found.sewn_into;
   Prototype prototype;
   separate_repeats(found.shapes, prototype);
-  if (!found.shapes.empty() || !wires.edges.empty())
+  if (!found.shapes.empty() || !wires.edges.empty()) {
     prototype.part = add_part(name, found.shapes, std::move(wires.edges));
+    model_.parts[prototype.part].colour = colour_of(shape);
+  }
   return prototype;
 }
 
@@ -128,14 +131,27 @@ void TreeBuilder::separate_repeats(std::vector<TopoDS_Shape>& bodies, Prototype&
 std::uint32_t TreeBuilder::add_part(const std::string& name, const std::vector<TopoDS_Shape>& bodies,
                                     std::vector<TopoDS_Edge> wires) {
   Part part{name, {}, std::move(wires)};
-  for (const TopoDS_Shape& body : bodies) part.bodies.push_back({body, name_of(body)});
+  for (const TopoDS_Shape& body : bodies) part.bodies.push_back({body, name_of(body), colour_of(body)});
   model_.parts.push_back(std::move(part));
   return static_cast<std::uint32_t>(model_.parts.size() - 1);
 }
 
 std::string TreeBuilder::name_of(const TopoDS_Shape& body) const {
-  const std::string* name = names_.Seek(without_location(body));
+  const std::string* name = attributes_.names.Seek(without_location(body));
   return name == nullptr ? std::string() : *name;
+}
+
+// Many programs colour the faces of a body one by one.
+std::optional<Colour> TreeBuilder::colour_of(const TopoDS_Shape& body) const {
+  const Colours& colours = attributes_.colours;
+  if (const Colour* own = colours.Seek(without_location(body))) return *own;
+  const Colour* of_all = nullptr;
+  for (TopExp_Explorer faces(body, TopAbs_FACE); faces.More() && !colours.IsEmpty(); faces.Next()) {
+    const Colour* one = colours.Seek(without_location(faces.Current()));
+    if (one == nullptr || (of_all != nullptr && *one != *of_all)) return std::nullopt;
+    of_all = one;
+  }
+  return of_all == nullptr ? std::nullopt : std::optional(*of_all);
 }
 
 }  // namespace occt

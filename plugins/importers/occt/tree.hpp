@@ -13,12 +13,11 @@ namespace occt {
 
 class TreeBuilder {
  public:
-  TreeBuilder(Model& model, const Names& names) : model_(model), names_(names) {}
+  TreeBuilder(Model& model, const Attributes& attributes) : model_(model), attributes_(attributes) {}
 
-  /// Adds the shape below `parent`, moved by `transform` after its own location.
-  void add(const TopoDS_Shape& shape, const std::string& part_name, const std::string& name, std::uint32_t parent,
-           const gp_Trsf& transform);
-  std::uint32_t add_assembly(const std::string& name, std::uint32_t parent, const gp_Trsf& transform);
+  /// Adds the shape where `place` says, after its own location. `part_name` is that of the shape wherever it occurs.
+  void add(const TopoDS_Shape& shape, const std::string& part_name, Place place);
+  std::uint32_t add_assembly(Place place);
 
   /// Adds notes about omitted parts of the shapes.
   void finish();
@@ -35,15 +34,19 @@ class TreeBuilder {
   std::uint32_t add_part(const std::string& name, const std::vector<TopoDS_Shape>& bodies,
                          std::vector<TopoDS_Edge> wires = {});
   [[nodiscard]] std::string name_of(const TopoDS_Shape& body) const;
+  [[nodiscard]] std::optional<Colour> colour_of(const TopoDS_Shape& body) const;
 
   Model& model_;
-  const Names& names_;
+  const Attributes& attributes_;
   NCollection_IndexedDataMap<TopoDS_Shape, Prototype, TopTools_ShapeMapHasher> prototypes_;
   std::size_t endless_ = 0, points_ = 0, loose_ = 0, sewn_into_ = 0;
 };
 
 /// Adds the tree of an XCAF document.
 void add_document(const Handle(TDocStd_Document) & document, TreeBuilder& tree);
+
+/// The colours of an XCAF document.
+Colours colours_of(const Handle(TDocStd_Document) & document);
 
 /// "" for names made up by programs, such as "NAUO12", "=>[0:1:1:2]", "SOLID".
 std::string meaningful(const std::string& name);

@@ -63,7 +63,16 @@ TEST_F(Styles, ThatMatchNothingAreReported) {
   const Outcome wrong = draw("[[style]]\nmatch = \"m\"\ncolour = \"red\"\n", "x.svg");
   EXPECT_EQ(wrong.code, 2);
   EXPECT_TRUE(contains(wrong.err, "s.toml:5:10: 'colour' 'red' is not a colour")) << wrong.err;
-  EXPECT_TRUE(contains(wrong.err, "#rgb or #rrggbb")) << wrong.err;
+  EXPECT_TRUE(contains(wrong.err, "#rgb or #rrggbb, such as #c00, or file")) << wrong.err;
+}
+
+TEST_F(Styles, MatchTheOnlyBodyOfAFile) {
+  folder.file("m.obj", points + upper);
+  folder.file("s.toml",
+              "[[model]]\nfile = \"m.obj\"\n[[style]]\nmatch = \"upper*\"\nline = \"narrow\"\n"
+              "[[view]]\nprojection = \"isometric\"\n");
+  EXPECT_EQ(epura({"draw", "s.toml", "-o", "x.svg"}, folder / "").err, "");
+  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "inkscape:label=\"narrow\""));
 }
 
 TEST_F(Styles, LayersOfBodiesHaveTheirNames) {
@@ -75,7 +84,7 @@ TEST_F(Styles, LayersOfBodiesHaveTheirNames) {
   EXPECT_TRUE(contains(read_file(folder / "x.dxf"), "isometric-visible lower plate\n"));
   folder.file("m.obj", points + upper);
   ASSERT_EQ(epura({"draw", "m.obj", "--layers", "body", "-o", "x.svg"}, folder / "").code, 0);
-  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "inkscape:label=\"visible m\""));
+  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "inkscape:label=\"visible upper plate\""));
 }
 
 TEST_F(Styles, LeaveBodiesWhole) {

@@ -174,11 +174,34 @@ TEST(Assembly, PutsWiresDownWithTheirShapes) {
 TEST(Assembly, NamesBodiesByNodeShapeAndBody) {
   importer::Shape two = cylinder(1, 1, 8);
   two.body_names = {"pin", "cap"};
+  two.body_colours = {importer::no_colour, importer::no_colour};
   for (std::size_t i = 0; i < two.body_of_polygon.size(); ++i) two.body_of_polygon[i] = i < 4 ? 0 : 1;
   const importer::Assembled assembled =
       importer::assemble({.shapes = {two}, .nodes = {{-1, 0, "left", as_it_is}, {-1, 0, "", as_it_is}}}, "test");
   EXPECT_EQ(assembled.soup.body_names,
             (std::vector<std::string>{"left/pin", "left/cap", "cylinder/pin", "cylinder/cap"}));
+}
+
+TEST(Assembly, ColoursOfNodesTakePrecedence) {
+  importer::Shape two = cylinder(1, 1, 8);
+  two.body_names = {"pin", "cap"};
+  two.body_colours = {0x010203, importer::no_colour};
+  for (std::size_t i = 0; i < two.body_of_polygon.size(); ++i) two.body_of_polygon[i] = i < 4 ? 0 : 1;
+  const auto colours = [&](int of_shape, int of_root, int of_leaf) {
+    two.colour = of_shape;
+    return importer::assemble(
+               {.shapes = {two}, .nodes = {{-1, -1, "root", as_it_is, of_root}, {0, 0, "leaf", as_it_is, of_leaf}}},
+               "test")
+        .soup.body_colours;
+  };
+  using Colours = std::vector<std::optional<Colour>>;
+  constexpr int none = importer::no_colour, red = 0xff0000, green = 0x00ff00;
+  EXPECT_EQ(colours(none, none, none), (Colours{Colour{1, 2, 3}, std::nullopt}));
+  EXPECT_EQ(colours(red, none, none), (Colours{Colour{1, 2, 3}, Colour{255, 0, 0}}));
+  EXPECT_EQ(colours(none, none, red), (Colours{Colour{255, 0, 0}, Colour{255, 0, 0}}));
+  EXPECT_EQ(colours(none, green, red), (Colours{Colour{0, 255, 0}, Colour{0, 255, 0}}));
+  two.body_colours = {none, none};
+  EXPECT_TRUE(colours(none, none, none).empty());
 }
 
 TEST(Assembly, WithPolygonsOfNoFaceLeavesFacesToBeRecognised) {

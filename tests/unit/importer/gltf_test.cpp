@@ -41,6 +41,23 @@ TEST(Gltf, NodesPlaceMeshesAsOftenAsTheyStandThere) {
   EXPECT_EQ(model.mesh.report.misoriented_edges, 0);
 }
 
+TEST(Gltf, MeshesHaveTheColourOfTheirMaterial) {
+  File file = cube_file();
+  const std::string cubes = file.primitives;
+  file.rest += R"(,"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[1,0.2158605,0,1]}},{"name":"plain"}])";
+  const auto colours_with = [&](int first, int second) {
+    const auto with = [&](int material) {
+      return R"({"attributes":{"POSITION":0},"indices":1,"material":)" + std::to_string(material) + "}";
+    };
+    file.primitives = with(first) + "," + with(second);
+    return read(file).mesh.report.body_colours;
+  };
+  EXPECT_EQ(colours_with(0, 0), (std::vector{std::optional(Colour{255, 128, 0})})) << "0.2158605 is 0.5 in sRGB";
+  EXPECT_TRUE(colours_with(0, 1).empty()) << "two colours";
+  EXPECT_TRUE(colours_with(1, 1).empty()) << "none";
+  EXPECT_TRUE(colours_with(7, 7).empty()) << "a material that is not there";
+}
+
 TEST(Gltf, ParentsMoveTheirChildren) {
   File file = cube_file();
   file.nodes = R"({"scale":[2,2,2],"children":[1]},{"translation":[1,2,3],"children":[2]},{"mesh":0})";

@@ -32,6 +32,13 @@ TEST(ImporterProcess, HandsOverWires) {
   EXPECT_EQ(read_by("good", folder.file("a.plain", "plain")).mesh.report.wires, 0);
 }
 
+TEST(ImporterProcess, HandsOverColours) {
+  const Folder folder;
+  const std::string file = folder.file("a.plain", "plain");
+  EXPECT_EQ(read_by("coloured", file).mesh.report.body_colours, (std::vector{std::optional(Colour{0, 128, 255})}));
+  EXPECT_TRUE(read_by("good", file).mesh.report.body_colours.empty());
+}
+
 TEST(ImporterProcess, IsChosenByExtensionOrByContent) {
   const Folder folder;
   for (const char* name : {"a.plain", "A.PLN"})
@@ -90,6 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"missing-shape", "hands over a node with a shape that it does not hand over"},
                     Mistake{"infinite", "hands over a node whose transform is not finite"},
                     Mistake{"no-unit", "hands over a unit of length that is not positive"},
+                    Mistake{"no-colour", "hands over a colour that is not between 0 and 1"},
+                    Mistake{"colour-of-nothing", "hands over a colour of nothing"},
                     Mistake{"crosses", "threw an exception across the C interface"},
                     Mistake{"crashes", "crashes (Aborted)"}, Mistake{"exits", "exits"},
                     Mistake{"cuts-the-line", "exits"}));

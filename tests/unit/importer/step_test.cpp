@@ -20,6 +20,7 @@
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <Quantity_Color.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TColgp_Array2OfPnt.hxx>
@@ -29,6 +30,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <XCAFApp_Application.hxx>
+#include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
@@ -384,6 +386,12 @@ TEST(StepImporter, AssembliesKeepNamesAndPlaces) {
   named(tool->AddComponent(whole, plate, moved(0, 0, 0)), "base");
   named(tool->AddComponent(whole, pair, moved(0, 0, 100)), "upper");
   tool->UpdateAssemblies();
+  const auto colour = [&](const TDF_Label& label, double red, double green, double blue) {
+    XCAFDoc_DocumentTool::ColorTool(document->Main())
+        ->SetColor(label, Quantity_Color(red, green, blue, Quantity_TOC_sRGB), XCAFDoc_ColorSurf);
+  };
+  colour(pin, 1, 0, 0);
+  colour(plate, 0, 0.2, 0.4);
   const std::string path = (folder / "assembly.step").string();
   STEPCAFControl_Writer writer;
   writer.SetNameMode(Standard_True);
@@ -393,6 +401,8 @@ TEST(StepImporter, AssembliesKeepNamesAndPlaces) {
   const importer::ReadModel model = read(path);
   EXPECT_EQ(model.mesh.report.bodies, 3);
   EXPECT_EQ(model.mesh.report.body_names, (std::vector<std::string>{"base", "left pin", "right pin"}));
+  const std::optional<Colour> blue = Colour{0, 51, 102}, red = Colour{255, 0, 0};
+  EXPECT_EQ(model.mesh.report.body_colours, (std::vector{blue, red, red}));
   expect_extent(model.mesh, Vec3(0), Vec3(50, 20, 114), 1e-9);
   EXPECT_NEAR(volume_of(model.mesh), 4000 + 2 * 40 * std::numbers::pi, 2);
 }
