@@ -108,10 +108,9 @@ TEST(ThreeMf, ObjectsHaveTheColourOfTheirMaterial) {
   const std::string materials =
       R"(<basematerials id="9"><base name="red" displaycolor="#CC0000"/><base name="x" displaycolor="#0000FFFF"/>)"
       "</basematerials>";
-  const importer::ReadModel model = read(
-      model_of(materials + cube(1, "1", "pid=\"9\" pindex=\"0\"") + cube(2, "1", "pid=\"9\" pindex=\"1\"") + cube(3),
-               item(1) + item(2, "transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"") +
-                        item(3, "transform=\"1 0 0 0 1 0 0 0 1 9 0 0\"")));
+  const importer::ReadModel model = read(model_of(
+      materials + cube(1, "1", "pid=\"9\" pindex=\"0\"") + cube(2, "1", "pid=\"9\" pindex=\"1\"") + cube(3),
+      item(1) + item(2, "transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"") + item(3, "transform=\"1 0 0 0 1 0 0 0 1 9 0 0\"")));
   EXPECT_EQ(model.mesh.report.body_colours,
             (std::vector<std::optional<Colour>>{Colour{204, 0, 0}, Colour{0, 0, 255}, std::nullopt}));
 }
