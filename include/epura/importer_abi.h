@@ -114,7 +114,7 @@ typedef struct epura_sink {
 typedef struct epura_source {
   uint32_t size;             /* sizeof(epura_source) */
   uint32_t threads;          /* greatest number of threads; at least 1 */
-  const char* path;          /* path of the file */
+  const char* path;          /* path of the file; if it is in memory, that of a nameless one */
   const double* values;      /* values of the parameters in the order of the table, vectors flattened */
   double tolerance;          /* permitted deviation from curved surfaces, mm; 0: no bound */
   double relative_tolerance; /* the same as a fraction of the diagonal of the model's box; 0: no bound */

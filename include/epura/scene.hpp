@@ -25,10 +25,11 @@ struct Polygons {
 };
 
 struct Model {
-  std::string file{};   ///< obj, stl, ply, off, or of a format for which an importer is installed; with `:key=value`
-                        ///< for its parameters
-  Polygons polygons{};  ///< instead of a file
-  std::string name{};   ///< name for dimensions; by default the file name without extension
+  std::string file{};     ///< obj, stl, ply, off, or of a format for which an importer is installed; with `:key=value`
+                          ///< for its parameters
+  std::string content{};  ///< bytes of the file, which is then not read: `file` gives its name and format
+  Polygons polygons{};    ///< instead of a file
+  std::string name{};     ///< name for dimensions; by default the file name without extension
   std::optional<Unit> unit{};  ///< that of the file by default, or mm
   std::optional<UpAxis> up{};  ///< that of the file by default, or z
   /// Position, applied after unit and axis: the rows of an affine matrix for column vectors.

@@ -76,8 +76,8 @@ void append(scene::Options<Draw>& all, scene::Options<Draw> more, scene::Nature 
 scene::Options<Draw> file_options() {
   return {
       scene::option<Draw>({.flag = "models",
-                           .help = "model files (obj stl ply off and what 'epura importers' lists) or one scene file "
-                                   "(toml)",
+                           .help = "model files (obj stl ply off and what 'epura importers' lists), - for standard "
+                                   "input, or one scene file (toml)",
                            .nature = scene::Nature::file,
                            .required = true,
                            .repeatable = true},

@@ -138,7 +138,8 @@ class Checker {
     ProgressBoard board;
     const Progress progress(board, seconds_);
     return importer_.read(
-        {.path = file.string(), .values = values_, .relative_tolerance = 1e-4}, [](double) {}, progress);
+        {.path = file.string(), .name = file.string(), .values = values_, .relative_tolerance = 1e-4}, [](double) {},
+        progress);
   }
 
   static bool are_same(const Document& a, const Document& b) {

@@ -26,6 +26,7 @@ struct ImporterTable {
 /// A file to read; the fields correspond to epura_source.
 struct Reading {
   std::string path;
+  std::string name;  ///< by which errors call it
   std::vector<double> values;
   double tolerance = 0, relative_tolerance = 0;  ///< 0: no bound
   int threads = 1;

@@ -200,8 +200,8 @@ Document ImporterEntry::read(const Reading& reading, const std::function<void(do
   try {
     return process->read(table.name, reading, tell, progress);
   } catch (const Error& error) {
-    if (error.kind() == ErrorKind::input) throw Error(ErrorKind::input, reading.path, error.what());
-    throw Error(ErrorKind::plugin, library.string(), "'" + table.name + "' " + error.what() + " at " + reading.path);
+    if (error.kind() == ErrorKind::input) throw Error(ErrorKind::input, reading.name, error.what());
+    throw Error(ErrorKind::plugin, library.string(), "'" + table.name + "' " + error.what() + " at " + reading.name);
   }
 }
 

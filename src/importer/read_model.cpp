@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importer/read_model.hpp"
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <fstream>
+#include <new>
+#include <optional>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -27,6 +33,36 @@ std::string extension_of(const fs::path& path) {
   return dotted.empty() ? dotted : dotted.substr(1);
 }
 
+/// A file on disk or in memory.
+struct Source {
+  fs::path path;
+  std::string name;                    ///< by which errors call it
+  const std::string* bytes = nullptr;  ///< in memory
+};
+
+/// A file without a name in a file system that has the bytes, for importers, which read paths.
+class NamelessFile {
+ public:
+  explicit NamelessFile(const std::string& bytes) : descriptor_(::memfd_create("epura", MFD_CLOEXEC)) {
+    for (std::size_t written = 0; written < bytes.size();) {
+      const ssize_t count = ::write(descriptor_, bytes.data() + written, bytes.size() - written);
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) throw std::bad_alloc();
+      written += static_cast<std::size_t>(count);
+    }
+  }
+  NamelessFile(const NamelessFile&) = delete;
+  NamelessFile& operator=(const NamelessFile&) = delete;
+  ~NamelessFile() { ::close(descriptor_); }
+  /// Also for other processes.
+  [[nodiscard]] std::string path() const {
+    return "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(descriptor_);
+  }
+
+ private:
+  int descriptor_;
+};
+
 // At most `mark_bytes`. Throws like read_file if there is nothing to read.
 std::string first_bytes_of(const fs::path& path) {
   std::string bytes(mark_bytes, 0);
@@ -39,21 +75,21 @@ std::string first_bytes_of(const fs::path& path) {
 }
 
 // The first importer for the extension, otherwise the first one that recognises the content.
-const ImporterEntry* importer_for(const Catalogue& catalogue, const std::string& extension, const fs::path& path) {
+const ImporterEntry* importer_for(const Catalogue& catalogue, const std::string& extension, const Source& source) {
   for (const ImporterEntry& entry : catalogue.entries)
     if (std::find(entry.table.extensions.begin(), entry.table.extensions.end(), extension) !=
         entry.table.extensions.end())
       return &entry;
-  const std::string bytes = first_bytes_of(path);
+  const std::string bytes = source.bytes != nullptr ? source.bytes->substr(0, mark_bytes) : first_bytes_of(source.path);
   for (const ImporterEntry& entry : catalogue.entries)
     if (entry.recognises(bytes)) return &entry;
   return nullptr;
 }
 
-[[noreturn]] void throw_missing(const fs::path& path, const std::string& extension, const Catalogue& catalogue) {
+[[noreturn]] void throw_missing(const std::string& name, const std::string& extension, const Catalogue& catalogue) {
   std::string hint = "install the package " + std::string(package_for(extension));
   for (const foreign::BadPlugin& bad : catalogue.bad) hint += "\n" + bad.path.string() + ": " + bad.reason;
-  throw Error(ErrorKind::input, path.string(), "no importer for '." + extension + "' is installed", hint);
+  throw Error(ErrorKind::input, name, "no importer for '." + extension + "' is installed", hint);
 }
 
 /// Reports progress in bytes of the file: once while the importer reads, once more when the mesh is complete.
@@ -73,24 +109,27 @@ class Advance {
   std::size_t told_ = 0;
 };
 
-ReadModel read_by_importer(const ImporterEntry& importer, const fs::path& path, const foreign::Assignments& parameters,
+ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, const foreign::Assignments& parameters,
                            const ReadOptions& options, const Progress& progress) {
-  Reading reading{
-      .path = path.string(),
+  std::optional<NamelessFile> file;
+  if (source.bytes != nullptr) file.emplace(*source.bytes);
+  const Reading reading{
+      .path = file ? file->path() : source.path.string(),
+      .name = source.name,
       .values = foreign::flattened(
           foreign::values_of(importer.table.parameters, parameters, importer.table.name, "importer")),
       .tolerance = options.tolerance,
       .relative_tolerance = options.relative_tolerance,
       .threads = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency())};
   std::error_code unknown;
-  const std::uintmax_t bytes = fs::file_size(path, unknown);
+  const std::uintmax_t bytes = fs::file_size(reading.path, unknown);
   Advance advance(progress, unknown ? 0 : bytes);
   const Document document = importer.read(
       reading, [&](double done) { advance.to(done); }, progress);
   advance.to(1);
   try {
     Assembled assembled = assemble(document, importer.table.name);
-    ReadModel model{mesh::make_mesh(std::move(assembled.soup), path.string(), progress)};
+    ReadModel model{mesh::make_mesh(std::move(assembled.soup), source.name, progress)};
     if (!assembled.part.faces.empty())
       model.part = std::make_shared<features::PartFaces>(
           features::part_of(model.mesh, assembled.part, features::RecogniseOptions().tangent_angle));
@@ -101,8 +140,26 @@ ReadModel read_by_importer(const ImporterEntry& importer, const fs::path& path, 
     return model;
   } catch (const Error& error) {
     if (!error.where().empty()) throw;
-    throw Error(error.kind(), path.string(), error.what(), error.hint());
+    throw Error(error.kind(), source.name, error.what(), error.hint());
   }
+}
+
+// Nothing for mesh formats.
+std::optional<ReadModel> read_by_library(const Source& source, const foreign::Assignments& parameters,
+                                         const ReadOptions& options, const Progress& progress) {
+  const std::string extension = extension_of(source.name);
+  std::error_code error;
+  const bool is_readable = source.bytes != nullptr ? !source.bytes->empty() : fs::is_regular_file(source.path, error);
+  if (mesh::format_named(extension) == nullptr && is_readable) {
+    const Catalogue catalogue = load_catalogue(importer_folders(options.plugin_path));
+    if (const ImporterEntry* importer = importer_for(catalogue, extension, source))
+      return read_by_importer(*importer, source, parameters, options, progress);
+    if (!package_for(extension).empty()) throw_missing(source.name, extension, catalogue);
+  }
+  if (!parameters.empty())
+    throw Error(ErrorKind::input, source.name + ":" + parameters.front().first,
+                "files of this format have no parameters");
+  return std::nullopt;
 }
 
 bool is_assignment(std::string_view part) {
@@ -132,18 +189,18 @@ ModelRequest parse_model_request(const std::string& text) {
 
 ReadModel read_model(const fs::path& path, const foreign::Assignments& parameters, const ReadOptions& options,
                      const Progress& progress) {
-  const std::string extension = extension_of(path);
-  std::error_code error;
-  if (mesh::format_named(extension) == nullptr && fs::is_regular_file(path, error)) {
-    const Catalogue catalogue = load_catalogue(importer_folders(options.plugin_path));
-    if (const ImporterEntry* importer = importer_for(catalogue, extension, path))
-      return read_by_importer(*importer, path, parameters, options, progress);
-    if (!package_for(extension).empty()) throw_missing(path, extension, catalogue);
-  }
-  if (!parameters.empty())
-    throw Error(ErrorKind::input, path.string() + ":" + parameters.front().first,
-                "files of this format have no parameters");
+  if (path == standard_input)
+    return read_model(read_file("/dev/stdin", progress), "standard input", parameters, options, progress);
+  if (std::optional<ReadModel> model = read_by_library({path, path.string()}, parameters, options, progress))
+    return *std::move(model);
   return {mesh::read_mesh(path, progress)};
+}
+
+ReadModel read_model(std::string bytes, const std::string& name, const foreign::Assignments& parameters,
+                     const ReadOptions& options, const Progress& progress) {
+  if (std::optional<ReadModel> model = read_by_library({name, name, &bytes}, parameters, options, progress))
+    return *std::move(model);
+  return {mesh::read_mesh(std::move(bytes), name, progress)};
 }
 
 }  // namespace epura::importer

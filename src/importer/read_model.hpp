@@ -37,6 +37,13 @@ struct ReadModel {
 ReadModel read_model(const std::filesystem::path& path, const foreign::Assignments& parameters,
                      const ReadOptions& options = {}, const Progress& progress = {});
 
+/// The same for a file in memory. `name` precedes the location in errors; its extension counts.
+ReadModel read_model(std::string bytes, const std::string& name, const foreign::Assignments& parameters,
+                     const ReadOptions& options = {}, const Progress& progress = {});
+
+/// The path of standard input.
+inline constexpr const char* standard_input = "-";
+
 /// The path and parameters in `PATH:key=value...`. If a file with this whole name exists, all of it is the path.
 struct ModelRequest {
   std::string path;

@@ -93,7 +93,11 @@ scene::ModelDescription describe(const Model& model, const std::string& where) {
   if (in_memory)
     description.soup = soup_of(model.polygons, where + ".polygons");
   else
-    description.file = {model.file, where + ".file"};
+    description.file = {model.file == "-" ? "./-" : model.file, where + ".file"};
+  if (!model.content.empty()) {
+    if (in_memory) throw Error(ErrorKind::input, where, "has both content and polygons", "give exactly one of them");
+    description.content = std::make_shared<const std::string>(model.content);
+  }
   description.name = located(in_memory && model.name.empty() ? where : model.name, where + ".name");
   description.unit = located(model.unit, where + ".unit");
   description.up = located(model.up, where + ".up");

@@ -24,7 +24,6 @@ constexpr std::array<Format, 4> own_formats{{{"obj", "Wavefront OBJ: polygons, w
                                              {"ply", "PLY, text and binary: polygons", read_ply},
                                              {"off", "OFF: polygons", read_off}}};
 
-// OBJ has no signature.
 const Format* format_of_content(std::string_view bytes) {
   const std::string_view first = TextCursor(bytes, "").word_of_any_line();
   if (first == "ply" && bytes.starts_with("ply")) return format_named("ply");
@@ -32,9 +31,16 @@ const Format* format_of_content(std::string_view bytes) {
   return stl_kind(bytes) == StlKind::neither ? nullptr : format_named("stl");
 }
 
+// OBJ has no signature, but its files usually begin with one of these words.
+bool may_be_obj(std::string_view bytes) {
+  constexpr std::array<std::string_view, 10> words{"v", "vt", "vn", "o", "g", "f", "l", "s", "mtllib", "usemtl"};
+  return std::find(words.begin(), words.end(), TextCursor(bytes, "").word_of_any_line()) != words.end();
+}
+
 const Format& format_of(std::string_view bytes, std::string_view extension, const std::string& name) {
   if (const Format* format = format_of_content(bytes)) return *format;
   if (const Format* format = format_named(extension)) return *format;
+  if (extension.empty() && may_be_obj(bytes)) return *format_named("obj");
   std::string known;
   for (const Format& format : own_formats) known += (known.empty() ? "." : ", .") + std::string(format.name);
   throw Error(ErrorKind::input, name,
@@ -43,24 +49,17 @@ const Format& format_of(std::string_view bytes, std::string_view extension, cons
               "supported: " + known);
 }
 
-struct FileContent {
-  Soup soup;
-  std::size_t bytes;
-};
-
-FileContent read_soup(const std::filesystem::path& path, const Progress& progress) {
-  const std::string name = path.string();
-  std::string bytes = read_file(path, progress);
+Soup read_soup(std::string bytes, const std::string& name, const Progress& progress) {
   if (bytes.empty()) throw Error(ErrorKind::input, name, "is empty");
   if (stl_kind(bytes) != StlKind::binary) bytes = without_byte_order_mark(std::move(bytes));
 
-  const std::string dotted = to_lower(path.extension().string());
+  const std::string dotted = to_lower(std::filesystem::path(name).extension().string());
   const std::string extension = dotted.empty() ? dotted : dotted.substr(1);
   const Format& format = format_of(bytes, extension, name);
   Soup soup = format.read(bytes, name, progress);
   if (format_named(extension) != nullptr && extension != soup.format)
     soup.notes.push_back("the file is named ." + extension + ", but holds " + soup.format);
-  return {std::move(soup), bytes.size()};
+  return soup;
 }
 
 [[noreturn]] void fail_with_nothing_to_draw(const MeshReport& report) {
@@ -95,9 +94,13 @@ Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress) {
 }
 
 Mesh read_mesh(const std::filesystem::path& path, const Progress& progress) {
-  FileContent content = read_soup(path, progress);
-  Mesh mesh = make_mesh(std::move(content.soup), path.string(), progress);
-  progress.advance(content.bytes);
+  return read_mesh(read_file(path, progress), path.string(), progress);
+}
+
+Mesh read_mesh(std::string bytes, const std::string& name, const Progress& progress) {
+  const std::size_t size = bytes.size();
+  Mesh mesh = make_mesh(read_soup(std::move(bytes), name, progress), name, progress);
+  progress.advance(size);
   return mesh;
 }
 

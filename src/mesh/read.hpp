@@ -19,6 +19,9 @@ namespace epura::mesh {
 /// read, and when the mesh is complete.
 Mesh read_mesh(const std::filesystem::path& path, const Progress& progress = {});
 
+/// The same for a file in memory. `name` precedes the line or byte in errors; its extension counts.
+Mesh read_mesh(std::string bytes, const std::string& name, const Progress& progress = {});
+
 /// A format that read_mesh reads.
 struct Format {
   std::string_view name;  ///< also the extension: lower case, without a dot

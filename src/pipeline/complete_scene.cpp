@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/error.hpp"
 #include "importer/read_model.hpp"
 #include "pipeline/annotations.hpp"
 #include "pipeline/choose.hpp"
@@ -39,6 +40,11 @@ void take_hidden_lines(scene::ViewDescription& view) {
 
 void complete_scene(scene::SceneDescription& scene) {
   for (scene::ModelDescription& model : scene.models) take_parameters(model);
+  const auto is_piped = [](const scene::ModelDescription& model) {
+    return model.file.given() && *model.file == importer::standard_input;
+  };
+  if (std::count_if(scene.models.begin(), scene.models.end(), is_piped) > 1)
+    throw Error(ErrorKind::input, importer::standard_input, "standard input is one model, and is given twice");
   if (scene.views.empty())
     scene.views.emplace_back().projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
   for (scene::ViewDescription& view : scene.views) take_hidden_lines(view);

@@ -84,6 +84,7 @@ importer::ReadModel read(const scene::ModelDescription& model, importer::ReadOpt
   if (model.soup != nullptr) return {mesh::make_mesh(*model.soup, *model.name, progress)};
   options.tolerance /= enlargement_of(model);
   const auto read_it = [&](const std::string& file) {
+    if (model.content != nullptr) return importer::read_model(*model.content, file, model.import, options, progress);
     return importer::read_model(file, model.import, options, progress);
   };
   return model.file.where == *model.file ? read_it(*model.file) : at_place(model.file, read_it);
@@ -101,7 +102,10 @@ std::size_t work_of(const std::vector<scene::ModelDescription>& models) {
   std::size_t bytes = 0;
   for (const scene::ModelDescription& model : models) {
     std::error_code kind;
-    if (is_drawn(model) && model.soup == nullptr) bytes += 2 * std::filesystem::file_size(*model.file, kind);
+    if (is_drawn(model) && model.content != nullptr)
+      bytes += 2 * model.content->size();
+    else if (is_drawn(model) && model.soup == nullptr)
+      bytes += 2 * std::filesystem::file_size(*model.file, kind);
     if (kind) return 0;
   }
   return bytes;

@@ -36,6 +36,7 @@ using LocatedText = Located<std::string>;
 struct ModelDescription {
   LocatedText file;                                           ///< in a scene file, relative to its folder
   std::vector<std::pair<std::string, std::string>> import{};  ///< parameters of the file's importer and their values
+  std::shared_ptr<const std::string> content{};               ///< of the file, which is then not read
   std::shared_ptr<const mesh::Soup> soup{};                   ///< instead of a file
   LocatedText name;             ///< name in dimensions; by default the file's name without extension
   Located<Unit> unit;           ///< by default that of the file, or mm

@@ -57,6 +57,18 @@ Failure failure_of(const Scene& scene, const Settings& how = settings()) {
   return {Failure::Kind::input, "", "no failure", ""};
 }
 
+TEST(Library, DrawsFilesInMemory) {
+  const std::string bytes = "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n";
+  const Drawing drawing = draw({.models = {{.file = "part.obj", .content = bytes}}}, settings());
+  EXPECT_EQ(drawing.views().at(0).lines.size(), 3U);
+  const Failure damaged = failure_of({.models = {{.file = "no/such/part.obj", .content = "f 1 2 3"}}});
+  EXPECT_EQ(damaged.place(), "models[0].file") << damaged.what();
+  EXPECT_NE(std::string(damaged.what()).find("no/such/part.obj:1"), std::string::npos) << damaged.what();
+  EXPECT_EQ(failure_of({.models = {{.content = bytes}}}).place(), "models[0]") << "without a name";
+  EXPECT_EQ(failure_of({.models = {{.content = bytes, .polygons = cube(1)}}}).place(), "models[0]");
+  EXPECT_NE(std::string(failure_of({.models = {{.file = "-"}}}).what()).find("No such file"), std::string::npos);
+}
+
 // The side of a cylinder along z as a band of triangles, its upper rim turned by `twist` facets against the lower one.
 struct Band {
   double radius, bottom, top, twist;
