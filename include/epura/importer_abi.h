@@ -53,15 +53,16 @@ enum {
 enum {
   EPURA_SHARP = 0,   /* at an angle */
   EPURA_TANGENT = 1, /* smoothly */
-  EPURA_WIRE = 2     /* no faces meet: a separate line, such as one of a sketch */
+  EPURA_WIRE = 2,    /* no faces meet: a separate line, such as one of a sketch */
+  EPURA_POINT = 3    /* a separate point, which is drawn as a cross */
 };
 
-/* An edge of the part between two faces, or a wire. A seam, where a face meets itself, is not an edge. */
+/* An edge of the part between two faces, a wire, or a point. A seam, where a face meets itself, is not an edge. */
 typedef struct epura_edge {
   uint32_t size;            /* sizeof(epura_edge) */
-  uint32_t kind;            /* EPURA_SHARP, EPURA_TANGENT or EPURA_WIRE */
+  uint32_t kind;            /* one of these numbers */
   double angle;             /* degrees between the normals of the faces; NaN: unknown, or a wire */
-  uint64_t count;           /* number of points along it, at least two */
+  uint64_t count;           /* number of points along it, at least two; 1 for EPURA_POINT */
   const uint32_t* vertices; /* numbers of points of the shape; a closed edge repeats the first one at its end */
 } epura_edge;
 

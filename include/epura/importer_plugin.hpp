@@ -85,6 +85,8 @@ class Sink {
   void wire(std::span<const std::uint32_t> vertices) {
     tell_edge(vertices, EPURA_WIRE, std::numeric_limits<double>::quiet_NaN());
   }
+  /// Adds a point that belongs to no face or line.
+  void point(std::uint32_t vertex) { tell_edge({&vertex, 1}, EPURA_POINT, std::numeric_limits<double>::quiet_NaN()); }
   /// Returns its number.
   std::uint32_t node(const std::string& name, std::uint32_t parent = EPURA_NONE, std::uint32_t shape = EPURA_NONE,
                      const Transform& transform = identity) {

@@ -283,11 +283,13 @@ std::string text_of(const ModelInfo& info) {
   std::transform(format.begin(), format.end(), format.begin(),
                  [](char c) { return 'a' <= c && c <= 'z' ? char(c - 32) : c; });
   std::string text = one_line(report.name) + "\n";
+  const int pieces = report.wires - report.point_arms;
   text += line_of("file", format + (report.single_precision ? ", 32-bit coordinates" : "") + ", " +
                               counted(report.vertices, "vertex", "vertices") + ", " +
                               counted(report.faces, "face", "faces") + ", " +
                               counted(report.triangles, "triangle", "triangles") +
-                              (report.wires > 0 ? ", " + counted(report.wires, "piece", "pieces") + " of lines" : ""));
+                              (pieces > 0 ? ", " + counted(pieces, "piece", "pieces") + " of lines" : "") +
+                              (report.points > 0 ? ", " + counted(report.points, "point", "points") : ""));
   if (!info.box.empty()) {
     const Vec3 size = info.box.size();
     text += line_of("box", rounded(size.x) + " x " + rounded(size.y) + " x " + rounded(size.z) + ", from " +
@@ -352,7 +354,8 @@ std::string json_of(const ModelInfo& info) {
   const auto truth = [](bool value) { return value ? "true" : "false"; };
   std::string text = "{\"name\": " + json_string(report.name) + ", \"format\": " + json_string(report.format);
   text += number("vertices", report.vertices) + number("faces", report.faces) + number("triangles", report.triangles);
-  if (report.wires > 0) text += number("wires", report.wires);
+  if (report.wires > report.point_arms) text += number("wires", report.wires - report.point_arms);
+  if (report.points > 0) text += number("points", report.points);
   text += std::string(", \"single_precision\": ") + truth(report.single_precision);
   if (!info.box.empty())
     text += ",\n   \"box\": {\"min\": " + json_of(info.box.min) + ", \"max\": " + json_of(info.box.max) + "}";

@@ -82,7 +82,7 @@ class Assembler {
       result_.soup.points.push_back({at.x, at.y, at.z});
     }
     add_polygons(shape, first_point, glm::determinant(Mat3(to_file)) < 0);
-    add_wires(shape, first_point);
+    add_wires_and_points(shape, first_point);
     add_bodies(shape, name);
     add_colours(shape, colour);
     add_part(shape, to_file, first_point);
@@ -107,7 +107,8 @@ class Assembler {
     }
   }
 
-  void add_wires(const Shape& shape, int first_point) {
+  void add_wires_and_points(const Shape& shape, int first_point) {
+    for (const int point : shape.marked_points) result_.soup.marked_points.push_back(first_point + point);
     int begin = 0;
     for (const int end : shape.wire_ends) {
       std::vector<int> vertices(shape.wire_vertices.begin() + begin, shape.wire_vertices.begin() + end);

@@ -125,9 +125,10 @@ class Checker {
     try {
       const Document document = read(file);
       const bool is_empty = std::all_of(document.shapes.begin(), document.shapes.end(), [](const Shape& shape) {
-        return shape.polygon_ends.empty() && shape.wire_ends.empty();
+        return shape.polygon_ends.empty() && shape.wire_ends.empty() && shape.marked_points.empty();
       });
-      return is_empty ? std::nullopt : std::optional<std::string>("makes faces or wires of a file that holds none");
+      return is_empty ? std::nullopt
+                      : std::optional<std::string>("makes faces, wires or points of a file that holds none");
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::input) throw;
       return std::nullopt;
@@ -149,7 +150,7 @@ class Checker {
              one.body_of_polygon == two.body_of_polygon && one.body_names == two.body_names &&
              one.body_colours == two.body_colours && one.colour == two.colour &&
              one.edge_vertices == two.edge_vertices && one.wire_vertices == two.wire_vertices &&
-             one.wire_ends == two.wire_ends;
+             one.wire_ends == two.wire_ends && one.marked_points == two.marked_points;
     };
     const auto same_node = [](const Node& one, const Node& two) {
       return one.parent == two.parent && one.shape == two.shape && one.name == two.name &&

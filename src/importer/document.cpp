@@ -35,6 +35,7 @@ bool is_sound(const Shape& shape) {
          are_within(shape.body_of_polygon, -1, shape.body_names.size()) &&
          are_within(shape.edge_vertices, 0, shape.points.size()) && are_ends(edge_ends, shape.edge_vertices.size()) &&
          are_within(shape.wire_vertices, 0, shape.points.size()) &&
+         are_within(shape.marked_points, 0, shape.points.size()) &&
          are_ends(shape.wire_ends, shape.wire_vertices.size());
 }
 
@@ -44,7 +45,8 @@ template <class Pack, class Value>
 void pack_shape(Pack& pack, Value& shape) {
   pack(shape.name), pack(shape.points), pack(shape.corners), pack(shape.polygon_ends), pack(shape.face_of_polygon);
   pack(shape.body_of_polygon), pack(shape.body_names), pack(shape.body_colours), pack(shape.colour), pack(shape.faces);
-  pack(shape.edges), pack(shape.edge_vertices), pack(shape.wire_vertices), pack(shape.wire_ends);
+  pack(shape.edges), pack(shape.edge_vertices), pack(shape.wire_vertices), pack(shape.wire_ends),
+      pack(shape.marked_points);
 }
 
 template <class Pack, class Value>

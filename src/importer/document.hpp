@@ -32,6 +32,7 @@ struct Shape {
   std::vector<int> edge_vertices{};
   std::vector<int> wire_vertices{};  ///< indices of points, of all wires one after the other
   std::vector<int> wire_ends{};      ///< end of each wire in `wire_vertices`
+  std::vector<int> marked_points{};  ///< indices of points that are drawn as such
 };
 
 struct Node {

@@ -167,13 +167,20 @@ int DocumentSink::polygons(uint64_t count, const uint64_t* ends, const uint32_t*
 
 int DocumentSink::edge(const epura_edge* edge) {
   require(edge != nullptr && edge->size >= sizeof(epura_edge), "hands over no edge where it says so");
-  require(edge->kind <= EPURA_WIRE, "hands over an edge of unknown kind " + std::to_string(edge->kind));
-  require(edge->count >= 2, "hands over an edge of fewer than two points");
+  require(edge->kind <= EPURA_POINT, "hands over an edge of unknown kind " + std::to_string(edge->kind));
+  const bool is_point = edge->kind == EPURA_POINT;
+  require(is_point || edge->count >= 2, "hands over an edge of fewer than two points");
+  require(!is_point || edge->count == 1, "hands over a point that is not one");
   require(std::isnan(edge->angle) || (edge->angle >= 0 && edge->angle <= 180),
           "hands over an edge whose angle is not between 0 and 180 degrees");
   const bool is_wire = edge->kind == EPURA_WIRE;
-  expect_points(edge->count, edge->vertices, is_wire ? "a wire" : "an edge");
+  expect_points(edge->count, edge->vertices, is_point ? "a point" : is_wire ? "a wire" : "an edge");
   Shape& shape = current();
+  if (is_point) {
+    expect_fewer(shape.marked_points.size());
+    shape.marked_points.push_back(static_cast<int>(*edge->vertices));
+    return 0;
+  }
   std::vector<int>& vertices = is_wire ? shape.wire_vertices : shape.edge_vertices;
   expect_fewer(vertices.size() + edge->count);
   vertices.insert(vertices.end(), edge->vertices, edge->vertices + edge->count);

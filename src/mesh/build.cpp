@@ -10,6 +10,7 @@
 #include "mesh/cracks.hpp"
 #include "mesh/edge_table.hpp"
 #include "mesh/faces.hpp"
+#include "mesh/point_marks.hpp"
 #include "mesh/resolution.hpp"
 #include "mesh/triangulate.hpp"
 #include "mesh/weld.hpp"
@@ -168,6 +169,7 @@ Mesh build_mesh(Soup soup, std::string name, const Progress& progress) {
   report.name = std::move(name);
   report.format = soup.format;
   report.single_precision = soup.single_precision;
+  mark_lone_points(soup);
   report.notes = std::move(soup.notes);
 
   progress.expect_time();
@@ -179,6 +181,9 @@ Mesh build_mesh(Soup soup, std::string name, const Progress& progress) {
   Faces triangles = usable_triangles(soup, table, report, progress);
 
   progress.expect_time();
+  const PointMarks marks = add_crosses(soup, report.name);
+  report.points = marks.points;
+  report.point_arms = marks.arms;
   report.faces = count_faces(triangles);
   report.triangles = static_cast<int>(triangles.size());
   mesh.points = std::move(soup.points);

@@ -56,7 +56,9 @@ struct MeshReport {
   int vertices = 0;    ///< number in the file (STL: after welding)
   int faces = 0;       ///< polygons of the file that are drawn
   int triangles = 0;   ///< after triangulation
-  int wires = 0;       ///< segments of lines in the file
+  int points = 0;      ///< points of the file that are drawn as crosses
+  int point_arms = 0;  ///< wires of these crosses
+  int wires = 0;       ///< segments of lines in the file, and arms of crosses
   int bodies = 0;      ///< named groups if there are at least two, otherwise parts connected through edges
   std::vector<std::string> body_names;              ///< empty for files without named groups
   std::string only_body;                            ///< the name of all bodies, if there is one named group

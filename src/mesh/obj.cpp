@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads Wavefront OBJ: v, f, l, o and g; other lines describe neither surfaces nor wires.
+// Reads Wavefront OBJ: v, f, l, p, o and g; other lines describe no surfaces, wires or points.
 #include <optional>
 #include <span>
 #include <string>
@@ -122,7 +122,7 @@ class ObjJoiner {
  public:
   /// Reserves memory for all of `parts`.
   ObjJoiner(std::string_view name, const std::vector<std::optional<ObjPart>>& parts)
-      : faces_(name, obj_face), wires_(name, obj_wire) {
+      : faces_(name, obj_face), wires_(name, obj_wire), marks_(name, obj_point) {
     std::size_t points = 0, corners = 0, faces = 0;
     for (const std::optional<ObjPart>& part : parts) {
       if (!part) continue;
@@ -140,6 +140,7 @@ class ObjJoiner {
     join(ignored_, part.ignored, lines_);
     faces_.add(std::move(part.faces), count(), line());
     wires_.add(std::move(part.wires), count(), line());
+    marks_.add(std::move(part.marks), count(), line());
     soup_.points.insert(soup_.points.end(), part.points.begin(), part.points.end());
     lines_ += part.lines;
   }
@@ -150,9 +151,11 @@ class ObjJoiner {
   Soup finish() {
     faces_.expect_vertices(count());
     wires_.expect_vertices(count());
+    marks_.expect_vertices(count());
     soup_.corners = std::move(faces_.corners());
     soup_.face_ends = std::move(faces_.ends());
     take_wires();
+    soup_.marked_points = std::move(marks_.corners());
     take_bodies();
     note_ignored();
     soup_.format = "obj";
@@ -196,7 +199,7 @@ class ObjJoiner {
   }
 
   Soup soup_;
-  ObjElementJoiner faces_, wires_;
+  ObjElementJoiner faces_, wires_, marks_;
   std::vector<ObjNaming> objects_, groups_;
   ObjIgnored ignored_;
   std::size_t lines_ = 0;  // of the parts added so far

@@ -38,6 +38,7 @@ class ObjPartReader {
     if (word == "v") return vertex();
     if (word == "f" || word == "fo") return element(part_.faces, obj_face);
     if (word == "l") return element(part_.wires, obj_wire);
+    if (word == "p") return element(part_.marks, obj_point);
     if (word == "o") return part_.objects.push_back({part_.faces.ends.size(), text_.rest_of_line()});
     if (word == "g") return part_.groups.push_back({part_.faces.ends.size(), text_.rest_of_line()});
     static constexpr std::array<std::string_view, 6> silent{"vn", "vt", "vp", "s", "usemtl", "mtllib"};

@@ -43,11 +43,12 @@ struct ObjElements {
 /// Names of elements in error messages.
 inline constexpr const char* obj_face = "a face";
 inline constexpr const char* obj_wire = "a line";
+inline constexpr const char* obj_point = "a point";
 
 /// Faces, corners, vertices before a corner and lines are counted from the beginning of the part, lines from 0.
 struct ObjPart {
   Points points;
-  ObjElements faces, wires;
+  ObjElements faces, wires, marks;
   std::vector<ObjNaming> objects, groups;
   ObjIgnored ignored;
   std::size_t lines = 0;

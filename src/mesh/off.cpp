@@ -89,10 +89,15 @@ void read_faces(TextCursor& text, Soup& soup, long long count, Pace& pace) {
                   "vertices are numbered from 0");
       soup.corners.push_back(static_cast<int>(index));
     }
-    // Faces with two corners are lines.
+    // Faces with two corners are lines, those with one are points.
     if (corners == 2) {
       soup.add_wire(std::vector<int>(soup.corners.end() - 2, soup.corners.end()));
       soup.corners.resize(soup.corners.size() - 2);
+      ++soup.wire_faces;
+    }
+    if (corners == 1) {
+      soup.marked_points.push_back(soup.corners.back());
+      soup.corners.pop_back();
       ++soup.wire_faces;
     }
     soup.end_face();

@@ -71,7 +71,7 @@ Soup read_soup(std::string bytes, const std::string& name, const Progress& progr
   add(report.dropped_degenerate, "with fewer than three distinct corners");
   throw Error(ErrorKind::input, report.name,
               reasons.empty() ? "holds no faces" : "none of its faces can be drawn: " + reasons,
-              reasons.empty() ? "points alone are not drawn" : "");
+              reasons.empty() && report.vertices > 0 ? "points at one place have no size" : "");
 }
 
 }  // namespace

@@ -23,8 +23,9 @@ struct Soup {
   std::vector<std::optional<Colour>> body_colours;  ///< of each named group; empty if the file has none
   /// The segments of wires between two points, in range. None if `corners_repeat_points`.
   std::vector<std::array<int, 2>> wires;
-  int wire_faces = 0;                  ///< empty faces in place of wires, which preserve the numbers of the others
-  std::string format;                  ///< "obj", "stl", "ply", "off"
+  std::vector<int> marked_points;  ///< points that are to be drawn as such, in range
+  int wire_faces = 0;  ///< empty faces in place of wires and points, which preserve the numbers of the others
+  std::string format;  ///< "obj", "stl", "ply", "off"
   bool single_precision = false;       ///< coordinates are stored in 32 bits
   bool printed = false;                ///< coordinates were written as text, hence possibly rounded to decimals
   bool corners_repeat_points = false;  ///< every face has its own points (STL)

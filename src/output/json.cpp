@@ -168,7 +168,8 @@ std::string mesh_of(const mesh::MeshReport& mesh) {
   add("vertices", number(mesh.vertices));
   add("faces", number(mesh.faces));
   add("triangles", number(mesh.triangles));
-  if (mesh.wires > 0) add("wires", number(mesh.wires));
+  if (mesh.wires > mesh.point_arms) add("wires", number(mesh.wires - mesh.point_arms));
+  if (mesh.points > 0) add("points", number(mesh.points));
   add("bodies", number(mesh.bodies));
   if (!mesh.body_names.empty()) add("body_names", json_list(mesh.body_names, json_string));
   add("open_edges", number(mesh.open_edges));

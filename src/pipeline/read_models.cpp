@@ -126,9 +126,13 @@ void warn_about(const Messages& messages, const mesh::MeshReport& report, bool s
   say_left_out(report.dropped_non_finite, "coordinates that are not finite");
   say(report.non_manifold_edges, "edge has three or more faces and is drawn",
       "edges have three or more faces; each is drawn");
-  if (says_wires && report.wires > 0 && report.triangles > 0)
-    say(report.wires, "piece of a line beside the faces is drawn; --edges without wire leaves it out",
+  if (says_wires && report.triangles > 0) {
+    say(report.wires - report.point_arms,
+        "piece of a line beside the faces is drawn; --edges without wire leaves it out",
         "pieces of lines beside the faces are drawn; --edges without wire leaves them out");
+    say(report.points, "point is drawn as a cross; --edges without wire leaves it out",
+        "points are drawn as crosses; --edges without wire leaves them out");
+  }
   for (const std::string& note : report.notes) messages.warn(report.name + ": " + note);
 }
 

@@ -133,6 +133,14 @@ class ShapeMaker {
     for (const Wire& wire : wires) sink_.wire(wire);
   }
 
+  void add_points(Corners corners) {
+    std::vector<std::array<std::uint32_t, 1>> points;
+    for (const std::uint32_t number : corners.numbers) points.push_back({number});
+    if (points.empty()) return;
+    add_points(corners.points, points);
+    for (const auto& [number] : points) sink_.point(number);
+  }
+
   [[nodiscard]] std::uint32_t shape() const { return shape_; }
 
  private:
@@ -162,15 +170,8 @@ class ShapeMaker {
 }  // namespace
 
 std::string LeftOut::sentence() const {
-  std::string text;
-  const auto add = [&](std::size_t count, const char* one, const char* many) {
-    if (count == 0) return;
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? one : many);
-  };
-  add(points, " point", " points");
-  add(morphs, " morph target", " morph targets");
-  if (text.empty()) return text;
-  return text + (points + morphs == 1 ? " is not drawn" : " are not drawn");
+  if (morphs == 0) return {};
+  return std::to_string(morphs) + (morphs == 1 ? " morph target is not drawn" : " morph targets are not drawn");
 }
 
 std::uint32_t add_shape(const tinygltf::Model& model, std::size_t number, Sink& sink, LeftOut& left_out) {
@@ -187,14 +188,12 @@ std::uint32_t add_shape(const tinygltf::Model& model, std::size_t number, Sink& 
       refuse_if(corners.numbers.size() % of_one != 0,
                 what + " has " + std::to_string(corners.numbers.size()) + " corners, which make no " + things);
     };
-    if (mode == TINYGLTF_MODE_POINTS) {
-      left_out.points += corners.numbers.size();
-      continue;
-    }
     left_out.morphs += primitive.targets.size();
     if (mode == TINYGLTF_MODE_LINE) expect_whole(2, "lines");
     if (mode == TINYGLTF_MODE_TRIANGLES) expect_whole(3, "triangles");
-    if (mode < TINYGLTF_MODE_TRIANGLES)
+    if (mode == TINYGLTF_MODE_POINTS)
+      maker.add_points(std::move(corners));
+    else if (mode < TINYGLTF_MODE_TRIANGLES)
       maker.add_wires(mode, std::move(corners));
     else
       maker.add_triangles(mode, std::move(corners));

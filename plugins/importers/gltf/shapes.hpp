@@ -13,13 +13,13 @@ namespace epura::plugin::gltf {
 
 /// Items that are not drawn, or may be drawn differently from the file.
 struct LeftOut {
-  std::size_t points = 0, morphs = 0;
+  std::size_t morphs = 0;
 
   /// A sentence; empty if nothing was omitted.
   [[nodiscard]] std::string sentence() const;
 };
 
-/// Passes a mesh to the sink. Returns its number as a shape, or EPURA_NONE if it has neither triangles nor lines.
+/// Passes a mesh to the sink. Returns its number as a shape, or EPURA_NONE if it has nothing to draw.
 std::uint32_t add_shape(const tinygltf::Model& model, std::size_t mesh, Sink& sink, LeftOut& left_out);
 
 }  // namespace epura::plugin::gltf

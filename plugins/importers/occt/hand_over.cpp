@@ -17,7 +17,7 @@ namespace occt {
 namespace {
 
 struct Totals {
-  std::size_t faces = 0, wires = 0, unmeshed = 0, inner = 0, gaps = 0, turned = 0;
+  std::size_t faces = 0, wires = 0, points = 0, unmeshed = 0, inner = 0, gaps = 0, turned = 0;
   double error = 0;
 
   void add(const BodyMesh& mesh) {
@@ -48,6 +48,13 @@ void hand_over(const Body& body, const BodyMesh& mesh, epura::plugin::Sink& sink
 void hand_over(const WireMesh& mesh, epura::plugin::Sink& sink) {
   sink.points(mesh.points);
   for (const std::vector<std::uint32_t>& wire : mesh.wires) sink.wire(wire);
+}
+
+void hand_over(const std::vector<gp_Pnt>& points, std::uint32_t first, epura::plugin::Sink& sink) {
+  std::vector<epura::plugin::Point> places;
+  for (const gp_Pnt& point : points) places.push_back({point.X(), point.Y(), point.Z()});
+  sink.points(places);
+  for (std::uint32_t i = 0; i < places.size(); ++i) sink.point(first + i);
 }
 
 epura::plugin::Transform rows_of(const gp_Trsf& transform) {
@@ -98,10 +105,13 @@ void hand_over(Model& model, const Fineness& fineness, epura::plugin::Sink& sink
     const WireMesh wires = mesh_of(part.wires, points, fineness);
     totals.wires += wires.wires.size();
     hand_over(wires, sink);
+    hand_over(part.points, points + static_cast<std::uint32_t>(wires.points.size()), sink);
+    totals.points += part.points.size();
   }
   note(totals, model.notes);
   for (const std::string& sentence : model.notes) sink.note(sentence);
-  if (totals.faces == 0 && totals.wires == 0) throw std::runtime_error("holds no face that could be tessellated");
+  if (totals.faces == 0 && totals.wires == 0 && totals.points == 0)
+    throw std::runtime_error("holds no face that could be tessellated");
   for (const Place& place : model.places) {
     sink.node(place.name, place.parent, place.part, rows_of(place.transform));
     hand_over(place.colour, sink);

@@ -8,6 +8,7 @@
 #include <TopoDS_Shape.hxx>
 #include <array>
 #include <cstdint>
+#include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
 #include <optional>
 #include <string>
@@ -29,6 +30,7 @@ struct Part {
   std::string name;
   std::vector<Body> bodies;
   std::vector<TopoDS_Edge> wires;  ///< edges that bound no face, each with a curve in space
+  std::vector<gp_Pnt> points;      ///< vertices of no edge
   std::optional<Colour> colour{};  ///< of bodies without one
 };
 

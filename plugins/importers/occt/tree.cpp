@@ -44,10 +44,11 @@ WireEdges edges_outside_faces(const TopoDS_Shape& shape) {
   return wires;
 }
 
-std::size_t count_outside(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind, TopAbs_ShapeEnum avoided) {
-  std::size_t count = 0;
-  for (TopExp_Explorer all(shape, kind, avoided); all.More(); all.Next()) ++count;
-  return count;
+std::vector<gp_Pnt> points_outside_edges(const TopoDS_Shape& shape) {
+  std::vector<gp_Pnt> points;
+  for (TopExp_Explorer vertices(shape, TopAbs_VERTEX, TopAbs_EDGE); vertices.More(); vertices.Next())
+    points.push_back(BRep_Tool::Pnt(TopoDS::Vertex(vertices.Current())));
+  return points;
 }
 
 }  // namespace
@@ -80,7 +81,6 @@ void TreeBuilder::finish() {
   };
   note(endless_, "line", " without an end or without a curve is not drawn",
        " without an end or without a curve are not drawn");
-  note(points_, "point", " without edges is not drawn", " without edges are not drawn");
   if (loose_ > 0)
     model_.notes.push_back(std::to_string(loose_) + " loose faces and shells were sewn into " +
                            std::to_string(sewn_into_));
@@ -89,15 +89,18 @@ void TreeBuilder::finish() {
 TreeBuilder::Prototype TreeBuilder::make(const TopoDS_Shape& shape, const std::string& name) {
   WireEdges wires = edges_outside_faces(shape);
   endless_ += wires.endless;
-  points_ += count_outside(shape, TopAbs_VERTEX, TopAbs_EDGE);
+  std::vector<gp_Pnt> points = points_outside_edges(shape);
   Bodies found = bodies_of(shape);
   loose_ += found.loose;
   sewn_into_ += found.sewn_into;
   Prototype prototype;
   separate_repeats(found.shapes, prototype);
-  if (!found.shapes.empty() || !wires.edges.empty()) {
-    prototype.part = add_part(name, found.shapes, std::move(wires.edges));
-    model_.parts[prototype.part].colour = colour_of(shape);
+  if (!found.shapes.empty() || !wires.edges.empty() || !points.empty()) {
+    prototype.part = add_part(name, found.shapes);
+    Part& part = model_.parts[prototype.part];
+    part.wires = std::move(wires.edges);
+    part.points = std::move(points);
+    part.colour = colour_of(shape);
   }
   return prototype;
 }
@@ -128,9 +131,9 @@ void TreeBuilder::separate_repeats(std::vector<TopoDS_Shape>& bodies, Prototype&
   }
 }
 
-std::uint32_t TreeBuilder::add_part(const std::string& name, const std::vector<TopoDS_Shape>& bodies,
-                                    std::vector<TopoDS_Edge> wires) {
-  Part part{name, {}, std::move(wires)};
+std::uint32_t TreeBuilder::add_part(const std::string& name, const std::vector<TopoDS_Shape>& bodies) {
+  Part part;
+  part.name = name;
   for (const TopoDS_Shape& body : bodies) part.bodies.push_back({body, name_of(body), colour_of(body)});
   model_.parts.push_back(std::move(part));
   return static_cast<std::uint32_t>(model_.parts.size() - 1);

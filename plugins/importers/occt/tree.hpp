@@ -31,15 +31,14 @@ class TreeBuilder {
 
   Prototype make(const TopoDS_Shape& shape, const std::string& name);
   void separate_repeats(std::vector<TopoDS_Shape>& bodies, Prototype& prototype);
-  std::uint32_t add_part(const std::string& name, const std::vector<TopoDS_Shape>& bodies,
-                         std::vector<TopoDS_Edge> wires = {});
+  std::uint32_t add_part(const std::string& name, const std::vector<TopoDS_Shape>& bodies);
   [[nodiscard]] std::string name_of(const TopoDS_Shape& body) const;
   [[nodiscard]] std::optional<Colour> colour_of(const TopoDS_Shape& body) const;
 
   Model& model_;
   const Attributes& attributes_;
   NCollection_IndexedDataMap<TopoDS_Shape, Prototype, TopTools_ShapeMapHasher> prototypes_;
-  std::size_t endless_ = 0, points_ = 0, loose_ = 0, sewn_into_ = 0;
+  std::size_t endless_ = 0, loose_ = 0, sewn_into_ = 0;
 };
 
 /// Adds the tree of an XCAF document.

@@ -59,7 +59,7 @@ TEST_F(Refusal, ModelsWithAFaultAreNamedWithTheLine) {
   expect_draw_refused({model("v 0 0 0\nv 1e400 0 0\n")}, {m + ":2", "1e400"});
   expect_draw_refused({model("v 0 0 0\nv 1 0\n")}, {m + ":2", "missing"});
   expect_draw_refused({model("v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n")}, {m, "not finite"});
-  expect_draw_refused({model("v 0 0 0\nv 1 0 0\n")}, {m, "no faces"});
+  expect_draw_refused({model("v 1 0 0\nv 1 0 0\n")}, {m, "no faces"});
   expect_draw_refused({model("v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n")}, {m, "fewer than three distinct corners"});
   expect_draw_refused({model("")}, {m, "is empty"});
 }

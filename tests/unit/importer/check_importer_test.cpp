@@ -19,7 +19,7 @@ TEST(CheckImporter, NamesWhatIsWrong) {
   const auto importers = importer::importers_of(folder_of("good") / "plain.so");
   const auto results = importer::check_importer(importers.at(0), {folder.file("a.plain", "plain")}, 10);
   EXPECT_EQ(fault_of(results, "marks"), "passed");
-  EXPECT_EQ(fault_of(results, "refuses"), "makes faces or wires of a file that holds none");
+  EXPECT_EQ(fault_of(results, "refuses"), "makes faces, wires or points of a file that holds none");
   EXPECT_EQ(fault_of(results, "reads"), "passed");
   EXPECT_EQ(fault_of(results, "repeats"), "passed");
   EXPECT_EQ(fault_of(results, "survives"), "passed");

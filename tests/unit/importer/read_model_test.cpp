@@ -32,6 +32,13 @@ TEST(ImporterProcess, HandsOverWires) {
   EXPECT_EQ(read_by("good", folder.file("a.plain", "plain")).mesh.report.wires, 0);
 }
 
+TEST(ImporterProcess, HandsOverPoints) {
+  const Folder folder;
+  const mesh::MeshReport report = read_by("point", folder.file("a.plain", "plain")).mesh.report;
+  EXPECT_EQ(report.points, 1);
+  EXPECT_EQ(report.wires, report.point_arms);
+}
+
 TEST(ImporterProcess, HandsOverColours) {
   const Folder folder;
   const std::string file = folder.file("a.plain", "plain");
@@ -92,7 +99,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"short-edge", "hands over an edge of fewer than two points"},
                     Mistake{"wrong-edge", "hands over an edge with a corner that is no point of the shape"},
                     Mistake{"wrong-wire", "hands over a wire with a corner that is no point of the shape"},
-                    Mistake{"other-edge", "hands over an edge of unknown kind 3"},
+                    Mistake{"other-edge", "hands over an edge of unknown kind 4"},
+                    Mistake{"wrong-point", "hands over a point that is not one"},
                     Mistake{"parent-to-come", "hands over a node whose parent is not an earlier one"},
                     Mistake{"missing-shape", "hands over a node with a shape that it does not hand over"},
                     Mistake{"infinite", "hands over a node whose transform is not finite"},

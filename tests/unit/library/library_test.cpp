@@ -265,6 +265,7 @@ TEST(Library, FailuresNameTheMember) {
   EXPECT_EQ(failure_of(scene).kind(), Failure::Kind::plugin);
   scene = in_memory();
   scene.models[0].polygons.faces.clear();
+  scene.models[0].polygons.points.resize(1);
   expect(scene, "models[0]", "holds no faces");
 }
 

@@ -74,8 +74,8 @@ TEST(Obj, GroupsAreBodiesWhereThereAreNoObjects) {
 
 TEST(Obj, OtherStatementsAreNotedOnce) {
   const mesh::Soup soup =
-      soup_of("# a comment\nmtllib x\nusemtl y#z\ns off\nv 0 0 0\nv 1 0 0\nl 1 2\np 1\nl 2 1\n\x7F\xC3 3\n");
-  EXPECT_EQ(soup.notes, (std::vector<std::string>{"ignored 2 unsupported lines ('p', '?"
+      soup_of("# a comment\nmtllib x\nusemtl y#z\ns off\nv 0 0 0\nv 1 0 0\nl 1 2\nq 1\nl 2 1\n\x7F\xC3 3\n");
+  EXPECT_EQ(soup.notes, (std::vector<std::string>{"ignored 2 unsupported lines ('q', '?"
                                                   "?'), the first is line 8"}));
 }
 
@@ -175,11 +175,12 @@ TEST(Obj, ErrorsNameTheLineOfLongFiles) {
   EXPECT_EQ(error("\nl 1 -9000000\n"), "m.obj:" + next + " | m.obj:" + next +
                                            ": a line refers to vertex -9000000, but there are " + count +
                                            " before it | ");
-  const mesh::Soup soup = soup_of(file.text + "\np 1 2\nl 1 -1\n" + file.text + "x 1\np 1\nl 2 -1\n");
+  const mesh::Soup soup = soup_of(file.text + "\nq 1 2\nl 1 -1\np -1\n" + file.text + "x 1\nq 1\nl 2 -1\n");
   EXPECT_EQ(soup.notes,
-            (std::vector<std::string>{"ignored 3 unsupported lines ('p', 'x'), the first is line " + next}));
+            (std::vector<std::string>{"ignored 3 unsupported lines ('q', 'x'), the first is line " + next}));
   const int points = static_cast<int>(file.soup.points.size());
   EXPECT_EQ(soup.wires, (std::vector<std::array<int, 2>>{{0, points - 1}, {1, 2 * points - 1}}));
+  EXPECT_EQ(soup.marked_points, std::vector<int>{points - 1});
 }
 
 // Nowhere to cut: every line goes on, or none ends with a line feed.

@@ -101,11 +101,11 @@ TEST(ReadMesh, ErrorsNameTheFileAndTheReason) {
   EXPECT_EQ(error("m.obj", ""), "FILE | FILE: is empty | ");
   EXPECT_EQ(error("m.step", "ISO-10303-21;"),
             "FILE | FILE: '.step' is not a supported model format | supported: .obj, .stl, .ply, .off");
-  EXPECT_EQ(error("model", "# of OBJ\nv 0 0 0\n"), "FILE | FILE: holds no faces | points alone are not drawn");
+  EXPECT_EQ(error("model", "# of OBJ\nv 0 0 0\n"), "FILE | FILE: holds no faces | points at one place have no size");
   EXPECT_EQ(error("model", "vertices\n"),
             "FILE | FILE: has no extension, so its format is unknown | supported: .obj, .stl, .ply, .off");
-  EXPECT_EQ(error("m.obj", "v 0 0 0\nl 1 1\n"), "FILE | FILE: holds no faces | points alone are not drawn");
-  EXPECT_EQ(error("m.stl", test::binary_stl({})), "FILE | FILE: holds no faces | points alone are not drawn");
+  EXPECT_EQ(error("m.obj", "v 0 0 0\nl 1 1\n"), "FILE | FILE: holds no faces | points at one place have no size");
+  EXPECT_EQ(error("m.stl", test::binary_stl({})), "FILE | FILE: holds no faces | ");
   EXPECT_EQ(error("m.obj", "v nan inf 0\nv 0 0 0\nv 1 0 0\nf 1 2 3\nf 2 2 3\n"),
             "FILE | FILE: none of its faces can be drawn: 1 with coordinates that are not finite, "
             "1 with fewer than three distinct corners | ");
