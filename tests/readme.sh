@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The README must not lie:  tests/readme.sh EPURA
+# README and recipes must not lie:  tests/readme.sh EPURA
 # Every ```sh block is run, in a scratch copy, with EPURA first in PATH; the pipeline is the one of src/CMakeLists.txt.
 set -uo pipefail
 root=$(realpath "$(dirname "$(realpath "$0")")/..")
@@ -10,26 +10,28 @@ trap 'rm -rf "$scratch"' EXIT
 status=0
 
 complain() {
-  echo "README.md: $*" >&2
+  echo "documentation: $*" >&2
   status=1
 }
 
 cp -r "$root/include" "$root/cmake" "$scratch"
 mkdir "$scratch/samples"
 cp -r "$root/samples/models" "$root/samples/step" "$root/samples/scenes" "$root/samples/plugin" "$scratch/samples"
-awk -v out="$scratch/block" '/^```sh$/ { inside = 1; ++n; next } /^```$/ { inside = 0 }
-                             inside { print > (out n ".sh") }' "$root/README.md"
-[ -f "$scratch/block1.sh" ] || complain "no sh block found"
+for page in README.md docs/recipes.md; do
+  awk -v out="$scratch/$(basename $page)-" '/^```sh$/ { inside = 1; ++n; next } /^```$/ { inside = 0 }
+                                            inside { print > (out n ".sh") }' "$root/$page"
+  [ -f "$scratch/$(basename $page)-1.sh" ] || complain "no sh block found in $page"
+done
 
 cd "$scratch" || exit 2
-for block in block*.sh; do
+for block in *.md-*.sh; do
   # The two big commands would run this test again: that they are there is enough.
   if ! grep -vqE '^(samples/draw|tests/run)( |$)' "$block"; then
     while read -r program _; do
       [ -x "$root/$program" ] || complain "$program is not a program"
     done <"$block"
   elif ! bash -euo pipefail "$block" >log 2>&1; then
-    complain "this block fails:"
+    complain "this block of ${block%-*} fails:"
     cat "$block" log >&2
   fi
 done
