@@ -100,6 +100,25 @@ TEST(oblique, cabinet_halves_depth_at_63_435_degrees_to_the_plane) {
   EXPECT_NEAR(90 - slant(p), 63.435, 5e-4);
 }
 
+TEST(axonometric, corners_are_seen_from_their_sides_with_the_same_angles) {
+  const std::vector<std::pair<std::string, Vec3>> corners{{"right-front", {1, -1, 1}},
+                                                          {"left-front", {-1, -1, 1}},
+                                                          {"left-back", {-1, 1, 1}},
+                                                          {"right-back", {1, 1, 1}},
+                                                          {"right-front-below", {1, -1, -1}},
+                                                          {"left-front-below", {-1, -1, -1}},
+                                                          {"left-back-below", {-1, 1, -1}},
+                                                          {"right-back-below", {1, 1, -1}}};
+  for (const char* name : {"isometric", "dimetric", "trimetric"}) {
+    const Vec3 usual = make(name, a_box()).projector;
+    for (const auto& [corner, signs] : corners) {
+      const projection::Projection p = make(name + (":from=" + corner), a_box());
+      EXPECT_EQ(p.projector, signs * glm::abs(usual)) << name << " " << corner;
+      EXPECT_NEAR(angle(step(p, ez)), 90, 1e-12);
+    }
+  }
+}
+
 TEST(oblique, general_one_takes_angle_and_ratio) {
   const projection::Projection p = make("oblique:angle=20:ratio=0.8", a_box());
   EXPECT_NEAR(glm::length(step(p, ey)), 0.8, 1e-14);
