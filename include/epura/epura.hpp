@@ -135,11 +135,12 @@ struct SvgOptions {
   std::string id_prefix{};  ///< prefix of ids and classes; empty: derived from the drawing
 };
 
-// Encoded files. The same drawing always gives the same bytes. `sheet` counts from 1. Throw Failure.
+// Encoded files. The same drawing always gives the same bytes. `sheet` counts from 1; `blocks` makes each view a block.
+// Throw Failure.
 [[nodiscard]] EPURA_PUBLIC std::string to_svg(const Drawing& drawing, int sheet = 1, const SvgOptions& options = {});
 [[nodiscard]] EPURA_PUBLIC std::string to_png(const Drawing& drawing, int sheet = 1, double dpi = 300);
 [[nodiscard]] EPURA_PUBLIC std::string to_eps(const Drawing& drawing, int sheet = 1);
-[[nodiscard]] EPURA_PUBLIC std::string to_dxf(const Drawing& drawing, int sheet = 1);
+[[nodiscard]] EPURA_PUBLIC std::string to_dxf(const Drawing& drawing, int sheet = 1, bool blocks = false);
 [[nodiscard]] EPURA_PUBLIC std::string to_json(const Drawing& drawing, int sheet = 1);
 [[nodiscard]] EPURA_PUBLIC std::string to_pdf(const Drawing& drawing);  ///< all sheets
 [[nodiscard]] EPURA_PUBLIC std::string to_ps(const Drawing& drawing);   ///< all sheets

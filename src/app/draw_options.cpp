@@ -148,6 +148,8 @@ scene::Options<Draw> format_options() {
                            .help = "prefix of ids and classes in SVG, for several drawings on one HTML page",
                            .usual = "derived from the drawing"},
                           vector(&output::VectorOptions::id_prefix), id_prefix()),
+      scene::option<Draw>({.flag = "--dxf-blocks", .help = "make each view a block in DXF"},
+                          vector(&output::VectorOptions::dxf_blocks), scene::truth()),
       scene::option<Draw>({.flag = "--dpi", .help = "resolution of PNG in dots per inch", .usual = "300"},
                           vector(&output::VectorOptions::dpi), scene::number_between(1, 1200, "").shown_as("N")),
   };

@@ -104,8 +104,10 @@ Drawing draw_file(const std::filesystem::path& file, const Settings& settings) {
 std::string to_svg(const Drawing& drawing, int sheet, const SvgOptions& options) {
   return guarded([&] {
     if (!options.id_prefix.empty()) output::checked_id_prefix(options.id_prefix, "options.id_prefix");
-    const output::VectorOptions vector{options.plain, 300, std::clamp(options.decimals, 1, 5), options.text,
-                                       options.id_prefix};
+    const output::VectorOptions vector{.plain = options.plain,
+                                       .decimals = std::clamp(options.decimals, 1, 5),
+                                       .text = options.text,
+                                       .id_prefix = options.id_prefix};
     return output::to_svg(sheet_of(drawing, sheet).sheet, vector);
   });
 }
@@ -121,8 +123,8 @@ std::string to_eps(const Drawing& drawing, int sheet) {
   return guarded([&] { return output::to_eps(sheet_of(drawing, sheet).sheet); });
 }
 
-std::string to_dxf(const Drawing& drawing, int sheet) {
-  return guarded([&] { return output::to_dxf(sheet_of(drawing, sheet).sheet); });
+std::string to_dxf(const Drawing& drawing, int sheet, bool blocks) {
+  return guarded([&] { return output::to_dxf(sheet_of(drawing, sheet).sheet, {.dxf_blocks = blocks}); });
 }
 
 std::string to_json(const Drawing& drawing, int sheet) {

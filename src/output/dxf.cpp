@@ -19,14 +19,14 @@ constexpr double degrees = 180 / 3.14159265358979323846;
 
 /// The owner of an entity, its layer and its line type.
 struct Place {
-  int model_space;
+  int owner;
   const std::string& layer;
   bool dashed;      ///< whether the layer has a dashed line type
   bool continuous;  ///< whether this line is continuous, regardless of its layer
 };
 
 void begin_entity(DxfWriter& dxf, const Place& place, std::string_view type, std::string_view entity_class) {
-  dxf.begin(type, place.model_space, "AcDbEntity");
+  dxf.begin(type, place.owner, "AcDbEntity");
   dxf.add(8, place.layer);
   if (place.dashed && place.continuous) dxf.add(6, "CONTINUOUS");
   dxf.add(100, entity_class);
@@ -109,33 +109,70 @@ void add_text(DxfWriter& dxf, const Place& place, const sheet::Text& text) {
   dxf.add(100, "AcDbText");
 }
 
-void add_layer(DxfWriter& dxf, int model_space, const std::string& name, const sheet::Layer& layer,
+void add_layer(DxfWriter& dxf, int owner, const std::string& name, const sheet::Layer& layer,
                const Progress& progress) {
   const bool dashed = layer.style.dashes.dash > 0;
   for (const sheet::Fill& fill : layer.fills)
-    if (!fill.rings.empty()) add_fill(dxf, {model_space, name, false, true}, fill);
+    if (!fill.rings.empty()) add_fill(dxf, {owner, name, false, true}, fill);
   for (const sheet::Stroke& stroke : layer.strokes) {
     progress.expect_time();
     progress.advance(1);
     if (stroke.points.size() < 2) continue;
-    const Place place{model_space, name, dashed, !(stroke.dashes.dash > 0) && stroke.pattern.empty()};
+    const Place place{owner, name, dashed, !(stroke.dashes.dash > 0) && stroke.pattern.empty()};
     for (const DxfShape& shape : dxf_shapes(stroke))
       std::visit([&](const auto& kind) { add_shape(dxf, place, kind); }, shape);
   }
-  for (const sheet::Text& text : layer.texts) add_text(dxf, {model_space, name, false, true}, text);
+  for (const sheet::Text& text : layer.texts) add_text(dxf, {owner, name, false, true}, text);
+}
+
+void add_insert(DxfWriter& dxf, int model_space, const DxfBlock& block) {
+  const std::string layer = "0";
+  begin_entity(dxf, {model_space, layer, false, true}, "INSERT", "AcDbBlockReference");
+  dxf.add(2, block.name);
+  dxf.add(10, block.base);
+}
+
+/// The views that become blocks, and the index of the one that each layer belongs to; -1: none.
+struct Blocks {
+  std::vector<DxfBlock> blocks;
+  std::vector<int> of_layer;
+};
+
+Blocks blocks_of(const sheet::Sheet& sheet, bool wanted) {
+  Blocks result;
+  result.of_layer.assign(sheet.layers.size(), -1);
+  if (!wanted) return result;
+  std::vector<std::string> names;
+  for (const sheet::ViewFrame& view : sheet.views) names.push_back(view.name);
+  const std::vector<std::string> in_file = dxf_names(names, {});
+  for (std::size_t v = 0; v < sheet.views.size(); ++v) {
+    result.blocks.push_back({in_file[v], (sheet.views[v].min + sheet.views[v].max) * 0.5});
+    for (std::size_t i = 0; i < sheet.layers.size(); ++i)
+      if (result.of_layer[i] < 0 && sheet.layers[i].name.starts_with(names[v] + "/"))
+        result.of_layer[i] = static_cast<int>(v);
+  }
+  return result;
 }
 
 }  // namespace
 
-std::string to_dxf(const sheet::Sheet& sheet, const Progress& progress) {
+std::string to_dxf(const sheet::Sheet& sheet, const VectorOptions& options, const Progress& progress) {
   std::vector<std::string> names;
   for (const sheet::Layer& layer : sheet.layers) names.push_back(layer.name);
   names = dxf_names(names, {"0"});
+  const Blocks blocks = blocks_of(sheet, options.dxf_blocks);
   DxfWriter dxf;
-  const int model_space = add_dxf_tables(dxf, sheet, names);
+  const auto add_layers_of = [&](int block, int owner) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (blocks.of_layer[i] == block) add_layer(dxf, owner, names[i], sheet.layers[i], progress);
+  };
+  const int model_space = add_dxf_tables(dxf, sheet, names, blocks.blocks, [&](std::size_t block, int owner) {
+    add_layers_of(static_cast<int>(block), owner);
+  });
   dxf.add(0, "SECTION");
   dxf.add(2, "ENTITIES");
-  for (std::size_t i = 0; i < names.size(); ++i) add_layer(dxf, model_space, names[i], sheet.layers[i], progress);
+  for (const DxfBlock& block : blocks.blocks) add_insert(dxf, model_space, block);
+  add_layers_of(-1, model_space);
   dxf.add(0, "ENDSEC");
   add_dxf_objects(dxf);
   return dxf_header(sheet, dxf.handles()) + dxf.take();

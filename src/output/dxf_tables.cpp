@@ -193,46 +193,54 @@ void add_text_styles(DxfWriter& dxf) {
   });
 }
 
-constexpr std::array<std::string_view, 2> blocks = {"*Model_Space", "*Paper_Space"};
+// The model space comes first.
+std::vector<DxfBlock> with_spaces(const std::vector<DxfBlock>& blocks) {
+  std::vector<DxfBlock> all{{"*Model_Space", Vec2(0)}, {"*Paper_Space", Vec2(0)}};
+  all.insert(all.end(), blocks.begin(), blocks.end());
+  return all;
+}
 
 // Returns the handle of the model space.
-int add_block_records(DxfWriter& dxf) {
+int add_block_records(DxfWriter& dxf, const std::vector<DxfBlock>& blocks) {
   int model_space = 0;
   add_table(dxf, "BLOCK_RECORD", blocks.size(), [&](int table) {
-    for (const std::string_view name : blocks) {
+    for (const DxfBlock& block : blocks) {
       const int handle = dxf.begin("BLOCK_RECORD", table, "AcDbSymbolTableRecord", "AcDbBlockTableRecord");
-      dxf.add(2, name);
+      dxf.add(2, block.name);
       if (model_space == 0) model_space = handle;
     }
   });
   return model_space;
 }
 
-void add_blocks(DxfWriter& dxf, int model_space) {
+// `add_entities` is called with the index of each block.
+void add_blocks(DxfWriter& dxf, int model_space, const std::vector<DxfBlock>& blocks,
+                const std::function<void(std::size_t, int)>& add_entities) {
   dxf.add(0, "SECTION");
   dxf.add(2, "BLOCKS");
-  int owner = model_space;  // handles are consecutive
-  for (const std::string_view name : blocks) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const int owner = model_space + static_cast<int>(i);  // handles are consecutive
     dxf.begin("BLOCK", owner, "AcDbEntity");
     dxf.add(8, "0");
     dxf.add(100, "AcDbBlockBegin");
-    dxf.add(2, name);
+    dxf.add(2, blocks[i].name);
     dxf.add(70, 0);
-    dxf.add(10, Vec2(0, 0));
+    dxf.add(10, blocks[i].base);
     dxf.add(30, 0);
-    dxf.add(3, name);
+    dxf.add(3, blocks[i].name);
     dxf.add(1, "");
+    add_entities(i, owner);
     dxf.begin("ENDBLK", owner, "AcDbEntity");
     dxf.add(8, "0");
     dxf.add(100, "AcDbBlockEnd");
-    ++owner;
   }
   dxf.add(0, "ENDSEC");
 }
 
 }  // namespace
 
-int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std::string>& layers) {
+int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std::string>& layers,
+                   const std::vector<DxfBlock>& blocks, const std::function<void(std::size_t, int)>& add_entities) {
   const std::vector<LineType> types = line_types(sheet);
   dxf.add(0, "SECTION");
   dxf.add(2, "TABLES");
@@ -244,9 +252,13 @@ int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<
   add_table(dxf, "APPID", 1, [&](int table) { begin_entry(dxf, "APPID", table, "AcDbRegAppTableRecord", "ACAD"); });
   add_table(dxf, "DIMSTYLE", 1,
             [&](int table) { begin_entry(dxf, "DIMSTYLE", table, "AcDbDimStyleTableRecord", "STANDARD"); });
-  const int model_space = add_block_records(dxf);
+  const std::vector<DxfBlock> all = with_spaces(blocks);
+  const std::size_t spaces = all.size() - blocks.size();
+  const int model_space = add_block_records(dxf, all);
   dxf.add(0, "ENDSEC");
-  add_blocks(dxf, model_space);
+  add_blocks(dxf, model_space, all, [&](std::size_t block, int owner) {
+    if (block >= spaces) add_entities(block - spaces, owner);
+  });
   return model_space;
 }
 

@@ -3,6 +3,8 @@
 // programs can read.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,10 +16,18 @@ namespace epura::output {
 /// Name of the text style with the font of the sheet.
 inline constexpr const char* dxf_text_style = "OSIFONT";
 
+/// A block with entities: a part of the drawing that other programs move as a whole.
+struct DxfBlock {
+  std::string name;  ///< see dxf_names
+  Vec2 base;         ///< the point by which it is moved, mm
+};
+
 /// Adds everything before the entities except the header, which is written last because it has the number of handles.
-/// `layers` are the names of the sheet's layers in the file. Returns the handle of the model space, which owns all
-/// entities.
-int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std::string>& layers);
+/// `layers` are the names of the sheet's layers in the file. `add_entities` is called with the number of each block and
+/// the handle that owns its entities. Returns the handle of the model space, which owns all other entities.
+int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std::string>& layers,
+                   const std::vector<DxfBlock>& blocks,
+                   const std::function<void(std::size_t block, int owner)>& add_entities);
 
 /// Adds the sections after the entities.
 void add_dxf_objects(DxfWriter& dxf);

@@ -27,6 +27,10 @@ std::string svg(const FileContent& file, const Progress& progress) {
   return to_svg(file.sheets.front().sheet, file.options, progress);
 }
 
+std::string dxf(const FileContent& file, const Progress& progress) {
+  return to_dxf(file.sheets.front().sheet, file.options, progress);
+}
+
 std::string png(const FileContent& file, const Progress& progress) {
   return to_png(file.sheets.front().sheet, file.options.dpi, progress);
 }
@@ -44,7 +48,7 @@ constexpr std::array table = {
     Format{"ps", pages, !drawings, "", all_sheets<to_ps>},
     Format{"eps", !pages, !drawings, "", one_sheet<to_eps>},
     Format{"png", !pages, !drawings, "jpg jpeg gif bmp tif tiff webp", png},
-    Format{"dxf", !pages, !drawings, "dwg", one_sheet<to_dxf>},
+    Format{"dxf", !pages, !drawings, "dwg", dxf},
     Format{"json", !pages, drawings, "", json},
 };
 

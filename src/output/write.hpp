@@ -26,6 +26,7 @@ struct VectorOptions {
   double dpi = 300;    ///< PNG only
   int decimals = 4;    ///< of coordinates in millimetres, SVG only: no point is off by more than 0.0001 mm
   SvgText text = SvgText::outlines;
+  bool dxf_blocks = false;  ///< DXF: each view is a block
   std::string id_prefix{};  ///< of ids and classes in SVG; empty: derived from the content of the sheet
 };
 
@@ -46,7 +47,7 @@ std::string to_ps(const Pages& sheets, const Progress& progress = {});
 std::string to_eps(const sheet::Sheet& sheet, const Progress& progress = {});
 std::string to_png(const sheet::Sheet& sheet, double dpi, const Progress& progress = {});
 /// AutoCAD 2000 (AC1015), in millimetres.
-std::string to_dxf(const sheet::Sheet& sheet, const Progress& progress = {});
+std::string to_dxf(const sheet::Sheet& sheet, const VectorOptions& options = {}, const Progress& progress = {});
 
 /// Drawing JSON, schema 1 (docs/formats.md).
 std::string to_json(const sheet::Sheet& sheet, double scale, std::span<const drawing::ViewDrawing> drawings,

@@ -213,6 +213,24 @@ TEST(DxfNames, AreCleanAndDifferent) {
             (std::vector<std::string>{"a-b", "A-B-2", "0-2", "layer", "layer-2", "\\U+00E9"}));
 }
 
+TEST(Dxf, ViewsAreBlocksOnRequest) {
+  sheet::Sheet sheet = random_sheet(297, 210);
+  sheet.layers.resize(1);
+  sheet.layers[0].name = "top/visible";
+  sheet.layers.push_back({"frame", sheet.layers[0].style, {{{{0, 0}, {9, 0}, {9, 9}}, true}}});
+  sheet.views = {{"top", "top", "1:1", {10, 20}, {30, 40}}};
+  const std::string dxf = output::to_dxf(sheet, {.dxf_blocks = true});
+  const std::size_t block = dxf.find("AcDbBlockBegin\n2\ntop\n"), entities = dxf.find("\nENTITIES\n");
+  ASSERT_NE(block, std::string::npos);
+  EXPECT_LT(block, entities);
+  EXPECT_LT(dxf.rfind("\ntop-visible\n"), entities);
+  EXPECT_GT(dxf.rfind("\nframe\n"), entities);
+  const auto inserts = entities_of(dxf, "0");
+  ASSERT_EQ(inserts.size(), 1U);
+  EXPECT_EQ(inserts[0].text(2), "top");
+  EXPECT_EQ(inserts[0].point(10), Vec2(20, 30));
+}
+
 using Ezdxf = Rasters;
 
 TEST_F(Ezdxf, FindsNoFault) {
@@ -232,6 +250,13 @@ TEST_F(Ezdxf, FindsNoFault) {
       "print(len(audit.errors), len(audit.fixes), len(model), document.units, text.plain_text(), text.dxf.layer)";
   EXPECT_EQ(run("/usr/bin/python3 -c \"" + program + "\" " + path("sheet.dxf")),
             "0 0 104 4 Gehäuse ⌀12 50% \\P ^J -ä---visible\n");
+  sheet.views = {{"<ä\n>", "top", "1:1", {10, 20}, {30, 40}}};
+  write("blocks.dxf", output::to_dxf(sheet, {.dxf_blocks = true}));
+  const std::string exploded =
+      "import sys; from ezdxf import recover; document, audit = recover.readfile(sys.argv[1]); "
+      "model = document.modelspace(); [insert.explode() for insert in model.query('INSERT')]; "
+      "print(len(audit.errors), len(audit.fixes), len(model))";
+  EXPECT_EQ(run("/usr/bin/python3 -c \"" + exploded + "\" " + path("blocks.dxf")), "0 0 104\n");
 }
 
 }  // namespace
