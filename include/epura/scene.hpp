@@ -71,7 +71,9 @@ struct View {
   std::optional<std::array<double, 2>> at{};  ///< centre of its ink, mm from the lower left corner; default: automatic
   int sheet = 1;                              ///< number of the sheet, from 1
   std::string section{};                      ///< name of the section shown
-  std::string label{};                        ///< text above the view; by default "A-A" for section A
+  std::string label{};   ///< text above the view; by default "A-A" for section A, "X" and the scale for detail X
+  std::string detail{};  ///< name of the detail shown; then the view has the projection, the parameters and the section
+                         ///< of the view that it enlarges, and needs a scale
 };
 
 /// A plane that cuts the models. The side to which the normal points is removed.
@@ -79,6 +81,16 @@ struct Section {
   std::string name{};
   std::array<double, 3> point{0, 0, 0};
   std::array<double, 3> normal{0, -1, 0};
+};
+
+/// A part of a parallel view, which another view shows at a larger scale: a circle with this radius in its plane, or
+/// instead a rectangle with this width and height.
+struct Detail {
+  std::string name{};
+  std::string view{};  ///< name of the view that it enlarges; by default the first one that shows no detail
+  std::array<double, 3> centre{0, 0, 0};
+  std::optional<double> radius{};
+  std::optional<std::array<double, 2>> size{};
 };
 
 /// A model and a vertex of it, both counted from 0; or a point of the world.
@@ -119,6 +131,7 @@ struct Scene {
   std::vector<Style> styles{};
   std::vector<View> views{};  ///< none: one isometric view
   std::vector<Section> sections{};
+  std::vector<Detail> details{};
   std::vector<Dimension> dimensions{};
   std::vector<SheetOptions> sheets{};  ///< none: one default sheet
 };

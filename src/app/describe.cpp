@@ -66,6 +66,26 @@ void cut_by_option(scene::SceneDescription& scene, const scene::Located<scene::S
   scene.views.front().section = section->name;
 }
 
+// X, Y, Z, W, V ...: a name for each detail.
+std::string name_of_detail(std::size_t number) {
+  const std::string names = "XYZWVUTSR";
+  return number < names.size() ? names.substr(number, 1) : "X" + std::to_string(number);
+}
+
+void add_details(scene::SceneDescription& scene, const std::vector<scene::Located<scene::DetailRequest>>& details) {
+  if (details.empty()) return;
+  if (!scene.details.empty())
+    throw Error(ErrorKind::input, details.front().where, "needs a scene file without details",
+                "add a [[detail]] to the scene file, and a [[view]] that shows it");
+  for (const scene::Located<scene::DetailRequest>& request : details) {
+    const scene::LocatedText name{name_of_detail(scene.details.size()), request.where};
+    scene.details.push_back({name, {}, {request->centre, request.where}, {request->radius, request.where}});
+    scene::ViewDescription& view = scene.views.emplace_back();
+    view.detail = name;
+    view.scale = {request->scale, request.where};
+  }
+}
+
 void add_dimensions(scene::SceneDescription& scene, const std::string& option) {
   scene::DimensionDescription& dimension = scene.dimensions.emplace_back();
   dimension.where = option;
@@ -86,6 +106,7 @@ scene::SceneDescription describe(const DrawOptions& options) {
   if (scene.views.empty())
     (scene.views.emplace_back() = options.view).projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
   if (options.section.given()) cut_by_option(scene, options.section);
+  add_details(scene, options.details);
   if (options.dimensions.given()) add_dimensions(scene, options.dimensions.where);
   pipeline::complete_scene(scene);
   for (scene::SheetDescription& sheet : scene.sheets) {

@@ -7,6 +7,7 @@
 #include "app/command_line_options.hpp"
 #include "base/text.hpp"
 #include "scene/cutting_plane.hpp"
+#include "scene/details.hpp"
 #include "scene/part_options.hpp"
 
 namespace epura {
@@ -24,6 +25,11 @@ auto run(Member member) {
 scene::ValueKind<scene::SectionDescription> cutting_plane() {
   return {{"text", "POINT:NORMAL"},
           [](const scene::TomlValue& value) { return scene::parse_section(scene::read_text(value), value.where); }};
+}
+
+scene::ValueKind<scene::DetailRequest> detail_request() {
+  return {{"text", "CENTRE:RADIUS:SCALE"},
+          [](const scene::TomlValue& value) { return scene::parse_detail(scene::read_text(value), value.where); }};
 }
 
 scene::ValueKind<explain::EdgeQuestion> edge_question() {
@@ -108,6 +114,11 @@ scene::Options<Draw> picture_options() {
       scene::option<Draw>({.flag = "--section",
                            .help = "cut the models, e.g. 0,0,10:0,-1,0; removes the side that the normal points to"},
                           &Draw::section, cutting_plane()),
+      scene::option<Draw>({.flag = "--detail",
+                           .help = "enlarge a circle of the first view in a view of its own, e.g. 40,0,10:6:5:1; "
+                                   "repeat for more",
+                           .repeatable = true},
+                          &Draw::details, detail_request()),
       scene::option<Draw>(
           {.flag = "--arcs",
            .help = "recognise circles, ellipses and their arcs whose corners lie within this tolerance"},

@@ -13,6 +13,7 @@
 #include "pipeline/options.hpp"
 #include "projection/plugin_process.hpp"
 #include "scene/description.hpp"
+#include "scene/details.hpp"
 
 namespace epura {
 
@@ -39,6 +40,7 @@ struct DrawOptions {
   scene::ViewDescription view;
   scene::SheetDescription sheet;
   scene::Located<scene::SectionDescription> section;
+  std::vector<scene::Located<scene::DetailRequest>> details;
   scene::Located<AutomaticDimensions> dimensions;
   output::VectorOptions vector;
   pipeline::RunOptions run;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "drawing/boundary.hpp"
 #include "edges/edge_kind.hpp"
 #include "projection/projection.hpp"
 
@@ -63,6 +64,13 @@ struct CutFace {
   std::vector<std::vector<Vec2>> rings;  ///< outlines on paper, even-odd; the first point is not repeated
 };
 
+/// What a detail view shows. ISO 128-3.
+struct DetailFrame {
+  std::string name;    ///< "X"
+  std::string parent;  ///< name of the view that it enlarges
+  Boundary boundary;   ///< in the detail view
+};
+
 /// Triangles on paper.
 using PaperTriangle = std::array<Vec2, 3>;
 
@@ -78,6 +86,7 @@ struct ViewDrawing {
   std::vector<CutFace> cut_faces;
   std::vector<PaperTriangle> before_cuts;  ///< parts of bodies that the cutting plane leaves whole, in front of it
   Vec2 min{0, 0}, max{0, 0};               ///< box of the ink
+  std::optional<DetailFrame> detail{};     ///< only of a detail view
   double contours_moved = 0;  ///< mm; greatest distance at which contours of curved faces are drawn from edges of the
                               ///< mesh
   double joined_within = 0;   ///< mm; omitted lines have ink of at least the same strength within this distance

@@ -15,7 +15,6 @@ namespace epura::drawing {
 namespace {
 
 constexpr double coincident_cells = 4;
-constexpr double straight_mm = 1e-6;
 
 std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::PaperMap& paper, bool keep_hidden,
                              const Progress& progress) {

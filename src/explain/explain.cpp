@@ -71,7 +71,8 @@ struct Storyteller {
     if (!(glm::distance(position(span.from), position(span.to)) > limits.tolerance))
       return "    no ink: a point on the sheet\n";
     const drawing::Ruler line(position(span.from), position(span.to));
-    visibility::Spans inked;
+    visibility::Spans inked = cut_off(line, limits.min);
+    if (visibility::covers(inked, limits.min, line.length - limits.min)) return "    no ink: outside the detail\n";
     std::vector<std::string> others, near;
     for (const drawing::Segment& segment : drawn_view.drawing.segments) {
       const bool own = segment.visible == span.visible && is_own(segment);
@@ -94,6 +95,19 @@ struct Storyteller {
     if (others.empty())
       for (const std::string& other : near) text += "    no ink " + other + " is drawn next to it\n";
     return text.empty() ? "    no ink: shorter than " + format_value(limits.min) + " mm\n" : text;
+  }
+
+  // The parts of a line that are outside the detail shown, up to `slack` mm inside it.
+  [[nodiscard]] visibility::Spans cut_off(const drawing::Ruler& line, double slack) const {
+    visibility::Spans outside;
+    const auto& detail = drawn_view.drawing.detail;
+    if (!detail) return outside;
+    const auto part = drawing::part_inside(detail->boundary, line.from, line.from + line.length * line.along);
+    if (!part) return {{0, line.length}};
+    const auto [first, last] = *part;
+    if (first > 0) visibility::add_span(outside, {0, first * line.length + slack});
+    if (last < 1) visibility::add_span(outside, {last * line.length - slack, line.length});
+    return outside;
   }
 
   [[nodiscard]] static std::string over(const drawing::Ruler& line, const std::array<double, 2>& part) {

@@ -144,6 +144,8 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   description.sheet = {static_cast<int>(checked(view.sheet, where + ".sheet", 1)), where + ".sheet"};
   description.section = located(view.section, where + ".section");
   description.label = located(view.label, where + ".label");
+  description.detail = located(view.detail, where + ".detail");
+  if (description.detail.given()) description.projection.value.reset();
   return description;
 }
 
@@ -169,6 +171,22 @@ scene::SectionDescription describe(const Section& section, const std::string& wh
     throw Error(ErrorKind::input, where + ".name", "is empty", "views refer to sections by name");
   return {
       {section.name, where}, vector_of(section.point, where + ".point"), vector_of(section.normal, where + ".normal")};
+}
+
+scene::DetailDescription describe(const Detail& detail, const std::string& where) {
+  if (detail.name.empty()) throw Error(ErrorKind::input, where + ".name", "is empty", "views refer to details by name");
+  scene::DetailDescription description{{detail.name, where},
+                                       located(detail.view, where + ".view"),
+                                       {vector_of(detail.centre, where + ".centre"), where + ".centre"}};
+  const auto above_0 = [&](double value, const std::string& member) {
+    if (!(checked(value, where + member) > 0)) throw Error(ErrorKind::input, where + member, "is not above 0");
+    return value;
+  };
+  if (detail.radius) description.radius = {above_0(*detail.radius, ".radius"), where + ".radius"};
+  if (detail.size)
+    description.size = {Vec2(above_0((*detail.size)[0], ".size"), above_0((*detail.size)[1], ".size")),
+                        where + ".size"};
+  return description;
 }
 
 scene::DimensionDescription describe(const Dimension& dimension, const std::string& where) {
@@ -233,6 +251,7 @@ scene::SceneDescription describe_scene(const Scene& scene) {
   describe_all(description.views, scene.views, "views");
   describe_all(description.styles, scene.styles, "styles");
   describe_all(description.sections, scene.sections, "sections");
+  describe_all(description.details, scene.details, "details");
   describe_all(description.dimensions, scene.dimensions, "dimensions");
   describe_all(description.sheets, scene.sheets, "sheets");
   return description;

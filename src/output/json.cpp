@@ -134,6 +134,14 @@ std::string matrix(const Mat4& m) {
   return numbers(by_rows);
 }
 
+std::string detail_of(const drawing::DetailFrame& detail) {
+  const drawing::Boundary& boundary = detail.boundary;
+  return "{\"name\": " + json_string(detail.name) + ", \"of\": " + json_string(detail.parent) +
+         ", \"centre\": " + point(boundary.centre) +
+         (boundary.round ? ", \"radius\": " + number(boundary.half.x) : ", \"size\": " + point(2.0 * boundary.half)) +
+         "}";
+}
+
 std::string cut_face_of(const drawing::CutFace& face) {
   const auto ring_of = [](const std::vector<Vec2>& ring) {
     return json_list(ring, [](const Vec2& p) { return point(p); });
@@ -148,6 +156,7 @@ void append_view(std::string& text, const drawing::ViewDrawing& drawing, double 
   text += "{\"name\": " + json_string(drawing.name) + ", \"projection\": " + json_string(projection.name) +
           ", \"parameters\": " + parameters_of(projection) +
           (drawing.scale == main_scale ? "" : ", \"scale\": " + number(drawing.scale)) +
+          (drawing.detail ? ",\n   \"detail\": " + detail_of(*drawing.detail) : "") +
           ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
           (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
           "},\n   \"vanishing_points\": " + json_list(drawing.vanishing_points, vanishing_point) +

@@ -6,7 +6,9 @@
 #include <map>
 #include <utility>
 
+#include "pipeline/details.hpp"
 #include "sheet/cutting_plane_line.hpp"
+#include "sheet/detail_marks.hpp"
 #include "sheet/dimensions/dimensions.hpp"
 #include "sheet/frame.hpp"
 
@@ -38,6 +40,16 @@ std::vector<sheet::Layer> marks_of(std::span<const Annotations> annotations, std
 void add_boxes(std::vector<sheet::TurnedBox>& boxes, const sheet::Layer& layer, const sheet::Lettering& lettering) {
   const std::vector<sheet::TurnedBox> more = sheet::boxes_of(layer, lettering);
   boxes.insert(boxes.end(), more.begin(), more.end());
+}
+
+// The lines around details in the views that they enlarge.
+sheet::Layer boundaries_of(std::span<const Annotations> annotations, std::span<const ViewResult> views) {
+  sheet::Layer layer;
+  for (std::size_t i = 0; i < views.size(); ++i)
+    for (const scene::DetailDescription& detail : annotations[i].details)
+      layer.strokes.push_back(
+          sheet::boundary_line(boundary_on_page(detail, views[i].drawing.world_to_page, views[i].drawing.scale)));
+  return layer;
 }
 
 // Objects on the sheet apart from the views.
@@ -85,7 +97,10 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::vector<scene::DimensionDescription> dimensions = dimensions_of(input.annotations[i], views[i]);
     if (dimensions.empty()) continue;
-    if (!lettering) around = neighbours_of(furniture, labels, marks, lettering.emplace());
+    if (!lettering) {
+      around = neighbours_of(furniture, labels, marks, lettering.emplace());
+      add_boxes(around.boxes, boundaries_of(input.annotations, views), *lettering);
+    }
     const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()),
                                       decimals_of(input)};
     const drawing::ViewDrawing& drawing = views[i].drawing;

@@ -25,12 +25,13 @@ const std::string& view_of(const scene::DimensionDescription& dimension, const s
   return dimension.view.given() ? *dimension.view : *scene.views.front().name;
 }
 
-// A section may have cut off an end of the models: it shows their size only if no other view does.
+// A section may have cut off an end of the models: it shows their size only if no other view does. Details never do.
 std::vector<sheet::NamedProjection> views_to_measure(std::span<const scene::ViewDescription> views,
                                                      std::span<const view::ProjectedScene> seen) {
   std::vector<sheet::NamedProjection> whole, cut;
   for (std::size_t i = 0; i < seen.size(); ++i)
-    (views[i].section.given() ? cut : whole).push_back({*views[i].name, seen[i].projection});
+    if (!views[i].detail.given())
+      (views[i].section.given() ? cut : whole).push_back({*views[i].name, seen[i].projection});
   whole.insert(whole.end(), cut.begin(), cut.end());
   return whole;
 }
@@ -65,10 +66,22 @@ void add_planes(std::vector<Annotations>& annotations, std::span<const scene::Vi
     const auto shows = [&name = name](const scene::ViewDescription& view) { return view.section.value == name; };
     if (std::none_of(views.begin(), views.end(), shows)) continue;
     for (std::size_t i = 0; i < views.size(); ++i) {
-      if (views[i].section.given() || !sheet::sees_edge_on(seen[i].projection, section.plane)) continue;
+      if (views[i].section.given() || views[i].detail.given() ||
+          !sheet::sees_edge_on(seen[i].projection, section.plane))
+        continue;
       annotations[i].planes.push_back(section.plane);
       break;
     }
+  }
+}
+
+void add_details(std::vector<Annotations>& annotations, const scene::SceneDescription& scene,
+                 std::span<const scene::ViewDescription> views) {
+  for (const scene::DetailDescription& detail : scene.details) {
+    const auto shows = [&](const scene::ViewDescription& view) { return view.detail.value == *detail.name; };
+    if (std::none_of(scene.views.begin(), scene.views.end(), shows)) continue;
+    for (std::size_t i = 0; i < views.size(); ++i)
+      if (*views[i].name == *detail.view) annotations[i].details.push_back(detail);
   }
 }
 
@@ -80,6 +93,7 @@ std::vector<Annotations> annotate(const scene::World& world, const scene::SceneD
   std::vector<Annotations> annotations(sheet.descriptions.size());
   add_dimensions(annotations, world, scene, sheet, seen);
   add_planes(annotations, sheet.descriptions, seen, sections);
+  add_details(annotations, scene, sheet.descriptions);
   return annotations;
 }
 

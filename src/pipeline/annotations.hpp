@@ -14,7 +14,8 @@ namespace epura::pipeline {
 
 struct Annotations {
   std::vector<scene::DimensionDescription> dimensions;
-  std::vector<scene::CuttingPlane> planes;  ///< of sections marked in this view
+  std::vector<scene::CuttingPlane> planes;          ///< of sections marked in this view
+  std::vector<scene::DetailDescription> details{};  ///< of this view, shown by other views of the scene
 };
 
 /// By view of the sheet; `seen` has the projected views in the same order. A dimension without a view belongs to the

@@ -8,6 +8,7 @@
 #include "importer/read_model.hpp"
 #include "pipeline/annotations.hpp"
 #include "pipeline/choose.hpp"
+#include "scene/details.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/view_names.hpp"
 
@@ -26,6 +27,7 @@ void take_parameters(scene::ModelDescription& model) {
 
 // "front:hidden=none": one option of views, which short lists of projections may give to single ones.
 void take_hidden_lines(scene::ViewDescription& view) {
+  if (!view.projection.given()) return;
   auto& assignments = view.projection.value->assignments;
   for (const auto& [key, word] : assignments)
     if (key == "hidden")
@@ -48,10 +50,12 @@ void complete_scene(scene::SceneDescription& scene) {
   if (scene.views.empty())
     scene.views.emplace_back().projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
   for (scene::ViewDescription& view : scene.views) take_hidden_lines(view);
+  scene::expect_projections(scene);
+  scene::name_views(scene.views);
+  scene::complete_details(scene);
   int sheets = 1;
   for (const scene::ViewDescription& view : scene.views) sheets = std::max(sheets, view.sheet.value_or(1));
   if (scene.sheets.empty()) scene.sheets.resize(static_cast<std::size_t>(sheets));
-  scene::name_views(scene.views);
   scene::expect_sound_names(scene);
   expect_views_of_dimensions(scene);
 }

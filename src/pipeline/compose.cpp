@@ -9,6 +9,7 @@
 
 #include "drawing/thin.hpp"
 #include "pipeline/annotation_layers.hpp"
+#include "pipeline/details.hpp"
 #include "sheet/centre_lines.hpp"
 #include "sheet/hatch.hpp"
 #include "sheet/lettering.hpp"
@@ -39,9 +40,11 @@ std::vector<sheet::Text> labels_of(const SheetPlan& plan, std::span<const scene:
     const scene::ViewDescription& view = descriptions[i];
     const drawing::ViewDrawing& drawing = views[i].drawing;
     std::string name = view.label.value_or("");
-    if (name.empty() && view.section.given() && views.size() > 1) name = *view.section + "-" + *view.section;
+    if (name.empty() && view.section.given() && !drawing.detail && views.size() > 1)
+      name = *view.section + "-" + *view.section;
+    if (name.empty() && drawing.detail) name = drawing.detail->name;
     const auto scale = drawing.projection.central ? std::nullopt : std::optional(drawing.scale);
-    const std::string label = sheet::view_label(name, scale, plan.scale);
+    const std::string label = sheet::view_label(name, scale, drawing.detail ? 0 : plan.scale);
     if (!label.empty()) labels.push_back(sheet::label_above(label, {drawing.min, drawing.max}));
   }
   return labels;
@@ -84,9 +87,14 @@ sheet::FurnitureLayers furniture_layers(const sheet::SheetFurniture& furniture) 
   return sheet::sheet_layers(furniture, sheet::Lettering());
 }
 
-std::vector<const drawing::ViewDrawing*> drawings_of(const std::vector<ViewResult>& views) {
+// A detail is hatched like the view that it enlarges.
+std::vector<const drawing::ViewDrawing*> drawings_to_hatch(const std::vector<ViewResult>& views) {
+  const auto is_here = [&views](const std::string& name) {
+    return std::any_of(views.begin(), views.end(), [&](const ViewResult& view) { return view.drawing.name == name; });
+  };
   std::vector<const drawing::ViewDrawing*> drawings;
-  for (const ViewResult& view : views) drawings.push_back(&view.drawing);
+  for (const ViewResult& view : views)
+    if (!view.drawing.detail || !is_here(view.drawing.detail->parent)) drawings.push_back(&view.drawing);
   return drawings;
 }
 
@@ -104,7 +112,7 @@ std::vector<std::vector<sheet::Layer>> hatch_layers(const std::vector<ViewResult
   std::size_t faces = 0;
   for (const ViewResult& view : results) faces += view.drawing.cut_faces.size();
   progress.begin("hatching", faces);
-  const std::vector<sheet::Hatching> hatching = sheet::choose_hatching(drawings_of(results), progress);
+  const std::vector<sheet::Hatching> hatching = sheet::choose_hatching(drawings_to_hatch(results), progress);
   std::vector<std::vector<sheet::Layer>> layers(results.size());
   for (std::size_t i = 0; i < results.size(); ++i)
     if (!results[i].drawing.cut_faces.empty())
@@ -165,6 +173,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
     finished.drawings.push_back(std::move(results[i].drawing));
   }
   append(finished.sheet.layers, std::move(beside.layers));
+  add_details(finished.sheet.layers, input, finished.drawings);
   std::move(beside.warnings.begin(), beside.warnings.end(), std::back_inserter(finished.warnings));
   return finished;
 }

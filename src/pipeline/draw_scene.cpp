@@ -9,6 +9,7 @@
 #include "drawing/cut_faces.hpp"
 #include "pipeline/annotations.hpp"
 #include "pipeline/compose.hpp"
+#include "pipeline/details.hpp"
 #include "pipeline/plan_steps.hpp"
 #include "pipeline/questions.hpp"
 #include "pipeline/read_models.hpp"
@@ -114,12 +115,15 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, sections);
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
   if (plan.chosen) messages.warn(sentence_of_scale(plan));
+  warn_about_details(messages, views, plan);
   std::vector<ViewResult> results;
   report::Partial partial;
   const Budget budget{progress, progress, partial};
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const ViewInput input{world(i), section(i), views.plans[i].options, plan.places[i]};
-    if (input.section != nullptr) warn_if_unseen(messages, *input.section, seen[i], views.plans[i].options.name);
+    // Of a detail, this is said of the view that it enlarges.
+    if (input.section != nullptr && !input.options.detail)
+      warn_if_unseen(messages, *input.section, seen[i], views.plans[i].options.name);
     results.push_back(draw_view(input, std::move(seen[i]), time_of_next_view(), watch));
     warn_if_empty(messages, results.back(), input);
     note(results.back());

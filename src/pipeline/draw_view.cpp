@@ -6,8 +6,11 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "drawing/clip_drawing.hpp"
 #include "drawing/cut_faces.hpp"
+#include "drawing/thin.hpp"
 #include "edges/crossing_candidates.hpp"
+#include "pipeline/details.hpp"
 #include "verify/outline.hpp"
 #include "verify/verify.hpp"
 #include "visibility/height_field.hpp"
@@ -136,6 +139,7 @@ class ViewRun {
     auto verification =
         budget_.or_nothing([&](const Progress& progress) { return verified(lines.drawing, paper, progress); });
     if (options_.verify) watch_.lap("verify");
+    if (options_.detail) show_detail(lines);
     auto features = budget_.or_nothing([&](const Progress& progress) {
       return options_.centre_lines ? scene::find_centred_features(input_.world, options_.edges.crease_angle, progress)
                                    : scene::CentredFeatures();
@@ -161,6 +165,7 @@ class ViewRun {
   drawing::ViewDrawing drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges,
                                 const Progress& progress) const;
   DrawnLines draw_lines(const view::PaperMap& paper);
+  void show_detail(DrawnLines& lines);
   std::optional<report::Verification> verified(const drawing::ViewDrawing& drawing, const view::PaperMap& paper,
                                                const Progress& progress) const;
   report::Verification verified(const edges::FeatureEdges& edges, const drawing::ViewDrawing& drawing,
@@ -286,7 +291,8 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   const auto make = [&](const Progress& progress) {
     DrawnLines lines;
     lines.drawing = drawn_on(paper, drawn_, progress);
-    if (options_.arcs) lines.curves = drawing::find_curves(lines.drawing.chains, *options_.arcs, progress);
+    if (options_.arcs && !options_.detail)
+      lines.curves = drawing::find_curves(lines.drawing.chains, *options_.arcs, progress);
     return lines;
   };
   const auto leave_out = [&](const std::string& stage) { return keep_longest(stage); };
@@ -298,6 +304,26 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   }
   lines.drawing.scale = input_.place.scale;
   return lines;
+}
+
+// After verification, which tests all that is in the view.
+void ViewRun::show_detail(DrawnLines& lines) {
+  const drawing::Boundary boundary =
+      boundary_on_page(*options_.detail, lines.drawing.world_to_page, lines.drawing.scale);
+  const auto clip = [&](const Progress& progress) {
+    drawing::ViewDrawing drawing = lines.drawing;
+    drawing::clip_drawing(drawing, {*options_.detail->name, *options_.detail->view, boundary}, progress);
+    DrawnLines clipped{std::move(drawing), {}};
+    if (options_.arcs) clipped.curves = drawing::find_curves(clipped.drawing.chains, *options_.arcs, progress);
+    return clipped;
+  };
+  const auto leave_out = [&](const std::string& stage) {
+    partial_.add_stage(stage);
+    partial_.undrawn +=
+        static_cast<long long>(drawing::keep_longest_chains(lines.drawing, fewer(lines.drawing.chains.size())));
+    return lines.drawing.chains.size() <= few_lines;
+  };
+  lines = make_in_time(budget_.run, budget_.last(), clip, leave_out);
 }
 
 std::optional<report::Verification> ViewRun::verified(const drawing::ViewDrawing& drawing, const view::PaperMap& paper,

@@ -17,6 +17,7 @@
 #include "pipeline/shortcuts.hpp"
 #include "report/report.hpp"
 #include "scene/centred_features.hpp"
+#include "scene/description.hpp"
 #include "scene/scene.hpp"
 #include "sheet/view_lines.hpp"
 #include "view/paper_map.hpp"
@@ -36,6 +37,7 @@ struct ViewOptions {
   std::optional<int> verify;   ///< number of random points
   std::optional<double> arcs;  ///< tolerance in mm for recognising circles and ellipses
   bool centre_lines = false;
+  std::optional<scene::DetailDescription> detail{};  ///< shown by the view
   double join_within = 0.1;  ///< mm on paper; lines this close along each other are merged, 0: all are drawn
   Shortcuts leave_out{};
 

@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "pipeline/details.hpp"
 #include "sheet/arrangement.hpp"
 #include "sheet/cutting_plane_line.hpp"
+#include "sheet/detail_marks.hpp"
 #include "sheet/dimensions/overall.hpp"
 #include "sheet/standard_scale.hpp"
 #include "view/paper_map.hpp"
@@ -34,13 +36,14 @@ Vec2 common_point(const scene::World& world, const view::ProjectedScene& view) {
   return Vec2(p) / p.w;
 }
 
-// Dimensions are outside the marks of sections.
+// Dimensions are outside the marks of sections and details.
 sheet::Room room_around(const Annotations& annotations, const projection::Projection& projection,
                         const sheet::LineWidths& widths) {
   sheet::Room room = sheet::dimension_room(annotations.dimensions, projection, usual_text_height);
   Vec2 marks(0, 0);
   for (const scene::CuttingPlane& plane : annotations.planes)
     marks = glm::max(marks, sheet::cutting_plane_room(projection, plane, widths));
+  if (!annotations.details.empty()) marks = glm::max(marks, Vec2(sheet::detail_room));
   room.before += marks;
   room.after += marks;
   return room;
@@ -51,17 +54,28 @@ struct Views {
   std::vector<Vec2> origins;  ///< origins of their boxes
 };
 
-Views views_to_place(const scene::World& world, std::span<const scene::ViewDescription> descriptions,
-                     std::span<const view::ProjectedScene> views, const std::vector<Annotations>& annotations,
-                     const sheet::LineWidths& widths) {
+// The box of all ink, with the boundaries of details that the view marks.
+projection::Window whole_box(const ViewOptions& options, const Annotations& annotations,
+                             const view::ProjectedScene& view, const scene::World& world) {
+  projection::Window whole = box_to_place(options, view, world);
+  for (const scene::DetailDescription& detail : annotations.details) {
+    if (view.projection.central) continue;
+    const sheet::Rectangle box = boundary_box(detail, view);
+    whole = {glm::min(whole.min, box.min), glm::max(whole.max, box.max)};
+  }
+  return whole;
+}
+
+Views views_to_place(const scene::World& world, const SheetOfViews& sheet, std::span<const view::ProjectedScene> views,
+                     const std::vector<Annotations>& annotations, const sheet::LineWidths& widths) {
   Views result;
   for (std::size_t i = 0; i < views.size(); ++i) {
     // A single view need not be aligned with others.
     const Vec2 origin = views.size() > 1 ? common_point(world, views[i]) : Vec2(0, 0);
-    const projection::Window box = view::drawn_box(views[i]);
+    const projection::Window box = whole_box(sheet.plans[i].options, annotations[i], views[i], world);
     sheet::ViewToPlace view{sheet::view_place(views[i].projection), {box.min - origin, box.max - origin}};
-    view.scale = descriptions[i].scale.value_or({}).fixed;
-    view.at = descriptions[i].at.value;
+    view.scale = sheet.descriptions[i].scale.value_or({}).fixed;
+    view.at = sheet.descriptions[i].at.value;
     const sheet::Room room = room_around(annotations[i], views[i].projection, widths);
     view.before = room.before;
     view.after = room.after;
@@ -163,7 +177,7 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.sheet)];
   scene::PaperChoice size = usual_size(description, views.size());
   const sheet::LineWidths widths = sheet::line_widths(sheet::make_paper(size, false));
-  const Views placing = views_to_place(world, sheet.descriptions, views, annotations, widths);
+  const Views placing = views_to_place(world, sheet, views, annotations, widths);
   const sheet::Arrangement arrangement = arranged(description, options, placing.to_place, size);
   if (options.title_block) {
     options.title_block->scale = sheet::ratio_text(arrangement.scale);

@@ -35,6 +35,8 @@ constexpr const char* more_digits =
 
 void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewInput& input) {
   if (!result.drawing.segments.empty() || !result.partial.stages.empty()) return;
+  if (const auto& detail = input.options.detail)
+    return messages.warn("detail '" + *detail->name + "' shows no line\n  hint: move its centre, or make it larger");
   const edges::EdgeOptions& edges = input.options.edges;
   const bool leaves_out_wires = !edges.wire && !input.world.wires.empty();
   if (!edges.contour || !edges.boundary || !edges.crease || leaves_out_wires)

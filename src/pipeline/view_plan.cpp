@@ -6,6 +6,7 @@
 
 #include "pipeline/choose.hpp"
 #include "scene/body_styles.hpp"
+#include "scene/details.hpp"
 #include "sheet/arrangement.hpp"
 
 namespace epura::pipeline {
@@ -73,7 +74,8 @@ std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const 
   };
   std::vector<PlannedView> plans;
   for (const scene::ViewDescription& view : scene.views) {
-    const ViewOptions of_view = view_options(view, options);
+    ViewOptions of_view = view_options(view, options);
+    if (view.detail.given()) of_view.detail = *scene::find_detail(scene, *view.detail);
     const auto plan = [&](const scene::ProjectionRequest& request) -> PlannedView {
       return {request, find(request.name), of_view};
     };

@@ -3,22 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
 
 namespace epura::scene {
 
-namespace {
-
 std::optional<Vec3> parse_vector(std::string_view text) {
   const auto numbers = parse_numbers(text);
   if (!numbers || numbers->size() != 3) return std::nullopt;
   return Vec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
 }
-
-}  // namespace
 
 CuttingPlane make_cutting_plane(const SectionDescription& section) {
   const std::string& where = section.name.where;

@@ -2,6 +2,7 @@
 // The cutting plane of a section.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,9 @@ struct CuttingPlane {
   std::string name;   ///< "A"
   std::string where;  ///< location of its description, for errors
 };
+
+/// Parses "X,Y,Z"; nothing if it is not three numbers.
+std::optional<Vec3> parse_vector(std::string_view text);
 
 /// Throws Error{input} for a zero normal and for numbers that are not finite.
 CuttingPlane make_cutting_plane(const SectionDescription& section);

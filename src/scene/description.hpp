@@ -65,7 +65,8 @@ struct StyleDescription {
   Located<bool> drawn;  ///< true by default
 };
 
-/// A view of the models. Views without a position are arranged automatically: ISO 5456-2.
+/// A view of the models. A detail view shows its parent at a larger scale, see complete_details. Views without a
+/// position are arranged automatically: ISO 5456-2.
 struct ViewDescription {
   LocatedText name;  ///< name of its layers; by default that of the projection
   Located<ProjectionRequest> projection;
@@ -73,6 +74,7 @@ struct ViewDescription {
   Located<HiddenLines> hidden;
   Located<EdgeKinds> edges;
   LocatedText section;           ///< name of the section shown
+  LocatedText detail;            ///< name of the detail shown
   LocatedText label;             ///< text above it; by default "A-A" for section A
   Located<double> crease_angle;  ///< degrees
   Located<double> join_within;   ///< mm on paper
@@ -87,6 +89,16 @@ struct SectionDescription {
   LocatedText name;  ///< "A"
   Vec3 point{0.0};
   Vec3 normal{0.0, -1.0, 0.0};
+};
+
+/// A part of a view, to be shown by another view at a larger scale: a circle or an upright rectangle in its plane.
+/// ISO 128-3.
+struct DetailDescription {
+  LocatedText name;    ///< "X"
+  LocatedText view{};  ///< name of its parent; by default the first view that shows no detail
+  Located<Vec3> centre{};
+  Located<double> radius{};  ///< of a circle, in the unit of the world
+  Located<Vec2> size{};      ///< width and height of a rectangle, likewise
 };
 
 /// Vertex `second` of model `first`, both counted from 0 as in the drawing JSON; or a point of the world.
@@ -123,6 +135,7 @@ struct SceneDescription {
   std::vector<ViewDescription> views;
   std::vector<StyleDescription> styles;
   std::vector<SectionDescription> sections;
+  std::vector<DetailDescription> details;
   std::vector<DimensionDescription> dimensions;
   std::vector<SheetDescription> sheets;  ///< one default sheet if a scene file has none
 };

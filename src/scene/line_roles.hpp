@@ -58,6 +58,7 @@ enum class SheetLine {
   visible,
   dimension,
   cutting_plane,
+  detail,
   partial
 };
 
@@ -90,6 +91,7 @@ inline constexpr std::array sheet_lines = {
     SheetLineRow{SheetLine::visible, "visible", "visible", LineWidth::wide, continuous_line, false, LineRole::visible},
     SheetLineRow{SheetLine::dimension, "dimension", "dimensions", LineWidth::narrow},
     SheetLineRow{SheetLine::cutting_plane, "cutting-plane", "cutting-plane", LineWidth::narrow},
+    SheetLineRow{SheetLine::detail, "detail", "detail", LineWidth::narrow},
     SheetLineRow{SheetLine::partial, "partial", "partial", LineWidth::wide},
 };
 

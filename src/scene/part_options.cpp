@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "scene/line_roles.hpp"
 #include "scene/title_fields.hpp"
 
@@ -26,6 +27,24 @@ ValueKind<ScaleChoice> scale_of_a_view() {
     return scale;
   };
   return {scale_choice().form, read};
+}
+
+ValueKind<double> positive_number() {
+  const auto read = [](const TomlValue& value) {
+    const double number = any_number("").read(value);
+    if (!(number > 0)) refuse(value, "is " + format_number(number) + ", more than 0 is wanted");
+    return number;
+  };
+  return {{"number above 0", "D"}, read};
+}
+
+ValueKind<Vec2> positive_pair() {
+  const auto read = [](const TomlValue& value) {
+    const Vec2 pair = pair_of_numbers("").read(value);
+    if (!(pair.x > 0 && pair.y > 0)) refuse(value, "has a number that is not above 0");
+    return pair;
+  };
+  return {{"[x, y], above 0", "X,Y"}, read};
 }
 
 }  // namespace
@@ -103,14 +122,31 @@ Options<SectionDescription> section_options() {
   };
 }
 
+Options<DetailDescription> detail_options() {
+  using Detail = DetailDescription;
+  return {
+      option<Detail>({.key = "name", .help = "name to which views refer, such as `X`", .required = true}, &Detail::name,
+                     any_text()),
+      option<Detail>({.key = "view", .help = "name of the view that it enlarges", .usual = "first view"}, &Detail::view,
+                     any_text()),
+      option<Detail>({.key = "centre", .help = "point of the world in its middle", .required = true}, &Detail::centre,
+                     triple_of_numbers("")),
+      option<Detail>({.key = "radius", .help = "radius of a circle around it"}, &Detail::radius, positive_number()),
+      option<Detail>({.key = "size", .help = "width and height of a rectangle around it, instead of a circle"},
+                     &Detail::size, positive_pair()),
+  };
+}
+
 Options<ViewDescription> view_options() {
   using View = ViewDescription;
   return {
+      option<View>({.key = "projection",
+                    .help = "`NAME[:key=value...]`, or `{name = NAME, key = value}`; required, except for details",
+                    .usual = "that of the view that `detail` enlarges"},
+                   &View::projection, projection_request()),
       option<View>(
-          {.key = "projection", .help = "`NAME[:key=value...]`, or `{name = NAME, key = value}`", .required = true},
-          &View::projection, projection_request()),
-      option<View>({.key = "name", .help = "name for layers and dimensions", .usual = "the projection's"}, &View::name,
-                   any_text()),
+          {.key = "name", .help = "name for layers and dimensions", .usual = "the projection's, or `detail-X`"},
+          &View::name, any_text()),
       option<View>({.key = "scale", .help = "scale of this view, such as `2:1`", .usual = "the sheet's"}, &View::scale,
                    scale_of_a_view()),
       option<View>(
@@ -119,8 +155,10 @@ Options<ViewDescription> view_options() {
       option<View>({.key = "sheet", .help = "number of the sheet that shows it, from 1", .usual = "1"}, &View::sheet,
                    whole_number(1)),
       option<View>({.key = "section", .help = "name of the section shown"}, &View::section, any_text()),
-      option<View>({.key = "label", .help = "text above the view", .usual = "`A-A` for section `A`"}, &View::label,
-                   any_text()),
+      option<View>({.key = "detail", .help = "name of the detail shown; needs a `scale`"}, &View::detail, any_text()),
+      option<View>(
+          {.key = "label", .help = "text above the view", .usual = "`A-A` for section `A`, `X` for detail `X`"},
+          &View::label, any_text()),
       option<View>({.key = "hidden",
                     .flag = "--hidden",
                     .help = "style of hidden lines",

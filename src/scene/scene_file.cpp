@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "scene/body_styles.hpp"
+#include "scene/details.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/toml_tree.hpp"
 #include "scene/view_names.hpp"
@@ -140,6 +141,7 @@ SceneDescription read_scene_file(const fs::path& path) {
   if (scene.models.empty())
     refuse(path.string(), "names no model", "a scene file needs at least:  [[model]]  file = \"part.obj\"");
   if (scene.sheets.empty()) scene.sheets.push_back(words.every_sheet);
+  expect_projections(scene);
   name_views(scene.views);
   expect_sound_names(scene);
   const Subjects subjects{scene.models, numbers_of(scene.models), names_of(scene.views, "view")};
@@ -152,6 +154,7 @@ SceneDescription read_scene_file(const fs::path& path) {
 void expect_sound_names(const SceneDescription& scene) {
   names_of(scene.models, "model");
   check_views(scene, names_of(scene.sections, "section"));
+  names_of(scene.details, "detail");
   names_of(scene.views, "view");
 }
 

@@ -26,11 +26,11 @@ void name_views(std::vector<ViewDescription>& views) {
   std::map<std::string, int> numbers;
   for (ViewDescription& view : views) {
     if (view.name.given()) continue;
-    const std::string& projection = view.projection->name;
-    int& number = numbers[projection];
+    const std::string usual = view.detail.given() ? "detail-" + *view.detail : view.projection->name;
+    int& number = numbers[usual];
     do {
       ++number;
-      view.name.value = number == 1 ? projection : projection + "-" + std::to_string(number);
+      view.name.value = number == 1 ? usual : usual + "-" + std::to_string(number);
     } while (!taken.insert(*view.name).second);
   }
 }

@@ -13,7 +13,8 @@ namespace epura::scene {
 /// Throws Error{input} with the location `where` for more than 1000 views.
 void expect_few_views(std::size_t views, const std::string& where);
 
-/// Names each view without a name after its projection, with a number if the name is taken: "front-2". Throws
+/// Names each view without a name after its detail ("detail-X") or its projection, with a number if the name is taken:
+/// "front-2". Views without a detail must have a projection. Throws
 /// Error{input} for more than 1000 views.
 void name_views(std::vector<ViewDescription>& views);
 

@@ -396,6 +396,30 @@ Marks marks_of(const CentredView& view) {
   return marks;
 }
 
+// The part of a piece in a detail; a piece that is cut off has no middle.
+std::optional<Piece> inside(const std::optional<drawing::DetailFrame>& detail, Piece piece) {
+  if (!detail) return piece;
+  const auto part = drawing::part_inside(detail->boundary, piece.at(piece.from), piece.at(piece.to));
+  const double length = piece.to - piece.from;
+  if (!part || ((*part)[1] - (*part)[0]) * length < shortest_piece) return std::nullopt;
+  piece.centred = piece.centred && std::abs((*part)[0] + (*part)[1] - 1) * length <= same_place;
+  piece.to = piece.from + (*part)[1] * length;
+  piece.from += (*part)[0] * length;
+  return piece;
+}
+
+Stroke arc_stroke(const SeenCircle& circle, const drawing::AngleRange& range, double width) {
+  const double turn = range.to - range.from, radius = circle.radius();
+  const int steps = std::max(1, static_cast<int>(std::ceil(turn * 90 / std::numbers::pi)));
+  Stroke stroke{{}, false, fit_open(turn * radius, width, scene::long_dash_dot)};
+  for (int i = 0; i <= steps; ++i) {
+    const double a = range.from + turn * i / steps;
+    stroke.points.push_back(circle.centre + radius * Vec2(portable_cos(a), portable_sin(a)));
+  }
+  stroke.curves = {{0, steps, circle.centre, {radius, 0}, {0, radius}, range.from, range.to}};
+  return stroke;
+}
+
 Stroke round_stroke(const SeenCircle& circle, double width) {
   constexpr int steps = 180;
   Stroke stroke{{}, true, fit_closed(2 * std::numbers::pi * circle.radius(), width, scene::long_dash_dot)};
@@ -405,6 +429,16 @@ Stroke round_stroke(const SeenCircle& circle, double width) {
   }
   stroke.curves = {{0, steps, circle.centre, {circle.radius(), 0}, {0, circle.radius()}, 0, 2 * std::numbers::pi}};
   return stroke;
+}
+
+std::vector<Stroke> round_strokes(const SeenCircle& circle, const std::optional<drawing::DetailFrame>& detail,
+                                  double width) {
+  if (!detail) return {round_stroke(circle, width)};
+  std::vector<Stroke> strokes;
+  for (const drawing::AngleRange& range : drawing::circle_inside(detail->boundary, circle.centre, circle.radius()))
+    strokes.push_back(range.to - range.from < 2 * std::numbers::pi ? arc_stroke(circle, range, width)
+                                                                   : round_stroke(circle, width));
+  return strokes;
 }
 
 }  // namespace
@@ -419,13 +453,17 @@ Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<
   for (const Piece& piece : crosses(marks.features)) pieces.push_back(piece);
   pieces.insert(pieces.end(), marks.pieces.begin(), marks.pieces.end());
   pieces = merged(pieces);
-  for (const Piece& piece : uncovered(pieces, drawn, width / 2, progress)) {
-    const double length = piece.to - piece.from;
-    const Dashes dashes = piece.centred ? fit_centred(length, width, scene::long_dash_dot)
-                                        : fit_open(length, width, scene::long_dash_dot);
-    layer.strokes.push_back({{piece.at(piece.from), piece.at(piece.to)}, false, dashes});
+  const auto& detail = view.drawing.detail;
+  for (const Piece& whole : uncovered(pieces, drawn, width / 2, progress)) {
+    const auto piece = inside(detail, whole);
+    if (!piece) continue;
+    const double length = piece->to - piece->from;
+    const Dashes dashes = piece->centred ? fit_centred(length, width, scene::long_dash_dot)
+                                         : fit_open(length, width, scene::long_dash_dot);
+    layer.strokes.push_back({{piece->at(piece->from), piece->at(piece->to)}, false, dashes});
   }
-  for (const SeenCircle& circle : marks.rounds) layer.strokes.push_back(round_stroke(circle, width));
+  for (const SeenCircle& circle : marks.rounds)
+    for (Stroke& stroke : round_strokes(circle, detail, width)) layer.strokes.push_back(std::move(stroke));
   return layer;
 }
 

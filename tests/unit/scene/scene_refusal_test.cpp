@@ -47,6 +47,7 @@ TEST(SceneRefusal, WhatIsMissing) {
               {model + "[[view]]\n", "3:1: [[view]] lacks 'projection'",
                "`NAME[:key=value...]`, or `{name = NAME, key = value}`"},
               {model + "[[section]]\n", "3:1: [[section]] lacks 'name'", "name to which views refer, such as `A`"},
+              {model + "[[detail]]\nname = 'X'", "3:1: [[detail]] lacks 'centre'", "point of the world in its middle"},
               {"view = [{projection = {eye = [1, 2, 3]}}]\n" + model, "1:23: 'projection' lacks 'name'",
                "{name = \"look-at\", eye = [4, -9, 5]}"},
           });
@@ -101,6 +102,14 @@ TEST(SceneRefusal, ValuesOutOfRange) {
                           {view + "near = nan", "5:8: 'near' is not a finite number", ""},
                           {view + "far = -inf", "5:7: 'far' is not a finite number", ""},
                           {view + "at = [0, inf]", "5:10: 'at' is not a finite number", ""},
+                          {model + "[[detail]]\nname = 'X'\ncentre = [1, 2]",
+                           "5:10: 'centre' has 2 elements, 3 numbers are wanted", ""},
+                          {model + "[[detail]]\nname = 'X'\ncentre = [0, 0, 0]\nradius = 0",
+                           "6:10: 'radius' is 0, more than 0 is wanted", ""},
+                          {model + "[[detail]]\nname = 'X'\ncentre = [0, 0, 0]\nradius = -1.5",
+                           "6:10: 'radius' is -1.5, more than 0 is wanted", ""},
+                          {model + "[[detail]]\nname = 'X'\ncentre = [0, 0, 0]\nsize = [1, 0]",
+                           "6:8: 'size' has a number that is not above 0", ""},
                           {view + "sheet = 0", "5:9: 'sheet' is 0, allowed is 1 or more", ""},
                           {view + "sheet = 1.5", "5:9: 'sheet' is 1.5, a whole number is wanted", ""},
                           {view + "sheet = 3000000000", "5:9: 'sheet' is 3e+09, allowed is 1 to 2147483647", ""},
@@ -119,11 +128,13 @@ TEST(SceneRefusal, ValuesOutOfRange) {
 }
 
 TEST(SceneRefusal, NamesThatLeadNowhereOrToTwoThings) {
+  const std::string detail = "[[detail]]\nname = 'X'\ncentre = [0, 0, 0]\nradius = 1\n";
   const std::string section = model + "[[section]]\nname = 'A'\n";
   const std::string one = "names must be unique";
   expect_refusals(
       "", {
               {model + "name = 'x'\n" + model + "name = 'x'", "6:8: 'x' is the name of an earlier model", one},
+              {model + detail + detail, "8:8: 'X' is the name of an earlier detail", one},
               {section + "[[section]]\nname = 'A'", "6:8: 'A' is the name of an earlier section", one},
               {view + "name = 'x'\n[[view]]\nprojection = 'top'\nname = 'x'", "8:8: 'x' is the name of an earlier view",
                one},

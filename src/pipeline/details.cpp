@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/details.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "scene/details.hpp"
+#include "sheet/detail_marks.hpp"
+#include "sheet/frame.hpp"
+#include "sheet/standard_scale.hpp"
+#include "view/paper_map.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+std::string format_point(const Vec3& p) {
+  return "[" + format_rounded(p.x, 6) + ", " + format_rounded(p.y, 6) + ", " + format_rounded(p.z, 6) + "]";
+}
+
+[[noreturn]] void refuse_outside(const scene::DetailDescription& detail, const Box& box) {
+  throw Error(ErrorKind::input, detail.centre.where,
+              "detail '" + *detail.name + "' around " + format_point(*detail.centre) + " is outside the view '" +
+                  *detail.view + "'",
+              "what it shows extends from " + format_point(box.min) + " to " + format_point(box.max));
+}
+
+std::vector<sheet::DetailMark> marks_in(const Annotations& annotations, const drawing::ViewDrawing& drawing) {
+  std::vector<sheet::DetailMark> marks;
+  if (drawing.projection.central) return marks;
+  for (const scene::DetailDescription& detail : annotations.details)
+    marks.push_back({*detail.name, boundary_on_page(detail, drawing.world_to_page, drawing.scale)});
+  return marks;
+}
+
+sheet::LetterRoom letter_room(const std::vector<sheet::Layer>& layers, const sheet::SheetFurniture& furniture) {
+  const sheet::Paper& paper = furniture.paper;
+  sheet::LetterRoom room{{{0, 0}, {paper.width, paper.height}}, layers};
+  if (furniture.frame != FrameKind::none) room.area = sheet::drawing_area(paper);
+  if (furniture.title_block)
+    if (const auto box = sheet::title_block_box(*furniture.title_block, paper))
+      room.reserved.push_back(sheet::turned_box(*box));
+  return room;
+}
+
+}  // namespace
+
+drawing::Boundary boundary_on_page(const scene::DetailDescription& detail, const Mat4& world_to_page, double scale) {
+  const Vec4 centre = world_to_page * Vec4(*detail.centre, 1);
+  return {Vec2(centre) / centre.w, scale * scene::half_size(detail), detail.radius.given()};
+}
+
+sheet::Rectangle boundary_box(const scene::DetailDescription& detail, const view::ProjectedScene& view) {
+  return sheet::box_of(boundary_on_page(detail, view::world_to_page(view, view::make_paper_map(view, 1, Vec2(0))), 1));
+}
+
+projection::Window box_to_place(const ViewOptions& options, const view::ProjectedScene& view,
+                                const scene::World& world) {
+  const projection::Window drawn = view::drawn_box(view);
+  if (!options.detail) return drawn;
+  const scene::DetailDescription& detail = *options.detail;
+  if (view.projection.central)
+    throw Error(ErrorKind::input, detail.view.where,
+                "view '" + *detail.view + "' is a perspective, which has no scale at which a detail could be larger",
+                "take the detail from a parallel view");
+  const sheet::Rectangle box = boundary_box(detail, view);
+  if (!box.overlaps({drawn.min, drawn.max})) refuse_outside(detail, world.box);
+  return {box.min, box.max};
+}
+
+void warn_about_details(const Messages& messages, const SheetOfViews& views, const SheetPlan& plan) {
+  for (std::size_t i = 0; i < views.plans.size(); ++i) {
+    const auto& detail = views.plans[i].options.detail;
+    if (!detail) continue;
+    for (std::size_t j = 0; j < views.plans.size(); ++j)
+      if (views.plans[j].options.name == *detail->view && plan.places[i].scale <= plan.places[j].scale)
+        messages.warn("detail '" + *detail->name + "' at " + sheet::ratio_text(plan.places[i].scale) +
+                      " is not larger than in view '" + *detail->view + "' at " +
+                      sheet::ratio_text(plan.places[j].scale) + "\n  hint: give its view a larger scale");
+  }
+}
+
+void add_details(std::vector<sheet::Layer>& layers, const SheetInput& input,
+                 std::span<const drawing::ViewDrawing> drawings) {
+  const sheet::LineWidths widths = sheet::line_widths(input.plan.furniture.paper);
+  std::vector<sheet::Layer> details;
+  for (const drawing::ViewDrawing& drawing : drawings) {
+    if (!drawing.detail) continue;
+    details.push_back(sheet::empty_layer(drawing.name, scene::SheetLine::detail, widths));
+    details.back().strokes.push_back(sheet::boundary_line(drawing.detail->boundary));
+  }
+  std::move(details.begin(), details.end(), std::back_inserter(layers));
+  for (std::size_t i = 0; i < drawings.size(); ++i) {
+    const std::vector<sheet::DetailMark> marks = marks_in(input.annotations[i], drawings[i]);
+    if (marks.empty()) continue;
+    sheet::Layer layer = sheet::detail_marks(drawings[i].name, marks, letter_room(layers, input.plan.furniture),
+                                             sheet::Lettering(), widths);
+    layers.push_back(std::move(layer));
+  }
+}
+
+}  // namespace epura::pipeline

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/detail_marks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <vector>
+
+#include "base/portable_math.hpp"
+#include "sheet/furniture.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+constexpr double letter_widths = 20;  // height of letters in narrow lines: 5 mm for 0.25 mm
+constexpr double gap = 1;             // mm between a letter and all ink
+constexpr double leader_step = 3, longest_leader = 45;
+// Preferred directions first: up to the right, as a reader expects it.
+constexpr std::array<int, 16> directions = {45, 135, 315, 225, 30, 60, 120, 150, 330, 300, 210, 240, 0, 90, 180, 270};
+constexpr int corners_of_circle = 360;
+
+// Distance from the centre to the boundary in a direction.
+double reach_of(const drawing::Boundary& boundary, const Vec2& direction) {
+  if (boundary.round) return boundary.half.x;
+  double reach = HUGE_VAL;
+  for (const int axis : {0, 1})
+    if (std::abs(direction[axis]) > 1e-12) reach = std::min(reach, boundary.half[axis] / std::abs(direction[axis]));
+  return reach;
+}
+
+bool is_near(const TurnedBox& box, const Rectangle& area) { return around(box).overlaps(area.grown(gap), -gap); }
+
+/// What letters must not touch, in the neighbourhood of one detail.
+class Obstacles {
+ public:
+  Obstacles(const LetterRoom& room, const Rectangle& neighbourhood, const Lettering& lettering) : area_(room.area) {
+    for (const Layer& layer : room.drawn) add(layer, neighbourhood, lettering);
+    for (const TurnedBox& box : room.reserved)
+      if (is_near(box, neighbourhood)) boxes_.push_back(box);
+  }
+
+  void add(const Stroke& stroke, const Rectangle& neighbourhood) {
+    const std::size_t count = stroke.points.size();
+    for (std::size_t i = stroke.closed ? 0 : 1; i < count; ++i) {
+      const TurnedBox line = line_box(stroke.points[(i + count - 1) % count], stroke.points[i]);
+      if (is_near(line, neighbourhood)) boxes_.push_back(line);
+    }
+  }
+
+  /// How many obstacles a letter would touch; being outside the area counts most.
+  [[nodiscard]] std::size_t touched_by(const TurnedBox& letter) const {
+    TurnedBox wide = letter;
+    wide.half += gap;
+    const auto touched = static_cast<std::size_t>(
+        std::count_if(boxes_.begin(), boxes_.end(), [&](const TurnedBox& box) { return overlap(wide, box); }));
+    return touched + (area_.holds(around(letter)) ? 0 : boxes_.size() + 1);
+  }
+
+ private:
+  void add(const Layer& layer, const Rectangle& neighbourhood, const Lettering& lettering) {
+    for (const Stroke& stroke : layer.strokes) add(stroke, neighbourhood);
+    Layer rest;
+    rest.fills = layer.fills;
+    rest.texts = layer.texts;
+    for (const TurnedBox& box : boxes_of(rest, lettering))
+      if (is_near(box, neighbourhood)) boxes_.push_back(box);
+  }
+
+  Rectangle area_;
+  std::vector<TurnedBox> boxes_;
+};
+
+struct Place {
+  Vec2 from;      ///< the boundary, where a leader begins
+  double leader;  ///< its length, mm; 0: none
+  TurnedBox letter;
+};
+
+Place place_at(const drawing::Boundary& boundary, int degrees, double leader, const Vec2& half) {
+  const double angle = degrees * std::numbers::pi / 180;
+  const Vec2 direction(portable_cos(angle), portable_sin(angle));
+  const Vec2 from = boundary.centre + reach_of(boundary, direction) * direction;
+  const double to_middle = std::abs(direction.x) * half.x + std::abs(direction.y) * half.y + gap;
+  return {from, leader, {from + (leader + to_middle) * direction, {1, 0}, half}};
+}
+
+// The nearest free place, or the one that touches least.
+Place best_place(const drawing::Boundary& boundary, const Vec2& half, const Obstacles& obstacles) {
+  Place best = place_at(boundary, directions[0], 0, half);
+  std::size_t touched = obstacles.touched_by(best.letter);
+  for (double leader = 0; touched > 0 && leader <= longest_leader; leader += leader_step)
+    for (const int degrees : directions) {
+      const Place place = place_at(boundary, degrees, leader, half);
+      const std::size_t here = obstacles.touched_by(place.letter);
+      if (here < touched) {
+        best = place;
+        touched = here;
+      }
+    }
+  return best;
+}
+
+}  // namespace
+
+Stroke boundary_line(const drawing::Boundary& boundary) {
+  if (!boundary.round) return outline(box_of(boundary));
+  Stroke circle;
+  circle.closed = true;
+  const double radius = boundary.half.x;
+  for (int i = 0; i < corners_of_circle; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners_of_circle;
+    circle.points.push_back(boundary.centre + radius * Vec2(portable_cos(angle), portable_sin(angle)));
+  }
+  circle.curves = {{0, corners_of_circle, boundary.centre, {radius, 0}, {0, radius}, 0, 2 * std::numbers::pi}};
+  return circle;
+}
+
+Layer detail_marks(const std::string& view, std::span<const DetailMark> marks, const LetterRoom& room,
+                   const Lettering& lettering, const LineWidths& widths) {
+  Layer layer = empty_layer(view, scene::SheetLine::detail, widths);
+  const double height = letter_widths * widths.narrow;
+  std::vector<Stroke> boundaries;
+  for (const DetailMark& mark : marks) boundaries.push_back(boundary_line(mark.boundary));
+  std::vector<TurnedBox> letters = room.reserved;
+  for (const DetailMark& mark : marks) {
+    const Vec2 half = Vec2(lettering.width(mark.name, height), height) / 2.0;
+    const Rectangle neighbourhood = box_of(mark.boundary).grown(longest_leader + 2 * (half.x + half.y));
+    Obstacles obstacles({room.area, room.drawn, letters}, neighbourhood, lettering);
+    for (const Stroke& boundary : boundaries) obstacles.add(boundary, neighbourhood);
+    const Place place = best_place(mark.boundary, half, obstacles);
+    if (place.leader > 0) {
+      const Vec2 direction = glm::normalize(place.letter.centre - place.from);
+      layer.strokes.push_back(line(place.from, place.from + place.leader * direction));
+    }
+    layer.texts.push_back({mark.name, place.letter.centre - Vec2(0, height / 2), height, 0, Align::middle, "detail"});
+    letters.push_back(place.letter);
+  }
+  append(layer.strokes, std::move(boundaries));
+  return layer;
+}
+
+}  // namespace epura::sheet
