@@ -77,6 +77,8 @@ struct Section {
   std::string name{};
   std::array<double, 3> point{0, 0, 0};
   std::array<double, 3> normal{0, -1, 0};
+  std::vector<std::array<double, 3>> path{};  ///< instead of the point: corners of the cutting-plane line, whose legs
+                                              ///< are perpendicular to the normal, or steps parallel to it
 };
 
 /// A model and a vertex of it, both counted from 0; or a point of the world.

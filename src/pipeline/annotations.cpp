@@ -65,8 +65,8 @@ void add_planes(std::vector<Annotations>& annotations, std::span<const scene::Vi
     const auto shows = [&name = name](const scene::ViewDescription& view) { return view.section.value == name; };
     if (std::none_of(views.begin(), views.end(), shows)) continue;
     for (std::size_t i = 0; i < views.size(); ++i) {
-      if (views[i].section.given() || !sheet::sees_edge_on(seen[i].projection, section.plane)) continue;
-      annotations[i].planes.push_back(section.plane);
+      if (views[i].section.given() || !sheet::sees_edge_on(seen[i].projection, section.surface)) continue;
+      annotations[i].planes.push_back(section.surface);
       break;
     }
   }

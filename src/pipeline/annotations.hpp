@@ -14,7 +14,7 @@ namespace epura::pipeline {
 
 struct Annotations {
   std::vector<scene::DimensionDescription> dimensions;
-  std::vector<scene::CuttingPlane> planes;  ///< of sections marked in this view
+  std::vector<scene::CuttingSurface> planes;  ///< of sections marked in this view
 };
 
 /// By view of the sheet; `seen` has the projected views in the same order. A dimension without a view belongs to the
