@@ -83,8 +83,8 @@ void expect_steps_edge_on(const CutSection& section, const view::ProjectedScene&
                           const scene::ViewDescription& view) {
   constexpr double edge_on = 1e-9;  // radians
   const projection::Projection& projection = seen.projection;
-  const bool is_edge_on = !projection.central && std::abs(glm::dot(glm::normalize(projection.projector),
-                                                                   section.surface.along)) <= edge_on;
+  const bool is_edge_on =
+      !projection.central && std::abs(glm::dot(glm::normalize(projection.projector), section.surface.along)) <= edge_on;
   if (section.surface.is_plane() || is_edge_on) return;
   throw Error(ErrorKind::input, view.section.where,
               "view '" + *view.name + "' does not look along the steps of section " + section.surface.plane.name,
@@ -122,8 +122,7 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
     return section(view) == nullptr ? whole : section(view)->cut.world;
   };
   std::vector<view::ProjectedScene> seen = map_views(world, views);
-  for (std::size_t i = 0; i < seen.size(); ++i)
-  {
+  for (std::size_t i = 0; i < seen.size(); ++i) {
     if (section(i) != nullptr) expect_steps_edge_on(*section(i), seen[i], views.descriptions[i]);
     views.plans[i].options.styles = styles_of(scene, views.descriptions[i], world(i), seen[i].projection);
   }

@@ -94,8 +94,8 @@ std::optional<double> error_within(const std::optional<double>& allowed, const v
 }
 
 report::PlanStep section_step(const CutSection& section) {
-  return {"section", true, "the view shows section " + section.surface.plane.name, count_of(section.cut.world.models.size()),
-          count_of(section.cut.faces.size())};
+  return {"section", true, "the view shows section " + section.surface.plane.name,
+          count_of(section.cut.world.models.size()), count_of(section.cut.faces.size())};
 }
 
 drawing::NearLines near_lines(const ViewOptions& options) {

@@ -361,8 +361,8 @@ struct Remainder {
     for (WorldCutFace& face : cut.faces) {
       for (auto& ring : face.rings)
         for (int& v : ring) v += first;
-      const bool is_more = !result.faces.empty() && result.faces.back().model == face.model &&
-                           result.faces.back().body == face.body;
+      const bool is_more =
+          !result.faces.empty() && result.faces.back().model == face.model && result.faces.back().body == face.body;
       if (is_more)
         std::move(face.rings.begin(), face.rings.end(), std::back_inserter(result.faces.back().rings));
       else
@@ -370,7 +370,9 @@ struct Remainder {
     }
     result.open.insert(result.open.end(), cut.open.begin(), cut.open.end());
     result.bridged.insert(result.bridged.end(), cut.bridged.begin(), cut.bridged.end());
-    const auto by_body = [](const auto& a, const auto& b) { return std::pair(a.model, a.body) < std::pair(b.model, b.body); };
+    const auto by_body = [](const auto& a, const auto& b) {
+      return std::pair(a.model, a.body) < std::pair(b.model, b.body);
+    };
     std::stable_sort(result.open.begin(), result.open.end(), by_body);
     std::stable_sort(result.bridged.begin(), result.bridged.end(), by_body);
     cuts = cuts || !cut.cut.segments.empty() || !cut.loose.empty() || cut.cut.cuts_wires;
@@ -460,8 +462,7 @@ CutWorld cut_world(const World& world, const CuttingSurface& surface, const Prog
   if (surface.is_plane()) return cut_by_plane(world, surface.plane, progress);
   const SteppedCut stepped(world, surface);
   Remainder remainder(world, surface.regions.size());
-  for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
-    stepped.cut(model, remainder, progress);
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) stepped.cut(model, remainder, progress);
   return remainder.finish(surface.plane, world.box);
 }
 

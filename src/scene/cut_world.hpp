@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts a world by a plane or a stepped surface. The remainder is again a world, closed by cut faces, so that later stages need no special
-// treatment of cuts.
+// Cuts a world by a plane or a stepped surface. The remainder is again a world, closed by cut faces, so that later
+// stages need no special treatment of cuts.
 //
 // Each vertex has a sign for its side of the plane: a vertex within rounding of the plane is on it, for all of its
 // triangles. Decisions based only on these signs are consistent between neighbours, and each edge is cut once for all

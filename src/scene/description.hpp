@@ -75,7 +75,8 @@ struct ViewDescription {
   Located<int> sheet;         ///< number of its sheet, from 1; by default the first
 };
 
-/// A plane that cuts the models, or parallel planes with steps between them. The side to which the normal points is removed.
+/// A plane that cuts the models, or parallel planes with steps between them. The side to which the normal points is
+/// removed.
 struct SectionDescription {
   LocatedText name;  ///< "A"
   Vec3 point{0.0};

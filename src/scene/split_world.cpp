@@ -102,7 +102,8 @@ class Splitter {
 
   void split_triangle(int triangle) {
     const std::array<int, 3> corners = mesh_.triangle(triangle);
-    const Vec3 normal = glm::cross(points_[corners[1]] - points_[corners[0]], points_[corners[2]] - points_[corners[0]]);
+    const Vec3 normal =
+        glm::cross(points_[corners[1]] - points_[corners[0]], points_[corners[2]] - points_[corners[0]]);
     std::vector<Ring> rest{{corners.begin(), corners.end()}};
     for (std::size_t r = 0; r < surface_.regions.size() && !rest.empty(); ++r) {
       std::vector<Ring> beyond;

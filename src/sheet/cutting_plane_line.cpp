@@ -23,9 +23,9 @@ constexpr double arrow_length = 2, head_length = 0.7;
 constexpr double head_half_angle = 15;  // degrees
 constexpr double letter_gap = 0.3;
 constexpr double wide_turn = 0.7;
-constexpr double edge_on = 1e-9;         // radians
-constexpr double past_dividing = 3;      // mm; ISO 128-2: centre lines end past the outline
-constexpr double same_line = 0.05;       // mm
+constexpr double edge_on = 1e-9;     // radians
+constexpr double past_dividing = 3;  // mm; ISO 128-2: centre lines end past the outline
+constexpr double same_line = 0.05;   // mm
 
 Vec2 on_page(const Mat4& world_to_page, const Vec3& p) {
   const Vec4 page = world_to_page * Vec4(p, 1);
@@ -59,8 +59,7 @@ struct Trace {
   Vec2 seen;                  ///< viewing direction of the section: perpendicular to the planes
 };
 
-std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const scene::CuttingSurface& surface,
-                              double height) {
+std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const scene::CuttingSurface& surface, double height) {
   if (!sees_edge_on(parent.projection, surface)) return std::nullopt;
   const Mat4& map = parent.world_to_page;
   const scene::CuttingPlane& plane = surface.plane;

@@ -108,8 +108,7 @@ TEST(SteppedCut, OfABoxHasTheAreaOfAPlaneCut) {
 TEST(SteppedCut, AreasOfStripsAddUp) {
   const scene::World world = world_of(stairs());
   // Steps within the blocks: each strip has its own heights.
-  const scene::CutWorld stepped =
-      cut(world, {{-1, 1, 0}, {2, 1, 0}, {2, 3, 0}, {5, 3, 0}, {5, 2, 0}, {20, 2, 0}});
+  const scene::CutWorld stepped = cut(world, {{-1, 1, 0}, {2, 1, 0}, {2, 3, 0}, {5, 3, 0}, {5, 2, 0}, {20, 2, 0}});
   EXPECT_DOUBLE_EQ(cut_area(world, stepped), 4 * 1 + 4 * 2 + 4 * 3);
   // Steps where the heights change.
   const scene::CutWorld at_walls = cut(world, {{-1, 1, 0}, {4, 1, 0}, {4, 3, 0}, {8, 3, 0}, {8, 2, 0}, {20, 2, 0}});
