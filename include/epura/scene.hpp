@@ -81,6 +81,8 @@ struct Section {
   std::string name{};
   std::array<double, 3> point{0, 0, 0};
   std::array<double, 3> normal{0, -1, 0};
+  std::vector<std::array<double, 3>> path{};  ///< instead of the point: corners of the cutting-plane line, whose legs
+                                              ///< are perpendicular to the normal, or steps parallel to it
 };
 
 /// A part of a parallel view, which another view shows at a larger scale: a circle with this radius in its plane, or

@@ -33,18 +33,21 @@ bool is_seen(const scene::CuttingPlane& plane, const projection::Projection& pro
   return glm::dot(plane.normal, to_viewer) > edge_on * glm::length(to_viewer);
 }
 
-std::vector<PaperTriangle> before_cuts_on_paper(const scene::World& world, const std::vector<int>& uncut,
-                                                const scene::CuttingPlane& plane, const Mat4& world_to_page) {
-  const bool is_positive = (world_to_page * Vec4(plane.point, 1)).w > 0;
+std::vector<PaperTriangle> before_cuts_on_paper(const scene::World& world, const std::vector<std::vector<int>>& uncut,
+                                                const scene::CuttingSurface& surface, const Mat4& world_to_page) {
+  const bool is_positive = (world_to_page * Vec4(surface.plane.point, 1)).w > 0;
   std::vector<PaperTriangle> triangles;
-  for (const int triangle : uncut) {
+  const auto add = [&](int triangle, const scene::CuttingPlane& plane) {
     std::vector<Vec2> ring;
     for (const Vec3& corner : in_front(world, triangle, plane)) {
       const Vec4 p = world_to_page * Vec4(corner, 1);
       if ((p.w > 0) == is_positive && p.w != 0) ring.emplace_back(p.x / p.w, p.y / p.w);
     }
     for (std::size_t i = 2; i < ring.size(); ++i) triangles.push_back({ring[0], ring[i - 1], ring[i]});
-  }
+  };
+  for (std::size_t r = 0; r < uncut.size(); ++r)
+    for (const int triangle : uncut[r])
+      if (surface.regions[r].plane) add(triangle, *surface.regions[r].plane);
   return triangles;
 }
 

@@ -18,9 +18,9 @@ std::vector<CutFace> cut_faces_on_paper(const std::vector<scene::WorldCutFace>& 
 /// Whether the viewer looks at the side of the cut faces.
 bool is_seen(const scene::CuttingPlane& plane, const projection::Projection& projection);
 
-/// Returns what the triangles `uncut` of the cut world have in front of the plane, on paper. A viewer among them sees
-/// nothing of those that reach behind the eye.
-std::vector<PaperTriangle> before_cuts_on_paper(const scene::World& world, const std::vector<int>& uncut,
-                                                const scene::CuttingPlane& plane, const Mat4& world_to_page);
+/// Returns what the triangles `uncut` of the cut world, by region, have in front of the surface, on paper. A viewer
+/// among them sees nothing of those that reach behind the eye.
+std::vector<PaperTriangle> before_cuts_on_paper(const scene::World& world, const std::vector<std::vector<int>>& uncut,
+                                                const scene::CuttingSurface& surface, const Mat4& world_to_page);
 
 }  // namespace epura::drawing

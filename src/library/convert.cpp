@@ -169,8 +169,13 @@ scene::StyleDescription describe(const Style& style, const std::string& where) {
 scene::SectionDescription describe(const Section& section, const std::string& where) {
   if (section.name.empty())
     throw Error(ErrorKind::input, where + ".name", "is empty", "views refer to sections by name");
-  return {
+  scene::SectionDescription description{
       {section.name, where}, vector_of(section.point, where + ".point"), vector_of(section.normal, where + ".normal")};
+  if (section.path.empty()) return description;
+  std::vector<Vec3> path;
+  for (const auto& corner : section.path) path.push_back(vector_of(corner, where + ".path"));
+  description.path = {std::move(path), where + ".path"};
+  return description;
 }
 
 scene::DetailDescription describe(const Detail& detail, const std::string& where) {

@@ -29,9 +29,9 @@ std::vector<sheet::Layer> marks_of(std::span<const Annotations> annotations, std
                                    const sheet::LineWidths& widths) {
   std::map<std::string, sheet::Layer> by_name;
   for (std::size_t i = 0; i < views.size(); ++i)
-    for (const scene::CuttingPlane& plane : annotations[i].planes)
-      if (auto mark = sheet::cutting_plane_line(views[i].drawing, plane, widths))
-        by_name.emplace(plane.name, std::move(*mark));
+    for (const scene::CuttingSurface& section : annotations[i].planes)
+      if (auto mark = sheet::cutting_plane_line(views[i].drawing, section, widths))
+        by_name.emplace(section.plane.name, std::move(*mark));
   std::vector<sheet::Layer> marks;
   for (auto& [name, mark] : by_name) marks.push_back(std::move(mark));
   return marks;

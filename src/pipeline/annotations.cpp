@@ -67,9 +67,9 @@ void add_planes(std::vector<Annotations>& annotations, std::span<const scene::Vi
     if (std::none_of(views.begin(), views.end(), shows)) continue;
     for (std::size_t i = 0; i < views.size(); ++i) {
       if (views[i].section.given() || views[i].detail.given() ||
-          !sheet::sees_edge_on(seen[i].projection, section.plane))
+          !sheet::sees_edge_on(seen[i].projection, section.surface))
         continue;
-      annotations[i].planes.push_back(section.plane);
+      annotations[i].planes.push_back(section.surface);
       break;
     }
   }

@@ -14,7 +14,7 @@ namespace epura::pipeline {
 
 struct Annotations {
   std::vector<scene::DimensionDescription> dimensions;
-  std::vector<scene::CuttingPlane> planes;          ///< of sections marked in this view
+  std::vector<scene::CuttingSurface> planes;        ///< of sections marked in this view
   std::vector<scene::DetailDescription> details{};  ///< of this view, shown by other views of the scene
 };
 

@@ -11,6 +11,7 @@
 #include "pipeline/annotation_layers.hpp"
 #include "pipeline/details.hpp"
 #include "sheet/centre_lines.hpp"
+#include "sheet/cutting_plane_line.hpp"
 #include "sheet/hatch.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/sheet_layers.hpp"
@@ -101,9 +102,14 @@ std::vector<const drawing::ViewDrawing*> drawings_to_hatch(const std::vector<Vie
 std::vector<sheet::Layer> centre_layers(const ViewResult& view, const ViewOptions& options,
                                         const sheet::LineWidths& widths, const std::vector<sheet::Layer>& lines,
                                         const Progress& progress) {
-  if (!options.centre_lines) return {};
+  const bool divides = view.section && !view.section->divides.empty();
+  if (!options.centre_lines && !divides) return {};
   progress.begin("drawing centre lines");
-  return {sheet::centre_lines({view.drawing, view.features, options.styles}, widths, lines, progress)};
+  sheet::Layer layer = sheet::empty_layer(view.drawing.name, scene::SheetLine::centre, widths);
+  if (options.centre_lines)
+    layer = sheet::centre_lines({view.drawing, view.features, options.styles}, widths, lines, progress);
+  if (divides) sheet::add_dividing_lines(layer, view.drawing, *view.section, widths);
+  return {std::move(layer)};
 }
 
 // One layer for each view, but none for views without cut faces.

@@ -79,12 +79,25 @@ void warn_about(const Messages& messages, const SheetPlan& plan) {
                               : "\n  hint: use a larger sheet, or fewer views"));
 }
 
+// The cut world has no faces along steps, which a section must not show.
+void expect_steps_edge_on(const CutSection& section, const view::ProjectedScene& seen,
+                          const scene::ViewDescription& view) {
+  constexpr double edge_on = 1e-9;  // radians
+  const projection::Projection& projection = seen.projection;
+  const bool is_edge_on =
+      !projection.central && std::abs(glm::dot(glm::normalize(projection.projector), section.surface.along)) <= edge_on;
+  if (section.surface.is_plane() || is_edge_on) return;
+  throw Error(ErrorKind::input, view.section.where,
+              "view '" + *view.name + "' does not look along the steps of section " + section.surface.plane.name,
+              "choose a projection that looks against the normal of the section");
+}
+
 // Its view would look like one of the whole, and the arrows of the section would contradict it.
 void warn_if_unseen(const Messages& messages, const CutSection& section, const view::ProjectedScene& seen,
                     const std::string& view) {
-  if (drawing::is_seen(section.plane, seen.projection)) return;
+  if (drawing::is_seen(section.surface.plane, seen.projection)) return;
   messages.warn(
-      "view '" + view + "' looks at section " + section.plane.name +
+      "view '" + view + "' looks at section " + section.surface.plane.name +
       " from the side that is kept and shows no cut face\n  hint: reverse its normal, or choose the opposite view");
 }
 
@@ -110,8 +123,10 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
     return section(view) == nullptr ? whole : section(view)->cut.world;
   };
   std::vector<view::ProjectedScene> seen = map_views(world, views);
-  for (std::size_t i = 0; i < seen.size(); ++i)
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (section(i) != nullptr) expect_steps_edge_on(*section(i), seen[i], views.descriptions[i]);
     views.plans[i].options.styles = styles_of(scene, views.descriptions[i], world(i), seen[i].projection);
+  }
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, sections);
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
   if (plan.chosen) messages.warn(sentence_of_scale(plan));

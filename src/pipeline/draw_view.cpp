@@ -97,8 +97,8 @@ std::optional<double> error_within(const std::optional<double>& allowed, const v
 }
 
 report::PlanStep section_step(const CutSection& section) {
-  return {"section", true, "the view shows section " + section.plane.name, count_of(section.cut.world.models.size()),
-          count_of(section.cut.faces.size())};
+  return {"section", true, "the view shows section " + section.surface.plane.name,
+          count_of(section.cut.world.models.size()), count_of(section.cut.faces.size())};
 }
 
 drawing::NearLines near_lines(const ViewOptions& options) {
@@ -149,7 +149,7 @@ class ViewRun {
             std::move(plan_),
             std::move(partial_),
             std::move(verification),
-            input_.section != nullptr ? std::optional(input_.section->plane) : std::nullopt,
+            input_.section != nullptr ? std::optional(input_.section->surface) : std::nullopt,
             lines.curves,
             std::move(features),
             max_error};
@@ -298,9 +298,9 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   const auto leave_out = [&](const std::string& stage) { return keep_longest(stage); };
   DrawnLines lines = make_in_time(budget_.lines, budget_.last(), make, leave_out);
   if (const CutSection* section = input_.section) {
-    lines.drawing.cut_faces = drawing::cut_faces_on_paper(section->cut.faces, section->plane, view_, paper);
+    lines.drawing.cut_faces = drawing::cut_faces_on_paper(section->cut.faces, section->surface.plane, view_, paper);
     lines.drawing.before_cuts =
-        drawing::before_cuts_on_paper(input_.world, section->cut.uncut, section->plane, lines.drawing.world_to_page);
+        drawing::before_cuts_on_paper(input_.world, section->cut.uncut, section->surface, lines.drawing.world_to_page);
   }
   lines.drawing.scale = input_.place.scale;
   return lines;

@@ -59,7 +59,7 @@ struct ViewResult {
   std::vector<report::PlanStep> plan;  ///< stages that were run, and omitted
   report::Partial partial;             ///< omitted for lack of time
   std::optional<report::Verification> verification;
-  std::optional<scene::CuttingPlane> section;  ///< shown by the view
+  std::optional<scene::CuttingSurface> section;  ///< shown by the view
   drawing::CurveReport curves{};
   scene::CentredFeatures features{};  ///< for centre lines, if requested
   std::optional<double> max_error{};  ///< mm; if a maximum was given, no longer span is shown wrongly

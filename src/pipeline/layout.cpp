@@ -41,8 +41,8 @@ sheet::Room room_around(const Annotations& annotations, const projection::Projec
                         const sheet::LineWidths& widths) {
   sheet::Room room = sheet::dimension_room(annotations.dimensions, projection, usual_text_height);
   Vec2 marks(0, 0);
-  for (const scene::CuttingPlane& plane : annotations.planes)
-    marks = glm::max(marks, sheet::cutting_plane_room(projection, plane, widths));
+  for (const scene::CuttingSurface& section : annotations.planes)
+    marks = glm::max(marks, sheet::cutting_plane_room(projection, section, widths));
   if (!annotations.details.empty()) marks = glm::max(marks, Vec2(sheet::detail_room));
   room.before += marks;
   room.after += marks;

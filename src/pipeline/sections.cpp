@@ -22,7 +22,7 @@ std::string name_of(const CutSection& section, int model, int body) {
 
 // An area that should have been hatched must not look hollow.
 void warn_about(const Messages& messages, const CutSection& section, const scene::OpenOutline& open) {
-  messages.warn(name_of(section, open.model, open.body) + " has an outline in section " + section.plane.name +
+  messages.warn(name_of(section, open.model, open.body) + " has an outline in section " + section.surface.plane.name +
                 " that is open at " + format_point(open.end) + "; the area it would enclose is not hatched");
 }
 
@@ -32,7 +32,7 @@ void warn_about(const Messages& messages, const CutSection& section, const scene
                 (gaps.count == 1 ? "a gap " + format_rounded(gaps.widest, 6) + where
                                  : std::to_string(gaps.count) + " gaps, the widest " + format_rounded(gaps.widest, 6) +
                                        where + ",") +
-                " in its outline in section " + section.plane.name + "; bridged for hatching");
+                " in its outline in section " + section.surface.plane.name + "; bridged for hatching");
 }
 
 template <class Found>
@@ -58,9 +58,9 @@ CutSections cut_sections(const scene::World& world, const scene::SceneDescriptio
     const std::string& name = *description.name;
     const auto shows = [&](const scene::ViewDescription& view) { return view.section.value == name; };
     if (std::none_of(scene.views.begin(), scene.views.end(), shows)) continue;
-    const scene::CuttingPlane plane = scene::make_cutting_plane(description);
+    const scene::CuttingSurface surface = scene::make_cutting_surface(description);
     const CutSection& section =
-        sections.try_emplace(name, CutSection{plane, scene::cut_world(world, plane, progress)}).first->second;
+        sections.try_emplace(name, CutSection{surface, scene::cut_world(world, surface, progress)}).first->second;
     warn_about(messages, section);
     progress.advance(1);
   }

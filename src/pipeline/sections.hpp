@@ -12,13 +12,13 @@
 namespace epura::pipeline {
 
 struct CutSection {
-  scene::CuttingPlane plane;
+  scene::CuttingSurface surface;
   scene::CutWorld cut;
 };
 
 /// Sections shown by some view, by name.
 using CutSections = std::map<std::string, CutSection>;
-/// Throws Error{input} for planes that cut nothing, and OutOfTime.
+/// Throws Error{input} for sections that cut nothing, and OutOfTime.
 CutSections cut_sections(const scene::World& world, const scene::SceneDescription& scene, const Messages& messages,
                          const Progress& progress = {});
 

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
+#include <utility>
 
 #include "base/parallel.hpp"
+#include "scene/split_world.hpp"
 
 namespace epura::scene {
 
@@ -17,10 +19,11 @@ constexpr double rounding_part = 0x1p-44;  // uncertainty of computed distances,
 
 class Knife {
  public:
-  Knife(const World& world, int model, const Sides& sides)
+  Knife(const World& world, int model, const Sides& sides, std::optional<std::vector<bool>> whole)
       : world_(world), sides_(sides), first_(world.first_vertex[model]), mesh_(*world.models[model].mesh) {
     file_vertices_ = world.first_vertex[model + 1] - first_;
-    is_uncut_ = uncut_bodies(world.models[model].styles);
+    is_uncut_ = whole ? std::move(*whole)
+                      : whole_bodies(world.models[model], [this](int, int vertex) { return -side(vertex); });
   }
 
   CutMesh cut(int first_triangle) {
@@ -42,25 +45,12 @@ class Knife {
   }
 
  private:
-  // By body: whether it lies on both sides of the plane, and stays whole. Empty if there is none.
-  [[nodiscard]] std::vector<bool> uncut_bodies(const std::vector<StyleDescription>& styles) const {
-    const auto stays = [](const StyleDescription& style) { return !style.cut.value_or(true); };
-    if (std::none_of(styles.begin(), styles.end(), stays)) return {};
-    std::vector<std::array<bool, 2>> is_on(styles.size());  // behind the plane, in front of it
-    for (int t = 0; t < mesh_.triangle_count(); ++t)
-      for (const int vertex : mesh_.triangle(t))
-        if (side(vertex) != 0) is_on[mesh_.body[t]][side(vertex) > 0 ? 1 : 0] = true;
-    std::vector<bool> uncut;
-    for (std::size_t body = 0; body < styles.size(); ++body)
-      uncut.push_back(stays(styles[body]) && is_on[body][0] && is_on[body][1]);
-    return uncut;
-  }
-
   void keep_triangle(int triangle, const std::array<int, 3>& corners) {
     result_.uncut.push_back(static_cast<int>(result_.triangles.size()));
     result_.triangles.push_back(corners);
     result_.polygon.push_back(mesh_.polygon[triangle]);
     result_.body.push_back(mesh_.body[triangle]);
+    result_.source.push_back(triangle);
   }
 
   [[nodiscard]] int side(int vertex) const { return vertex < file_vertices_ ? sides_.of[first_ + vertex] : 0; }
@@ -76,6 +66,7 @@ class Knife {
       result_.triangles.push_back({ring[0], ring[i - 1], ring[i]});
       result_.polygon.push_back(mesh_.polygon[triangle]);
       result_.body.push_back(mesh_.body[triangle]);
+      result_.source.push_back(triangle);
     }
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const int a = ring[i], b = ring[(i + 1) % ring.size()];
@@ -97,20 +88,12 @@ class Knife {
     const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
     const auto [place, made] = made_.try_emplace(key, file_vertices_ + static_cast<int>(result_.points.size()));
     if (made) {
-      // Starts at the end with the lexicographically smaller coordinates, so that the numbering of vertices does not
-      // matter.
-      const auto place_of = [&](int v) {
-        const Vec3& p = world_.points[first_ + v];
-        return std::array{p.x, p.y, p.z};
-      };
-      const bool forward = place_of(a) < place_of(b);
-      const int from = first_ + (forward ? a : b), to = first_ + (forward ? b : a);
-      const auto part = [&](int u, int v) { return sides_.distance[u] / (sides_.distance[u] - sides_.distance[v]); };
-      // Normalised first: the difference of two large coordinates may overflow.
-      const Vec3 p = world_.points[from] * sides_.normalisation;
-      const Vec3 q = world_.points[to] * sides_.normalisation;
-      result_.points.push_back((p + part(from, to) * (q - p)) / sides_.normalisation);
-      result_.vertices.push_back({{a, b}, part(first_ + a, first_ + b)});
+      // The numbering of vertices does not matter.
+      const std::array<double, 2> distances{sides_.distance[first_ + a], sides_.distance[first_ + b]};
+      const CutPoint cut =
+          cut_point(world_.points[first_ + a], world_.points[first_ + b], distances, sides_.normalisation);
+      result_.points.push_back(cut.point);
+      result_.vertices.push_back(cut_vertex_on(mesh_, {a, b}, cut.t));
     }
     return place->second;
   }
@@ -126,10 +109,16 @@ class Knife {
 
 }  // namespace
 
-Sides find_sides(const World& world, const CuttingPlane& plane) {
+double normalisation_of(const World& world) {
   const Vec3 reach = glm::max(glm::abs(world.box.min), glm::abs(world.box.max));
   const double size = std::max({reach.x, reach.y, reach.z});
-  Sides sides{size > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(size) + 1, -1000, 1000)) : 1.0, {}, {}};
+  return size > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(size) + 1, -1000, 1000)) : 1.0;
+}
+
+double slack_of(const World& world) { return std::max(rounding_part / normalisation_of(world), world.rounding); }
+
+Sides find_sides(const World& world, const CuttingPlane& plane) {
+  Sides sides{normalisation_of(world), {}, {}};
   sides.of.resize(world.points.size());
   sides.distance.resize(world.points.size());
   const Vec3 foot = plane.point * sides.normalisation;
@@ -144,8 +133,8 @@ Sides find_sides(const World& world, const CuttingPlane& plane) {
   return sides;
 }
 
-CutMesh cut_mesh(const World& world, int model, const Sides& sides) {
-  return Knife(world, model, sides).cut(world.first_triangle[model]);
+CutMesh cut_mesh(const World& world, int model, const Sides& sides, std::optional<std::vector<bool>> whole) {
+  return Knife(world, model, sides, std::move(whole)).cut(world.first_triangle[model]);
 }
 
 void keep_odd(std::vector<CutSegment>& segments) {

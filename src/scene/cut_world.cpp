@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
@@ -15,19 +16,36 @@
 #include "scene/cut_gaps.hpp"
 #include "scene/cut_mesh.hpp"
 #include "scene/cut_outline.hpp"
+#include "scene/cut_region.hpp"
+#include "scene/placed_part.hpp"
+#include "scene/split_world.hpp"
 
 namespace epura::scene {
 
 namespace {
 
+/// A region of a split world, in which a cut ends.
+struct RegionOfCut {
+  const SplitWorld& split;
+  const CutRegion& region;
+  int number;
+
+  [[nodiscard]] bool has_triangle(int triangle) const { return split.region_of_triangle[triangle] == number; }
+  [[nodiscard]] bool has_point(const Vec3& point) const {
+    return std::all_of(region.borders.begin(), region.borders.end(),
+                       [&](const CutBorder& border) { return side_of(border, point, split.slack) <= 0; });
+  }
+};
+
 constexpr double least_gap = 0x1p-44;  // of the world's size; narrower gaps are rounding errors, and are not reported
 
-/// The cut of one model.
+/// The cut of one model, by one plane or in one region of a surface; then all of them together.
 struct ModelCut {
   const World& world;
   int model;
   const PlaneFrame& frame;
   CutMesh cut;
+  const RegionOfCut* region = nullptr;
   std::size_t of_surface = 0;  ///< number of triangles before those of cut faces
   std::vector<WorldCutFace> faces{};
   std::vector<CutSegment> loose{};  ///< of outlines that are open, or that bound no certain area
@@ -49,6 +67,9 @@ struct ModelCut {
   void take_faces_in_plane(const std::vector<int>& material, const std::vector<char>& is_open);
   void keep_triangle(int triangle, int body, std::vector<CutSegment>& segments);
   void add_face(int body, std::span<const CutSegment> segments);
+  void keep_region();
+  void clip_outlines_to_region();
+  void append(ModelCut&& other);
   [[nodiscard]] mesh::Mesh make_mesh() const;
 };
 
@@ -64,7 +85,9 @@ void ModelCut::close() {
   leave_out_doubtful();
   take_faces_in_plane(material, is_open);
   keep_odd(cut.segments);
+  if (region != nullptr) keep_region();
   of_surface = cut.triangles.size();
+  if (region != nullptr) return clip_outlines_to_region();
   visit_bodies(cut.segments, [&](int body, std::span<const CutSegment> segments) { add_face(body, segments); });
 }
 
@@ -72,8 +95,10 @@ GapLimits ModelCut::gap_limits() const {
   const scene::Placed& placed = world.models[model];
   const Mat3 turn(placed.to_world);
   const double shortest = std::min({glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2])});
-  const auto sagitta = [part = placed.part, scale = shortest * frame.normalisation](int triangle) {
-    const int face = part == nullptr || part->faces.empty() ? -1 : part->face_of_triangle[triangle];
+  const bool has_faces = placed.part != nullptr && !placed.part->faces.empty();
+  const auto sagitta = [part = placed.part, scale = shortest * frame.normalisation,
+                        faces = has_faces ? faces_of_triangles(placed) : std::vector<int>()](int triangle) {
+    const int face = faces.empty() ? -1 : faces[triangle];
     return face < 0 ? std::nullopt : std::optional(part->faces[face].sagitta * scale);
   };
   return {world.rounding * frame.normalisation, sagitta};
@@ -142,6 +167,7 @@ void ModelCut::keep_triangle(int triangle, int body, std::vector<CutSegment>& se
   cut.triangles.push_back(corners);
   cut.polygon.push_back(mesh().polygon[triangle]);
   cut.body.push_back(mesh().body[triangle]);
+  cut.source.push_back(triangle);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 3]);
     segments.push_back({body, {low, high}});
@@ -166,6 +192,84 @@ void ModelCut::add_face(int body, std::span<const CutSegment> segments) {
   }
 }
 
+// Also omits what is open or bridged in other regions.
+void ModelCut::keep_region() {
+  const int first = world.first_triangle[model];
+  std::vector<int> numbers(cut.triangles.size(), -1);
+  CutMesh kept;
+  for (std::size_t t = 0; t < cut.triangles.size(); ++t) {
+    if (!region->has_triangle(first + cut.source[t])) continue;
+    numbers[t] = static_cast<int>(kept.triangles.size());
+    kept.triangles.push_back(cut.triangles[t]);
+    kept.polygon.push_back(cut.polygon[t]);
+    kept.body.push_back(cut.body[t]);
+    kept.source.push_back(cut.source[t]);
+  }
+  for (const int t : cut.uncut)
+    if (numbers[t] >= 0) kept.uncut.push_back(numbers[t]);
+  cut.triangles = std::move(kept.triangles);
+  cut.polygon = std::move(kept.polygon);
+  cut.body = std::move(kept.body);
+  cut.source = std::move(kept.source);
+  cut.uncut = std::move(kept.uncut);
+  const auto middle = [&](const std::array<int, 2>& ends) { return (places()[ends[0]] + places()[ends[1]]) / 2.0; };
+  std::erase_if(cut.wires, [&](const auto& wire) { return !region->has_point(middle(wire)); });
+  std::erase_if(loose, [&](const CutSegment& segment) { return !region->has_point(middle(segment.vertex)); });
+  std::erase_if(open, [&](const OpenOutline& outline) { return !region->has_point(outline.end); });
+  std::erase_if(bridged, [&](const BridgedGaps& gaps) { return !region->has_point(gaps.place); });
+}
+
+// Faces end at the borders of the region, where no line is drawn.
+void ModelCut::clip_outlines_to_region() {
+  const std::vector<CutSegment> segments = std::move(cut.segments);
+  cut.segments.clear();
+  visit_bodies(segments, [&](int body, std::span<const CutSegment> of_body) {
+    const RegionOutlines outlines =
+        clip_outlines(of_body, region->region.borders, {places().file, cut}, region->split.slack);
+    cut.segments.insert(cut.segments.end(), outlines.drawn.begin(), outlines.drawn.end());
+    if (!outlines.ends.empty())
+      open.push_back({model, body, places()[outlines.ends.front()]});
+    else if (!outlines.closed.empty())
+      add_face(body, outlines.closed);
+  });
+}
+
+// The other cut is of another region of the same model.
+void ModelCut::append(ModelCut&& other) {
+  const int shift = static_cast<int>(cut.points.size()), file = file_vertices();
+  const auto renumber = [&](auto& vertices) {
+    for (int& v : vertices)
+      if (v >= file) v += shift;
+  };
+  for (auto& triangle : other.cut.triangles) renumber(triangle);
+  for (CutSegment& segment : other.cut.segments) renumber(segment.vertex);
+  for (CutSegment& segment : other.loose) renumber(segment.vertex);
+  for (auto& wire : other.cut.wires) renumber(wire);
+  const auto split = static_cast<std::ptrdiff_t>(other.of_surface), here = static_cast<std::ptrdiff_t>(of_surface);
+  for (std::size_t t = other.of_surface; t < other.cut.polygon.size(); ++t)
+    other.cut.polygon[t] += static_cast<int>(faces.size());
+  const auto join = [&](auto& all, auto& more) {
+    all.insert(all.begin() + here, more.begin(), more.begin() + split);
+    all.insert(all.end(), more.begin() + split, more.end());
+  };
+  join(cut.triangles, other.cut.triangles);
+  join(cut.polygon, other.cut.polygon);
+  join(cut.body, other.cut.body);
+  const auto add = [](auto& all, auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+  for (WorldCutFace& face : other.faces)
+    for (auto& ring : face.rings) renumber(ring);
+  add(faces, other.faces);
+  add(cut.points, other.cut.points);
+  add(cut.vertices, other.cut.vertices);
+  add(cut.segments, other.cut.segments);
+  add(loose, other.loose);
+  add(cut.wires, other.cut.wires);
+  add(open, other.open);
+  add(bridged, other.bridged);
+  cut.cuts_wires = cut.cuts_wires || other.cut.cuts_wires;
+  of_surface += other.of_surface;
+}
+
 mesh::Mesh ModelCut::make_mesh() const {
   mesh::Mesh cut_away;
   cut_away.points = mesh().points;
@@ -179,9 +283,11 @@ mesh::Mesh ModelCut::make_mesh() const {
   cut_away.polygon = cut.polygon;
   cut_away.body = cut.body;
   cut_away.report = mesh().report;
-  cut_away.cut_vertices = cut.vertices;
-  cut_away.first_cut_vertex = file_vertices();
-  cut_away.uncut = world.models[model].mesh;
+  const bool is_split = mesh().uncut != nullptr;
+  if (is_split) cut_away.cut_vertices = mesh().cut_vertices;
+  cut_away.cut_vertices.insert(cut_away.cut_vertices.end(), cut.vertices.begin(), cut.vertices.end());
+  cut_away.first_cut_vertex = is_split ? mesh().first_cut_vertex : file_vertices();
+  cut_away.uncut = is_split ? mesh().uncut : world.models[model].mesh;
   mesh::EdgeTable table =
       mesh::make_edge_table(cut_away.corners, cut.polygon, static_cast<int>(cut_away.points.size()));
   for (int& halfedge : table.halfedges) halfedge /= 3;
@@ -235,40 +341,129 @@ void append(World& world, const ModelCut& cut) {
                   " of its point: move the point or turn the normal");
 }
 
-}  // namespace
+/// Cuts of whole models, added to a world one after the other.
+struct Remainder {
+  CutWorld result{};
+  bool cuts = false;
 
-CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress& progress) {
+  explicit Remainder(const World& world, std::size_t regions) {
+    result.world.first_vertex = {0};
+    result.world.first_triangle = {0};
+    result.world.box = world.box;
+    result.world.rounding = world.rounding;
+    result.world.one_rounding = world.one_rounding;
+    result.uncut.resize(regions);
+  }
+
+  void add(ModelCut& cut) {
+    const int first = result.world.first_vertex.back();
+    std::stable_sort(cut.faces.begin(), cut.faces.end(), [](const auto& a, const auto& b) { return a.body < b.body; });
+    for (WorldCutFace& face : cut.faces) {
+      for (auto& ring : face.rings)
+        for (int& v : ring) v += first;
+      const bool is_more =
+          !result.faces.empty() && result.faces.back().model == face.model && result.faces.back().body == face.body;
+      if (is_more)
+        std::move(face.rings.begin(), face.rings.end(), std::back_inserter(result.faces.back().rings));
+      else
+        result.faces.push_back(std::move(face));
+    }
+    result.open.insert(result.open.end(), cut.open.begin(), cut.open.end());
+    result.bridged.insert(result.bridged.end(), cut.bridged.begin(), cut.bridged.end());
+    const auto by_body = [](const auto& a, const auto& b) {
+      return std::pair(a.model, a.body) < std::pair(b.model, b.body);
+    };
+    std::stable_sort(result.open.begin(), result.open.end(), by_body);
+    std::stable_sort(result.bridged.begin(), result.bridged.end(), by_body);
+    cuts = cuts || !cut.cut.segments.empty() || !cut.loose.empty() || cut.cut.cuts_wires;
+    append(result.world, cut);
+  }
+
+  CutWorld finish(const CuttingPlane& plane, const Box& box) {
+    if (result.world.triangles.empty() && result.world.wires.empty())
+      refuse(plane, "the cutting plane removes everything", box);
+    if (!cuts) refuse(plane, "the plane cuts nothing", box);
+    return std::move(result);
+  }
+};
+
+CutWorld cut_by_plane(const World& world, const CuttingPlane& plane, const Progress& progress) {
   const Sides sides = find_sides(world, plane);
   const PlaneFrame frame(world, plane, sides.normalisation);
-  CutWorld result;
-  result.world.first_vertex = {0};
-  result.world.first_triangle = {0};
-  result.world.box = world.box;
-  result.world.rounding = world.rounding;
-  result.world.one_rounding = world.one_rounding;
-  bool cuts = false;
+  Remainder remainder(world, 1);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
     progress.expect_time();
     ModelCut cut{world, model, frame, cut_mesh(world, model, sides)};
     progress.expect_time();
     cut.close();
     progress.expect_time();
-    const int first = result.world.first_vertex.back();
-    for (WorldCutFace& face : cut.faces) {
-      for (auto& ring : face.rings)
-        for (int& v : ring) v += first;
-      result.faces.push_back(std::move(face));
-    }
-    result.open.insert(result.open.end(), cut.open.begin(), cut.open.end());
-    result.bridged.insert(result.bridged.end(), cut.bridged.begin(), cut.bridged.end());
-    for (const int triangle : cut.cut.uncut) result.uncut.push_back(result.world.first_triangle.back() + triangle);
-    cuts = cuts || !cut.cut.segments.empty() || !cut.loose.empty() || cut.cut.cuts_wires;
-    append(result.world, cut);
+    for (const int triangle : cut.cut.uncut)
+      remainder.result.uncut[0].push_back(remainder.result.world.first_triangle.back() + triangle);
+    remainder.add(cut);
   }
-  if (result.world.triangles.empty() && result.world.wires.empty())
-    refuse(plane, "the cutting plane removes everything", world.box);
-  if (!cuts) refuse(plane, "the plane cuts nothing", world.box);
-  return result;
+  return remainder.finish(plane, world.box);
+}
+
+/// A stepped surface and the world split for it.
+class SteppedCut {
+ public:
+  SteppedCut(const World& world, const CuttingSurface& surface)
+      : surface_(surface), split_(split_world(world, surface)) {
+    for (std::size_t r = 0; r < surface.regions.size(); ++r) {
+      // Where everything is kept, a plane in front of everything removes nothing.
+      const CuttingPlane plane = surface.regions[r].plane.value_or(in_front_of(world.box));
+      sides_.push_back(find_sides(split_.world, plane));
+      frames_.emplace_back(split_.world, plane, sides_.back().normalisation);
+      regions_.push_back({split_, surface.regions[r], static_cast<int>(r)});
+    }
+  }
+
+  /// Adds the remainder of a model.
+  void cut(int model, Remainder& remainder, const Progress& progress) const {
+    const World& world = split_.world;
+    const int first = world.first_triangle[model], first_vertex = world.first_vertex[model];
+    const std::vector<bool> whole = whole_bodies(world.models[model], [&](int triangle, int vertex) {
+      return -sides_[split_.region_of_triangle[first + triangle]].of[first_vertex + vertex];
+    });
+    std::optional<ModelCut> all;
+    std::vector<std::vector<int>> uncut;
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      progress.expect_time();
+      ModelCut cut{world, model, frames_[r], cut_mesh(world, model, sides_[r], whole), &regions_[r]};
+      cut.close();
+      const int shift = remainder.result.world.first_triangle.back() + static_cast<int>(all ? all->of_surface : 0);
+      for (const int triangle : cut.cut.uncut) remainder.result.uncut[r].push_back(shift + triangle);
+      if (all)
+        all->append(std::move(cut));
+      else
+        all.emplace(std::move(cut));
+    }
+    remainder.add(*all);
+  }
+
+ private:
+  [[nodiscard]] CuttingPlane in_front_of(const Box& box) const {
+    CuttingPlane plane = surface_.plane;
+    const double reach = glm::length(box.size()) + glm::distance(box.centre(), plane.point);
+    plane.point = box.centre() + 2 * reach * plane.normal;
+    return plane;
+  }
+
+  const CuttingSurface& surface_;
+  SplitWorld split_;
+  std::vector<Sides> sides_;
+  std::vector<PlaneFrame> frames_;
+  std::vector<RegionOfCut> regions_;
+};
+
+}  // namespace
+
+CutWorld cut_world(const World& world, const CuttingSurface& surface, const Progress& progress) {
+  if (surface.is_plane()) return cut_by_plane(world, surface.plane, progress);
+  const SteppedCut stepped(world, surface);
+  Remainder remainder(world, surface.regions.size());
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) stepped.cut(model, remainder, progress);
+  return remainder.finish(surface.plane, world.box);
 }
 
 }  // namespace epura::scene

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts a world by a plane. The remainder is again a world, closed by cut faces, so that later stages need no special
-// treatment of cuts.
+// Cuts a world by a plane or a stepped surface. The remainder is again a world, closed by cut faces, so that later
+// stages need no special treatment of cuts.
 //
 // Each vertex has a sign for its side of the plane: a vertex within rounding of the plane is on it, for all of its
 // triangles. Decisions based only on these signs are consistent between neighbours, and each edge is cut once for all
@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "scene/cutting_plane.hpp"
+#include "scene/cutting_surface.hpp"
 #include "scene/scene.hpp"
 
 namespace epura::scene {
 
-/// An area in which the plane cuts through material.
+/// An area in which the surface cuts through material.
 struct WorldCutFace {
   int model, body;                      ///< if cavities are bodies of the file, the number of the body around them
   std::vector<std::vector<int>> rings;  ///< outlines as vertices of the cut world, even-odd rule
@@ -44,10 +44,16 @@ struct CutWorld {
   std::vector<WorldCutFace> faces;   ///< sorted by model and body
   std::vector<OpenOutline> open;     ///< likewise
   std::vector<BridgedGaps> bridged;  ///< likewise
-  std::vector<int> uncut;  ///< triangles of bodies that the plane passes through and leaves whole (Placed::styles)
+  /// Triangles of bodies that the surface passes through and leaves whole (Placed::styles), by region of the surface.
+  std::vector<std::vector<int>> uncut;
 };
 
-/// Throws Error{input} if the plane cuts nothing or removes everything; and OutOfTime.
-CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress& progress = {});
+/// Throws Error{input} if the surface cuts nothing or removes everything; and OutOfTime. There are no faces along
+/// steps, which are seen edge-on in the sections for which they are made.
+CutWorld cut_world(const World& world, const CuttingSurface& surface, const Progress& progress = {});
+
+inline CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress& progress = {}) {
+  return cut_world(world, plane_surface(plane), progress);
+}
 
 }  // namespace epura::scene

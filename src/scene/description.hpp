@@ -84,11 +84,13 @@ struct ViewDescription {
   Located<int> sheet;         ///< number of its sheet, from 1; by default the first
 };
 
-/// A plane that cuts the models. The side to which the normal points is removed.
+/// A plane that cuts the models, or parallel planes with steps between them. The side to which the normal points is
+/// removed.
 struct SectionDescription {
   LocatedText name;  ///< "A"
   Vec3 point{0.0};
   Vec3 normal{0.0, -1.0, 0.0};
+  Located<std::vector<Vec3>> path{};  ///< corners of the cutting-plane line, instead of a point
 };
 
 /// A part of a view, to be shown by another view at a larger scale: a circle or an upright rectangle in its plane.

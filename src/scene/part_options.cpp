@@ -119,6 +119,10 @@ Options<SectionDescription> section_options() {
       option<Section>(
           {.key = "normal", .help = "normal that points to the side that is removed", .usual = "[0, -1, 0]"},
           &Section::normal, direction()),
+      option<Section>({.key = "path",
+                       .help = "instead of the point: corners of the cutting-plane line, whose legs are perpendicular "
+                               "to the normal, or steps parallel to it; a half section begins or ends with a step"},
+                      &Section::path, list_of_triples()),
   };
 }
 

@@ -256,6 +256,19 @@ ValueKind<Vec3> triple_of_numbers(const std::string& unit) {
   return {{with_unit("[x, y, z]", unit), "X,Y,Z"}, read_vector<Vec3>};
 }
 
+ValueKind<std::vector<Vec3>> list_of_triples() {
+  return {{"[[x, y, z], ...]", "POINTS"}, [](const TomlValue& value) {
+            std::vector<Vec3> triples;
+            for (const TomlValue& triple : content_of<TomlList>(value).values) {
+              // Elements have no key of their own.
+              TomlValue named = triple;
+              named.key = value.key;
+              triples.push_back(read_vector<Vec3>(named));
+            }
+            return triples;
+          }};
+}
+
 ValueKind<Vec3> direction() { return {{"[x, y, z]", "X,Y,Z"}, read_direction}; }
 
 ValueKind<Mat4> transform_steps() {

@@ -76,6 +76,7 @@ ValueKind<double> any_number(const std::string& unit);
 ValueKind<double> number_between(double min, double max, const std::string& unit);
 ValueKind<Vec2> pair_of_numbers(const std::string& unit);
 ValueKind<Vec3> triple_of_numbers(const std::string& unit);
+ValueKind<std::vector<Vec3>> list_of_triples();
 ValueKind<Vec3> direction();        ///< three numbers, not all zero
 ValueKind<Mat4> transform_steps();  ///< see scene/transform.hpp
 ValueKind<ColourChoice> colour();   ///< "#c00", "#cc0000" or "file"

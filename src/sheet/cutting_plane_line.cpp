@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
@@ -20,7 +22,10 @@ constexpr double wide_end = 1.4;
 constexpr double arrow_length = 2, head_length = 0.7;
 constexpr double head_half_angle = 15;  // degrees
 constexpr double letter_gap = 0.3;
-constexpr double edge_on = 1e-9;  // radians
+constexpr double wide_turn = 0.7;
+constexpr double edge_on = 1e-9;     // radians
+constexpr double past_dividing = 3;  // mm; ISO 128-2: centre lines end past the outline
+constexpr double same_line = 0.05;   // mm
 
 Vec2 on_page(const Mat4& world_to_page, const Vec3& p) {
   const Vec4 page = world_to_page * Vec4(p, 1);
@@ -32,27 +37,55 @@ Vec3 along_trace(const projection::Projection& projection, const scene::CuttingP
   return glm::cross(glm::normalize(projection.projector), plane.normal);
 }
 
-/// The image of a plane seen edge-on.
-struct Trace {
-  Vec2 point, along;
-  Vec2 seen;        ///< viewing direction of the section: perpendicular to the line
-  double from, to;  ///< of the ink along the line, from the point
+struct Extent {
+  double from = HUGE_VAL, to = -HUGE_VAL;
 };
 
-std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const scene::CuttingPlane& plane) {
-  if (!sees_edge_on(parent.projection, plane)) return std::nullopt;
-  const Mat4& map = parent.world_to_page;
-  Trace trace{on_page(map, plane.point), Vec2(0), Vec2(0), HUGE_VAL, -HUGE_VAL};
-  const auto direction = [&](const Vec3& v) { return Vec2(map * Vec4(v, 0)); };
-  trace.along = glm::normalize(direction(along_trace(parent.projection, plane)));
-  trace.seen = {-trace.along.y, trace.along.x};
-  if (glm::dot(trace.seen, direction(plane.normal)) > 0) trace.seen = -trace.seen;
-  for (const drawing::Segment& segment : parent.segments)
+// Of the ink of a view along a direction, from a point.
+Extent extent_of(const drawing::ViewDrawing& view, const Vec2& point, const Vec2& along) {
+  Extent extent;
+  for (const drawing::Segment& segment : view.segments)
     for (const Vec2& p : {segment.from, segment.to}) {
-      trace.from = std::min(trace.from, glm::dot(p - trace.point, trace.along));
-      trace.to = std::max(trace.to, glm::dot(p - trace.point, trace.along));
+      extent.from = std::min(extent.from, glm::dot(p - point, along));
+      extent.to = std::max(extent.to, glm::dot(p - point, along));
     }
-  if (!(trace.from <= trace.to)) return std::nullopt;
+  return extent;
+}
+
+/// The image of a cutting surface seen edge-on.
+struct Trace {
+  std::vector<Vec2> corners;  ///< ends past the ink
+  std::vector<Vec2> legs;     ///< unit vectors from corner to corner
+  Vec2 seen;                  ///< viewing direction of the section: perpendicular to the planes
+};
+
+std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const scene::CuttingSurface& surface, double height) {
+  if (!sees_edge_on(parent.projection, surface)) return std::nullopt;
+  const Mat4& map = parent.world_to_page;
+  const scene::CuttingPlane& plane = surface.plane;
+  const auto direction = [&](const Vec3& v) { return Vec2(map * Vec4(v, 0)); };
+  const double past = (past_outline + wide_end) * height;
+  const Vec2 along = glm::normalize(direction(along_trace(parent.projection, plane)));
+  Trace trace{{}, {}, {-along.y, along.x}};
+  if (glm::dot(trace.seen, direction(plane.normal)) > 0) trace.seen = -trace.seen;
+  if (surface.is_plane()) {
+    const Vec2 point = on_page(map, plane.point);
+    const Extent ink = extent_of(parent, point, along);
+    if (!(ink.from <= ink.to)) return std::nullopt;
+    trace.legs = {along};
+    trace.corners = {point + (ink.from - past) * along, point + (ink.to + past) * along};
+    return trace;
+  }
+  for (const Vec3& corner : surface.path) trace.corners.push_back(on_page(map, corner));
+  const std::size_t last = trace.corners.size() - 1;
+  for (const auto& [end, next] : {std::pair(std::size_t{0}, std::size_t{1}), std::pair(last, last - 1)}) {
+    const Vec2 outwards = glm::normalize(trace.corners[end] - trace.corners[next]);
+    const Extent ink = extent_of(parent, trace.corners[next], outwards);
+    if (!(ink.from <= ink.to)) return std::nullopt;
+    trace.corners[end] = trace.corners[next] + (std::max(ink.to, wide_turn * height) + past) * outwards;
+  }
+  for (std::size_t leg = 0; leg < last; ++leg)
+    trace.legs.push_back(glm::normalize(trace.corners[leg + 1] - trace.corners[leg]));
   return trace;
 }
 
@@ -69,55 +102,102 @@ Fill arrow_head(const Vec2& tip, const Vec2& pointing, double length) {
   return {{{tip, foot + across, foot - across}}};
 }
 
-// The end of the line to which its direction points, or (-1) from which it comes.
-Vec2 end_of(const Trace& trace, double side, double height) {
-  const double past = (past_outline + wide_end) * height;
-  return trace.point + (side < 0 ? trace.from - past : trace.to + past) * trace.along;
+// Adds one end of the line.
+void add_end(Layer& layer, const Vec2& end, const Vec2& outwards, const Vec2& seen, const LineWidths& widths,
+             const std::string& name) {
+  const double height = letter_widths * widths.narrow;
+  layer.fills.push_back(wide_line(end, end - wide_end * height * outwards, widths.wide));
+  const auto add_letter = [&](const Vec2& middle) {
+    // Letters are upright whatever the direction of the line.
+    layer.texts.push_back({name, middle - Vec2(0, height / 2), height, 0, Align::middle, "section"});
+  };
+  const bool is_step = std::abs(glm::dot(outwards, seen)) > 0.5;
+  if (is_step) return add_letter(end + (letter_gap + 0.5) * height * outwards);
+  // The tip of the arrow touches the edge of the wide line.
+  const Vec2 tip = end - (wide_end / 2 * height) * outwards - (widths.wide / 2) * seen;
+  const Vec2 tail = tip - arrow_length * height * seen;
+  layer.fills.push_back(arrow_head(tip, seen, head_length * height));
+  layer.strokes.push_back({{tail, tip - head_length * height * seen}});
+  add_letter(tail + (letter_gap + 0.5) * height * outwards);
 }
 
-// Adds one end of the line: the one to which its direction points, or (-1) from which it comes.
-void add_end(Layer& layer, const Trace& trace, double side, const std::string& name, const LineWidths& widths) {
-  const Vec2 outwards = side * trace.along;
-  const double height = letter_widths * widths.narrow;
-  const Vec2 end = end_of(trace, side, height);
-  layer.fills.push_back(wide_line(end, end - wide_end * height * outwards, widths.wide));
-  // The tip of the arrow touches the edge of the wide line.
-  const Vec2 tip = end - (wide_end / 2 * height) * outwards - (widths.wide / 2) * trace.seen;
-  const Vec2 tail = tip - arrow_length * height * trace.seen;
-  layer.fills.push_back(arrow_head(tip, trace.seen, head_length * height));
-  layer.strokes.push_back({{tail, tip - head_length * height * trace.seen}});
-  // Letters are upright whatever the direction of the line.
-  const Vec2 middle = tail + (letter_gap + 0.5) * height * outwards;
-  layer.texts.push_back({name, middle - Vec2(0, height / 2), height, 0, Align::middle, "section"});
+// Adds the wide parts of the legs next to a corner, which overlap in it.
+void add_turn(Layer& layer, const Trace& trace, std::size_t corner, const LineWidths& widths, double wide) {
+  const Vec2& at = trace.corners[corner];
+  for (const Vec2& other : {trace.corners[corner - 1], trace.corners[corner + 1]}) {
+    const Vec2 along = glm::normalize(other - at);
+    const double length = std::min(wide, glm::distance(other, at) / 2);
+    layer.fills.push_back(wide_line(at - widths.wide / 2 * along, at + length * along, widths.wide));
+  }
+}
+
+void add_leg(Layer& layer, const Vec2& from, const Vec2& to, const LineWidths& widths) {
+  Stroke chain{{from, to}};
+  chain.dashes = fit_open(glm::distance(chain.points[0], chain.points[1]), widths.narrow, scene::long_dash_dot);
+  layer.strokes.push_back(chain);
 }
 
 }  // namespace
 
-bool sees_edge_on(const projection::Projection& projection, const scene::CuttingPlane& plane) {
-  return !projection.central && std::abs(glm::dot(glm::normalize(projection.projector), plane.normal)) <= edge_on;
+bool sees_edge_on(const projection::Projection& projection, const scene::CuttingSurface& surface) {
+  if (projection.central) return false;
+  const Vec3 towards = glm::normalize(projection.projector);
+  return std::abs(glm::dot(towards, surface.plane.normal)) <= edge_on &&
+         std::abs(glm::dot(towards, surface.along)) <= edge_on;
 }
 
-Vec2 cutting_plane_room(const projection::Projection& projection, const scene::CuttingPlane& plane,
+Vec2 cutting_plane_room(const projection::Projection& projection, const scene::CuttingSurface& surface,
                         const LineWidths& widths) {
-  const Vec3 trace = along_trace(projection, plane), p = projection.projector;
-  const Vec3 image = trace - glm::dot(trace, projection.n) / glm::dot(p, projection.n) * p;
-  const Vec2 along = glm::normalize(Vec2(glm::dot(image, projection.u), glm::dot(image, projection.v)));
-  return (past_outline + wide_end / 2 + letter_gap + 1) * letter_widths * widths.narrow * glm::abs(along);
+  const Vec3 p = projection.projector;
+  const auto on_view = [&](const Vec3& v) {
+    const Vec3 image = v - glm::dot(v, projection.n) / glm::dot(p, projection.n) * p;
+    return glm::abs(glm::normalize(Vec2(glm::dot(image, projection.u), glm::dot(image, projection.v))));
+  };
+  const double height = letter_widths * widths.narrow;
+  const Vec2 room =
+      (past_outline + wide_end / 2 + letter_gap + 1) * height * on_view(along_trace(projection, surface.plane));
+  if (surface.divides.empty()) return room;
+  return room + (past_outline + wide_end + letter_gap + 1) * height * on_view(surface.plane.normal);
 }
 
-std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, const scene::CuttingPlane& plane,
+std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, const scene::CuttingSurface& surface,
                                         const LineWidths& widths) {
-  const auto trace = trace_of(parent, plane);
-  if (!trace) return std::nullopt;
   const double height = letter_widths * widths.narrow;
-  const Vec2 from = end_of(*trace, -1, height), to = end_of(*trace, 1, height);
+  const auto trace = trace_of(parent, surface, height);
+  if (!trace) return std::nullopt;
   Layer layer = empty_layer(parent.name, scene::SheetLine::cutting_plane, widths);
-  Stroke chain{{from + wide_end * height * trace->along, to - wide_end * height * trace->along}};
-  chain.dashes = fit_open(glm::distance(chain.points[0], chain.points[1]), widths.narrow, scene::long_dash_dot);
-  layer.strokes.push_back(chain);
-  add_end(layer, *trace, -1, plane.name, widths);
-  add_end(layer, *trace, 1, plane.name, widths);
+  const std::size_t last = trace->corners.size() - 1;
+  for (std::size_t leg = 0; leg < last; ++leg) {
+    const Vec2 &a = trace->corners[leg], &b = trace->corners[leg + 1];
+    const Vec2& along = trace->legs[leg];
+    const double turn = std::min(wide_turn * height, glm::distance(a, b) / 2);
+    const Vec2 from = a + (leg == 0 ? wide_end * height : turn) * along;
+    const Vec2 to = b - (leg + 1 == last ? wide_end * height : turn) * along;
+    if (glm::dot(to - from, along) > 0) add_leg(layer, from, to, widths);
+  }
+  for (std::size_t corner = 1; corner < last; ++corner) add_turn(layer, *trace, corner, widths, wide_turn * height);
+  add_end(layer, trace->corners[0], -trace->legs[0], trace->seen, widths, surface.plane.name);
+  add_end(layer, trace->corners[last], trace->legs[last - 1], trace->seen, widths, surface.plane.name);
   return layer;
+}
+
+void add_dividing_lines(Layer& centre, const drawing::ViewDrawing& view, const scene::CuttingSurface& surface,
+                        const LineWidths& widths) {
+  const Vec3 down = glm::cross(surface.along, surface.plane.normal);
+  for (const Vec3& divide : surface.divides) {
+    const Vec2 point = on_page(view.world_to_page, divide);
+    const Vec2 image = Vec2(view.world_to_page * Vec4(down, 0));
+    if (!(glm::length(image) > 0)) continue;
+    const Vec2 along = glm::normalize(image), across(-along.y, along.x);
+    Extent ink = extent_of(view, point, along);
+    if (!(ink.from <= ink.to)) continue;
+    ink = {ink.from - past_dividing, ink.to + past_dividing};
+    std::erase_if(centre.strokes, [&](const Stroke& stroke) {
+      return std::all_of(stroke.points.begin(), stroke.points.end(),
+                         [&](const Vec2& p) { return std::abs(glm::dot(p - point, across)) < same_line; });
+    });
+    add_leg(centre, point + ink.from * along, point + ink.to * along, widths);
+  }
 }
 
 }  // namespace epura::sheet

@@ -27,6 +27,7 @@ constexpr double spacings_a_side = 16;  // along the side of a square
 constexpr double thin_width = 1;
 constexpr double nearest = 0.7;            // parts closer than this touch
 constexpr double shortest = 1e-3;          // mm; shorter hatching lines are omitted
+constexpr double meeting = 1e-9;           // mm; rounding between faces that meet
 constexpr double alike_degrees = 10;       // a hatching line within this angle of an outline looks like one
 constexpr double most_alike = 0.3 + 1e-6;  // part of the outlines that may be so, or across; never k/n of n sides
 constexpr double least_ratio = 1.4;        // of two distinguishable spacings
@@ -68,9 +69,12 @@ void add_line(const std::vector<Ring>& rings, const Vec2& along, double offset, 
     crossings.push_back(glm::dot(along, a) + before / (before - behind) * glm::dot(along, b - a));
   });
   std::sort(crossings.begin(), crossings.end());
-  for (std::size_t i = 1; i < crossings.size(); i += 2)
-    if (crossings[i] - crossings[i - 1] > shortest)
-      lines.push_back({crossings[i - 1] * along + offset * n, crossings[i] * along + offset * n});
+  for (std::size_t begin = 0, end = 1; end < crossings.size(); begin = end + 1, end += 2) {
+    // Faces on both sides of a step meet without a line between them.
+    while (end + 2 < crossings.size() && crossings[end + 1] - crossings[end] < meeting) end += 2;
+    if (crossings[end] - crossings[begin] > shortest)
+      lines.push_back({crossings[begin] * along + offset * n, crossings[end] * along + offset * n});
+  }
 }
 
 Vec2 direction(double degrees) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "shapes.hpp"
 
@@ -13,8 +14,12 @@ namespace {
 
 constexpr sheet::LineWidths widths{0.5, 0.25};
 
-scene::CuttingPlane plane_at(const Vec3& point, const Vec3& normal) {
-  return scene::make_cutting_plane({{"B", "--section"}, point, normal});
+scene::CuttingSurface plane_at(const Vec3& point, const Vec3& normal) {
+  return scene::plane_surface(scene::make_cutting_plane({{"B", "--section"}, point, normal}));
+}
+
+scene::CuttingSurface stepped(const std::vector<Vec3>& path) {
+  return scene::make_cutting_surface({{"B", "a.toml"}, Vec3(0), Vec3(0, -1, 0), {path, "a.toml"}});
 }
 
 // Page coordinates are x and y of the world.
@@ -26,7 +31,7 @@ drawing::ViewDrawing from_top() {
 
 TEST(CuttingPlaneLine, CrossesTheInkAndEndsPastIt) {
   const drawing::ViewDrawing parent = from_top();
-  const scene::CuttingPlane plane = plane_at({0, 30, 0}, {0, -1, 0});
+  const scene::CuttingSurface plane = plane_at({0, 30, 0}, {0, -1, 0});
   const auto layer = sheet::cutting_plane_line(parent, plane, widths);
   ASSERT_TRUE(layer);
   EXPECT_EQ(layer->name, parent.name + "/cutting-plane");
@@ -66,6 +71,56 @@ TEST(CuttingPlaneLine, PointsWhereTheSectionIsSeen) {
     if (fill.rings[0].size() == 3) {
       EXPECT_GT(fill.rings[0][1].x, fill.rings[0][0].x);
     }
+}
+
+TEST(CuttingPlaneLine, OfAnOffsetSectionHasWideTurns) {
+  const drawing::ViewDrawing parent = from_top();
+  const auto layer =
+      sheet::cutting_plane_line(parent, stepped({{0, 25, 0}, {30, 25, 0}, {30, 35, 0}, {60, 35, 0}}), widths);
+  ASSERT_TRUE(layer);
+  // A chain for each leg, and two arrows.
+  ASSERT_EQ(layer->strokes.size(), 5U);
+  const Vec2 middle = (parent.min + parent.max) / 2.0;
+  for (const Vec2& p : layer->strokes[1].points) EXPECT_NEAR(p.x, middle.x, 1e-12);
+  // Two ends with heads, two turns of two legs.
+  EXPECT_EQ(layer->fills.size(), 8U);
+  ASSERT_EQ(layer->texts.size(), 2U);
+  EXPECT_NEAR(layer->texts[1].at.y - layer->texts[0].at.y, 10, 1e-12);
+}
+
+TEST(CuttingPlaneLine, OfAHalfSectionHasOneArrow) {
+  const drawing::ViewDrawing parent = from_top();
+  const scene::CuttingSurface half = stepped({{0, 30, 0}, {30, 30, 0}, {30, 0, 0}});
+  const auto layer = sheet::cutting_plane_line(parent, half, widths);
+  ASSERT_TRUE(layer);
+  EXPECT_EQ(layer->strokes.size(), 3U);
+  EXPECT_EQ(layer->fills.size(), 5U);
+  ASSERT_EQ(layer->texts.size(), 2U);
+  const sheet::Text& below = layer->texts[1];
+  EXPECT_NEAR(below.at.x, (parent.min.x + parent.max.x) / 2, 1e-12);
+  EXPECT_LE(parent.min.y - below.at.y, sheet::cutting_plane_room(parent.projection, half, widths).y);
+}
+
+TEST(CuttingPlaneLine, IsNotWhereStepsAreSeenFromTheFront) {
+  const scene::CuttingSurface steps = stepped({{0, 25, 0}, {30, 25, 0}, {30, 35, 0}, {60, 35, 0}});
+  EXPECT_TRUE(sheet::sees_edge_on(from_above(), steps));
+  EXPECT_FALSE(sheet::sees_edge_on(orthographic({1, 0, 0}, {0, 0, 1}), steps));
+}
+
+TEST(DividingLine, ReplacesCentreLinesOfAHalfSection) {
+  drawing::ViewDrawing front =
+      draw(world_of(box({0, 0, 0}, {40, 20, 10})), orthographic({0, -1, 0}, {0, 0, 1})).drawing;
+  const scene::CuttingSurface half = stepped({{0, 10, 0}, {20, 10, 0}, {20, 0, 0}});
+  sheet::Layer centre = sheet::empty_layer("front", scene::SheetLine::centre, widths);
+  const double x = (front.min.x + front.max.x) / 2;
+  centre.strokes.push_back({{{x, front.min.y}, {x, front.max.y}}});
+  centre.strokes.push_back({{{x, front.min.y}, {x + 1, front.max.y}}});
+  sheet::add_dividing_lines(centre, front, half, widths);
+  ASSERT_EQ(centre.strokes.size(), 2U);
+  const std::vector<Vec2>& line = centre.strokes[1].points;
+  EXPECT_NEAR(line[0].x, x, 1e-9);
+  EXPECT_NEAR(line[1].x, x, 1e-9);
+  EXPECT_NEAR(std::abs(line[0].y - line[1].y), front.max.y - front.min.y + 6, 1e-9);
 }
 
 TEST(CuttingPlaneLine, IsOnlyWhereThePlaneIsALine) {
