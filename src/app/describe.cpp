@@ -66,10 +66,11 @@ void cut_by_option(scene::SceneDescription& scene, const scene::Located<scene::S
   scene.views.front().section = section->name;
 }
 
-void add_dimensions(scene::SceneDescription& scene, const std::string& option) {
+void add_dimensions(scene::SceneDescription& scene, const scene::Located<AutomaticDimensions>& option) {
+  const bool overall = *option == AutomaticDimensions::overall;
   scene::DimensionDescription& dimension = scene.dimensions.emplace_back();
-  dimension.where = option;
-  dimension.type = {DimensionType::overall, option};
+  dimension.where = option.where;
+  dimension.type = {overall ? DimensionType::overall : DimensionType::automatic, option.where};
 }
 
 }  // namespace
@@ -86,7 +87,7 @@ scene::SceneDescription describe(const DrawOptions& options) {
   if (scene.views.empty())
     (scene.views.emplace_back() = options.view).projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
   if (options.section.given()) cut_by_option(scene, options.section);
-  if (options.dimensions.given()) add_dimensions(scene, options.dimensions.where);
+  if (options.dimensions.given()) add_dimensions(scene, options.dimensions);
   pipeline::complete_scene(scene);
   for (scene::SheetDescription& sheet : scene.sheets) {
     scene::overrule(sheet, options.sheet, scene::sheet_options());

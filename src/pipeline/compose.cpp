@@ -165,6 +165,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
     finished.drawings.push_back(std::move(results[i].drawing));
   }
   append(finished.sheet.layers, std::move(beside.layers));
+  finished.findings = std::move(beside.findings);
   std::move(beside.warnings.begin(), beside.warnings.end(), std::back_inserter(finished.warnings));
   return finished;
 }
