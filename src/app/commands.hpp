@@ -12,6 +12,8 @@ inline constexpr int found_wrong_exit_code = 1;
 inline constexpr int partial_exit_code = 5;
 
 int draw(const DrawOptions& options);
+/// Draws, and reports faults of the dimensions.
+int lint(DrawOptions options);
 int plugins(const PluginsOptions& options);
 int check_plugin(const CheckPluginOptions& options);
 int importers(const ImportersOptions& options);

@@ -20,8 +20,8 @@ const ProgramTexts& program_texts() {
           "a title block.",
       .exit_codes = {{0, "success"},
                      {found_wrong_exit_code,
-                      "differences found (compare, snapshot) or errors found (--verify, plugins check, views beyond "
-                      "their sheet)"},
+                      "differences found (compare, snapshot) or errors found (lint, --verify, plugins check, views "
+                      "beyond their sheet)"},
                      {2, "wrong input"},
                      {3, "plugin error"},
                      {4, "cannot write"},
@@ -52,6 +52,8 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
                        options.run.explain = true;
                        return draw(options);
                      }),
+      define_command(add("lint", "draw, and say which sizes have no dimension or several, and which dimensions cross"),
+                     lint_options(), lint),
       define_command(add("info", "describe a model: size, bodies, faces, holes, repairs"), info_options(), info),
       define_command(add("compare", "report the visible differences between two drawings, models or scenes"),
                      compare_options(), compare_files),

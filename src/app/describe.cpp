@@ -86,10 +86,11 @@ void add_details(scene::SceneDescription& scene, const std::vector<scene::Locate
   }
 }
 
-void add_dimensions(scene::SceneDescription& scene, const std::string& option) {
+void add_dimensions(scene::SceneDescription& scene, const scene::Located<AutomaticDimensions>& option) {
+  const bool overall = *option == AutomaticDimensions::overall;
   scene::DimensionDescription& dimension = scene.dimensions.emplace_back();
-  dimension.where = option;
-  dimension.type = {DimensionType::overall, option};
+  dimension.where = option.where;
+  dimension.type = {overall ? DimensionType::overall : DimensionType::automatic, option.where};
 }
 
 }  // namespace
@@ -107,7 +108,7 @@ scene::SceneDescription describe(const DrawOptions& options) {
     (scene.views.emplace_back() = options.view).projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
   if (options.section.given()) cut_by_option(scene, options.section);
   add_details(scene, options.details);
-  if (options.dimensions.given()) add_dimensions(scene, options.dimensions.where);
+  if (options.dimensions.given()) add_dimensions(scene, options.dimensions);
   pipeline::complete_scene(scene);
   for (scene::SheetDescription& sheet : scene.sheets) {
     scene::overrule(sheet, options.sheet, scene::sheet_options());

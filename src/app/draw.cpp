@@ -23,7 +23,7 @@ bool want_drawings(const std::vector<pipeline::Target>& targets) {
 }
 
 void expect_outputs(const DrawOptions& options) {
-  const bool asked = !options.run.why.empty() || options.run.dump || options.run.explain;
+  const bool asked = !options.run.why.empty() || options.run.dump || options.run.explain || options.run.lint;
   if (!asked && options.outputs.empty())
     throw Error(ErrorKind::input, "command line", "--output is required", "see 'epura draw --help'");
   if (asked && std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end())

@@ -127,7 +127,7 @@ scene::Options<Draw> picture_options() {
           {.flag = "--centre-lines", .help = "add centre lines of bores, shafts, slots and pitch circles"},
           run(&pipeline::RunOptions::centre_lines), scene::truth()),
       scene::option<Draw>(
-          {.flag = "--dimensions", .help = "add width, height and depth of the models, each in the clearest view"},
+          {.flag = "--dimensions", .help = "overall: add width, height and depth, each in the clearest view; auto: also sizes of features"},
           &Draw::dimensions, scene::choice<AutomaticDimensions>().shown_as("WHICH")),
       scene::option<Draw>(
           {.flag = "--visibility", .help = "how hidden lines are found; none draws a wireframe", .usual = "exact"},
@@ -243,6 +243,14 @@ scene::Options<DrawOptions> explain_options() {
                                      .help = "measure the saved time by runs without each shortcut",
                                      .nature = scene::Nature::run},
                                     &Draw::measure, scene::truth()));
+  return all;
+}
+
+scene::Options<DrawOptions> lint_options() {
+  scene::Options<Draw> all = draw_options();
+  all.push_back(scene::option<Draw>(
+      {.flag = "--json", .help = "findings as JSON; - for standard output", .nature = scene::Nature::run},
+      &Draw::lint_json, file_name("FILE")));
   return all;
 }
 

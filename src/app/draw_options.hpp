@@ -12,6 +12,9 @@ scene::Options<DrawOptions> draw_options();
 /// The options of `epura explain`.
 scene::Options<DrawOptions> explain_options();
 
+/// The options of `epura lint`.
+scene::Options<DrawOptions> lint_options();
+
 // Rows shared by several commands.
 template <class Command, class Member>
 scene::Option<Command> threads_option(Member threads) {

@@ -23,10 +23,10 @@ struct scene::Words<ShowProgress> {
   static constexpr std::array list{"auto", "always", "never"};
 };
 
-enum class AutomaticDimensions { overall };
+enum class AutomaticDimensions { overall, automatic };
 template <>
 struct scene::Words<AutomaticDimensions> {
-  static constexpr std::array list{"overall"};
+  static constexpr std::array list{"overall", "auto"};
 };
 
 struct DrawOptions {
@@ -46,6 +46,7 @@ struct DrawOptions {
   pipeline::RunOptions run;
   bool timings = false;
   ShowProgress progress = ShowProgress::automatic;
+  std::string lint_json;  ///< lint: file of its findings; empty: none
   bool measure = false;  ///< measure the time saved by shortcuts, by runs without them
 };
 

@@ -73,14 +73,17 @@ sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const
   return neighbours;
 }
 
-// Four digits of the size of small models.
-int decimals_of(const SheetInput& input) {
-  const Box& box = input.world.box;
-  const Vec3 size = box.max - box.min;
-  const double largest = std::max({size.x, size.y, size.z});
-  int usual = 2;
-  for (double least = 10; largest < least && usual < 8; least /= 10) ++usual;
-  return input.scene.sheets[static_cast<std::size_t>(input.views.sheet)].decimals.value_or(usual);
+// Faults of the dimensions of one view on paper. ISO 3098-1: lettering is at least 2.5 mm high.
+void note_faults(std::vector<report::Finding>& findings, const std::string& view, const sheet::PlacedLayer& placed,
+                 const sheet::Paper& paper) {
+  constexpr double least_height = 2.5;
+  for (const std::string& crossing : placed.crossings)
+    findings.push_back({report::FindingKind::crossing, view, crossing});
+  for (const sheet::Text& text : placed.layer.texts)
+    if (text.height < least_height)
+      findings.push_back({report::FindingKind::small_text, view, "'" + text.text + "'"});
+  if (!sheet::on_paper(placed.layer, {paper.width, paper.height}))
+    findings.push_back({report::FindingKind::off_sheet, view, "dimensions extend beyond the sheet"});
 }
 
 }  // namespace
@@ -90,6 +93,8 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
   const sheet::SheetFurniture& furniture = input.plan.furniture;
   const sheet::Paper& paper = furniture.paper;
   const sheet::LineWidths widths = sheet::line_widths(paper);
+  const int decimals =
+      dimension_decimals(input.world, input.scene.sheets[static_cast<std::size_t>(input.views.sheet)]);
   AnnotationLayers result;
   std::vector<sheet::Layer> marks = marks_of(input.annotations, views, widths);
   std::optional<sheet::Lettering> lettering;
@@ -102,11 +107,13 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
       add_boxes(around.boxes, boundaries_of(input.annotations, views), *lettering);
     }
     const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()),
-                                      decimals_of(input)};
+                                      decimals};
     const drawing::ViewDrawing& drawing = views[i].drawing;
-    sheet::Layer layer =
-        sheet::dimension_layer({input.world, drawing, dimensions}, style, with_other_views(around, views, i),
-                               budget.run.with_part_of_the_time(0.5));
+    sheet::PlacedLayer placed =
+        sheet::place_dimensions({input.world, drawing, dimensions}, style, with_other_views(around, views, i),
+                                budget.run.with_part_of_the_time(0.5));
+    sheet::Layer& layer = placed.layer;
+    note_faults(result.findings, drawing.name, placed, paper);
     if (const std::size_t left_out = dimensions.size() - layer.texts.size(); left_out > 0) {
       budget.partial.add_stage("placing dimensions");
       budget.partial.undrawn += static_cast<long long>(left_out);

@@ -10,12 +10,14 @@
 #include "pipeline/budget.hpp"
 #include "pipeline/draw_view.hpp"
 #include "pipeline/layout.hpp"
+#include "report/report.hpp"
 
 namespace epura::pipeline {
 
 struct AnnotationLayers {
   std::vector<sheet::Layer> layers;  ///< dimensions of each view that has any, then the marks of sections
   std::vector<std::string> warnings;
+  std::vector<report::Finding> findings;
 };
 
 /// `views` are in the order of the sheet; `labels` are above them. Throws Error{input} for dimensions that cannot be

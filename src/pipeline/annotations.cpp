@@ -9,8 +9,10 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "scene/design_features.hpp"
 #include "scene/true_extents.hpp"
 #include "sheet/cutting_plane_line.hpp"
+#include "sheet/dimensions/automatic.hpp"
 #include "sheet/dimensions/overall.hpp"
 
 namespace epura::pipeline {
@@ -18,7 +20,8 @@ namespace epura::pipeline {
 namespace {
 
 bool is_open(const scene::DimensionDescription& dimension) {
-  return dimension.type.value == DimensionType::overall && !dimension.direction.given();
+  return dimension.type.value == DimensionType::automatic ||
+         (dimension.type.value == DimensionType::overall && !dimension.direction.given());
 }
 
 const std::string& view_of(const scene::DimensionDescription& dimension, const scene::SceneDescription& scene) {
@@ -54,8 +57,14 @@ void add_dimensions(std::vector<Annotations>& annotations, const scene::World& w
       add(dimension);
     } else if (dimension.view.given() ? here(*dimension.view) != views.end() : sheet.sheet == 0) {
       if (!extents) extents = scene::true_extents(world);
-      for (const scene::DimensionDescription& one : sheet::overall_dimensions(dimension, projections, *extents))
-        add(one);
+      const auto expanded = [&] {
+        if (*dimension.type == DimensionType::overall)
+          return sheet::overall_dimensions(dimension, projections, *extents);
+        const scene::DesignFeatures features = scene::find_design_features(world);
+        const int decimals = dimension_decimals(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
+        return sheet::automatic_dimensions(dimension, projections, {world, features, *extents}, decimals);
+      };
+      for (const scene::DimensionDescription& one : expanded()) add(one);
     }
   }
 }
@@ -95,6 +104,14 @@ std::vector<Annotations> annotate(const scene::World& world, const scene::SceneD
   add_planes(annotations, sheet.descriptions, seen, sections);
   add_details(annotations, scene, sheet.descriptions);
   return annotations;
+}
+
+int dimension_decimals(const scene::World& world, const scene::SheetDescription& sheet) {
+  const Vec3 size = world.box.max - world.box.min;
+  const double largest = std::max({size.x, size.y, size.z});
+  int usual = 2;
+  for (double least = 10; largest < least && usual < 8; least /= 10) ++usual;
+  return sheet.decimals.value_or(usual);
 }
 
 void expect_views_of_dimensions(const scene::SceneDescription& scene) {

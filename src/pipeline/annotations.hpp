@@ -26,6 +26,9 @@ std::vector<Annotations> annotate(const scene::World& world, const scene::SceneD
                                   const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
                                   const CutSections& sections);
 
+/// Decimals of lengths: those of the sheet, otherwise four digits of the size of small models.
+int dimension_decimals(const scene::World& world, const scene::SheetDescription& sheet);
+
 /// Throws Error{input} for dimensions in views that do not exist.
 void expect_views_of_dimensions(const scene::SceneDescription& scene);
 

@@ -180,6 +180,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   }
   append(finished.sheet.layers, std::move(beside.layers));
   add_details(finished.sheet.layers, input, finished.drawings);
+  finished.findings = std::move(beside.findings);
   std::move(beside.warnings.begin(), beside.warnings.end(), std::back_inserter(finished.warnings));
   return finished;
 }

@@ -10,6 +10,7 @@
 #include "pipeline/annotations.hpp"
 #include "pipeline/compose.hpp"
 #include "pipeline/details.hpp"
+#include "pipeline/lint.hpp"
 #include "pipeline/plan_steps.hpp"
 #include "pipeline/questions.hpp"
 #include "pipeline/read_models.hpp"
@@ -25,6 +26,11 @@ namespace epura::pipeline {
 
 namespace {
 
+template <class Item>
+void add_all(std::vector<Item>& list, const std::vector<Item>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
 using WorldOfView = std::function<const scene::World&(std::size_t)>;
 
 /// The state of a run.
@@ -38,6 +44,7 @@ struct Run {
   report::Report report{};
   bool has_lines = false;
   std::string answers{};
+  std::vector<sheet::DimensionsInView> dimensioned{};  ///< for lint
 
   void note(const ViewResult& result);
   ViewTime time_of_next_view();
@@ -128,6 +135,7 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
     views.plans[i].options.styles = styles_of(scene, views.descriptions[i], world(i), seen[i].projection);
   }
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, sections);
+  if (options.lint) add_all(dimensioned, anchored_dimensions(whole, views, seen, annotations));
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
   if (plan.chosen) messages.warn(sentence_of_scale(plan));
   warn_about_details(messages, views, plan);
@@ -154,6 +162,7 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
   report.partial.add(partial);
   if (!options.keeps_drawings) sheet.drawings = {};
   for (const std::string& warning : sheet.warnings) messages.warn(warning);
+  if (options.lint) add_all(report.findings, sheet.findings);
   warn_about(messages, sheet.sheet);
   report.plan.push_back(text_step(sheet.sheet, options.plan.text));
   watch.lap("sheet");
@@ -169,6 +178,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   if (!sections.empty()) watch.lap("section");
   std::vector<FinishedSheet> finished;
   for (const SheetOfViews& sheet : sheets) finished.push_back(draw_sheet(world, sections, sheet));
+  if (options.lint) add_all(report.findings, uncovered_sizes(world, scene, dimensioned, progress));
   return finished;
 }
 

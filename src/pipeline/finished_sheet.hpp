@@ -20,6 +20,7 @@ struct FinishedSheet {
   std::vector<drawing::ViewDrawing> drawings{};  ///< in order of the views; empty if no target needs them
   std::vector<std::string> warnings{};           ///< requests that could not be met
   sheet::Paper paper{};
+  std::vector<report::Finding> findings{};  ///< faults of the dimensions on it
 };
 
 /// Marks a sheet as incomplete since time was over in a stage; a further call replaces the stage.

@@ -44,6 +44,7 @@ struct RunOptions {
   int verify_samples = 2000;
   Shortcuts plan;               ///< shortcuts in use
   bool explain = false;         ///< print the steps
+  bool lint = false;            ///< report faults of the dimensions
   bool keeps_drawings = false;  ///< in addition to the sheets
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,8 +46,15 @@ double least_fold(const scene::World& world, const scene::SceneDescription& scen
   return options.centre_lines || !scene.dimensions.empty() ? flat : std::max(least, flat);
 }
 
-std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, double least, const Progress& progress) {
-  if (!features::has_shallow_folds(mesh, least)) return nullptr;
+// Dimensions of features need faces even where folds alone identify all edges.
+bool are_features_wanted(const scene::SceneDescription& scene) {
+  return std::any_of(scene.dimensions.begin(), scene.dimensions.end(),
+                     [](const auto& dimension) { return dimension.type.value == DimensionType::automatic; });
+}
+
+std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, std::optional<double> least,
+                                                   const Progress& progress) {
+  if (least && !features::has_shallow_folds(mesh, *least)) return nullptr;
   auto part = std::make_shared<features::PartFaces>(features::recognise_faces(mesh, {}, progress));
   return part->faces.empty() ? nullptr : part;
 }
@@ -55,7 +63,8 @@ std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, doubl
 
 void recognise_parts(scene::World& world, const scene::SceneDescription& scene, const RunOptions& options,
                      report::Report& report, Progress progress) {
-  const double least = least_fold(world, scene, options);
+  std::optional<double> least;
+  if (!are_features_wanted(scene) && !options.lint) least = least_fold(world, scene, options);
   std::vector<int> wanted;
   const bool asked = std::any_of(scene.views.begin(), scene.views.end(), is_asked);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)

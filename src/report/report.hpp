@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -66,6 +67,17 @@ struct Tessellation {
   double on_paper = 0;  ///< the same in the largest view, mm
 };
 
+enum class FindingKind { undimensioned, repeated, crossing, small_text, off_sheet };
+inline constexpr std::array finding_names{"not dimensioned", "dimensioned twice", "crossing", "too small",
+                                          "off the sheet"};
+
+/// A fault of the dimensions of a drawing.
+struct Finding {
+  FindingKind kind;
+  std::string view;  ///< name of the view; empty if it concerns none in particular
+  std::string what;
+};
+
 struct Report {
   std::vector<mesh::MeshReport> meshes;
   std::vector<PlanStep> plan;
@@ -74,6 +86,7 @@ struct Report {
   std::optional<Verification> verification;             ///< if requested
   std::vector<ViewCondition> conditions;                ///< one for each view, if requested
   std::optional<Tessellation> tessellation{};           ///< if round faces of a part are recognised
+  std::vector<Finding> findings{};                      ///< of the dimensions, if requested
   bool cut_off = false;                                 ///< views extend beyond the paper
 };
 

@@ -83,7 +83,7 @@ struct Words<FrameKind> {
 
 template <>
 struct Words<DimensionType> {
-  static constexpr std::array list{"linear", "aligned", "angular", "radius", "diameter", "overall"};
+  static constexpr std::array list{"linear", "aligned", "angular", "radius", "diameter", "overall", "auto"};
 };
 
 template <>

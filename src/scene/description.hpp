@@ -106,6 +106,13 @@ struct DetailDescription {
 /// Vertex `second` of model `first`, both counted from 0 as in the drawing JSON; or a point of the world.
 using Anchor = std::variant<std::array<int, 2>, Vec3>;
 
+/// A circle of a recognised feature, or an arc of it. Units of the world.
+struct FeatureCircle {
+  Vec3 centre, axis;  ///< the axis has length 1
+  double radius;
+  std::vector<Vec3> arc{};  ///< points in order along an arc, two or more; empty for a whole circle
+};
+
 /// A dimension in a view, attached to the model. ISO 129-1.
 struct DimensionDescription {
   std::string where;  ///< for errors
@@ -113,9 +120,10 @@ struct DimensionDescription {
   Located<DimensionType> type;
   Located<DimensionDirection> direction;  ///< linear: horizontal or vertical; overall: width, height or depth
   std::vector<Anchor> anchors;  ///< two ends; angular: the vertex, then the ends of the legs; radius, diameter: a
-                                ///< vertex on the circle; overall: none
-  Located<double> offset;       ///< of the dimension line from the anchors, mm on paper; its sign selects the side
-  LocatedText text;             ///< instead of the measured value; "<>" stands for the value
+                                ///< vertex on the circle; overall, auto: none
+  std::optional<FeatureCircle> circle{};  ///< of radius and diameter, instead of an anchor; not in scene files
+  Located<double> offset;  ///< of the dimension line from the anchors, mm on paper; its sign selects the side
+  LocatedText text;        ///< instead of the measured value; "<>" stands for the value
 };
 
 /// Fields of a title block by name ("title", "owner", "number", "date" ...). ISO 7200.

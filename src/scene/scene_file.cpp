@@ -68,8 +68,8 @@ void check_views(const SceneDescription& scene, const Names& sections) {
 /// Keys of the anchors of a dimension, in the order of DimensionDescription::anchors.
 const std::vector<std::string>& anchor_keys(DimensionType type) {
   // In order of DimensionType.
-  static const std::array<std::vector<std::string>, 6> keys = {
-      {{"from", "to"}, {"from", "to"}, {"corner", "from", "to"}, {"at"}, {"at"}, {}}};
+  static const std::array<std::vector<std::string>, 7> keys = {
+      {{"from", "to"}, {"from", "to"}, {"corner", "from", "to"}, {"at"}, {"at"}, {}, {}}};
   return keys[static_cast<std::size_t>(type)];
 }
 

@@ -23,11 +23,12 @@ struct TypeRule {
 };
 
 // In order of DimensionType.
-constexpr std::array<TypeRule, 6> type_rules{{{2, "its two ends"},
+constexpr std::array<TypeRule, 7> type_rules{{{2, "its two ends"},
                                               {2, "its two ends"},
                                               {3, "the corner and an end of each leg"},
                                               {1, "a vertex on the circle"},
                                               {1, "a vertex on the circle"},
+                                              {0, "no anchors"},
                                               {0, "no anchors"}}};
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what, const std::string& hint = {}) {
@@ -119,6 +120,11 @@ AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene:
   const TypeRule& rule = type_rules[std::size_t(type)];
   AnchoredDimension dimension{
       where, type, direction_of(description), {}, {}, description.offset.value, description.text.value_or("")};
+  if (description.circle) {
+    const scene::FeatureCircle& circle = *description.circle;
+    dimension.circles = {{circle.centre, circle.axis, circle.radius, circle.arc, circle.arc.empty()}};
+    return dimension;
+  }
   if (description.anchors.size() != rule.anchors)
     refuse(where, "the number of its anchors is " + std::to_string(description.anchors.size()),
            "the dimension '" + std::string(scene::word_of(type)) + "' needs " + rule.wants);

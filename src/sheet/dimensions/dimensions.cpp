@@ -99,6 +99,34 @@ std::vector<std::optional<PlacedDimension>> place(const std::vector<MeasuredDime
   return placed;
 }
 
+bool any_overlap(const std::vector<TurnedBox>& boxes, const TurnedBox& box) {
+  return std::any_of(boxes.begin(), boxes.end(), [&](const TurnedBox& other) { return overlap(other, box); });
+}
+
+// Whether a dimension line or text shares its place with the other dimension, or a line of the other one crosses it.
+bool cross(const PlacedDimension& a, const PlacedDimension& b) {
+  const auto meets = [](const PlacedDimension& one, const PlacedDimension& other) {
+    return any_overlap(other.lines, one.text_box) || any_overlap(other.zones, one.text_box);
+  };
+  const bool zones =
+      std::any_of(a.zones.begin(), a.zones.end(), [&](const TurnedBox& zone) { return any_overlap(b.zones, zone); });
+  return zones || meets(a, b) || meets(b, a);
+}
+
+std::vector<std::string> crossings_of(const std::vector<std::optional<PlacedDimension>>& placed,
+                                      const Neighbours& neighbours) {
+  std::vector<std::string> sentences;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    if (!placed[i]) continue;
+    for (std::size_t j = i + 1; j < placed.size(); ++j)
+      if (placed[j] && cross(*placed[i], *placed[j]))
+        sentences.push_back("'" + placed[i]->text.text + "' and '" + placed[j]->text.text + "'");
+    if (any_overlap(neighbours.boxes, placed[i]->text_box))
+      sentences.push_back("'" + placed[i]->text.text + "' and another view or text");
+  }
+  return sentences;
+}
+
 // U+2300, or the letter that replaces it.
 std::string diameter_sign(const Lettering& lettering) { return lettering.missing("⌀").empty() ? "⌀" : "Ø"; }
 
@@ -111,8 +139,8 @@ void expect_letters(const std::string& text, const AnchoredDimension& dimension,
 
 }  // namespace
 
-Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours,
-                      const Progress& progress) {
+PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours,
+                             const Progress& progress) {
   progress.begin("placing dimensions", view.dimensions.size());
   std::vector<MeasuredDimension> measured;
   for (const AnchoredDimension& dimension :
@@ -121,13 +149,20 @@ Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, 
     expect_letters(measured.back().text, dimension, style.lettering);
   }
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::dimension, {2 * style.line, style.line});
-  for (auto& dimension : place(measured, view.drawing, style, neighbours, progress)) {
+  std::vector<std::optional<PlacedDimension>> placed = place(measured, view.drawing, style, neighbours, progress);
+  std::vector<std::string> crossings = crossings_of(placed, neighbours);
+  for (auto& dimension : placed) {
     if (!dimension) continue;
     std::move(dimension->strokes.begin(), dimension->strokes.end(), std::back_inserter(layer.strokes));
     std::move(dimension->arrows.begin(), dimension->arrows.end(), std::back_inserter(layer.fills));
     layer.texts.push_back(std::move(dimension->text));
   }
-  return layer;
+  return {std::move(layer), std::move(crossings)};
+}
+
+Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours,
+                      const Progress& progress) {
+  return place_dimensions(view, style, neighbours, progress).layer;
 }
 
 bool on_paper(const Layer& dimensions, const Vec2& size) {

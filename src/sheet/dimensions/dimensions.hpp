@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -28,6 +29,16 @@ struct Neighbours {
   std::optional<Rectangle> paper{};  ///< limits for everything
   std::vector<TurnedBox> boxes{};    ///< of other views, lettering, marks ...
 };
+
+/// The dimensions of a view on paper.
+struct PlacedLayer {
+  Layer layer;
+  std::vector<std::string> crossings;  ///< a sentence for each dimension that something crosses
+};
+
+/// The same as dimension_layer, with what lint reports.
+PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours = {},
+                             const Progress& progress = {});
 
 /// Layer "VIEW/dimensions" of a drawing in its final position: narrow lines, filled arrows, and texts. Values are the
 /// true measures in the world. Dimensions are outside the outline, small ones inside large ones, and avoid each other

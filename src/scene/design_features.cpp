@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/design_features.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "base/portable_math.hpp"
+#include "scene/centred_features.hpp"
+#include "scene/design_holes.hpp"
+#include "scene/placed_part.hpp"
+#include "scene/round_faces.hpp"
+
+namespace epura::scene {
+
+namespace {
+
+using features::SurfaceKind;
+
+constexpr double parallel = 1e-4;    // sine
+constexpr double same_size = 1e-4;   // relative
+constexpr double beside = 1.002;     // relative to the radius of a hole or slot: within it
+constexpr double longest_arc = 200;  // degrees
+constexpr double shortest_arc = 20;
+constexpr double longest_chamfer = 0.5;  // relative to the radius
+constexpr double degree = std::numbers::pi / 180;
+
+bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
+bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
+
+bool are_same(const std::optional<Recess>& a, const std::optional<Recess>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return are_same(a->diameter, b->diameter) && are_same(a->size, b->size);
+}
+
+double distance_from_line(const Vec3& point, const Vec3& on_line, const Vec3& axis) {
+  return glm::length(glm::cross(point - on_line, axis));
+}
+
+/// The room inside a hole or slot: within `radius` of the segment between two points, along the axis.
+struct Cavity {
+  std::array<Vec3, 2> centres;
+  Vec3 axis;
+  double radius;
+  bool has_floor;  ///< a plane across its axis belongs to it
+
+  [[nodiscard]] bool holds(const Vec3& point) const {
+    const auto flat = [this](const Vec3& d) { return d - glm::dot(d, axis) * axis; };
+    const Vec3 d = flat(point - centres[0]), along = flat(centres[1] - centres[0]);
+    const double square = glm::dot(along, along);
+    const double t = square > 0 ? std::clamp(glm::dot(d, along) / square, 0.0, 1.0) : 0;
+    return glm::length(d - t * along) <= beside * radius;
+  }
+  /// Whether a plane face is part of its wall or floor.
+  [[nodiscard]] bool holds(const Vec3& normal, const std::vector<Vec3>& corners) const {
+    if (are_parallel(normal, axis) && !has_floor) return false;
+    return std::all_of(corners.begin(), corners.end(), [this](const Vec3& p) { return holds(p); });
+  }
+};
+
+/// Finds the features of one model.
+class PartReader {
+ public:
+  PartReader(const World& world, int model, PlacedPart part)
+      : world_(world), model_(model), part_(std::move(part)), round_(find_round_faces(world, model, part_)) {}
+
+  void read(DesignFeatures& found) {
+    DescribedHoles described = describe_holes(world_, model_, part_);
+    for (DesignHole& hole : described.holes) found.holes.push_back(hole);
+    found.cylinders.insert(found.cylinders.end(), described.bores.begin(), described.bores.end());
+    add_shafts(found.cylinders);
+    add_arcs(found);
+    add_chamfers(found.chamfers);
+  }
+
+  void add_levels(const DesignFeatures& found, std::vector<DesignLevel>& levels) const {
+    const std::vector<Cavity> cavities = cavities_of(found);
+    const std::vector<std::vector<Vec3>> corners = corners_of_planes();
+    for (std::size_t f = 0; f < part_.faces.size(); ++f) {
+      const features::PartSurface& surface = part_.faces[f].surface;
+      if (corners[f].empty()) continue;
+      const int axis = axis_along(surface.axis);
+      if (axis < 0 || is_inside(cavities, surface.axis, corners[f])) continue;
+      add_level(levels, {axis, surface.origin[axis], part_.faces[f].area, corners[f]});
+    }
+  }
+
+ private:
+  static int axis_along(const Vec3& direction) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::abs(direction[axis]) >= 1 - parallel * parallel) return axis;
+    return -1;
+  }
+
+  static bool is_inside(const std::vector<Cavity>& cavities, const Vec3& normal, const std::vector<Vec3>& corners) {
+    return std::any_of(cavities.begin(), cavities.end(),
+                       [&](const Cavity& cavity) { return cavity.holds(normal, corners); });
+  }
+
+  void add_level(std::vector<DesignLevel>& levels, DesignLevel level) const {
+    const double slack = 1e-5 * glm::length(world_.box.size());
+    const bool is_end = level.at <= world_.box.min[level.axis] + slack || level.at >= world_.box.max[level.axis] - slack;
+    if (is_end) return;
+    for (DesignLevel& other : levels)
+      if (other.axis == level.axis && std::abs(other.at - level.at) <= slack) {
+        other.area += level.area;
+        other.points.insert(other.points.end(), level.points.begin(), level.points.end());
+        return;
+      }
+    levels.push_back(std::move(level));
+  }
+
+  [[nodiscard]] std::vector<Cavity> cavities_of(const DesignFeatures& found) const {
+    std::vector<Cavity> cavities;
+    for (const DesignHole& hole : found.holes) {
+      double widest = hole.diameter;
+      if (hole.counterbore) widest = hole.counterbore->diameter;
+      if (hole.countersink) widest = hole.countersink->diameter;
+      if (hole.model == model_) cavities.push_back({{hole.mouth, hole.mouth}, hole.axis, widest / 2, true});
+    }
+    for (const DesignSlot& slot : found.slots)
+      if (slot.model == model_) cavities.push_back({slot.centres, slot.axis, slot.radius, false});
+    return cavities;
+  }
+
+  // Of plane faces that are perpendicular to a world axis; empty for others.
+  [[nodiscard]] std::vector<std::vector<Vec3>> corners_of_planes() const {
+    const Placed& placed = world_.models[model_];
+    const mesh::Mesh& mesh = placed.mesh->whole();
+    std::vector<std::set<int>> vertices(part_.faces.size());
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+      const int face = placed.part->face_of_triangle[t];
+      if (face < 0 || part_.faces[face].surface.kind != SurfaceKind::plane) continue;
+      if (axis_along(part_.faces[face].surface.axis) < 0) continue;
+      for (const int v : mesh.triangle(t)) vertices[face].insert(v);
+    }
+    std::vector<std::vector<Vec3>> corners(part_.faces.size());
+    for (std::size_t f = 0; f < corners.size(); ++f)
+      for (const int v : vertices[f]) corners[f].emplace_back(Vec3(placed.to_world * Vec4(mesh.point(v), 1)));
+    return corners;
+  }
+
+  void add_shafts(std::vector<DesignCylinder>& cylinders) const {
+    for (const RoundFace& round : round_)
+      if (round.face.surface.kind == SurfaceKind::cylinder && !round.face.inwards && round.is_whole())
+        cylinders.push_back({model_, round.at(round.from), round.at(round.to), round.face.surface.axis,
+                             round.face.surface.radius, false});
+  }
+
+  // Whether two faces are parts of one cylinder.
+  static bool are_one(const RoundFace& a, const RoundFace& b) {
+    const features::PartSurface &s = a.face.surface, &t = b.face.surface;
+    return a.face.inwards == b.face.inwards && are_same(s.radius, t.radius) && are_parallel(s.axis, t.axis) &&
+           distance_from_line(t.origin, s.origin, s.axis) <= same_size * s.radius;
+  }
+
+  void add_arcs(DesignFeatures& found) const {
+    for (const RoundFace& round : round_) {
+      const features::PartSurface& surface = round.face.surface;
+      if (surface.kind != SurfaceKind::cylinder || round.face.sweep < shortest_arc || round.face.sweep > longest_arc)
+        continue;
+      const auto shares = [&](const RoundFace& other) { return &other != &round && are_one(round, other); };
+      if (std::any_of(round_.begin(), round_.end(), [&](const RoundFace& other) {
+            return other.face.surface.kind == SurfaceKind::cylinder && shares(other);
+          }))
+        continue;
+      DesignArc arc{model_, round.at(round.to), surface.axis, surface.radius, {}, round.face.inwards};
+      if (is_end_of_slot(found.slots, arc)) continue;
+      constexpr int steps = 8;
+      const Vec3 across = glm::cross(surface.axis, round.middle);
+      for (int i = 0; i <= steps; ++i) {
+        const double angle = round.face.sweep * degree * (static_cast<double>(i) / steps - 0.5);
+        arc.points.push_back(arc.centre +
+                             surface.radius * (portable_cos(angle) * round.middle + portable_sin(angle) * across));
+      }
+      found.arcs.push_back(std::move(arc));
+    }
+  }
+
+  [[nodiscard]] bool is_end_of_slot(const std::vector<DesignSlot>& slots, const DesignArc& arc) const {
+    return std::any_of(slots.begin(), slots.end(), [&](const DesignSlot& slot) {
+      return slot.model == model_ && are_same(slot.radius, arc.radius) && are_parallel(slot.axis, arc.axis) &&
+             std::any_of(slot.centres.begin(), slot.centres.end(), [&](const Vec3& centre) {
+               return distance_from_line(centre, arc.centre, arc.axis) <= same_size * 10 * arc.radius;
+             });
+    });
+  }
+
+  void add_chamfers(std::vector<DesignChamfer>& chamfers) const {
+    for (const RoundFace& round : round_) {
+      const features::PartSurface& surface = round.face.surface;
+      const double length = round.to - round.from;
+      if (surface.kind != SurfaceKind::cone || round.face.inwards || !round.is_whole()) continue;
+      const double low = round.radius_at(round.from), high = round.radius_at(round.to);
+      if (!(length > 0) || !(std::min(low, high) > 0) || length > longest_chamfer * std::max(low, high)) continue;
+      const bool rises = low < high;
+      const double from = rises ? round.from : round.to, to = rises ? round.to : round.from;
+      chamfers.push_back({model_,
+                          {round.at(from), round.at(to)},
+                          {std::min(low, high), std::max(low, high)},
+                          surface.axis,
+                          portable_atan2(std::abs(high - low), length) / degree});
+    }
+  }
+
+  const World& world_;
+  int model_;
+  PlacedPart part_;
+  std::vector<RoundFace> round_;
+};
+
+// A slot is cut into the material: a bar with round ends is none.
+void add_slots(const CentredFeatures& centred, std::vector<DesignSlot>& slots) {
+  for (const SlotFeature& slot : centred.slots) {
+    const RoundFeature &one = slot.ends[0], &other = slot.ends[1];
+    if (one.enclosed && other.enclosed)
+      slots.push_back({one.model, {one.rings.back().centre, other.rings.back().centre}, one.axis,
+                       one.rings.back().radius});
+  }
+  for (DesignSlot& slot : slots) {
+    Vec3 along = slot.centres[1] - slot.centres[0];
+    along -= glm::dot(along, slot.axis) * slot.axis;
+    slot.centres[1] = slot.centres[0] + along;
+  }
+}
+
+void add_pitch_circles(const CentredFeatures& centred, DesignFeatures& found) {
+  for (const PitchCircle& circle : centred.pitch_circles) {
+    std::vector<DesignHole*> on_it;
+    for (const int number : circle.holes) {
+      const RoundFeature& round = centred.round[number];
+      for (DesignHole& hole : found.holes)
+        if (hole.model == round.model && hole.pitch_circle < 0 && are_parallel(hole.axis, round.axis) &&
+            distance_from_line(hole.mouth, round.rings.front().centre, round.axis) <= same_size * 10 * hole.diameter)
+          on_it.push_back(&hole);
+    }
+    if (on_it.size() != circle.holes.size()) continue;
+    for (DesignHole* hole : on_it) hole->pitch_circle = static_cast<int>(found.pitch_circles.size());
+    found.pitch_circles.push_back({on_it.front()->model, circle.centre, circle.axis, circle.radius});
+  }
+}
+
+}  // namespace
+
+bool are_equal(const DesignHole& a, const DesignHole& b) {
+  return a.model == b.model && a.through == b.through && are_same(a.diameter, b.diameter) &&
+         are_parallel(a.axis, b.axis) && (a.through || glm::dot(a.axis, b.axis) > 0) &&
+         a.depth.has_value() == b.depth.has_value() && are_same(a.depth.value_or(0), b.depth.value_or(0)) &&
+         are_same(a.counterbore, b.counterbore) && are_same(a.countersink, b.countersink);
+}
+
+DesignFeatures find_design_features(const World& world, const Progress& progress) {
+  DesignFeatures found;
+  const CentredFeatures centred = find_centred_features(world, 30, progress);
+  add_slots(centred, found.slots);
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
+    progress.expect_time();
+    if (world.models[model].part == nullptr) continue;
+    std::optional<PlacedPart> part = place_part(world.models[model]);
+    if (!part) continue;
+    PartReader reader(world, model, std::move(*part));
+    reader.read(found);
+    reader.add_levels(found, found.levels);
+  }
+  add_pitch_circles(centred, found);
+  std::stable_sort(found.levels.begin(), found.levels.end(), [](const DesignLevel& a, const DesignLevel& b) {
+    return std::pair(a.axis, a.at) < std::pair(b.axis, b.at);
+  });
+  return found;
+}
+
+}  // namespace epura::scene

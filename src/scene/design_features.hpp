@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// The features of the models that a drawing gives sizes for: holes, slots, shafts, fillets, chamfers and steps, in world
+// coordinates. Only what the recognised faces prove: a hole of another shape than those below is a list of its bores.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "scene/scene.hpp"
+
+namespace epura::scene {
+
+/// A cylindrical or conical recess at the mouth of a hole.
+struct Recess {
+  double diameter;
+  double size;  ///< depth of a counterbore; angle of a countersink, degrees
+};
+
+struct DesignHole {
+  int model;
+  Vec3 mouth;       ///< on its axis, in the plane where it begins
+  Vec3 axis;        ///< unit, out of the material at the mouth
+  double diameter;  ///< of its narrowest bore
+  bool through;
+  std::optional<double> depth{};  ///< of the full diameter of a blind hole, from the mouth; nothing if it is not certain
+  std::optional<Recess> counterbore{}, countersink{};
+  int pitch_circle = -1;  ///< index in DesignFeatures
+};
+
+/// Whether a single note can describe both.
+bool are_equal(const DesignHole& a, const DesignHole& b);
+
+/// A full cylinder: a shaft or boss, or a bore of a hole that is not a DesignHole.
+struct DesignCylinder {
+  int model;
+  Vec3 from, to;  ///< on its axis
+  Vec3 axis;      ///< unit
+  double radius;
+  bool inwards;
+};
+
+/// Two half cylinders and the planes between them, cut into the material.
+struct DesignSlot {
+  int model;
+  std::array<Vec3, 2> centres;  ///< of its ends, where it begins
+  Vec3 axis;                    ///< unit
+  double radius;                ///< of its ends
+};
+
+/// Part of a cylinder of less than a turn: a fillet or a rounded corner.
+struct DesignArc {
+  int model;
+  Vec3 centre, axis;  ///< the axis is a unit vector
+  double radius;
+  std::vector<Vec3> points;  ///< in order along it
+  bool inwards;
+};
+
+/// A short cone at the end of a shaft.
+struct DesignChamfer {
+  int model;
+  std::array<Vec3, 2> ends;     ///< on its axis; the first one is that of the smaller circle
+  std::array<double, 2> radii;  ///< at its ends
+  Vec3 axis;                    ///< unit
+  double angle;                 ///< between its side and the axis, degrees
+};
+
+/// Plane faces perpendicular to a world axis, at the same place along it; without those at the ends of the models and
+/// those inside holes and slots.
+struct DesignLevel {
+  int axis;  ///< 0, 1, 2 for x, y, z
+  double at;
+  double area;
+  std::vector<Vec3> points;  ///< corners of the faces
+};
+
+struct DesignPitchCircle {
+  int model;
+  Vec3 centre, axis;
+  double radius;
+};
+
+struct DesignFeatures {
+  std::vector<DesignHole> holes;
+  std::vector<DesignCylinder> cylinders;
+  std::vector<DesignSlot> slots;
+  std::vector<DesignArc> arcs;
+  std::vector<DesignChamfer> chamfers;
+  std::vector<DesignLevel> levels;  ///< by axis and place
+  std::vector<DesignPitchCircle> pitch_circles;
+};
+
+/// Features of all models without regard to cuts, in the order of the models and their faces. Throws OutOfTime.
+DesignFeatures find_design_features(const World& world, const Progress& progress = {});
+
+}  // namespace epura::scene

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/automatic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/text.hpp"
+#include "sheet/dimensions/stations.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using scene::DimensionDescription;
+
+constexpr double parallel = 1e-6;
+constexpr double same_size = 1e-4;  // relative
+
+bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
+bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
+
+bool are_coaxial(const Vec3& point, const Vec3& axis, const Vec3& other, double size) {
+  return glm::length(glm::cross(other - point, axis)) <= same_size * size;
+}
+
+// Lists of features that one note can describe, in the order of their first members.
+template <class Feature>
+std::vector<std::vector<const Feature*>> groups_of(const std::vector<Feature>& features,
+                                                   const std::function<bool(const Feature&, const Feature&)>& equal) {
+  std::vector<std::vector<const Feature*>> groups;
+  for (const Feature& feature : features) {
+    const auto same = std::find_if(groups.begin(), groups.end(),
+                                   [&](const auto& group) { return equal(*group.front(), feature); });
+    if (same == groups.end())
+      groups.push_back({&feature});
+    else
+      same->push_back(&feature);
+  }
+  return groups;
+}
+
+std::string times(std::size_t count) { return count > 1 ? std::to_string(count) + "× " : ""; }
+
+class Planner {
+ public:
+  Planner(const DimensionDescription& wanted, std::span<const NamedProjection> views, const DimensionSubject& subject,
+          int decimals)
+      : wanted_(wanted), views_(views), subject_(subject), decimals_(decimals), stations_(subject) {}
+
+  std::vector<DimensionDescription> plan() {
+    DimensionDescription overall = wanted_;
+    overall.type = {DimensionType::overall, wanted_.type.where};
+    dimensions_ = overall_dimensions(overall, views_, subject_.extents);
+    add_holes();
+    add_pitch_circles();
+    add_cylinders();
+    add_slots();
+    add_arcs();
+    add_chamfers();
+    add_levels();
+    for (DimensionDescription& dimension : stations_.dimensions(wanted_.where, decimals_))
+      dimensions_.push_back(std::move(dimension));
+    return std::move(dimensions_);
+  }
+
+ private:
+  [[nodiscard]] bool may_use(const NamedProjection& view) const {
+    return wanted_.view.value_or(view.name) == view.name && is_plain(view.projection);
+  }
+
+  // The first view along an axis, if possible towards it.
+  [[nodiscard]] const NamedProjection* view_along(const Vec3& axis, bool only_towards) const {
+    const NamedProjection* best = nullptr;
+    for (const NamedProjection& view : views_) {
+      if (!may_use(view) || !are_parallel(view.projection.n, axis)) continue;
+      if (!only_towards || glm::dot(view.projection.n, axis) > 0) return &view;
+      if (best == nullptr) best = &view;
+    }
+    return best;
+  }
+
+  // The first view in which an axis is horizontal or vertical.
+  [[nodiscard]] const NamedProjection* view_across(const Vec3& axis) const {
+    for (const NamedProjection& view : views_)
+      if (may_use(view) && (are_parallel(view.projection.u, axis) || are_parallel(view.projection.v, axis))) return &view;
+    return nullptr;
+  }
+
+  DimensionDescription& add(DimensionType type, const NamedProjection& view, const std::string& text) {
+    DimensionDescription& dimension = dimensions_.emplace_back();
+    dimension.where = wanted_.where;
+    dimension.view = {view.name, wanted_.where};
+    dimension.type = {type, wanted_.where};
+    if (text != "<>") dimension.text = {text, wanted_.where};
+    return dimension;
+  }
+
+  // In the upper right, where leaders find room beside the lower and left baselines.
+  template <class Feature>
+  static const Feature* uppermost(const std::vector<const Feature*>& group, const NamedProjection& view,
+                                  const std::function<Vec3(const Feature&)>& centre) {
+    const Vec3 up = view.projection.u + view.projection.v;
+    return *std::max_element(group.begin(), group.end(), [&](const Feature* a, const Feature* b) {
+      return glm::dot(centre(*a), up) < glm::dot(centre(*b), up);
+    });
+  }
+
+  // Positions in the plane of a view, along the axes of the world that it shows.
+  void add_position(const NamedProjection& view, const Vec3& centre) {
+    for (const Vec3& along : {view.projection.u, view.projection.v})
+      if (const int axis = world_axis(along); axis >= 0) stations_.add({&view, axis, centre[axis], centre});
+  }
+
+  [[nodiscard]] std::string length(double value) const { return format_fixed(value, decimals_); }
+
+  [[nodiscard]] std::string note_of(const scene::DesignHole& hole, std::size_t count) const {
+    std::string text = times(count) + "<>";
+    if (hole.depth) text += " ↧" + length(*hole.depth);
+    if (hole.counterbore) text += " ⌴⌀" + length(hole.counterbore->diameter) + " ↧" + length(hole.counterbore->size);
+    if (hole.countersink)
+      text += " ⌵⌀" + length(hole.countersink->diameter) + "×" + format_fixed(hole.countersink->size, 1) + "°";
+    return text;
+  }
+
+  void add_holes() {
+    for (const auto& group : groups_of<scene::DesignHole>(subject_.features.holes, scene::are_equal)) {
+      const NamedProjection* view = view_along(group.front()->axis, !group.front()->through);
+      if (view == nullptr) continue;
+      const auto* shown =
+          uppermost<scene::DesignHole>(group, *view, [](const scene::DesignHole& hole) { return hole.mouth; });
+      add(DimensionType::diameter, *view, note_of(*group.front(), group.size())).circle = {
+          shown->mouth, shown->axis, shown->diameter / 2, {}};
+      for (const scene::DesignHole* hole : group)
+        if (hole->pitch_circle < 0) add_position(*view, hole->mouth);
+    }
+  }
+
+  void add_pitch_circles() {
+    for (const scene::DesignPitchCircle& circle : subject_.features.pitch_circles) {
+      const NamedProjection* view = view_along(circle.axis, false);
+      if (view == nullptr) continue;
+      add(DimensionType::diameter, *view, "<>").circle = {circle.centre, circle.axis, circle.radius, {}};
+      add_position(*view, circle.centre);
+    }
+  }
+
+  // Whether an overall dimension is the diameter of a cylinder.
+  [[nodiscard]] bool is_overall(const scene::DesignCylinder& cylinder) const {
+    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const scene::Extent& extent) {
+      return extent.form == scene::ExtentForm::diameter && are_same(extent.size(), 2 * cylinder.radius) &&
+             are_parallel(extent.axis, cylinder.axis) &&
+             are_coaxial(extent.centre, extent.axis, cylinder.from, cylinder.radius);
+    });
+  }
+
+  // The end of a cylinder from which extension lines to the outside are short.
+  [[nodiscard]] Vec3 outer_end(const scene::DesignCylinder& cylinder) const {
+    const Vec3 middle = subject_.world.box.centre();
+    const auto off = [&](const Vec3& p) { return std::abs(glm::dot(p - middle, cylinder.axis)); };
+    return off(cylinder.from) > off(cylinder.to) ? cylinder.from : cylinder.to;
+  }
+
+  void add_cylinders() {
+    std::vector<scene::DesignCylinder> left;
+    for (const scene::DesignCylinder& cylinder : subject_.features.cylinders)
+      if (cylinder.inwards || !is_overall(cylinder)) left.push_back(cylinder);
+    const auto equal = [](const scene::DesignCylinder& a, const scene::DesignCylinder& b) {
+      return a.inwards == b.inwards && a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
+    };
+    for (const auto& group : groups_of<scene::DesignCylinder>(left, equal)) {
+      const Vec3& axis = group.front()->axis;
+      const NamedProjection* along = view_along(axis, false);
+      const NamedProjection* across = group.front()->inwards ? nullptr : view_across(axis);
+      const NamedProjection* view = across != nullptr ? across : along;
+      if (view == nullptr) continue;
+      const scene::DesignCylinder& shown = *group.front();
+      add(DimensionType::diameter, *view, times(group.size()) + "<>").circle = {
+          outer_end(shown), axis, shown.radius, {}};
+      if (along == nullptr) continue;
+      for (const scene::DesignCylinder* cylinder : group) add_position(*along, cylinder->from);
+    }
+  }
+
+  void add_slots() {
+    const auto span = [](const scene::DesignSlot& slot) { return slot.centres[1] - slot.centres[0]; };
+    const auto equal = [&](const scene::DesignSlot& a, const scene::DesignSlot& b) {
+      return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis) &&
+             are_same(glm::length(span(a)), glm::length(span(b))) &&
+             are_parallel(glm::normalize(span(a)), glm::normalize(span(b)));
+    };
+    for (const auto& group : groups_of<scene::DesignSlot>(subject_.features.slots, equal)) {
+      const scene::DesignSlot& slot = *group.front();
+      const NamedProjection* view = view_along(slot.axis, false);
+      if (view == nullptr) continue;
+      const Vec3 along = glm::normalize(span(slot)), out = glm::cross(slot.axis, along);
+      std::vector<Vec3> arc;
+      for (const double turn : {-1.0, 0.0, 1.0})
+        arc.push_back(slot.centres[1] + slot.radius * (turn * out + (1 - std::abs(turn)) * along));
+      add(DimensionType::radius, *view, times(2 * group.size()) + "<>").circle = {slot.centres[1], slot.axis, slot.radius,
+                                                                                 arc};
+      const int axis = world_axis(along);
+      if (axis >= 0)
+        add(DimensionType::aligned, *view, times(group.size()) + "<>").anchors = {slot.centres[0], slot.centres[1]};
+      for (const scene::DesignSlot* one : group) {
+        const double way = glm::dot(span(*one), view->projection.u + view->projection.v);
+        const auto& [low, high] = std::pair(one->centres[way > 0 ? 0 : 1], one->centres[way > 0 ? 1 : 0]);
+        add_position(*view, low);
+        if (axis >= 0)
+          stations_.know(axis, high[axis]);
+        else
+          add_position(*view, high);
+      }
+    }
+  }
+
+  void add_arcs() {
+    const auto equal = [](const scene::DesignArc& a, const scene::DesignArc& b) {
+      return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
+    };
+    for (const auto& group : groups_of<scene::DesignArc>(subject_.features.arcs, equal)) {
+      const NamedProjection* view = view_along(group.front()->axis, false);
+      if (view == nullptr) continue;
+      const auto* shown =
+          uppermost<scene::DesignArc>(group, *view, [](const scene::DesignArc& arc) { return arc.points[4]; });
+      add(DimensionType::radius, *view, times(group.size()) + "<>").circle = {shown->centre, shown->axis, shown->radius,
+                                                                             shown->points};
+    }
+  }
+
+  void add_chamfers() {
+    const auto equal = [](const scene::DesignChamfer& a, const scene::DesignChamfer& b) {
+      return a.model == b.model && are_same(glm::length(a.ends[1] - a.ends[0]), glm::length(b.ends[1] - b.ends[0])) &&
+             are_same(a.angle, b.angle) && are_parallel(a.axis, b.axis);
+    };
+    for (const auto& group : groups_of<scene::DesignChamfer>(subject_.features.chamfers, equal)) {
+      const scene::DesignChamfer& chamfer = *group.front();
+      const NamedProjection* view = view_across(chamfer.axis);
+      if (view == nullptr) continue;
+      const projection::Projection& projection = view->projection;
+      const bool horizontal = are_parallel(projection.u, chamfer.axis);
+      const Vec3 out = horizontal ? -projection.v : projection.u;
+      DimensionDescription& dimension =
+          add(DimensionType::linear, *view, times(group.size()) + "<>×" + format_fixed(chamfer.angle, 1) + "°");
+      dimension.direction = {horizontal ? DimensionDirection::horizontal : DimensionDirection::vertical, wanted_.where};
+      for (const int end : {0, 1}) dimension.anchors.emplace_back(chamfer.ends[end] + chamfer.radii[end] * out);
+    }
+  }
+
+  // The view in which a step is nearest to the viewer, so that little can hide it; the first one of several.
+  [[nodiscard]] const NamedProjection* view_of(const scene::DesignLevel& level) const {
+    Vec3 axis(0);
+    axis[level.axis] = 1;
+    const NamedProjection* best = nullptr;
+    double least = HUGE_VAL;
+    for (const NamedProjection& view : views_) {
+      const projection::Projection& projection = view.projection;
+      if (!may_use(view) || !(are_parallel(projection.u, axis) || are_parallel(projection.v, axis))) continue;
+      const auto depth = [&](const Vec3& p) { return glm::dot(p, projection.n); };
+      double front = -HUGE_VAL, nearest = -HUGE_VAL;
+      for (const Vec3& p : subject_.world.points) front = std::max(front, depth(p));
+      for (const Vec3& p : level.points) nearest = std::max(nearest, depth(p));
+      const double behind = front - nearest;
+      if (best != nullptr && behind >= least - same_size * glm::length(subject_.world.box.size())) continue;
+      best = &view;
+      least = behind;
+    }
+    return best;
+  }
+
+  void add_levels() {
+    std::map<std::pair<std::string, int>, std::vector<std::pair<double, Station>>> by_view;
+    for (const scene::DesignLevel& level : subject_.features.levels) {
+      const NamedProjection* view = view_of(level);
+      if (view == nullptr || stations_.is_known(level.axis, level.at)) continue;
+      const bool horizontal = std::abs(view->projection.u[level.axis]) > 0.5;
+      const Vec3 towards = horizontal ? -view->projection.v : view->projection.u;
+      const Vec3 point = *std::max_element(level.points.begin(), level.points.end(), [&](const Vec3& a, const Vec3& b) {
+        return glm::dot(a, towards) < glm::dot(b, towards);
+      });
+      by_view[{view->name, level.axis}].emplace_back(-level.area, Station{view, level.axis, level.at, point, false});
+    }
+    for (auto& [key, levels] : by_view) {
+      std::stable_sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+      for (std::size_t i = 0; i < std::min(levels.size(), most_levels); ++i) stations_.add(levels[i].second);
+    }
+  }
+
+  const DimensionDescription& wanted_;
+  std::span<const NamedProjection> views_;
+  const DimensionSubject& subject_;
+  int decimals_;
+  Stations stations_;
+  std::vector<DimensionDescription> dimensions_;
+};
+
+}  // namespace
+
+std::vector<DimensionDescription> automatic_dimensions(const DimensionDescription& wanted,
+                                                       std::span<const NamedProjection> views,
+                                                       const DimensionSubject& subject, int decimals) {
+  return Planner(wanted, views, subject, decimals).plan();
+}
+
+}  // namespace epura::sheet

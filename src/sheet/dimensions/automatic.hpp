@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Chooses dimensions for the features of the models: each size once, in the view that shows it best. ISO 129-1, with
+// depths, counterbores and countersinks by the signs of ISO 15786 and repeated features as "4× ⌀8".
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "scene/design_features.hpp"
+#include "scene/true_extents.hpp"
+#include "sheet/dimensions/overall.hpp"
+
+namespace epura::sheet {
+
+/// What is to be dimensioned.
+struct DimensionSubject {
+  const scene::World& world;
+  const scene::DesignFeatures& features;
+  const std::array<scene::Extent, 3>& extents;
+};
+
+/// How many steps a view dimensions along one axis; more would not be legible, and `epura lint` lists what is left.
+inline constexpr std::size_t most_levels = 10;
+
+/// Returns overall dimensions, as of overall_dimensions, and those of features:
+/// - holes, pitch circles, slots, arcs in a view along their axes; shafts and chamfers in a view across them
+/// - positions of holes, slots and bosses and heights of steps from the left or lower end of the models in a view,
+///   those of equally spaced ones as "3× 20 (=60)"; holes on a pitch circle have no others
+/// Sizes that no view shows in true length are omitted. The first of the views that show a feature equally well counts.
+/// Throws Error{input} if no view shows a size of the models.
+std::vector<scene::DimensionDescription> automatic_dimensions(const scene::DimensionDescription& wanted,
+                                                              std::span<const NamedProjection> views,
+                                                              const DimensionSubject& subject, int decimals);
+
+}  // namespace epura::sheet

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/coverage.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "base/disjoint_sets.hpp"
+#include "base/text.hpp"
+#include "sheet/dimensions/stations.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+constexpr double same_place = 2e-5;  // relative to the size of the models
+constexpr double same_size = 2e-4;   // relative
+constexpr double parallel = 1e-4;    // sine
+constexpr std::array axis_names{"x", "y", "z"};
+
+bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
+bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
+
+// The number before "×" at the beginning of a text; 1 if there is none.
+int repeats_of(const std::string& text) {
+  int count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  const bool is_count = error == std::errc() && text.compare(std::size_t(end - text.data()), 2, "×") == 0;
+  return is_count ? std::max(count, 1) : 1;
+}
+
+bool is_auxiliary(const std::string& text) { return !text.empty() && text.front() == '('; }
+
+/// Places along one axis, joined by dimensions.
+class Chain {
+ public:
+  Chain(const scene::Extent& extent, double slack) : slack_(slack), extent_(extent) {
+    add(extent.from, "");
+    add(extent.to, "");
+  }
+
+  /// `name` is empty for places that need no dimension.
+  void add(double at, const std::string& name) {
+    for (auto& [place, named] : places_)
+      if (std::abs(place - at) <= slack_) {
+        if (named.empty()) named = name;
+        return;
+      }
+    places_.emplace_back(at, name);
+  }
+  void begin() { sets_ = lengths_ = DisjointSets(places_.size()); }
+
+  void join(double a, double b) {
+    const int i = index_of(a), j = index_of(b);
+    if (i >= 0 && j >= 0) sets_.join(i, j);
+  }
+  /// The same by a length; returns false if other lengths join both already.
+  bool join_by_length(double a, double b) {
+    const int i = index_of(a), j = index_of(b);
+    if (i < 0 || j < 0) return true;
+    sets_.join(i, j);
+    if (lengths_.root(i) == lengths_.root(j)) return false;
+    lengths_.join(i, j);
+    return true;
+  }
+  /// Joins the places that divide a length equally.
+  void join_row(double from, double to, int parts) {
+    for (int i = 0; i < parts; ++i)
+      join_by_length(from + (to - from) * i / parts, from + (to - from) * (i + 1) / parts);
+  }
+
+  void list_open(int axis, int decimals, std::vector<std::string>& open) {
+    const int root = sets_.root(index_of(extent_.from));
+    if (sets_.root(index_of(extent_.to)) != root) open.push_back(std::string("overall size along ") + axis_names[axis]);
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      if (!places_[i].second.empty() && sets_.root(static_cast<int>(i)) != root)
+        open.push_back(places_[i].second + ": position along " + axis_names[axis] + " (" +
+                       format_fixed(places_[i].first, decimals) + ")");
+  }
+
+ private:
+  [[nodiscard]] int index_of(double at) const {
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      if (std::abs(places_[i].first - at) <= slack_) return static_cast<int>(i);
+    return -1;
+  }
+
+  double slack_;
+  scene::Extent extent_;
+  std::vector<std::pair<double, std::string>> places_;
+  DisjointSets sets_{0}, lengths_{0};
+};
+
+/// A size of one feature, and how many dimensions give it.
+struct CircleSize {
+  std::string name;
+  Vec3 centre, axis;
+  double radius;
+  bool anywhere;      ///< a dimension of any equal one counts: radii of fillets
+  bool needs_depth;
+  int equal = 0;      ///< number of its list of equal ones
+  int dimensions = 0;
+};
+
+class CoverageFinder {
+ public:
+  CoverageFinder(const DimensionSubject& subject, int decimals) : subject_(subject), decimals_(decimals) {
+    const double slack = same_place * glm::length(subject.world.box.size());
+    for (int axis = 0; axis < 3; ++axis) chains_.emplace_back(subject.extents[axis], slack);
+    add_places();
+    add_sizes();
+    for (Chain& chain : chains_) chain.begin();
+  }
+
+  Coverage find(std::span<const DimensionsInView> views) {
+    for (const DimensionsInView& view : views)
+      for (const AnchoredDimension& dimension : view.dimensions)
+        if (dimension.type == DimensionType::diameter || dimension.type == DimensionType::radius) count(dimension);
+    for (const DimensionsInView& view : views)
+      for (const AnchoredDimension& dimension : view.dimensions)
+        if (!is_auxiliary(dimension.text)) join(dimension, view);
+    for (int axis = 0; axis < 3; ++axis) chains_[axis].list_open(axis, decimals_, coverage_.undimensioned);
+    for (const CircleSize& size : sizes_) {
+      if (size.dimensions == 0 && !given_elsewhere(size)) coverage_.undimensioned.push_back(size.name);
+      if (size.dimensions > 1) coverage_.repeated.push_back(size.name);
+    }
+    merge(coverage_.undimensioned);
+    merge(coverage_.repeated);
+    return std::move(coverage_);
+  }
+
+ private:
+  [[nodiscard]] std::string length(double value) const { return format_fixed(value, decimals_); }
+
+  void add_place(const Vec3& centre, const Vec3& axis, const std::string& name) {
+    if (const int along = world_axis(axis); along >= 0)
+      for (int other = 0; other < 3; ++other)
+        if (other != along) chains_[other].add(centre[other], name);
+  }
+
+  void add_places() {
+    const scene::DesignFeatures& features = subject_.features;
+    for (const scene::DesignHole& hole : features.holes)
+      add_place(hole.mouth, hole.axis, "hole ⌀" + length(hole.diameter));
+    for (const scene::DesignCylinder& cylinder : features.cylinders)
+      add_place(cylinder.from, cylinder.axis, name_of(cylinder));
+    for (const scene::DesignSlot& slot : features.slots)
+      for (const Vec3& centre : slot.centres) add_place(centre, slot.axis, "slot R" + length(slot.radius));
+    for (const scene::DesignPitchCircle& circle : features.pitch_circles)
+      add_place(circle.centre, circle.axis, "pitch circle ⌀" + length(2 * circle.radius));
+    for (const scene::DesignLevel& level : features.levels) chains_[level.axis].add(level.at, "step");
+  }
+
+  [[nodiscard]] std::string name_of(const scene::DesignCylinder& cylinder) const {
+    return (cylinder.inwards ? "bore ⌀" : "cylinder ⌀") + length(2 * cylinder.radius);
+  }
+
+  void add_size(CircleSize size) {
+    size.equal = static_cast<int>(sizes_.size());
+    for (const CircleSize& other : sizes_)
+      if (other.name == size.name && are_parallel(other.axis, size.axis)) {
+        size.equal = other.equal;
+        break;
+      }
+    sizes_.push_back(std::move(size));
+  }
+
+  void add_sizes() {
+    const scene::DesignFeatures& features = subject_.features;
+    for (const scene::DesignHole& hole : features.holes) {
+      std::string name = "hole ⌀" + length(hole.diameter);
+      if (hole.depth) name += " ↧" + length(*hole.depth);
+      if (hole.counterbore) name += " ⌴⌀" + length(hole.counterbore->diameter);
+      if (hole.countersink) name += " ⌵⌀" + length(hole.countersink->diameter);
+      add_size({name, hole.mouth, hole.axis, hole.diameter / 2, false,
+                hole.depth || hole.counterbore || hole.countersink});
+    }
+    for (const scene::DesignCylinder& cylinder : features.cylinders)
+      add_size({name_of(cylinder), cylinder.from, cylinder.axis, cylinder.radius, false, false});
+    for (const scene::DesignPitchCircle& circle : features.pitch_circles)
+      add_size({"pitch circle ⌀" + length(2 * circle.radius), circle.centre, circle.axis, circle.radius, false, false});
+    for (const scene::DesignSlot& slot : features.slots)
+      add_size({"slot R" + length(slot.radius), slot.centres[1], slot.axis, slot.radius, true, false});
+    for (const scene::DesignArc& arc : features.arcs)
+      add_size({"radius R" + length(arc.radius), arc.centre, arc.axis, arc.radius, true,
+                false});
+  }
+
+  static bool is_equal(const CircleSize& size, const WorldCircle& circle) {
+    return are_parallel(size.axis, circle.axis) && are_same(size.radius, circle.radius);
+  }
+  static bool is_at(const CircleSize& size, const WorldCircle& circle) {
+    return is_equal(size, circle) &&
+           glm::length(glm::cross(size.centre - circle.centre, size.axis)) <= same_size * 10 * circle.radius;
+  }
+
+  // A dimension counts for the features on its circle, and for those equal to them if it is one of a fillet or has "4×".
+  void count(const AnchoredDimension& dimension) {
+    const bool many = repeats_of(dimension.text) > 1;
+    const WorldCircle& circle = dimension.circles.front();
+    std::vector<int> lists;
+    for (const CircleSize& size : sizes_)
+      if (is_at(size, circle) && !(size.needs_depth && dimension.text.empty())) lists.push_back(size.equal);
+    if (lists.empty() && dimension.type == DimensionType::radius)
+      for (const CircleSize& size : sizes_)
+        if (size.anywhere && is_equal(size, circle)) lists.push_back(size.equal);
+    for (CircleSize& size : sizes_) {
+      const bool listed = std::find(lists.begin(), lists.end(), size.equal) != lists.end();
+      if (listed && (size.anywhere || many || is_at(size, circle))) ++size.dimensions;
+    }
+  }
+
+  // Whether an overall dimension is this diameter.
+  [[nodiscard]] bool given_elsewhere(const CircleSize& size) const {
+    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const scene::Extent& extent) {
+      return extent.form == scene::ExtentForm::diameter && are_same(extent.size(), 2 * size.radius) &&
+             are_parallel(extent.axis, size.axis) &&
+             glm::length(glm::cross(size.centre - extent.centre, size.axis)) <= same_size * 10 * size.radius;
+    });
+  }
+
+  void join_between(int axis, double a, double b, const AnchoredDimension& dimension) {
+    const int parts = repeats_of(dimension.text);
+    const bool is_row = parts > 1 && dimension.text.find('=') != std::string::npos;
+    if (is_row)
+      chains_[axis].join_row(a, b, parts);
+    else if (!chains_[axis].join_by_length(a, b))
+      coverage_.repeated.push_back(length(std::abs(b - a)) + " along " + axis_names[axis]);
+  }
+
+  void join(const AnchoredDimension& dimension, const DimensionsInView& view) {
+    if (dimension.type == DimensionType::overall) {
+      join_overall(axis_of(*dimension.direction));
+    } else if (dimension.type == DimensionType::linear || dimension.type == DimensionType::aligned) {
+      Vec3 along = dimension.points[1] - dimension.points[0];
+      if (dimension.type == DimensionType::linear)
+        along = *dimension.direction == DimensionDirection::horizontal ? view.projection.u : view.projection.v;
+      const int axis = world_axis(glm::normalize(along));
+      if (axis >= 0) join_between(axis, dimension.points[0][axis], dimension.points[1][axis], dimension);
+      if (axis >= 0 && dimension.type == DimensionType::aligned && repeats_of(dimension.text) > 1) join_slots(axis);
+    } else if (dimension.type == DimensionType::diameter) {
+      join_circles(dimension);
+    }
+  }
+
+  // The length of one of several equal slots joins the ends of all of them.
+  void join_slots(int axis) {
+    for (const scene::DesignSlot& slot : subject_.features.slots)
+      chains_[axis].join(slot.centres[0][axis], slot.centres[1][axis]);
+  }
+
+  // A diameter is the size along both axes across a shaft.
+  void join_overall(int axis) {
+    const scene::Extent& extent = subject_.extents[axis];
+    for (int other = 0; other < 3; ++other) {
+      const scene::Extent& same = subject_.extents[other];
+      if (other != axis && !extent.is_same_as(same)) continue;
+      if (!chains_[other].join_by_length(same.from, same.to) && other == axis)
+        coverage_.repeated.push_back(std::string("overall size along ") + axis_names[axis]);
+      if (same.form != scene::ExtentForm::length) chains_[other].join(same.from, (same.from + same.to) / 2);
+    }
+  }
+
+  void join_circles(const AnchoredDimension& dimension) {
+    for (const WorldCircle& circle : dimension.circles)
+      for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(circle.axis[axis]) > parallel) continue;
+        const double middle = circle.centre[axis];
+        for (const double side : {-circle.radius, circle.radius}) chains_[axis].join(middle, middle + side);
+        for (const scene::DesignHole& hole : subject_.features.holes)
+          if (lies_on(hole.mouth, circle) && are_parallel(hole.axis, circle.axis))
+            chains_[axis].join(middle, hole.mouth[axis]);
+      }
+  }
+
+  static bool lies_on(const Vec3& point, const WorldCircle& circle) {
+    return are_same(glm::length(glm::cross(point - circle.centre, circle.axis)), circle.radius);
+  }
+
+  // Equal sentences once, with their number.
+  static void merge(std::vector<std::string>& sentences) {
+    std::vector<std::pair<std::string, int>> counted;
+    for (const std::string& sentence : sentences) {
+      const auto same = std::find_if(counted.begin(), counted.end(), [&](const auto& c) { return c.first == sentence; });
+      if (same == counted.end())
+        counted.emplace_back(sentence, 1);
+      else
+        ++same->second;
+    }
+    sentences.clear();
+    for (const auto& [sentence, count] : counted)
+      sentences.push_back((count > 1 ? std::to_string(count) + "× " : "") + sentence);
+  }
+
+  const DimensionSubject& subject_;
+  int decimals_;
+  std::vector<Chain> chains_;
+  std::vector<CircleSize> sizes_;
+  Coverage coverage_;
+};
+
+}  // namespace
+
+Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionSubject& subject, int decimals) {
+  return CoverageFinder(subject, decimals).find(views);
+}
+
+}  // namespace epura::sheet

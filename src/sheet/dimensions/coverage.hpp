@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which sizes of the features of the models have no dimension, and which have several.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "projection/projection.hpp"
+#include "sheet/dimensions/anchors.hpp"
+#include "sheet/dimensions/automatic.hpp"
+
+namespace epura::sheet {
+
+/// The dimensions in a view.
+struct DimensionsInView {
+  std::string view;
+  projection::Projection projection;
+  std::vector<AnchoredDimension> dimensions;
+};
+
+struct Coverage {
+  std::vector<std::string> undimensioned;
+  std::vector<std::string> repeated;
+};
+
+/// Along each axis of the world, places of features are nodes and dimensions join them: a place that no chain of
+/// dimensions joins to the ends of the models is not dimensioned, and a dimension between places that are joined already
+/// repeats others. A diameter joins the middle of a circle with its sides. A text that begins with "4×" counts for four
+/// equal features; a text in brackets is auxiliary (ISO 129-1) and counts for nothing.
+Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionSubject& subject, int decimals);
+
+}  // namespace epura::sheet
