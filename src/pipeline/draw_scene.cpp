@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "base/text.hpp"
 #include "drawing/cut_faces.hpp"
 #include "pipeline/annotations.hpp"
 #include "pipeline/compose.hpp"
@@ -80,8 +81,10 @@ std::string sentence_of_scale(const SheetPlan& plan) {
   return scale + ", the largest of ISO 5455 that fits";
 }
 
+// If nothing fits, the scale is any number.
 void warn_about(const Messages& messages, const SheetPlan& plan) {
-  messages.warn("the drawing is larger than the sheet at " + sheet::ratio_text(plan.scale) +
+  const std::string ratio = sheet::ratio_text(plan.scale);
+  messages.warn("the drawing is larger than the sheet at " + (ratio.empty() ? format_rounded(plan.scale, 3) : ratio) +
                 (plan.fitting ? "; it fits at " + sheet::ratio_text(*plan.fitting)
                               : "\n  hint: use a larger sheet, or fewer views"));
 }
@@ -137,7 +140,7 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, sections);
   if (options.lint) add_all(dimensioned, anchored_dimensions(whole, views, seen, annotations));
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
-  if (plan.chosen) messages.warn(sentence_of_scale(plan));
+  if (plan.chosen && plan.inside) messages.warn(sentence_of_scale(plan));
   warn_about_details(messages, views, plan);
   std::vector<ViewResult> results;
   report::Partial partial;

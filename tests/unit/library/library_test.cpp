@@ -235,6 +235,24 @@ TEST(Library, TwoThreadsDrawTwoScenes) {
   EXPECT_EQ(wrong, 0);
 }
 
+// A corner of a cube in a circle with a radius of 3: two edges, each of that length.
+TEST(Library, DrawsDetails) {
+  Scene scene = in_memory();
+  scene.views = {{.projection = "front", .hidden = HiddenLines::none},
+                 {.hidden = HiddenLines::none, .scale = 20, .detail = "X"}};
+  scene.details = {{.name = "X", .centre = {9, 0, 9}, .radius = 3}};
+  scene.sheets = {{.scale = 5.0}};
+  const Drawing drawing = draw(scene, settings());
+  ASSERT_EQ(drawing.views().size(), 2U);
+  const DrawnView& detail = drawing.views()[1];
+  EXPECT_EQ(detail.name, "detail-X");
+  EXPECT_EQ(detail.projection, "front");
+  EXPECT_EQ(detail.scale, 20);
+  ASSERT_EQ(detail.lines.size(), 2U);
+  for (const Line& line : detail.lines)
+    EXPECT_NEAR(std::hypot(line.to[0] - line.from[0], line.to[1] - line.from[1]), 60, 1e-9);
+}
+
 TEST(Library, FailuresNameTheMember) {
   const auto expect = [](const Scene& scene, const std::string& place, const std::string& said) {
     const Failure failure = failure_of(scene);
@@ -257,6 +275,12 @@ TEST(Library, FailuresNameTheMember) {
   scene = in_memory();
   scene.views[0].section = "A";
   expect(scene, "views[0].section", "there is no section 'A'");
+  scene = in_memory();
+  scene.views[0].detail = "X";
+  expect(scene, "views[0].detail", "there is no detail 'X'");
+  scene = in_memory();
+  scene.details = {{.name = "X", .radius = 0}};
+  expect(scene, "details[0].radius", "is not above 0");
   scene = in_memory();
   scene.views[0].parameters = {{"eye", 1.0}};
   expect(scene, "views[0].projection", "eye");
