@@ -105,16 +105,21 @@ std::vector<sheet::Layer> centre_layers(const ViewResult& view, const ViewOption
 }
 
 // One layer for each view, but none for views without cut faces.
-std::vector<std::vector<sheet::Layer>> hatch_layers(const std::vector<ViewResult>& results,
+std::vector<std::vector<sheet::Layer>> hatch_layers(const SheetInput& input, const std::vector<ViewResult>& results,
                                                     const sheet::LineWidths& widths, const Progress& progress) {
+  const auto styles = [&](std::size_t view) -> const sheet::BodyStyles& {
+    return input.views.plans[view].options.styles;
+  };
+
   std::size_t faces = 0;
   for (const ViewResult& view : results) faces += view.drawing.cut_faces.size();
   progress.begin("hatching", faces);
-  const std::vector<sheet::Hatching> hatching = sheet::choose_hatching(drawings_of(results), progress);
+  const auto wish = [&](std::size_t view, int model, int body) { return styles(view)(model, body).hatch; };
+  const std::vector<sheet::Hatching> hatching = sheet::choose_hatching(drawings_of(results), wish, progress);
   std::vector<std::vector<sheet::Layer>> layers(results.size());
   for (std::size_t i = 0; i < results.size(); ++i)
     if (!results[i].drawing.cut_faces.empty())
-      layers[i].push_back(sheet::hatch_layer(results[i].drawing, hatching, widths, progress));
+      layers[i].push_back(sheet::hatch_layer({results[i].drawing, styles(i)}, hatching, widths, progress));
   return layers;
 }
 
@@ -156,7 +161,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
       paper};
   const sheet::LineWidths widths = sheet::line_widths(paper);
   AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
-  auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(results, widths, p); });
+  auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(input, results, widths, p); });
   hatching.resize(results.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
     append(finished.sheet.layers, std::move(hatching[i]));

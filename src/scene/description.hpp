@@ -54,8 +54,11 @@ struct StyleDescription {
   Located<LineRole> line;
   Located<HiddenLines> hidden;
   Located<Colour> colour;
-  Located<bool> cut;    ///< by sections; true by default
-  Located<bool> drawn;  ///< true by default
+  Located<bool> cut;            ///< by sections; true by default
+  Located<HatchPattern> hatch;  ///< general by default
+  Located<double> hatch_angle;  ///< degrees counterclockwise; chosen by default
+  Located<double> hatch_pitch;  ///< mm on paper; chosen by default
+  Located<bool> drawn;          ///< true by default
 };
 
 /// A view of the models. Views without a position are arranged automatically: ISO 5456-2.
@@ -64,6 +67,7 @@ struct ViewDescription {
   Located<ProjectionRequest> projection;
   Located<ScaleChoice> scale;  ///< by default that of the sheet
   Located<HiddenLines> hidden;
+  Located<HatchPattern> hatch;  ///< of bodies without a pattern of their own; none: of all bodies
   Located<EdgeKinds> edges;
   LocatedText section;           ///< name of the section shown
   LocatedText label;             ///< text above it; by default "A-A" for section A
@@ -82,6 +86,7 @@ struct SectionDescription {
   Vec3 point{0.0};
   Vec3 normal{0.0, -1.0, 0.0};
   Located<std::vector<Vec3>> path{};  ///< corners of the cutting-plane line, instead of a point
+  Located<bool> beyond{};             ///< true by default; false: only cut faces, without what is behind them
 };
 
 /// Vertex `second` of model `first`, both counted from 0 as in the drawing JSON; or a point of the world.
