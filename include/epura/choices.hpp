@@ -15,6 +15,10 @@ enum class Surfaces { automatic, mesh };
 
 enum class HiddenLines { none, dashed, solid };
 
+/// Pattern of cut faces: none (outline only), general (equal lines; ANSI31), steel (pairs of lines; ANSI32), bronze
+/// (continuous and dashed lines in turn; ANSI33), nonmetal (crossing lines; ANSI37), or solid (filled).
+enum class HatchPattern { none, general, steel, bronze, nonmetal, solid };
+
 /// Style of the visible lines of a model: the part itself (wide, continuous), a background part (narrow, continuous),
 /// or an adjacent part (narrow, long-dashed double-dotted; ISO 128-2, type 05.1).
 enum class LineRole { visible, narrow, neighbour };

@@ -47,6 +47,9 @@ struct Style {
   std::optional<HiddenLines> hidden{};
   std::optional<std::array<int, 3>> colour{};  ///< red, green and blue, 0 to 255; black by default
   bool file_colour = false;                    ///< the colours of the files instead, darkened if they are light
+  std::optional<HatchPattern> hatch{};         ///< of their cut faces; by default the view's
+  std::optional<double> hatch_angle{};         ///< degrees counterclockwise, 0 to 180; by default automatic
+  std::optional<double> hatch_pitch{};         ///< mm between lines, 0.5 to 50; by default automatic
   bool cut = true;                             ///< false: sections leave them whole, as bolts, shafts and balls
   bool drawn = true;
 };
@@ -60,6 +63,7 @@ struct View {
   std::vector<std::pair<std::string, ParameterValue>> parameters{};  ///< see `epura plugins NAME`
   std::string name{};                                                ///< by default the projection's
   std::optional<HiddenLines> hidden{};                               ///< by default dashed; none in pictorial views
+  std::optional<HatchPattern> hatch{};  ///< of cut faces; none: outlines only; by default general
   EdgeKinds edges{};
   /// Smallest angle between two faces whose common edge is a crease, 0 to 180 degrees; by default 5 between recognised
   /// faces of the part, and 30 in other meshes.
@@ -83,6 +87,7 @@ struct Section {
   std::array<double, 3> normal{0, -1, 0};
   std::vector<std::array<double, 3>> path{};  ///< instead of the point: corners of the cutting-plane line, whose legs
                                               ///< are perpendicular to the normal, or steps parallel to it
+  bool beyond = true;                         ///< false: only cut faces, without what is behind them (removed sections)
 };
 
 /// A part of a parallel view, which another view shows at a larger scale: a circle with this radius in its plane, or

@@ -128,6 +128,7 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   description.projection = {std::move(request), where + ".projection"};
   description.name = located(view.name, where + ".name");
   description.hidden = located(view.hidden, where + ".hidden");
+  description.hatch = located(view.hatch, where + ".hatch");
   description.edges = {view.edges, where + ".edges"};
   if (view.crease_angle)
     description.crease_angle = {checked(*view.crease_angle, where + ".crease_angle", 0, 180), where + ".crease_angle"};
@@ -161,6 +162,11 @@ scene::StyleDescription describe(const Style& style, const std::string& where) {
     description.colour = {scene::ColourChoice{.colour = {part(0), part(1), part(2)}}, where + ".colour"};
   }
   if (style.file_colour) description.colour = {scene::ColourChoice{.of_file = true}, where + ".file_colour"};
+  description.hatch = located(style.hatch, where + ".hatch");
+  if (style.hatch_angle)
+    description.hatch_angle = {checked(*style.hatch_angle, where + ".hatch_angle", 0, 180), where + ".hatch_angle"};
+  if (style.hatch_pitch)
+    description.hatch_pitch = {checked(*style.hatch_pitch, where + ".hatch_pitch", 0.5, 50), where + ".hatch_pitch"};
   if (!style.cut) description.cut = {false, where + ".cut"};
   if (!style.drawn) description.drawn = {false, where + ".drawn"};
   return description;
@@ -171,6 +177,7 @@ scene::SectionDescription describe(const Section& section, const std::string& wh
     throw Error(ErrorKind::input, where + ".name", "is empty", "views refer to sections by name");
   scene::SectionDescription description{
       {section.name, where}, vector_of(section.point, where + ".point"), vector_of(section.normal, where + ".normal")};
+  if (!section.beyond) description.beyond = {false, where + ".beyond"};
   if (section.path.empty()) return description;
   std::vector<Vec3> path;
   for (const auto& corner : section.path) path.push_back(vector_of(corner, where + ".path"));

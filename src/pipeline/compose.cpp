@@ -89,14 +89,14 @@ sheet::FurnitureLayers furniture_layers(const sheet::SheetFurniture& furniture) 
 }
 
 // A detail is hatched like the view that it enlarges.
-std::vector<const drawing::ViewDrawing*> drawings_to_hatch(const std::vector<ViewResult>& views) {
+std::vector<std::size_t> views_to_hatch(const std::vector<ViewResult>& views) {
   const auto is_here = [&views](const std::string& name) {
     return std::any_of(views.begin(), views.end(), [&](const ViewResult& view) { return view.drawing.name == name; });
   };
-  std::vector<const drawing::ViewDrawing*> drawings;
-  for (const ViewResult& view : views)
-    if (!view.drawing.detail || !is_here(view.drawing.detail->parent)) drawings.push_back(&view.drawing);
-  return drawings;
+  std::vector<std::size_t> hatched;
+  for (std::size_t i = 0; i < views.size(); ++i)
+    if (!views[i].drawing.detail || !is_here(views[i].drawing.detail->parent)) hatched.push_back(i);
+  return hatched;
 }
 
 std::vector<sheet::Layer> centre_layers(const ViewResult& view, const ViewOptions& options,
@@ -113,16 +113,24 @@ std::vector<sheet::Layer> centre_layers(const ViewResult& view, const ViewOption
 }
 
 // One layer for each view, but none for views without cut faces.
-std::vector<std::vector<sheet::Layer>> hatch_layers(const std::vector<ViewResult>& results,
+std::vector<std::vector<sheet::Layer>> hatch_layers(const SheetInput& input, const std::vector<ViewResult>& results,
                                                     const sheet::LineWidths& widths, const Progress& progress) {
+  const auto styles = [&](std::size_t view) -> const sheet::BodyStyles& {
+    return input.views.plans[view].options.styles;
+  };
+
   std::size_t faces = 0;
   for (const ViewResult& view : results) faces += view.drawing.cut_faces.size();
   progress.begin("hatching", faces);
-  const std::vector<sheet::Hatching> hatching = sheet::choose_hatching(drawings_to_hatch(results), progress);
+  const std::vector<std::size_t> hatched = views_to_hatch(results);
+  std::vector<const drawing::ViewDrawing*> drawings;
+  for (const std::size_t view : hatched) drawings.push_back(&results[view].drawing);
+  const auto wish = [&](std::size_t drawing, int model, int body) { return styles(hatched[drawing])(model, body).hatch; };
+  const std::vector<sheet::Hatching> hatching = sheet::choose_hatching(drawings, wish, progress);
   std::vector<std::vector<sheet::Layer>> layers(results.size());
   for (std::size_t i = 0; i < results.size(); ++i)
     if (!results[i].drawing.cut_faces.empty())
-      layers[i].push_back(sheet::hatch_layer(results[i].drawing, hatching, widths, progress));
+      layers[i].push_back(sheet::hatch_layer({results[i].drawing, styles(i)}, hatching, widths, progress));
   return layers;
 }
 
@@ -164,7 +172,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
       paper};
   const sheet::LineWidths widths = sheet::line_widths(paper);
   AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
-  auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(results, widths, p); });
+  auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(input, results, widths, p); });
   hatching.resize(results.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
     append(finished.sheet.layers, std::move(hatching[i]));

@@ -37,6 +37,9 @@ sheet::BodyStyle style_of(const scene::Placed& placed, int body, const sheet::Bo
       const scene::ColourChoice& choice = *wanted.colour;
       style.colour = choice.of_file ? scene::colour_of_body(*placed.mesh, body).value_or(Colour{}) : choice.colour;
     }
+    if (wanted.hatch.given() && style.hatch.pattern != HatchPattern::none) style.hatch.pattern = *wanted.hatch;
+    style.hatch.angle = wanted.hatch_angle.value;
+    style.hatch.pitch = wanted.hatch_pitch.value;
   }
   const std::string& name = scene::name_of_body(*placed.mesh, body);
   if (layers == LayersBy::body && !name.empty()) style.layer = name;
@@ -97,6 +100,7 @@ sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::V
     usual.line = model.line.value_or(usual.line);
     if (is_pictorial) usual.hidden = HiddenLines::none;
     usual.hidden = model.hidden.value_or(view.hidden.value_or(usual.hidden));
+    usual.hatch.pattern = view.hatch.value;
     if (layers == LayersBy::body) usual.layer = scene::name_of(model);
     // Without names, the bodies of a model have one style.
     const mesh::MeshReport& report = placed.mesh->report;

@@ -47,6 +47,11 @@ struct Words<HiddenLines> {
 };
 
 template <>
+struct Words<HatchPattern> {
+  static constexpr std::array list{"none", "general", "steel", "bronze", "nonmetal", "solid"};
+};
+
+template <>
 struct Words<LayersBy> {
   static constexpr std::array list{"role", "body"};
 };

@@ -70,6 +70,7 @@ struct ModelCut {
   void keep_region();
   void clip_outlines_to_region();
   void append(ModelCut&& other);
+  void drop_surface();
   [[nodiscard]] mesh::Mesh make_mesh() const;
 };
 
@@ -270,6 +271,19 @@ void ModelCut::append(ModelCut&& other) {
   of_surface += other.of_surface;
 }
 
+void ModelCut::drop_surface() {
+  const auto drop = [end = static_cast<std::ptrdiff_t>(of_surface)](auto& list) {
+    list.erase(list.begin(), list.begin() + end);
+  };
+  drop(cut.triangles);
+  drop(cut.polygon);
+  drop(cut.body);
+  cut.wires.clear();
+  cut.uncut.clear();
+  loose.clear();
+  of_surface = 0;
+}
+
 mesh::Mesh ModelCut::make_mesh() const {
   mesh::Mesh cut_away;
   cut_away.points = mesh().points;
@@ -344,18 +358,20 @@ void append(World& world, const ModelCut& cut) {
 /// Cuts of whole models, added to a world one after the other.
 struct Remainder {
   CutWorld result{};
+  bool beyond;
   bool cuts = false;
 
-  explicit Remainder(const World& world, std::size_t regions) {
+  Remainder(const World& world, const CuttingSurface& surface) : beyond(surface.beyond) {
     result.world.first_vertex = {0};
     result.world.first_triangle = {0};
     result.world.box = world.box;
     result.world.rounding = world.rounding;
     result.world.one_rounding = world.one_rounding;
-    result.uncut.resize(regions);
+    result.uncut.resize(surface.regions.size());
   }
 
   void add(ModelCut& cut) {
+    if (!beyond) cut.drop_surface();
     const int first = result.world.first_vertex.back();
     std::stable_sort(cut.faces.begin(), cut.faces.end(), [](const auto& a, const auto& b) { return a.body < b.body; });
     for (WorldCutFace& face : cut.faces) {
@@ -387,17 +403,18 @@ struct Remainder {
   }
 };
 
-CutWorld cut_by_plane(const World& world, const CuttingPlane& plane, const Progress& progress) {
+CutWorld cut_by_plane(const World& world, const CuttingSurface& surface, const Progress& progress) {
+  const CuttingPlane& plane = surface.plane;
   const Sides sides = find_sides(world, plane);
   const PlaneFrame frame(world, plane, sides.normalisation);
-  Remainder remainder(world, 1);
+  Remainder remainder(world, surface);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
     progress.expect_time();
     ModelCut cut{world, model, frame, cut_mesh(world, model, sides)};
     progress.expect_time();
     cut.close();
     progress.expect_time();
-    for (const int triangle : cut.cut.uncut)
+    for (const int triangle : surface.beyond ? cut.cut.uncut : std::vector<int>())
       remainder.result.uncut[0].push_back(remainder.result.world.first_triangle.back() + triangle);
     remainder.add(cut);
   }
@@ -432,7 +449,8 @@ class SteppedCut {
       ModelCut cut{world, model, frames_[r], cut_mesh(world, model, sides_[r], whole), &regions_[r]};
       cut.close();
       const int shift = remainder.result.world.first_triangle.back() + static_cast<int>(all ? all->of_surface : 0);
-      for (const int triangle : cut.cut.uncut) remainder.result.uncut[r].push_back(shift + triangle);
+      if (surface_.beyond)
+        for (const int triangle : cut.cut.uncut) remainder.result.uncut[r].push_back(shift + triangle);
       if (all)
         all->append(std::move(cut));
       else
@@ -459,9 +477,9 @@ class SteppedCut {
 }  // namespace
 
 CutWorld cut_world(const World& world, const CuttingSurface& surface, const Progress& progress) {
-  if (surface.is_plane()) return cut_by_plane(world, surface.plane, progress);
+  if (surface.is_plane()) return cut_by_plane(world, surface, progress);
   const SteppedCut stepped(world, surface);
-  Remainder remainder(world, surface.regions.size());
+  Remainder remainder(world, surface);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) stepped.cut(model, remainder, progress);
   return remainder.finish(surface.plane, world.box);
 }

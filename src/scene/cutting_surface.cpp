@@ -130,12 +130,14 @@ CuttingSurface plane_surface(const CuttingPlane& plane) { return {plane, {{plane
 
 CuttingSurface make_cutting_surface(const SectionDescription& section) {
   const CuttingPlane plane = make_cutting_plane(section);
-  if (!section.path.given()) return plane_surface(plane);
-  const Trace trace = make_trace(section, plane.normal);
   CuttingSurface surface = plane_surface(plane);
+  surface.beyond = section.beyond.value_or(true);
+  if (!section.path.given()) return surface;
+  const Trace trace = make_trace(section, plane.normal);
   const std::size_t first = trace.is_step(0) ? 1 : 0;
   surface.plane.point = trace.corners[first];
-  if (trace.corners.size() == 2) return plane_surface(surface.plane);
+  surface.regions = {{surface.plane, {}}};
+  if (trace.corners.size() == 2) return surface;
   surface.regions.clear();
   surface.along = trace.along;
   surface.path = trace.corners;

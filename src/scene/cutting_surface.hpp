@@ -32,6 +32,7 @@ struct CuttingSurface {
   std::vector<CutRegion> regions;  ///< one without borders if the surface is a plane; otherwise they fill space
   Vec3 along{0};                   ///< unit vector perpendicular to the steps and the normal; zero without steps
   std::vector<Vec3> path{};        ///< corners of the trace, ends included; empty without steps
+  bool beyond = true;              ///< false: only cut faces remain
   std::vector<Vec3> divides{};     ///< points of steps between a region that is cut and one that is kept whole
 
   [[nodiscard]] bool is_plane() const { return regions.size() == 1; }

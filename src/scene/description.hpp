@@ -61,8 +61,11 @@ struct StyleDescription {
   Located<LineRole> line;
   Located<HiddenLines> hidden;
   Located<ColourChoice> colour;
-  Located<bool> cut;    ///< by sections; true by default
-  Located<bool> drawn;  ///< true by default
+  Located<bool> cut;            ///< by sections; true by default
+  Located<HatchPattern> hatch;  ///< general by default
+  Located<double> hatch_angle;  ///< degrees counterclockwise; chosen by default
+  Located<double> hatch_pitch;  ///< mm on paper; chosen by default
+  Located<bool> drawn;          ///< true by default
 };
 
 /// A view of the models. A detail view shows its parent at a larger scale, see complete_details. Views without a
@@ -72,6 +75,7 @@ struct ViewDescription {
   Located<ProjectionRequest> projection;
   Located<ScaleChoice> scale;  ///< by default that of the sheet
   Located<HiddenLines> hidden;
+  Located<HatchPattern> hatch;  ///< of bodies without a pattern of their own; none: of all bodies
   Located<EdgeKinds> edges;
   LocatedText section;           ///< name of the section shown
   LocatedText detail;            ///< name of the detail shown
@@ -91,6 +95,7 @@ struct SectionDescription {
   Vec3 point{0.0};
   Vec3 normal{0.0, -1.0, 0.0};
   Located<std::vector<Vec3>> path{};  ///< corners of the cutting-plane line, instead of a point
+  Located<bool> beyond{};             ///< true by default; false: only cut faces, without what is behind them
 };
 
 /// A part of a view, to be shown by another view at a larger scale: a circle or an upright rectangle in its plane.

@@ -105,6 +105,13 @@ Options<StyleDescription> style_options() {
                     &Style::colour, colour()),
       option<Style>({.key = "cut", .help = "`false`: sections show them whole, as bolts, shafts and balls"},
                     &Style::cut, truth()),
+      option<Style>(
+          {.key = "hatch", .help = "pattern of their cut faces; `none` draws the outline only", .usual = "the view's"},
+          &Style::hatch, choice<HatchPattern>()),
+      option<Style>({.key = "hatch_angle", .help = "angle of the hatching, counterclockwise", .usual = "automatic"},
+                    &Style::hatch_angle, number_between(0, 180, "degrees")),
+      option<Style>({.key = "hatch_pitch", .help = "distance between lines of the hatching", .usual = "automatic"},
+                    &Style::hatch_pitch, number_between(0.5, 50, "mm")),
       option<Style>({.key = "drawn", .help = "`false` omits them"}, &Style::drawn, truth()),
   };
 }
@@ -123,6 +130,9 @@ Options<SectionDescription> section_options() {
                        .help = "instead of the point: corners of the cutting-plane line, whose legs are perpendicular "
                                "to the normal, or steps parallel to it; a half section begins or ends with a step"},
                       &Section::path, list_of_triples()),
+      option<Section>({.key = "beyond",
+                       .help = "`false` draws only cut faces, without what is behind them, as in removed sections"},
+                      &Section::beyond, truth()),
   };
 }
 
@@ -168,6 +178,11 @@ Options<ViewDescription> view_options() {
                     .help = "style of hidden lines",
                     .usual = "dashed; none in pictorial views"},
                    &View::hidden, choice<HiddenLines>().shown_as("STYLE")),
+      option<View>({.key = "hatch",
+                    .flag = "--hatch",
+                    .help = "pattern of cut faces; none draws their outlines only",
+                    .usual = "general"},
+                   &View::hatch, choice<HatchPattern>().shown_as("PATTERN")),
       option<View>({.key = "edges",
                     .flag = "--edges",
                     .help = "kinds of edges to draw",

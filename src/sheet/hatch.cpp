@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
 #include "mesh/even_odd.hpp"
+#include "sheet/dash.hpp"
 
 namespace epura::sheet {
 
@@ -123,20 +125,43 @@ std::vector<Line> uncovered(const std::vector<Line>& lines, double degrees,
   return rest;
 }
 
+/// Parallel lines of a pattern.
+struct Family {
+  double angle;    ///< degrees
+  double spacing;  ///< mm
+  double start;    ///< distance of the first one from the origin of the sheet, mm
+  bool is_dashed = false;
+};
+
+std::vector<Family> families_of(HatchPattern pattern, const Hatching& hatching) {
+  constexpr double pair = 0.3;  // distance between the lines of a pair, as a part of the spacing
+  const double angle = hatching.angle, spacing = hatching.spacing;
+  switch (pattern) {
+    case HatchPattern::steel:
+      return {{angle, spacing, 0}, {angle, spacing, pair * spacing}};
+    case HatchPattern::bronze:
+      return {{angle, 2 * spacing, 0}, {angle, 2 * spacing, spacing, true}};
+    case HatchPattern::nonmetal:
+      return {{angle, spacing, 0}, {angle + 90, spacing, 0}};
+    default:
+      return {{angle, spacing, 0}};
+  }
+}
+
 // The lines of all faces of a part in a view belong to one family, counted from the origin of the sheet.
-std::vector<Line> lines_of(const drawing::CutFace& face, double degrees, double spacing, const Progress& progress) {
-  const Vec2 along = direction(degrees), n(-along.y, along.x);
+std::vector<Line> lines_of(const drawing::CutFace& face, const Family& family, const Progress& progress) {
+  const Vec2 along = direction(family.angle), n(-along.y, along.x);
   double min = HUGE_VAL, max = -HUGE_VAL;
   visit_sides(face.rings, [&](const Vec2& a, const Vec2&) {
     min = std::min(min, glm::dot(n, a));
     max = std::max(max, glm::dot(n, a));
   });
-  const double first = std::ceil(min / spacing);
-  const double count = std::floor(max / spacing) - first + 1;
+  const double first = std::ceil((min - family.start) / family.spacing);
+  const double count = std::floor((max - family.start) / family.spacing) - first + 1;
   std::vector<std::vector<Line>> found(count > 0 ? static_cast<std::size_t>(count) : 0);
   parallel_for(found.size(), 16, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      add_line(face.rings, along, (first + static_cast<double>(i)) * spacing, found[i]);
+      add_line(face.rings, along, (first + static_cast<double>(i)) * family.spacing + family.start, found[i]);
   });
   std::vector<Line> lines;
   for (const std::vector<Line>& part : found) lines.insert(lines.end(), part.begin(), part.end());
@@ -284,20 +309,28 @@ double spacing_of(const Part& part) {
   return std::round(spacing * 4 - 1e-6) / 4;
 }
 
-Hatching hatching_of(const Part& part, const std::vector<Hatching>& neighbours) {
-  const double spacing = spacing_of(part);
+// Patterns with more lines than the general one have wider spacings.
+double pattern_factor(const HatchStyle& wish) {
+  const HatchPattern pattern = wish.pattern.value_or(HatchPattern::general);
+  return pattern == HatchPattern::steel || pattern == HatchPattern::nonmetal ? 1.5 : 1;
+}
+
+Hatching hatching_of(const Part& part, const HatchStyle& wish, const std::vector<Hatching>& neighbours) {
+  const double spacing = spacing_of(part) * pattern_factor(wish);
+  const auto angle_of = [&](const Variant& variant) { return wish.angle.value_or(variant.angle); };
+  const auto spacing_with = [&](const Variant& variant) { return wish.pitch.value_or(variant.factor * spacing); };
   // Hatching lines perpendicular to an outline look like a separate pattern.
   const auto suits = [&](const Variant& variant) {
-    return share_along(part, variant.angle) + share_along(part, variant.angle + 90) <= most_alike;
+    return wish.angle || share_along(part, variant.angle) + share_along(part, variant.angle + 90) <= most_alike;
   };
   const auto differs_by_angle = [&](const Variant& variant) {
     return std::none_of(neighbours.begin(), neighbours.end(),
-                        [&](const Hatching& there) { return there.angle == variant.angle; });
+                        [&](const Hatching& there) { return there.angle == angle_of(variant); });
   };
   const auto differs = [&](const Variant& variant) {
     return std::none_of(neighbours.begin(), neighbours.end(), [&](const Hatching& there) {
-      const double ratio = variant.factor * spacing / there.spacing;
-      return there.angle == variant.angle && ratio < least_ratio && ratio * least_ratio > 1;
+      const double ratio = spacing_with(variant) / there.spacing;
+      return there.angle == angle_of(variant) && ratio < least_ratio && ratio * least_ratio > 1;
     });
   };
   const auto usual = variants.begin() + usual_variants;
@@ -306,20 +339,28 @@ Hatching hatching_of(const Part& part, const std::vector<Hatching>& neighbours) 
     best = std::find_if(variants.begin(), variants.end(), [&](const auto& v) { return suits(v) && differs(v); });
   if (best == variants.end()) best = std::find_if(variants.begin(), variants.end(), differs);
   if (best == variants.end()) best = variants.begin();
-  return {part.model, part.body, best->angle, best->factor * spacing};
+  return {part.model, part.body, angle_of(*best), spacing_with(*best)};
 }
 
 }  // namespace
 
-std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* const> drawings, const Progress& progress) {
+std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* const> drawings, const HatchWish& wish,
+                                      const Progress& progress) {
   const std::vector<Part> parts = parts_of(drawings);
+  std::vector<HatchStyle> wishes;
+  for (const Part& part : parts)
+    wishes.push_back(wish ? wish(static_cast<std::size_t>(part.faces.front().first), part.model, part.body)
+                          : HatchStyle());
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t p) { return wishes[p].angle || wishes[p].pitch; });
   std::vector<Hatching> chosen;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     std::vector<Hatching> neighbours;
     progress.expect_time();
     for (std::size_t q = 0; q < p; ++q)
-      if (touch(parts[p], parts[q])) neighbours.push_back(chosen[q]);
-    chosen.push_back(hatching_of(parts[p], neighbours));
+      if (touch(parts[order[p]], parts[order[q]])) neighbours.push_back(chosen[q]);
+    chosen.push_back(hatching_of(parts[order[p]], wishes[order[p]], neighbours));
   }
   std::sort(chosen.begin(), chosen.end(), [](const Hatching& a, const Hatching& b) {
     return std::pair(a.model, a.body) < std::pair(b.model, b.body);
@@ -327,22 +368,28 @@ std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* cons
   return chosen;
 }
 
-Layer hatch_layer(const drawing::ViewDrawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths,
+Layer hatch_layer(const HatchedView& view, std::span<const Hatching> hatching, const LineWidths& widths,
                   const Progress& progress) {
-  Layer layer = empty_layer(drawing.name, scene::SheetLine::hatch, widths);
-  for (const drawing::CutFace& face : drawing.cut_faces) {
+  Layer layer = empty_layer(view.drawing.name, scene::SheetLine::hatch, widths);
+  for (const drawing::CutFace& face : view.drawing.cut_faces) {
     const auto found = std::find_if(hatching.begin(), hatching.end(),
                                     [&](const Hatching& h) { return h.model == face.model && h.body == face.body; });
     check(found != hatching.end(), "every part that is cut has a hatching");
     progress.expect_time();
     progress.advance(1);
-    if (is_thin(face)) {
+    const HatchPattern pattern = view.styles(face.model, face.body).hatch.pattern.value_or(HatchPattern::general);
+    if (pattern == HatchPattern::none) continue;
+    if (pattern == HatchPattern::solid || is_thin(face)) {
       layer.fills.push_back({face.rings});
       continue;
     }
-    const std::vector<Line> lines = lines_of(face, found->angle, found->spacing, progress);
-    for (const Line& line : uncovered(lines, found->angle, drawing.before_cuts))
-      layer.strokes.push_back({{line[0], line[1]}});
+    for (const Family& family : families_of(pattern, *found)) {
+      const std::vector<Line> lines = lines_of(face, family, progress);
+      for (const Line& line : uncovered(lines, family.angle, view.drawing.before_cuts)) {
+        Stroke& stroke = layer.strokes.emplace_back(Stroke{{line[0], line[1]}});
+        if (family.is_dashed) stroke.dashes = fit_open(glm::distance(line[0], line[1]), widths.narrow);
+      }
+    }
   }
   return layer;
 }

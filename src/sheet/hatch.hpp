@@ -3,6 +3,7 @@
 // all cut faces of one part, different for adjacent parts; thin sections are black.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -20,15 +21,25 @@ struct Hatching {
   double spacing;  ///< mm
 };
 
+/// The style of a body that is cut in a view, by number of its drawing, model and body.
+using HatchWish = std::function<HatchStyle(std::size_t drawing, int model, int body)>;
+
 /// Returns a hatching for each part that is cut, sorted by model and body. Spacing grows with the largest cut face,
 /// from 1 to 4 mm. Lines run neither along the part's own outlines nor perpendicular to them, and parts whose cut faces
-/// are closer than 0.7 mm differ by angle or spacing. Throws OutOfTime.
-std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* const> drawings,
+/// are closer than 0.7 mm differ by angle or spacing. Angles and spacings that styles give are kept, and parts that
+/// have them are chosen first. Throws OutOfTime.
+std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* const> drawings, const HatchWish& wish = {},
                                       const Progress& progress = {});
 
-/// Layer "VIEW/hatch". Hatching lines end at the outlines; faces with an average width of less than 1 mm are filled.
-/// Throws OutOfTime.
-Layer hatch_layer(const drawing::ViewDrawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths,
+/// A view and the styles of its bodies.
+struct HatchedView {
+  const drawing::ViewDrawing& drawing;
+  const BodyStyles& styles;
+};
+
+/// Layer "VIEW/hatch". Hatching lines end at the outlines; faces with an average width of less than 1 mm are filled,
+/// unless they have no pattern. Throws OutOfTime.
+Layer hatch_layer(const HatchedView& view, std::span<const Hatching> hatching, const LineWidths& widths,
                   const Progress& progress = {});
 
 }  // namespace epura::sheet

@@ -18,11 +18,19 @@ namespace epura::sheet {
 /// The role of an edge on a sheet, unless its model has its own role. Hidden edges between smooth faces have none.
 std::optional<scene::SheetLine> edge_line(EdgeKind kind, bool visible);
 
+/// How the cut faces of one body are hatched, as far as it is given.
+struct HatchStyle {
+  std::optional<HatchPattern> pattern{};
+  std::optional<double> angle{};  ///< degrees counterclockwise
+  std::optional<double> pitch{};  ///< mm
+};
+
 /// How one body is drawn.
 struct BodyStyle {
   LineRole line = LineRole::visible;
   HiddenLines hidden = HiddenLines::dashed;
   Colour colour{};
+  HatchStyle hatch{};
   std::string layer{};  ///< name of layers of its own; empty: it shares those of the view
 };
 

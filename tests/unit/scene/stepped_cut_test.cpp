@@ -167,6 +167,18 @@ TEST(SteppedCut, StraightPathsArePlanes) {
   EXPECT_TRUE(straight.is_plane());
 }
 
+TEST(SteppedCut, MayLeaveCutFacesOnly) {
+  const scene::World world = world_of(ring(32));
+  for (const std::vector<Vec3>& path :
+       {std::vector<Vec3>{{-5, 0, 0}, {5, 0, 0}}, std::vector<Vec3>{{-5, 0, 0}, {0, 0, 0}, {0, -5, 0}}}) {
+    scene::CuttingSurface section = surface(path);
+    section.beyond = false;
+    const scene::CutWorld faces = scene::cut_world(world, section);
+    EXPECT_NEAR(surface_area(faces.world), path.size() == 2 ? 2 : 1, 1e-12);
+    EXPECT_NEAR(outline_length(faces), path.size() == 2 ? 8 : 4, 1e-12);
+  }
+}
+
 TEST(SteppedCut, RefusesPathsThatAreNone) {
   const auto refused = [](const std::vector<Vec3>& path, const std::string& why) {
     const std::string what = error_of([&] { surface(path); }).what();

@@ -43,8 +43,24 @@ std::vector<sheet::Hatching> choose(const drawing::ViewDrawing& drawing) {
   return sheet::choose_hatching({&pointer, 1});
 }
 
+const sheet::BodyStyles plain{{{{}}, {{}}}};
+
 sheet::Layer hatched(const drawing::ViewDrawing& drawing) {
-  return sheet::hatch_layer(drawing, choose(drawing), {0.5, 0.25});
+  return sheet::hatch_layer({drawing, plain}, choose(drawing), {0.5, 0.25});
+}
+
+// A square of 40 mm, hatched at a pitch of 2 mm.
+sheet::Layer hatched_square(HatchPattern pattern) {
+  const drawing::ViewDrawing drawing = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}}});
+  sheet::BodyStyle style;
+  style.hatch = {pattern, 30, 2};
+  const sheet::BodyStyles styles{{{style}}};
+  const drawing::ViewDrawing* pointer = &drawing;
+  const auto wish = [&](std::size_t, int model, int body) { return styles(model, body).hatch; };
+  const std::vector<sheet::Hatching> hatching = sheet::choose_hatching({&pointer, 1}, wish);
+  EXPECT_EQ(hatching.at(0).angle, 30);
+  EXPECT_EQ(hatching.at(0).spacing, 2);
+  return sheet::hatch_layer({drawing, styles}, hatching, {0.5, 0.25});
 }
 
 double ink(const sheet::Layer& layer) {
@@ -79,7 +95,7 @@ TEST(Hatch, EndsExactlyAtOutlinesAlsoAtCorners) {
   const double a = 40 * step;
   const drawing::ViewDrawing drawing = drawing_of({{0, 0, {{{0, 0}, {a, 0}, {a, a}, {a / 2, a / 2}, {0, a}}}}});
   const sheet::Hatching same{0, 0, 45, step / std::sqrt(2)};
-  const sheet::Layer layer = sheet::hatch_layer(drawing, {&same, 1}, {0.5, 0.25});
+  const sheet::Layer layer = sheet::hatch_layer({drawing, plain}, {&same, 1}, {0.5, 0.25});
   for (const sheet::Stroke& stroke : layer.strokes)
     for (const Vec2& p : stroke.points) {
       const bool on_outline = std::abs(p.y) < 1e-9 || std::abs(p.x - a) < 1e-9 || std::abs(p.x) < 1e-9 ||
@@ -119,6 +135,41 @@ TEST(Hatch, OfTouchingPartsDiffersAndOfOnePartIsTheSame) {
   EXPECT_EQ(of_both.size(), 5U);
   EXPECT_EQ(of_both[1].angle, hatching[1].angle);
   EXPECT_EQ(of_both[1].spacing, hatching[1].spacing);
+}
+
+TEST(Hatch, HasThePatternOfTheStyle) {
+  const double lines = 1600 / 2.0;  // area by pitch
+  EXPECT_NEAR(ink(hatched_square(HatchPattern::general)) / lines, 1, 0.02);
+  EXPECT_NEAR(ink(hatched_square(HatchPattern::steel)) / lines, 2, 0.04);
+  EXPECT_NEAR(ink(hatched_square(HatchPattern::bronze)) / lines, 1, 0.02);
+  EXPECT_NEAR(ink(hatched_square(HatchPattern::nonmetal)) / lines, 2, 0.04);
+  const sheet::Layer bronze = hatched_square(HatchPattern::bronze);
+  const auto is_dashed = [](const sheet::Stroke& stroke) { return stroke.dashes.dash > 0; };
+  const auto dashed = std::count_if(bronze.strokes.begin(), bronze.strokes.end(), is_dashed);
+  EXPECT_NEAR(static_cast<double>(dashed) / static_cast<double>(bronze.strokes.size()), 0.5, 0.1);
+  const sheet::Layer none = hatched_square(HatchPattern::none), solid = hatched_square(HatchPattern::solid);
+  EXPECT_TRUE(none.strokes.empty() && none.fills.empty());
+  EXPECT_TRUE(solid.strokes.empty());
+  EXPECT_EQ(solid.fills.size(), 1U);
+}
+
+TEST(Hatch, OfPartsBesideAStyleAvoidsIt) {
+  const drawing::ViewDrawing drawing =
+      drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}}, {0, 1, {rectangle(40, 0, 80, 40)}}});
+  const drawing::ViewDrawing* pointer = &drawing;
+  const auto wish = [&](std::size_t, int, int body) {
+    return body == 1 ? sheet::HatchStyle{{}, 45, {}} : sheet::HatchStyle();
+  };
+  const std::vector<sheet::Hatching> hatching = sheet::choose_hatching({&pointer, 1}, wish);
+  EXPECT_EQ(hatching.at(0).angle, 135);
+  EXPECT_EQ(hatching.at(1).angle, 45);
+}
+
+TEST(Hatch, GoesOnAcrossAStep) {
+  const drawing::ViewDrawing stepped = drawing_of({{0, 0, {rectangle(0, 0, 30, 40), rectangle(30, 0, 80, 40)}}});
+  const drawing::ViewDrawing straight = drawing_of({{0, 0, {rectangle(0, 0, 80, 40)}}});
+  EXPECT_EQ(hatched(stepped).strokes.size(), hatched(straight).strokes.size());
+  EXPECT_NEAR(ink(hatched(stepped)), ink(hatched(straight)), 1e-9);
 }
 
 // The angle and spacing at each place, whatever number the body there has.
