@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "pipeline/annotations.hpp"
 #include "pipeline/choose.hpp"
 #include "scene/body_styles.hpp"
 #include "sheet/arrangement.hpp"
@@ -70,7 +71,9 @@ std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const 
   };
   std::vector<PlannedView> plans;
   for (const scene::ViewDescription& view : scene.views) {
-    const ViewOptions of_view = view_options(view, options);
+    ViewOptions of_view = view_options(view, options);
+    // Positions of holes and pitch circles are dimensioned at their centre lines.
+    of_view.centre_lines = of_view.centre_lines || dimensions_features(scene);
     const auto plan = [&](const scene::ProjectionRequest& request) -> PlannedView {
       return {request, find(request.name), of_view};
     };
