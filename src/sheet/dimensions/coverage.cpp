@@ -98,6 +98,7 @@ class Chain {
 /// A size of one feature, and how many dimensions give it.
 struct CircleSize {
   std::string name;
+  int model;
   Vec3 centre, axis;
   double radius;
   bool anywhere;  ///< a dimension of any equal one counts: radii of fillets
@@ -128,7 +129,7 @@ class CoverageFinder {
       coverage_.undimensioned.push_back("cone ⌀" + length(2 * cone.radii[0]) + " to ⌀" + length(2 * cone.radii[1]));
     for (const CircleSize& size : sizes_) {
       if (size.dimensions == 0 && !given_elsewhere(size)) coverage_.undimensioned.push_back(size.name);
-      if (size.dimensions > 1) coverage_.repeated.push_back(size.name);
+      if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
     }
     merge(coverage_.undimensioned);
     merge(coverage_.repeated);
@@ -164,7 +165,9 @@ class CoverageFinder {
   void add_size(CircleSize size) {
     size.equal = static_cast<int>(sizes_.size());
     for (const CircleSize& other : sizes_)
-      if (other.name == size.name && are_parallel(other.axis, size.axis)) {
+      if (other.name == size.name && other.model == size.model && are_parallel(other.axis, size.axis) &&
+          std::abs(other.radius - size.radius) <= 1e-4 * size.radius &&
+          (!size.needs_depth || glm::dot(other.axis, size.axis) > 0)) {
         size.equal = other.equal;
         break;
       }
@@ -178,17 +181,18 @@ class CoverageFinder {
       if (hole.depth) name += " ↧" + length(*hole.depth);
       if (hole.counterbore) name += " ⌴⌀" + length(hole.counterbore->diameter);
       if (hole.countersink) name += " ⌵⌀" + length(hole.countersink->diameter);
-      add_size(
-          {name, hole.mouth, hole.axis, hole.diameter / 2, false, hole.depth || hole.counterbore || hole.countersink});
+      add_size({name, hole.model, hole.mouth, hole.axis, hole.diameter / 2, false,
+                hole.depth || hole.counterbore || hole.countersink});
     }
     for (const scene::DesignCylinder& cylinder : features.cylinders)
-      add_size({name_of(cylinder), cylinder.from, cylinder.axis, cylinder.radius, false, false});
+      add_size({name_of(cylinder), cylinder.model, cylinder.from, cylinder.axis, cylinder.radius, false, false});
     for (const scene::DesignPitchCircle& circle : features.pitch_circles)
-      add_size({"pitch circle ⌀" + length(2 * circle.radius), circle.centre, circle.axis, circle.radius, false, false});
+      add_size({"pitch circle ⌀" + length(2 * circle.radius), circle.model, circle.centre, circle.axis, circle.radius,
+                false, false});
     for (const scene::DesignSlot& slot : features.slots)
-      add_size({"slot R" + length(slot.radius), slot.centres[1], slot.axis, slot.radius, true, false});
+      add_size({"slot R" + length(slot.radius), slot.model, slot.centres[1], slot.axis, slot.radius, true, false});
     for (const scene::DesignArc& arc : features.arcs)
-      add_size({"radius R" + length(arc.radius), arc.centre, arc.axis, arc.radius, true, false});
+      add_size({"radius R" + length(arc.radius), arc.model, arc.centre, arc.axis, arc.radius, true, false});
   }
 
   static bool is_equal(const CircleSize& size, const WorldCircle& circle) {
@@ -214,6 +218,16 @@ class CoverageFinder {
       const bool listed = std::find(lists.begin(), lists.end(), size.equal) != lists.end();
       if (listed && (size.anywhere || many || is_at(size, circle))) ++size.dimensions;
     }
+  }
+
+  // The number of different features at the place of one: a bolt fills its hole, and each may have its dimension.
+  [[nodiscard]] int places_of(const CircleSize& size) const {
+    std::vector<int> lists{size.equal};
+    for (const CircleSize& other : sizes_)
+      if (is_at(other, {size.centre, size.axis, size.radius, {}, true}) &&
+          std::find(lists.begin(), lists.end(), other.equal) == lists.end())
+        lists.push_back(other.equal);
+    return static_cast<int>(lists.size());
   }
 
   // Whether an overall dimension is this diameter.

@@ -377,7 +377,7 @@ TEST_F(AutomaticDimensions, LintFindsCrossingsAndTheEndOfTheSheet) {
   const std::string wide = "[[dimension]]\ntype = 'linear'\ndirection = 'horizontal'\noffset = -10\n";
   const std::string scene =
       folder.file("scene.toml",
-                  "[sheet]\nsize = '60x40'\nscale = 1\n[[model]]\nfile = 'part.obj'\n[[view]]\nprojection = 'front'\n" +
+                  "[sheet]\nsize = '60x40'\nscale = '1:1'\n[[model]]\nfile = 'part.obj'\n[[view]]\nprojection = 'front'\n" +
                       wide + "from = {point = [0, 0, 0]}\nto = {point = [30, 0, 0]}\n" + wide +
                       "from = {point = [20, 0, 0]}\nto = {point = [50, 0, 0]}\n");
   const Outcome run = epura({"lint", scene}, folder / "");
