@@ -230,9 +230,17 @@ class Planner {
     const auto equal = [](const scene::DesignArc& a, const scene::DesignArc& b) {
       return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
     };
-    for (const auto& group : groups_of<scene::DesignArc>(subject_.features.arcs, equal)) {
+    auto groups = groups_of<scene::DesignArc>(subject_.features.arcs, equal);
+    std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
+      return double(a.size()) * a.front()->radius > double(b.size()) * b.front()->radius;
+    });
+    const Vec3 size = subject_.world.box.size();
+    const double largest = std::max({size.x, size.y, size.z});
+    std::map<std::string, std::size_t> in_view;
+    for (const auto& group : groups) {
       const NamedProjection* view = view_along(group.front()->axis, false);
-      if (view == nullptr) continue;
+      const double sum = double(group.size()) * group.front()->radius;
+      if (view == nullptr || sum < least_radius * largest || in_view[view->name]++ >= most_radii) continue;
       const auto* shown =
           uppermost<scene::DesignArc>(group, *view, [](const scene::DesignArc& arc) { return arc.points[4]; });
       add(DimensionType::radius, *view, times(group.size()) + "<>").circle = {shown->centre, shown->axis, shown->radius,
@@ -280,11 +288,17 @@ class Planner {
     return best;
   }
 
+  [[nodiscard]] double least_area() const {
+    const Vec3 size = subject_.world.box.size();
+    const double largest = std::max({size.x, size.y, size.z}), least = std::min({size.x, size.y, size.z});
+    return least_level * largest * (size.x + size.y + size.z - largest - least);
+  }
+
   void add_levels() {
     std::map<std::pair<std::string, int>, std::vector<std::pair<double, Station>>> by_view;
     for (const scene::DesignLevel& level : subject_.features.levels) {
       const NamedProjection* view = view_of(level);
-      if (view == nullptr || stations_.is_known(level.axis, level.at)) continue;
+      if (view == nullptr || stations_.is_known(level.axis, level.at) || level.area < least_area()) continue;
       const bool horizontal = std::abs(view->projection.u[level.axis]) > 0.5;
       const Vec3 towards = horizontal ? -view->projection.v : view->projection.u;
       const auto [high, low] = std::minmax_element(

@@ -198,9 +198,9 @@ std::string flange(int count, const std::array<double, 4>& inner_outer_pitch_hol
 std::string shaft(const std::vector<Vec2>& profile) {
   Model model;
   const auto ring = [](const Vec2& p) {
-    std::vector<Vec3> ring;
-    for (int i = 0; i < 4 * k; ++i) ring.emplace_back(p.x, p.y * cosine(90.0 * i / k), p.y * sine(90.0 * i / k));
-    return ring;
+    std::vector<Vec3> points;
+    for (int i = 0; i < 4 * k; ++i) points.emplace_back(p.x, p.y * cosine(90.0 * i / k), p.y * sine(90.0 * i / k));
+    return points;
   };
   for (std::size_t s = 1; s < profile.size(); ++s) {
     const auto a = ring(profile[s - 1]), b = ring(profile[s]);
@@ -375,11 +375,11 @@ TEST_F(AutomaticDimensions, LintFindsWhatIsThereTwice) {
 TEST_F(AutomaticDimensions, LintFindsCrossingsAndTheEndOfTheSheet) {
   folder.file("part.obj", blocks()[0].obj);
   const std::string wide = "[[dimension]]\ntype = 'linear'\ndirection = 'horizontal'\noffset = -10\n";
-  const std::string scene =
-      folder.file("scene.toml",
-                  "[sheet]\nsize = '60x40'\nscale = '1:1'\n[[model]]\nfile = 'part.obj'\n[[view]]\nprojection = 'front'\n" +
-                      wide + "from = {point = [0, 0, 0]}\nto = {point = [30, 0, 0]}\n" + wide +
-                      "from = {point = [20, 0, 0]}\nto = {point = [50, 0, 0]}\n");
+  const std::string scene = folder.file(
+      "scene.toml",
+      "[sheet]\nsize = '60x40'\nscale = '1:1'\n[[model]]\nfile = 'part.obj'\n[[view]]\nprojection = 'front'\n" + wide +
+          "from = {point = [0, 0, 0]}\nto = {point = [30, 0, 0]}\n" + wide +
+          "from = {point = [20, 0, 0]}\nto = {point = [50, 0, 0]}\n");
   const Outcome run = epura({"lint", scene}, folder / "");
   EXPECT_EQ(run.code, 1);
   EXPECT_TRUE(contains(run.out, "crossing: '30' and '30' (view 'front')")) << run.out;
