@@ -49,7 +49,8 @@ enum class ProjectionAngle { first, third };
 /// title is given; otherwise none.
 enum class FrameKind { automatic, none, plain, full };
 
-/// `automatic` stands for overall dimensions and those of all recognised features: holes, shafts, slots, steps, fillets.
+/// `automatic` stands for overall dimensions and those of all recognised features: holes, shafts, slots, steps,
+/// fillets.
 enum class DimensionType { linear, aligned, angular, radius, diameter, overall, automatic };
 
 /// Linear dimensions: direction on paper. Overall dimensions: width, height and depth along x, z and y of the world.

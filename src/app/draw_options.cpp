@@ -127,7 +127,8 @@ scene::Options<Draw> picture_options() {
           {.flag = "--centre-lines", .help = "add centre lines of bores, shafts, slots and pitch circles"},
           run(&pipeline::RunOptions::centre_lines), scene::truth()),
       scene::option<Draw>(
-          {.flag = "--dimensions", .help = "overall: add width, height and depth, each in the clearest view; auto: also sizes of features"},
+          {.flag = "--dimensions",
+           .help = "overall: add width, height and depth, each in the clearest view; auto: also sizes of features"},
           &Draw::dimensions, scene::choice<AutomaticDimensions>().shown_as("WHICH")),
       scene::option<Draw>(
           {.flag = "--visibility", .help = "how hidden lines are found; none draws a wireframe", .usual = "exact"},

@@ -47,7 +47,7 @@ struct DrawOptions {
   bool timings = false;
   ShowProgress progress = ShowProgress::automatic;
   std::string lint_json;  ///< lint: file of its findings; empty: none
-  bool measure = false;  ///< measure the time saved by shortcuts, by runs without them
+  bool measure = false;   ///< measure the time saved by shortcuts, by runs without them
 };
 
 struct PluginsOptions {

@@ -73,6 +73,32 @@ sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const
   return neighbours;
 }
 
+// Where centre lines of features will be, so that no text is on them.
+void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const ViewResult& view) {
+  constexpr double past = 3;  // mm
+  const drawing::ViewDrawing& drawing = view.drawing;
+  const auto page = [&drawing](const Vec3& p) {
+    const Vec4 q = drawing.world_to_page * Vec4(p, 1);
+    return Vec2(q) / q.w;
+  };
+  const auto add = [&](const scene::RoundFeature& round) {
+    const Vec2 from = page(round.rings.front().centre), to = page(round.rings.back().centre);
+    double radius = 0;
+    for (const scene::Ring& ring : round.rings) radius = std::max(radius, ring.radius);
+    const double reach = radius * drawing.scale + past, length = glm::length(to - from);
+    if (length > past) {
+      const Vec2 along = (to - from) / length;
+      boxes.push_back(sheet::line_box(from - past * along, to + past * along));
+    } else {
+      boxes.push_back(sheet::line_box(from - Vec2(reach, 0), from + Vec2(reach, 0)));
+      boxes.push_back(sheet::line_box(from - Vec2(0, reach), from + Vec2(0, reach)));
+    }
+  };
+  for (const scene::RoundFeature& round : view.features.round) add(round);
+  for (const scene::SlotFeature& slot : view.features.slots)
+    for (const scene::RoundFeature& end : slot.ends) add(end);
+}
+
 // Faults of the dimensions of one view on paper. ISO 3098-1: lettering is at least 2.5 mm high.
 void note_faults(std::vector<report::Finding>& findings, const std::string& view, const sheet::PlacedLayer& placed,
                  const sheet::Paper& paper) {
@@ -80,8 +106,7 @@ void note_faults(std::vector<report::Finding>& findings, const std::string& view
   for (const std::string& crossing : placed.crossings)
     findings.push_back({report::FindingKind::crossing, view, crossing});
   for (const sheet::Text& text : placed.layer.texts)
-    if (text.height < least_height)
-      findings.push_back({report::FindingKind::small_text, view, "'" + text.text + "'"});
+    if (text.height < least_height) findings.push_back({report::FindingKind::small_text, view, "'" + text.text + "'"});
   if (!sheet::on_paper(placed.layer, {paper.width, paper.height}))
     findings.push_back({report::FindingKind::off_sheet, view, "dimensions extend beyond the sheet"});
 }
@@ -93,8 +118,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
   const sheet::SheetFurniture& furniture = input.plan.furniture;
   const sheet::Paper& paper = furniture.paper;
   const sheet::LineWidths widths = sheet::line_widths(paper);
-  const int decimals =
-      dimension_decimals(input.world, input.scene.sheets[static_cast<std::size_t>(input.views.sheet)]);
+  const int decimals = dimension_decimals(input.world, input.scene.sheets[static_cast<std::size_t>(input.views.sheet)]);
   AnnotationLayers result;
   std::vector<sheet::Layer> marks = marks_of(input.annotations, views, widths);
   std::optional<sheet::Lettering> lettering;
@@ -106,12 +130,12 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
       around = neighbours_of(furniture, labels, marks, lettering.emplace());
       add_boxes(around.boxes, boundaries_of(input.annotations, views), *lettering);
     }
-    const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()),
-                                      decimals};
+    const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()), decimals};
     const drawing::ViewDrawing& drawing = views[i].drawing;
-    sheet::PlacedLayer placed =
-        sheet::place_dimensions({input.world, drawing, dimensions}, style, with_other_views(around, views, i),
-                                budget.run.with_part_of_the_time(0.5));
+    sheet::Neighbours neighbours = with_other_views(around, views, i);
+    if (dimensions_features(input.scene)) add_centre_lines(neighbours.boxes, views[i]);
+    sheet::PlacedLayer placed = sheet::place_dimensions({input.world, drawing, dimensions}, style, neighbours,
+                                                        budget.run.with_part_of_the_time(0.5));
     sheet::Layer& layer = placed.layer;
     note_faults(result.findings, drawing.name, placed, paper);
     if (const std::size_t left_out = dimensions.size() - layer.texts.size(); left_out > 0) {

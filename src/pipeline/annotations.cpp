@@ -106,6 +106,11 @@ std::vector<Annotations> annotate(const scene::World& world, const scene::SceneD
   return annotations;
 }
 
+bool dimensions_features(const scene::SceneDescription& scene) {
+  return std::any_of(scene.dimensions.begin(), scene.dimensions.end(),
+                     [](const auto& dimension) { return dimension.type.value == DimensionType::automatic; });
+}
+
 int dimension_decimals(const scene::World& world, const scene::SheetDescription& sheet) {
   const Vec3 size = world.box.max - world.box.min;
   const double largest = std::max({size.x, size.y, size.z});

@@ -26,6 +26,9 @@ std::vector<Annotations> annotate(const scene::World& world, const scene::SceneD
                                   const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
                                   const CutSections& sections);
 
+/// Whether features are to be dimensioned.
+bool dimensions_features(const scene::SceneDescription& scene);
+
 /// Decimals of lengths: those of the sheet, otherwise four digits of the size of small models.
 int dimension_decimals(const scene::World& world, const scene::SheetDescription& sheet);
 

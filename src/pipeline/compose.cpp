@@ -125,7 +125,9 @@ std::vector<std::vector<sheet::Layer>> hatch_layers(const SheetInput& input, con
   const std::vector<std::size_t> hatched = views_to_hatch(results);
   std::vector<const drawing::ViewDrawing*> drawings;
   for (const std::size_t view : hatched) drawings.push_back(&results[view].drawing);
-  const auto wish = [&](std::size_t drawing, int model, int body) { return styles(hatched[drawing])(model, body).hatch; };
+  const auto wish = [&](std::size_t drawing, int model, int body) {
+    return styles(hatched[drawing])(model, body).hatch;
+  };
   const std::vector<sheet::Hatching> hatching = sheet::choose_hatching(drawings, wish, progress);
   std::vector<std::vector<sheet::Layer>> layers(results.size());
   for (std::size_t i = 0; i < results.size(); ++i)

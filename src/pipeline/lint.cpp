@@ -14,8 +14,8 @@ std::vector<sheet::DimensionsInView> anchored_dimensions(const scene::World& wor
                                                          std::span<const Annotations> annotations) {
   std::vector<sheet::DimensionsInView> views;
   for (std::size_t i = 0; i < seen.size(); ++i)
-    views.push_back({*sheet.descriptions[i].name, seen[i].projection,
-                     sheet::find_anchors(world, annotations[i].dimensions)});
+    views.push_back(
+        {*sheet.descriptions[i].name, seen[i].projection, sheet::find_anchors(world, annotations[i].dimensions)});
   return views;
 }
 

@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "edges/find_edges.hpp"
 #include "features/recognise.hpp"
+#include "pipeline/annotations.hpp"
 #include "scene/true_extents.hpp"
 
 namespace epura::pipeline {
@@ -46,12 +47,6 @@ double least_fold(const scene::World& world, const scene::SceneDescription& scen
   return options.centre_lines || !scene.dimensions.empty() ? flat : std::max(least, flat);
 }
 
-// Dimensions of features need faces even where folds alone identify all edges.
-bool are_features_wanted(const scene::SceneDescription& scene) {
-  return std::any_of(scene.dimensions.begin(), scene.dimensions.end(),
-                     [](const auto& dimension) { return dimension.type.value == DimensionType::automatic; });
-}
-
 std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, std::optional<double> least,
                                                    const Progress& progress) {
   if (least && !features::has_shallow_folds(mesh, *least)) return nullptr;
@@ -63,8 +58,9 @@ std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, std::
 
 void recognise_parts(scene::World& world, const scene::SceneDescription& scene, const RunOptions& options,
                      report::Report& report, Progress progress) {
+  // Dimensions of features need faces even where folds alone identify all edges.
   std::optional<double> least;
-  if (!are_features_wanted(scene) && !options.lint) least = least_fold(world, scene, options);
+  if (!dimensions_features(scene) && !options.lint) least = least_fold(world, scene, options);
   std::vector<int> wanted;
   const bool asked = std::any_of(scene.views.begin(), scene.views.end(), is_asked);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "pipeline/annotations.hpp"
 #include "pipeline/choose.hpp"
 #include "scene/body_styles.hpp"
 #include "scene/details.hpp"
@@ -79,6 +80,8 @@ std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const 
   for (const scene::ViewDescription& view : scene.views) {
     ViewOptions of_view = view_options(view, options);
     if (view.detail.given()) of_view.detail = *scene::find_detail(scene, *view.detail);
+    // Positions of holes and pitch circles are dimensioned at their centre lines.
+    of_view.centre_lines = of_view.centre_lines || dimensions_features(scene);
     const auto plan = [&](const scene::ProjectionRequest& request) -> PlannedView {
       return {request, find(request.name), of_view};
     };

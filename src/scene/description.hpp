@@ -124,8 +124,9 @@ struct DimensionDescription {
   LocatedText view;   ///< name of the view; by default the first one
   Located<DimensionType> type;
   Located<DimensionDirection> direction;  ///< linear: horizontal or vertical; overall: width, height or depth
-  std::vector<Anchor> anchors;  ///< two ends; angular: the vertex, then the ends of the legs; radius, diameter: a
-                                ///< vertex on the circle; overall, auto: none
+  std::vector<Anchor> anchors;   ///< two ends; angular: the vertex, then the ends of the legs; radius, diameter: a
+                                 ///< vertex on the circle; overall, auto: none
+  std::vector<Vec3> opposite{};  ///< linear: the ends if the dimension line is above or on the left; may be empty
   std::optional<FeatureCircle> circle{};  ///< of radius and diameter, instead of an anchor; not in scene files
   Located<double> offset;  ///< of the dimension line from the anchors, mm on paper; its sign selects the side
   LocatedText text;        ///< instead of the measured value; "<>" stands for the value

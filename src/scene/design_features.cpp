@@ -74,7 +74,7 @@ class PartReader {
     found.cylinders.insert(found.cylinders.end(), described.bores.begin(), described.bores.end());
     add_shafts(found.cylinders);
     add_arcs(found);
-    add_chamfers(found.chamfers);
+    add_cones(found);
   }
 
   void add_levels(const DesignFeatures& found, std::vector<DesignLevel>& levels) const {
@@ -103,7 +103,8 @@ class PartReader {
 
   void add_level(std::vector<DesignLevel>& levels, DesignLevel level) const {
     const double slack = 1e-5 * glm::length(world_.box.size());
-    const bool is_end = level.at <= world_.box.min[level.axis] + slack || level.at >= world_.box.max[level.axis] - slack;
+    const bool is_end =
+        level.at <= world_.box.min[level.axis] + slack || level.at >= world_.box.max[level.axis] - slack;
     if (is_end) return;
     for (DesignLevel& other : levels)
       if (other.axis == level.axis && std::abs(other.at - level.at) <= slack) {
@@ -190,21 +191,38 @@ class PartReader {
     });
   }
 
-  void add_chamfers(std::vector<DesignChamfer>& chamfers) const {
+  void add_cones(DesignFeatures& found) const {
     for (const RoundFace& round : round_) {
       const features::PartSurface& surface = round.face.surface;
-      const double length = round.to - round.from;
       if (surface.kind != SurfaceKind::cone || round.face.inwards || !round.is_whole()) continue;
       const double low = round.radius_at(round.from), high = round.radius_at(round.to);
-      if (!(length > 0) || !(std::min(low, high) > 0) || length > longest_chamfer * std::max(low, high)) continue;
       const bool rises = low < high;
       const double from = rises ? round.from : round.to, to = rises ? round.to : round.from;
-      chamfers.push_back({model_,
-                          {round.at(from), round.at(to)},
-                          {std::min(low, high), std::max(low, high)},
-                          surface.axis,
-                          portable_atan2(std::abs(high - low), length) / degree});
+      const DesignCone cone{model_,
+                            {round.at(from), round.at(to)},
+                            {std::min(low, high), std::max(low, high)},
+                            surface.axis,
+                            portable_atan2(std::abs(high - low), std::abs(to - from)) / degree};
+      (is_chamfer(round, cone) ? found.chamfers : found.cones).push_back(cone);
     }
+  }
+
+  // Whether a cone lies between a plane at its smaller end and a cylinder at its larger one.
+  [[nodiscard]] bool is_chamfer(const RoundFace& round, const DesignCone& cone) const {
+    if (glm::distance(cone.ends[0], cone.ends[1]) > longest_chamfer * cone.radii[1] || !(cone.radii[0] > 0))
+      return false;
+    bool plane = false, cylinder = false;
+    const double slack = std::max(32 * part_.tolerance, same_size * cone.radii[1]);
+    for (const features::PartBorder& border : world_.models[model_].part->borders)
+      for (const int side : {0, 1}) {
+        if (border.faces[side] != round.number || border.faces[1 - side] < 0) continue;
+        const features::PartSurface& other = part_.faces[border.faces[1 - side]].surface;
+        plane = plane || (other.kind == SurfaceKind::plane && are_parallel(other.axis, cone.axis) &&
+                          std::abs(glm::dot(other.origin - cone.ends[0], cone.axis)) <= slack);
+        cylinder = cylinder || (other.kind == SurfaceKind::cylinder && are_parallel(other.axis, cone.axis) &&
+                                std::abs(other.radius - cone.radii[1]) <= slack);
+      }
+    return plane && cylinder;
   }
 
   const World& world_;
@@ -218,8 +236,8 @@ void add_slots(const CentredFeatures& centred, std::vector<DesignSlot>& slots) {
   for (const SlotFeature& slot : centred.slots) {
     const RoundFeature &one = slot.ends[0], &other = slot.ends[1];
     if (one.enclosed && other.enclosed)
-      slots.push_back({one.model, {one.rings.back().centre, other.rings.back().centre}, one.axis,
-                       one.rings.back().radius});
+      slots.push_back(
+          {one.model, {one.rings.back().centre, other.rings.back().centre}, one.axis, one.rings.back().radius});
   }
   for (DesignSlot& slot : slots) {
     Vec3 along = slot.centres[1] - slot.centres[0];

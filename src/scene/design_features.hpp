@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The features of the models that a drawing gives sizes for: holes, slots, shafts, fillets, chamfers and steps, in world
-// coordinates. Only what the recognised faces prove: a hole of another shape than those below is a list of its bores.
+// The features of the models that a drawing gives sizes for: holes, slots, shafts, fillets, chamfers and steps, in
+// world coordinates. Only what the recognised faces prove: a hole of another shape than those below is a list of its
+// bores.
 #pragma once
 
 #include <array>
@@ -25,7 +26,8 @@ struct DesignHole {
   Vec3 axis;        ///< unit, out of the material at the mouth
   double diameter;  ///< of its narrowest bore
   bool through;
-  std::optional<double> depth{};  ///< of the full diameter of a blind hole, from the mouth; nothing if it is not certain
+  std::optional<double>
+      depth{};  ///< of the full diameter of a blind hole, from the mouth; nothing if it is not certain
   std::optional<Recess> counterbore{}, countersink{};
   int pitch_circle = -1;  ///< index in DesignFeatures
 };
@@ -59,8 +61,8 @@ struct DesignArc {
   bool inwards;
 };
 
-/// A short cone at the end of a shaft.
-struct DesignChamfer {
+/// A full cone, with the material inside.
+struct DesignCone {
   int model;
   std::array<Vec3, 2> ends;     ///< on its axis; the first one is that of the smaller circle
   std::array<double, 2> radii;  ///< at its ends
@@ -88,8 +90,9 @@ struct DesignFeatures {
   std::vector<DesignCylinder> cylinders;
   std::vector<DesignSlot> slots;
   std::vector<DesignArc> arcs;
-  std::vector<DesignChamfer> chamfers;
-  std::vector<DesignLevel> levels;  ///< by axis and place
+  std::vector<DesignCone> chamfers;  ///< between the end of a shaft and its cylinder
+  std::vector<DesignCone> cones;     ///< all others
+  std::vector<DesignLevel> levels;   ///< by axis and place
   std::vector<DesignPitchCircle> pitch_circles;
 };
 

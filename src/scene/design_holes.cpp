@@ -22,7 +22,7 @@ constexpr double tip = 1e-3;        // radius of the end of a drill point, relat
 /// A face of a hole: heights are along the axis of the hole.
 struct Piece {
   SurfaceKind kind;
-  double begin, end;           ///< begin is nearer to the mouth once the pieces are in order
+  double begin, end;            ///< begin is nearer to the mouth once the pieces are in order
   double wide_begin, wide_end;  ///< radii there
   double slope;
 
@@ -39,10 +39,12 @@ class HoleReader {
     std::vector<Piece> pieces = pieces_of(hole, first);
     const double low = pieces.front().begin, high = end_of(pieces);
     const bool closed_low = is_closed(first, low), closed_high = is_closed(first, high);
-    const bool tip_low = ends_in_tip(pieces.front().wide_begin, pieces), tip_high = ends_in_tip(radius_at_end(pieces), pieces);
+    const bool tip_low = ends_in_tip(pieces.front().wide_begin, pieces),
+               tip_high = ends_in_tip(radius_at_end(pieces), pieces);
     const bool shut_low = closed_low || tip_low, shut_high = closed_high || tip_high;
     // The mouth of a hole that is open at both ends is the wider one.
-    const bool mouth_is_low = shut_high || (!shut_low && pieces.front().wide_begin > radius_at_end(pieces) * (1 + same_size));
+    const bool mouth_is_low =
+        shut_high || (!shut_low && pieces.front().wide_begin > radius_at_end(pieces) * (1 + same_size));
     if (!mouth_is_low) {
       for (Piece& piece : pieces) piece = piece.reversed();
       std::reverse(pieces.begin(), pieces.end());
@@ -53,15 +55,14 @@ class HoleReader {
     DesignHole design{model_, first.origin - mouth * axis, axis, 0, hole.through && !shut_low && !shut_high};
     const bool certain = hole.through != (shut_low || shut_high) && !(shut_low && shut_high);
     if (certain && interpret(pieces, design)) {
-      if (!design.through && has_plane(axis, glm::dot(design.mouth, axis)))
-        design.depth = end_of_bore(pieces) - mouth;
+      if (!design.through && has_plane(axis, glm::dot(design.mouth, axis))) design.depth = end_of_bore(pieces) - mouth;
       described.holes.push_back(design);
       return;
     }
     for (const Piece& piece : pieces)
       if (piece.kind == SurfaceKind::cylinder)
-        described.bores.push_back({model_, first.origin - piece.begin * axis, first.origin - piece.end * axis, axis,
-                                   piece.wide_begin, true});
+        described.bores.push_back(
+            {model_, first.origin - piece.begin * axis, first.origin - piece.end * axis, axis, piece.wide_begin, true});
   }
 
  private:
@@ -74,11 +75,11 @@ class HoleReader {
       const auto radius = [&face](double height) {
         return std::max(face.surface.radius + face.surface.slope * height, 0.0);
       };
-      Piece piece{face.surface.kind, middle + face.from, middle + face.to, radius(face.from), radius(face.to),
-                  std::abs(face.surface.slope)};
+      Piece piece{face.surface.kind, middle + face.from, middle + face.to,
+                  radius(face.from), radius(face.to),    std::abs(face.surface.slope)};
       if (!same_way)
-        piece = {face.surface.kind, middle - face.to, middle - face.from, radius(face.to), radius(face.from),
-                 std::abs(face.surface.slope)};
+        piece = {face.surface.kind, middle - face.to,  middle - face.from,
+                 radius(face.to),   radius(face.from), std::abs(face.surface.slope)};
       pieces.push_back(piece);
     }
     std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.begin < b.begin; });
@@ -91,8 +92,8 @@ class HoleReader {
     return end;
   }
   static double radius_at_end(const std::vector<Piece>& pieces) {
-    const auto last = std::max_element(pieces.begin(), pieces.end(),
-                                       [](const Piece& a, const Piece& b) { return a.end < b.end; });
+    const auto last =
+        std::max_element(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.end < b.end; });
     return last->wide_end;
   }
   static bool ends_in_tip(double radius, const std::vector<Piece>& pieces) {
@@ -111,9 +112,8 @@ class HoleReader {
 
   // Whether there is a plane face perpendicular to the axis at this place along it.
   [[nodiscard]] bool has_plane(const Vec3& axis, double at) const {
-    return std::any_of(part_.faces.begin(), part_.faces.end(), [&](const features::PartFace& face) {
-      return is_plane_at(face.surface, axis, at);
-    });
+    return std::any_of(part_.faces.begin(), part_.faces.end(),
+                       [&](const features::PartFace& face) { return is_plane_at(face.surface, axis, at); });
   }
   [[nodiscard]] bool is_plane_at(const features::PartSurface& surface, const Vec3& axis, double at) const {
     return surface.kind == SurfaceKind::plane && glm::length(glm::cross(surface.axis, axis)) <= parallel &&

@@ -118,8 +118,14 @@ AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene:
   if (!description.type.given()) refuse(where, "the dimension has no type");
   const DimensionType type = *description.type;
   const TypeRule& rule = type_rules[std::size_t(type)];
-  AnchoredDimension dimension{
-      where, type, direction_of(description), {}, {}, description.offset.value, description.text.value_or("")};
+  AnchoredDimension dimension{where,
+                              type,
+                              direction_of(description),
+                              {},
+                              description.opposite,
+                              {},
+                              description.offset.value,
+                              description.text.value_or("")};
   if (description.circle) {
     const scene::FeatureCircle& circle = *description.circle;
     dimension.circles = {{circle.centre, circle.axis, circle.radius, circle.arc, circle.arc.empty()}};

@@ -33,6 +33,7 @@ struct AnchoredDimension {
   DimensionType type;
   std::optional<DimensionDirection> direction;  ///< of linear and overall dimensions
   std::vector<Vec3> points;                     ///< two ends; angular: the corner, then the ends of its legs
+  std::vector<Vec3> opposite{};                 ///< linear: the ends for a dimension line above or on the left, if any
   std::vector<WorldCircle> circles;             ///< radius, diameter: all circles through the anchor, at least one
   std::optional<double> offset;
   std::string text;                                    ///< "<>" stands for the measured value

@@ -35,8 +35,8 @@ std::vector<std::vector<const Feature*>> groups_of(const std::vector<Feature>& f
                                                    const std::function<bool(const Feature&, const Feature&)>& equal) {
   std::vector<std::vector<const Feature*>> groups;
   for (const Feature& feature : features) {
-    const auto same = std::find_if(groups.begin(), groups.end(),
-                                   [&](const auto& group) { return equal(*group.front(), feature); });
+    const auto same =
+        std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return equal(*group.front(), feature); });
     if (same == groups.end())
       groups.push_back({&feature});
     else
@@ -88,7 +88,8 @@ class Planner {
   // The first view in which an axis is horizontal or vertical.
   [[nodiscard]] const NamedProjection* view_across(const Vec3& axis) const {
     for (const NamedProjection& view : views_)
-      if (may_use(view) && (are_parallel(view.projection.u, axis) || are_parallel(view.projection.v, axis))) return &view;
+      if (may_use(view) && (are_parallel(view.projection.u, axis) || are_parallel(view.projection.v, axis)))
+        return &view;
     return nullptr;
   }
 
@@ -112,9 +113,10 @@ class Planner {
   }
 
   // Positions in the plane of a view, along the axes of the world that it shows.
-  void add_position(const NamedProjection& view, const Vec3& centre) {
+  void add_position(const NamedProjection& view, const Vec3& centre, int group) {
     for (const Vec3& along : {view.projection.u, view.projection.v})
-      if (const int axis = world_axis(along); axis >= 0) stations_.add({&view, axis, centre[axis], centre});
+      if (const int axis = world_axis(along); axis >= 0)
+        stations_.add({&view, axis, centre[axis], centre, group, centre});
   }
 
   [[nodiscard]] std::string length(double value) const { return format_fixed(value, decimals_); }
@@ -130,6 +132,7 @@ class Planner {
 
   void add_holes() {
     for (const auto& group : groups_of<scene::DesignHole>(subject_.features.holes, scene::are_equal)) {
+      ++groups_;
       const NamedProjection* view = view_along(group.front()->axis, !group.front()->through);
       if (view == nullptr) continue;
       const auto* shown =
@@ -137,16 +140,17 @@ class Planner {
       add(DimensionType::diameter, *view, note_of(*group.front(), group.size())).circle = {
           shown->mouth, shown->axis, shown->diameter / 2, {}};
       for (const scene::DesignHole* hole : group)
-        if (hole->pitch_circle < 0) add_position(*view, hole->mouth);
+        if (hole->pitch_circle < 0) add_position(*view, hole->mouth, groups_);
     }
   }
 
   void add_pitch_circles() {
     for (const scene::DesignPitchCircle& circle : subject_.features.pitch_circles) {
+      ++groups_;
       const NamedProjection* view = view_along(circle.axis, false);
       if (view == nullptr) continue;
       add(DimensionType::diameter, *view, "<>").circle = {circle.centre, circle.axis, circle.radius, {}};
-      add_position(*view, circle.centre);
+      add_position(*view, circle.centre, groups_);
     }
   }
 
@@ -171,9 +175,11 @@ class Planner {
     for (const scene::DesignCylinder& cylinder : subject_.features.cylinders)
       if (cylinder.inwards || !is_overall(cylinder)) left.push_back(cylinder);
     const auto equal = [](const scene::DesignCylinder& a, const scene::DesignCylinder& b) {
-      return a.inwards == b.inwards && a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
+      return a.inwards == b.inwards && a.model == b.model && are_same(a.radius, b.radius) &&
+             are_parallel(a.axis, b.axis);
     };
     for (const auto& group : groups_of<scene::DesignCylinder>(left, equal)) {
+      ++groups_;
       const Vec3& axis = group.front()->axis;
       const NamedProjection* along = view_along(axis, false);
       const NamedProjection* across = group.front()->inwards ? nullptr : view_across(axis);
@@ -183,7 +189,7 @@ class Planner {
       add(DimensionType::diameter, *view, times(group.size()) + "<>").circle = {
           outer_end(shown), axis, shown.radius, {}};
       if (along == nullptr) continue;
-      for (const scene::DesignCylinder* cylinder : group) add_position(*along, cylinder->from);
+      for (const scene::DesignCylinder* cylinder : group) add_position(*along, cylinder->from, groups_);
     }
   }
 
@@ -195,6 +201,7 @@ class Planner {
              are_parallel(glm::normalize(span(a)), glm::normalize(span(b)));
     };
     for (const auto& group : groups_of<scene::DesignSlot>(subject_.features.slots, equal)) {
+      ++groups_;
       const scene::DesignSlot& slot = *group.front();
       const NamedProjection* view = view_along(slot.axis, false);
       if (view == nullptr) continue;
@@ -202,19 +209,19 @@ class Planner {
       std::vector<Vec3> arc;
       for (const double turn : {-1.0, 0.0, 1.0})
         arc.push_back(slot.centres[1] + slot.radius * (turn * out + (1 - std::abs(turn)) * along));
-      add(DimensionType::radius, *view, times(2 * group.size()) + "<>").circle = {slot.centres[1], slot.axis, slot.radius,
-                                                                                 arc};
+      add(DimensionType::radius, *view, times(2 * group.size()) + "<>").circle = {slot.centres[1], slot.axis,
+                                                                                  slot.radius, arc};
       const int axis = world_axis(along);
       if (axis >= 0)
         add(DimensionType::aligned, *view, times(group.size()) + "<>").anchors = {slot.centres[0], slot.centres[1]};
       for (const scene::DesignSlot* one : group) {
         const double way = glm::dot(span(*one), view->projection.u + view->projection.v);
         const auto& [low, high] = std::pair(one->centres[way > 0 ? 0 : 1], one->centres[way > 0 ? 1 : 0]);
-        add_position(*view, low);
+        add_position(*view, low, groups_);
         if (axis >= 0)
           stations_.know(axis, high[axis]);
         else
-          add_position(*view, high);
+          add_position(*view, high, groups_);
       }
     }
   }
@@ -223,23 +230,31 @@ class Planner {
     const auto equal = [](const scene::DesignArc& a, const scene::DesignArc& b) {
       return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
     };
-    for (const auto& group : groups_of<scene::DesignArc>(subject_.features.arcs, equal)) {
+    auto groups = groups_of<scene::DesignArc>(subject_.features.arcs, equal);
+    std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
+      return double(a.size()) * a.front()->radius > double(b.size()) * b.front()->radius;
+    });
+    const Vec3 size = subject_.world.box.size();
+    const double largest = std::max({size.x, size.y, size.z});
+    std::map<std::string, std::size_t> in_view;
+    for (const auto& group : groups) {
       const NamedProjection* view = view_along(group.front()->axis, false);
-      if (view == nullptr) continue;
+      const double sum = double(group.size()) * group.front()->radius;
+      if (view == nullptr || sum < least_radius * largest || in_view[view->name]++ >= most_radii) continue;
       const auto* shown =
           uppermost<scene::DesignArc>(group, *view, [](const scene::DesignArc& arc) { return arc.points[4]; });
       add(DimensionType::radius, *view, times(group.size()) + "<>").circle = {shown->centre, shown->axis, shown->radius,
-                                                                             shown->points};
+                                                                              shown->points};
     }
   }
 
   void add_chamfers() {
-    const auto equal = [](const scene::DesignChamfer& a, const scene::DesignChamfer& b) {
+    const auto equal = [](const scene::DesignCone& a, const scene::DesignCone& b) {
       return a.model == b.model && are_same(glm::length(a.ends[1] - a.ends[0]), glm::length(b.ends[1] - b.ends[0])) &&
              are_same(a.angle, b.angle) && are_parallel(a.axis, b.axis);
     };
-    for (const auto& group : groups_of<scene::DesignChamfer>(subject_.features.chamfers, equal)) {
-      const scene::DesignChamfer& chamfer = *group.front();
+    for (const auto& group : groups_of<scene::DesignCone>(subject_.features.chamfers, equal)) {
+      const scene::DesignCone& chamfer = *group.front();
       const NamedProjection* view = view_across(chamfer.axis);
       if (view == nullptr) continue;
       const projection::Projection& projection = view->projection;
@@ -273,17 +288,23 @@ class Planner {
     return best;
   }
 
+  [[nodiscard]] double least_area() const {
+    const Vec3 size = subject_.world.box.size();
+    const double largest = std::max({size.x, size.y, size.z}), least = std::min({size.x, size.y, size.z});
+    return least_level * largest * (size.x + size.y + size.z - largest - least);
+  }
+
   void add_levels() {
     std::map<std::pair<std::string, int>, std::vector<std::pair<double, Station>>> by_view;
     for (const scene::DesignLevel& level : subject_.features.levels) {
       const NamedProjection* view = view_of(level);
-      if (view == nullptr || stations_.is_known(level.axis, level.at)) continue;
+      if (view == nullptr || stations_.is_known(level.axis, level.at) || level.area < least_area()) continue;
       const bool horizontal = std::abs(view->projection.u[level.axis]) > 0.5;
       const Vec3 towards = horizontal ? -view->projection.v : view->projection.u;
-      const Vec3 point = *std::max_element(level.points.begin(), level.points.end(), [&](const Vec3& a, const Vec3& b) {
-        return glm::dot(a, towards) < glm::dot(b, towards);
-      });
-      by_view[{view->name, level.axis}].emplace_back(-level.area, Station{view, level.axis, level.at, point, false});
+      const auto [high, low] = std::minmax_element(
+          level.points.begin(), level.points.end(),
+          [&](const Vec3& a, const Vec3& b) { return glm::dot(a, towards) < glm::dot(b, towards); });
+      by_view[{view->name, level.axis}].emplace_back(-level.area, Station{view, level.axis, level.at, *low, -1, *high});
     }
     for (auto& [key, levels] : by_view) {
       std::stable_sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -296,6 +317,7 @@ class Planner {
   const DimensionSubject& subject_;
   int decimals_;
   Stations stations_;
+  int groups_ = 0;  ///< of equal holes, so far
   std::vector<DimensionDescription> dimensions_;
 };
 

@@ -20,8 +20,10 @@ struct DimensionSubject {
   const std::array<scene::Extent, 3>& extents;
 };
 
-/// How many steps a view dimensions along one axis; more would not be legible, and `epura lint` lists what is left.
-inline constexpr std::size_t most_levels = 10;
+/// How many steps a view dimensions along one axis, and how many radii; more would not be legible. The largest count,
+/// and none smaller than `least_level` of the area of the models' box: `epura lint` lists what is left.
+inline constexpr std::size_t most_levels = 6, most_radii = 6;
+inline constexpr double least_level = 5e-4;
 
 /// Returns overall dimensions, as of overall_dimensions, and those of features:
 /// - holes, pitch circles, slots, arcs in a view along their axes; shafts and chamfers in a view across them

@@ -98,11 +98,12 @@ class Chain {
 /// A size of one feature, and how many dimensions give it.
 struct CircleSize {
   std::string name;
+  int model;
   Vec3 centre, axis;
   double radius;
-  bool anywhere;      ///< a dimension of any equal one counts: radii of fillets
+  bool anywhere;  ///< a dimension of any equal one counts: radii of fillets
   bool needs_depth;
-  int equal = 0;      ///< number of its list of equal ones
+  int equal = 0;  ///< number of its list of equal ones
   int dimensions = 0;
 };
 
@@ -124,9 +125,11 @@ class CoverageFinder {
       for (const AnchoredDimension& dimension : view.dimensions)
         if (!is_auxiliary(dimension.text)) join(dimension, view);
     for (int axis = 0; axis < 3; ++axis) chains_[axis].list_open(axis, decimals_, coverage_.undimensioned);
+    for (const scene::DesignCone& cone : subject_.features.cones)
+      coverage_.undimensioned.push_back("cone ⌀" + length(2 * cone.radii[0]) + " to ⌀" + length(2 * cone.radii[1]));
     for (const CircleSize& size : sizes_) {
       if (size.dimensions == 0 && !given_elsewhere(size)) coverage_.undimensioned.push_back(size.name);
-      if (size.dimensions > 1) coverage_.repeated.push_back(size.name);
+      if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
     }
     merge(coverage_.undimensioned);
     merge(coverage_.repeated);
@@ -162,7 +165,9 @@ class CoverageFinder {
   void add_size(CircleSize size) {
     size.equal = static_cast<int>(sizes_.size());
     for (const CircleSize& other : sizes_)
-      if (other.name == size.name && are_parallel(other.axis, size.axis)) {
+      if (other.name == size.name && other.model == size.model && are_parallel(other.axis, size.axis) &&
+          std::abs(other.radius - size.radius) <= 1e-4 * size.radius &&
+          (!size.needs_depth || glm::dot(other.axis, size.axis) > 0)) {
         size.equal = other.equal;
         break;
       }
@@ -176,18 +181,18 @@ class CoverageFinder {
       if (hole.depth) name += " ↧" + length(*hole.depth);
       if (hole.counterbore) name += " ⌴⌀" + length(hole.counterbore->diameter);
       if (hole.countersink) name += " ⌵⌀" + length(hole.countersink->diameter);
-      add_size({name, hole.mouth, hole.axis, hole.diameter / 2, false,
+      add_size({name, hole.model, hole.mouth, hole.axis, hole.diameter / 2, false,
                 hole.depth || hole.counterbore || hole.countersink});
     }
     for (const scene::DesignCylinder& cylinder : features.cylinders)
-      add_size({name_of(cylinder), cylinder.from, cylinder.axis, cylinder.radius, false, false});
+      add_size({name_of(cylinder), cylinder.model, cylinder.from, cylinder.axis, cylinder.radius, false, false});
     for (const scene::DesignPitchCircle& circle : features.pitch_circles)
-      add_size({"pitch circle ⌀" + length(2 * circle.radius), circle.centre, circle.axis, circle.radius, false, false});
+      add_size({"pitch circle ⌀" + length(2 * circle.radius), circle.model, circle.centre, circle.axis, circle.radius,
+                false, false});
     for (const scene::DesignSlot& slot : features.slots)
-      add_size({"slot R" + length(slot.radius), slot.centres[1], slot.axis, slot.radius, true, false});
+      add_size({"slot R" + length(slot.radius), slot.model, slot.centres[1], slot.axis, slot.radius, true, false});
     for (const scene::DesignArc& arc : features.arcs)
-      add_size({"radius R" + length(arc.radius), arc.centre, arc.axis, arc.radius, true,
-                false});
+      add_size({"radius R" + length(arc.radius), arc.model, arc.centre, arc.axis, arc.radius, true, false});
   }
 
   static bool is_equal(const CircleSize& size, const WorldCircle& circle) {
@@ -198,7 +203,8 @@ class CoverageFinder {
            glm::length(glm::cross(size.centre - circle.centre, size.axis)) <= same_size * 10 * circle.radius;
   }
 
-  // A dimension counts for the features on its circle, and for those equal to them if it is one of a fillet or has "4×".
+  // A dimension counts for the features on its circle, and for those equal to them if it is one of a fillet or has
+  // "4×".
   void count(const AnchoredDimension& dimension) {
     const bool many = repeats_of(dimension.text) > 1;
     const WorldCircle& circle = dimension.circles.front();
@@ -214,6 +220,16 @@ class CoverageFinder {
     }
   }
 
+  // The number of different features at the place of one: a bolt fills its hole, and each may have its dimension.
+  [[nodiscard]] int places_of(const CircleSize& size) const {
+    std::vector<int> lists{size.equal};
+    for (const CircleSize& other : sizes_)
+      if (is_at(other, {size.centre, size.axis, size.radius, {}, true}) &&
+          std::find(lists.begin(), lists.end(), other.equal) == lists.end())
+        lists.push_back(other.equal);
+    return static_cast<int>(lists.size());
+  }
+
   // Whether an overall dimension is this diameter.
   [[nodiscard]] bool given_elsewhere(const CircleSize& size) const {
     return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const scene::Extent& extent) {
@@ -224,6 +240,10 @@ class CoverageFinder {
   }
 
   void join_between(int axis, double a, double b, const AnchoredDimension& dimension) {
+    // What is symmetrical to the axis of a round part needs no position.
+    const scene::Extent& extent = subject_.extents[axis];
+    const double middle = (extent.from + extent.to) / 2;
+    if (extent.form != scene::ExtentForm::length && are_same(b - middle, middle - a)) chains_[axis].join(middle, a);
     const int parts = repeats_of(dimension.text);
     const bool is_row = parts > 1 && dimension.text.find('=') != std::string::npos;
     if (is_row)
@@ -285,7 +305,8 @@ class CoverageFinder {
   static void merge(std::vector<std::string>& sentences) {
     std::vector<std::pair<std::string, int>> counted;
     for (const std::string& sentence : sentences) {
-      const auto same = std::find_if(counted.begin(), counted.end(), [&](const auto& c) { return c.first == sentence; });
+      const auto same =
+          std::find_if(counted.begin(), counted.end(), [&](const auto& c) { return c.first == sentence; });
       if (same == counted.end())
         counted.emplace_back(sentence, 1);
       else

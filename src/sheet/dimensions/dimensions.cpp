@@ -122,7 +122,7 @@ std::vector<std::string> crossings_of(const std::vector<std::optional<PlacedDime
       if (placed[j] && cross(*placed[i], *placed[j]))
         sentences.push_back("'" + placed[i]->text.text + "' and '" + placed[j]->text.text + "'");
     if (any_overlap(neighbours.boxes, placed[i]->text_box))
-      sentences.push_back("'" + placed[i]->text.text + "' and another view or text");
+      sentences.push_back("'" + placed[i]->text.text + "' and something else on the sheet");
   }
   return sentences;
 }

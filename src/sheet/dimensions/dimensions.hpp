@@ -37,8 +37,8 @@ struct PlacedLayer {
 };
 
 /// The same as dimension_layer, with what lint reports.
-PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours = {},
-                             const Progress& progress = {});
+PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& style,
+                             const Neighbours& neighbours = {}, const Progress& progress = {});
 
 /// Layer "VIEW/dimensions" of a drawing in its final position: narrow lines, filled arrows, and texts. Values are the
 /// true measures in the world. Dimensions are outside the outline, small ones inside large ones, and avoid each other

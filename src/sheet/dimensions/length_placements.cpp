@@ -60,30 +60,35 @@ double sign_of_offset(const Vec2& across) {
 
 std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, const MeasuredDimension& measured,
                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
-  const double end = glm::dot(length.to - length.from, left_of(length.along));
   const double upwards = sign_of_offset(left_of(length.along));
   std::vector<DimensionPlacement> placements;
   const int places = fits_inside(length, measured.text, style) ? text_places : 2;
-  const auto add_at = [&](double distance, double cost) {
+  const auto add_at = [&](const MeasuredLength& ends, double distance, double cost) {
     for (int place = 0; place < places; ++place)
       placements.push_back(
-          {straight_dimension(length, measured.text, distance, place, style), cost + cost_of_text_place * place});
+          {straight_dimension(ends, measured.text, distance, place, style), cost + cost_of_text_place * place});
   };
+  const auto end_of = [](const MeasuredLength& ends) { return glm::dot(ends.to - ends.from, left_of(ends.along)); };
   if (measured.offset) {
     const double side = *measured.offset < 0 ? -upwards : upwards;
-    const double distance = side * (std::max(0.0, side * end) + std::abs(*measured.offset));
-    add_at(distance, 0);
+    add_at(length, side * (std::max(0.0, side * end_of(length)) + std::abs(*measured.offset)), 0);
     return placements;
   }
-  const Reach reach = reach_of_ink(length, drawing);
   // Below or on the right if nothing else matters.
   const bool vertical = std::abs(length.along.y) > std::abs(length.along.x);
   const double first_side = vertical ? upwards : -upwards;
   for (const double side : {first_side, -first_side}) {
+    MeasuredLength ends = length;
+    if (side != first_side && length.opposite) {
+      ends.from = (*length.opposite)[0];
+      ends.to = (*length.opposite)[1];
+    }
+    const Reach reach = reach_of_ink(ends, drawing);
     const double outline = side > 0 ? reach.max : -reach.min;
-    const double cost = cost_of_extension * (2 * outline - side * end);
+    const double cost = cost_of_extension * (2 * outline - side * end_of(ends));
     for (int level = 0; level < levels; ++level)
-      add_at(side * (outline + first_dimension + level * dimension_step(style.text)), cost + cost_of_level * level);
+      add_at(ends, side * (outline + first_dimension + level * dimension_step(style.text)),
+             cost + cost_of_level * level);
   }
   return placements;
 }

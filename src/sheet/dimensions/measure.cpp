@@ -64,7 +64,11 @@ MeasuredDimension linear(const AnchoredDimension& dimension, const Sight& sight)
   if (std::abs(value) <= 1e-9 * glm::length(d))
     refuse(dimension, std::string("its anchors lie ") + (horizontal ? "one above the other" : "side by side"),
            std::string("measure the ") + (horizontal ? "vertical" : "horizontal") + " distance");
-  return length_between(dimension, sight, horizontal ? Vec2(1, 0) : Vec2(0, 1), std::abs(value));
+  MeasuredDimension measured = length_between(dimension, sight, horizontal ? Vec2(1, 0) : Vec2(0, 1), std::abs(value));
+  if (dimension.opposite.size() == 2)
+    std::get<MeasuredLength>(measured.form).opposite = {sight.page(dimension.opposite[0]),
+                                                        sight.page(dimension.opposite[1])};
+  return measured;
 }
 
 // The image of a world axis most nearly perpendicular to the line on paper, x before y before z, for extension lines of

@@ -15,9 +15,10 @@ namespace epura::sheet {
 
 /// A distance along a straight dimension line. Millimetres on paper.
 struct MeasuredLength {
-  Vec2 from, to;   ///< where the extension lines begin
-  Vec2 along;      ///< direction of the dimension line; length 1
-  Vec2 extension;  ///< direction of the extension lines, to either side; length 1
+  Vec2 from, to;                                  ///< where the extension lines begin
+  Vec2 along;                                     ///< direction of the dimension line; length 1
+  Vec2 extension;                                 ///< direction of the extension lines, to either side; length 1
+  std::optional<std::array<Vec2, 2>> opposite{};  ///< where they begin if the dimension line is above or on the left
 };
 
 struct MeasuredAngle {

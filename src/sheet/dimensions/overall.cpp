@@ -52,6 +52,10 @@ Lines lines_of(std::span<const scene::DimensionDescription> dimensions, const pr
     const std::optional<DimensionDirection>& direction = dimension.direction.value;
     const auto along = std::find_if(directions.begin(), directions.end(),
                                     [&direction](const Direction& d) { return d.direction == direction; });
+    // A leader needs no row of its own beside the ink.
+    const bool is_leader =
+        dimension.circle && std::abs(glm::dot(dimension.circle->axis, projection.n)) > 1 - same_direction;
+    if (is_leader) continue;
     if (dimension.offset.given()) {
       lines.farthest = std::max(lines.farthest, std::abs(*dimension.offset));
     } else if (along != directions.end()) {
@@ -92,7 +96,9 @@ std::vector<scene::DimensionDescription> overall_dimensions(const scene::Dimensi
 Room dimension_room(std::span<const scene::DimensionDescription> dimensions, const projection::Projection& projection,
                     double text_height) {
   const Lines lines = lines_of(dimensions, projection);
-  const auto room = [&](int count) {
+  const auto room = [&](int needed_lines) {
+    constexpr int most_lines = 4;  // more leave too little of a sheet for the views; short dimensions share lines
+    const int count = std::min(needed_lines, most_lines);
     const double stepped = count > 0 ? first_dimension + (count - 1) * dimension_step(text_height) : 0;
     const double needed = std::max(stepped, lines.farthest);
     return needed > 0 ? needed + text_height : 0;

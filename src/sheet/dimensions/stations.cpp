@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "base/text.hpp"
 
@@ -14,9 +15,7 @@ namespace {
 constexpr double parallel = 1e-6;
 constexpr double same_place = 1e-5;  // relative to the size of the models
 
-bool is_horizontal(const Station& station) {
-  return std::abs(station.view->projection.u[station.axis]) > 0.5;
-}
+bool is_horizontal(const Station& station) { return std::abs(station.view->projection.u[station.axis]) > 0.5; }
 
 // Prefers points below, or on the right.
 double rank(const Station& station, const Vec3& point) {
@@ -24,13 +23,14 @@ double rank(const Station& station, const Vec3& point) {
   return is_horizontal(station) ? -glm::dot(point, projection.v) : glm::dot(point, projection.u);
 }
 
-scene::DimensionDescription distance(const Station& from, const Vec3& begin, const Vec3& end, const std::string& where) {
+scene::DimensionDescription distance(const Station& from, const Station& to, const std::string& where) {
   scene::DimensionDescription dimension;
   dimension.where = where;
   dimension.view = {from.view->name, where};
   dimension.type = {DimensionType::linear, where};
   dimension.direction = {is_horizontal(from) ? DimensionDirection::horizontal : DimensionDirection::vertical, where};
-  dimension.anchors = {begin, end};
+  dimension.anchors = {from.point, to.point};
+  dimension.opposite = {from.opposite, to.opposite};
   return dimension;
 }
 
@@ -39,7 +39,8 @@ bool are_a_row(std::span<const Station> stations, double slack) {
   if (stations.size() < 3) return false;
   const double pitch = (stations.back().at - stations.front().at) / static_cast<double>(stations.size() - 1);
   for (std::size_t i = 0; i < stations.size(); ++i)
-    if (!stations[i].in_row || std::abs(stations[i].at - stations.front().at - pitch * static_cast<double>(i)) > slack)
+    if (stations[i].group < 0 ||
+        std::abs(stations[i].at - stations.front().at - pitch * static_cast<double>(i)) > slack)
       return false;
   return true;
 }
@@ -77,27 +78,66 @@ bool Stations::is_known(int axis, double at) const {
 void Stations::add(const Station& station) {
   for (Station& other : stations_)
     if (other.axis == station.axis && std::abs(other.at - station.at) <= slack_) {
-      if (other.view == station.view && rank(other, station.point) > rank(other, other.point))
-        other.point = station.point;
+      if (other.view != station.view) return;
+      if (rank(other, station.point) > rank(other, other.point)) other.point = station.point;
+      if (rank(other, station.opposite) < rank(other, other.opposite)) other.opposite = station.opposite;
       return;
     }
   if (!is_known(station.axis, station.at)) stations_.push_back(station);
 }
 
-Vec3 Stations::base_of(const NamedProjection& view, int axis) const {
-  const projection::Projection& projection = view.projection;
-  const Station station{&view, axis, 0, {}};
-  const double way = is_horizontal(station) ? projection.u[axis] : projection.v[axis];
-  const double at = way > 0 ? subject_.extents[axis].from : subject_.extents[axis].to;
+// Positions on a round part are measured from its axis.
+Station Stations::base_of(const Station& station) const {
+  const projection::Projection& projection = station.view->projection;
+  const scene::Extent& extent = subject_.extents[station.axis];
+  const double way = is_horizontal(station) ? projection.u[station.axis] : projection.v[station.axis];
+  const bool from_axis = extent.form != scene::ExtentForm::length && station.group >= 0;
+  Station base = station;
+  base.at = from_axis ? (extent.from + extent.to) / 2 : way > 0 ? extent.from : extent.to;
+  if (from_axis) {
+    base.point = base.opposite = extent.centre;
+    return base;
+  }
   double nearest = HUGE_VAL;
-  for (const Vec3& p : subject_.world.points) nearest = std::min(nearest, std::abs(p[axis] - at));
-  const Vec3* best = nullptr;
-  for (const Vec3& p : subject_.world.points)
-    if (std::abs(p[axis] - at) <= nearest + slack_ && (best == nullptr || rank(station, p) > rank(station, *best)))
-      best = &p;
-  Vec3 base = best != nullptr ? *best : subject_.world.box.min;
-  base[axis] = at;
+  for (const Vec3& p : subject_.world.points) nearest = std::min(nearest, std::abs(p[base.axis] - base.at));
+  const Vec3 *low = nullptr, *high = nullptr;
+  for (const Vec3& p : subject_.world.points) {
+    if (std::abs(p[base.axis] - base.at) > nearest + slack_) continue;
+    if (low == nullptr || rank(base, p) > rank(base, *low)) low = &p;
+    if (high == nullptr || rank(base, p) < rank(base, *high)) high = &p;
+  }
+  base.point = *low;
+  base.opposite = *high;
+  base.point[base.axis] = base.opposite[base.axis] = base.at;
   return base;
+}
+
+void Stations::add_row(std::vector<Station> row, const std::string& where, int decimals,
+                       std::vector<scene::DimensionDescription>& dimensions) const {
+  const Station base = base_of(row.front());
+  const scene::Extent& extent = subject_.extents[base.axis];
+  // Both sides of a keyway, for example: their distance.
+  if (extent.form != scene::ExtentForm::length && base.group < 0)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      for (std::size_t j = i + 1; j < row.size(); ++j)
+        if (std::abs(row[i].at + row[j].at - extent.from - extent.to) <= slack_) {
+          dimensions.push_back(distance(row[i], row[j], where));
+          row.erase(row.begin() + static_cast<std::ptrdiff_t>(j));
+          row.erase(row.begin() + static_cast<std::ptrdiff_t>(i--));
+          break;
+        }
+  std::sort(row.begin(), row.end(), [&](const Station& a, const Station& b) {
+    return std::pair(std::abs(a.at - base.at), a.at) < std::pair(std::abs(b.at - base.at), b.at);
+  });
+  const bool equal = are_a_row(row, slack_);
+  for (const Station& station : row) {
+    dimensions.push_back(distance(base, station, where));
+    if (equal) break;
+  }
+  if (!equal) return;
+  const double pitch = std::abs(row[1].at - row[0].at);
+  dimensions.push_back(distance(row.front(), row.back(), where));
+  dimensions.back().text = {std::to_string(row.size() - 1) + "× " + format_fixed(pitch, decimals) + " (=<>)", where};
 }
 
 std::vector<scene::DimensionDescription> Stations::dimensions(const std::string& where, int decimals) const {
@@ -107,25 +147,12 @@ std::vector<scene::DimensionDescription> Stations::dimensions(const std::string&
     if (done[i] != 0) continue;
     std::vector<Station> row;
     for (std::size_t j = i; j < stations_.size(); ++j)
-      if (stations_[j].view == stations_[i].view && stations_[j].axis == stations_[i].axis &&
-          stations_[j].in_row == stations_[i].in_row) {
+      if (done[j] == 0 && stations_[j].view == stations_[i].view && stations_[j].axis == stations_[i].axis &&
+          stations_[j].group == stations_[i].group) {
         row.push_back(stations_[j]);
         done[j] = 1;
       }
-    const Vec3 base = base_of(*row.front().view, row.front().axis);
-    const auto farther = [&](const Station& a, const Station& b) {
-      return std::abs(a.at - base[a.axis]) < std::abs(b.at - base[b.axis]);
-    };
-    std::sort(row.begin(), row.end(), farther);
-    const bool equal = are_a_row(row, slack_);
-    for (const Station& station : row) {
-      dimensions.push_back(distance(station, base, station.point, where));
-      if (equal) break;
-    }
-    if (!equal) continue;
-    const double pitch = std::abs(row[1].at - row[0].at);
-    dimensions.push_back(distance(row.front(), row.front().point, row.back().point, where));
-    dimensions.back().text = {std::to_string(row.size() - 1) + "× " + format_fixed(pitch, decimals) + " (=<>)", where};
+    add_row(std::move(row), where, decimals, dimensions);
   }
   return dimensions;
 }

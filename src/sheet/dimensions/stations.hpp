@@ -16,8 +16,9 @@ struct Station {
   const NamedProjection* view;
   int axis;
   double at;
-  Vec3 point;          ///< where its extension line begins
-  bool in_row = true;  ///< may be one of equally spaced ones
+  Vec3 point;            ///< where its extension line begins
+  int group = -1;        ///< of equal holes, which may be equally spaced; -1 for steps
+  Vec3 opposite{point};  ///< where it begins if the dimension line is above or on the left
 };
 
 /// Returns the axis of the world, 0 to 2, to which a unit vector is parallel; -1 if there is none.
@@ -34,15 +35,17 @@ class Stations {
   /// Notes that a place follows from other dimensions.
   void know(int axis, double at);
   [[nodiscard]] bool is_known(int axis, double at) const;
-  /// Adds a place unless it is known. Of points at the same place in one view, the one farthest below counts, or for
-  /// vertical dimensions farthest on the right: on that side the dimension line is expected.
+  /// Adds a place unless it is known. Of points at the same place in one view, those nearest to the dimension line
+  /// count.
   void add(const Station& station);
 
   /// Dimensions of all stations, from the left or lower end of the models in their view.
   [[nodiscard]] std::vector<scene::DimensionDescription> dimensions(const std::string& where, int decimals) const;
 
  private:
-  [[nodiscard]] Vec3 base_of(const NamedProjection& view, int axis) const;
+  [[nodiscard]] Station base_of(const Station& station) const;
+  void add_row(std::vector<Station> row, const std::string& where, int decimals,
+               std::vector<scene::DimensionDescription>& dimensions) const;
 
   const DimensionSubject& subject_;
   double slack_;
