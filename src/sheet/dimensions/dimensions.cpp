@@ -100,12 +100,12 @@ std::vector<std::optional<PlacedDimension>> place(const std::vector<MeasuredDime
 }
 
 // U+2300, or the letter that replaces it.
-std::string diameter_sign(const Lettering& lettering) { return lettering.missing("⌀").empty() ? "⌀" : "Ø"; }
+std::string diameter_sign(const Lettering& lettering) { return lettering.covers("⌀") ? "⌀" : "Ø"; }
 
 void expect_letters(const std::string& text, const AnchoredDimension& dimension, const Lettering& lettering) {
   const std::vector<std::string> missing = lettering.missing(text);
   if (!missing.empty())
-    throw Error(ErrorKind::input, dimension.where, "the font has no '" + missing.front() + "'",
+    throw Error(ErrorKind::input, dimension.where, "no installed font has '" + missing.front() + "'",
                 "write the text without it");
 }
 
