@@ -45,6 +45,9 @@ enum class ProjectionAngle { first, third };
 /// title is given; otherwise none.
 enum class FrameKind { automatic, none, plain, full };
 
+/// Sign between the whole and the fraction of the numbers on a sheet: "." or ",".
+enum class DecimalSign { point, comma };
+
 enum class DimensionType { linear, aligned, angular, radius, diameter, overall };
 
 /// Linear dimensions: direction on paper. Overall dimensions: width, height and depth along x, z and y of the world.

@@ -61,14 +61,12 @@ sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const
   return neighbours;
 }
 
-// Four digits of the size of small models.
-int decimals_of(const SheetInput& input) {
-  const Box& box = input.world.box;
-  const Vec3 size = box.max - box.min;
-  const double largest = std::max({size.x, size.y, size.z});
-  int usual = 2;
-  for (double least = 10; largest < least && usual < 8; least /= 10) ++usual;
-  return input.scene.sheets[static_cast<std::size_t>(input.views.sheet)].decimals.value_or(usual);
+sheet::Notation notation_of(const SheetInput& input) {
+  const scene::SheetDescription& sheet = input.scene.sheets[static_cast<std::size_t>(input.views.sheet)];
+  const Vec3 size = input.world.box.max - input.world.box.min;
+  const Unit unit = sheet.dimension_unit.value_or(Unit::mm);
+  const int usual = sheet::usual_decimals(std::max({size.x, size.y, size.z}), unit);
+  return {sheet.decimals.value_or(usual), unit, sheet.decimal_sign.value_or(DecimalSign::point)};
 }
 
 }  // namespace
@@ -87,7 +85,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     if (dimensions.empty()) continue;
     if (!lettering) around = neighbours_of(furniture, labels, marks, lettering.emplace());
     const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()),
-                                      decimals_of(input)};
+                                      notation_of(input)};
     const drawing::ViewDrawing& drawing = views[i].drawing;
     sheet::Layer layer =
         sheet::dimension_layer({input.world, drawing, dimensions}, style, with_other_views(around, views, i),

@@ -115,9 +115,11 @@ Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, 
                       const Progress& progress) {
   progress.begin("placing dimensions", view.dimensions.size());
   std::vector<MeasuredDimension> measured;
+  Notation notation = style.notation;
+  notation.diameter = diameter_sign(style.lettering);
   for (const AnchoredDimension& dimension :
        find_anchors(view.world, view.dimensions, progress.with_part_of_the_time(0.5))) {
-    measured.push_back(measure(view.drawing, dimension, {diameter_sign(style.lettering), style.decimals}));
+    measured.push_back(measure(view.drawing, dimension, notation));
     expect_letters(measured.back().text, dimension, style.lettering);
   }
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::dimension, {2 * style.line, style.line});
