@@ -49,6 +49,9 @@ enum class ProjectionAngle { first, third };
 /// title is given; otherwise none.
 enum class FrameKind { automatic, none, plain, full };
 
+/// Sign between the whole and the fraction of the numbers on a sheet: "." or ",".
+enum class DecimalSign { point, comma };
+
 /// `automatic` stands for overall dimensions and those of all recognised features: holes, shafts, slots, steps,
 /// fillets.
 enum class DimensionType { linear, aligned, angular, radius, diameter, overall, automatic };

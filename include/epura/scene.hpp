@@ -129,6 +129,8 @@ struct SheetOptions {
   std::optional<Scale> scale{};  ///< by default fit, or standard with a full frame
   ProjectionAngle angle = ProjectionAngle::first;
   FrameKind frame = FrameKind::automatic;
+  Unit dimension_unit = Unit::mm;  ///< of the lengths in dimensions
+  DecimalSign decimal_sign = DecimalSign::point;
   /// Title block fields by the names in docs/formats.md ("title", "owner", "number", "date" ...) or any other name.
   std::vector<std::pair<std::string, std::string>> title_block{};
 };

@@ -30,10 +30,26 @@ struct Fit {
   bool circle;
   double from, sweep;  ///< angles; a negative sweep is clockwise
   double longest_step;
+  double rise;  ///< of the curve over its chords, at most
   double deviation, tolerance;
 };
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+
+// Height of the curve over the chord of a step: the chord is parallel to the tangent in its middle.
+double rise_over(const Ellipse& e, double from, double step) {
+  const double middle = from + step / 2;
+  const Vec2 tangent = portable_cos(middle) * e.v - portable_sin(middle) * e.u;
+  return std::abs(cross(e.u, e.v)) / glm::length(tangent) * (1 - portable_cos(step / 2));
+}
+
+// Whether the largest value is not much more than the usual one.
+bool is_even(std::vector<double> values) {
+  constexpr double at_most = 3;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *std::max_element(middle, values.end()) <= at_most * *middle;
+}
 
 double angle_between(const Vec2& a, const Vec2& b) { return portable_atan2(cross(a, b), glm::dot(a, b)); }
 
@@ -72,7 +88,8 @@ std::optional<Fit> Line::along(const Ellipse& ellipse, bool circle, const std::v
   const double min = std::max(least_radius, least_radius_in_tolerances * tolerance);
   if (!(std::min(glm::length(ellipse.u), glm::length(ellipse.v)) >= min)) return std::nullopt;
   if (!(std::max(glm::length(ellipse.u), glm::length(ellipse.v)) <= most_radius)) return std::nullopt;
-  Fit fit{ellipse, circle, ellipse.angle_of(points.front()), 0, 0, 0, tolerance};
+  Fit fit{ellipse, circle, ellipse.angle_of(points.front()), 0, 0, 0, 0, tolerance};
+  std::vector<double> steps, rises;
   double previous = fit.from;
   for (std::size_t i = 0; i < points.size(); ++i) {
     fit.deviation = std::max(fit.deviation, ellipse.distance(points[i]));
@@ -83,8 +100,14 @@ std::optional<Fit> Line::along(const Ellipse& ellipse, bool circle, const std::v
     if (!(std::abs(step) <= most_step) || !(step * fit.sweep >= 0) || step == 0) return std::nullopt;
     fit.sweep += step;
     fit.longest_step = std::max(fit.longest_step, std::abs(step));
+    steps.push_back(std::abs(step));
+    rises.push_back(rise_over(ellipse, previous, step));
     previous = angle;
   }
+  fit.rise = *std::max_element(rises.begin(), rises.end());
+  // Corners of a curve are evenly spaced, in angle or by their chords' deviation. An ellipse also passes through the
+  // corners of a small fillet and the far ends of the straight lines beside it.
+  if (fit.rise > tolerance && !is_even(steps) && !is_even(rises)) return std::nullopt;
   return std::abs(fit.sweep) <= 2 * std::numbers::pi + 1e-6 ? std::optional(fit) : std::nullopt;
 }
 
@@ -106,7 +129,7 @@ std::optional<Fit> Line::fit(int first, int last) const {
   return found && round == whole ? found : std::nullopt;
 }
 
-// Height of the curve over the chord of a step; it is largest in the direction of the longer semi-axis.
+// The rise over the longest step, wherever it is; largest in the direction of the longer semi-axis.
 double bulge_of(const Fit& fit) {
   return std::max(glm::length(fit.ellipse.u), glm::length(fit.ellipse.v)) * (1 - portable_cos(fit.longest_step / 2));
 }
@@ -167,7 +190,7 @@ CurveReport find_in(Chain& chain, double tolerance) {
   CurveReport report;
   for (const CurveRun<Fit>& run : runs) {
     chain.curves.push_back(part_of(chain, run, tolerance));
-    report += {run.curve.circle ? 1 : 0, run.curve.circle ? 0 : 1, run.curve.deviation, bulge_of(run.curve)};
+    report += {run.curve.circle ? 1 : 0, run.curve.circle ? 0 : 1, run.curve.deviation, run.curve.rise};
   }
   return report;
 }

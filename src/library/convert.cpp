@@ -242,6 +242,8 @@ scene::SheetDescription describe(const SheetOptions& sheet, const std::string& w
   if (sheet.scale) description.scale = {scale_of(*sheet.scale, where + ".scale"), where + ".scale"};
   description.angle = {sheet.angle, where + ".angle"};
   description.frame = {sheet.frame, where + ".frame"};
+  description.dimension_unit = {sheet.dimension_unit, where + ".dimension_unit"};
+  description.decimal_sign = {sheet.decimal_sign, where + ".decimal_sign"};
   for (const auto& [name, text] : sheet.title_block)
     description.title_block.emplace_back(name, scene::LocatedText{text, where + ".title_block"});
   return description;

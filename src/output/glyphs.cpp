@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "base/error.hpp"
+#include "base/utf8.hpp"
 #include FT_FREETYPE_H
 #include <cairo-ft.h>
 
@@ -18,36 +22,36 @@ namespace {
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-struct FontFile {
+struct OpenFont {
   FT_Library library = nullptr;
   FT_Face face = nullptr;
 
-  explicit FontFile(const std::filesystem::path& file) {
+  OpenFont(const std::filesystem::path& file, int number) {
     check(FT_Init_FreeType(&library) == 0, "FreeType begins");
-    check(FT_New_Face(library, file.c_str(), 0, &face) == 0, "the font that gave widths can be opened again");
+    check(FT_New_Face(library, file.c_str(), number, &face) == 0, "the font that gave widths can be opened again");
   }
-  FontFile(const FontFile&) = delete;
-  FontFile& operator=(const FontFile&) = delete;
-  ~FontFile() { FT_Done_FreeType(library); }
+  OpenFont(const OpenFont&) = delete;
+  OpenFont& operator=(const OpenFont&) = delete;
+  ~OpenFont() { FT_Done_FreeType(library); }
 };
 
 using CairoFont = std::unique_ptr<cairo_font_face_t, Free<cairo_font_face_destroy>>;
 using CairoFontOptions = std::unique_ptr<cairo_font_options_t, Free<cairo_font_options_destroy>>;
 
 // Cairo may need the file until the surface is finished.
-CairoFont font_of(const sheet::Lettering& lettering) {
+CairoFont font_of(const std::filesystem::path& path, int number) {
   static const cairo_user_data_key_t key{};
-  auto file = std::make_unique<FontFile>(lettering.file());
+  auto file = std::make_unique<OpenFont>(path, number);
   CairoFont font(cairo_ft_font_face_create_for_ft_face(file->face, FT_LOAD_NO_HINTING));
-  const auto close = [](void* opened) { delete static_cast<FontFile*>(opened); };
+  const auto close = [](void* opened) { delete static_cast<OpenFont*>(opened); };
   require(cairo_font_face_set_user_data(font.get(), &key, file.get(), close), "lettering");
   file.release();  // now owned by the font face
   return font;
 }
 
 // Widths as in the font, regardless of the system settings for screens.
-void set_font(cairo_t* cairo, const sheet::Lettering& lettering) {
-  cairo_set_font_face(cairo, font_of(lettering).get());
+void set_font(cairo_t* cairo, const CairoFont& font) {
+  cairo_set_font_face(cairo, font.get());
   const CairoFontOptions options(cairo_font_options_create());
   cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
   cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
@@ -66,6 +70,61 @@ void along_base_line(cairo_t* cairo, const Canvas& canvas, const sheet::Text& te
   draw();
   cairo_restore(cairo);
   require(cairo_status(cairo), "lettering");
+}
+
+using FontsOfRuns = std::map<const sheet::FontFile*, CairoFont>;  // only searched, never listed
+
+// UTF-8 of a run, and how its characters correspond to the glyphs, in the order of reading.
+struct Clusters {
+  std::string text;
+  std::vector<cairo_text_cluster_t> list;
+};
+
+Clusters clusters_of(const sheet::GlyphRun& run) {
+  std::vector<std::size_t> starts;  // of clusters, one for each glyph
+  for (const sheet::ShapedGlyph& glyph : run.glyphs) starts.push_back(glyph.cluster);
+  if (run.right_to_left) std::reverse(starts.begin(), starts.end());
+  Clusters clusters;
+  for (std::size_t i = 0; i < starts.size();) {
+    std::size_t next = i;
+    while (next < starts.size() && starts[next] == starts[i]) ++next;
+    const std::size_t end = next < starts.size() ? starts[next] : run.characters.size();
+    std::string characters;
+    for (std::size_t c = starts[i]; c < end; ++c) characters += utf8(run.characters[c]);
+    clusters.list.push_back({static_cast<int>(characters.size()), static_cast<int>(next - i)});
+    clusters.text += characters;
+    i = next;
+  }
+  return clusters;
+}
+
+// The pen is at the beginning of the run, in units of the surface.
+void show_run(cairo_t* cairo, const sheet::GlyphRun& run, double start, double units) {
+  const double scale = run.scale * units;
+  std::vector<cairo_glyph_t> glyphs;
+  double at = start * units;
+  for (const sheet::ShapedGlyph& glyph : run.glyphs) {
+    glyphs.push_back({glyph.index, at + glyph.offset.x * scale, -glyph.offset.y * scale});
+    at += glyph.advance * scale;
+  }
+  const Clusters clusters = clusters_of(run);
+  const auto direction =
+      run.right_to_left ? CAIRO_TEXT_CLUSTER_FLAG_BACKWARD : static_cast<cairo_text_cluster_flags_t>(0);
+  cairo_set_font_size(cairo, run.font->units_per_em() * scale);
+  cairo_show_text_glyphs(cairo, clusters.text.c_str(), static_cast<int>(clusters.text.size()), glyphs.data(),
+                         static_cast<int>(glyphs.size()), clusters.list.data(), static_cast<int>(clusters.list.size()),
+                         direction);
+}
+
+void show_runs(cairo_t* cairo, const std::vector<sheet::GlyphRun>& runs, double units, FontsOfRuns& fonts) {
+  double start = 0;
+  for (const sheet::GlyphRun& run : runs) {
+    CairoFont& font = fonts[run.font];
+    if (!font) font = font_of(run.font->file, run.font->face);
+    set_font(cairo, font);
+    show_run(cairo, run, start, units);
+    start += run.width;
+  }
 }
 
 void add_outline(cairo_t* cairo, const sheet::GlyphOutline& outline, double units) {
@@ -98,9 +157,13 @@ Vec2 start_of(const sheet::Text& text, const sheet::Lettering& lettering) {
 void write_texts(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const sheet::Lettering& lettering) {
   if (layer.texts.empty()) return;
   cairo_t* cairo = pen.get();
-  set_font(cairo, lettering);
+  const CairoFont usual = font_of(lettering.file(), 0);
+  FontsOfRuns fonts;
+  set_font(cairo, usual);
   for (const sheet::Text& text : layer.texts) {
     along_base_line(cairo, canvas, text, lettering, [&] {
+      if (!lettering.covers(text.text))
+        return show_runs(cairo, lettering.runs(text.text, text.height), canvas.units, fonts);
       cairo_set_font_size(cairo, text.height * lettering.em() * canvas.units);
       cairo_move_to(cairo, 0, 0);
       cairo_show_text(cairo, sheet::written(text.text).c_str());

@@ -17,7 +17,7 @@ namespace epura::output {
 namespace {
 
 // About 60 kB: libxml2 and programs based on it refuse attributes of 10 MB.
-constexpr std::size_t letters_of_path = 100;
+constexpr std::size_t letters_of_path = 100, outlines_of_path = 200;
 
 constexpr int decimals = 4;  // of a millimetre
 
@@ -59,6 +59,17 @@ void append_outlines(std::string& svg, const sheet::Text& text, double height, c
     const Vec2 at = start + p.x * along + p.y * Vec2(-along.y, along.x);
     return Vec2(at.x, height - at.y);
   };
+  if (!lettering.covers(text.text)) {
+    const std::vector<sheet::GlyphOutline> outlines = lettering.outlines(text.text, text.height);
+    for (std::size_t begin = 0; begin < outlines.size(); begin += outlines_of_path) {
+      svg += "<path d=\"";
+      SvgPathText path(svg, decimals);
+      for (std::size_t i = begin; i < std::min(begin + outlines_of_path, outlines.size()); ++i)
+        append_outline(path, outlines[i], on_page);
+      svg += "\"/>";
+    }
+    return;
+  }
   const std::vector<char32_t> letters = characters(sheet::written(text.text));
   for (std::size_t begin = 0; begin < letters.size(); begin += letters_of_path) {
     std::string part;

@@ -118,7 +118,8 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
   const sheet::SheetFurniture& furniture = input.plan.furniture;
   const sheet::Paper& paper = furniture.paper;
   const sheet::LineWidths widths = sheet::line_widths(paper);
-  const int decimals = dimension_decimals(input.world, input.scene.sheets[static_cast<std::size_t>(input.views.sheet)]);
+  const sheet::Notation notation =
+      notation_of(input.world, input.scene.sheets[static_cast<std::size_t>(input.views.sheet)]);
   AnnotationLayers result;
   std::vector<sheet::Layer> marks = marks_of(input.annotations, views, widths);
   std::optional<sheet::Lettering> lettering;
@@ -130,7 +131,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
       around = neighbours_of(furniture, labels, marks, lettering.emplace());
       add_boxes(around.boxes, boundaries_of(input.annotations, views), *lettering);
     }
-    const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()), decimals};
+    const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation};
     const drawing::ViewDrawing& drawing = views[i].drawing;
     sheet::Neighbours neighbours = with_other_views(around, views, i);
     if (dimensions_features(input.scene)) add_centre_lines(neighbours.boxes, views[i]);

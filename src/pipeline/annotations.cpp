@@ -61,8 +61,8 @@ void add_dimensions(std::vector<Annotations>& annotations, const scene::World& w
         if (*dimension.type == DimensionType::overall)
           return sheet::overall_dimensions(dimension, projections, *extents);
         const scene::DesignFeatures features = scene::find_design_features(world);
-        const int decimals = dimension_decimals(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
-        return sheet::automatic_dimensions(dimension, projections, {world, features, *extents}, decimals);
+        const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
+        return sheet::automatic_dimensions(dimension, projections, {world, features, *extents}, notation);
       };
       for (const scene::DimensionDescription& one : expanded()) add(one);
     }
@@ -111,12 +111,11 @@ bool dimensions_features(const scene::SceneDescription& scene) {
                      [](const auto& dimension) { return dimension.type.value == DimensionType::automatic; });
 }
 
-int dimension_decimals(const scene::World& world, const scene::SheetDescription& sheet) {
+sheet::Notation notation_of(const scene::World& world, const scene::SheetDescription& sheet) {
   const Vec3 size = world.box.max - world.box.min;
-  const double largest = std::max({size.x, size.y, size.z});
-  int usual = 2;
-  for (double least = 10; largest < least && usual < 8; least /= 10) ++usual;
-  return sheet.decimals.value_or(usual);
+  const Unit unit = sheet.dimension_unit.value_or(Unit::mm);
+  const int usual = sheet::usual_decimals(std::max({size.x, size.y, size.z}), unit);
+  return {sheet.decimals.value_or(usual), unit, sheet.decimal_sign.value_or(DecimalSign::point)};
 }
 
 void expect_views_of_dimensions(const scene::SceneDescription& scene) {

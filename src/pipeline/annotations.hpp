@@ -8,6 +8,7 @@
 #include "pipeline/sections.hpp"
 #include "pipeline/view_plan.hpp"
 #include "scene/description.hpp"
+#include "sheet/notation.hpp"
 #include "view/projected_scene.hpp"
 
 namespace epura::pipeline {
@@ -29,8 +30,8 @@ std::vector<Annotations> annotate(const scene::World& world, const scene::SceneD
 /// Whether features are to be dimensioned.
 bool dimensions_features(const scene::SceneDescription& scene);
 
-/// Decimals of lengths: those of the sheet, otherwise four digits of the size of small models.
-int dimension_decimals(const scene::World& world, const scene::SheetDescription& sheet);
+/// How dimensions of a sheet are written.
+sheet::Notation notation_of(const scene::World& world, const scene::SheetDescription& sheet);
 
 /// Throws Error{input} for dimensions in views that do not exist.
 void expect_views_of_dimensions(const scene::SceneDescription& scene);

@@ -5,14 +5,17 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "drawing/thin.hpp"
 #include "pipeline/annotation_layers.hpp"
 #include "pipeline/details.hpp"
+#include "sheet/captions.hpp"
 #include "sheet/centre_lines.hpp"
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/hatch.hpp"
+#include "sheet/label_positions.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/sheet_layers.hpp"
 #include "sheet/standard_scale.hpp"
@@ -23,9 +26,13 @@ namespace epura::pipeline {
 
 namespace {
 
-std::string title_of(const scene::SheetDescription& sheet) {
+const scene::SheetDescription& sheet_of(const SheetInput& input) {
+  return input.scene.sheets[static_cast<std::size_t>(input.views.sheet)];
+}
+
+std::string field_of(const scene::SheetDescription& sheet, std::string_view field) {
   for (const auto& [name, text] : sheet.title_block)
-    if (name == "title") return *text;
+    if (name == field) return *text;
   return {};
 }
 
@@ -34,18 +41,18 @@ void append(std::vector<sheet::Layer>& layers, std::vector<sheet::Layer> more) {
 }
 
 // Names of sections, and scales that differ from the sheet's.
-std::vector<sheet::Text> labels_of(const SheetPlan& plan, std::span<const scene::ViewDescription> descriptions,
-                                   const std::vector<ViewResult>& views) {
+std::vector<sheet::Text> labels_of(const SheetInput& input, const std::vector<ViewResult>& views) {
+  const DecimalSign sign = sheet_of(input).decimal_sign.value_or(DecimalSign::point);
   std::vector<sheet::Text> labels;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const scene::ViewDescription& view = descriptions[i];
+    const scene::ViewDescription& view = input.views.descriptions[i];
     const drawing::ViewDrawing& drawing = views[i].drawing;
     std::string name = view.label.value_or("");
     if (name.empty() && view.section.given() && !drawing.detail && views.size() > 1)
       name = *view.section + "-" + *view.section;
     if (name.empty() && drawing.detail) name = drawing.detail->name;
     const auto scale = drawing.projection.central ? std::nullopt : std::optional(drawing.scale);
-    const std::string label = sheet::view_label(name, scale, drawing.detail ? 0 : plan.scale);
+    const std::string label = sheet::view_label(name, scale, drawing.detail ? 0 : input.plan.scale, sign);
     if (!label.empty()) labels.push_back(sheet::label_above(label, {drawing.min, drawing.max}));
   }
   return labels;
@@ -60,7 +67,11 @@ std::optional<sheet::Text> unit_note(const SheetInput& input) {
   const auto box = sheet::title_block_box(*furniture.title_block, furniture.paper);
   if (!box) return std::nullopt;
   constexpr double height = 2.5, above = 2.5;
-  return sheet::Text{"Dimensions in mm", {box->min.x, box->max.y + above}, height, 0, sheet::Align::left, "note"};
+  const Unit unit = sheet_of(input).dimension_unit.value_or(Unit::mm);
+  const std::string words(sheet::caption(scene::word_of(unit), field_of(sheet_of(input), "language")));
+  // On portrait A4, the block is as wide as the drawing area, whose frame the words must not touch.
+  const double from_frame = box->min.x > sheet::drawing_area(furniture.paper).min.x ? 0 : 1;
+  return sheet::Text{words, {box->min.x + from_frame, box->max.y + above}, height, 0, sheet::Align::left, "note"};
 }
 
 std::vector<sheet::ViewFrame> frames_of(const std::vector<ViewResult>& views) {
@@ -112,6 +123,17 @@ std::vector<sheet::Layer> centre_layers(const ViewResult& view, const ViewOption
   return {std::move(layer)};
 }
 
+// Dimensions are placed around labels, centre lines without regard to them.
+void clear_labels(FinishedSheet& finished, const sheet::SheetFurniture& furniture) {
+  const auto is_label = [](const sheet::Text& text) { return text.role == "label"; };
+  if (std::none_of(furniture.labels.begin(), furniture.labels.end(), is_label)) return;
+  const sheet::Paper& paper = furniture.paper;
+  const sheet::Rectangle area = furniture.frame == FrameKind::none
+                                    ? sheet::Rectangle{{0, 0}, {paper.width, paper.height}}
+                                    : sheet::drawing_area(paper);
+  sheet::clear_labels(finished.sheet, area, sheet::Lettering());
+}
+
 // One layer for each view, but none for views without cut faces.
 std::vector<std::vector<sheet::Layer>> hatch_layers(const SheetInput& input, const std::vector<ViewResult>& results,
                                                     const sheet::LineWidths& widths, const Progress& progress) {
@@ -160,18 +182,18 @@ void keep_curves(std::vector<drawing::Chain>& chains) {
 
 FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results, const Budget& budget) {
   const SheetPlan& plan = input.plan;
-  const scene::SheetDescription& sheet = input.scene.sheets[static_cast<std::size_t>(input.views.sheet)];
+  const scene::SheetDescription& sheet = sheet_of(input);
   const sheet::Paper& paper = plan.furniture.paper;
   sheet::SheetFurniture furniture = plan.furniture;
-  furniture.labels = labels_of(plan, input.views.descriptions, results);
+  furniture.labels = labels_of(input, results);
   if (const auto note = unit_note(input)) furniture.labels.push_back(*note);
   sheet::FurnitureLayers around = furniture_layers(furniture);
-  FinishedSheet finished{
-      {paper.width, paper.height, title_of(sheet), std::move(around.layers), frames_of(results), facts_of(sheet)},
-      plan.scale,
-      {},
-      std::move(around.warnings),
-      paper};
+  FinishedSheet finished{{paper.width, paper.height, field_of(sheet, "title"), std::move(around.layers),
+                          frames_of(results), facts_of(sheet)},
+                         plan.scale,
+                         {},
+                         std::move(around.warnings),
+                         paper};
   const sheet::LineWidths widths = sheet::line_widths(paper);
   AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
   auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(input, results, widths, p); });
@@ -191,6 +213,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   append(finished.sheet.layers, std::move(beside.layers));
   add_details(finished.sheet.layers, input, finished.drawings);
   finished.findings = std::move(beside.findings);
+  clear_labels(finished, furniture);
   std::move(beside.warnings.begin(), beside.warnings.end(), std::back_inserter(finished.warnings));
   return finished;
 }

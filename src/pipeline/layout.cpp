@@ -2,6 +2,7 @@
 #include "pipeline/layout.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/detail_marks.hpp"
 #include "sheet/dimensions/overall.hpp"
+#include "sheet/notation.hpp"
 #include "sheet/standard_scale.hpp"
 #include "view/paper_map.hpp"
 
@@ -114,10 +116,34 @@ bool is_sized_by_scale(const scene::SheetDescription& sheet) {
 
 scene::PaperChoice iso_size(int number) { return {scene::PaperChoice::Kind::iso, number, {0, 0}}; }
 
+// The larger scale of both orientations, unless one is given; landscape if it is the same.
+sheet::Arrangement in_best_orientation(const scene::PaperChoice& size, LayoutOptions options,
+                                       std::span<const sheet::ViewToPlace> views, bool is_given) {
+  sheet::Arrangement best = arranged_on(size, options, views);
+  if (is_given) return best;
+  options.portrait = !options.portrait;
+  sheet::Arrangement other = arranged_on(size, options, views);
+  const bool is_better = other.inside && (!best.inside || other.scale > best.scale * (1 + 1e-9));
+  return is_better ? other : best;
+}
+
+// Sheet and scale together: larger sheets are for parts that would be drawn too small on the smaller ones.
+sheet::Arrangement arranged_with_scale(const scene::SheetDescription& sheet, const LayoutOptions& options,
+                                       std::span<const sheet::ViewToPlace> views, scene::PaperChoice& size) {
+  constexpr std::array<std::pair<int, double>, 4> least_scales{{{4, 1}, {3, 0.5}, {2, 0.2}, {1, 0.1}}};
+  for (const auto& [number, least_scale] : least_scales) {
+    size = iso_size(number);
+    sheet::Arrangement arrangement = in_best_orientation(size, options, views, sheet.orientation.given());
+    if (arrangement.inside && arrangement.scale >= least_scale * (1 - 1e-9)) return arrangement;
+  }
+  return in_best_orientation(size = iso_size(0), options, views, sheet.orientation.given());
+}
+
 // "auto": the smallest paper on which the views fit at a given scale. `size` is initially the usual size, and is set to
 // the chosen one.
 sheet::Arrangement arranged(const scene::SheetDescription& sheet, const LayoutOptions& options,
                             std::span<const sheet::ViewToPlace> views, scene::PaperChoice& size) {
+  if (is_sized_by_scale(sheet) && options.scale.standard) return arranged_with_scale(sheet, options, views, size);
   if (!is_sized_by_scale(sheet) || !options.scale.fixed) return arranged_on(size, options, views);
   for (const int larger : {4, 3, 2, 1}) {
     sheet::Arrangement arrangement = arranged_on(size = iso_size(larger), options, views);
@@ -150,7 +176,8 @@ LayoutOptions options_of(const scene::SceneDescription& scene, int number, std::
   options.frame = frame_of(sheet, views);
   options.portrait = sheet.orientation.value_or(Orientation::landscape) == Orientation::portrait;
   options.angle = sheet.angle.value_or(ProjectionAngle::first);
-  options.scale = sheet.scale.value_or({.fixed = {}, .standard = options.frame == FrameKind::full});
+  options.scale =
+      sheet.scale.value_or({.fixed = {}, .standard = options.frame == FrameKind::full || is_sized_by_scale(sheet)});
   if (options.frame == FrameKind::full) options.title_block = title_block_of(scene, number);
   return options;
 }
@@ -180,7 +207,8 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
   const Views placing = views_to_place(world, sheet, views, annotations, widths);
   const sheet::Arrangement arrangement = arranged(description, options, placing.to_place, size);
   if (options.title_block) {
-    options.title_block->scale = sheet::ratio_text(arrangement.scale);
+    options.title_block->scale = sheet::with_decimal_sign(sheet::ratio_text(arrangement.scale),
+                                                          description.decimal_sign.value_or(DecimalSign::point));
     options.title_block->size = size_text(size);
     if (views.size() > 1) options.title_block->angle = options.angle;
   }

@@ -24,7 +24,7 @@ std::vector<report::Finding> uncovered_sizes(const scene::World& world, const sc
   const scene::DesignFeatures features = scene::find_design_features(world, progress);
   const auto extents = scene::true_extents(world);
   const sheet::Coverage coverage =
-      sheet::find_coverage(views, {world, features, extents}, dimension_decimals(world, scene.sheets.front()));
+      sheet::find_coverage(views, {world, features, extents}, notation_of(world, scene.sheets.front()));
   std::vector<report::Finding> findings;
   for (const std::string& what : coverage.undimensioned)
     findings.push_back({report::FindingKind::undimensioned, "", what});

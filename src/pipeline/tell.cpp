@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/tell.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -48,6 +49,15 @@ void warn_if_empty(const Messages& messages, const ViewResult& result, const Vie
               "nothing is drawn: no face is larger than the rounding error of its coordinates (" +
                   format_rounded(input.world.rounding, 2) + ")",
               more_digits);
+}
+
+// "'a' 'b' 'c' ..."
+std::string listed(const std::vector<std::string>& characters) {
+  constexpr std::size_t most = 40;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, characters.size()); ++i)
+    text += (i > 0 ? " '" : "'") + characters[i] + "'";
+  return characters.size() > most ? text + " ..." : text;
 }
 
 void warn_about(const Messages& messages, const ViewResult& result) {
@@ -100,8 +110,14 @@ void tell_of_curves(const Messages& messages, const std::vector<ViewResult>& res
 }
 
 void warn_about(const Messages& messages, const sheet::Sheet& sheet) {
-  for (const sheet::MissingCharacter& missing : sheet::missing_characters(sheet))
-    messages.warn("the font has no glyph for '" + missing.character + "' (in the " + missing.role + ")");
+  const sheet::FontNotes notes = sheet::font_notes(sheet);
+  std::string fonts;
+  for (const auto& [font, characters] : notes.borrowed)
+    fonts += (fonts.empty() ? "" : "; ") + listed(characters) + " from " + font;
+  if (!fonts.empty()) messages.warn("characters that the lettering font lacks are drawn in other fonts: " + fonts);
+  if (!notes.missing.empty())
+    messages.warn("no installed font has " + listed(notes.missing) + " (in the " + notes.role +
+                  "): boxes are drawn\n  hint: install a font that has them, such as a Debian package fonts-noto-*");
 }
 
 void tell_timings(const Messages& messages, const Stopwatch& watch) {

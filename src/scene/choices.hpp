@@ -87,6 +87,11 @@ struct Words<FrameKind> {
 };
 
 template <>
+struct Words<DecimalSign> {
+  static constexpr std::array list{".", ","};
+};
+
+template <>
 struct Words<DimensionType> {
   static constexpr std::array list{"linear", "aligned", "angular", "radius", "diameter", "overall", "auto"};
 };

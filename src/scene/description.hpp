@@ -142,7 +142,9 @@ struct SheetDescription {
   Located<ScaleChoice> scale;
   Located<ProjectionAngle> angle;
   Located<FrameKind> frame;
-  Located<int> decimals;  ///< of dimensions, at most; by the size of the models by default
+  Located<int> decimals;              ///< of dimensions, at most; by the size of the models by default
+  Located<Unit> dimension_unit;       ///< of the lengths in dimensions
+  Located<DecimalSign> decimal_sign;  ///< of the numbers on the sheet
   TitleBlockFields title_block;
 };
 

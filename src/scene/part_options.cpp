@@ -236,12 +236,13 @@ Options<DimensionWords> dimension_options() {
 Options<SheetDescription> sheet_options() {
   using Sheet = SheetDescription;
   return {
-      option<Sheet>(
-          {.key = "size",
-           .flag = "--sheet",
-           .help = "A4 to A0, WIDTHxHEIGHT in mm, none, or auto: smallest of A4 to A0 that fits at the given scale",
-           .usual = "A4; A3 for several views"},
-          &Sheet::size, paper_choice()),
+      option<Sheet>({.key = "size",
+                     .flag = "--sheet",
+                     .help = "A4 to A0, WIDTHxHEIGHT in mm, none, or auto: smallest of A4 to A0 that fits at the given "
+                             "scale; without "
+                             "a scale: the smallest of A4 at 1:1 or larger, A3 at 1:2, A2 at 1:5, A1 at 1:10, else A0",
+                     .usual = "A4; A3 for several views"},
+                    &Sheet::size, paper_choice()),
       option<Sheet>({.key = "orientation",
                      .help = "orientation of the sheet",
                      .usual = "landscape",
@@ -267,9 +268,20 @@ Options<SheetDescription> sheet_options() {
                     &Sheet::frame, choice<FrameKind>().shown_as("KIND")),
       option<Sheet>({.key = "decimals",
                      .flag = "--dimension-decimals",
-                     .help = "most decimals of the lengths in dimensions",
-                     .usual = "2; more for models below 10 mm"},
+                     .help = "most decimals of the lengths in dimensions; in inches, their number",
+                     .usual = "2; 3 in inches; more for models below 10 mm"},
                     &Sheet::decimals, whole_number(0, 8)),
+      option<Sheet>({.key = "dimension_unit",
+                     .flag = "--dimension-unit",
+                     .help = "unit of the lengths in dimensions, whatever the unit of the models; inches as in ASME "
+                             "Y14.5: .500, 1.250",
+                     .usual = "mm"},
+                    &Sheet::dimension_unit, choice<Unit>().shown_as("UNIT")),
+      option<Sheet>({.key = "decimal_sign",
+                     .flag = "--decimal-sign",
+                     .help = "decimal sign of the dimensions and scales on the sheet",
+                     .usual = "."},
+                    &Sheet::decimal_sign, choice<DecimalSign>().shown_as("SIGN")),
   };
 }
 

@@ -18,7 +18,9 @@ const std::vector<TitleField>& title_fields() {
       {"department", "responsible department"},
       {"technical_reference", "contact for technical questions"},
       {"classification", "keywords or classes"},
-      {"language", "language code, such as en"},
+      {"language",
+       "language code, such as en; captions are in English, German (de), French (fr), Spanish (es), Portuguese (pt) or "
+       "Japanese (ja)"},
       {"material", "material of the part"},
       {"mass", "mass of the part, with unit"},
   };

@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sheet/lettering.hpp"
 
-#include <ft2build.h>
-
 #include <algorithm>
-#include <mutex>
+#include <iterator>
+#include <optional>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/utf8.hpp"
-#include FT_FREETYPE_H
-#include FT_OUTLINE_H
 
 namespace epura::sheet {
 
 namespace {
-
-/// In font units.
-struct Glyph {
-  double advance = 0;
-  std::vector<GlyphOutline> outlines;
-};
 
 bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
@@ -33,102 +23,46 @@ bool is_invisible(char32_t code) {
          within(0x2060, 0x206F) || within(0xFE00, 0xFE0F) || code == 0xFEFF || within(0xE0000, 0xE0FFF);
 }
 
-Vec2 point_of(const FT_Vector& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
-
-GlyphOutline& last_outline(void* outlines) { return static_cast<std::vector<GlyphOutline>*>(outlines)->back(); }
-
-void add_curve(GlyphOutline& outline, const Vec2& control, const Vec2& end) {
-  outline.curves.push_back({control, end});
+// Invisible characters that shaping and the order of letters need.
+bool controls_letters(char32_t code) {
+  const auto within = [code](char32_t first, char32_t last) { return code >= first && code <= last; };
+  return code == 0x61C || within(0x200C, 0x200F) || within(0x202A, 0x202E) || within(0x2066, 0x2069);
 }
 
-int move_to(const FT_Vector* to, void* outlines) {
-  auto& all = *static_cast<std::vector<GlyphOutline>*>(outlines);
-  // The first point is stored as the end of a curve until the outline is closed.
-  all.push_back({{{point_of(*to), point_of(*to)}}});
-  return 0;
+// As `written`, with the characters that control others.
+std::u32string line_of(std::string_view text) {
+  std::u32string line;
+  for (const char32_t character : characters(text))
+    if (!is_invisible(character) || controls_letters(character)) line += is_control(character) ? U' ' : character;
+  return line;
 }
-
-int line_to(const FT_Vector* to, void* outlines) {
-  GlyphOutline& outline = last_outline(outlines);
-  add_curve(outline, (outline.curves.back().end + point_of(*to)) / 2.0, point_of(*to));
-  return 0;
-}
-
-int curve_to(const FT_Vector* control, const FT_Vector* to, void* outlines) {
-  add_curve(last_outline(outlines), point_of(*control), point_of(*to));
-  return 0;
-}
-
-int cubic_to(const FT_Vector*, const FT_Vector*, const FT_Vector*, void*) { return 1; }
-
-// Removes the first curve, which only stored the starting point; an open outline is closed by a straight curve.
-void close(GlyphOutline& outline) {
-  const Vec2 first = outline.curves.front().end, last = outline.curves.back().end;
-  if (first != last) add_curve(outline, (first + last) / 2.0, first);
-  outline.curves.erase(outline.curves.begin());
-}
-
-Glyph load_glyph(FT_Face face, unsigned index) {
-  Glyph glyph;
-  if (FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE) != 0) return glyph;
-  glyph.advance = static_cast<double>(face->glyph->metrics.horiAdvance);
-  const FT_Outline_Funcs functions{move_to, line_to, curve_to, cubic_to, 0, 0};
-  FT_Outline_Decompose(&face->glyph->outline, &functions, &glyph.outlines);
-  for (GlyphOutline& outline : glyph.outlines) close(outline);
-  // A single point serves for hinting only.
-  std::erase_if(glyph.outlines, [](const GlyphOutline& outline) { return outline.curves.empty(); });
-  return glyph;
-}
-
-}  // namespace
-
-/// Glyphs are read on first use: a sheet needs a few dozen of the font's fifteen hundred.
-class Lettering::Font {
- public:
-  explicit Font(const std::filesystem::path& path) : file(path) {
-    check(FT_Init_FreeType(&library_) == 0, "FreeType begins");
-    FT_New_Face(library_, path.c_str(), 0, &face_);
-  }
-  ~Font() { FT_Done_FreeType(library_); }  // frees the face, too
-  Font(const Font&) = delete;
-  Font& operator=(const Font&) = delete;
-
-  [[nodiscard]] bool is_open() const { return face_ != nullptr; }
-  [[nodiscard]] double units_per_em() const { return face_->units_per_EM; }
-  [[nodiscard]] bool has(char32_t character) const {
-    const std::lock_guard lock(reading_);
-    return FT_Get_Char_Index(face_, character) != 0;
-  }
-
-  /// The glyph of a character, or the box that replaces it if the font does not have it. Thread-safe.
-  [[nodiscard]] const Glyph& glyph(char32_t character) const {
-    const std::lock_guard lock(reading_);
-    const auto found = glyphs_.find(character);
-    if (found != glyphs_.end()) return found->second;
-    return glyphs_.emplace(character, load_glyph(face_, FT_Get_Char_Index(face_, character))).first->second;
-  }
-
-  const std::filesystem::path file;
-  double capital = 0;  ///< height of an H in font units
-
- private:
-  FT_Library library_ = nullptr;
-  FT_Face face_ = nullptr;
-  mutable std::mutex reading_;
-  mutable std::unordered_map<char32_t, Glyph> glyphs_;
-};
-
-namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
   throw Error(ErrorKind::input, file.string(), reason, "install the Debian package fonts-osifont");
 }
 
-double height_of(const Glyph& glyph) {
-  double height = 0;
-  for (const GlyphOutline& outline : glyph.outlines)
-    for (const GlyphOutline::Curve& curve : outline.curves) height = std::max(height, curve.end.y);
-  return height;
+// Appends the outlines of a glyph at a point, in font units, scaled to millimetres.
+void append_outlines(std::vector<GlyphOutline>& placed, const Glyph& glyph, const Vec2& at, double scale) {
+  const auto place = [&](const Vec2& p) { return (at + p) * scale; };
+  for (const GlyphOutline& outline : glyph.outlines) {
+    GlyphOutline& copy = placed.emplace_back();
+    for (const GlyphOutline::Curve& curve : outline.curves)
+      copy.curves.push_back({place(curve.control), place(curve.end)});
+  }
+}
+
+std::vector<GlyphOutline> outlines_of(const std::vector<GlyphRun>& runs) {
+  std::vector<GlyphOutline> placed;
+  double start = 0;  // mm
+  for (const GlyphRun& run : runs) {
+    double at = start / run.scale;
+    for (const ShapedGlyph& shaped : run.glyphs) {
+      append_outlines(placed, run.font->glyph(shaped.index), Vec2(at, 0) + shaped.offset, run.scale);
+      at += shaped.advance;
+    }
+    start += run.width;
+  }
+  return placed;
 }
 
 }  // namespace
@@ -140,63 +74,122 @@ std::string written(std::string_view text) {
   return line;
 }
 
-Lettering::Lettering(const std::filesystem::path& file) {
-  const auto font = std::make_shared<Font>(file.empty() ? EPURA_FONT : file);
-  if (!font->is_open()) refuse(font->file, "the lettering font is missing");
-  font->capital = height_of(font->glyph(U'H'));
-  if (!(font->capital > 0) || !(font->units_per_em() > 0)) refuse(font->file, "is not an outline font");
-  font_ = font;
+Lettering::Lettering(const std::filesystem::path& file)
+    : font_(std::make_shared<FontFile>(file.empty() ? EPURA_FONT : file)),
+      installed_(std::make_shared<InstalledFonts>()) {
+  if (!font_->is_open()) refuse(font_->file, "the lettering font is missing");
+  if (!(font_->capital() > 0) || !(font_->units_per_em() > 0)) refuse(font_->file, "is not an outline font");
+}
+
+const FontFile& Lettering::font_for(const std::u32string& characters) const {
+  if (std::all_of(characters.begin(), characters.end(), [this](char32_t c) { return font_->has(c); })) return *font_;
+  const FontFile* other = installed_->font_with(characters);
+  if (other == nullptr && characters.size() > 1) return font_for(characters.substr(0, 1));
+  return other != nullptr ? *other : *font_;
+}
+
+bool Lettering::covers(std::string_view text) const {
+  const std::vector<char32_t> line = characters(written(text));
+  return std::all_of(line.begin(), line.end(), [this](char32_t c) { return font_->has(c); });
+}
+
+// The lettering font has a few ideographs: those of a line that lacks others come from one font, too.
+std::vector<TextRun> Lettering::split(std::string_view text) const {
+  const std::u32string line = line_of(text);
+  std::u32string ideographs;
+  std::copy_if(line.begin(), line.end(), std::back_inserter(ideographs), is_ideographic);
+  const bool has_all = std::all_of(ideographs.begin(), ideographs.end(), [this](char32_t c) { return font_->has(c); });
+  const FontFile* of_ideographs = has_all ? nullptr : installed_->font_with(ideographs);
+  return text_runs(line, [&](const std::u32string& characters) -> const FontFile& {
+    return of_ideographs != nullptr && is_ideographic(characters[0]) ? *of_ideographs : font_for(characters);
+  });
+}
+
+std::vector<GlyphRun> Lettering::runs(std::string_view text, double height) const {
+  std::vector<GlyphRun> runs;
+  for (TextRun& run : split(text)) {
+    const double scale = height / run.font->capital();
+    GlyphRun& glyphs =
+        runs.emplace_back(GlyphRun{run.font, scale, std::move(run.characters), run.right_to_left, {}, 0});
+    glyphs.glyphs = run.font->shaped(glyphs.characters, run.right_to_left);
+    for (const ShapedGlyph& glyph : glyphs.glyphs) glyphs.width += glyph.advance * scale;
+  }
+  return runs;
 }
 
 double Lettering::width(std::string_view text, double height) const {
   double units = 0;
-  for (const char32_t character : characters(written(text))) units += font_->glyph(character).advance;
-  return units * (height / font_->capital);
+  if (covers(text)) {
+    for (const char32_t character : characters(written(text)))
+      units += font_->glyph(font_->index_of(character)).advance;
+    return units * (height / font_->capital());
+  }
+  double width = 0;
+  for (const GlyphRun& run : runs(text, height)) width += run.width;
+  return width;
 }
 
 std::vector<std::string> Lettering::missing(std::string_view text) const {
   std::vector<std::string> found;
-  for (const char32_t character : characters(written(text))) {
-    if (font_->has(character)) continue;
-    std::string letter = utf8(character);
-    if (std::find(found.begin(), found.end(), letter) == found.end()) found.push_back(std::move(letter));
-  }
+  if (covers(text)) return found;
+  for (const TextRun& run : split(text))
+    for (const char32_t character : run.characters) {
+      if (is_invisible(character) || run.font->has(character)) continue;
+      std::string letter = utf8(character);
+      if (std::find(found.begin(), found.end(), letter) == found.end()) found.push_back(std::move(letter));
+    }
+  return found;
+}
+
+std::vector<BorrowedCharacter> Lettering::borrowed(std::string_view text) const {
+  std::vector<BorrowedCharacter> found;
+  if (covers(text)) return found;
+  std::set<char32_t> seen;
+  for (const TextRun& run : split(text))
+    for (const char32_t character : run.characters)
+      if (run.font != font_.get() && !is_invisible(character) && run.font->has(character) &&
+          seen.insert(character).second)
+        found.push_back({utf8(character), run.font->name});
   return found;
 }
 
 std::vector<GlyphOutline> Lettering::outlines(std::string_view text, double height) const {
-  const double scale = height / font_->capital;
+  if (!covers(text)) return outlines_of(runs(text, height));
   std::vector<GlyphOutline> placed;
   double at = 0;
   for (const char32_t character : characters(written(text))) {
-    const Glyph& glyph = font_->glyph(character);
-    const auto place = [&](const Vec2& p) { return Vec2(at + p.x, p.y) * scale; };
-    for (const GlyphOutline& outline : glyph.outlines) {
-      GlyphOutline& copy = placed.emplace_back();
-      for (const GlyphOutline::Curve& curve : outline.curves)
-        copy.curves.push_back({place(curve.control), place(curve.end)});
-    }
+    const Glyph& glyph = font_->glyph(font_->index_of(character));
+    append_outlines(placed, glyph, {at, 0}, height / font_->capital());
     at += glyph.advance;
   }
   return placed;
 }
 
-double Lettering::em() const { return font_->units_per_em() / font_->capital; }
+double Lettering::em() const { return font_->units_per_em() / font_->capital(); }
 
 const std::filesystem::path& Lettering::file() const { return font_->file; }
 
-std::vector<MissingCharacter> missing_characters(const Sheet& sheet) {
-  std::vector<MissingCharacter> all;
+FontNotes font_notes(const Sheet& sheet) {
+  FontNotes notes;
   std::optional<Lettering> lettering;
   std::set<std::string> seen;
-  for (const Layer& layer : sheet.layers) {
+  for (const Layer& layer : sheet.layers)
     for (const Text& text : layer.texts) {
       if (!lettering) lettering.emplace();
-      for (const std::string& character : lettering->missing(text.text))
-        if (seen.insert(character).second) all.push_back({character, text.role});
+      for (const BorrowedCharacter& one : lettering->borrowed(text.text)) {
+        if (!seen.insert(one.character).second) continue;
+        const auto is_its_font = [&one](const auto& font) { return font.first == one.font; };
+        auto font = std::find_if(notes.borrowed.begin(), notes.borrowed.end(), is_its_font);
+        if (font == notes.borrowed.end()) font = notes.borrowed.insert(font, {one.font, {}});
+        font->second.push_back(one.character);
+      }
+      for (const std::string& character : lettering->missing(text.text)) {
+        if (!seen.insert(character).second) continue;
+        if (notes.missing.empty()) notes.role = text.role;
+        notes.missing.push_back(character);
+      }
     }
-  }
-  return all;
+  return notes;
 }
 
 }  // namespace epura::sheet

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "base/text.hpp"
+#include "sheet/captions.hpp"
 #include "sheet/fit_text.hpp"
 
 namespace epura::sheet {
@@ -15,37 +17,37 @@ namespace {
 constexpr double full_width = 180, least_width = 120;
 constexpr double row = 9;  // mm; a caption, and a value with room for descenders
 constexpr double caption_height = 1.8, value_height = 3.5, title_height = 5;
-constexpr double padding = 1;         // between lines and text
-constexpr double caption_space = 3;   // of a cell's height
-constexpr double line_spacing = 1.5;  // between two lines in one cell, in text heights
-constexpr double descent = 0.35;      // below the base line, in text heights
+constexpr double padding = 1;        // between lines and text
+constexpr double caption_space = 3;  // of a cell's height
+constexpr double descent = 0.35;     // below the base line, in text heights
 constexpr int columns_of_free_fields = 3;
 
 struct Cell {
-  std::string name, caption;
+  std::string name;
   double left, bottom, width, height;  // in a block 180 wide
   double text_height = value_height;
+  std::string caption{};  ///< of a field that is not in the standard
 };
 
 // The layout of the annex of ISO 7200, and a row above for data of the drawing rather than of the document.
 std::vector<Cell> standard_cells() {
-  return {{"owner", "Legal owner", 0, 0, 55, 3 * row},
-          {"title", "Title, supplementary title", 55, 0, 68, 2 * row, title_height},
-          {"revision", "Rev.", 123, 0, 11, row},
-          {"date", "Date of issue", 134, 0, 24, row},
-          {"language", "Lang.", 158, 0, 9, row},
-          {"sheet", "Sheet", 167, 0, 13, row},
-          {"number", "Identification number", 123, row, 57, row},
-          {"document_type", "Document type", 55, 2 * row, 68, row},
-          {"status", "Document status", 123, 2 * row, 57, row},
-          {"department", "Responsible department", 0, 3 * row, 40, row},
-          {"technical_reference", "Technical reference", 40, 3 * row, 43, row},
-          {"creator", "Created by", 83, 3 * row, 48.5, row},
-          {"approver", "Approved by", 131.5, 3 * row, 48.5, row},
-          {"material", "Material", 0, 4 * row, 83, row},
-          {"mass", "Mass", 83, 4 * row, 28, row},
-          {"scale", "Scale", 111, 4 * row, 24, row},
-          {"size", "Size", 135, 4 * row, 20, row}};
+  return {{"owner", 0, 0, 55, 3 * row},
+          {"title", 55, 0, 68, 2 * row, title_height},
+          {"revision", 123, 0, 11, row},
+          {"date", 134, 0, 24, row},
+          {"language", 158, 0, 9, row},
+          {"sheet", 167, 0, 13, row},
+          {"number", 123, row, 57, row},
+          {"document_type", 55, 2 * row, 68, row},
+          {"status", 123, 2 * row, 57, row},
+          {"department", 0, 3 * row, 40, row},
+          {"technical_reference", 40, 3 * row, 43, row},
+          {"creator", 83, 3 * row, 48.5, row},
+          {"approver", 131.5, 3 * row, 48.5, row},
+          {"material", 0, 4 * row, 83, row},
+          {"mass", 83, 4 * row, 28, row},
+          {"scale", 111, 4 * row, 24, row},
+          {"size", 135, 4 * row, 20, row}};
 }
 constexpr double standard_height = 5 * row;
 constexpr double symbol_left = 155, symbol_height = 2.5;
@@ -83,8 +85,8 @@ std::vector<Cell> free_cells(const std::vector<Field>& fields, std::size_t rows)
     const std::size_t line = i / columns_of_free_fields, column = i % columns_of_free_fields;
     const std::size_t here = std::min<std::size_t>(columns_of_free_fields, fields.size() - i + column);
     const double width = full_width / static_cast<double>(here);
-    cells.push_back({fields[i].first, caption_of(fields[i].first), width * static_cast<double>(column),
-                     block_height(rows - 1 - line), width, row});
+    cells.push_back({fields[i].first, width * static_cast<double>(column), block_height(rows - 1 - line), width, row,
+                     value_height, caption_of(fields[i].first)});
   }
   return cells;
 }
@@ -112,15 +114,18 @@ class Writer {
     if (cell.left > 0) divide({r.min.x, r.max.y}, r.min);
     if (r.max.y < box_.max.y) divide({r.min.x, r.max.y}, r.max);
     const double width = r.size().x - 2 * padding;
-    write(fit_text(cell.caption, width, caption_height, lettering_), r.min.x + padding,
-          r.max.y - padding - caption_height, "caption");
-    std::vector<FittedText> texts = {fitted(cell.name, width, cell.text_height)};
+    const std::string words =
+        cell.caption.empty() ? std::string(caption(cell.name, value_of(block_, "language"))) : cell.caption;
+    write(fit_text(words, width, caption_height, lettering_), r.min.x + padding, r.max.y - padding - caption_height,
+          "caption");
+    std::vector<FittedText> texts = {cell.name == "number" ? whole_number(width, r.size().y - caption_space)
+                                                           : fitted(cell.name, width, cell.text_height)};
     if (cell.name == "title") texts.push_back(fitted("supplementary_title", width, value_height));
     write_values(texts, {r.min, {r.max.x, r.max.y - caption_space}}, cell.name == "title" ? "title" : "field");
   }
 
   void draw_symbol() {
-    const Rectangle r = rectangle({"", "", symbol_left, 4 * row, full_width - symbol_left, row});
+    const Rectangle r = rectangle({"", symbol_left, 4 * row, full_width - symbol_left, row});
     divide({r.min.x, r.max.y}, r.min);
     if (r.max.y < box_.max.y) divide({r.min.x, r.max.y}, r.max);
     if (!block_.angle) return;
@@ -148,6 +153,15 @@ class Writer {
   FittedText fitted(const std::string& name, double width, double height) {
     FittedText text = fit_text(value_of(block_, name), width, height, lettering_);
     if (text.cut) drawn_.warnings.push_back("the title block has no room for all of the text of '" + name + "'");
+    return text;
+  }
+
+  // A drawing is found by its number: all of it is written. ISO 7200.
+  FittedText whole_number(double width, double height) {
+    FittedText text = fit_whole_text(value_of(block_, "number"), {width, height}, value_height, lettering_);
+    if (text.height < least_text_height)
+      drawn_.warnings.push_back("the identification number needs letters of " + format_fixed(text.height, 1) +
+                                " mm, smaller than those of ISO 3098\n  hint: shorten it");
     return text;
   }
 

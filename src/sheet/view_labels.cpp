@@ -12,8 +12,8 @@ constexpr double above_ink = 3;  // together with the height less than label_roo
 
 }  // namespace
 
-std::string view_label(const std::string& label, std::optional<double> scale, double main_scale) {
-  const std::string ratio = scale && *scale != main_scale ? ratio_text(*scale) : "";
+std::string view_label(const std::string& label, std::optional<double> scale, double main_scale, DecimalSign sign) {
+  const std::string ratio = scale && *scale != main_scale ? with_decimal_sign(ratio_text(*scale), sign) : "";
   if (ratio.empty()) return label;
   return (label.empty() ? "" : label + " ") + "(" + ratio + ")";
 }

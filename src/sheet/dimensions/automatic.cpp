@@ -50,8 +50,8 @@ std::string times(std::size_t count) { return count > 1 ? std::to_string(count) 
 class Planner {
  public:
   Planner(const DimensionDescription& wanted, std::span<const NamedProjection> views, const DimensionSubject& subject,
-          int decimals)
-      : wanted_(wanted), views_(views), subject_(subject), decimals_(decimals), stations_(subject) {}
+          const Notation& notation)
+      : wanted_(wanted), views_(views), subject_(subject), notation_(notation), stations_(subject) {}
 
   std::vector<DimensionDescription> plan() {
     DimensionDescription overall = wanted_;
@@ -64,7 +64,7 @@ class Planner {
     add_arcs();
     add_chamfers();
     add_levels();
-    for (DimensionDescription& dimension : stations_.dimensions(wanted_.where, decimals_))
+    for (DimensionDescription& dimension : stations_.dimensions(wanted_.where, notation_))
       dimensions_.push_back(std::move(dimension));
     return std::move(dimensions_);
   }
@@ -119,14 +119,14 @@ class Planner {
         stations_.add({&view, axis, centre[axis], centre, group, centre});
   }
 
-  [[nodiscard]] std::string length(double value) const { return format_fixed(value, decimals_); }
+  [[nodiscard]] std::string length(double value) const { return length_text(value, notation_); }
 
   [[nodiscard]] std::string note_of(const scene::DesignHole& hole, std::size_t count) const {
     std::string text = times(count) + "<>";
     if (hole.depth) text += " ↧" + length(*hole.depth);
     if (hole.counterbore) text += " ⌴⌀" + length(hole.counterbore->diameter) + " ↧" + length(hole.counterbore->size);
     if (hole.countersink)
-      text += " ⌵⌀" + length(hole.countersink->diameter) + "×" + format_fixed(hole.countersink->size, 1) + "°";
+      text += " ⌵⌀" + length(hole.countersink->diameter) + "×" + angle_text(hole.countersink->size, notation_);
     return text;
   }
 
@@ -315,7 +315,7 @@ class Planner {
   const DimensionDescription& wanted_;
   std::span<const NamedProjection> views_;
   const DimensionSubject& subject_;
-  int decimals_;
+  Notation notation_;
   Stations stations_;
   int groups_ = 0;  ///< of equal holes, so far
   std::vector<DimensionDescription> dimensions_;
@@ -325,8 +325,8 @@ class Planner {
 
 std::vector<DimensionDescription> automatic_dimensions(const DimensionDescription& wanted,
                                                        std::span<const NamedProjection> views,
-                                                       const DimensionSubject& subject, int decimals) {
-  return Planner(wanted, views, subject, decimals).plan();
+                                                       const DimensionSubject& subject, const Notation& notation) {
+  return Planner(wanted, views, subject, notation).plan();
 }
 
 }  // namespace epura::sheet

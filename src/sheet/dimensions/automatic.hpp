@@ -10,6 +10,7 @@
 #include "scene/design_features.hpp"
 #include "scene/true_extents.hpp"
 #include "sheet/dimensions/overall.hpp"
+#include "sheet/notation.hpp"
 
 namespace epura::sheet {
 
@@ -33,6 +34,7 @@ inline constexpr double least_level = 5e-4;
 /// Throws Error{input} if no view shows a size of the models.
 std::vector<scene::DimensionDescription> automatic_dimensions(const scene::DimensionDescription& wanted,
                                                               std::span<const NamedProjection> views,
-                                                              const DimensionSubject& subject, int decimals);
+                                                              const DimensionSubject& subject,
+                                                              const Notation& notation);
 
 }  // namespace epura::sheet

@@ -73,13 +73,13 @@ class Chain {
       join_by_length(from + (to - from) * i / parts, from + (to - from) * (i + 1) / parts);
   }
 
-  void list_open(int axis, int decimals, std::vector<std::string>& open) {
+  void list_open(int axis, const Notation& notation, std::vector<std::string>& open) {
     const int root = sets_.root(index_of(extent_.from));
     if (sets_.root(index_of(extent_.to)) != root) open.push_back(std::string("overall size along ") + axis_names[axis]);
     for (std::size_t i = 0; i < places_.size(); ++i)
       if (!places_[i].second.empty() && sets_.root(static_cast<int>(i)) != root)
         open.push_back(places_[i].second + ": position along " + axis_names[axis] + " (" +
-                       format_fixed(places_[i].first, decimals) + ")");
+                       length_text(places_[i].first, notation) + ")");
   }
 
  private:
@@ -109,7 +109,7 @@ struct CircleSize {
 
 class CoverageFinder {
  public:
-  CoverageFinder(const DimensionSubject& subject, int decimals) : subject_(subject), decimals_(decimals) {
+  CoverageFinder(const DimensionSubject& subject, const Notation& notation) : subject_(subject), notation_(notation) {
     const double slack = same_place * glm::length(subject.world.box.size());
     for (int axis = 0; axis < 3; ++axis) chains_.emplace_back(subject.extents[axis], slack);
     add_places();
@@ -124,7 +124,7 @@ class CoverageFinder {
     for (const DimensionsInView& view : views)
       for (const AnchoredDimension& dimension : view.dimensions)
         if (!is_auxiliary(dimension.text)) join(dimension, view);
-    for (int axis = 0; axis < 3; ++axis) chains_[axis].list_open(axis, decimals_, coverage_.undimensioned);
+    for (int axis = 0; axis < 3; ++axis) chains_[axis].list_open(axis, notation_, coverage_.undimensioned);
     for (const scene::DesignCone& cone : subject_.features.cones)
       coverage_.undimensioned.push_back("cone ⌀" + length(2 * cone.radii[0]) + " to ⌀" + length(2 * cone.radii[1]));
     for (const CircleSize& size : sizes_) {
@@ -137,7 +137,7 @@ class CoverageFinder {
   }
 
  private:
-  [[nodiscard]] std::string length(double value) const { return format_fixed(value, decimals_); }
+  [[nodiscard]] std::string length(double value) const { return length_text(value, notation_); }
 
   void add_place(const Vec3& centre, const Vec3& axis, const std::string& name) {
     if (const int along = world_axis(axis); along >= 0)
@@ -318,7 +318,7 @@ class CoverageFinder {
   }
 
   const DimensionSubject& subject_;
-  int decimals_;
+  Notation notation_;
   std::vector<Chain> chains_;
   std::vector<CircleSize> sizes_;
   Coverage coverage_;
@@ -326,8 +326,9 @@ class CoverageFinder {
 
 }  // namespace
 
-Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionSubject& subject, int decimals) {
-  return CoverageFinder(subject, decimals).find(views);
+Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionSubject& subject,
+                       const Notation& notation) {
+  return CoverageFinder(subject, notation).find(views);
 }
 
 }  // namespace epura::sheet

@@ -9,6 +9,7 @@
 #include "projection/projection.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/automatic.hpp"
+#include "sheet/notation.hpp"
 
 namespace epura::sheet {
 
@@ -28,6 +29,7 @@ struct Coverage {
 /// dimensions joins to the ends of the models is not dimensioned, and a dimension between places that are joined
 /// already repeats others. A diameter joins the middle of a circle with its sides. A text that begins with "4×" counts
 /// for four equal features; a text in brackets is auxiliary (ISO 129-1) and counts for nothing.
-Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionSubject& subject, int decimals);
+Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionSubject& subject,
+                       const Notation& notation);
 
 }  // namespace epura::sheet

@@ -128,12 +128,12 @@ std::vector<std::string> crossings_of(const std::vector<std::optional<PlacedDime
 }
 
 // U+2300, or the letter that replaces it.
-std::string diameter_sign(const Lettering& lettering) { return lettering.missing("⌀").empty() ? "⌀" : "Ø"; }
+std::string diameter_sign(const Lettering& lettering) { return lettering.covers("⌀") ? "⌀" : "Ø"; }
 
 void expect_letters(const std::string& text, const AnchoredDimension& dimension, const Lettering& lettering) {
   const std::vector<std::string> missing = lettering.missing(text);
   if (!missing.empty())
-    throw Error(ErrorKind::input, dimension.where, "the font has no '" + missing.front() + "'",
+    throw Error(ErrorKind::input, dimension.where, "no installed font has '" + missing.front() + "'",
                 "write the text without it");
 }
 
@@ -143,9 +143,11 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
                              const Progress& progress) {
   progress.begin("placing dimensions", view.dimensions.size());
   std::vector<MeasuredDimension> measured;
+  Notation notation = style.notation;
+  notation.diameter = diameter_sign(style.lettering);
   for (const AnchoredDimension& dimension :
        find_anchors(view.world, view.dimensions, progress.with_part_of_the_time(0.5))) {
-    measured.push_back(measure(view.drawing, dimension, {diameter_sign(style.lettering), style.decimals}));
+    measured.push_back(measure(view.drawing, dimension, notation));
     expect_letters(measured.back().text, dimension, style.lettering);
   }
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::dimension, {2 * style.line, style.line});

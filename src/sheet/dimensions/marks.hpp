@@ -9,6 +9,7 @@
 #include "base/vec.hpp"
 #include "sheet/dimensions/boxes.hpp"
 #include "sheet/lettering.hpp"
+#include "sheet/notation.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura::sheet {
@@ -22,7 +23,7 @@ struct DimensionStyle {
   const Lettering& lettering;
   double line;        ///< width of the narrow lines
   double text = 3.5;  ///< height of capitals
-  int decimals = 2;   ///< of lengths, at most
+  Notation notation{};
 
   [[nodiscard]] double arrow() const { return text; }          ///< its length; the angle of the tip is 20 degrees
   [[nodiscard]] double gap() const { return 8 * line; }        ///< between the outline and an extension line

@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
-#include "base/text.hpp"
 
 namespace epura::sheet {
 
@@ -15,7 +14,6 @@ namespace {
 
 constexpr double parallel = 1e-3;  // sine of a tilt that shortens by only half a millionth
 constexpr double whole = 1e-5;     // relative length by which ink may be shorter
-constexpr int angle_decimals = 2;
 
 [[noreturn]] void refuse(const AnchoredDimension& dimension, const std::string& what, const std::string& hint) {
   throw Error(ErrorKind::input, dimension.where, what, hint);
@@ -50,8 +48,8 @@ Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }
 MeasuredDimension length_between(const AnchoredDimension& dimension, const Sight& sight, const Vec2& along,
                                  double value) {
   const Vec2 from = sight.page(dimension.points[0]), to = sight.page(dimension.points[1]);
-  return {MeasuredLength{from, to, along, left_of(along)},
-          with_text(dimension, format_fixed(value, sight.notation.decimals)), dimension.offset};
+  return {MeasuredLength{from, to, along, left_of(along)}, with_text(dimension, length_text(value, sight.notation)),
+          dimension.offset};
 }
 
 MeasuredDimension linear(const AnchoredDimension& dimension, const Sight& sight) {
@@ -120,7 +118,7 @@ MeasuredDimension angular(const AnchoredDimension& dimension, const Sight& sight
   if (degrees < 0.005) refuse(dimension, "its legs lie on one line: the angle is zero", "choose other vertices");
   const Vec2 corner = sight.page(dimension.points[0]);
   return {MeasuredAngle{corner, {sight.page(dimension.points[1]) - corner, sight.page(dimension.points[2]) - corner}},
-          with_text(dimension, format_fixed(degrees, angle_decimals) + "°"), dimension.offset};
+          with_text(dimension, angle_text(degrees, sight.notation)), dimension.offset};
 }
 
 // Where an arc begins and its sweep, from the order of its vertices on paper.
@@ -152,8 +150,7 @@ MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sigh
   const bool is_radius = dimension.type == DimensionType::radius;
   const auto text = [&](const WorldCircle& circle) {
     const double value = is_radius ? circle.radius : 2 * circle.radius;
-    return with_text(dimension,
-                     (is_radius ? "R" : sight.notation.diameter) + format_fixed(value, sight.notation.decimals));
+    return with_text(dimension, (is_radius ? "R" : sight.notation.diameter) + length_text(value, sight.notation));
   };
   for (const WorldCircle& circle : dimension.circles)
     if (glm::length(glm::cross(circle.axis, sight.n)) <= parallel)
@@ -208,7 +205,7 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
                            : dimension.form == scene::ExtentForm::sphere ? "S" + sight.notation.diameter
                                                                          : sight.notation.diameter;
   return {MeasuredLength{ends[0], ends[1], along, left_of(along)},
-          with_text(dimension, sign + format_fixed(value, sight.notation.decimals)), dimension.offset};
+          with_text(dimension, sign + length_text(value, sight.notation)), dimension.offset};
 }
 
 }  // namespace

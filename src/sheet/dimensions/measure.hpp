@@ -10,6 +10,7 @@
 #include "base/vec.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/dimensions/anchors.hpp"
+#include "sheet/notation.hpp"
 
 namespace epura::sheet {
 
@@ -32,12 +33,6 @@ struct MeasuredCircle {
   double radius;
   double first, sweep;  ///< radians: where an arc begins and its extent; 2 pi for a whole circle
   bool is_radius;       ///< whether the radius is measured; otherwise the diameter
-};
-
-/// How values are written.
-struct Notation {
-  std::string diameter;  ///< sign before diameters
-  int decimals = 2;      ///< of lengths, at most
 };
 
 struct MeasuredDimension {

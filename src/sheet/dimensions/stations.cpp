@@ -112,7 +112,7 @@ Station Stations::base_of(const Station& station) const {
   return base;
 }
 
-void Stations::add_row(std::vector<Station> row, const std::string& where, int decimals,
+void Stations::add_row(std::vector<Station> row, const std::string& where, const Notation& notation,
                        std::vector<scene::DimensionDescription>& dimensions) const {
   const Station base = base_of(row.front());
   const scene::Extent& extent = subject_.extents[base.axis];
@@ -137,10 +137,11 @@ void Stations::add_row(std::vector<Station> row, const std::string& where, int d
   if (!equal) return;
   const double pitch = std::abs(row[1].at - row[0].at);
   dimensions.push_back(distance(row.front(), row.back(), where));
-  dimensions.back().text = {std::to_string(row.size() - 1) + "× " + format_fixed(pitch, decimals) + " (=<>)", where};
+  dimensions.back().text = {std::to_string(row.size() - 1) + "× " + length_text(pitch, notation) + " (=<>)", where};
 }
 
-std::vector<scene::DimensionDescription> Stations::dimensions(const std::string& where, int decimals) const {
+std::vector<scene::DimensionDescription> Stations::dimensions(const std::string& where,
+                                                              const Notation& notation) const {
   std::vector<scene::DimensionDescription> dimensions;
   std::vector<char> done(stations_.size(), 0);
   for (std::size_t i = 0; i < stations_.size(); ++i) {
@@ -152,7 +153,7 @@ std::vector<scene::DimensionDescription> Stations::dimensions(const std::string&
         row.push_back(stations_[j]);
         done[j] = 1;
       }
-    add_row(std::move(row), where, decimals, dimensions);
+    add_row(std::move(row), where, notation, dimensions);
   }
   return dimensions;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sheet/dimensions/automatic.hpp"
+#include "sheet/notation.hpp"
 
 namespace epura::sheet {
 
@@ -40,11 +41,12 @@ class Stations {
   void add(const Station& station);
 
   /// Dimensions of all stations, from the left or lower end of the models in their view.
-  [[nodiscard]] std::vector<scene::DimensionDescription> dimensions(const std::string& where, int decimals) const;
+  [[nodiscard]] std::vector<scene::DimensionDescription> dimensions(const std::string& where,
+                                                                    const Notation& notation) const;
 
  private:
   [[nodiscard]] Station base_of(const Station& station) const;
-  void add_row(std::vector<Station> row, const std::string& where, int decimals,
+  void add_row(std::vector<Station> row, const std::string& where, const Notation& notation,
                std::vector<scene::DimensionDescription>& dimensions) const;
 
   const DimensionSubject& subject_;

@@ -70,6 +70,35 @@ TEST_F(DimensionsOfProgram, OfASceneFile) {
   EXPECT_EQ(dimensions_in(drawn({scene}), "front"), "80 75 10 ");
 }
 
+// A cube of 31.75 mm is 1.25 in.
+TEST_F(DimensionsOfProgram, InInchesAfterAsme) {
+  const std::string cube = root() / "tests/golden/models/cube.obj";
+  const Words arguments = {cube,      "--views", "front,top", "--transform",      "scale:31.75", "--dimensions",
+                           "overall", "--title", "x",         "--dimension-unit", "in"};
+  const auto with = [&](Words more) {
+    more.insert(more.begin(), arguments.begin(), arguments.end());
+    return drawn(more);
+  };
+  const std::string svg = with({});
+  EXPECT_EQ(dimensions_in(svg, "front"), "1.250 1.250 ");
+  EXPECT_TRUE(contains(svg, "aria-label=\"Dimensions in inches\""));
+  EXPECT_EQ(dimensions_in(with({"--decimal-sign", ","}), "front"), "1,250 1,250 ");
+  EXPECT_EQ(dimensions_in(with({"--dimension-decimals", "2"}), "front"), "1.25 1.25 ");
+}
+
+TEST_F(DimensionsOfProgram, DecimalSignsAreThoseOfTheSheet) {
+  const std::string scene =
+      folder.file("scene.toml", "[[model]]\nfile = \"" + sample("bracket.obj") +
+                                    "\"\n[sheet]\nscale = \"1:2.5\"\nframe = \"full\"\ndecimal_sign = "
+                                    "\",\"\n[[view]]\nprojection = \"front\"\n"
+                                    "[[dimension]]\ntype = \"linear\"\ndirection = \"vertical\"\n"
+                                    "from = {point = [0, 0, 0]}\nto = {point = [0, 0, 10.25]}\n"
+                                    "text = \"<> +0.1\"\n");
+  const std::string svg = drawn({scene});
+  EXPECT_EQ(dimensions_in(svg, "front"), "10,25 +0.1 ") << "given text is drawn as given";
+  EXPECT_TRUE(contains(svg, "aria-label=\"1:2,5\"")) << "the scale in the title block";
+}
+
 TEST_F(DimensionsOfProgram, Refused) {
   const std::string pictorial =
       refused({sample("bracket.obj"), "--projection", "isometric", "--dimensions", "overall"});

@@ -176,10 +176,22 @@ TEST(Draw, ADrawingLargerThanTheSheetIsSaid) {
 
 TEST(Draw, WhatTheFontCannotWriteIsSaid) {
   const Folder folder;
-  const Outcome run = epura(
-      {"draw", sample("bracket.obj"), "-o", "x.svg", "--frame", "full", "--title", "\xE6\xBC\xA2 x"}, folder / "");
+  const Outcome run = epura({"draw", sample("bracket.obj"), "-o", "x.svg", "--frame", "full", "--title",
+                             "\xF4\x8F\xBF\xBD \xF4\x8F\xBF\xBC x"},
+                            folder / "");
   EXPECT_EQ(run.code, 0);
-  EXPECT_TRUE(contains(run.err, "the font has no glyph for '\xE6\xBC\xA2' (in the title)")) << run.err;
+  EXPECT_TRUE(contains(run.err, "no installed font has '\xF4\x8F\xBF\xBD' '\xF4\x8F\xBF\xBC' (in the title)"))
+      << run.err;
+}
+
+TEST(Draw, WhatTheFontLacksComesFromOtherFonts) {
+  const Folder folder;
+  const Outcome run = epura({"draw", sample("bracket.obj"), "-o", "x.pdf", "-o", "x.svg", "-o", "x.png", "--frame",
+                             "full", "--title", "☃ x אב", "--owner", "☂"},
+                            folder / "");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(contains(run.err, "characters that the lettering font lacks are drawn in other fonts: '☃'")) << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
 }
 
 TEST(Draw, LetteringOfSvgIsOutlinesOrText) {

@@ -38,6 +38,29 @@ std::vector<double> heights_of(const std::string& svg, const std::string& layer)
   return heights;
 }
 
+// Sheet and scale together: a bracket of 80 x 70 x 75 mm, enlarged.
+TEST_F(Sheets, AreChosenWithTheirScale) {
+  const auto chosen = [&](const std::string& factor, std::vector<std::string> more) {
+    std::vector<std::string> arguments{"draw",         sample("bracket.obj"),
+                                       "--transform",  "scale:" + factor,
+                                       "--sheet",      "auto",
+                                       "--projection", "front",
+                                       "-o",           "x.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = epura(arguments, folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    const std::string json = read_file(folder / "x.json");
+    const std::size_t begin = json.find("\"size\"");
+    return json.substr(begin, json.find('}', begin) - begin);
+  };
+  EXPECT_EQ(chosen("1", {}), "\"size\": [297, 210], \"scale\": 2");
+  EXPECT_EQ(chosen("4", {}), "\"size\": [420, 297], \"scale\": 0.5") << "A4 would need 1:2";
+  EXPECT_EQ(chosen("20", {}), "\"size\": [594, 420], \"scale\": 0.2");
+  EXPECT_EQ(chosen("1000", {}), "\"size\": [1189, 841], \"scale\": 0.01");
+  EXPECT_EQ(chosen("2.4", {"--landscape"}), "\"size\": [297, 210], \"scale\": 1");
+  EXPECT_EQ(chosen("3", {"--scale", "1:1"}), "\"size\": [420, 297], \"scale\": 1") << "a given scale decides";
+}
+
 TEST_F(Sheets, DimensionsStandOutsideTheMarksOfSections) {
   const std::string scene = model() +
                             "[sheet]\nsize = 'A3'\n[[section]]\nname = 'A'\npoint = [40, 0, 0]\nnormal = [-1, 0, 0]\n"

@@ -49,6 +49,22 @@ TEST_F(LetteredRasters, PdfKeepsTextAsText) {
   EXPECT_NE(run("pdffonts " + path("sheet.pdf")).find("osifont"), std::string::npos);
 }
 
+// Letters that the lettering font lacks, from whatever fonts there are.
+TEST_F(LetteredRasters, BorrowedLettersAreTheSameInSvgAndPdf) {
+  sheet::Sheet sheet = lettered();
+  sheet.layers[0].texts = {{"M8 אבג x ☃", {10, 65}, 5, 0, sheet::Align::left, "title"},
+                           {"ببب ☂", {110, 52}, 3.5, 0, sheet::Align::right, "label"},
+                           {"x\u0323 aslant", {25, 10}, 7, 30, sheet::Align::left, "label"}};
+  const GreyPicture pdf = of_pdf(sheet, dpi);
+  EXPECT_LT(difference(pdf, of_svg(sheet, dpi)), 1e-4);
+  write("sheet.pdf", output::to_pdf({&sheet}));
+  EXPECT_EQ(output::to_pdf({&sheet}), output::to_pdf({&sheet}));
+  const std::string text = run("pdftotext -layout " + path("sheet.pdf") + " -");
+  for (const char* found : {"אבג", "ببب", "☃", "☂", "x\u0323"}) EXPECT_NE(text.find(found), std::string::npos) << found;
+  const std::string fonts = run("pdffonts " + path("sheet.pdf"));
+  EXPECT_EQ(fonts.find(" no "), fonts.rfind(" no ")) << "every font is embedded:\n" << fonts;
+}
+
 TEST(Lettered, TheSameBytesEachTime) {
   const sheet::Sheet sheet = lettered();
   EXPECT_EQ(output::to_pdf({&sheet}), output::to_pdf({&sheet}));

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "base/error.hpp"
+#include "folder.hpp"
 
 namespace epura {
 namespace {
@@ -27,6 +29,24 @@ Extent extent_of(const std::vector<sheet::GlyphOutline>& outlines) {
   }
   return extent;
 }
+
+// Other fonts of the computer are not used: only those of the package fonts-dejavu-core.
+class OnlyDejaVu {
+ public:
+  OnlyDejaVu() {
+    folder_.file("fonts.conf", "<fontconfig><dir>/usr/share/fonts/truetype/dejavu</dir><cachedir>" +
+                                   (folder_ / "cache").string() +
+                                   "</cachedir><alias><family>sans-serif</family><prefer><family>DejaVu "
+                                   "Sans</family></prefer></alias></fontconfig>");
+    setenv("FONTCONFIG_FILE", (folder_ / "fonts.conf").c_str(), 1);
+  }
+  OnlyDejaVu(const OnlyDejaVu&) = delete;
+  OnlyDejaVu& operator=(const OnlyDejaVu&) = delete;
+  ~OnlyDejaVu() { unsetenv("FONTCONFIG_FILE"); }
+
+ private:
+  test::Folder folder_;
+};
 
 TEST(Lettering, CapitalsAreAsHighAsWanted) {
   const sheet::Lettering lettering;
@@ -88,11 +108,10 @@ TEST(Lettering, OutlinesAreClosedCurves) {
 TEST(Lettering, KnowsWhatItCannotWrite) {
   const sheet::Lettering lettering;
   EXPECT_TRUE(lettering.missing("Gehäuse ø12 ±0,1 °").empty());
-  EXPECT_EQ(lettering.missing("a\xE2\x98\x83"
-                              "b\xE2\x98\x83"),
-            (std::vector<std::string>{"\xE2\x98\x83"}));
-  EXPECT_GT(lettering.width("\xE2\x98\x83", 3.5), 0);  // a box stands for it
-  EXPECT_FALSE(lettering.missing(std::string("\0\xFF", 2)).empty());
+  const std::string private_use = "\xF4\x8F\xBF\xBD";
+  EXPECT_EQ(lettering.missing("a" + private_use + "b" + private_use), (std::vector<std::string>{private_use}));
+  EXPECT_GT(lettering.width(private_use, 3.5), 0);  // a box stands for it
+  EXPECT_FALSE(lettering.covers(std::string("\0\xFF", 2)));
 }
 
 TEST(Lettering, ControlCharactersAreSpacesAndInvisibleOnesNothing) {
@@ -104,14 +123,83 @@ TEST(Lettering, ControlCharactersAreSpacesAndInvisibleOnesNothing) {
   EXPECT_TRUE(lettering.missing("\xE2\x80\xAE\x01").empty());
 }
 
-TEST(MissingCharacters, AreToldOnceWithTheirText) {
+TEST(FontNotes, NameEachCharacterOnceWithItsFont) {
+  const OnlyDejaVu fonts;
   sheet::Sheet sheet{100, 100, "", {{"sheet/text", {"text", 0.35}, {}}}};
-  EXPECT_TRUE(sheet::missing_characters(sheet).empty());
-  for (const char* role : {"title", "label"}) sheet.layers[0].texts.push_back({"a\xE6\xBC\xA2", {}, 5, 0, {}, role});
-  const std::vector<sheet::MissingCharacter> missing = sheet::missing_characters(sheet);
-  ASSERT_EQ(missing.size(), 1u);
-  EXPECT_EQ(missing[0].character, "\xE6\xBC\xA2");
-  EXPECT_EQ(missing[0].role, "title");
+  EXPECT_TRUE(sheet::font_notes(sheet).missing.empty());
+  for (const char* role : {"title", "label"})
+    sheet.layers[0].texts.push_back({"a\xE6\xBC\xA2☃אב☃", {}, 5, 0, {}, role});
+  const sheet::FontNotes notes = sheet::font_notes(sheet);
+  EXPECT_EQ(notes.missing, (std::vector<std::string>{"\xE6\xBC\xA2"}));
+  EXPECT_EQ(notes.role, "title");
+  ASSERT_EQ(notes.borrowed.size(), 1u);
+  EXPECT_EQ(notes.borrowed[0].first, "DejaVu Sans");
+  EXPECT_EQ(notes.borrowed[0].second.size(), 3u);
+}
+
+// Sizes of letters from other fonts match: capitals have the same height.
+TEST(BorrowedLetters, AreAsHighAsTheOthers) {
+  const OnlyDejaVu fonts;
+  const sheet::Lettering lettering;
+  EXPECT_FALSE(lettering.covers("Ա"));
+  FT_Library library = nullptr;
+  FT_Face face = nullptr;
+  ASSERT_EQ(FT_Init_FreeType(&library), 0);
+  ASSERT_EQ(FT_New_Face(library, "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 0, &face), 0);
+  ASSERT_EQ(FT_Load_Char(face, 'H', FT_LOAD_NO_SCALE), 0);
+  const double capital = static_cast<double>(face->glyph->metrics.horiBearingY);
+  ASSERT_EQ(FT_Load_Char(face, U'☃', FT_LOAD_NO_SCALE), 0);
+  const double width = 3.5 * static_cast<double>(face->glyph->metrics.horiAdvance) / capital;
+  const double top = 3.5 * static_cast<double>(face->glyph->metrics.horiBearingY) / capital;
+  EXPECT_NEAR(lettering.width("☃", 3.5), width, 1e-9);
+  EXPECT_NEAR(extent_of(lettering.outlines("☃", 3.5)).max.y, top, 0.05);
+  EXPECT_NEAR(lettering.width("H☃", 3.5), width + lettering.width("H", 3.5), 1e-9);
+  EXPECT_NEAR(extent_of(lettering.outlines("☃☃", 3.5)).max.x - extent_of(lettering.outlines("☃", 3.5)).max.x, width,
+              1e-9);
+  FT_Done_Face(face);
+  FT_Done_FreeType(library);
+}
+
+// The order on paper of the characters of a line.
+std::u32string on_paper(const std::vector<sheet::GlyphRun>& runs) {
+  std::u32string line;
+  for (const sheet::GlyphRun& run : runs)
+    for (const sheet::ShapedGlyph& glyph : run.glyphs) line += run.characters[glyph.cluster];
+  return line;
+}
+
+// By hand after Unicode Annex 9: digits keep their order within Hebrew, brackets are mirrored as glyphs.
+TEST(BorrowedLetters, RunFromRightToLeft) {
+  const OnlyDejaVu fonts;
+  const sheet::Lettering lettering;
+  EXPECT_EQ(on_paper(lettering.runs("אבג", 5)), U"גבא");
+  EXPECT_EQ(on_paper(lettering.runs("M8 אבג x", 5)), U"M8 גבא x");
+  EXPECT_EQ(on_paper(lettering.runs("אב 12 ג", 5)), U"ג 12 בא");
+  EXPECT_EQ(on_paper(lettering.runs("\xE2\x80\xAE"
+                                    "ab☃",
+                                    5)),
+            U"☃ba")
+      << "U+202E";
+}
+
+TEST(BorrowedLetters, AreJoinedInArabic) {
+  const OnlyDejaVu fonts;
+  const sheet::Lettering lettering;
+  const std::vector<sheet::GlyphRun> runs = lettering.runs("ببب", 5);
+  ASSERT_EQ(runs.size(), 1u);
+  ASSERT_EQ(runs[0].glyphs.size(), 3u);
+  EXPECT_NE(runs[0].glyphs[0].index, runs[0].glyphs[1].index) << "final and medial form";
+  EXPECT_NE(runs[0].glyphs[1].index, runs[0].glyphs[2].index) << "medial and initial form";
+}
+
+TEST(BorrowedLetters, HaveTheirMarksFromTheSameFont) {
+  const OnlyDejaVu fonts;
+  const sheet::Lettering lettering;
+  ASSERT_TRUE(lettering.covers("x"));
+  const std::vector<sheet::GlyphRun> runs = lettering.runs("ax\u0323", 5);
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[0].characters, U"a");
+  EXPECT_EQ(runs[1].characters, U"x\u0323");
 }
 
 TEST(Lettering, AMissingFontIsSaid) {

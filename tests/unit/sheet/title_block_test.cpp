@@ -78,6 +78,24 @@ TEST(TitleBlock, StandsInTheLowerRightCornerAndIs180Wide) {
   EXPECT_EQ(sheet::title_block_box({}, paper("A4", true))->min.x, 20);  // the whole width
 }
 
+TEST(TitleBlock, CaptionsAreInTheLanguageOfTheDocument) {
+  for (const auto& [language, scale, number] :
+       {std::array{"en", "Scale", "Identification number"}, std::array{"de-AT", "Maßstab", "Identifikationsnummer"},
+        std::array{"FR", "Échelle", "Numéro d'identification"}, std::array{"es", "Escala", "Número de identificación"},
+        std::array{"pt-BR", "Escala", "Número de identificação"}, std::array{"ja", "尺度", "識別番号"},
+        std::array{"xx", "Scale", "Identification number"}}) {
+    sheet::TitleBlock block;
+    block.fields = {{"language", language}};
+    const auto drawn = sheet::draw_title_block(block, paper("A3"), lettering());
+    std::vector<std::string> captions;
+    for (const sheet::Text& text : drawn.ink.texts)
+      if (text.role == "caption") captions.push_back(text.text);
+    EXPECT_TRUE(has(captions, scale)) << language;
+    EXPECT_TRUE(has(captions, number)) << language;
+    for (const std::string& one : captions) EXPECT_FALSE(one.ends_with("...")) << one;
+  }
+}
+
 TEST(TitleBlock, InventsNothing) {
   EXPECT_EQ(values(sheet::draw_title_block({}, paper("A3"), lettering())), std::vector<std::string>{"1/1"});
 }
@@ -110,6 +128,23 @@ TEST(TitleBlock, LongTextsAreCutFastAndSaid) {
     EXPECT_EQ(drawn.warnings.empty(), text.ends_with(" x")) << text.substr(0, 9);
   }
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+}
+
+// Drawings are found by their numbers.
+TEST(TitleBlock, NeverCutsTheNumber) {
+  std::string number = "DRW-2026";
+  for (int length : {1, 8, 40, 400}) {
+    for (int i = 0; i < length; ++i) number += "-" + std::to_string(100000 + 7 * i);
+    sheet::TitleBlock block;
+    block.fields = {{"number", number}, {"status", "released"}};
+    const auto drawn = sheet::draw_title_block(block, paper("A3"), lettering());
+    expect_legible(drawn, *sheet::title_block_box(block, paper("A3")));
+    std::string all;
+    for (const sheet::Text& text : drawn.ink.texts)
+      if (text.role == "field" && text.text != "1/1" && text.text != "released") all += text.text;
+    EXPECT_EQ(all, number);
+    EXPECT_EQ(drawn.warnings.empty(), length < 40) << "small letters are reported";
+  }
 }
 
 TEST(TitleBlock, KeepsMarkupAndUnicodeAsTheyAre) {
@@ -167,6 +202,18 @@ TEST(FitText, CutsBetweenCharactersAndTidiesSpace) {
   EXPECT_EQ(sheet::fit_text(" a \n\t b\x7f", 90, 3.5, lettering()).lines.at(0), "a b");
   EXPECT_TRUE(sheet::fit_text("", 20, 3.5, lettering()).lines.empty());
   EXPECT_TRUE(sheet::fit_text("\n \t", 20, 3.5, lettering()).lines.empty());
+}
+
+TEST(FitText, BreaksWholeTextsAfterSigns) {
+  const double width = lettering().width("ABCDEF-0123", 1.8) * 1.01;
+  const sheet::FittedText broken = sheet::fit_whole_text("ABCDEF-01234567", {width, 6}, 3.5, lettering());
+  EXPECT_EQ(broken.lines, (std::vector<std::string>{"ABCDEF-", "01234567"}));
+  EXPECT_EQ(broken.height, 1.8);
+  const sheet::FittedText without = sheet::fit_whole_text("ABCDEFG0123456", {width, 6}, 3.5, lettering());
+  EXPECT_EQ(without.lines.size(), 2U);
+  EXPECT_EQ(without.lines[0] + without.lines[1], "ABCDEFG0123456");
+  EXPECT_EQ(sheet::fit_whole_text("A-1", {width, 6}, 3.5, lettering()).height, 3.5);
+  EXPECT_TRUE(sheet::fit_whole_text("", {width, 6}, 3.5, lettering()).lines.empty());
 }
 
 TEST(ViewLabels, ScaleIsWrittenWhereItIsNotTheSheets) {

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/captions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "base/text.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> languages{"en", "de", "fr", "es", "pt", "ja"};
+
+struct Row {
+  std::string_view key;
+  std::array<std::string_view, languages.size()> words;
+};
+
+constexpr std::array<Row, 20> rows{{
+    {"owner",
+     {"Legal owner", "Gesetzlicher Eigentümer", "Propriétaire légal", "Propietario legal", "Proprietário legal",
+      "法的所有者"}},
+    {"title",
+     {"Title, supplementary title", "Titel, zusätzlicher Titel", "Titre, titre complémentaire",
+      "Título, título suplementario", "Título, título suplementar", "表題、補足表題"}},
+    {"revision", {"Rev.", "Änd.", "Rév.", "Rev.", "Rev.", "改訂"}},
+    {"date", {"Date of issue", "Ausgabedatum", "Date d'édition", "Fecha de edición", "Data de emissão", "発行日"}},
+    {"language", {"Lang.", "Spr.", "Lang.", "Id.", "Id.", "言語"}},
+    {"sheet", {"Sheet", "Blatt", "Feuille", "Hoja", "Folha", "葉番"}},
+    {"number",
+     {"Identification number", "Identifikationsnummer", "Numéro d'identification", "Número de identificación",
+      "Número de identificação", "識別番号"}},
+    {"document_type",
+     {"Document type", "Dokumentenart", "Type de document", "Tipo de documento", "Tipo de documento", "文書の種類"}},
+    {"status",
+     {"Document status", "Dokumentenstatus", "Statut du document", "Estado del documento", "Estado do documento",
+      "文書の状態"}},
+    {"department",
+     {"Responsible department", "Verantwortliche Abteilung", "Service responsable", "Departamento responsable",
+      "Departamento responsável", "担当部門"}},
+    {"technical_reference",
+     {"Technical reference", "Technische Referenz", "Référence technique", "Referencia técnica", "Referência técnica",
+      "技術照会先"}},
+    {"creator", {"Created by", "Erstellt durch", "Établi par", "Creado por", "Criado por", "作成者"}},
+    {"approver", {"Approved by", "Genehmigt von", "Approuvé par", "Aprobado por", "Aprovado por", "承認者"}},
+    {"material", {"Material", "Werkstoff", "Matière", "Material", "Material", "材料"}},
+    {"mass", {"Mass", "Masse", "Masse", "Masa", "Massa", "質量"}},
+    {"scale", {"Scale", "Maßstab", "Échelle", "Escala", "Escala", "尺度"}},
+    {"size", {"Size", "Format", "Format", "Formato", "Formato", "用紙"}},
+    {"mm", {"Dimensions in mm", "Maße in mm", "Cotes en mm", "Cotas en mm", "Cotas em mm", "寸法単位 mm"}},
+    {"in",
+     {"Dimensions in inches", "Maße in Zoll", "Cotes en pouces", "Cotas en pulgadas", "Cotas em polegadas",
+      "寸法単位 インチ"}},
+    {"m", {"Dimensions in m", "Maße in m", "Cotes en m", "Cotas en m", "Cotas em m", "寸法単位 m"}},
+}};
+
+}  // namespace
+
+std::string_view caption(std::string_view key, std::string_view language) {
+  const std::string code = to_lower(language.substr(0, language.find_first_of("-_")));
+  const auto* found = std::find(languages.begin(), languages.end(), code);
+  const std::size_t column = found == languages.end() ? 0 : static_cast<std::size_t>(found - languages.begin());
+  const auto* row = std::find_if(rows.begin(), rows.end(), [key](const Row& one) { return one.key == key; });
+  return row == rows.end() ? std::string_view() : row->words[column];
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/notation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "scene/choices.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+constexpr int angle_decimals = 2;
+
+// "0.5" -> ".500"
+std::string inches_text(double inches, int decimals) {
+  std::string text = format_fixed(inches, decimals);
+  if (decimals == 0) return text;
+  std::size_t point = text.find('.');
+  if (point == std::string::npos) {
+    point = text.size();
+    text += '.';
+  }
+  text.append(static_cast<std::size_t>(decimals) - (text.size() - point - 1), '0');
+  return text.starts_with("0.") ? text.substr(1) : text;
+}
+
+}  // namespace
+
+std::string with_decimal_sign(std::string number, DecimalSign sign) {
+  if (sign == DecimalSign::comma) std::replace(number.begin(), number.end(), '.', ',');
+  return number;
+}
+
+std::string length_text(double millimetres, const Notation& notation) {
+  const double value = notation.unit == Unit::mm ? millimetres : millimetres / scene::millimetres(notation.unit);
+  const std::string text =
+      notation.unit == Unit::in ? inches_text(value, notation.decimals) : format_fixed(value, notation.decimals);
+  return with_decimal_sign(text, notation.sign);
+}
+
+std::string angle_text(double degrees, const Notation& notation) {
+  return with_decimal_sign(format_fixed(degrees, angle_decimals), notation.sign) + "°";
+}
+
+int usual_decimals(double largest_size, Unit unit) {
+  constexpr int most = 8, finer_in_inches = 1, finer_in_metres = 3;
+  int decimals = 2;
+  for (double least = 10; largest_size < least && decimals < most; least /= 10) ++decimals;
+  if (unit == Unit::in) decimals += finer_in_inches;
+  if (unit == Unit::m) decimals += finer_in_metres;
+  return std::min(decimals, most);
+}
+
+}  // namespace epura::sheet

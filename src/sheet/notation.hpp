@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// How numbers are written on a sheet. ISO 129-1, ASME Y14.5. Coordinates in files are not affected.
+#pragma once
+
+#include <epura/choices.hpp>
+#include <string>
+
+namespace epura::sheet {
+
+struct Notation {
+  int decimals = 2;      ///< of lengths: at most; in inches: exactly
+  Unit unit = Unit::mm;  ///< of lengths
+  DecimalSign sign = DecimalSign::point;
+  std::string diameter{};  ///< sign before diameters
+};
+
+/// The number with the decimal sign; `number` has a point or none.
+std::string with_decimal_sign(std::string number, DecimalSign sign);
+
+/// A length of the world, given in millimetres. In mm and m without trailing zeros ("12.5"); in inches with all
+/// decimals and without a zero before the decimal sign (".500", "1.250"; ASME Y14.5-2018, 4.3.2).
+std::string length_text(double millimetres, const Notation& notation);
+
+/// An angle in degrees, with at most two decimals: "36.87°".
+std::string angle_text(double degrees, const Notation& notation);
+
+/// Decimals of lengths by the largest size of the models, mm: four digits of small ones, and at least as fine as 0.01
+/// mm or 0.001 in.
+int usual_decimals(double largest_size, Unit unit);
+
+}  // namespace epura::sheet

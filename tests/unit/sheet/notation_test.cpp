@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/notation.hpp"
+
+#include <gtest/gtest.h>
+
+namespace epura::test {
+namespace {
+
+using sheet::Notation;
+
+TEST(Notation, Millimetres) {
+  EXPECT_EQ(sheet::length_text(12.5, {}), "12.5");
+  EXPECT_EQ(sheet::length_text(0.25, {}), "0.25");
+  EXPECT_EQ(sheet::length_text(12.5, {.decimals = 2, .unit = Unit::mm, .sign = DecimalSign::comma}), "12,5");
+  EXPECT_EQ(sheet::length_text(40, {.decimals = 2, .unit = Unit::mm, .sign = DecimalSign::comma}), "40");
+}
+
+// ASME Y14.5: no zero before the decimal point; as many decimals as the tolerance.
+TEST(Notation, Inches) {
+  const auto inches = [](double value, int decimals) {
+    return sheet::length_text(value * 25.4, {.decimals = decimals, .unit = Unit::in});
+  };
+  EXPECT_EQ(inches(0.5, 3), ".500");
+  EXPECT_EQ(inches(1.25, 3), "1.250");
+  EXPECT_EQ(inches(10, 3), "10.000");
+  EXPECT_EQ(inches(0.0004, 3), ".000");
+  EXPECT_EQ(inches(0.9996, 3), "1.000");
+  EXPECT_EQ(inches(1.375, 4), "1.3750");
+  EXPECT_EQ(inches(12, 0), "12");
+  EXPECT_EQ(inches(0.4, 0), "0");
+  EXPECT_EQ(sheet::length_text(12.7, {.decimals = 3, .unit = Unit::in, .sign = DecimalSign::comma}), ",500");
+}
+
+TEST(Notation, Metres) { EXPECT_EQ(sheet::length_text(12345, {.decimals = 5, .unit = Unit::m}), "12.345"); }
+
+TEST(Notation, Angles) {
+  EXPECT_EQ(sheet::angle_text(36.8699, {}), "36.87°");
+  EXPECT_EQ(sheet::angle_text(36.8699, {.decimals = 0, .unit = Unit::mm, .sign = DecimalSign::comma}), "36,87°");
+}
+
+TEST(Notation, UsualDecimals) {
+  EXPECT_EQ(sheet::usual_decimals(100, Unit::mm), 2);
+  EXPECT_EQ(sheet::usual_decimals(9.9, Unit::mm), 3);
+  EXPECT_EQ(sheet::usual_decimals(100, Unit::in), 3);
+  EXPECT_EQ(sheet::usual_decimals(100, Unit::m), 5);
+  EXPECT_EQ(sheet::usual_decimals(1e-9, Unit::mm), 8);
+}
+
+}  // namespace
+}  // namespace epura::test
