@@ -73,7 +73,7 @@ TEST_F(DimensionsOfProgram, OfASceneFile) {
 // A cube of 31.75 mm is 1.25 in.
 TEST_F(DimensionsOfProgram, InInchesAfterAsme) {
   const std::string cube = root() / "tests/golden/models/cube.obj";
-  const Words arguments = {cube,      "--views", "front,top", "--transform",      "scale:31.75", "--dimensions",
+  const Words arguments = {cube,      "--views", "front,top", "--transform",      "scale:3.175", "--dimensions",
                            "overall", "--title", "x",         "--dimension-unit", "in"};
   const auto with = [&](Words more) {
     more.insert(more.begin(), arguments.begin(), arguments.end());
