@@ -20,7 +20,8 @@ namespace {
 using scene::DimensionDescription;
 
 constexpr double parallel = 1e-6;
-constexpr double same_size = 1e-4;  // relative
+constexpr double same_size = 1e-4;          // relative
+constexpr std::size_t most_of_a_kind = 16;  // notes, horizontal or vertical dimensions of a view
 
 bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
 bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
@@ -66,10 +67,20 @@ class Planner {
     add_levels();
     for (DimensionDescription& dimension : stations_.dimensions(wanted_.where, notation_))
       dimensions_.push_back(std::move(dimension));
+    leave_out_excess();
     return std::move(dimensions_);
   }
 
  private:
+  // Machines of a hundred parts have more features than a sheet has room for.
+  void leave_out_excess() {
+    std::map<std::pair<std::string, int>, std::size_t> count;
+    std::erase_if(dimensions_, [&](const DimensionDescription& dimension) {
+      const int row = dimension.direction.given() ? static_cast<int>(*dimension.direction) : -1;
+      return ++count[{*dimension.view, row}] > most_of_a_kind;
+    });
+  }
+
   [[nodiscard]] bool may_use(const NamedProjection& view) const {
     return wanted_.view.value_or(view.name) == view.name && is_plain(view.projection);
   }

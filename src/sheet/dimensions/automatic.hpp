@@ -22,9 +22,10 @@ struct DimensionSubject {
 };
 
 /// How many steps a view dimensions along one axis, and how many radii; more would not be legible. The largest count,
-/// and none smaller than `least_level` of the area of the models' box: `epura lint` lists what is left.
+/// but no step smaller than `least_level` of the area of the models' box, and no radii whose sum is less than
+/// `least_radius` of its size, such as those of engraved letters: `epura lint` lists what is left.
 inline constexpr std::size_t most_levels = 6, most_radii = 6;
-inline constexpr double least_level = 5e-4;
+inline constexpr double least_level = 5e-4, least_radius = 6e-3;
 
 /// Returns overall dimensions, as of overall_dimensions, and those of features:
 /// - holes, pitch circles, slots, arcs in a view along their axes; shafts and chamfers in a view across them
