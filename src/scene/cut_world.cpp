@@ -278,7 +278,9 @@ void ModelCut::drop_surface() {
   drop(cut.triangles);
   drop(cut.polygon);
   drop(cut.body);
+  // The faces need not have all vertices of their outlines.
   cut.wires.clear();
+  for (const CutSegment& segment : cut.segments) cut.wires.push_back(segment.vertex);
   cut.uncut.clear();
   loose.clear();
   of_surface = 0;

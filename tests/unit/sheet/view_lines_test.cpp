@@ -170,7 +170,7 @@ TEST(ViewLayers, OfBodiesWithAColourOrALayerOfTheirOwn) {
   for (const int s : drawing.chains[2].segments) drawing.segments[static_cast<std::size_t>(s)].body = 2;
   const sheet::BodyStyle usual;
   const sheet::BodyStyle red{LineRole::visible, HiddenLines::dashed, {204, 0, 0}, {}};
-  const sheet::BodyStyle bolt{LineRole::narrow, HiddenLines::solid, {}, "bolt"};
+  const sheet::BodyStyle bolt{LineRole::narrow, HiddenLines::solid, {}, {}, "bolt"};
   const std::vector<sheet::Layer> layers = sheet::view_layers(drawing, {0.5, 0.25}, {{{usual, red, bolt}}});
   std::vector<std::string> names;
   for (const sheet::Layer& layer : layers) names.push_back(layer.name);
