@@ -8,16 +8,15 @@ inline constexpr epura_parameter foreshortened_parameter = epura::plugin::choice
     "foreshortened", "true: as projected; false: enlarged, so that the longest axis is true", "false|true", 1);
 
 inline constexpr epura_parameter corner_parameter = epura::plugin::choice(
-    "from", "the corner of the model that is nearest to the viewer, seen from above unless it says below",
-    "right-front|left-front|left-back|right-back|right-front-below|left-front-below|left-back-below|right-back-below",
-    0);
+    "from", "the corner of the model that is nearest to the viewer", "right-front|left-front|left-back|right-back", 0);
+inline constexpr epura_parameter below_parameter =
+    epura::plugin::choice("below", "true: seen from below", "false|true", 0);
 
 /// `direction`, which is that of the right front corner seen from above, reflected to another corner: an index of
 /// `corner_parameter`.
-inline epura::plugin::Vec3 towards_corner(epura::plugin::Vec3 direction, int corner) {
-  const int turn = corner % 4;
-  return {turn == 1 || turn == 2 ? -direction.x : direction.x, turn >= 2 ? -direction.y : direction.y,
-          corner >= 4 ? -direction.z : direction.z};
+inline epura::plugin::Vec3 towards_corner(epura::plugin::Vec3 direction, int corner, bool below) {
+  return {corner == 1 || corner == 2 ? -direction.x : direction.x, corner >= 2 ? -direction.y : direction.y,
+          below ? -direction.z : direction.z};
 }
 
 /// The orthographic view from `direction`. An axis whose direction has the cosine c with the normal is drawn with the

@@ -101,10 +101,14 @@ TEST(oblique, cabinet_halves_depth_at_63_435_degrees_to_the_plane) {
 }
 
 TEST(axonometric, corners_are_seen_from_their_sides_with_the_same_angles) {
-  const std::vector<std::pair<std::string, Vec3>> corners{
-      {"right-front", {1, -1, 1}},      {"left-front", {-1, -1, 1}},        {"left-back", {-1, 1, 1}},
-      {"right-back", {1, 1, 1}},        {"right-front-below", {1, -1, -1}}, {"left-front-below", {-1, -1, -1}},
-      {"left-back-below", {-1, 1, -1}}, {"right-back-below", {1, 1, -1}}};
+  const std::vector<std::pair<std::string, Vec3>> corners{{"right-front", {1, -1, 1}},
+                                                          {"left-front", {-1, -1, 1}},
+                                                          {"left-back", {-1, 1, 1}},
+                                                          {"right-back", {1, 1, 1}},
+                                                          {"right-front:below=true", {1, -1, -1}},
+                                                          {"left-front:below=true", {-1, -1, -1}},
+                                                          {"left-back:below=true", {-1, 1, -1}},
+                                                          {"right-back:below=true", {1, 1, -1}}};
   for (const char* name : {"isometric", "dimetric", "trimetric"}) {
     const Vec3 usual = make(name, a_box()).projector;
     for (const auto& [corner, signs] : corners) {
