@@ -21,7 +21,7 @@ const ProgramTexts& program_texts() {
       .exit_codes = {{0, "success"},
                      {found_wrong_exit_code,
                       "differences found (compare, snapshot) or errors found (lint, --verify, plugins check, views "
-                      "beyond their sheet)"},
+                      "beyond their sheet), or jobs failed (batch)"},
                      {2, "wrong input"},
                      {3, "plugin error"},
                      {4, "cannot write"},

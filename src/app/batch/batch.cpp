@@ -45,15 +45,11 @@ fs::path whole_manifest(const BatchOptions& options, const std::vector<Job>& job
 }
 
 struct Counts {
-  std::size_t drawn = 0, unchanged = 0, failed = 0, warned = 0;
+  std::size_t drawn = 0, unchanged = 0, failed = 0;
 
-  void add(const JobResult& result) {
-    ++(!result.record.is_good() ? failed : result.is_unchanged ? unchanged : drawn);
-    if (result.record.is_good() && result.record.warnings > 0) ++warned;
-  }
+  void add(const JobResult& result) { ++(!result.record.is_good() ? failed : result.is_unchanged ? unchanged : drawn); }
   [[nodiscard]] std::string words() const {
     std::string text = std::to_string(drawn) + " drawn";
-    if (warned > 0) text += " (" + std::to_string(warned) + " with warnings)";
     if (unchanged > 0) text += ", " + std::to_string(unchanged) + " unchanged";
     return text + ", " + std::to_string(failed) + " failed";
   }

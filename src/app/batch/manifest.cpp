@@ -37,7 +37,7 @@ std::string line_of(const std::string& output, const JobRecord& record) {
   return "{\"output\": " + json_string(output) + ", \"job\": " + json_string(record.name) +
          ", \"key\": " + json_string(record.key) + ", \"code\": " + std::to_string(record.code) +
          ", \"seconds\": " + format_rounded(record.seconds, 4) + ", \"MB\": " + format_rounded(record.megabytes, 4) +
-         ", \"outputs\": {" + outputs + "}, \"warnings\": " + std::to_string(record.warnings) + ", \"messages\": " +
+         ", \"outputs\": {" + outputs + "}, \"messages\": " +
          output::json_list(record.messages, [](const std::string& message) { return json_string(message); }) + "}\n";
 }
 
@@ -57,8 +57,7 @@ void read_record(const JsonValue& object, JobRecords& records) {
                    .key = text_in(object, "key"),
                    .code = static_cast<int>(number_in(object, "code")),
                    .seconds = number_in(object, "seconds"),
-                   .megabytes = number_in(object, "MB"),
-                   .warnings = static_cast<int>(number_in(object, "warnings"))};
+                   .megabytes = number_in(object, "MB")};
   if (const auto outputs = object.FindMember("outputs"); outputs != object.MemberEnd() && outputs->value.IsObject())
     for (const auto& file : outputs->value.GetObject())
       record.outputs.push_back({file.name.GetString(), file.value.IsString() ? file.value.GetString() : ""});
@@ -134,9 +133,12 @@ void ManifestWriter::append(const std::string& output, const JobRecord& record) 
   // One write, so that readers see whole lines.
   if (::write(descriptor_, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
     fail(file_, std::string("cannot be written: ") + std::strerror(errno));
+  constexpr std::chrono::seconds at_risk(1);
+  if (Clock::now() - synced_ > at_risk) sync();
 }
 
 void ManifestWriter::sync() {
+  synced_ = Clock::now();
   if (::fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS)
     fail(file_, std::string("cannot be written: ") + std::strerror(errno));
 }

@@ -2,6 +2,7 @@
 // What a batch made from what: a file with a line of JSON for each job, to which finished jobs are appended.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -23,7 +24,6 @@ struct JobRecord {
   std::vector<WrittenFile> outputs{};
   int code = 0;  ///< exit code, as of `epura draw`
   double seconds = 0, megabytes = 0;
-  int warnings = 0;
   std::vector<std::string> messages{};  ///< of the run, with its warnings and errors
 
   [[nodiscard]] bool is_good() const { return code == 0; }
@@ -45,14 +45,18 @@ class ManifestWriter {
   ManifestWriter& operator=(const ManifestWriter&) = delete;
   ~ManifestWriter();
 
-  /// Survives the end of this process. `output` is the first one of the job. Throws Error{output}.
+  /// Survives the end of this process, and, except for the last second, a power failure. `output` is the first one of
+  /// the job. Throws Error{output}.
   void append(const std::string& output, const JobRecord& record);
-  /// Makes everything survive a power failure.
+  /// Makes the last second survive a power failure, too. Throws Error{output}.
   void sync();
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   std::filesystem::path file_;
   int descriptor_;
+  Clock::time_point synced_ = Clock::now();
 };
 
 /// "out/epura-batch.jsonl", and "out/epura-batch.2-of-8.jsonl" for a part.

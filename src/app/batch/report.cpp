@@ -25,7 +25,8 @@ constexpr std::string_view head =
     "li{border:1px solid #ccc;padding:.5em;overflow-wrap:anywhere}\n"
     "img{width:100%;height:11em;object-fit:contain;background:#fff}\n"
     ".failed{border-color:#cd0000}.failed h2{color:#cd0000}\nh2{font-size:1em;margin:.3em 0}\n"
-    "small,p.message{color:#666;margin:.2em 0}\ninput{font:inherit;width:20em}\n</style>\n</head>\n<body>\n";
+    "a{display:block}small,p.message{color:#666;margin:.2em "
+    "0}\ninput{font:inherit;width:20em}\n</style>\n</head>\n<body>\n";
 
 constexpr std::string_view script =
     "<script>\nconst search = document.querySelector('input');\nconst show = () => {\n"

@@ -18,6 +18,7 @@
 #include "app/describe.hpp"
 #include "app/draw_files.hpp"
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "foreign/folders.hpp"
@@ -25,6 +26,7 @@
 #include "importer/catalogue.hpp"
 #include "importer/read_model.hpp"
 #include "projection/catalogue.hpp"
+#include "sheet/lettering.hpp"
 
 namespace epura {
 
@@ -52,6 +54,20 @@ double peak_megabytes() {
 
 void forget_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
+std::string percent_decoded(std::string_view text) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  const auto digit = [&](std::size_t i) {
+    return i < text.size() ? digits.find(to_lower(text.substr(i, 1))) : digits.npos;
+  };
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_code = text[i] == '%' && digit(i + 1) != digits.npos && digit(i + 2) != digits.npos;
+    result += is_code ? static_cast<char>(16 * digit(i + 1) + digit(i + 2)) : text[i];
+    if (is_code) i += 2;
+  }
+  return result;
+}
+
 std::vector<std::string> lines_of(std::string_view text) {
   std::vector<std::string> lines;
   for (const std::string_view line : split(text, '\n'))
@@ -59,7 +75,23 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-// Everything that a drawing depends on besides the basis. Files that models refer to are not known.
+// The files that a glTF file refers to by "uri": its buffers; other formats have everything in one file.
+std::vector<fs::path> files_named_in(const fs::path& model, const std::string& bytes) {
+  std::vector<fs::path> files;
+  if (to_lower(model.extension().string()) != ".gltf") return files;
+  constexpr std::string_view key = "\"uri\"";
+  for (std::size_t at = bytes.find(key); at != std::string::npos; at = bytes.find(key, at + 1)) {
+    const std::size_t begin = bytes.find('"', at + key.size());
+    const std::size_t end = begin == std::string::npos ? begin : bytes.find('"', begin + 1);
+    if (end == std::string::npos) break;
+    const fs::path file = model.parent_path() / percent_decoded(bytes.substr(begin + 1, end - begin - 1));
+    std::error_code ignored;
+    if (fs::is_regular_file(file, ignored)) files.push_back(file);
+  }
+  return files;
+}
+
+// Everything that a drawing depends on besides the basis.
 std::string key_of(const Job& job, const DrawOptions& options, const std::string& basis) {
   std::string text = basis;
   const auto add = [&](const std::string& part) { text += '\0' + part; };
@@ -71,8 +103,11 @@ std::string key_of(const Job& job, const DrawOptions& options, const std::string
     if (const bool* value = std::get_if<bool>(&setting.value.content)) add(*value ? "true" : "false");
   }
   for (const std::string& input : inputs_of(options, describe(options))) {
+    const fs::path path = importer::parse_model_request(input).path;
+    const std::string bytes = read_file(path);
     add(input);
-    add(hash_of_file(importer::parse_model_request(input).path));
+    add(hash_of_bytes(bytes));
+    for (const fs::path& file : files_named_in(path, bytes)) add(hash_of_file(file));
   }
   return hash_of_bytes(text);
 }
@@ -105,11 +140,7 @@ void draw(const DrawOptions& options, JobRecord& record) {
   const auto keep = [&](std::string_view text) {
     for (std::string& line : lines_of(text)) record.messages.push_back(std::move(line));
   };
-  const auto warn = [&](const std::string& sentence) {
-    ++record.warnings;
-    keep(sentence);
-  };
-  const pipeline::Messages messages{warn, keep};
+  const pipeline::Messages messages{keep, keep};
   const DrawnFiles drawn = draw_files(options, messages, Progress(board, options.run.time_limit));
   tell_the_end(messages, options, drawn);
   record.code = exit_code_of(drawn);
@@ -129,7 +160,6 @@ foreign::Packer packed(const JobResult& result) {
   message(result.is_unchanged);
   message(record.key);
   message(record.code);
-  message(record.warnings);
   message(record.seconds);
   message(record.megabytes);
   message(record.messages);
@@ -156,6 +186,8 @@ std::string basis_of(const BatchOptions& options) {
   for (const std::string& word : options.words) text += '\0' + word;
   add_libraries(text, projection::plugin_folders(options.draw.run.plugin_path));
   add_libraries(text, importer::importer_folders(options.draw.run.plugin_path));
+  std::error_code missing;
+  if (fs::exists(sheet::Lettering::usual_font(), missing)) text += '\0' + hash_of_file(sheet::Lettering::usual_font());
   return hash_of_bytes(text);
 }
 
@@ -207,7 +239,6 @@ JobResult unpack_result(const std::string& message) {
   unpack(result.is_unchanged);
   unpack(record.key);
   unpack(record.code);
-  unpack(record.warnings);
   unpack(record.seconds);
   unpack(record.megabytes);
   unpack(record.messages);
