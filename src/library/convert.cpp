@@ -121,6 +121,18 @@ std::string text_of(const ParameterValue& value) {
   return text;
 }
 
+scene::BreakChoice break_choice(const View& view, const std::string& where) {
+  scene::BreakChoice choice;
+  choice.automatic = view.automatic_breaks;
+  for (const Break& one : view.breaks) {
+    if (one.axis < 0 || one.axis > 2)
+      throw Error(ErrorKind::input, where, "has axis " + std::to_string(one.axis), "0 is x, 1 is y, 2 is z");
+    if (!(one.from < one.to)) throw Error(ErrorKind::input, where, "has a place 'from' that is not below 'to'");
+    choice.parts.push_back({one.axis, one.from, one.to});
+  }
+  return choice;
+}
+
 scene::ViewDescription describe(const View& view, const std::string& where) {
   scene::ViewDescription description;
   scene::ProjectionRequest request{view.projection, {}};
@@ -146,6 +158,9 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   description.section = located(view.section, where + ".section");
   description.label = located(view.label, where + ".label");
   description.detail = located(view.detail, where + ".detail");
+  if (view.automatic_breaks || !view.breaks.empty())
+    description.breaks = {break_choice(view, where + ".breaks"), where + ".breaks"};
+  description.half = located(view.half, where + ".half");
   if (description.detail.given()) description.projection.value.reset();
   return description;
 }

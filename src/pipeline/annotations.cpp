@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "pipeline/breaks.hpp"
 #include "scene/design_features.hpp"
 #include "scene/true_extents.hpp"
 #include "sheet/cutting_plane_line.hpp"
@@ -52,6 +53,10 @@ void add_dimensions(std::vector<Annotations>& annotations, const scene::World& w
     const auto view = here(view_of(dimension, scene));
     if (view != views.end()) annotations[std::size_t(view - views.begin())].dimensions.push_back(dimension);
   };
+  const auto is_outside = [&](const scene::DimensionDescription& dimension) {
+    const auto view = std::size_t(here(view_of(dimension, scene)) - views.begin());
+    return view < views.size() && is_left_out(dimension, world, sheet.plans[view].options.breaks, seen[view]);
+  };
   for (const scene::DimensionDescription& dimension : scene.dimensions) {
     if (!is_open(dimension)) {
       add(dimension);
@@ -64,7 +69,8 @@ void add_dimensions(std::vector<Annotations>& annotations, const scene::World& w
         const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
         return sheet::automatic_dimensions(dimension, projections, {world, features, *extents}, notation);
       };
-      for (const scene::DimensionDescription& one : expanded()) add(one);
+      for (const scene::DimensionDescription& one : expanded())
+        if (!is_outside(one)) add(one);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "drawing/cut_faces.hpp"
 #include "pipeline/annotations.hpp"
+#include "pipeline/breaks.hpp"
 #include "pipeline/compose.hpp"
 #include "pipeline/details.hpp"
 #include "pipeline/lint.hpp"
@@ -137,6 +138,7 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
     if (section(i) != nullptr) expect_steps_edge_on(*section(i), seen[i], views.descriptions[i]);
     views.plans[i].options.styles = styles_of(scene, views.descriptions[i], world(i), seen[i].projection);
   }
+  find_breaks(views, seen, world);
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, sections);
   if (options.lint) add_all(dimensioned, anchored_dimensions(whole, views, seen, annotations));
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);

@@ -9,6 +9,7 @@
 
 #include "base/progress.hpp"
 #include "drawing/arcs.hpp"
+#include "drawing/breaks.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/make_drawing.hpp"
 #include "edges/find_edges.hpp"
@@ -38,6 +39,7 @@ struct ViewOptions {
   std::optional<double> arcs;  ///< tolerance in mm for recognising circles and ellipses
   bool centre_lines = false;
   std::optional<scene::DetailDescription> detail{};  ///< shown by the view
+  drawing::Breaks breaks{};                          ///< left out, in units and from the origin of view::drawn_box
   double join_within = 0.1;  ///< mm on paper; lines this close along each other are merged, 0: all are drawn
   Shortcuts leave_out{};
 
@@ -63,6 +65,7 @@ struct ViewResult {
   drawing::CurveReport curves{};
   scene::CentredFeatures features{};  ///< for centre lines, if requested
   std::optional<double> max_error{};  ///< mm; if a maximum was given, no longer span is shown wrongly
+  double unsymmetric = 0;             ///< mm of lines that a half view leaves out and does not show mirrored
 };
 
 /// Seconds since the last call of `lap`, under a name.

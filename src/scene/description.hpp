@@ -79,6 +79,8 @@ struct ViewDescription {
   Located<EdgeKinds> edges;
   LocatedText section;           ///< name of the section shown
   LocatedText detail;            ///< name of the detail shown
+  Located<BreakChoice> breaks;   ///< parts that are left out
+  Located<HalfView> half;        ///< the part drawn of a symmetric view
   LocatedText label;             ///< text above it; by default "A-A" for section A
   Located<double> crease_angle;  ///< degrees
   Located<double> join_within;   ///< mm on paper

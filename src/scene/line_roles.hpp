@@ -59,6 +59,7 @@ enum class SheetLine {
   dimension,
   cutting_plane,
   detail,
+  limit,
   partial
 };
 
@@ -92,6 +93,7 @@ inline constexpr std::array sheet_lines = {
     SheetLineRow{SheetLine::dimension, "dimension", "dimensions", LineWidth::narrow},
     SheetLineRow{SheetLine::cutting_plane, "cutting-plane", "cutting-plane", LineWidth::narrow},
     SheetLineRow{SheetLine::detail, "detail", "detail", LineWidth::narrow},
+    SheetLineRow{SheetLine::limit, "limit", "limit", LineWidth::narrow},
     SheetLineRow{SheetLine::partial, "partial", "partial", LineWidth::wide},
 };
 

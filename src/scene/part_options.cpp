@@ -170,6 +170,13 @@ Options<ViewDescription> view_options() {
                    whole_number(1)),
       option<View>({.key = "section", .help = "name of the section shown"}, &View::section, any_text()),
       option<View>({.key = "detail", .help = "name of the detail shown; needs a `scale`"}, &View::detail, any_text()),
+      option<View>({.key = "break",
+                    .flag = "--break",
+                    .help = "leave parts of long views out, between two places on an axis of the world: x:40:160; "
+                            "x:40: up to the end; auto: long stretches of constant section"},
+                   &View::breaks, break_choice()),
+      option<View>({.key = "half", .help = "the half or quarter of a symmetric view that is drawn"}, &View::half,
+                   choice<HalfView>()),
       option<View>(
           {.key = "label", .help = "text above the view", .usual = "`A-A` for section `A`, `X` for detail `X`"},
           &View::label, any_text()),
