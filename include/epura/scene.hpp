@@ -110,6 +110,16 @@ struct Detail {
   std::optional<std::array<double, 2>> size{};
 };
 
+/// Bodies moved apart in exploded views: by a vector, or away from the largest body along their axis by a multiple of
+/// their distance.
+struct Explode {
+  std::string match{};  ///< names of bodies or models, as of a style; by default all
+  std::optional<std::array<double, 3>> move{};
+  std::optional<double> factor{};  ///< instead of a vector
+  std::string view{};              ///< name of the view; by default all views
+  std::optional<bool> trace{};     ///< a line from their places; by default if they move along their axes
+};
+
 /// A model and a vertex of it, both counted from 0; or a point of the world.
 using DimensionAnchor = std::variant<std::array<int, 2>, std::array<double, 3>>;
 
@@ -151,6 +161,7 @@ struct Scene {
   std::vector<View> views{};  ///< none: one isometric view
   std::vector<Section> sections{};
   std::vector<Detail> details{};
+  std::vector<Explode> explosions{};
   std::vector<Dimension> dimensions{};
   std::vector<SheetOptions> sheets{};  ///< none: one default sheet
 };

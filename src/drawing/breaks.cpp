@@ -258,6 +258,10 @@ void break_drawing(ViewDrawing& drawing, const Breaks& breaks, const Progress& p
     append_part(all, part_of(drawing, part));
     for (const PaperTriangle& triangle : drawing.before_cuts) add_part(before_cuts, triangle, part);
   }
+  std::vector<std::array<Vec2, 2>> traces;
+  for (const auto& [from, to] : drawing.traces)
+    for (const auto& line : remaining_line(breaks, from, to)) traces.push_back(line);
+  drawing.traces = std::move(traces);
   drawing.segments = std::move(all.segments);
   drawing.crossings = std::move(all.crossings);
   drawing.cut_faces = std::move(all.cut_faces);

@@ -86,11 +86,12 @@ struct ViewDrawing {
   std::vector<CrossingSegment> crossings;  ///< for the segments that are not edges of a file, in their order
   std::vector<Chain> chains;
   std::vector<CutFace> cut_faces;
-  std::vector<PaperTriangle> before_cuts;  ///< parts of bodies that the cutting plane leaves whole, in front of it
-  Vec2 min{0, 0}, max{0, 0};               ///< box of the ink
-  std::optional<DetailFrame> detail{};     ///< only of a detail view
-  Breaks breaks{};                         ///< parts left out; all else is where it is after the move
-  std::vector<Limit> limits{};             ///< where parts are left out
+  std::vector<PaperTriangle> before_cuts;     ///< parts of bodies that the cutting plane leaves whole, in front of it
+  Vec2 min{0, 0}, max{0, 0};                  ///< box of the ink
+  std::optional<DetailFrame> detail{};        ///< only of a detail view
+  Breaks breaks{};                            ///< parts left out; all else is where it is after the move
+  std::vector<Limit> limits{};                ///< where parts are left out
+  std::vector<std::array<Vec2, 2>> traces{};  ///< of bodies moved apart: visible lines from their places
   double contours_moved = 0;  ///< mm; greatest distance at which contours of curved faces are drawn from edges of the
                               ///< mesh
   double joined_within = 0;   ///< mm; omitted lines have ink of at least the same strength within this distance

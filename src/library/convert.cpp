@@ -216,6 +216,16 @@ scene::DetailDescription describe(const Detail& detail, const std::string& where
   return description;
 }
 
+scene::ExplodeDescription describe(const Explode& explode, const std::string& where) {
+  scene::ExplodeDescription description{.where = where};
+  description.match = located(explode.match, where + ".match");
+  if (explode.move) description.move = {vector_of(*explode.move, where + ".move"), where + ".move"};
+  if (explode.factor) description.factor = {checked(*explode.factor, where + ".factor", 0), where + ".factor"};
+  description.view = located(explode.view, where + ".view");
+  description.trace = located(explode.trace, where + ".trace");
+  return description;
+}
+
 scene::DimensionDescription describe(const Dimension& dimension, const std::string& where) {
   scene::DimensionDescription description;
   description.where = where;
@@ -281,6 +291,7 @@ scene::SceneDescription describe_scene(const Scene& scene) {
   describe_all(description.styles, scene.styles, "styles");
   describe_all(description.sections, scene.sections, "sections");
   describe_all(description.details, scene.details, "details");
+  describe_all(description.explosions, scene.explosions, "explosions");
   describe_all(description.dimensions, scene.dimensions, "dimensions");
   describe_all(description.sheets, scene.sheets, "sheets");
   return description;

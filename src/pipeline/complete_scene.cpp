@@ -9,6 +9,7 @@
 #include "pipeline/annotations.hpp"
 #include "pipeline/choose.hpp"
 #include "scene/details.hpp"
+#include "scene/exploded_world.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/view_names.hpp"
 
@@ -55,6 +56,7 @@ void complete_scene(scene::SceneDescription& scene) {
   scene::expect_projections(scene);
   scene::name_views(scene.views);
   scene::complete_details(scene);
+  scene::expect_sound_moves(scene);
   int sheets = 1;
   for (const scene::ViewDescription& view : scene.views) sheets = std::max(sheets, view.sheet.value_or(1));
   if (scene.sheets.empty()) scene.sheets.resize(static_cast<std::size_t>(sheets));

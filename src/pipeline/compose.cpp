@@ -210,6 +210,8 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
     append(finished.sheet.layers, budget.or_nothing([&](const Progress& progress) {
       return centre_layers(results[i], input.views.plans[i].options, widths, lines, progress);
     }));
+    if (auto traces = sheet::trace_lines(results[i].drawing, widths))
+      finished.sheet.layers.push_back(std::move(*traces));
     append(finished.sheet.layers, std::move(lines));
     if (auto limits = sheet::limit_lines(results[i].drawing, widths))
       finished.sheet.layers.push_back(std::move(*limits));

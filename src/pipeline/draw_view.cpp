@@ -137,6 +137,8 @@ class ViewRun {
     for (report::PlanStep& step : plan_) step.view = options_.name;
     watch_.lap("visibility");
     DrawnLines lines = draw_lines(paper);
+    if (!input_.traces.empty() && !options_.detail)
+      lines.drawing.traces = budget_.or_nothing([&](const Progress& progress) { return traces(paper, progress); });
     watch_.lap("drawing");
     auto verification =
         budget_.or_nothing([&](const Progress& progress) { return verified(lines.drawing, paper, progress); });
@@ -173,6 +175,7 @@ class ViewRun {
   void change(DrawnLines& lines, const Change& change_drawing);
   void show_detail(DrawnLines& lines);
   double break_view(DrawnLines& lines);
+  std::vector<std::array<Vec2, 2>> traces(const view::PaperMap& paper, const Progress& progress);
   std::optional<report::Verification> verified(const drawing::ViewDrawing& drawing, const view::PaperMap& paper,
                                                const Progress& progress) const;
   report::Verification verified(const edges::FeatureEdges& edges, const drawing::ViewDrawing& drawing,
@@ -353,6 +356,28 @@ double ViewRun::break_view(DrawnLines& lines) {
     drawing::break_drawing(drawing, breaks, progress);
   });
   return unsymmetric;
+}
+
+// The visible parts of lines through space, which belong to no face.
+std::vector<std::array<Vec2, 2>> ViewRun::traces(const view::PaperMap& paper, const Progress& progress) {
+  edges::FeatureEdges lines;
+  lines.crossings = {{{}, {-1, -1}, 0}};
+  for (const scene::Trace& trace : input_.traces) {
+    const int from = view::add_point(view_, trace[0]), to = view::add_point(view_, trace[1]);
+    if (const auto clipped = view::clip_edge(view_, from, to))
+      lines.edges.push_back({clipped->vertex, clipped->t, EdgeKind::wire, 0, -1, 0});
+  }
+  const visibility::HiddenSpans hidden = options_.wireframe
+                                             ? visibility::nothing_hidden(lines)
+                                             : visibility::find_hidden(input_.world, view_, lines, progress);
+  std::vector<std::array<Vec2, 2>> visible;
+  for (std::size_t e = 0; e < lines.edges.size(); ++e)
+    hidden.visit_parts(e, [&](double from, double to, bool is_visible) {
+      if (is_visible)
+        visible.push_back({drawing::position_on_paper(view_, paper, lines.edges[e], from),
+                           drawing::position_on_paper(view_, paper, lines.edges[e], to)});
+    });
+  return visible;
 }
 
 std::optional<report::Verification> ViewRun::verified(const drawing::ViewDrawing& drawing, const view::PaperMap& paper,

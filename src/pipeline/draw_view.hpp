@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "report/report.hpp"
 #include "scene/centred_features.hpp"
 #include "scene/description.hpp"
+#include "scene/exploded_world.hpp"
 #include "scene/scene.hpp"
 #include "sheet/view_lines.hpp"
 #include "view/paper_map.hpp"
@@ -33,6 +35,7 @@ struct ViewOptions {
   view::ViewLimits limits;
   edges::EdgeOptions edges;
   bool wireframe = false;           ///< nothing is hidden
+  bool exploded = false;            ///< bodies are not where dimensions find them
   std::optional<double> max_error;  ///< mm; no longer span may be shown wrongly
   sheet::BodyStyles styles;
   std::optional<int> verify;   ///< number of random points
@@ -97,6 +100,7 @@ struct ViewInput {
   const CutSection* section;  ///< null if it shows the whole
   const ViewOptions& options;
   PlaceOnPage place;
+  std::span<const scene::Trace> traces{};  ///< of moved bodies
 };
 
 /// Throws OutOfTime if time is over before there is a line to show; otherwise omissions are noted in the result.

@@ -60,6 +60,7 @@ enum class SheetLine {
   cutting_plane,
   detail,
   limit,
+  trace,
   partial
 };
 
@@ -94,6 +95,7 @@ inline constexpr std::array sheet_lines = {
     SheetLineRow{SheetLine::cutting_plane, "cutting-plane", "cutting-plane", LineWidth::narrow},
     SheetLineRow{SheetLine::detail, "detail", "detail", LineWidth::narrow},
     SheetLineRow{SheetLine::limit, "limit", "limit", LineWidth::narrow},
+    SheetLineRow{SheetLine::trace, "trace", "trace", LineWidth::narrow, long_dash_dot},
     SheetLineRow{SheetLine::partial, "partial", "partial", LineWidth::wide},
 };
 

@@ -151,6 +151,25 @@ Options<DetailDescription> detail_options() {
   };
 }
 
+Options<ExplodeDescription> explode_options() {
+  using Explode = ExplodeDescription;
+  return {
+      option<Explode>({.key = "match", .help = "names of bodies or models, as in `[[style]]`", .usual = "all"},
+                      &Explode::match, any_text()),
+      option<Explode>({.key = "move", .help = "how far they are moved apart from the others"}, &Explode::move,
+                      triple_of_numbers("")),
+      option<Explode>({.key = "factor",
+                       .help = "instead: moves them away from the largest body, along the axis of their largest "
+                               "cylinder or an axis of the world, by this multiple of their distance"},
+                      &Explode::factor, number_between(0, HUGE_VAL, "")),
+      option<Explode>({.key = "view", .help = "name of the view", .usual = "all views"}, &Explode::view, any_text()),
+      option<Explode>({.key = "trace",
+                       .help = "a line from their places to where they are moved",
+                       .usual = "along the axes of cylinders only"},
+                      &Explode::trace, truth()),
+  };
+}
+
 Options<ViewDescription> view_options() {
   using View = ViewDescription;
   return {

@@ -90,6 +90,17 @@ void add_symmetry_lines(Layer& centre, const drawing::ViewDrawing& view, const L
   }
 }
 
+std::optional<Layer> trace_lines(const drawing::ViewDrawing& view, const LineWidths& widths) {
+  if (view.traces.empty()) return std::nullopt;
+  Layer layer = empty_layer(view.name, scene::SheetLine::trace, widths);
+  for (const auto& [from, to] : view.traces) {
+    Stroke stroke{{from, to}};
+    stroke.dashes = fit_open(glm::distance(from, to), widths.narrow, scene::long_dash_dot);
+    layer.strokes.push_back(stroke);
+  }
+  return layer;
+}
+
 double limit_room(const LineWidths& widths) { return std::max(past_symmetric, zigzag_across * widths.narrow / 2); }
 
 }  // namespace epura::sheet

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lines that limit interrupted, partial and half views. ISO 128-2, ISO 128-3.
+// The lines that limit interrupted, partial and half views, and those of exploded views. ISO 128-2, ISO 128-3.
 #pragma once
 
 #include <optional>
@@ -18,6 +18,9 @@ std::optional<Layer> limit_lines(const drawing::ViewDrawing& view, const LineWid
 /// Adds the lines of symmetry of half views: long-dashed dotted narrow lines (04.1), which replace centre lines of the
 /// layer in the same places.
 void add_symmetry_lines(Layer& centre, const drawing::ViewDrawing& view, const LineWidths& widths);
+
+/// Layer VIEW/trace: long-dashed dotted narrow lines from the places of moved bodies. Nothing if there are none.
+std::optional<Layer> trace_lines(const drawing::ViewDrawing& view, const LineWidths& widths);
 
 /// How far these lines extend past the outline, mm.
 double limit_room(const LineWidths& widths);
