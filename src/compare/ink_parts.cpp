@@ -95,12 +95,13 @@ void append_divided(const InkPart& part, std::span<const drawing::Cover> covers,
 
 DividedInk divide_by(const std::vector<InkPart>& parts, const std::vector<InkPart>& others, double tolerance,
                      double min) {
-  // All pieces of a side have the same rank: they do not cover each other.
+  // Pieces of one side do not cover each other.
+  const auto is_other = [](const drawing::Piece& a, const drawing::Piece& b) { return a.visible && !b.visible; };
   std::vector<drawing::Piece> pieces;
   pieces.reserve(others.size() + parts.size());
-  for (const InkPart& part : others) pieces.push_back({part.from, part.to, true, EdgeKind{}, 0, {0, 0}});
-  for (const InkPart& part : parts) pieces.push_back({part.from, part.to, false, EdgeKind{}, 0, {0, 0}});
-  const std::vector<drawing::Cover> covers = drawing::find_covers(pieces, tolerance, min);
+  for (const InkPart& part : others) pieces.push_back({part.from, part.to, true, true, EdgeKind{}, 0, {0, 0}});
+  for (const InkPart& part : parts) pieces.push_back({part.from, part.to, false, true, EdgeKind{}, 0, {0, 0}});
+  const std::vector<drawing::Cover> covers = drawing::find_covers(pieces, tolerance, min, {}, is_other);
   pieces = std::vector<drawing::Piece>();  // freed, so that two copies rarely exist at a time
   DividedInk divided;
   std::size_t next = static_cast<std::size_t>(
@@ -180,7 +181,7 @@ std::vector<InkPart> seen_parts(const Picture& picture, const CommonLooks& table
   std::vector<drawing::Piece> pieces;
   pieces.reserve(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i)
-    pieces.push_back({parts[i].from, parts[i].to, true, EdgeKind{}, static_cast<int>(i), {0, 0}});
+    pieces.push_back({parts[i].from, parts[i].to, true, true, EdgeKind{}, static_cast<int>(i), {0, 0}});
   pieces = drawing::resolve_coincident(std::move(pieces), same_place, shortest);
   std::vector<InkPart> seen;
   seen.reserve(pieces.size());

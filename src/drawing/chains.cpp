@@ -20,13 +20,12 @@ const Vec2& place(const std::vector<Segment>& segments, End end) {
 
 std::vector<End> find_partners(const std::vector<Segment>& segments, const Progress& progress) {
   const auto place_of = [&](End end) { return place(segments, end); };
-  const auto look_and_place = [&](End end) {
+  const auto look_of = [&](End end) {
     const Segment& s = segments[line_of(end)];
-    const Vec2& p = place(segments, end);
-    const double look = 2 * static_cast<double>(s.kind) + (s.visible ? 1 : 0);
-    return std::array{look, static_cast<double>(s.model), static_cast<double>(s.body), p.x, p.y};
+    const double style = 2 * static_cast<double>(s.kind) + (s.visible ? 1 : 0);
+    return std::array{style, static_cast<double>(s.model), static_cast<double>(s.body)};
   };
-  return drawing::find_partners(static_cast<int>(segments.size()), place_of, look_and_place, progress);
+  return drawing::find_partners(static_cast<int>(segments.size()), place_of, look_of, progress);
 }
 
 // Leaves out corners at which the line runs straight on. The offsets of the corners left out since the last one kept

@@ -28,13 +28,15 @@ constexpr std::size_t alone = 4096;
 
 class CoverSearch {
  public:
-  CoverSearch(const std::vector<Piece>& pieces, double tolerance, double min, const Progress& progress)
+  CoverSearch(const std::vector<Piece>& pieces, double tolerance, double min, const Progress& progress,
+              Order has_higher_rank)
       : pieces_(pieces),
         tolerance_(tolerance),
         least_(min),
         // Two lines within the tolerance of each other over `min` differ in direction by at most this.
         spread_(std::min(2.5 * tolerance / min, 1.5)),
         progress_(progress),
+        has_higher_rank_(has_higher_rank),
         directions_(pieces, spread_, progress) {}
 
   std::vector<Cover> find() const {
@@ -92,7 +94,7 @@ class CoverSearch {
     for (auto a = strands.begin(); a != rest; ++a)
       for (auto b = a + 1; b != strands.end(); ++b) {
         if ((a->is_guest && b->is_guest) || !begin_together(*a, *b) || !are_near(*a, *b)) continue;
-        const bool is_a_lower = rank(pieces_[b->piece]) < rank(pieces_[a->piece]);
+        const bool is_a_lower = has_higher_rank_(pieces_[b->piece], pieces_[a->piece]);
         add_cover(is_a_lower ? a->piece : b->piece, is_a_lower ? b->piece : a->piece, found);
       }
   }
@@ -125,7 +127,7 @@ class CoverSearch {
 
   void add_cover(int lower, int upper, std::vector<Cover>& found) const {
     const Piece &low = pieces_[lower], &high = pieces_[upper];
-    if (!(rank(high) < rank(low))) return;
+    if (!has_higher_rank_(high, low)) return;
     const auto [from, to] = covered_part(Ruler(low.from, low.to), high.from, high.to, tolerance_, least_);
     if (to > from) found.push_back({lower, from, to});
   }
@@ -136,7 +138,7 @@ class CoverSearch {
   void add_covers_in_crowd(const Strands& strands, std::vector<Cover>& found) const {
     std::vector<int> members;
     for (const Strand& s : strands) members.push_back(s.piece);
-    const PieceTree tree(pieces_, std::move(members), tolerance_, spread_);
+    const PieceTree tree(pieces_, std::move(members), tolerance_, spread_, has_higher_rank_);
     for (const Strand& s : strands) {
       progress_.expect_time();
       for (const auto& [from, to] : parts_covered(tree, s.piece)) found.push_back({s.piece, from, to});
@@ -164,15 +166,16 @@ class CoverSearch {
   const std::vector<Piece>& pieces_;
   double tolerance_, least_, spread_;
   const Progress& progress_;
+  Order has_higher_rank_;
   DirectionClasses directions_;
 };
 
 }  // namespace
 
-std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double min,
-                               const Progress& progress) {
+std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double min, const Progress& progress,
+                               Order has_higher_rank) {
   if (pieces.empty()) return {};
-  std::vector<Cover> covers = CoverSearch(pieces, tolerance, min, progress).find();
+  std::vector<Cover> covers = CoverSearch(pieces, tolerance, min, progress, has_higher_rank).find();
   parallel_sort(covers.begin(), covers.end());
   // At the border between cells, a pair is found in both.
   covers.erase(std::unique(covers.begin(), covers.end()), covers.end());

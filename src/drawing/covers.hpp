@@ -21,6 +21,6 @@ struct Cover {
 /// duplicates. Where very many pieces lie on one line, parts are merged, and parts that only shorten gaps of less than
 /// `min` are left out. No piece may be a point. Throws OutOfTime.
 std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double min,
-                               const Progress& progress = {});
+                               const Progress& progress = {}, Order has_higher_rank = outranks);
 
 }  // namespace epura::drawing

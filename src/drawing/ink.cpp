@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <deque>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "base/same_key.hpp"
@@ -25,7 +26,7 @@ std::array<double, 4> place(const Piece& p) {
 void drop_copies(std::vector<Piece>& pieces, const Progress& progress) {
   std::vector<char> copy(pieces.size(), false);
   const auto place_of = [&](int i) { return place(pieces[i]); };
-  const auto by_rank = [&](int a, int b) { return rank(pieces[a]) < rank(pieces[b]); };
+  const auto by_rank = [&](int a, int b) { return outranks(pieces[a], pieces[b]); };
   visit_same_keys(static_cast<int>(pieces.size()), place_of, progress, [&](std::span<const int> same) {
     for (const int i : same) copy[i] = true;
     copy[*std::min_element(same.begin(), same.end(), by_rank)] = false;
@@ -62,6 +63,20 @@ void append_rest(const Piece& piece, std::span<const Cover> covers, double min, 
 }
 
 }  // namespace
+
+bool outranks(const Piece& a, const Piece& b) {
+  if (a.drawn != b.drawn) return a.drawn;
+  if (a.visible != b.visible) return a.visible;
+  if (a.kind != b.kind) return a.kind < b.kind;
+  // Compared as floats, so that rounding does not decide.
+  const auto length = [](const Piece& p) { return static_cast<float>(length_of(p)); };
+  if (length(a) != length(b)) return length(a) > length(b);
+  const auto middle = [](const Piece& p) {
+    const Vec2 m = (p.from + p.to) / 2.0;
+    return std::pair(static_cast<float>(m.x), static_cast<float>(m.y));
+  };
+  return std::tuple(middle(a), a.edge, a.s[0]) < std::tuple(middle(b), b.edge, b.s[0]);
+}
 
 std::array<double, 2> covered_part(const Ruler& line, Vec2 a, Vec2 b, double tolerance, double min) {
   a = line.local(a);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where lines coincide on paper, one of them is drawn: visible before hidden (ISO 128), then the stronger kind, then
-// the earlier edge.
+// Where lines coincide on paper, one of them is drawn, if a style draws any: visible before hidden (ISO 128), then the
+// stronger kind, then the longer line. Nothing in this depends on the order of edges, except between lines that are
+// equal in all of it.
 #pragma once
 
 #include <array>
-#include <tuple>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -17,13 +17,17 @@ namespace epura::drawing {
 struct Piece {
   Vec2 from, to;  ///< mm
   bool visible;
+  bool drawn;  ///< whether its style leaves ink
   EdgeKind kind;
   int edge;                 ///< index in the list of drawn edges
   std::array<double, 2> s;  ///< page parameters of the ends along the edge
 };
 
-/// The piece with the lower rank is drawn.
-inline auto rank(const Piece& p) { return std::tuple(!p.visible, p.kind, p.edge, p.s[0]); }
+/// Whether the first piece is drawn where both coincide.
+bool outranks(const Piece& a, const Piece& b);
+
+/// An order like that of `outranks`.
+using Order = bool (*)(const Piece&, const Piece&);
 
 inline double length_of(const Piece& p) { return glm::length(p.to - p.from); }
 

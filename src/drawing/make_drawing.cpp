@@ -38,6 +38,7 @@ std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::
         *piece++ = {position_on_paper(lines.view, paper, edge, from),
                     position_on_paper(lines.view, paper, edge, to),
                     visible,
+                    /*drawn=*/true,
                     edge.kind,
                     static_cast<int>(e),
                     {from, to}};
@@ -128,16 +129,23 @@ void add_segments(const visibility::ResolvedView& lines, const std::vector<Piece
   });
 }
 
+signed char strength_of(const Piece& piece, const visibility::ResolvedView& lines, const NearLines& near) {
+  const edges::FeatureEdge& edge = lines.drawn.edges[piece.edge];
+  const int body = body_of(lines.world, lines.drawn, edge);
+  return static_cast<signed char>(near.strength(edge.model, body, piece.kind, piece.visible));
+}
+
+void find_drawn(std::vector<Piece>& pieces, const visibility::ResolvedView& lines, const NearLines& near) {
+  if (!near.strength) return;
+  for (Piece& piece : pieces) piece.drawn = strength_of(piece, lines, near) >= 0;
+}
+
 std::vector<Piece> joined_where_near(std::vector<Piece> pieces, const visibility::ResolvedView& lines,
                                      const NearLines& near, double touching, const Progress& progress) {
   if (!(near.distance > 0)) return pieces;
-  std::vector<signed char> strength(pieces.size());
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Piece& piece = pieces[i];
-    const edges::FeatureEdge& edge = lines.drawn.edges[piece.edge];
-    const int body = body_of(lines.world, lines.drawn, edge);
-    strength[i] = static_cast<signed char>(near.strength(edge.model, body, piece.kind, piece.visible));
-  }
+  std::vector<signed char> strength;
+  strength.reserve(pieces.size());
+  for (const Piece& piece : pieces) strength.push_back(strength_of(piece, lines, near));
   return join_near(std::move(pieces), strength, near.distance, touching, progress);
 }
 
@@ -184,6 +192,7 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   std::vector<Piece> pieces = pieces_of(lines, paper, options.hidden || !options.leave_out, progress);
   drawing.contours_moved = lines.drawn.moved * paper.scale;
   meet_contours(lines, paper, 4 * limits.tolerance, pieces);
+  find_drawn(pieces, lines, options.near);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
   pieces = joined_where_near(std::move(pieces), lines, options.near, limits.min, progress);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <tuple>
@@ -45,11 +46,20 @@ void pair_up(const Place& place, std::span<const End> ends, std::vector<End>& pa
   }
 }
 
-/// Returns for each end the end that continues it, or none. `place(end)` is its position; `key(end)` is an array of
-/// doubles, including the position, that two ends must have in common to be joined. Throws OutOfTime.
-template <class Place, class Key>
-std::vector<End> find_partners(int lines, const Place& place, const Key& key, const Progress& progress) {
+/// Returns for each end the end that continues it, or none. `place(end)` is its position, mm; `look(end)` is an array
+/// of doubles that two ends must have in common to be joined. Throws OutOfTime.
+template <class Place, class Look>
+std::vector<End> find_partners(int lines, const Place& place, const Look& look, const Progress& progress) {
   std::vector<End> partner(static_cast<std::size_t>(lines) * 2, no_end);
+  // Where lines of two faces coincide, parts of both are drawn, with ends that differ by rounding: about 1e-13 mm.
+  const auto rounded = [](double x) { return std::round(x * 0x1p30); };
+  const auto key = [&](End end) {
+    const auto of_look = look(end);
+    const Vec2& p = place(end);
+    std::array<double, of_look.size() + 2> all{rounded(p.x), rounded(p.y)};
+    std::copy(of_look.begin(), of_look.end(), all.begin() + 2);
+    return all;
+  };
   visit_same_keys(2 * lines, key, progress, [&](std::span<const End> ends) { pair_up(place, ends, partner); });
   return partner;
 }

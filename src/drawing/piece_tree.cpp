@@ -18,11 +18,18 @@ Vec2 on_circle(const Vec2& d) { return Vec2(d.x * d.x - d.y * d.y, 2 * d.x * d.y
 
 }  // namespace
 
-PieceTree::PieceTree(const std::vector<Piece>& pieces, std::vector<int> members, double tolerance, double spread)
-    : pieces_(&pieces), by_rank_(std::move(members)), tolerance_(tolerance), spread_(spread) {
+PieceTree::PieceTree(const std::vector<Piece>& pieces, std::vector<int> members, double tolerance, double spread,
+                     Order has_higher_rank)
+    : pieces_(&pieces),
+      by_rank_(std::move(members)),
+      tolerance_(tolerance),
+      spread_(spread),
+      has_higher_rank_(has_higher_rank) {
   // Pieces of equal rank are ordered by their numbers, since members come in any order.
-  const auto order_of = [&](int piece) { return std::tuple(rank(pieces[piece]), piece); };
-  std::sort(by_rank_.begin(), by_rank_.end(), [&](int a, int b) { return order_of(b) < order_of(a); });
+  std::sort(by_rank_.begin(), by_rank_.end(), [&](int a, int b) {
+    if (has_higher_rank(pieces[a], pieces[b])) return false;
+    return has_higher_rank(pieces[b], pieces[a]) || b < a;
+  });
   choose_normals();
   sort_by_direction();
   tree_ = {members_.size(), [&](std::size_t i) {
@@ -89,7 +96,7 @@ PieceTree::Bounds PieceTree::covering(int piece, const std::array<double, 2>& pa
     const double slack = 2 * (is_place ? tolerance_ : spread_);
     bounds[i] = {bounds[i][0] - slack, bounds[i][1] + slack};
   }
-  const auto higher = [&](int a, int b) { return rank((*pieces_)[b]) < rank((*pieces_)[a]); };
+  const auto higher = [&](int a, int b) { return has_higher_rank_((*pieces_)[b], (*pieces_)[a]); };
   const auto first = std::upper_bound(by_rank_.begin(), by_rank_.end(), piece, higher);
   bounds[order] = {static_cast<double>(first - by_rank_.begin()), HUGE_VAL};
   return bounds;

@@ -18,7 +18,8 @@ class PieceTree {
 
   PieceTree() = default;
   /// `spread` is the greatest difference in direction between pieces that cover each other.
-  PieceTree(const std::vector<Piece>& pieces, std::vector<int> members, double tolerance, double spread);
+  PieceTree(const std::vector<Piece>& pieces, std::vector<int> members, double tolerance, double spread,
+            Order has_higher_rank);
 
   /// Returns the bounds of pieces with higher rank than a piece that may cover some of a part of it, in mm from its
   /// beginning.
@@ -42,6 +43,7 @@ class PieceTree {
   const std::vector<Piece>* pieces_ = nullptr;
   std::vector<int> by_rank_;  ///< lowest first
   double tolerance_ = 0, spread_ = 0;
+  Order has_higher_rank_ = nullptr;
   std::array<Vec2, 4> normals_{};
   std::vector<int> members_;
   std::vector<double> place_;  ///< index of each member in order of rank

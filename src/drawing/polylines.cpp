@@ -11,11 +11,8 @@ namespace epura::drawing {
 Polylines::Polylines(const std::vector<Piece>& pieces, const std::vector<signed char>& strength,
                      const Progress& progress) {
   const auto place = [&](End end) { return end % 2 == 0 ? pieces[line_of(end)].from : pieces[line_of(end)].to; };
-  const auto key = [&](End end) {
-    const Vec2 p = place(end);
-    return std::array{static_cast<double>(strength[line_of(end)]), p.x, p.y};
-  };
-  const std::vector<End> partner = find_partners(static_cast<int>(pieces.size()), place, key, progress);
+  const auto look = [&](End end) { return std::array{static_cast<double>(strength[line_of(end)])}; };
+  const std::vector<End> partner = find_partners(static_cast<int>(pieces.size()), place, look, progress);
   std::vector<char> used(pieces.size(), 0);
   members_.reserve(pieces.size());
   const auto follow = [&](End start, bool closed) {

@@ -21,6 +21,12 @@ double length(const drawing::Chain& chain) {
   return chain.closed ? sum + glm::distance(chain.points.back(), chain.points.front()) : sum;
 }
 
+TEST(Chains, JoinEndsThatDifferByRounding) {
+  const auto chains = drawing::chain_segments({segment({0, 0}, {1, 1e-14}), segment({2, 1}, {1, 0})}, 1e-6);
+  ASSERT_EQ(chains.size(), 1U);
+  EXPECT_EQ(chains[0].points.size(), 3U);
+}
+
 TEST(Chains, JoinWhatTouchesWhicheverWayItRuns) {
   const auto chains =
       drawing::chain_segments({segment({0, 0}, {1, 0}), segment({2, 1}, {1, 0}), segment({2, 1}, {2, 2})}, 1e-6);

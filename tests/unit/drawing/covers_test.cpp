@@ -25,7 +25,7 @@ std::vector<drawing::Cover> all_covers(const std::vector<drawing::Piece>& pieces
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const drawing::Ruler line(pieces[i].from, pieces[i].to);
     for (const drawing::Piece& upper : pieces) {
-      if (!(drawing::rank(upper) < drawing::rank(pieces[i]))) continue;
+      if (!drawing::outranks(upper, pieces[i])) continue;
       const auto [from, to] = drawing::covered_part(line, upper.from, upper.to, tolerance, least_overlap);
       if (to > from) covers.push_back({static_cast<int>(i), from, to});
     }
@@ -51,6 +51,7 @@ std::vector<drawing::Piece> bundle(int count, unsigned seed) {
     pieces.push_back({through + aside + start * along,
                       through + aside + (start + length) * along,
                       random() % 2 == 0,
+                      true,
                       EdgeKind::crease,
                       i,
                       {0, 1}});
@@ -80,7 +81,7 @@ std::vector<drawing::Piece> crowd(int count, unsigned seed) {
     const Vec2 start = uniform(-5, 5) * along + uniform(-1.5e-6, 1.5e-6) * Vec2(-along.y, along.x);
     const double length = i % 4 == 0 ? std::pow(10, uniform(-5, 0)) : uniform(4, 6);
     const Vec2 end = start + length * along + uniform(-1e-6, 1e-6) * Vec2(-along.y, along.x);
-    pieces.push_back({start, end, random() % 2 == 0, EdgeKind::crease, i, {0, 1}});
+    pieces.push_back({start, end, random() % 2 == 0, true, EdgeKind::crease, i, {0, 1}});
   }
   std::shuffle(pieces.begin(), pieces.end(), random);
   return pieces;
@@ -127,7 +128,7 @@ TEST(Covers, OfARowAreFoundInAFewTries) {
   const Vec2 along(0.6, 0.8), across(-0.8, 0.6);
   for (int i = 0; i < 10000; ++i) {
     const Vec2 start = 1e-4 * i * along + 1e-7 * (i * 7 % 10) * across;
-    pieces.push_back({start, start + 100.0 * along, false, EdgeKind::crease, i, {0, 1}});
+    pieces.push_back({start, start + 100.0 * along, false, true, EdgeKind::crease, i, {0, 1}});
   }
   const std::vector<drawing::Cover> covers = drawing::find_covers(pieces, tolerance, min);
   ASSERT_EQ(covers.size(), pieces.size() - 1);
@@ -140,7 +141,7 @@ TEST(Covers, OfARowAreFoundInAFewTries) {
 
 TEST(Covers, TheSameLineHalfATurnAway) {
   const auto piece = [](Vec2 from, Vec2 to, int edge) {
-    return drawing::Piece{from, to, true, EdgeKind::crease, edge, {0, 1}};
+    return drawing::Piece{from, to, true, true, EdgeKind::crease, edge, {0, 1}};
   };
   const std::vector<drawing::Piece> pieces{piece({0, 0}, {1, 1e-9}, 0), piece({0.25, 1e-9}, {0.75, 0}, 1),
                                            piece({0.5, 0}, {-1, 0}, 2)};

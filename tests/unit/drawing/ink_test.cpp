@@ -14,7 +14,7 @@ constexpr double tolerance = 1e-6;
 constexpr double min = 1e-4;
 
 drawing::Piece piece(Vec2 from, Vec2 to, bool visible, int edge, EdgeKind kind = EdgeKind::crease) {
-  return {from, to, visible, kind, edge, {0, 1}};
+  return {from, to, visible, true, kind, edge, {0, 1}};
 }
 
 double length(const drawing::Piece& p) { return glm::length(p.to - p.from); }
@@ -35,12 +35,25 @@ TEST(Ink, VisibleBeatsHiddenWhoeverComesFirst) {
   }
 }
 
-TEST(Ink, AmongEqualsTheStrongerKindThenTheEarlierEdgeStays) {
+TEST(Ink, WhatItsStyleDoesNotDrawTakesNothingFromWhatIsDrawn) {
+  drawing::Piece without_ink = piece({-1, 0}, {9, 0}, true, 0);
+  without_ink.drawn = false;
+  const auto kept = drawing::resolve_coincident({without_ink, piece({0, 0}, {4, 0}, false, 1)}, tolerance, min);
+  ASSERT_EQ(kept.size(), 3U);
+  EXPECT_EQ(ink(kept, false), 4);
+  EXPECT_EQ(ink(kept, true), 6);
+}
+
+TEST(Ink, AmongEqualsTheStrongerKindThenTheLongerThenTheEarlierEdgeStays) {
   const auto by_kind = drawing::resolve_coincident(
       {piece({0, 0}, {4, 0}, true, 0, EdgeKind::smooth), piece({0, 0}, {4, 0}, true, 1, EdgeKind::contour)}, tolerance,
       min);
   ASSERT_EQ(by_kind.size(), 1U);
   EXPECT_EQ(by_kind[0].kind, EdgeKind::contour);
+  const auto by_length =
+      drawing::resolve_coincident({piece({0, 0}, {4, 0}, true, 3), piece({0, 0}, {5, 0}, true, 7)}, tolerance, min);
+  ASSERT_EQ(by_length.size(), 1U);
+  EXPECT_EQ(by_length[0].edge, 7);
   const auto by_edge =
       drawing::resolve_coincident({piece({0, 0}, {4, 0}, true, 7), piece({0, 0}, {4, 0}, true, 3)}, tolerance, min);
   ASSERT_EQ(by_edge.size(), 1U);

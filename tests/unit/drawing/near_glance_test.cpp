@@ -30,7 +30,7 @@ std::vector<drawing::Piece> bundles(int seed) {
       for (int i = 0; i < 7; ++i) {
         turn += number(-0.3, 0.3);
         const Vec2 next = at + facet * number(0.1, 1) * Vec2(std::cos(turn), std::sin(turn));
-        pieces.push_back({at, next, line % 2 == 0, EdgeKind::crease, static_cast<int>(pieces.size()), {0, 1}});
+        pieces.push_back({at, next, line % 2 == 0, true, EdgeKind::crease, static_cast<int>(pieces.size()), {0, 1}});
         at = next;
       }
     }

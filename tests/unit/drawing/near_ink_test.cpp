@@ -17,7 +17,7 @@ constexpr double distance = 0.1, touching = 1e-5;
 constexpr double pi = std::numbers::pi;
 
 void add(Pieces& pieces, Vec2 from, Vec2 to, bool visible = true) {
-  pieces.push_back({from, to, visible, EdgeKind::crease, static_cast<int>(pieces.size()), {0, 1}});
+  pieces.push_back({from, to, visible, true, EdgeKind::crease, static_cast<int>(pieces.size()), {0, 1}});
 }
 
 // Closed if the last point is the first one.

@@ -24,7 +24,8 @@ std::vector<drawing::Piece> lines_at_random(int count) {
   for (int i = 0; i < count; ++i) {
     const Vec2 from(uniform(0, 100), uniform(0, 100));
     const double angle = uniform(0, 2 * std::numbers::pi), length = uniform(1, 40);
-    pieces.push_back({from, from + length * Vec2(std::cos(angle), std::sin(angle)), true, EdgeKind::crease, i, {0, 1}});
+    pieces.push_back(
+        {from, from + length * Vec2(std::cos(angle), std::sin(angle)), true, true, EdgeKind::crease, i, {0, 1}});
   }
   return pieces;
 }
@@ -90,7 +91,7 @@ TEST(Strands, MeetWhereOneEndsBesideTheOther) {
 TEST(Strands, OnOneLineAreNotDivided) {
   std::vector<drawing::Piece> pieces;
   for (int i = 0; i < 1000; ++i)
-    pieces.push_back({{1e-5 * i, 1e-9 * i}, {50 + 1e-5 * i, 0}, true, EdgeKind::crease, i, {0, 1}});
+    pieces.push_back({{1e-5 * i, 1e-9 * i}, {50 + 1e-5 * i, 0}, true, true, EdgeKind::crease, i, {0, 1}});
   double strands = 0;
   visit_all(pieces, [&](const drawing::Strands& few) { strands += static_cast<double>(few.size()); });
   EXPECT_LE(strands, 4.0 * static_cast<double>(pieces.size()));
