@@ -42,6 +42,7 @@ struct DrawOptions {
   scene::SheetDescription sheet;
   scene::Located<scene::SectionDescription> section;
   std::vector<scene::Located<scene::DetailRequest>> details;
+  scene::Located<double> explode;
   scene::Located<AutomaticDimensions> dimensions;
   output::VectorOptions vector;
   pipeline::RunOptions run;
