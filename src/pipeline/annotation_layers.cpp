@@ -139,7 +139,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
                                                         budget.run.with_part_of_the_time(0.5));
     sheet::Layer& layer = placed.layer;
     note_faults(result.findings, drawing.name, placed, paper);
-    if (const std::size_t left_out = dimensions.size() - layer.texts.size(); left_out > 0) {
+    if (const std::size_t left_out = dimensions.size() - placed.count; left_out > 0) {
       budget.partial.add_stage("placing dimensions");
       budget.partial.undrawn += static_cast<long long>(left_out);
     }

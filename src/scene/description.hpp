@@ -130,6 +130,8 @@ struct DimensionDescription {
   std::optional<FeatureCircle> circle{};  ///< of radius and diameter, instead of an anchor; not in scene files
   Located<double> offset;  ///< of the dimension line from the anchors, mm on paper; its sign selects the side
   LocatedText text;        ///< instead of the measured value; "<>" stands for the value
+  LocatedText tolerance{};   ///< "±0.1", "+0.2 -0.1", "H7", "g6", "H7/g6"
+  Located<bool> limits{};    ///< whether limits of size are written; false by default
 };
 
 /// Fields of a title block by name ("title", "owner", "number", "date" ...). ISO 7200.

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "sheet/dimensions/stations.hpp"
 
@@ -337,6 +338,10 @@ class Planner {
 std::vector<DimensionDescription> automatic_dimensions(const DimensionDescription& wanted,
                                                        std::span<const NamedProjection> views,
                                                        const DimensionSubject& subject, const Notation& notation) {
+  if (wanted.tolerance.given() || wanted.limits.given())
+    throw Error(ErrorKind::input, wanted.tolerance.given() ? wanted.tolerance.where : wanted.limits.where,
+                "automatic dimensions have no common tolerance",
+                "add a [[dimension]] for the size, or general_tolerance to the [title_block]");
   return Planner(wanted, views, subject, notation).plan();
 }
 

@@ -17,7 +17,7 @@ constexpr double cost_of_slope = 1;         // of a leader that is not at 45 deg
 constexpr double cost_of_inside = 1, cost_of_crossing_it = 0.5;
 
 // A leader from a shoulder with the text to the arrow on the circle; a negative length lies inside the circle.
-PlacedDimension leader(const MeasuredCircle& circle, const std::string& text, const Vec2& direction, double length,
+PlacedDimension leader(const MeasuredCircle& circle, const DimensionText& text, const Vec2& direction, double length,
                        const DimensionStyle& style) {
   const Vec2 tip = circle.centre + circle.radius * direction;
   const Vec2 elbow = tip + length * direction;
@@ -42,7 +42,7 @@ double slope_cost(double angle) {
 }
 
 // A dimension line across the whole circle, from arrow to arrow.
-void add_across(std::vector<DimensionPlacement>& placements, const MeasuredCircle& circle, const std::string& text,
+void add_across(std::vector<DimensionPlacement>& placements, const MeasuredCircle& circle, const DimensionText& text,
                 double angle, const DimensionStyle& style) {
   const Vec2 along = turned_to(angle), spoke = circle.radius * along;
   const MeasuredLength length{circle.centre - spoke, circle.centre + spoke, along, left_of(along)};

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "sheet/dimensions/tolerance.hpp"
 
 namespace epura::sheet {
 
@@ -35,11 +36,20 @@ struct Sight {
   [[nodiscard]] double millimetres() const { return glm::length(page_of(drawing.projection.u)); }  // per unit of length
 };
 
-std::string with_text(const AnchoredDimension& dimension, const std::string& value) {
+DimensionText with_text(const AnchoredDimension& dimension, const MeasuredValue& measured, const Notation& notation) {
+  const DimensionText value = text_of(measured, dimension.tolerance, notation);
   if (dimension.text.empty()) return value;
-  std::string text = dimension.text;
-  for (std::size_t at = text.find("<>"); at != std::string::npos; at = text.find("<>", at + value.size()))
-    text.replace(at, 2, value);
+  constexpr std::string_view sign = "<>";
+  DimensionText text;
+  std::size_t begin = 0, at = 0;
+  while ((at = dimension.text.find(sign, begin)) != std::string::npos) {
+    text.add(dimension.text.substr(begin, at - begin));
+    text.add(value);
+    begin = at + sign.size();
+  }
+  if (begin == 0 && dimension.tolerance)
+    refuse(dimension, "the text has no value for the tolerance", "write <> where the value belongs, or omit the text");
+  text.add(dimension.text.substr(begin));
   return text;
 }
 
@@ -48,7 +58,7 @@ Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }
 MeasuredDimension length_between(const AnchoredDimension& dimension, const Sight& sight, const Vec2& along,
                                  double value) {
   const Vec2 from = sight.page(dimension.points[0]), to = sight.page(dimension.points[1]);
-  return {MeasuredLength{from, to, along, left_of(along)}, with_text(dimension, length_text(value, sight.notation)),
+  return {MeasuredLength{from, to, along, left_of(along)}, with_text(dimension, {value}, sight.notation),
           dimension.offset};
 }
 
@@ -118,7 +128,7 @@ MeasuredDimension angular(const AnchoredDimension& dimension, const Sight& sight
   if (degrees < 0.005) refuse(dimension, "its legs lie on one line: the angle is zero", "choose other vertices");
   const Vec2 corner = sight.page(dimension.points[0]);
   return {MeasuredAngle{corner, {sight.page(dimension.points[1]) - corner, sight.page(dimension.points[2]) - corner}},
-          with_text(dimension, angle_text(degrees, sight.notation)), dimension.offset};
+          with_text(dimension, {degrees, "", true}, sight.notation), dimension.offset};
 }
 
 // Where an arc begins and its sweep, from the order of its vertices on paper.
@@ -139,7 +149,7 @@ MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, bool is_r
 
 // For a circle seen edge-on: the distance between its ends.
 MeasuredDimension edge_on(const AnchoredDimension& dimension, const WorldCircle& circle, const Sight& sight,
-                          const std::string& text) {
+                          const DimensionText& text) {
   const Vec3 across = glm::normalize(glm::cross(circle.axis, sight.n)) * circle.radius;
   const Vec2 along = glm::normalize(sight.page_of(across));
   return {MeasuredLength{sight.page(circle.centre - across), sight.page(circle.centre + across), along, left_of(along)},
@@ -150,7 +160,7 @@ MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sigh
   const bool is_radius = dimension.type == DimensionType::radius;
   const auto text = [&](const WorldCircle& circle) {
     const double value = is_radius ? circle.radius : 2 * circle.radius;
-    return with_text(dimension, (is_radius ? "R" : sight.notation.diameter) + length_text(value, sight.notation));
+    return with_text(dimension, {value, is_radius ? "R" : sight.notation.diameter}, sight.notation);
   };
   for (const WorldCircle& circle : dimension.circles)
     if (glm::length(glm::cross(circle.axis, sight.n)) <= parallel)
@@ -204,8 +214,8 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   const std::string sign = dimension.form == scene::ExtentForm::length   ? ""
                            : dimension.form == scene::ExtentForm::sphere ? "S" + sight.notation.diameter
                                                                          : sight.notation.diameter;
-  return {MeasuredLength{ends[0], ends[1], along, left_of(along)},
-          with_text(dimension, sign + length_text(value, sight.notation)), dimension.offset};
+  return {MeasuredLength{ends[0], ends[1], along, left_of(along)}, with_text(dimension, {value, sign}, sight.notation),
+          dimension.offset};
 }
 
 }  // namespace

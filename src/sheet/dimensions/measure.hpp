@@ -10,6 +10,7 @@
 #include "base/vec.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/dimensions/anchors.hpp"
+#include "sheet/dimensions/dimension_text.hpp"
 #include "sheet/notation.hpp"
 
 namespace epura::sheet {
@@ -37,7 +38,7 @@ struct MeasuredCircle {
 
 struct MeasuredDimension {
   std::variant<MeasuredLength, MeasuredAngle, MeasuredCircle> form;
-  std::string text;  ///< as written
+  DimensionText text;  ///< as written
   std::optional<double> offset;
 };
 
