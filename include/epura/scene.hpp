@@ -113,6 +113,7 @@ struct Dimension {
   std::optional<double> offset{};                 ///< mm on paper to the dimension line; its sign selects the side
   std::string text{};                             ///< text instead of the value; "<>" stands for the value
   std::string tolerance{};                        ///< "±0.1", "+0.2 -0.1", "H7", "g6" or "H7/g6" (ISO 286-1)
+  HoleDimensions holes = HoleDimensions::notes;   ///< of automatic dimensions
   bool limits = false;                            ///< whether limits of size are written; needs a tolerance
 };
 

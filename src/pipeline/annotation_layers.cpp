@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "pipeline/details.hpp"
+#include "sheet/captions.hpp"
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/detail_marks.hpp"
 #include "sheet/dimensions/dimensions.hpp"
@@ -111,6 +112,66 @@ void note_faults(std::vector<report::Finding>& findings, const std::string& view
     findings.push_back({report::FindingKind::off_sheet, view, "dimensions extend beyond the sheet"});
 }
 
+// The parts of a sheet on which no table may lie.
+std::vector<sheet::Rectangle> taken_by(const std::vector<sheet::TurnedBox>& boxes, std::span<const ViewResult> views) {
+  constexpr std::size_t most = 200;  // of single boxes; the free room between more of them is small
+  std::vector<sheet::Rectangle> taken;
+  for (const ViewResult& view : views) taken.push_back({view.drawing.min, view.drawing.max});
+  const std::size_t count = taken.size();
+  for (const sheet::TurnedBox& box : boxes) {
+    const sheet::Rectangle one = sheet::around(box);
+    if (taken.size() < most)
+      taken.push_back(one);
+    else
+      taken[count] = sheet::united(taken[count], one);
+  }
+  return taken;
+}
+
+std::vector<std::string> captions_of(const scene::SheetDescription& sheet) {
+  std::string language;
+  for (const auto& [name, text] : sheet.title_block)
+    if (name == "language") language = *text;
+  return {std::string(sheet::caption("hole", language)), "X", "Y", std::string(sheet::caption("hole_size", language))};
+}
+
+// Adds a table of holes where the sheet is free, in as few blocks of rows as fit; returns false if there is no room.
+bool add_table(sheet::Layer& layer, const sheet::HoleTable& table, const std::vector<std::string>& captions,
+               const sheet::Rectangle& room, const std::vector<sheet::Rectangle>& taken,
+               const sheet::DimensionStyle& style) {
+  constexpr int most_blocks = 6;
+  for (int blocks = 1; blocks <= most_blocks; ++blocks) {
+    const sheet::TableDrawing drawing(table, captions, blocks, style);
+    const auto corner = sheet::free_corner(room, taken, drawing.size());
+    if (corner) drawing.draw(layer, *corner);
+    if (corner) return true;
+  }
+  return false;
+}
+
+// In the layers of the dimensions, when everything else is in place.
+void add_tables(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  const auto captions = captions_of(input.scene.sheets[static_cast<std::size_t>(input.views.sheet)]);
+  for (std::size_t i = 0; i < views.size(); ++i)
+    for (const sheet::HoleTable& table : input.annotations[i].tables) {
+      sheet::Layer own;
+      sheet::draw_origin(own, table, views[i].drawing, style);
+      const std::vector<sheet::Rectangle> taken = taken_by(around.boxes, views);
+      if (!add_table(own, table, captions, *around.paper, taken, style))
+        result.warnings.push_back("the sheet has no room for the table of the holes in the view '" + table.view +
+                                  "'\n  hint: use a larger sheet or a smaller scale");
+      add_boxes(around.boxes, own, style.lettering);
+      const std::string& name = views[i].drawing.name;
+      const auto layer = std::find_if(result.layers.begin(), result.layers.end(),
+                                      [&name](const sheet::Layer& one) { return one.name.starts_with(name + "/"); });
+      if (layer == result.layers.end()) continue;
+      std::move(own.strokes.begin(), own.strokes.end(), std::back_inserter(layer->strokes));
+      std::move(own.fills.begin(), own.fills.end(), std::back_inserter(layer->fills));
+      std::move(own.texts.begin(), own.texts.end(), std::back_inserter(layer->texts));
+    }
+}
+
 }  // namespace
 
 AnnotationLayers annotation_layers(const SheetInput& input, std::span<const ViewResult> views,
@@ -149,6 +210,9 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     add_boxes(around.boxes, layer, *lettering);
     result.layers.push_back(std::move(layer));
   }
+  if (lettering)
+    add_tables(result, around, input, views,
+               {*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation});
   std::move(marks.begin(), marks.end(), std::back_inserter(result.layers));
   return result;
 }

@@ -238,6 +238,10 @@ Options<DimensionWords> dimension_options() {
                      .help = "write the limits of size: after a fit in brackets, otherwise instead of the value",
                      .usual = "false"},
                     in_description(&Dimension::limits), truth()),
+      option<Words>({.key = "holes",
+                     .help = "auto: a note for equal holes and dimensions of their positions, or labels and a table",
+                     .usual = "notes"},
+                    in_description(&Dimension::holes), choice<HoleDimensions>()),
   };
 }
 

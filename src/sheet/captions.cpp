@@ -19,7 +19,7 @@ struct Row {
   std::array<std::string_view, languages.size()> words;
 };
 
-constexpr std::array<Row, 21> rows{{
+constexpr std::array<Row, 23> rows{{
     {"owner",
      {"Legal owner", "Gesetzlicher Eigentümer", "Propriétaire légal", "Propietario legal", "Proprietário legal",
       "法的所有者"}},
@@ -53,6 +53,8 @@ constexpr std::array<Row, 21> rows{{
       "Tolerâncias gerais", "普通公差"}},
     {"scale", {"Scale", "Maßstab", "Échelle", "Escala", "Escala", "尺度"}},
     {"size", {"Size", "Format", "Format", "Formato", "Formato", "用紙"}},
+    {"hole", {"Hole", "Bohrung", "Trou", "Agujero", "Furo", "穴"}},
+    {"hole_size", {"Size", "Größe", "Dimension", "Medida", "Medida", "寸法"}},
     {"mm", {"Dimensions in mm", "Maße in mm", "Cotes en mm", "Cotas en mm", "Cotas em mm", "寸法単位 mm"}},
     {"in",
      {"Dimensions in inches", "Maße in Zoll", "Cotes en pouces", "Cotas en pulgadas", "Cotas em polegadas",

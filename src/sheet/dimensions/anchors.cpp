@@ -140,6 +140,7 @@ AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene:
                               tolerance_of(description)};
   if (description.circle) {
     const scene::FeatureCircle& circle = *description.circle;
+    dimension.is_label = description.is_label;
     dimension.circles = {{circle.centre, circle.axis, circle.radius, circle.arc, circle.arc.empty()}};
     return dimension;
   }

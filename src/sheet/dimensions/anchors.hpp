@@ -40,6 +40,7 @@ struct AnchoredDimension {
   std::string text;  ///< "<>" stands for the measured value
   std::optional<Tolerance> tolerance{};
   scene::ExtentForm form = scene::ExtentForm::length;  ///< of overall dimensions
+  bool is_label = false;                               ///< diameter: of a hole whose position is in a table
   double beyond_vertices = 0;                          ///< how much more they measure than the mesh, which is drawn
 };
 

@@ -132,9 +132,9 @@ MeasuredDimension angular(const AnchoredDimension& dimension, const Sight& sight
 }
 
 // Where an arc begins and its sweep, from the order of its vertices on paper.
-MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, bool is_radius) {
-  MeasuredCircle measured{sight.page(circle.centre), circle.radius * sight.millimetres(), 0, 2 * std::numbers::pi,
-                          is_radius};
+MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, const AnchoredDimension& dimension) {
+  MeasuredCircle measured{sight.page(circle.centre), circle.radius * sight.millimetres(),     0,
+                          2 * std::numbers::pi,      dimension.type == DimensionType::radius, dimension.is_label};
   if (circle.whole) return measured;
   std::optional<Vec2> before;
   measured.sweep = 0;
@@ -164,7 +164,7 @@ MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sigh
   };
   for (const WorldCircle& circle : dimension.circles)
     if (glm::length(glm::cross(circle.axis, sight.n)) <= parallel)
-      return {on_paper(circle, sight, is_radius), text(circle), dimension.offset};
+      return {on_paper(circle, sight, dimension), text(circle), dimension.offset};
   for (const WorldCircle& circle : dimension.circles)
     if (!is_radius && circle.whole && sight.orthographic && sight.in_plane(circle.axis))
       return edge_on(dimension, circle, sight, text(circle));

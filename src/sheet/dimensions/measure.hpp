@@ -32,8 +32,9 @@ struct MeasuredAngle {
 struct MeasuredCircle {
   Vec2 centre;
   double radius;
-  double first, sweep;  ///< radians: where an arc begins and its extent; 2 pi for a whole circle
-  bool is_radius;       ///< whether the radius is measured; otherwise the diameter
+  double first, sweep;    ///< radians: where an arc begins and its extent; 2 pi for a whole circle
+  bool is_radius;         ///< whether the radius is measured; otherwise the diameter
+  bool is_label = false;  ///< whether the text is only a name beside the circle
 };
 
 struct MeasuredDimension {
