@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "pipeline/details.hpp"
@@ -95,7 +96,17 @@ void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const ViewResult& vi
       boxes.push_back(sheet::line_box(from - Vec2(0, reach), from + Vec2(0, reach)));
     }
   };
+  const auto add_circle = [&](const scene::PitchCircle& circle) {
+    constexpr int parts = 48;
+    const Vec2 centre = page(circle.centre);
+    const auto at = [&](int i) {
+      return centre + circle.radius * drawing.scale * sheet::turned_to(2 * std::numbers::pi * i / parts);
+    };
+    const double tilt = glm::length(glm::cross(circle.axis, drawing.projection.n));
+    for (int i = 0; i < parts && tilt <= 1e-6; ++i) boxes.push_back(sheet::line_box(at(i), at(i + 1)));
+  };
   for (const scene::RoundFeature& round : view.features.round) add(round);
+  for (const scene::PitchCircle& circle : view.features.pitch_circles) add_circle(circle);
   for (const scene::SlotFeature& slot : view.features.slots)
     for (const scene::RoundFeature& end : slot.ends) add(end);
 }
@@ -196,6 +207,11 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     const drawing::ViewDrawing& drawing = views[i].drawing;
     sheet::Neighbours neighbours = with_other_views(around, views, i);
     if (dimensions_features(input.scene)) add_centre_lines(neighbours.boxes, views[i]);
+    for (const sheet::HoleTable& table : input.annotations[i].tables) {
+      sheet::Layer origin;
+      sheet::draw_origin(origin, table, drawing, style);
+      add_boxes(neighbours.boxes, origin, *lettering);
+    }
     sheet::PlacedLayer placed = sheet::place_dimensions({input.world, drawing, dimensions}, style, neighbours,
                                                         budget.run.with_part_of_the_time(0.5));
     sheet::Layer& layer = placed.layer;

@@ -129,7 +129,8 @@ class CoverageFinder {
     for (const scene::DesignCone& cone : subject_.features.cones)
       coverage_.undimensioned.push_back("cone ⌀" + length(2 * cone.radii[0]) + " to ⌀" + length(2 * cone.radii[1]));
     for (const CircleSize& size : sizes_) {
-      if (size.dimensions == 0 && !given_elsewhere(size)) coverage_.undimensioned.push_back(size.name);
+      if (size.dimensions == 0 && !given_elsewhere(size) && !is_in_table(size))
+        coverage_.undimensioned.push_back(size.name);
       if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
     }
     add_uncheckable();
@@ -272,6 +273,7 @@ class CoverageFinder {
 
   // A table gives positions from the ends of the models.
   void join_label(const WorldCircle& circle) {
+    labels_.push_back(circle);
     for (int axis = 0; axis < 3; ++axis) {
       const scene::Extent& extent = subject_.extents[axis];
       const double middle = (extent.from + extent.to) / 2;
@@ -279,6 +281,18 @@ class CoverageFinder {
       if (std::abs(circle.axis[axis]) <= parallel)
         chains_[axis].join(is_round ? middle : extent.from, circle.centre[axis]);
     }
+  }
+
+  // Whether a size is that of a pitch circle whose holes are in a table.
+  [[nodiscard]] bool is_in_table(const CircleSize& size) const {
+    return std::any_of(subject_.features.holes.begin(), subject_.features.holes.end(), [&](const auto& hole) {
+      if (hole.pitch_circle < 0) return false;
+      const scene::DesignPitchCircle& circle = subject_.features.pitch_circles[std::size_t(hole.pitch_circle)];
+      const bool labelled = std::any_of(labels_.begin(), labels_.end(), [&](const WorldCircle& label) {
+        return glm::length(label.centre - hole.mouth) <= same_size * label.radius;
+      });
+      return labelled && is_at(size, {circle.centre, circle.axis, circle.radius, {}, true});
+    });
   }
 
   // The length of one of several equal slots joins the ends of all of them.
@@ -375,6 +389,7 @@ class CoverageFinder {
   Notation notation_;
   std::vector<Chain> chains_;
   std::vector<CircleSize> sizes_;
+  std::vector<WorldCircle> labels_;  // of holes in tables
   Coverage coverage_;
 };
 
