@@ -59,6 +59,10 @@ enum class DecimalSign { point, comma };
 /// fillets.
 enum class DimensionType { linear, aligned, angular, radius, diameter, overall, automatic };
 
+/// How automatic dimensions give holes: a note for equal ones and dimensions of their positions, or a label at each and
+/// a table of positions and sizes.
+enum class HoleDimensions { notes, table };
+
 /// Linear dimensions: direction on paper. Overall dimensions: width, height and depth along x, z and y of the world.
 enum class DimensionDirection { horizontal, vertical, width, height, depth };
 

@@ -132,6 +132,9 @@ struct Dimension {
   std::string view{};                             ///< name of the view; by default the first one
   std::optional<double> offset{};                 ///< mm on paper to the dimension line; its sign selects the side
   std::string text{};                             ///< text instead of the value; "<>" stands for the value
+  std::string tolerance{};                        ///< "±0.1", "+0.2 -0.1", "H7", "g6" or "H7/g6" (ISO 286-1)
+  HoleDimensions holes = HoleDimensions::notes;   ///< of automatic dimensions
+  bool limits = false;                            ///< whether limits of size are written; needs a tolerance
 };
 
 /// Largest scale that fits, largest standard scale that fits (ISO 5455), or millimetres on paper per unit.

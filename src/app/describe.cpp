@@ -91,6 +91,7 @@ void add_dimensions(scene::SceneDescription& scene, const scene::Located<Automat
   scene::DimensionDescription& dimension = scene.dimensions.emplace_back();
   dimension.where = option.where;
   dimension.type = {overall ? DimensionType::overall : DimensionType::automatic, option.where};
+  if (*option == AutomaticDimensions::hole_table) dimension.holes = {HoleDimensions::table, option.where};
 }
 
 }  // namespace

@@ -132,7 +132,8 @@ scene::Options<Draw> picture_options() {
           run(&pipeline::RunOptions::centre_lines), scene::truth()),
       scene::option<Draw>(
           {.flag = "--dimensions",
-           .help = "overall: add width, height and depth, each in the clearest view; auto: also sizes of features"},
+           .help = "overall: add width, height and depth, each in the clearest view; auto: also sizes of features; "
+                   "hole-table: like auto, with the holes in a table"},
           &Draw::dimensions, scene::choice<AutomaticDimensions>().shown_as("WHICH")),
       scene::option<Draw>(
           {.flag = "--visibility", .help = "how hidden lines are found; none draws a wireframe", .usual = "exact"},

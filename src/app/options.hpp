@@ -24,10 +24,10 @@ struct scene::Words<ShowProgress> {
   static constexpr std::array list{"auto", "always", "never"};
 };
 
-enum class AutomaticDimensions { overall, automatic };
+enum class AutomaticDimensions { overall, automatic, hole_table };
 template <>
 struct scene::Words<AutomaticDimensions> {
-  static constexpr std::array list{"overall", "auto"};
+  static constexpr std::array list{"overall", "auto", "hole-table"};
 };
 
 struct DrawOptions {

@@ -240,6 +240,9 @@ scene::DimensionDescription describe(const Dimension& dimension, const std::stri
   }
   description.offset = located(dimension.offset, where + ".offset");
   description.text = located(dimension.text, where + ".text");
+  description.tolerance = located(dimension.tolerance, where + ".tolerance");
+  if (dimension.holes != HoleDimensions::notes) description.holes = {dimension.holes, where + ".holes"};
+  if (dimension.limits) description.limits = {true, where + ".limits"};
   return description;
 }
 

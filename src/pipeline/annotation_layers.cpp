@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "pipeline/details.hpp"
+#include "sheet/captions.hpp"
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/detail_marks.hpp"
 #include "sheet/dimensions/dimensions.hpp"
@@ -98,7 +100,17 @@ void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const ViewResult& vi
       boxes.push_back(sheet::line_box(from - Vec2(0, reach), from + Vec2(0, reach)));
     }
   };
+  const auto add_circle = [&](const scene::PitchCircle& circle) {
+    constexpr int parts = 48;
+    const Vec2 centre = page(circle.centre);
+    const auto at = [&](int i) {
+      return centre + circle.radius * drawing.scale * sheet::turned_to(2 * std::numbers::pi * i / parts);
+    };
+    const double tilt = glm::length(glm::cross(circle.axis, drawing.projection.n));
+    for (int i = 0; i < parts && tilt <= 1e-6; ++i) boxes.push_back(sheet::line_box(at(i), at(i + 1)));
+  };
   for (const scene::RoundFeature& round : view.features.round) add(round);
+  for (const scene::PitchCircle& circle : view.features.pitch_circles) add_circle(circle);
   for (const scene::SlotFeature& slot : view.features.slots)
     for (const scene::RoundFeature& end : slot.ends) add(end);
 }
@@ -113,6 +125,66 @@ void note_faults(std::vector<report::Finding>& findings, const std::string& view
     if (text.height < least_height) findings.push_back({report::FindingKind::small_text, view, "'" + text.text + "'"});
   if (!sheet::on_paper(placed.layer, {paper.width, paper.height}))
     findings.push_back({report::FindingKind::off_sheet, view, "dimensions extend beyond the sheet"});
+}
+
+// The parts of a sheet on which no table may lie.
+std::vector<sheet::Rectangle> taken_by(const std::vector<sheet::TurnedBox>& boxes, std::span<const ViewResult> views) {
+  constexpr std::size_t most = 200;  // of single boxes; the free room between more of them is small
+  std::vector<sheet::Rectangle> taken;
+  for (const ViewResult& view : views) taken.push_back({view.drawing.min, view.drawing.max});
+  const std::size_t count = taken.size();
+  for (const sheet::TurnedBox& box : boxes) {
+    const sheet::Rectangle one = sheet::around(box);
+    if (taken.size() < most)
+      taken.push_back(one);
+    else
+      taken[count] = sheet::united(taken[count], one);
+  }
+  return taken;
+}
+
+std::vector<std::string> captions_of(const scene::SheetDescription& sheet) {
+  std::string language;
+  for (const auto& [name, text] : sheet.title_block)
+    if (name == "language") language = *text;
+  return {std::string(sheet::caption("hole", language)), "X", "Y", std::string(sheet::caption("hole_size", language))};
+}
+
+// Adds a table of holes where the sheet is free, in as few blocks of rows as fit; returns false if there is no room.
+bool add_table(sheet::Layer& layer, const sheet::HoleTable& table, const std::vector<std::string>& captions,
+               const sheet::Rectangle& room, const std::vector<sheet::Rectangle>& taken,
+               const sheet::DimensionStyle& style) {
+  constexpr int most_blocks = 6;
+  for (int blocks = 1; blocks <= most_blocks; ++blocks) {
+    const sheet::TableDrawing drawing(table, captions, blocks, style);
+    const auto corner = sheet::free_corner(room, taken, drawing.size());
+    if (corner) drawing.draw(layer, *corner);
+    if (corner) return true;
+  }
+  return false;
+}
+
+// In the layers of the dimensions, when everything else is in place.
+void add_tables(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  const auto captions = captions_of(input.scene.sheets[static_cast<std::size_t>(input.views.sheet)]);
+  for (std::size_t i = 0; i < views.size(); ++i)
+    for (const sheet::HoleTable& table : input.annotations[i].tables) {
+      sheet::Layer own;
+      sheet::draw_origin(own, table, views[i].drawing, style);
+      const std::vector<sheet::Rectangle> taken = taken_by(around.boxes, views);
+      if (!add_table(own, table, captions, *around.paper, taken, style))
+        result.warnings.push_back("the sheet has no room for the table of the holes in the view '" + table.view +
+                                  "'\n  hint: use a larger sheet or a smaller scale");
+      add_boxes(around.boxes, own, style.lettering);
+      const std::string& name = views[i].drawing.name;
+      const auto layer = std::find_if(result.layers.begin(), result.layers.end(),
+                                      [&name](const sheet::Layer& one) { return one.name.starts_with(name + "/"); });
+      if (layer == result.layers.end()) continue;
+      std::move(own.strokes.begin(), own.strokes.end(), std::back_inserter(layer->strokes));
+      std::move(own.fills.begin(), own.fills.end(), std::back_inserter(layer->fills));
+      std::move(own.texts.begin(), own.texts.end(), std::back_inserter(layer->texts));
+    }
 }
 
 }  // namespace
@@ -139,11 +211,16 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     const drawing::ViewDrawing& drawing = views[i].drawing;
     sheet::Neighbours neighbours = with_other_views(around, views, i);
     if (dimensions_features(input.scene)) add_centre_lines(neighbours.boxes, views[i]);
+    for (const sheet::HoleTable& table : input.annotations[i].tables) {
+      sheet::Layer origin;
+      sheet::draw_origin(origin, table, drawing, style);
+      add_boxes(neighbours.boxes, origin, *lettering);
+    }
     sheet::PlacedLayer placed = sheet::place_dimensions({input.world, drawing, dimensions}, style, neighbours,
                                                         budget.run.with_part_of_the_time(0.5));
     sheet::Layer& layer = placed.layer;
     note_faults(result.findings, drawing.name, placed, paper);
-    if (const std::size_t left_out = dimensions.size() - layer.texts.size(); left_out > 0) {
+    if (const std::size_t left_out = dimensions.size() - placed.count; left_out > 0) {
       budget.partial.add_stage("placing dimensions");
       budget.partial.undrawn += static_cast<long long>(left_out);
     }
@@ -153,6 +230,9 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     add_boxes(around.boxes, layer, *lettering);
     result.layers.push_back(std::move(layer));
   }
+  if (lettering)
+    add_tables(result, around, input, views,
+               {*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation});
   std::move(marks.begin(), marks.end(), std::back_inserter(result.layers));
   return result;
 }

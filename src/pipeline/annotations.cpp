@@ -72,7 +72,11 @@ void add_dimensions(std::vector<Annotations>& annotations, const scene::World& w
           return sheet::overall_dimensions(dimension, projections, *extents);
         const scene::DesignFeatures features = scene::find_design_features(world);
         const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
-        return sheet::automatic_dimensions(dimension, projections, {world, features, *extents}, notation);
+        sheet::AutomaticPlan plan =
+            sheet::automatic_dimensions(dimension, projections, {world, features, *extents}, notation);
+        for (sheet::HoleTable& table : plan.tables)
+          annotations[std::size_t(here(table.view) - views.begin())].tables.push_back(std::move(table));
+        return std::move(plan.dimensions);
       };
       for (const scene::DimensionDescription& one : expanded())
         if (!is_outside(one)) add(one);

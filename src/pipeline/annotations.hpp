@@ -9,6 +9,7 @@
 #include "pipeline/sections.hpp"
 #include "pipeline/view_plan.hpp"
 #include "scene/description.hpp"
+#include "sheet/dimensions/hole_table.hpp"
 #include "sheet/notation.hpp"
 #include "view/projected_scene.hpp"
 
@@ -23,6 +24,7 @@ struct ViewArrow {
 struct Annotations {
   std::vector<scene::DimensionDescription> dimensions;
   std::vector<scene::CuttingSurface> planes;        ///< of sections marked in this view
+  std::vector<sheet::HoleTable> tables{};           ///< of holes in this view
   std::vector<scene::DetailDescription> details{};  ///< of this view, shown by other views of the scene
   std::vector<ViewArrow> arrows{};                  ///< of auxiliary views beside this one
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/lint.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -8,6 +10,53 @@
 #include "scene/true_extents.hpp"
 
 namespace epura::pipeline {
+
+namespace {
+
+// Whether a point lies outside the boundary of a detail, seen along the normal of its view.
+bool is_outside(const scene::DetailDescription& detail, const projection::Projection& projection, const Vec3& point) {
+  constexpr double slack = 1e-6;  // relative
+  const Vec3 off = point - detail.centre.value_or(Vec3(0));
+  const Vec2 at(glm::dot(off, projection.u), glm::dot(off, projection.v));
+  if (detail.radius.given()) return glm::length(at) > *detail.radius * (1 + slack);
+  if (!detail.size.given()) return false;
+  const Vec2 half = *detail.size / 2.0 * (1 + slack);
+  return std::abs(at.x) > half.x || std::abs(at.y) > half.y;
+}
+
+// The places at which a dimension is attached: of a circle, the point nearest to the middle of the detail.
+std::vector<Vec3> places_of(const sheet::AnchoredDimension& dimension, const scene::DetailDescription& detail) {
+  std::vector<Vec3> places = dimension.points;
+  for (const sheet::WorldCircle& circle : dimension.circles) {
+    const Vec3 off = detail.centre.value_or(Vec3(0)) - circle.centre;
+    const Vec3 across = off - glm::dot(off, circle.axis) * circle.axis;
+    if (const double length = glm::length(across); length > circle.radius)
+      places.push_back(circle.centre + circle.radius / length * across);
+  }
+  return places;
+}
+
+// Dimensions of details whose ends are beyond the boundary, where nothing is drawn.
+void find_cut_off(std::vector<report::Finding>& findings, const scene::SceneDescription& scene,
+                  const sheet::DimensionsInView& view) {
+  const auto shown = std::find_if(scene.views.begin(), scene.views.end(),
+                                  [&](const scene::ViewDescription& one) { return one.name.value == view.view; });
+  if (shown == scene.views.end() || !shown->detail.given()) return;
+  const auto detail =
+      std::find_if(scene.details.begin(), scene.details.end(),
+                   [&](const scene::DetailDescription& one) { return one.name.value == shown->detail.value; });
+  if (detail == scene.details.end()) return;
+  for (const sheet::AnchoredDimension& dimension : view.dimensions) {
+    const std::vector<Vec3> places = places_of(dimension, *detail);
+    if (std::any_of(places.begin(), places.end(),
+                    [&](const Vec3& place) { return is_outside(*detail, view.projection, place); }))
+      findings.push_back(
+          {report::FindingKind::off_sheet, view.view,
+           "the dimension of " + dimension.where + " ends outside the boundary of detail " + *detail->name});
+  }
+}
+
+}  // namespace
 
 std::vector<sheet::DimensionsInView> anchored_dimensions(const scene::World& world, const SheetOfViews& sheet,
                                                          std::span<const view::ProjectedScene> seen,
@@ -28,6 +77,7 @@ std::vector<report::Finding> uncovered_sizes(const scene::World& world, const sc
   std::vector<report::Finding> findings;
   for (const std::string& what : coverage.undimensioned)
     findings.push_back({report::FindingKind::undimensioned, "", what});
+  for (const sheet::DimensionsInView& view : views) find_cut_off(findings, scene, view);
   for (const std::string& what : coverage.repeated) findings.push_back({report::FindingKind::repeated, "", what});
   return findings;
 }

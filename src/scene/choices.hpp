@@ -103,6 +103,11 @@ struct Words<DimensionType> {
 };
 
 template <>
+struct Words<HoleDimensions> {
+  static constexpr std::array list{"notes", "table"};
+};
+
+template <>
 struct Words<DimensionDirection> {
   static constexpr std::array list{"horizontal", "vertical", "width", "height", "depth"};
 };

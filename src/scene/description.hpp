@@ -141,9 +141,13 @@ struct DimensionDescription {
   std::vector<Anchor> anchors;   ///< two ends; angular: the vertex, then the ends of the legs; radius, diameter: a
                                  ///< vertex on the circle; overall, auto: none
   std::vector<Vec3> opposite{};  ///< linear: the ends if the dimension line is above or on the left; may be empty
+  bool is_label = false;         ///< of a hole in a table: the text stands beside the circle; not in scene files
   std::optional<FeatureCircle> circle{};  ///< of radius and diameter, instead of an anchor; not in scene files
-  Located<double> offset;  ///< of the dimension line from the anchors, mm on paper; its sign selects the side
-  LocatedText text;        ///< instead of the measured value; "<>" stands for the value
+  Located<double> offset;           ///< of the dimension line from the anchors, mm on paper; its sign selects the side
+  LocatedText text;                 ///< instead of the measured value; "<>" stands for the value
+  LocatedText tolerance{};          ///< "±0.1", "+0.2 -0.1", "H7", "g6", "H7/g6"
+  Located<HoleDimensions> holes{};  ///< auto: notes by default
+  Located<bool> limits{};           ///< whether limits of size are written; false by default
 };
 
 /// Fields of a title block by name ("title", "owner", "number", "date" ...). ISO 7200.

@@ -261,6 +261,18 @@ Options<DimensionWords> dimension_options() {
                     in_description(&Dimension::offset), any_number("mm")),
       option<Words>({.key = "text", .help = "text instead of the measured value; `<>` stands for that value"},
                     in_description(&Dimension::text), any_text()),
+      option<Words>({.key = "tolerance",
+                     .help = "deviations, `±0.1` or `+0.2 -0.1`, in the unit of dimensions; or a class or fit of ISO "
+                             "286, `H7`, `g6`, `H7/g6`, for sizes up to 500 mm"},
+                    in_description(&Dimension::tolerance), any_text()),
+      option<Words>({.key = "limits",
+                     .help = "write the limits of size: after a fit in brackets, otherwise instead of the value",
+                     .usual = "false"},
+                    in_description(&Dimension::limits), truth()),
+      option<Words>({.key = "holes",
+                     .help = "auto: a note for equal holes and dimensions of their positions, or labels and a table",
+                     .usual = "notes"},
+                    in_description(&Dimension::holes), choice<HoleDimensions>()),
   };
 }
 

@@ -124,6 +124,8 @@ DimensionDescription dimension_of(const DimensionWords& words, const Subjects& s
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
       refuse(anchor.where, "a dimension of type '" + type + "' has no '" + key + "'",
              keys.empty() ? "it has no anchors" : did_you_mean(key, keys));
+  if (dimension.holes.given() && *dimension.type != DimensionType::automatic)
+    refuse(dimension.holes.where, "a dimension of type '" + type + "' has no 'holes'", "it belongs to type 'auto'");
   // Views of the command line are not known yet.
   if (!subjects.views.empty()) refuse_unknown(dimension.view, subjects.views, "view");
   return dimension;

@@ -23,6 +23,7 @@ const std::vector<TitleField>& title_fields() {
        "Japanese (ja)"},
       {"material", "material of the part"},
       {"mass", "mass of the part, with unit"},
+      {"general_tolerance", "general tolerances, such as ISO 2768-m or ISO 22081, for sizes without one of their own"},
   };
   return fields;
 }

@@ -19,7 +19,7 @@ struct Row {
   std::array<std::string_view, languages.size()> words;
 };
 
-constexpr std::array<Row, 20> rows{{
+constexpr std::array<Row, 23> rows{{
     {"owner",
      {"Legal owner", "Gesetzlicher Eigentümer", "Propriétaire légal", "Propietario legal", "Proprietário legal",
       "法的所有者"}},
@@ -48,8 +48,13 @@ constexpr std::array<Row, 20> rows{{
     {"approver", {"Approved by", "Genehmigt von", "Approuvé par", "Aprobado por", "Aprovado por", "承認者"}},
     {"material", {"Material", "Werkstoff", "Matière", "Material", "Material", "材料"}},
     {"mass", {"Mass", "Masse", "Masse", "Masa", "Massa", "質量"}},
+    {"general_tolerance",
+     {"General tolerances", "Allgemeintoleranzen", "Tolérances générales", "Tolerancias generales",
+      "Tolerâncias gerais", "普通公差"}},
     {"scale", {"Scale", "Maßstab", "Échelle", "Escala", "Escala", "尺度"}},
     {"size", {"Size", "Format", "Format", "Formato", "Formato", "用紙"}},
+    {"hole", {"Hole", "Bohrung", "Trou", "Agujero", "Furo", "穴"}},
+    {"hole_size", {"Size", "Größe", "Dimension", "Medida", "Medida", "寸法"}},
     {"mm", {"Dimensions in mm", "Maße in mm", "Cotes en mm", "Cotas en mm", "Cotas em mm", "寸法単位 mm"}},
     {"in",
      {"Dimensions in inches", "Maße in Zoll", "Cotes en pouces", "Cotas en pulgadas", "Cotas em polegadas",

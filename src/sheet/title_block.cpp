@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/text.hpp"
+#include "scene/title_fields.hpp"
 #include "sheet/captions.hpp"
 #include "sheet/fit_text.hpp"
 
@@ -78,6 +79,12 @@ std::string caption_of(std::string name) {
   return name;
 }
 
+// Whether the caption of a free cell is one of captions.hpp, in the language of the block.
+bool is_named(const std::string& field) {
+  const std::vector<scene::TitleField>& named = scene::title_fields();
+  return std::any_of(named.begin(), named.end(), [&field](const auto& one) { return one.name == field; });
+}
+
 // Above the standard cells, the first at the top; the cells of the last row share its width.
 std::vector<Cell> free_cells(const std::vector<Field>& fields, std::size_t rows) {
   std::vector<Cell> cells;
@@ -86,7 +93,7 @@ std::vector<Cell> free_cells(const std::vector<Field>& fields, std::size_t rows)
     const std::size_t here = std::min<std::size_t>(columns_of_free_fields, fields.size() - i + column);
     const double width = full_width / static_cast<double>(here);
     cells.push_back({fields[i].first, width * static_cast<double>(column), block_height(rows - 1 - line), width, row,
-                     value_height, caption_of(fields[i].first)});
+                     value_height, is_named(fields[i].first) ? std::string() : caption_of(fields[i].first)});
   }
   return cells;
 }

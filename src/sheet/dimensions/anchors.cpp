@@ -113,6 +113,17 @@ void set_extent(AnchoredDimension& dimension, const scene::World& world, Asked& 
   dimension.beyond_vertices = extent.size() - world.box.size()[axis];
 }
 
+std::optional<Tolerance> tolerance_of(const scene::DimensionDescription& description) {
+  if (!description.tolerance.given()) {
+    if (description.limits.value_or(false))
+      refuse(description.limits.where, "a dimension without a tolerance has no limits", "give it a 'tolerance'");
+    return {};
+  }
+  Tolerance tolerance = parse_tolerance(*description.tolerance, description.tolerance.where);
+  tolerance.limits = description.limits.value_or(false);
+  return tolerance;
+}
+
 AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene::DimensionDescription& description) {
   const std::string& where = description.where;
   if (!description.type.given()) refuse(where, "the dimension has no type");
@@ -125,9 +136,11 @@ AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene:
                               description.opposite,
                               {},
                               description.offset.value,
-                              description.text.value_or("")};
+                              description.text.value_or(""),
+                              tolerance_of(description)};
   if (description.circle) {
     const scene::FeatureCircle& circle = *description.circle;
+    dimension.is_label = description.is_label;
     dimension.circles = {{circle.centre, circle.axis, circle.radius, circle.arc, circle.arc.empty()}};
     return dimension;
   }

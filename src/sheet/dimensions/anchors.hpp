@@ -12,6 +12,7 @@
 #include "scene/description.hpp"
 #include "scene/scene.hpp"
 #include "scene/true_extents.hpp"
+#include "sheet/dimensions/tolerance.hpp"
 
 namespace epura::sheet {
 
@@ -36,8 +37,10 @@ struct AnchoredDimension {
   std::vector<Vec3> opposite{};                 ///< linear: the ends for a dimension line above or on the left, if any
   std::vector<WorldCircle> circles;             ///< radius, diameter: all circles through the anchor, at least one
   std::optional<double> offset;
-  std::string text;                                    ///< "<>" stands for the measured value
+  std::string text;  ///< "<>" stands for the measured value
+  std::optional<Tolerance> tolerance{};
   scene::ExtentForm form = scene::ExtentForm::length;  ///< of overall dimensions
+  bool is_label = false;                               ///< diameter: of a hole whose position is in a table
   double beyond_vertices = 0;                          ///< how much more they measure than the mesh, which is drawn
 };
 

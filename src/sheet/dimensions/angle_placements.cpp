@@ -64,14 +64,14 @@ struct DimensionArc {
 };
 
 // Along the arc, or level if the arc is so steep that the text would have to be read from the left.
-void set_text_at(PlacedDimension& dimension, const std::string& text, const DimensionArc& arc, const Vec2& spoke,
+void set_text_at(PlacedDimension& dimension, const DimensionText& text, const DimensionArc& arc, const Vec2& spoke,
                  const DimensionStyle& style) {
   const Vec2 read = reading_direction(left_of(spoke));
   const double width = style.width(text);
   if (read.y < -steepest) {
-    const double reach = (std::abs(spoke.x) * width + std::abs(spoke.y) * style.text) / 2 + 2 * style.above();
+    const double reach = (std::abs(spoke.x) * width + std::abs(spoke.y) * style.height(text)) / 2 + 2 * style.above();
     const Vec2 middle = arc.corner + (arc.radius + reach) * spoke;
-    return set_text(dimension, text, {middle, {1, 0}, -style.text / 2}, style);
+    return set_text(dimension, text, {middle, {1, 0}, -style.height(text) / 2}, style);
   }
   const bool inside = glm::dot(left_of(read), spoke) < 0;  // then the arc rises beside the text
   const double rise = style.above() + (inside ? width * width / (8 * arc.radius) : 0);
@@ -79,7 +79,7 @@ void set_text_at(PlacedDimension& dimension, const std::string& text, const Dime
 }
 
 // `place`: the text is at the middle of the arc (0), or past its end (1) or its beginning (-1).
-PlacedDimension arc_dimension(const MeasuredAngle& angle, const std::string& text, double radius, int place,
+PlacedDimension arc_dimension(const MeasuredAngle& angle, const DimensionText& text, double radius, int place,
                               const DimensionStyle& style) {
   const auto [corner, first, sweep] = sector_of(angle);
   const double turn = sweep < 0 ? -1 : 1;

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "sheet/dimensions/stations.hpp"
 
@@ -54,7 +55,7 @@ class Planner {
           const Notation& notation)
       : wanted_(wanted), views_(views), subject_(subject), notation_(notation), stations_(subject) {}
 
-  std::vector<DimensionDescription> plan() {
+  AutomaticPlan plan() {
     DimensionDescription overall = wanted_;
     overall.type = {DimensionType::overall, wanted_.type.where};
     dimensions_ = overall_dimensions(overall, views_, subject_.extents);
@@ -68,7 +69,7 @@ class Planner {
     for (DimensionDescription& dimension : stations_.dimensions(wanted_.where, notation_))
       dimensions_.push_back(std::move(dimension));
     leave_out_excess();
-    return std::move(dimensions_);
+    return {std::move(dimensions_), std::move(tables_)};
   }
 
  private:
@@ -76,6 +77,7 @@ class Planner {
   void leave_out_excess() {
     std::map<std::pair<std::string, int>, std::size_t> count;
     std::erase_if(dimensions_, [&](const DimensionDescription& dimension) {
+      if (dimension.is_label) return false;
       const int row = dimension.direction.given() ? static_cast<int>(*dimension.direction) : -1;
       return ++count[{*dimension.view, row}] > most_of_a_kind;
     });
@@ -133,12 +135,7 @@ class Planner {
   [[nodiscard]] std::string length(double value) const { return length_text(value, notation_); }
 
   [[nodiscard]] std::string note_of(const scene::DesignHole& hole, std::size_t count) const {
-    std::string text = times(count) + "<>";
-    if (hole.depth) text += " ↧" + length(*hole.depth);
-    if (hole.counterbore) text += " ⌴⌀" + length(hole.counterbore->diameter) + " ↧" + length(hole.counterbore->size);
-    if (hole.countersink)
-      text += " ⌵⌀" + length(hole.countersink->diameter) + "×" + angle_text(hole.countersink->size, notation_);
-    return text;
+    return times(count) + "<>" + recesses_of(hole, notation_);
   }
 
   void add_holes() {
@@ -146,6 +143,10 @@ class Planner {
       ++groups_;
       const NamedProjection* view = view_along(group.front()->axis, !group.front()->through);
       if (view == nullptr) continue;
+      if (has_table() && can_have_table(*view)) {
+        add_to_table(group, *view);
+        continue;
+      }
       const auto* shown =
           uppermost<scene::DesignHole>(group, *view, [](const scene::DesignHole& hole) { return hole.mouth; });
       add(DimensionType::diameter, *view, note_of(*group.front(), group.size())).circle = {
@@ -155,7 +156,61 @@ class Planner {
     }
   }
 
+  [[nodiscard]] bool has_table() const {
+    return wanted_.holes.value_or(HoleDimensions::notes) == HoleDimensions::table;
+  }
+
+  static bool can_have_table(const NamedProjection& view) {
+    return world_axis(view.projection.u) >= 0 && world_axis(view.projection.v) >= 0;
+  }
+
+  // The left or lower end of the models in a view along one of its directions; the axis of a round part.
+  [[nodiscard]] double origin_along(const Vec3& direction) const {
+    const int axis = world_axis(direction);
+    const scene::Extent& extent = subject_.extents[axis];
+    if (extent.form != scene::ExtentForm::length) return (extent.from + extent.to) / 2;
+    return direction[axis] > 0 ? extent.from : extent.to;
+  }
+
+  HoleTable& table_of(const NamedProjection& view) {
+    for (HoleTable& table : tables_)
+      if (table.view == view.name) return table;
+    HoleTable& table = tables_.emplace_back();
+    table.view = view.name;
+    table.origin = subject_.world.box.max;
+    for (const Vec3& along : {view.projection.u, view.projection.v})
+      table.origin[world_axis(along)] = origin_along(along);
+    return table;
+  }
+
+  // Numbered from left to right, then upwards.
+  void add_to_table(std::vector<const scene::DesignHole*> group, const NamedProjection& view) {
+    HoleTable& table = table_of(view);
+    const Vec3 u = view.projection.u, v = view.projection.v, origin = table.origin;
+    const auto place = [&](const scene::DesignHole* hole) {
+      return std::pair(glm::dot(hole->mouth - origin, u), glm::dot(hole->mouth - origin, v));
+    };
+    const double same = same_size * glm::length(subject_.world.box.size());
+    std::sort(group.begin(), group.end(), [&](const auto* a, const auto* b) {
+      const auto [ax, ay] = place(a);
+      const auto [bx, by] = place(b);
+      return std::pair(std::round(ax / same), ay) < std::pair(std::round(bx / same), by);
+    });
+    const std::string letters = letters_of(labelled_++);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const scene::DesignHole& hole = *group[i];
+      const auto [x, y] = place(&hole);
+      const std::string label = letters + std::to_string(i + 1);
+      table.rows.push_back({label, length(x), length(y), "⌀" + length(hole.diameter) + recesses_of(hole, notation_)});
+      DimensionDescription& dimension = add(DimensionType::diameter, view, label);
+      dimension.circle = {hole.mouth, hole.axis, hole.diameter / 2, {}};
+      dimension.is_label = true;
+      for (const Vec3& along : {u, v}) stations_.know(world_axis(along), hole.mouth[world_axis(along)]);
+    }
+  }
+
   void add_pitch_circles() {
+    if (has_table()) return;
     for (const scene::DesignPitchCircle& circle : subject_.features.pitch_circles) {
       ++groups_;
       const NamedProjection* view = view_along(circle.axis, false);
@@ -330,13 +385,18 @@ class Planner {
   Stations stations_;
   int groups_ = 0;  ///< of equal holes, so far
   std::vector<DimensionDescription> dimensions_;
+  std::vector<HoleTable> tables_;
+  std::size_t labelled_ = 0;  // groups in tables
 };
 
 }  // namespace
 
-std::vector<DimensionDescription> automatic_dimensions(const DimensionDescription& wanted,
-                                                       std::span<const NamedProjection> views,
-                                                       const DimensionSubject& subject, const Notation& notation) {
+AutomaticPlan automatic_dimensions(const DimensionDescription& wanted, std::span<const NamedProjection> views,
+                                   const DimensionSubject& subject, const Notation& notation) {
+  if (wanted.tolerance.given() || wanted.limits.given())
+    throw Error(ErrorKind::input, wanted.tolerance.given() ? wanted.tolerance.where : wanted.limits.where,
+                "automatic dimensions have no common tolerance",
+                "add a [[dimension]] for the size, or general_tolerance to the [title_block]");
   return Planner(wanted, views, subject, notation).plan();
 }
 

@@ -9,6 +9,7 @@
 
 #include "scene/design_features.hpp"
 #include "scene/true_extents.hpp"
+#include "sheet/dimensions/hole_table.hpp"
 #include "sheet/dimensions/overall.hpp"
 #include "sheet/notation.hpp"
 
@@ -27,15 +28,19 @@ struct DimensionSubject {
 inline constexpr std::size_t most_levels = 6, most_radii = 6;
 inline constexpr double least_level = 5e-4, least_radius = 6e-3;
 
+struct AutomaticPlan {
+  std::vector<scene::DimensionDescription> dimensions;
+  std::vector<HoleTable> tables;  ///< of views; their labels are dimensions
+};
+
 /// Returns overall dimensions, as of overall_dimensions, and those of features:
 /// - holes, pitch circles, slots, arcs in a view along their axes; shafts and chamfers in a view across them
 /// - positions of holes, slots and bosses and heights of steps from the left or lower end of the models in a view,
 ///   those of equally spaced ones as "3× 20 (=60)"; holes on a pitch circle have no others
+/// If a table of holes is wanted, holes seen along their axes have labels instead of these, and pitch circles nothing.
 /// Sizes that no view shows in true length are omitted. The first of the views that show a feature equally well counts.
 /// Throws Error{input} if no view shows a size of the models.
-std::vector<scene::DimensionDescription> automatic_dimensions(const scene::DimensionDescription& wanted,
-                                                              std::span<const NamedProjection> views,
-                                                              const DimensionSubject& subject,
-                                                              const Notation& notation);
+AutomaticPlan automatic_dimensions(const scene::DimensionDescription& wanted, std::span<const NamedProjection> views,
+                                   const DimensionSubject& subject, const Notation& notation);
 
 }  // namespace epura::sheet

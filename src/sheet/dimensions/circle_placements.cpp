@@ -14,10 +14,11 @@ constexpr int lengths = 24;
 constexpr double shortest = 8, longer = 4;  // leaders, mm
 constexpr double cost_of_length = 0.1;      // per millimetre of leader
 constexpr double cost_of_slope = 1;         // of a leader that is not at 45 degrees
+constexpr double cost_of_label_leader = 5;
 constexpr double cost_of_inside = 1, cost_of_crossing_it = 0.5;
 
 // A leader from a shoulder with the text to the arrow on the circle; a negative length lies inside the circle.
-PlacedDimension leader(const MeasuredCircle& circle, const std::string& text, const Vec2& direction, double length,
+PlacedDimension leader(const MeasuredCircle& circle, const DimensionText& text, const Vec2& direction, double length,
                        const DimensionStyle& style) {
   const Vec2 tip = circle.centre + circle.radius * direction;
   const Vec2 elbow = tip + length * direction;
@@ -42,7 +43,7 @@ double slope_cost(double angle) {
 }
 
 // A dimension line across the whole circle, from arrow to arrow.
-void add_across(std::vector<DimensionPlacement>& placements, const MeasuredCircle& circle, const std::string& text,
+void add_across(std::vector<DimensionPlacement>& placements, const MeasuredCircle& circle, const DimensionText& text,
                 double angle, const DimensionStyle& style) {
   const Vec2 along = turned_to(angle), spoke = circle.radius * along;
   const MeasuredLength length{circle.centre - spoke, circle.centre + spoke, along, left_of(along)};
@@ -52,11 +53,30 @@ void add_across(std::vector<DimensionPlacement>& placements, const MeasuredCircl
         {straight_dimension(length, text, 0, place, style), cost_of_crossing_it + slope_cost(angle) + 0.1 * place});
 }
 
+// A text beside the circle, without a leader while it is near.
+void add_labels(std::vector<DimensionPlacement>& placements, const MeasuredCircle& circle, const DimensionText& text,
+                const DimensionStyle& style) {
+  constexpr int sides = 8, distances = 4;
+  constexpr double nearest = 0.3, farther = 0.5;  // of the height of capitals
+  for (int i = 0; i < sides; ++i)
+    for (int k = 0; k < distances; ++k) {
+      // From the upper right counterclockwise.
+      const Vec2 direction = turned_to((2 * i + 1) * std::numbers::pi / sides);
+      const Vec2 tip = circle.centre + (circle.radius + (nearest + farther * k) * style.text) * direction;
+      const Vec2 half(style.width(text) / 2, style.text / 2);
+      PlacedDimension dimension;
+      set_text(dimension, text, {tip + half * direction, {1, 0}, -style.text / 2}, style);
+      dimension.zones = {dimension.text_box};
+      placements.push_back({std::move(dimension), 0.1 * i + k});
+    }
+}
+
 }  // namespace
 
 std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, const MeasuredDimension& measured,
                                               const drawing::ViewDrawing&, const DimensionStyle& style) {
   std::vector<DimensionPlacement> placements;
+  if (circle.is_label) add_labels(placements, circle, measured.text, style);
   const bool whole = std::abs(circle.sweep) >= 2 * std::numbers::pi;
   for (int i = 0; i < directions; ++i) {
     // The middle of each part of an arc; for a circle, the diagonals are included.
@@ -70,10 +90,10 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
     }
     for (int k = 0; k < lengths; ++k) {
       const double length = shortest + longer * k;
-      add(length, cost_of_length * length);
+      add(length, cost_of_length * length + (circle.is_label ? cost_of_label_leader : 0));
       if (circle.is_radius && length <= circle.radius) add(-length, cost_of_inside + cost_of_length * length);
     }
-    if (!circle.is_radius && whole) add_across(placements, circle, measured.text, angle, style);
+    if (!circle.is_radius && !circle.is_label && whole) add_across(placements, circle, measured.text, angle, style);
   }
   return placements;
 }

@@ -11,6 +11,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/text.hpp"
+#include "scene/placed_part.hpp"
 #include "sheet/dimensions/stations.hpp"
 
 namespace epura::sheet {
@@ -128,9 +129,11 @@ class CoverageFinder {
     for (const scene::DesignCone& cone : subject_.features.cones)
       coverage_.undimensioned.push_back("cone ⌀" + length(2 * cone.radii[0]) + " to ⌀" + length(2 * cone.radii[1]));
     for (const CircleSize& size : sizes_) {
-      if (size.dimensions == 0 && !given_elsewhere(size)) coverage_.undimensioned.push_back(size.name);
+      if (size.dimensions == 0 && !given_elsewhere(size) && !is_in_table(size))
+        coverage_.undimensioned.push_back(size.name);
       if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
     }
+    add_uncheckable();
     merge(coverage_.undimensioned);
     merge(coverage_.repeated);
     return std::move(coverage_);
@@ -263,8 +266,33 @@ class CoverageFinder {
       if (axis >= 0) join_between(axis, dimension.points[0][axis], dimension.points[1][axis], dimension);
       if (axis >= 0 && dimension.type == DimensionType::aligned && repeats_of(dimension.text) > 1) join_slots(axis);
     } else if (dimension.type == DimensionType::diameter) {
+      if (dimension.is_label) join_label(dimension.circles.front());
       join_circles(dimension);
     }
+  }
+
+  // A table gives positions from the ends of the models.
+  void join_label(const WorldCircle& circle) {
+    labels_.push_back(circle);
+    for (int axis = 0; axis < 3; ++axis) {
+      const scene::Extent& extent = subject_.extents[axis];
+      const double middle = (extent.from + extent.to) / 2;
+      const bool is_round = extent.form != scene::ExtentForm::length;
+      if (std::abs(circle.axis[axis]) <= parallel)
+        chains_[axis].join(is_round ? middle : extent.from, circle.centre[axis]);
+    }
+  }
+
+  // Whether a size is that of a pitch circle whose holes are in a table.
+  [[nodiscard]] bool is_in_table(const CircleSize& size) const {
+    return std::any_of(subject_.features.holes.begin(), subject_.features.holes.end(), [&](const auto& hole) {
+      if (hole.pitch_circle < 0) return false;
+      const scene::DesignPitchCircle& circle = subject_.features.pitch_circles[std::size_t(hole.pitch_circle)];
+      const bool labelled = std::any_of(labels_.begin(), labels_.end(), [&](const WorldCircle& label) {
+        return glm::length(label.centre - hole.mouth) <= same_size * label.radius;
+      });
+      return labelled && is_at(size, {circle.centre, circle.axis, circle.radius, {}, true});
+    });
   }
 
   // The length of one of several equal slots joins the ends of all of them.
@@ -301,6 +329,46 @@ class CoverageFinder {
     return are_same(glm::length(glm::cross(point - circle.centre, circle.axis)), circle.radius);
   }
 
+  // Whether the models are one ball of this size, which an overall dimension gives.
+  [[nodiscard]] bool is_overall_sphere(const features::PartSurface& sphere) const {
+    return std::all_of(subject_.extents.begin(), subject_.extents.end(), [&](const scene::Extent& extent) {
+      return extent.form == scene::ExtentForm::sphere && are_same(extent.size(), 2 * sphere.radius);
+    });
+  }
+
+  // Spheres, tori and free forms, whose sizes no dimension gives, and models without recognised faces.
+  void add_uncheckable() {
+    constexpr double all = 0.999;  // of the area
+    for (std::size_t model = 0; model < subject_.world.models.size(); ++model) {
+      const scene::Placed& placed = subject_.world.models[model];
+      const std::string name = "model " + std::to_string(model);
+      const auto part = placed.part == nullptr ? std::nullopt : scene::place_part(placed);
+      if (!part || !(placed.part->recognised > 0)) {
+        coverage_.undimensioned.push_back(name + ": nothing is recognised, so only overall sizes are checked");
+        continue;
+      }
+      if (placed.part->recognised < all)
+        coverage_.undimensioned.push_back(name + ": faces of free form, " +
+                                          format_fixed(100 * (1 - placed.part->recognised), 1) + " % of its area");
+      add_doubly_curved(*part);
+    }
+  }
+
+  void add_doubly_curved(const scene::PlacedPart& part) {
+    std::vector<features::PartSurface> seen;
+    for (const features::PartFace& face : part.faces) {
+      const features::PartSurface& surface = face.surface;
+      const bool sphere = surface.kind == features::SurfaceKind::sphere;
+      if (!sphere && surface.kind != features::SurfaceKind::torus) continue;
+      const auto same = [&](const features::PartSurface& other) { return features::are_one(other, surface); };
+      if (std::any_of(seen.begin(), seen.end(), same) || (sphere && is_overall_sphere(surface))) continue;
+      seen.push_back(surface);
+      coverage_.undimensioned.push_back(sphere ? "sphere SR" + length(surface.radius)
+                                               : "torus R" + length(surface.minor) + " around ⌀" +
+                                                     length(2 * surface.radius));
+    }
+  }
+
   // Equal sentences once, with their number.
   static void merge(std::vector<std::string>& sentences) {
     std::vector<std::pair<std::string, int>> counted;
@@ -321,6 +389,7 @@ class CoverageFinder {
   Notation notation_;
   std::vector<Chain> chains_;
   std::vector<CircleSize> sizes_;
+  std::vector<WorldCircle> labels_;  // of holes in tables
   Coverage coverage_;
 };
 

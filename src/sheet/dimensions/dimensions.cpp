@@ -114,15 +114,15 @@ bool cross(const PlacedDimension& a, const PlacedDimension& b) {
 }
 
 std::vector<std::string> crossings_of(const std::vector<std::optional<PlacedDimension>>& placed,
-                                      const Neighbours& neighbours) {
+                                      const std::vector<MeasuredDimension>& measured, const Neighbours& neighbours) {
+  const auto text_of = [&](std::size_t i) { return "'" + measured[i].text.line() + "'"; };
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (!placed[i]) continue;
     for (std::size_t j = i + 1; j < placed.size(); ++j)
-      if (placed[j] && cross(*placed[i], *placed[j]))
-        sentences.push_back("'" + placed[i]->text.text + "' and '" + placed[j]->text.text + "'");
+      if (placed[j] && cross(*placed[i], *placed[j])) sentences.push_back(text_of(i) + " and " + text_of(j));
     if (any_overlap(neighbours.boxes, placed[i]->text_box))
-      sentences.push_back("'" + placed[i]->text.text + "' and something else on the sheet");
+      sentences.push_back(text_of(i) + " and something else on the sheet");
   }
   return sentences;
 }
@@ -148,18 +148,20 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
   for (const AnchoredDimension& dimension :
        find_anchors(view.world, view.dimensions, progress.with_part_of_the_time(0.5))) {
     measured.push_back(measure(view.drawing, dimension, notation));
-    expect_letters(measured.back().text, dimension, style.lettering);
+    expect_letters(measured.back().text.line(), dimension, style.lettering);
   }
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::dimension, {2 * style.line, style.line});
   std::vector<std::optional<PlacedDimension>> placed = place(measured, view.drawing, style, neighbours, progress);
-  std::vector<std::string> crossings = crossings_of(placed, neighbours);
+  std::vector<std::string> crossings = crossings_of(placed, measured, neighbours);
+  std::size_t count = 0;
   for (auto& dimension : placed) {
     if (!dimension) continue;
     std::move(dimension->strokes.begin(), dimension->strokes.end(), std::back_inserter(layer.strokes));
     std::move(dimension->arrows.begin(), dimension->arrows.end(), std::back_inserter(layer.fills));
-    layer.texts.push_back(std::move(dimension->text));
+    std::move(dimension->texts.begin(), dimension->texts.end(), std::back_inserter(layer.texts));
+    ++count;
   }
-  return {std::move(layer), std::move(crossings)};
+  return {std::move(layer), count, std::move(crossings)};
 }
 
 Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours,

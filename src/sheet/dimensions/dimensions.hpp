@@ -33,6 +33,7 @@ struct Neighbours {
 /// The dimensions of a view on paper.
 struct PlacedLayer {
   Layer layer;
+  std::size_t count;                   ///< of its dimensions
   std::vector<std::string> crossings;  ///< a sentence for each dimension that something crosses
 };
 
@@ -42,7 +43,7 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
 
 /// Layer "VIEW/dimensions" of a drawing in its final position: narrow lines, filled arrows, and texts. Values are the
 /// true measures in the world. Dimensions are outside the outline, small ones inside large ones, and avoid each other
-/// and their neighbours as far as possible; an offset is obeyed. Each has one text; dimensions for which there is no
+/// and their neighbours as far as possible; an offset is obeyed. Dimensions for which there is no
 /// time are omitted. Throws Error{input}: see sheet/dimensions/anchors.hpp and measure.hpp; also for characters missing
 /// from the font.
 Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours = {},

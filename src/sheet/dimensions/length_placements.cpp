@@ -87,7 +87,7 @@ std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, cons
     const double outline = side > 0 ? reach.max : -reach.min;
     const double cost = cost_of_extension * (2 * outline - side * end_of(ends));
     for (int level = 0; level < levels; ++level)
-      add_at(ends, side * (outline + first_dimension + level * dimension_step(style.text)),
+      add_at(ends, side * (outline + first_dimension + level * dimension_step(style.height(measured.text))),
              cost + cost_of_level * level);
   }
   return placements;

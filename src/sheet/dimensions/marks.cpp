@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sheet/dimensions/marks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,8 +14,41 @@ namespace {
 constexpr double half_tip = 10 * std::numbers::pi / 180;
 constexpr double air = 0.15;  // around a text, relative to its height
 constexpr double upright = 1e-6;
+constexpr double least_letters = 2.5;    // mm, ISO 3098-1
+constexpr double between_stacked = 0.4;  // of the height of stacked numbers
+
+// Numbers above each other are one size of ISO 3098 smaller, if that is still legible. ISO 406.
+double stacked_height(const DimensionStyle& style) {
+  return std::max(std::min(style.text, least_letters), style.text / std::numbers::sqrt2);
+}
+
+// Width of the text up to its decimal sign or unit.
+double whole_width(const std::string& number, const DimensionStyle& style) {
+  return style.lettering.width(number.substr(0, number.find_first_of(".,\xC2")), stacked_height(style));
+}
+
+double width_of(const TextPiece& piece, const DimensionStyle& style) {
+  if (!piece.is_stack()) return style.lettering.width(piece.upper, style.text);
+  double whole = 0, rest = 0;
+  for (const std::string* number : {&piece.upper, &piece.lower}) {
+    const double left = whole_width(*number, style);
+    whole = std::max(whole, left);
+    rest = std::max(rest, style.lettering.width(*number, stacked_height(style)) - left);
+  }
+  return whole + rest;
+}
 
 }  // namespace
+
+double DimensionStyle::width(const DimensionText& written) const {
+  double width = 0;
+  for (const TextPiece& piece : written.pieces) width += width_of(piece, *this);
+  return width;
+}
+
+double DimensionStyle::height(const DimensionText& written) const {
+  return written.has_stack() ? (2 + between_stacked) * stacked_height(*this) : text;
+}
 
 Vec2 reading_direction(const Vec2& along) {
   const bool vertical = std::abs(along.x) <= upright;
@@ -36,13 +70,44 @@ void add_crossable_line(PlacedDimension& dimension, const Vec2& from, const Vec2
   dimension.lines.push_back(line_box(from, to));
 }
 
-void set_text(PlacedDimension& dimension, const std::string& text, const TextPosition& at,
+namespace {
+
+// From left to right; all have the base line of the lower number, and other pieces are at half the height of stacks.
+void add_pieces(PlacedDimension& dimension, const DimensionText& text, const TextPosition& at, double degrees,
+                const DimensionStyle& style) {
+  const Vec2 up = left_of(at.read);
+  Vec2 left = at.middle + at.rise * up - style.width(text) / 2 * at.read;
+  const auto add = [&](const std::string& words, const Vec2& place, double height) {
+    dimension.texts.push_back({words, place, height, degrees, Align::left, "dimension"});
+  };
+  const double small = stacked_height(style);
+  for (const TextPiece& piece : text.pieces) {
+    if (piece.is_stack()) {
+      const double upper = whole_width(piece.upper, style), lower = whole_width(piece.lower, style);
+      const double whole = std::max(upper, lower);
+      add(piece.upper, left + (whole - upper) * at.read + (1 + between_stacked) * small * up, small);
+      add(piece.lower, left + (whole - lower) * at.read, small);
+    } else {
+      add(piece.upper, left + (style.height(text) - style.text) / 2 * up, style.text);
+    }
+    left += width_of(piece, style) * at.read;
+  }
+}
+
+}  // namespace
+
+void set_text(PlacedDimension& dimension, const DimensionText& text, const TextPosition& at,
               const DimensionStyle& style) {
   const double degrees = portable_atan2(at.read.y, at.read.x) * 180 / std::numbers::pi;
-  dimension.text = {text, at.middle + at.rise * left_of(at.read), style.text, degrees, Align::middle, "dimension"};
-  dimension.text_box = {at.middle + (at.rise + style.text / 2) * left_of(at.read),
+  if (text.has_stack())
+    add_pieces(dimension, text, at, degrees, style);
+  else
+    dimension.texts = {
+        {text.line(), at.middle + at.rise * left_of(at.read), style.text, degrees, Align::middle, "dimension"}};
+  const double height = style.height(text);
+  dimension.text_box = {at.middle + (at.rise + height / 2) * left_of(at.read),
                         at.read,
-                        {style.width(text) / 2 + air * style.text, style.text / 2 + air * style.text}};
+                        {style.width(text) / 2 + air * style.text, height / 2 + air * style.text}};
 }
 
 }  // namespace epura::sheet

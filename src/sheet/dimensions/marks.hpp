@@ -8,6 +8,7 @@
 #include "base/portable_math.hpp"
 #include "base/vec.hpp"
 #include "sheet/dimensions/boxes.hpp"
+#include "sheet/dimensions/dimension_text.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/notation.hpp"
 #include "sheet/sheet.hpp"
@@ -29,14 +30,15 @@ struct DimensionStyle {
   [[nodiscard]] double gap() const { return 8 * line; }        ///< between the outline and an extension line
   [[nodiscard]] double overshoot() const { return 8 * line; }  ///< of an extension line past the dimension line
   [[nodiscard]] double above() const { return 0.3 * text; }    ///< between the dimension line and its text
-  [[nodiscard]] double width(const std::string& text_line) const { return lettering.width(text_line, text); }
+  [[nodiscard]] double width(const DimensionText& written) const;
+  [[nodiscard]] double height(const DimensionText& written) const;
 };
 
 /// A dimension as it would be drawn, and the area that it takes up on paper.
 struct PlacedDimension {
   std::vector<Stroke> strokes;
   std::vector<Fill> arrows;
-  Text text;
+  std::vector<Text> texts;       ///< its pieces
   TurnedBox text_box;            ///< with a little space around it
   std::vector<TurnedBox> zones;  ///< of the dimension line and the text, for their exclusive use
   std::vector<TurnedBox> lines;  ///< extension lines and leaders, which may be crossed
@@ -63,6 +65,7 @@ struct TextPosition {
   Vec2 read;    ///< the direction of that line, of length 1
   double rise;  ///< of the text above the line
 };
-void set_text(PlacedDimension& dimension, const std::string& text, const TextPosition& at, const DimensionStyle& style);
+void set_text(PlacedDimension& dimension, const DimensionText& text, const TextPosition& at,
+              const DimensionStyle& style);
 
 }  // namespace epura::sheet

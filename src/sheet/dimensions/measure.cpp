@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "sheet/dimensions/tolerance.hpp"
 
 namespace epura::sheet {
 
@@ -37,11 +38,20 @@ struct Sight {
   [[nodiscard]] double millimetres() const { return glm::length(page_of(drawing.projection.u)); }  // per unit of length
 };
 
-std::string with_text(const AnchoredDimension& dimension, const std::string& value) {
+DimensionText with_text(const AnchoredDimension& dimension, const MeasuredValue& measured, const Notation& notation) {
+  const DimensionText value = text_of(measured, dimension.tolerance, notation);
   if (dimension.text.empty()) return value;
-  std::string text = dimension.text;
-  for (std::size_t at = text.find("<>"); at != std::string::npos; at = text.find("<>", at + value.size()))
-    text.replace(at, 2, value);
+  constexpr std::string_view sign = "<>";
+  DimensionText text;
+  std::size_t begin = 0, at = 0;
+  while ((at = dimension.text.find(sign, begin)) != std::string::npos) {
+    text.add(dimension.text.substr(begin, at - begin));
+    text.add(value);
+    begin = at + sign.size();
+  }
+  if (begin == 0 && dimension.tolerance)
+    refuse(dimension, "the text has no value for the tolerance", "write <> where the value belongs, or omit the text");
+  text.add(dimension.text.substr(begin));
   return text;
 }
 
@@ -77,7 +87,7 @@ MeasuredDimension length_between(const AnchoredDimension& dimension, const Sight
   MeasuredLength length{from, to, along, left_of(along)};
   if (!halve(length, sight, {sight.whole_page(dimension.points[0]), sight.whole_page(dimension.points[1])}))
     for (const Vec3& end : dimension.points) expect_shown(dimension, sight, end);
-  return {length, with_text(dimension, length_text(value, sight.notation)), dimension.offset};
+  return {length, with_text(dimension, {value}, sight.notation), dimension.offset};
 }
 
 MeasuredDimension linear(const AnchoredDimension& dimension, const Sight& sight) {
@@ -149,7 +159,7 @@ MeasuredDimension angular(const AnchoredDimension& dimension, const Sight& sight
   return {
       MeasuredAngle{corner,
                     {sight.whole_page(dimension.points[1]) - unmoved, sight.whole_page(dimension.points[2]) - unmoved}},
-      with_text(dimension, angle_text(degrees, sight.notation)), dimension.offset};
+      with_text(dimension, {degrees, "", true}, sight.notation), dimension.offset};
 }
 
 // Of a circle in a view that leaves parts out, the longest arc that is drawn.
@@ -172,9 +182,9 @@ void keep_shown_arc(MeasuredCircle& measured, const drawing::Breaks& breaks, con
 }
 
 // Where an arc begins and its sweep, from the order of its vertices on paper.
-MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, bool is_radius) {
-  MeasuredCircle measured{sight.page(circle.centre), circle.radius * sight.millimetres(), 0, 2 * std::numbers::pi,
-                          is_radius};
+MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, const AnchoredDimension& dimension) {
+  MeasuredCircle measured{sight.page(circle.centre), circle.radius * sight.millimetres(),     0,
+                          2 * std::numbers::pi,      dimension.type == DimensionType::radius, dimension.is_label};
   if (circle.whole && sight.drawing.breaks.any()) keep_shown_arc(measured, sight.drawing.breaks, circle, sight);
   if (circle.whole) return measured;
   std::optional<Vec2> before;
@@ -191,7 +201,7 @@ MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, bool is_r
 
 // For a circle seen edge-on: the distance between its ends.
 MeasuredDimension edge_on(const AnchoredDimension& dimension, const WorldCircle& circle, const Sight& sight,
-                          const std::string& text) {
+                          const DimensionText& text) {
   const Vec3 across = glm::normalize(glm::cross(circle.axis, sight.n)) * circle.radius;
   const Vec2 along = glm::normalize(sight.page_of(across));
   const Vec3 one = circle.centre - across, other = circle.centre + across;
@@ -207,11 +217,11 @@ MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sigh
   const bool is_radius = dimension.type == DimensionType::radius;
   const auto text = [&](const WorldCircle& circle) {
     const double value = is_radius ? circle.radius : 2 * circle.radius;
-    return with_text(dimension, (is_radius ? "R" : sight.notation.diameter) + length_text(value, sight.notation));
+    return with_text(dimension, {value, is_radius ? "R" : sight.notation.diameter}, sight.notation);
   };
   for (const WorldCircle& circle : dimension.circles)
     if (glm::length(glm::cross(circle.axis, sight.n)) <= parallel)
-      return {on_paper(circle, sight, is_radius), text(circle), dimension.offset};
+      return {on_paper(circle, sight, dimension), text(circle), dimension.offset};
   for (const WorldCircle& circle : dimension.circles)
     if (!is_radius && circle.whole && sight.orthographic && sight.in_plane(circle.axis))
       return edge_on(dimension, circle, sight, text(circle));
@@ -277,7 +287,7 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
                                                                          : sight.notation.diameter;
   MeasuredLength length{ends[0], ends[1], along, left_of(along)};
   halve(length, sight, whole_ends);
-  return {length, with_text(dimension, sign + length_text(value, sight.notation)), dimension.offset};
+  return {length, with_text(dimension, {value, sign}, sight.notation), dimension.offset};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "base/vec.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/dimensions/anchors.hpp"
+#include "sheet/dimensions/dimension_text.hpp"
 #include "sheet/notation.hpp"
 
 namespace epura::sheet {
@@ -32,13 +33,14 @@ struct MeasuredAngle {
 struct MeasuredCircle {
   Vec2 centre;
   double radius;
-  double first, sweep;  ///< radians: where an arc begins and its extent; 2 pi for a whole circle
-  bool is_radius;       ///< whether the radius is measured; otherwise the diameter
+  double first, sweep;    ///< radians: where an arc begins and its extent; 2 pi for a whole circle
+  bool is_radius;         ///< whether the radius is measured; otherwise the diameter
+  bool is_label = false;  ///< whether the text is only a name beside the circle
 };
 
 struct MeasuredDimension {
   std::variant<MeasuredLength, MeasuredAngle, MeasuredCircle> form;
-  std::string text;  ///< as written
+  DimensionText text;  ///< as written
   std::optional<double> offset;
 };
 

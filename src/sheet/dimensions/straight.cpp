@@ -68,11 +68,11 @@ Layout layout_of(const Base& base, double width, bool inside, int place, const D
 
 }  // namespace
 
-bool fits_inside(const MeasuredLength& length, const std::string& text, const DimensionStyle& style) {
+bool fits_inside(const MeasuredLength& length, const DimensionText& text, const DimensionStyle& style) {
   return style.width(text) + style.above() <= span_of(length);
 }
 
-PlacedDimension straight_dimension(const MeasuredLength& length, const std::string& text, double distance, int place,
+PlacedDimension straight_dimension(const MeasuredLength& length, const DimensionText& text, double distance, int place,
                                    const DimensionStyle& style) {
   const Vec2 read = reading_direction(length.along);
   Vec2 low = length.from, high = length.to;
@@ -92,7 +92,7 @@ PlacedDimension straight_dimension(const MeasuredLength& length, const std::stri
   if (!high_open) dimension.arrows.push_back(arrow_at(base.high, layout.outward ? read : -read, style));
   set_text(dimension, text, {base.low + layout.text_middle * read, read, style.above()}, style);
   // From the arrows below the line to the top of the text.
-  const double below = style.above(), top = 2 * style.above() + style.text;
+  const double below = style.above(), top = 2 * style.above() + style.height(text);
   dimension.zones = {{(begin + end) * 0.5 + (top - below) / 2 * left_of(read),
                       read,
                       {(layout.line.end - layout.line.begin) / 2, (top + below) / 2}}};

@@ -15,10 +15,10 @@ inline constexpr int text_places = 5;
 
 /// The dimension line is `distance` to the left of `length.along`, measured from `length.from`. Arrows point outwards
 /// if there is room for them. A text that fits has 5 possible positions, otherwise 2.
-PlacedDimension straight_dimension(const MeasuredLength& length, const std::string& text, double distance, int place,
+PlacedDimension straight_dimension(const MeasuredLength& length, const DimensionText& text, double distance, int place,
                                    const DimensionStyle& style);
 
 /// Whether the text fits above the dimension line.
-bool fits_inside(const MeasuredLength& length, const std::string& text, const DimensionStyle& style);
+bool fits_inside(const MeasuredLength& length, const DimensionText& text, const DimensionStyle& style);
 
 }  // namespace epura::sheet

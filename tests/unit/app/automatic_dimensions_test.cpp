@@ -347,6 +347,73 @@ TEST_F(AutomaticDimensions, OfPlatesAreEachThereOnce) { expect_known(plates()); 
 TEST_F(AutomaticDimensions, OfRoundPartsAreEachThereOnce) { expect_known(round_parts()); }
 TEST_F(AutomaticDimensions, OfBlocksAreEachThereOnce) { expect_known(blocks()); }
 
+// Positions from the lower left corner, numbered from left to right and upwards; lint counts them.
+TEST_F(AutomaticDimensions, OfHolesInATable) {
+  const Outcome run = lint(folder.file("part.obj", plates()[1].obj), "hole-table");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  const Words expected{"80",   "60", "10", "A1",   "A2", "A3", "A4",        // dimensions and labels
+                       "X",    "Y",                                         // at the origin
+                       "Hole", "X",  "Y",  "Size",                          // captions
+                       "A1",   "20", "15", "⌀8",   "A2", "20", "45", "⌀8",  // rows
+                       "A3",   "60", "15", "⌀8",   "A4", "60", "45", "⌀8"};
+  const Words found = dimensions_in(read_file(folder / "x.svg"));
+  EXPECT_EQ(sorted(found), sorted(expected));
+  const auto first = std::search(found.begin(), found.end(), expected.begin() + 13, expected.end());
+  EXPECT_NE(first, found.end()) << "the rows are not in order";
+}
+
+TEST_F(AutomaticDimensions, OfBlindHolesInATable) {
+  const Outcome run = lint(folder.file("part.obj", plates()[6].obj), "hole-table");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  const Words found = dimensions_in(read_file(folder / "x.svg"));
+  EXPECT_EQ(std::count(found.begin(), found.end(), "⌀6.6 ⌴⌀11 ↧6.5"), 4);
+}
+
+TEST_F(AutomaticDimensions, TableWithoutRoomIsReported) {
+  const std::string part = folder.file("part.obj", plates()[3].obj);
+  const Outcome run = epura({"draw", part, "--projection", "top", "--dimensions", "hole-table", "--sheet", "110x110",
+                             "--scale", "1:1", "-o", "x.svg"},
+                            folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "no room for the table of the holes in the view 'top'")) << run.err;
+}
+
+TEST_F(AutomaticDimensions, HolesBelongToAutomaticOnes) {
+  folder.file("part.obj", plates()[0].obj);
+  const std::string scene =
+      folder.file("scene.toml", "[[model]]\nfile = 'part.obj'\n[[dimension]]\ntype = 'overall'\nholes = 'table'\n");
+  const Outcome run = epura({"draw", scene, "-o", "x.svg"}, folder / "");
+  EXPECT_NE(run.code, 0);
+  EXPECT_TRUE(contains(run.err, "5:9: a dimension of type 'overall' has no 'holes'")) << run.err;
+}
+
+// What cannot be checked is not passed over in silence.
+TEST_F(AutomaticDimensions, LintNamesWhatItCannotCheck) {
+  const std::string file = folder.file("part.obj", plates()[0].obj);
+  const Outcome mesh = epura({"lint", file, "--views", "front,top,left", "--dimensions", "overall", "--sheet", "A3",
+                              "--surfaces", "mesh", "-o", "x.svg"},
+                             folder / "");
+  EXPECT_EQ(mesh.code, 1);
+  EXPECT_TRUE(contains(mesh.out, "not dimensioned: model 0: nothing is recognised")) << mesh.out;
+}
+
+TEST_F(AutomaticDimensions, LintFindsDimensionsOutsideADetail) {
+  folder.file("part.obj", plates()[0].obj);
+  const auto run = [&](const std::string& end) {
+    const std::string scene =
+        folder.file("scene.toml",
+                    "[[model]]\nfile = 'part.obj'\n[[detail]]\nname = 'X'\ncentre = [25, 15, 8]\nradius = 12\n"
+                    "[[view]]\nprojection = 'top'\n[[view]]\ndetail = 'X'\nscale = '2:1'\n[sheet]\nscale = '1:1'\n"
+                    "[[dimension]]\ntype = 'linear'\ndirection = 'horizontal'\nview = 'detail-X'\n"
+                    "from = {point = [20, 15, 8]}\nto = {point = " +
+                        end + "}\n");
+    return epura({"lint", scene}, folder / "").out;
+  };
+  const std::string sentence = "ends outside the boundary of detail X (view 'detail-X')";
+  EXPECT_TRUE(contains(run("[38, 15, 8]"), sentence)) << "13 mm from the centre";
+  EXPECT_FALSE(contains(run("[36, 15, 8]"), sentence)) << "11 mm from the centre";
+}
+
 TEST_F(AutomaticDimensions, LintSaysWhatIsMissing) {
   const std::string part = folder.file("part.obj", plates()[4].obj);
   const Outcome run = lint(part, "overall");
