@@ -13,6 +13,7 @@
 #include "sheet/detail_marks.hpp"
 #include "sheet/dimensions/dimensions.hpp"
 #include "sheet/frame.hpp"
+#include "sheet/sight_arrows.hpp"
 
 namespace epura::pipeline {
 
@@ -36,6 +37,13 @@ std::vector<sheet::Layer> marks_of(std::span<const Annotations> annotations, std
         by_name.emplace(section.plane.name, std::move(*mark));
   std::vector<sheet::Layer> marks;
   for (auto& [name, mark] : by_name) marks.push_back(std::move(mark));
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const drawing::ViewDrawing& drawing = views[i].drawing;
+    std::vector<sheet::SightArrow> arrows;
+    for (const ViewArrow& arrow : annotations[i].arrows)
+      arrows.push_back({arrow.letter, arrow.sight, (drawing.min + drawing.max) / 2.0});
+    if (!arrows.empty()) marks.push_back(sheet::sight_arrows(drawing, arrows, widths));
+  }
   return marks;
 }
 

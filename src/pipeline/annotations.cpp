@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
 #include "scene/design_features.hpp"
 #include "scene/true_extents.hpp"
@@ -116,6 +117,10 @@ std::vector<Annotations> annotate(const scene::World& world, const scene::SceneD
   add_dimensions(annotations, world, scene, sheet, seen);
   add_planes(annotations, sheet.descriptions, seen, sections);
   add_details(annotations, scene, sheet.descriptions);
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (const auto parent = parent_of(sheet, i))
+      annotations[*parent].arrows.push_back(
+          {*sheet.descriptions[i].label, sight_on_page(seen[*parent].projection, seen[i].projection.n)});
   return annotations;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "pipeline/sections.hpp"
@@ -14,11 +15,18 @@
 
 namespace epura::pipeline {
 
+/// The letter of an auxiliary view, and the image of the direction in which it is seen; length 1.
+struct ViewArrow {
+  std::string letter;
+  Vec2 sight;
+};
+
 struct Annotations {
   std::vector<scene::DimensionDescription> dimensions;
   std::vector<scene::CuttingSurface> planes;        ///< of sections marked in this view
   std::vector<sheet::HoleTable> tables{};           ///< of holes in this view
   std::vector<scene::DetailDescription> details{};  ///< of this view, shown by other views of the scene
+  std::vector<ViewArrow> arrows{};                  ///< of auxiliary views beside this one
 };
 
 /// By view of the sheet; `seen` has the projected views in the same order. A dimension without a view belongs to the

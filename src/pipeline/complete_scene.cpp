@@ -8,6 +8,7 @@
 #include "importer/read_model.hpp"
 #include "pipeline/annotations.hpp"
 #include "pipeline/choose.hpp"
+#include "scene/arrow_views.hpp"
 #include "scene/details.hpp"
 #include "scene/exploded_world.hpp"
 #include "scene/scene_file.hpp"
@@ -53,9 +54,15 @@ void complete_scene(scene::SceneDescription& scene) {
     take_option(view, "hidden", view.hidden);
     take_option(view, "half", view.half);
   }
+  for (const scene::ViewDescription& view : scene.views)
+    if (view.of.given() && !view.projection.given()) {
+      scene::complete_directions(scene);
+      break;
+    }
   scene::expect_projections(scene);
   scene::name_views(scene.views);
   scene::complete_details(scene);
+  scene::complete_letters(scene);
   scene::expect_sound_moves(scene);
   int sheets = 1;
   for (const scene::ViewDescription& view : scene.views) sheets = std::max(sheets, view.sheet.value_or(1));

@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "drawing/cut_faces.hpp"
 #include "pipeline/annotations.hpp"
+#include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
 #include "pipeline/compose.hpp"
 #include "pipeline/details.hpp"
@@ -136,6 +137,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   const auto world = [&](std::size_t view) -> const scene::World& {
     return section(view) == nullptr ? shown(view).world : section(view)->cut.world;
   };
+  orient_arrow_views(views, world);
   std::vector<view::ProjectedScene> seen = map_views(world, views);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (section(i) != nullptr) expect_steps_edge_on(*section(i), seen[i], views.descriptions[i]);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
 #include "pipeline/details.hpp"
 #include "sheet/arrangement.hpp"
@@ -15,6 +16,7 @@
 #include "sheet/dimensions/overall.hpp"
 #include "sheet/limit_lines.hpp"
 #include "sheet/notation.hpp"
+#include "sheet/sight_arrows.hpp"
 #include "sheet/standard_scale.hpp"
 #include "view/paper_map.hpp"
 
@@ -47,6 +49,8 @@ sheet::Room room_around(const Annotations& annotations, const projection::Projec
   Vec2 marks(0, 0);
   for (const scene::CuttingSurface& section : annotations.planes)
     marks = glm::max(marks, sheet::cutting_plane_room(projection, section, widths));
+  for (const ViewArrow& arrow : annotations.arrows)
+    marks = glm::max(marks, glm::abs(arrow.sight) * sheet::sight_arrow_room(widths));
   if (!annotations.details.empty()) marks = glm::max(marks, Vec2(sheet::detail_room));
   room.before += marks;
   room.after += marks;
@@ -71,8 +75,17 @@ projection::Window whole_box(const ViewOptions& options, const Annotations& anno
   return whole;
 }
 
+struct LayoutOptions {
+  scene::ScaleChoice scale;
+  bool portrait;
+  FrameKind frame;
+  std::optional<sheet::TitleBlock> title_block;
+  ProjectionAngle angle;
+  sheet::LineWidths widths{};
+};
+
 Views views_to_place(const scene::World& world, const SheetOfViews& sheet, std::span<const view::ProjectedScene> views,
-                     const std::vector<Annotations>& annotations, const sheet::LineWidths& widths) {
+                     const std::vector<Annotations>& annotations, const LayoutOptions& layout) {
   Views result;
   for (std::size_t i = 0; i < views.size(); ++i) {
     // A single view need not be aligned with others.
@@ -85,26 +98,23 @@ Views views_to_place(const scene::World& world, const SheetOfViews& sheet, std::
                             {breaks.moved(box.min) - moved, breaks.moved(box.max) - moved}};
     view.scale = sheet.descriptions[i].scale.value_or({}).fixed;
     view.at = sheet.descriptions[i].at.value;
-    const sheet::Room room = room_around(annotations[i], views[i].projection, widths);
+    const sheet::Room room = room_around(annotations[i], views[i].projection, layout.widths);
     const drawing::Breaks on_paper = drawing::mapped(breaks, 1, Vec2(0), break_gap);
     const Vec2 gaps(on_paper.gaps(0), on_paper.gaps(1));
-    const Vec2 limits(breaks.any() ? sheet::limit_room(widths) : 0);
+    const Vec2 limits(breaks.any() ? sheet::limit_room(layout.widths) : 0);
     view.before = glm::max(room.before, limits) + gaps / 2.0;
     view.after = glm::max(room.after, limits) + gaps / 2.0;
+    if (const auto parent = parent_of(sheet, i)) {
+      const double side = layout.angle == ProjectionAngle::first ? 1 : -1;
+      view.beside = {{*parent, side * sight_on_page(views[*parent].projection, views[i].projection.n)}};
+      view.after.y = std::max(view.after.y, sheet::label_room);
+    }
     result.to_place.push_back(view);
     result.origins.push_back(moved);
     result.gaps.push_back(gaps);
   }
   return result;
 }
-
-struct LayoutOptions {
-  scene::ScaleChoice scale;
-  bool portrait;
-  FrameKind frame;
-  std::optional<sheet::TitleBlock> title_block;
-  ProjectionAngle angle;
-};
 
 // mm between the frame and ink. Centring marks extend 10 mm into the drawing area.
 double clearance_of(FrameKind frame) {
@@ -214,8 +224,8 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
   LayoutOptions options = options_of(scene, sheet.sheet, views.size());
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.sheet)];
   scene::PaperChoice size = usual_size(description, views.size());
-  const sheet::LineWidths widths = sheet::line_widths(sheet::make_paper(size, false));
-  const Views placing = views_to_place(world, sheet, views, annotations, widths);
+  options.widths = sheet::line_widths(sheet::make_paper(size, false));
+  const Views placing = views_to_place(world, sheet, views, annotations, options);
   const sheet::Arrangement arrangement = arranged(description, options, placing.to_place, size);
   if (options.title_block) {
     options.title_block->scale = sheet::with_decimal_sign(sheet::ratio_text(arrangement.scale),

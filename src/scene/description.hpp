@@ -81,6 +81,8 @@ struct ViewDescription {
   LocatedText detail;            ///< name of the detail shown
   Located<BreakChoice> breaks;   ///< parts that are left out
   Located<HalfView> half;        ///< the part drawn of a symmetric view
+  Located<Vec3> from;            ///< instead of a projection: from the models towards the viewer
+  LocatedText of;                ///< name of the view beside which it is, with an arrow and a letter
   LocatedText label;             ///< text above it; by default "A-A" for section A
   Located<double> crease_angle;  ///< degrees
   Located<double> join_within;   ///< mm on paper

@@ -61,6 +61,7 @@ enum class SheetLine {
   detail,
   limit,
   trace,
+  arrows,
   partial
 };
 
@@ -96,6 +97,7 @@ inline constexpr std::array sheet_lines = {
     SheetLineRow{SheetLine::detail, "detail", "detail", LineWidth::narrow},
     SheetLineRow{SheetLine::limit, "limit", "limit", LineWidth::narrow},
     SheetLineRow{SheetLine::trace, "trace", "trace", LineWidth::narrow, long_dash_dot},
+    SheetLineRow{SheetLine::arrows, "arrows", "arrows", LineWidth::narrow},
     SheetLineRow{SheetLine::partial, "partial", "partial", LineWidth::wide},
 };
 

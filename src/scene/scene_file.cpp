@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "scene/arrow_views.hpp"
 #include "scene/body_styles.hpp"
 #include "scene/details.hpp"
 #include "scene/scene_keys.hpp"
@@ -143,6 +144,7 @@ SceneDescription read_scene_file(const fs::path& path) {
   if (scene.models.empty())
     refuse(path.string(), "names no model", "a scene file needs at least:  [[model]]  file = \"part.obj\"");
   if (scene.sheets.empty()) scene.sheets.push_back(words.every_sheet);
+  complete_directions(scene);
   expect_projections(scene);
   name_views(scene.views);
   expect_sound_names(scene);

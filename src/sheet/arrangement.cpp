@@ -23,6 +23,8 @@ constexpr double good_share = 0.4, least_share = 0.1;
 // 2^14: more than ten thousand times smaller than what would fit with nothing in the way.
 constexpr int most_halvings = 14;
 constexpr double rounding = 1e-9;
+// Views are not aligned beside others if the rest could be more than this larger.
+constexpr double cost_of_alignment = 1.9;
 
 // Returns the largest scale at which `fits` holds, if it holds at some scale that is not much less than `max`.
 std::optional<double> largest_that(double max, bool standard, const std::function<bool(double)>& fits) {
@@ -99,7 +101,13 @@ std::optional<Found> find_on(const Question& question, const Paper& paper) {
     ArrangerRoom tried = room;
     tried.gap *= part_of_gap;
     tried.watch_given = watch_given;
-    auto found = find(question, Arranger(question.views, question.angle, tried));
+    const Arranger aligned(question.views, question.angle, tried);
+    auto found = find(question, aligned);
+    if (aligned.has_aligned()) {
+      tried.aligns = false;
+      auto loose = find(question, Arranger(question.views, question.angle, tried));
+      if (loose && (!found || loose->scale > cost_of_alignment * found->scale)) found = std::move(loose);
+    }
     if (found && (!best || found->scale > best->scale * (1 + rounding))) best = std::move(found);
   };
   for (const double part_of_gap : {1.0, 0.25})

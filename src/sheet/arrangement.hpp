@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "projection/projection.hpp"
@@ -28,9 +29,11 @@ ViewPlace view_place(const projection::Projection& projection);
 /// A view to be positioned. Windows of one world have a common origin.
 struct ViewToPlace {
   ViewPlace place = ViewPlace::other;
-  projection::Window box;          ///< of its ink, in the projection plane
-  std::optional<double> scale{};   ///< the view's own
-  std::optional<Vec2> at{};        ///< required centre of its ink, mm
+  projection::Window box;         ///< of its ink, in the projection plane
+  std::optional<double> scale{};  ///< the view's own
+  std::optional<Vec2> at{};       ///< required centre of its ink, mm
+  /// The number of its parent, and the direction on the page in which it is placed from there; length 1.
+  std::optional<std::pair<std::size_t, Vec2>> beside{};
   Vec2 before{0, 0}, after{0, 0};  ///< mm to be kept free around the ink: left and below, right and above
 };
 
@@ -58,9 +61,11 @@ struct Arrangement {
 /// In first-angle projection, the view from above is below the front view and the view from the left to its right; in
 /// third-angle projection, they are above it and to its left. The rear view is at the far right. Principal views are
 /// aligned with the front view, even if that is absent; a second view with the same position, or a view with its own
-/// scale, is treated as `other`. The remaining views are placed in the largest free part of the sheet. Each group is
-/// centred in its room. A single view is positioned as by place_ink. `views` must not be empty. Throws Error{input}
-/// beyond `longest_side`.
+/// scale, is treated as `other`. A view beside
+/// a principal view, or one with a given position, is aligned with it in its direction if there is room at a good
+/// scale, and is otherwise treated as `other`. The remaining views are placed in the largest free part of the sheet.
+/// Each group is centred in its room. A single view is positioned as by place_ink. `views` must not be empty. Throws
+/// Error{input} beyond `longest_side`.
 Arrangement arrange(std::span<const ViewToPlace> views, const scene::ScaleChoice& choice, ProjectionAngle angle,
                     const DrawingRoom& room);
 

@@ -24,6 +24,11 @@ void append(std::vector<ViewSpot>& spots, const std::vector<ViewSpot>& more) {
 
 bool is_principal(ViewPlace place) { return place < ViewPlace::pictorial; }
 
+// Whether other views can be placed beside it.
+bool stands_firm(const ViewToPlace& view) {
+  return !view.beside && (view.at || (is_principal(view.place) && !view.scale));
+}
+
 // Column and row in the layout around the front view.
 std::array<int, 2> cross_place(ViewPlace place, ProjectionAngle angle) {
   const int to_its_side = angle == ProjectionAngle::third ? 1 : -1;
@@ -66,6 +71,8 @@ void Arranger::sort_out() {
     const bool principal = is_principal(view.place) && !view.scale;
     if (view.at)
       given_.push_back(i);
+    else if (room_.aligns && view.beside && stands_firm(views_[view.beside->first]))
+      beside_.push_back(i);
     else if (principal && !std::exchange(there[static_cast<std::size_t>(view.place)], true))
       principal_.push_back(i);
     else
@@ -127,6 +134,24 @@ ViewSpot Arranger::given_spot(std::size_t view, double scale) const {
   return moved(spot, *views_[view].at - (spot.shift + spot.scale * cell.anchor));
 }
 
+// The nearest free place.
+std::optional<ViewSpot> Arranger::beside_spot(std::size_t view, const Spots& spots, double scale,
+                                              std::span<const Rectangle> taken) const {
+  constexpr double step = 1;  // mm
+  const ViewToPlace& v = views_[view];
+  const auto parent =
+      std::find_if(spots.begin(), spots.end(), [&](const ViewSpot& spot) { return spot.view == v.beside->first; });
+  if (parent == spots.end()) return std::nullopt;
+  const double own = v.scale.value_or(scale), most = room_.area.size().x + room_.area.size().y;
+  const Vec2 min = own * v.box.min - v.before, max = own * v.box.max + v.after;
+  for (double distance = 0; distance <= most; distance += step) {
+    const Vec2 at = parent->shift + distance * v.beside->second;
+    const ViewSpot spot{view, own, at, {at + min, at + max}};
+    if (is_free({spot}, taken)) return spot;
+  }
+  return std::nullopt;
+}
+
 bool Arranger::is_free(const Spots& spots, std::span<const Rectangle> taken) const {
   return std::all_of(spots.begin(), spots.end(), [&](const ViewSpot& spot) {
     return room_.area.holds(spot.box, slack) &&
@@ -143,9 +168,33 @@ std::optional<Arranger::Spots> Arranger::principal_spots(double scale, std::span
   const ViewTable& table = cross_.front();
   for (const Rectangle& r : corners) {
     Spots spots = table.spots(scale, {r.min.x, r.max.y - table.size(scale).y});
-    if (is_free(spots, taken)) return spots;
+    if (is_free(spots, taken) && add_beside(spots, scale, taken)) return spots;
+  }
+  if (beside_.empty()) return std::nullopt;
+  // Views beside them may need the room above or to the left.
+  const Vec2 play = room_.area.size() - table.size(scale);
+  for (const Vec2& part :
+       {Vec2(0, 0), Vec2(1, 1), Vec2(1, 0), Vec2(0.5, 0.5), Vec2(0.5, 0), Vec2(0, 0.5), Vec2(1, 0.5)}) {
+    Spots spots = table.spots(scale, room_.area.min + part * play);
+    if (is_free(spots, taken) && add_beside(spots, scale, taken)) return spots;
   }
   return std::nullopt;
+}
+
+// Adds the views beside others to those placed already; false if there is no room.
+bool Arranger::add_beside(Spots& spots, double scale, std::span<const Rectangle> taken) const {
+  std::vector<Rectangle> all(taken.begin(), taken.end());
+  for (const ViewSpot& spot : spots) all.push_back(spot.box.grown(room_.gap));
+  for (const std::size_t view : beside_) {
+    const bool is_here = std::any_of(spots.begin(), spots.end(),
+                                     [&](const ViewSpot& spot) { return spot.view == views_[view].beside->first; });
+    if (!is_here) continue;
+    const auto spot = beside_spot(view, spots, scale, all);
+    if (!spot) return false;
+    spots.push_back(*spot);
+    all.push_back(spot->box.grown(room_.gap));
+  }
+  return true;
 }
 
 std::optional<Arranger::Spots> Arranger::grid_spots(const Tables& tables, double scale,
@@ -183,8 +232,9 @@ std::optional<std::vector<ViewSpot>> Arranger::arranged(double scale, double sha
     return true;
   };
   for (const std::size_t view : given_) {
-    const Spots spot = {given_spot(view, scale)};
+    Spots spot = {given_spot(view, scale)};
     if (room_.watch_given && !is_free(spot, taken)) return std::nullopt;
+    if (!add_beside(spot, scale, taken)) return std::nullopt;
     add(spot);
   }
   if (!principal_.empty() && !add(principal_spots(scale, taken))) return std::nullopt;
@@ -217,8 +267,13 @@ std::array<double, 2> Arranger::play(const Spots& spots, const std::vector<std::
 }
 
 std::vector<ViewSpot> Arranger::balanced(std::vector<ViewSpot> spots) const {
+  // Views beside principal ones move with them.
+  std::vector<std::size_t> principal = principal_;
+  for (const std::size_t view : beside_)
+    if (!views_[views_[view].beside->first].at) principal.push_back(view);
+  const std::array<const std::vector<std::size_t>*, 3> groups{&principal, &other_, &pictorial_};
   for (int round = 0; round < rounds_of_balance; ++round)
-    for (const auto* group : {&principal_, &other_, &pictorial_})
+    for (const auto* group : groups)
       for (const int axis : {0, 1}) {
         if (group->empty()) continue;
         const auto [back, forth] = play(spots, *group, axis);
@@ -233,7 +288,7 @@ std::vector<ViewSpot> Arranger::overflowing(double scale) const {
   std::vector<ViewCell> cells;
   for (const std::size_t view : principal_) cells.push_back(principal_cell(view));
   int column = 4;  // the rear view is in column 3
-  for (const auto* views : {&other_, &pictorial_})
+  for (const auto* views : {&beside_, &other_, &pictorial_})
     for (const std::size_t view : *views) cells.push_back(free_cell(view, column++, 1, Labels::given));
   const ViewTable table(cells, room_.gap);
   Spots all = table.spots(scale, room_.area.centre() - table.size(scale) / 2.0);

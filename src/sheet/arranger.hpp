@@ -19,6 +19,7 @@ struct ArrangerRoom {
   Rectangle area;
   std::vector<Rectangle> taken;  ///< the title block and the clearance around it
   double gap;                    ///< between views
+  bool aligns = true;            ///< views beside others are aligned with them
   bool watch_given = true;       ///< views with a given position must be in the area, without overlaps
 };
 
@@ -28,6 +29,9 @@ class Arranger {
 
   /// Upper bound for the scale; infinite if all views have their own scale.
   [[nodiscard]] double largest_scale() const;
+
+  /// Whether views are aligned beside others.
+  [[nodiscard]] bool has_aligned() const { return !beside_.empty(); }
 
   /// All views at a scale, pictorial ones at no less than `share` of it; nothing if they do not fit.
   [[nodiscard]] std::optional<std::vector<ViewSpot>> arranged(double scale, double share) const;
@@ -48,6 +52,9 @@ class Arranger {
   [[nodiscard]] ViewCell free_cell(std::size_t view, int column, int row, Labels labels) const;
   [[nodiscard]] Tables grids(const std::vector<std::size_t>& views, Labels labels) const;
   [[nodiscard]] ViewSpot given_spot(std::size_t view, double scale) const;
+  [[nodiscard]] std::optional<ViewSpot> beside_spot(std::size_t view, const Spots& spots, double scale,
+                                                    std::span<const Rectangle> taken) const;
+  bool add_beside(Spots& spots, double scale, std::span<const Rectangle> taken) const;
   [[nodiscard]] bool is_free(const Spots& spots, std::span<const Rectangle> taken) const;
   [[nodiscard]] std::optional<Spots> principal_spots(double scale, std::span<const Rectangle> taken) const;
   [[nodiscard]] std::optional<Spots> grid_spots(const Tables& tables, double scale,
@@ -59,9 +66,9 @@ class Arranger {
   std::span<const ViewToPlace> views_;
   ProjectionAngle angle_;
   ArrangerRoom room_;
-  std::vector<std::size_t> given_, principal_, other_, pictorial_;  // view numbers
-  Tables cross_;                                                    // of the principal views, if there are any
-  Tables others_, pictorials_, labelled_pictorials_;                // by number of columns
+  std::vector<std::size_t> given_, principal_, beside_, other_, pictorial_;  // view numbers
+  Tables cross_;                                                             // of the principal views, if there are any
+  Tables others_, pictorials_, labelled_pictorials_;                         // by number of columns
 };
 
 }  // namespace epura::sheet
