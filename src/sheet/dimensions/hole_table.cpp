@@ -79,22 +79,21 @@ void TableDrawing::draw(Layer& layer, const Vec2& corner) const {
   for (std::size_t begin = 0; begin < count; begin += in_block) {
     const std::size_t rows = std::min(in_block, count - begin);
     const double bottom = corner.y - static_cast<double>(rows + 1) * height;
-    double x = left;
-    for (std::size_t column = 0; column < widths_.size(); ++column) {
-      add_line(layer, {x, bottom}, {x, corner.y});
-      for (std::size_t i = 0; i <= rows; ++i) {
-        const std::string& words = rows_[i == 0 ? 0 : begin + i][column];
-        const double y = corner.y - static_cast<double>(i + 1) * height + base_line * style_.text;
-        layer.texts.push_back({words, {x + side * style_.text, y}, style_.text, 0, Align::left, "dimension"});
+    std::vector<double> edges{left};
+    for (const double width : widths_) edges.push_back(edges.back() + width);
+    for (const double x : edges) add_line(layer, {x, bottom}, {x, corner.y});
+    // Texts in reading order, for programs that extract them.
+    for (std::size_t i = 0; i <= rows; ++i) {
+      const double top = corner.y - static_cast<double>(i) * height;
+      add_line(layer, {left, top}, {edges.back(), top});
+      const std::vector<std::string>& words = rows_[i == 0 ? 0 : begin + i];
+      for (std::size_t column = 0; column < words.size(); ++column) {
+        const Vec2 at(edges[column] + side * style_.text, top - height + base_line * style_.text);
+        layer.texts.push_back({words[column], at, style_.text, 0, Align::left, "dimension"});
       }
-      x += widths_[column];
     }
-    add_line(layer, {x, bottom}, {x, corner.y});
-    for (std::size_t i = 0; i <= rows + 1; ++i) {
-      const double y = corner.y - static_cast<double>(i) * height;
-      add_line(layer, {left, y}, {x, y});
-    }
-    left = x + between_blocks * style_.text;
+    add_line(layer, {left, bottom}, {edges.back(), bottom});
+    left = edges.back() + between_blocks * style_.text;
   }
 }
 
