@@ -118,8 +118,8 @@ struct Dimension {
 enum class AutomaticScale { fit, standard };
 using Scale = std::variant<AutomaticScale, double>;
 
-/// ISO 216 size, "A4" to "A0"; cut to the drawing; the smallest of these sizes that fits at the given scale; or width
-/// and height in mm.
+/// ISO 216 size, "A4" to "A0", or ASME Y14.1 size, "ANSI-A" to "ANSI-E"; cut to the drawing; the smallest of these
+/// sizes that fits at the given scale; or width and height in mm.
 enum class AutomaticSize { cut, smallest };
 using PaperSize = std::variant<std::string, AutomaticSize, std::array<double, 2>>;
 

@@ -89,6 +89,7 @@ struct Words<FrameKind> {
 template <>
 struct Words<DecimalSign> {
   static constexpr std::array list{".", ","};
+  static constexpr std::array other{"point", "comma"};  ///< for shells and for the eye
 };
 
 template <>
@@ -115,9 +116,9 @@ inline constexpr double longest_side = 100'000;
 
 /// A paper size.
 struct PaperChoice {
-  enum class Kind { iso, custom, none, automatic };
+  enum class Kind { iso, ansi, custom, none, automatic, automatic_ansi };
   Kind kind = Kind::iso;
-  int number = 4;                    ///< iso: 0 to 4, for A0 to A4
+  int number = 4;                    ///< iso: 0 to 4, for A0 to A4; ansi: 0 to 4, for A to E
   std::array<double, 2> size{0, 0};  ///< custom: width and height, mm
 
   bool operator==(const PaperChoice&) const = default;
@@ -134,7 +135,7 @@ struct ProjectionRequest {
 
 // These functions throw Error{input} with `where` as the location of the text.
 ScaleChoice parse_scale(std::string_view text, const std::string& where);       ///< fit, auto, 1:2, 0.5
-PaperChoice parse_paper_size(std::string_view text, const std::string& where);  ///< A4 to A0, 300x200, none, auto
+PaperChoice parse_paper_size(std::string_view text, const std::string& where);  ///< A4, ANSI-B, 300x200, none, auto
 ProjectionRequest parse_request(std::string_view text);                         ///< NAME[:key=value]...; location: text
 
 }  // namespace epura::scene
