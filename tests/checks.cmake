@@ -3,6 +3,8 @@
 add_test(NAME layers COMMAND ${CMAKE_COMMAND} -P ${CMAKE_CURRENT_LIST_DIR}/layers.cmake)
 add_test(NAME checks_can_fail COMMAND ${CMAKE_CURRENT_LIST_DIR}/checks_test.sh)
 add_test(NAME readme_runs COMMAND ${CMAKE_CURRENT_LIST_DIR}/readme.sh $<TARGET_FILE:epura>)
+add_test(NAME batch_on_slurm COMMAND ${CMAKE_CURRENT_LIST_DIR}/slurm.sh $<TARGET_FILE:epura>)
+set_tests_properties(batch_on_slurm PROPERTIES SKIP_RETURN_CODE 77)
 add_test(NAME gallery_page_is_fresh
          COMMAND bash -c "diff <(samples/draw --gallery-page) samples/gallery.md" WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 # Whatever links to a sanitized library must be sanitized, too: strangers' projects are not.

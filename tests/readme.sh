@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# README and recipes must not lie:  tests/readme.sh EPURA
+# README, recipes and docs/scale.md must not lie:  tests/readme.sh EPURA
 # Every ```sh block is run, in a scratch copy, with EPURA first in PATH; the pipeline is the one of src/CMakeLists.txt.
 set -uo pipefail
 root=$(realpath "$(dirname "$(realpath "$0")")/..")
@@ -17,7 +17,7 @@ complain() {
 cp -r "$root/include" "$root/cmake" "$scratch"
 mkdir "$scratch/samples"
 cp -r "$root/samples/models" "$root/samples/step" "$root/samples/scenes" "$root/samples/plugin" "$scratch/samples"
-for page in README.md docs/recipes.md; do
+for page in README.md docs/recipes.md docs/scale.md; do
   awk -v out="$scratch/$(basename $page)-" '/^```sh$/ { inside = 1; ++n; next } /^```$/ { inside = 0 }
                                             inside { print > (out n ".sh") }' "$root/$page"
   [ -f "$scratch/$(basename $page)-1.sh" ] || complain "no sh block found in $page"

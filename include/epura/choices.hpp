@@ -39,6 +39,9 @@ struct EdgeKinds {
   bool operator==(const EdgeKinds&) const = default;
 };
 
+/// The part of a symmetric view that is drawn: a half, or a quarter.
+enum class HalfView { left, right, top, bottom, top_left, top_right, bottom_left, bottom_right };
+
 enum class Orientation { landscape, portrait };
 
 /// Arrangement of the views: ISO 5456-2 (first angle) or ASME Y14.3 (third angle).

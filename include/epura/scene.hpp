@@ -58,6 +58,13 @@ struct Style {
 using ParameterValue = std::variant<double, std::vector<double>, std::string>;
 
 /// A view of the models through a projection plugin.
+/// A part of a view that is left out, between two places on an axis of the world (0: x, 1: y, 2: z); infinite: up to
+/// the end of the view.
+struct Break {
+  int axis = 0;
+  double from = 0, to = 0;
+};
+
 struct View {
   std::string projection = "isometric";
   std::vector<std::pair<std::string, ParameterValue>> parameters{};  ///< see `epura plugins NAME`
@@ -75,6 +82,9 @@ struct View {
   std::optional<std::array<double, 2>> at{};  ///< centre of its ink, mm from the lower left corner; default: automatic
   int sheet = 1;                              ///< number of the sheet, from 1
   std::string section{};                      ///< name of the section shown
+  std::vector<Break> breaks{};                ///< interrupted and partial views
+  bool automatic_breaks = false;              ///< leave out long stretches of constant section
+  std::optional<HalfView> half{};             ///< the part of a symmetric view that is drawn
   std::string label{};   ///< text above the view; by default "A-A" for section A, "X" and the scale for detail X
   std::string detail{};  ///< name of the detail shown; then the view has the projection, the parameters and the section
                          ///< of the view that it enlarges, and needs a scale
@@ -98,6 +108,16 @@ struct Detail {
   std::array<double, 3> centre{0, 0, 0};
   std::optional<double> radius{};
   std::optional<std::array<double, 2>> size{};
+};
+
+/// Bodies moved apart in exploded views: by a vector, or away from the largest body along their axis by a multiple of
+/// their distance.
+struct Explode {
+  std::string match{};  ///< names of bodies or models, as of a style; by default all
+  std::optional<std::array<double, 3>> move{};
+  std::optional<double> factor{};  ///< instead of a vector
+  std::string view{};              ///< name of the view; by default all views
+  std::optional<bool> trace{};     ///< a line from their places; by default if they move along their axes
 };
 
 /// A model and a vertex of it, both counted from 0; or a point of the world.
@@ -141,6 +161,7 @@ struct Scene {
   std::vector<View> views{};  ///< none: one isometric view
   std::vector<Section> sections{};
   std::vector<Detail> details{};
+  std::vector<Explode> explosions{};
   std::vector<Dimension> dimensions{};
   std::vector<SheetOptions> sheets{};  ///< none: one default sheet
 };

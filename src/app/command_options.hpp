@@ -7,6 +7,7 @@
 
 namespace epura {
 
+scene::Options<BatchOptions> batch_options();
 scene::Options<CompareOptions> compare_options();
 scene::Options<SnapshotOptions> snapshot_options();
 scene::Options<InfoOptions> info_options();

@@ -14,6 +14,7 @@ inline constexpr int partial_exit_code = 5;
 int draw(const DrawOptions& options);
 /// Draws, and reports faults of the dimensions.
 int lint(DrawOptions options);
+int batch(const BatchOptions& options);
 int plugins(const PluginsOptions& options);
 int check_plugin(const CheckPluginOptions& options);
 int importers(const ImportersOptions& options);

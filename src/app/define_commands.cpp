@@ -21,7 +21,7 @@ const ProgramTexts& program_texts() {
       .exit_codes = {{0, "success"},
                      {found_wrong_exit_code,
                       "differences found (compare, snapshot) or errors found (lint, --verify, plugins check, views "
-                      "beyond their sheet)"},
+                      "beyond their sheet), or jobs failed (batch)"},
                      {2, "wrong input"},
                      {3, "plugin error"},
                      {4, "cannot write"},
@@ -54,6 +54,8 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
                      }),
       define_command(add("lint", "draw, and say which sizes have no dimension or several, and which dimensions cross"),
                      lint_options(), lint),
+      define_command(add("batch", "draw many models, each in a process of its own, and only those that changed"),
+                     batch_options(), batch),
       define_command(add("info", "describe a model: size, bodies, faces, holes, repairs"), info_options(), info),
       define_command(add("compare", "report the visible differences between two drawings, models or scenes"),
                      compare_options(), compare_files),

@@ -108,6 +108,7 @@ scene::SceneDescription describe(const DrawOptions& options) {
     (scene.views.emplace_back() = options.view).projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
   if (options.section.given()) cut_by_option(scene, options.section);
   add_details(scene, options.details);
+  if (options.explode.given()) scene.explosions.push_back({.where = options.explode.where, .factor = options.explode});
   if (options.dimensions.given()) add_dimensions(scene, options.dimensions);
   pipeline::complete_scene(scene);
   for (scene::SheetDescription& sheet : scene.sheets) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // `epura draw`: a run on a terminal.
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 #include <vector>
 
+#include "app/batch/jobs.hpp"
+#include "app/batch/placeholders.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/draw_files.hpp"
@@ -15,8 +18,10 @@ int exit_code_of(const DrawnFiles& drawn) {
   return drawn.report.partial.stages.empty() ? 0 : partial_exit_code;
 }
 
+namespace {
+
 // Messages go to standard error, since the drawing may go to standard output.
-int draw(const DrawOptions& options) {
+int draw_once(const DrawOptions& options) {
   ProgressBoard board;
   Console console(board, shows_progress(options.progress), options.run.time_limit);
   const pipeline::Messages messages = messages_to(console);
@@ -27,6 +32,24 @@ int draw(const DrawOptions& options) {
   // Deliberately not freed: a million small blocks of memory are released at once when the program ends.
   static_cast<void>(new std::vector<pipeline::FinishedSheet>(std::move(drawn.sheets)));
   return exit_code_of(drawn);
+}
+
+// One drawing for each model, since outputs are named after models.
+int draw_each(const DrawOptions& options) {
+  BatchOptions batch;
+  batch.draw = options;
+  for (const std::string& output : options.outputs)
+    batch.later.push_back({"-o,--output", scene::value_of_option("--output", output)});
+  int code = 0;
+  for (const Job& job : plan_jobs(batch)) code = std::max(code, draw_once(options_of(job, options)));
+  return code;
+}
+
+}  // namespace
+
+int draw(const DrawOptions& options) {
+  const bool is_named_after_model = std::any_of(options.outputs.begin(), options.outputs.end(), has_placeholder);
+  return is_named_after_model ? draw_each(options) : draw_once(options);
 }
 
 }  // namespace epura

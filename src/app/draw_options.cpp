@@ -119,6 +119,10 @@ scene::Options<Draw> picture_options() {
                                    "repeat for more",
                            .repeatable = true},
                           &Draw::details, detail_request()),
+      scene::option<Draw>({.flag = "--explode",
+                           .help = "move bodies apart: away from the largest one, along the axis of their largest "
+                                   "cylinder or an axis of the world, by this multiple of their distance"},
+                          &Draw::explode, scene::number_between(0, HUGE_VAL, "").shown_as("FACTOR")),
       scene::option<Draw>(
           {.flag = "--arcs",
            .help = "recognise circles, ellipses and their arcs whose corners lie within this tolerance"},

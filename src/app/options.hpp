@@ -14,6 +14,7 @@
 #include "projection/plugin_process.hpp"
 #include "scene/description.hpp"
 #include "scene/details.hpp"
+#include "scene/toml_tree.hpp"
 
 namespace epura {
 
@@ -41,6 +42,7 @@ struct DrawOptions {
   scene::SheetDescription sheet;
   scene::Located<scene::SectionDescription> section;
   std::vector<scene::Located<scene::DetailRequest>> details;
+  scene::Located<double> explode;
   scene::Located<AutomaticDimensions> dimensions;
   output::VectorOptions vector;
   pipeline::RunOptions run;
@@ -48,6 +50,28 @@ struct DrawOptions {
   ShowProgress progress = ShowProgress::automatic;
   std::string lint_json;  ///< lint: file of its findings; empty: none
   bool measure = false;   ///< measure the time saved by shortcuts, by runs without them
+};
+
+/// An option whose value is not read before the job is known.
+struct LaterOption {
+  std::string flag;  ///< as in the table of options
+  scene::TomlValue value;
+};
+
+struct BatchOptions {
+  DrawOptions draw;                  ///< what all jobs have in common, and in `models` the sources
+  std::vector<LaterOption> later;    ///< options with placeholders
+  std::vector<std::string> words;    ///< options that change drawings, as given
+  std::vector<std::string> tables;   ///< files with a job in each row
+  bool again = false;                ///< draw what has not changed, too
+  std::string manifest;              ///< empty: beside the outputs
+  std::string merge;                 ///< manifest whose parts are joined, instead of drawing; or its folder
+  std::string shard;                 ///< "2/8", or "auto" for the number that the scheduler gives
+  std::string report, junit;         ///< files to write; empty: none
+  int workers = 0;                   ///< number of jobs at the same time; 0: one for each core
+  std::optional<double> job_time;    ///< seconds
+  std::optional<double> job_memory;  ///< MB
+  ShowProgress progress = ShowProgress::automatic;
 };
 
 struct PluginsOptions {

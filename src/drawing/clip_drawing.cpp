@@ -45,12 +45,16 @@ void clip_segments(ViewDrawing& drawing, const Boundary& boundary) {
 
 }  // namespace
 
-void clip_drawing(ViewDrawing& drawing, const DetailFrame& detail, const Progress& progress) {
-  const Boundary& boundary = detail.boundary;
-  progress.begin("clipping the detail", drawing.segments.size());
+void clip_to(ViewDrawing& drawing, const Boundary& boundary) {
   clip_segments(drawing, boundary);
   for (CutFace& face : drawing.cut_faces) face.rings = area_inside(boundary, face.rings);
   std::erase_if(drawing.cut_faces, [](const CutFace& face) { return face.rings.empty(); });
+}
+
+void clip_drawing(ViewDrawing& drawing, const DetailFrame& detail, const Progress& progress) {
+  const Boundary& boundary = detail.boundary;
+  progress.begin("clipping the detail", drawing.segments.size());
+  clip_to(drawing, boundary);
   drawing.chains = chain_segments(drawing.segments, straight_mm, progress);
   drawing.min = boundary.centre - boundary.half;
   drawing.max = boundary.centre + boundary.half;

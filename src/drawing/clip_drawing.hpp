@@ -7,6 +7,9 @@
 
 namespace epura::drawing {
 
+/// Cuts the lines and cut faces of a parallel view off at a boundary, exactly.
+void clip_to(ViewDrawing& drawing, const Boundary& boundary);
+
 /// Cuts the lines and cut faces of a parallel view off at the boundary of its detail, exactly, and chains the lines
 /// anew, without curves. The box of its ink becomes that of the boundary. Throws OutOfTime.
 void clip_drawing(ViewDrawing& drawing, const DetailFrame& detail, const Progress& progress = {});

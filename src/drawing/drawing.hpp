@@ -10,6 +10,7 @@
 
 #include "base/vec.hpp"
 #include "drawing/boundary.hpp"
+#include "drawing/breaks.hpp"
 #include "edges/edge_kind.hpp"
 #include "projection/projection.hpp"
 
@@ -78,15 +79,19 @@ struct ViewDrawing {
   std::string name;  ///< of the view
   projection::Projection projection;
   double scale = 1;    ///< mm of paper per unit of the world, in the projection plane
-  Mat4 world_to_page;  ///< page = (row0/row3, row1/row3) in mm; row2/row3 grows towards the viewer
+  Mat4 world_to_page;  ///< page = (row0/row3, row1/row3) in mm, before breaks.moved; row2/row3 grows towards
+                       ///< the viewer
   std::array<std::optional<Vec2>, 3> vanishing_points;  ///< of the world axes, on the page
   std::vector<Segment> segments;
   std::vector<CrossingSegment> crossings;  ///< for the segments that are not edges of a file, in their order
   std::vector<Chain> chains;
   std::vector<CutFace> cut_faces;
-  std::vector<PaperTriangle> before_cuts;  ///< parts of bodies that the cutting plane leaves whole, in front of it
-  Vec2 min{0, 0}, max{0, 0};               ///< box of the ink
-  std::optional<DetailFrame> detail{};     ///< only of a detail view
+  std::vector<PaperTriangle> before_cuts;     ///< parts of bodies that the cutting plane leaves whole, in front of it
+  Vec2 min{0, 0}, max{0, 0};                  ///< box of the ink
+  std::optional<DetailFrame> detail{};        ///< only of a detail view
+  Breaks breaks{};                            ///< parts left out; all else is where it is after the move
+  std::vector<Limit> limits{};                ///< where parts are left out
+  std::vector<std::array<Vec2, 2>> traces{};  ///< of bodies moved apart: visible lines from their places
   double contours_moved = 0;  ///< mm; greatest distance at which contours of curved faces are drawn from edges of the
                               ///< mesh
   double joined_within = 0;   ///< mm; omitted lines have ink of at least the same strength within this distance

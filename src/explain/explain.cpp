@@ -20,8 +20,12 @@ struct Storyteller {
   const edges::FeatureEdge& edge;
   Subject subject;
 
+  // In the whole view, whose parts an interrupted view moves together.
   [[nodiscard]] Vec2 position(double s) const {
     return drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, s);
+  }
+  [[nodiscard]] std::string on_sheet(const Vec2& position) const {
+    return format_value(drawn_view.drawing.breaks.moved(position));
   }
   [[nodiscard]] std::string in_space(double s) const {
     return format_value(drawing::parameter_in_space(drawn_view.view, edge, s));
@@ -29,8 +33,8 @@ struct Storyteller {
 
   [[nodiscard]] std::string story(const Span& span, const std::vector<Occlusion>& hiders) const {
     std::string text = std::string("  ") + (span.visible ? "visible" : "hidden ") + " t " + in_space(span.from) +
-                       " to " + in_space(span.to) + ", " + format_value(position(span.from)) + " to " +
-                       format_value(position(span.to)) + " mm\n";
+                       " to " + in_space(span.to) + ", " + on_sheet(position(span.from)) + " to " +
+                       on_sheet(position(span.to)) + " mm\n";
     if (!span.visible) text += hidden_by(span, hiders);
     return text + ink_of(span);
   }
@@ -72,15 +76,18 @@ struct Storyteller {
       return "    no ink: a point on the sheet\n";
     const drawing::Ruler line(position(span.from), position(span.to));
     visibility::Spans inked = cut_off(line, limits.min);
-    if (visibility::covers(inked, limits.min, line.length - limits.min)) return "    no ink: outside the detail\n";
+    if (visibility::covers(inked, limits.min, line.length - limits.min))
+      return drawn_view.drawing.detail ? "    no ink: outside the detail\n" : "    no ink: left out by a break\n";
     std::vector<std::string> others, near;
     for (const drawing::Segment& segment : drawn_view.drawing.segments) {
       const bool own = segment.visible == span.visible && is_own(segment);
       const double tolerance = steps_of_coincidence * limits.tolerance;
-      const auto part = drawing::covered_part(line, segment.from, segment.to, tolerance, own ? 0 : limits.min);
+      const Vec2 from = drawn_view.drawing.breaks.restored(segment.from);
+      const Vec2 to = drawn_view.drawing.breaks.restored(segment.to);
+      const auto part = drawing::covered_part(line, from, to, tolerance, own ? 0 : limits.min);
       if (!own && segment.visible >= span.visible && !(part[0] < part[1])) {
         const double reach = drawn_view.drawing.joined_within;
-        const auto beside = drawing::covered_part(line, segment.from, segment.to, reach, std::max(reach, limits.min));
+        const auto beside = drawing::covered_part(line, from, to, reach, std::max(reach, limits.min));
         if (beside[0] < beside[1]) near.push_back(over(line, beside) + name_of(segment));
       }
       if (!(part[0] < part[1])) continue;
@@ -97,11 +104,11 @@ struct Storyteller {
     return text.empty() ? "    no ink: shorter than " + format_value(limits.min) + " mm\n" : text;
   }
 
-  // The parts of a line that are outside the detail shown, up to `slack` mm inside it.
+  // The parts of a line that are outside the detail shown or left out by breaks, up to `slack` mm inside it.
   [[nodiscard]] visibility::Spans cut_off(const drawing::Ruler& line, double slack) const {
     visibility::Spans outside;
     const auto& detail = drawn_view.drawing.detail;
-    if (!detail) return outside;
+    if (!detail) return left_out(line, slack);
     const auto part = drawing::part_inside(detail->boundary, line.from, line.from + line.length * line.along);
     if (!part) return {{0, line.length}};
     const auto [first, last] = *part;
@@ -110,9 +117,21 @@ struct Storyteller {
     return outside;
   }
 
-  [[nodiscard]] static std::string over(const drawing::Ruler& line, const std::array<double, 2>& part) {
-    return "from " + format_value(line.from + part[0] * line.along) + " to " +
-           format_value(line.from + part[1] * line.along) + " mm: ";
+  [[nodiscard]] visibility::Spans left_out(const drawing::Ruler& line, double slack) const {
+    visibility::Spans outside;
+    double kept = 0;
+    for (const auto& [from, to] :
+         drawing::kept_of_line(drawn_view.drawing.breaks, line.from, line.from + line.length * line.along)) {
+      if (from > kept) visibility::add_span(outside, {kept * line.length - slack, from * line.length + slack});
+      kept = to;
+    }
+    if (kept < 1) visibility::add_span(outside, {kept * line.length - slack, line.length});
+    return outside;
+  }
+
+  [[nodiscard]] std::string over(const drawing::Ruler& line, const std::array<double, 2>& part) const {
+    return "from " + on_sheet(line.from + part[0] * line.along) + " to " + on_sheet(line.from + part[1] * line.along) +
+           " mm: ";
   }
 
   [[nodiscard]] static std::string name_of(const FaceName& face) { return explain::name_of(face); }

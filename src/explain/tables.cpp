@@ -15,6 +15,10 @@ constexpr std::size_t grain = 64;
 
 std::string cells(const Vec2& p) { return format_number(p.x) + "\t" + format_number(p.y); }
 
+Vec2 position(const ExplainInput& drawn_view, const edges::FeatureEdge& edge, double s) {
+  return drawn_view.drawing.breaks.moved(drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, s));
+}
+
 std::string row_of_edge(const ExplainInput& drawn_view, std::size_t e) {
   const Subject subject = drawn_subject(drawn_view, e);
   const edges::FeatureEdge& edge = drawn_view.drawn.edges[e];
@@ -23,9 +27,8 @@ std::string row_of_edge(const ExplainInput& drawn_view, std::size_t e) {
   for (const FaceName& face : faces_at(drawn_view, subject)) faces += (faces.empty() ? "" : ",") + name_of(face);
   const auto ends = ends_of(drawn_view, subject);
   return name_of(drawn_view, subject) + "\t" + std::string(edges::name_of(edge.kind)) + "\t" +
-         (angle ? format_number(*angle) : "-") + "\t" + faces + "\t" +
-         cells(drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, 0)) + "\t" +
-         cells(drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, 1)) + "\t" +
+         (angle ? format_number(*angle) : "-") + "\t" + faces + "\t" + cells(position(drawn_view, edge, 0)) + "\t" +
+         cells(position(drawn_view, edge, 1)) + "\t" +
          format_number((edge.t[1] - edge.t[0]) * glm::distance(ends[0], ends[1])) + "\n";
 }
 
@@ -53,8 +56,8 @@ std::string rows_of_spans(const ExplainInput& drawn_view, const TriangleBoxes& b
       name_of(drawn_view, drawn_subject(drawn_view, e)) + "\t" + std::string(edges::name_of(edge.kind));
   std::string rows;
   for (const Span& span : spans)
-    rows += name + "\t" + cells(drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, span.from)) + "\t" +
-            cells(drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, span.to)) + "\t" +
+    rows += name + "\t" + cells(position(drawn_view, edge, span.from)) + "\t" +
+            cells(position(drawn_view, edge, span.to)) + "\t" +
             format_number(drawing::parameter_in_space(drawn_view.view, edge, span.from)) + "\t" +
             format_number(drawing::parameter_in_space(drawn_view.view, edge, span.to)) + "\t" +
             (span.visible ? "visible\t0\t-\t-" : "hidden\t" + hiders_of(span, hiders)) + "\n";

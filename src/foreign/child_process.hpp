@@ -33,6 +33,8 @@ class ChildProcess {
   void run(const std::filesystem::path& program, const std::vector<std::string>& arguments);
 
   [[nodiscard]] bool is_there() const { return child_ != 0; }
+  /// The descriptor to poll for messages.
+  [[nodiscard]] int socket() const { return socket_; }
   /// Throws Error{plugin} with the way in which the process ended, if it is gone.
   void send(const Packer& message);
   /// Returns nothing if there is no message by `until`. Throws Error{plugin} with the way in which the process ended,

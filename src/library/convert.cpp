@@ -121,6 +121,18 @@ std::string text_of(const ParameterValue& value) {
   return text;
 }
 
+scene::BreakChoice break_choice(const View& view, const std::string& where) {
+  scene::BreakChoice choice;
+  choice.automatic = view.automatic_breaks;
+  for (const Break& one : view.breaks) {
+    if (one.axis < 0 || one.axis > 2)
+      throw Error(ErrorKind::input, where, "has axis " + std::to_string(one.axis), "0 is x, 1 is y, 2 is z");
+    if (!(one.from < one.to)) throw Error(ErrorKind::input, where, "has a place 'from' that is not below 'to'");
+    choice.parts.push_back({one.axis, one.from, one.to});
+  }
+  return choice;
+}
+
 scene::ViewDescription describe(const View& view, const std::string& where) {
   scene::ViewDescription description;
   scene::ProjectionRequest request{view.projection, {}};
@@ -146,6 +158,9 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   description.section = located(view.section, where + ".section");
   description.label = located(view.label, where + ".label");
   description.detail = located(view.detail, where + ".detail");
+  if (view.automatic_breaks || !view.breaks.empty())
+    description.breaks = {break_choice(view, where + ".breaks"), where + ".breaks"};
+  description.half = located(view.half, where + ".half");
   if (description.detail.given()) description.projection.value.reset();
   return description;
 }
@@ -198,6 +213,16 @@ scene::DetailDescription describe(const Detail& detail, const std::string& where
   if (detail.size)
     description.size = {Vec2(above_0((*detail.size)[0], ".size"), above_0((*detail.size)[1], ".size")),
                         where + ".size"};
+  return description;
+}
+
+scene::ExplodeDescription describe(const Explode& explode, const std::string& where) {
+  scene::ExplodeDescription description{.where = where};
+  description.match = located(explode.match, where + ".match");
+  if (explode.move) description.move = {vector_of(*explode.move, where + ".move"), where + ".move"};
+  if (explode.factor) description.factor = {checked(*explode.factor, where + ".factor", 0), where + ".factor"};
+  description.view = located(explode.view, where + ".view");
+  description.trace = located(explode.trace, where + ".trace");
   return description;
 }
 
@@ -266,6 +291,7 @@ scene::SceneDescription describe_scene(const Scene& scene) {
   describe_all(description.styles, scene.styles, "styles");
   describe_all(description.sections, scene.sections, "sections");
   describe_all(description.details, scene.details, "details");
+  describe_all(description.explosions, scene.explosions, "explosions");
   describe_all(description.dimensions, scene.dimensions, "dimensions");
   describe_all(description.sheets, scene.sheets, "sheets");
   return description;

@@ -142,6 +142,18 @@ std::string detail_of(const drawing::DetailFrame& detail) {
          "}";
 }
 
+// One entry for each part left out. JSON has no infinity.
+std::string breaks_of(const drawing::Breaks& breaks) {
+  std::vector<std::string> parts;
+  const auto place = [](double at) { return std::isinf(at) ? "null" : number(at); };
+  for (const std::size_t axis : {0, 1})
+    for (const drawing::LeftOut& strip : breaks.along[axis])
+      parts.push_back(std::string("{\"along\": \"") + (axis == 0 ? "x" : "y") + "\", \"from\": " + place(strip.from) +
+                      ", \"to\": " + place(strip.to) + (strip.symmetric ? ", \"symmetric\": true}" : "}"));
+  return "{\"gap\": " + number(breaks.gap) +
+         ", \"parts\": " + json_list(parts, [](const std::string& part) { return part; }) + "}";
+}
+
 std::string cut_face_of(const drawing::CutFace& face) {
   const auto ring_of = [](const std::vector<Vec2>& ring) {
     return json_list(ring, [](const Vec2& p) { return point(p); });
@@ -157,6 +169,7 @@ void append_view(std::string& text, const drawing::ViewDrawing& drawing, double 
           ", \"parameters\": " + parameters_of(projection) +
           (drawing.scale == main_scale ? "" : ", \"scale\": " + number(drawing.scale)) +
           (drawing.detail ? ",\n   \"detail\": " + detail_of(*drawing.detail) : "") +
+          (drawing.breaks.any() ? ",\n   \"breaks\": " + breaks_of(drawing.breaks) : "") +
           ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
           (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
           "},\n   \"vanishing_points\": " + json_list(drawing.vanishing_points, vanishing_point) +

@@ -47,8 +47,7 @@ sheet::Layer boundaries_of(std::span<const Annotations> annotations, std::span<c
   sheet::Layer layer;
   for (std::size_t i = 0; i < views.size(); ++i)
     for (const scene::DetailDescription& detail : annotations[i].details)
-      layer.strokes.push_back(
-          sheet::boundary_line(boundary_on_page(detail, views[i].drawing.world_to_page, views[i].drawing.scale)));
+      layer.strokes.push_back(sheet::boundary_line(boundary_on_page(detail, views[i].drawing)));
   return layer;
 }
 
@@ -77,10 +76,7 @@ sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const
 void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const ViewResult& view) {
   constexpr double past = 3;  // mm
   const drawing::ViewDrawing& drawing = view.drawing;
-  const auto page = [&drawing](const Vec3& p) {
-    const Vec4 q = drawing.world_to_page * Vec4(p, 1);
-    return Vec2(q) / q.w;
-  };
+  const auto page = [&drawing](const Vec3& p) { return drawing::position_on_page(drawing, p); };
   const auto add = [&](const scene::RoundFeature& round) {
     const Vec2 from = page(round.rings.front().centre), to = page(round.rings.back().centre);
     double radius = 0;

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "pipeline/breaks.hpp"
 #include "scene/design_features.hpp"
 #include "scene/true_extents.hpp"
 #include "sheet/cutting_plane_line.hpp"
@@ -30,10 +31,11 @@ const std::string& view_of(const scene::DimensionDescription& dimension, const s
 
 // A section may have cut off an end of the models: it shows their size only if no other view does. Details never do.
 std::vector<sheet::NamedProjection> views_to_measure(std::span<const scene::ViewDescription> views,
+                                                     std::span<const PlannedView> plans,
                                                      std::span<const view::ProjectedScene> seen) {
   std::vector<sheet::NamedProjection> whole, cut;
   for (std::size_t i = 0; i < seen.size(); ++i)
-    if (!views[i].detail.given())
+    if (!views[i].detail.given() && !plans[i].options.exploded)
       (views[i].section.given() ? cut : whole).push_back({*views[i].name, seen[i].projection});
   whole.insert(whole.end(), cut.begin(), cut.end());
   return whole;
@@ -44,13 +46,20 @@ void add_dimensions(std::vector<Annotations>& annotations, const scene::World& w
                     std::span<const view::ProjectedScene> seen) {
   const std::vector<scene::ViewDescription>& views = sheet.descriptions;
   std::optional<std::array<scene::Extent, 3>> extents;
-  const std::vector<sheet::NamedProjection> projections = views_to_measure(views, seen);
+  const std::vector<sheet::NamedProjection> projections = views_to_measure(views, sheet.plans, seen);
   const auto here = [&views](const std::string& name) {
     return std::find_if(views.begin(), views.end(), [&](const scene::ViewDescription& v) { return *v.name == name; });
   };
   const auto add = [&](const scene::DimensionDescription& dimension) {
     const auto view = here(view_of(dimension, scene));
+    if (view != views.end() && sheet.plans[std::size_t(view - views.begin())].options.exploded)
+      throw Error(ErrorKind::input, dimension.where, "view '" + *view->name + "' is exploded and has no dimensions",
+                  "dimension a view of the whole assembly");
     if (view != views.end()) annotations[std::size_t(view - views.begin())].dimensions.push_back(dimension);
+  };
+  const auto is_outside = [&](const scene::DimensionDescription& dimension) {
+    const auto view = std::size_t(here(view_of(dimension, scene)) - views.begin());
+    return view < views.size() && is_left_out(dimension, world, sheet.plans[view].options.breaks, seen[view]);
   };
   for (const scene::DimensionDescription& dimension : scene.dimensions) {
     if (!is_open(dimension)) {
@@ -64,21 +73,21 @@ void add_dimensions(std::vector<Annotations>& annotations, const scene::World& w
         const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
         return sheet::automatic_dimensions(dimension, projections, {world, features, *extents}, notation);
       };
-      for (const scene::DimensionDescription& one : expanded()) add(one);
+      for (const scene::DimensionDescription& one : expanded())
+        if (!is_outside(one)) add(one);
     }
   }
 }
 
 void add_planes(std::vector<Annotations>& annotations, std::span<const scene::ViewDescription> views,
-                std::span<const view::ProjectedScene> seen, const CutSections& sections) {
+                std::span<const view::ProjectedScene> seen, const SectionSurfaces& sections) {
   for (const auto& [name, section] : sections) {
     const auto shows = [&name = name](const scene::ViewDescription& view) { return view.section.value == name; };
     if (std::none_of(views.begin(), views.end(), shows)) continue;
     for (std::size_t i = 0; i < views.size(); ++i) {
-      if (views[i].section.given() || views[i].detail.given() ||
-          !sheet::sees_edge_on(seen[i].projection, section.surface))
+      if (views[i].section.given() || views[i].detail.given() || !sheet::sees_edge_on(seen[i].projection, section))
         continue;
-      annotations[i].planes.push_back(section.surface);
+      annotations[i].planes.push_back(section);
       break;
     }
   }
@@ -98,7 +107,7 @@ void add_details(std::vector<Annotations>& annotations, const scene::SceneDescri
 
 std::vector<Annotations> annotate(const scene::World& world, const scene::SceneDescription& scene,
                                   const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
-                                  const CutSections& sections) {
+                                  const SectionSurfaces& sections) {
   std::vector<Annotations> annotations(sheet.descriptions.size());
   add_dimensions(annotations, world, scene, sheet, seen);
   add_planes(annotations, sheet.descriptions, seen, sections);

@@ -22,10 +22,10 @@ struct Annotations {
 /// By view of the sheet; `seen` has the projected views in the same order. A dimension without a view belongs to the
 /// first view of the scene; overall dimensions without view and direction are on the first sheet. A section shown by
 /// some view of the sheet is marked in the first uncut view that sees its plane edge-on. Throws Error{input} for
-/// overall dimensions that no view shows.
+/// overall dimensions that no view shows, and for dimensions of exploded views, where positions differ from `world`.
 std::vector<Annotations> annotate(const scene::World& world, const scene::SceneDescription& scene,
                                   const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
-                                  const CutSections& sections);
+                                  const SectionSurfaces& sections);
 
 /// Whether features are to be dimensioned.
 bool dimensions_features(const scene::SceneDescription& scene);

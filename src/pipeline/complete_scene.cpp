@@ -9,6 +9,7 @@
 #include "pipeline/annotations.hpp"
 #include "pipeline/choose.hpp"
 #include "scene/details.hpp"
+#include "scene/exploded_world.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/view_names.hpp"
 
@@ -25,17 +26,16 @@ void take_parameters(scene::ModelDescription& model) {
   model.import = std::move(request.parameters);
 }
 
-// "front:hidden=none": one option of views, which short lists of projections may give to single ones.
-void take_hidden_lines(scene::ViewDescription& view) {
+// "front:hidden=none": options of views, which short lists of projections may give to single ones.
+template <class Value>
+void take_option(scene::ViewDescription& view, const std::string& option, scene::Located<Value>& member) {
   if (!view.projection.given()) return;
   auto& assignments = view.projection.value->assignments;
+  std::vector<std::pair<std::string, Value>> choices;
+  for (const char* name : scene::Words<Value>::list) choices.emplace_back(name, static_cast<Value>(choices.size()));
   for (const auto& [key, word] : assignments)
-    if (key == "hidden")
-      view.hidden = {choose<HiddenLines>(
-                         view.projection.where, word,
-                         {{"none", HiddenLines::none}, {"dashed", HiddenLines::dashed}, {"solid", HiddenLines::solid}}),
-                     view.projection.where};
-  std::erase_if(assignments, [](const auto& assignment) { return assignment.first == "hidden"; });
+    if (key == option) member = {choose<Value>(view.projection.where, word, choices), view.projection.where};
+  std::erase_if(assignments, [&option](const auto& assignment) { return assignment.first == option; });
 }
 
 }  // namespace
@@ -49,10 +49,14 @@ void complete_scene(scene::SceneDescription& scene) {
     throw Error(ErrorKind::input, importer::standard_input, "standard input is one model, and is given twice");
   if (scene.views.empty())
     scene.views.emplace_back().projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
-  for (scene::ViewDescription& view : scene.views) take_hidden_lines(view);
+  for (scene::ViewDescription& view : scene.views) {
+    take_option(view, "hidden", view.hidden);
+    take_option(view, "half", view.half);
+  }
   scene::expect_projections(scene);
   scene::name_views(scene.views);
   scene::complete_details(scene);
+  scene::expect_sound_moves(scene);
   int sheets = 1;
   for (const scene::ViewDescription& view : scene.views) sheets = std::max(sheets, view.sheet.value_or(1));
   if (scene.sheets.empty()) scene.sheets.resize(static_cast<std::size_t>(sheets));

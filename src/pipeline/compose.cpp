@@ -17,6 +17,7 @@
 #include "sheet/hatch.hpp"
 #include "sheet/label_positions.hpp"
 #include "sheet/lettering.hpp"
+#include "sheet/limit_lines.hpp"
 #include "sheet/sheet_layers.hpp"
 #include "sheet/standard_scale.hpp"
 #include "sheet/view_labels.hpp"
@@ -53,7 +54,8 @@ std::vector<sheet::Text> labels_of(const SheetInput& input, const std::vector<Vi
     if (name.empty() && drawing.detail) name = drawing.detail->name;
     const auto scale = drawing.projection.central ? std::nullopt : std::optional(drawing.scale);
     const std::string label = sheet::view_label(name, scale, drawing.detail ? 0 : input.plan.scale, sign);
-    if (!label.empty()) labels.push_back(sheet::label_above(label, {drawing.min, drawing.max}));
+    const Vec2 past(0, drawing.limits.empty() ? 0 : sheet::limit_room(sheet::line_widths(input.plan.furniture.paper)));
+    if (!label.empty()) labels.push_back(sheet::label_above(label, {drawing.min, drawing.max + past}));
   }
   return labels;
 }
@@ -114,12 +116,15 @@ std::vector<sheet::Layer> centre_layers(const ViewResult& view, const ViewOption
                                         const sheet::LineWidths& widths, const std::vector<sheet::Layer>& lines,
                                         const Progress& progress) {
   const bool divides = view.section && !view.section->divides.empty();
-  if (!options.centre_lines && !divides) return {};
+  const bool is_half = std::any_of(view.drawing.limits.begin(), view.drawing.limits.end(),
+                                   [](const drawing::Limit& limit) { return limit.symmetric; });
+  if (!options.centre_lines && !divides && !is_half) return {};
   progress.begin("drawing centre lines");
   sheet::Layer layer = sheet::empty_layer(view.drawing.name, scene::SheetLine::centre, widths);
   if (options.centre_lines)
     layer = sheet::centre_lines({view.drawing, view.features, options.styles}, widths, lines, progress);
   if (divides) sheet::add_dividing_lines(layer, view.drawing, *view.section, widths);
+  sheet::add_symmetry_lines(layer, view.drawing, widths);
   return {std::move(layer)};
 }
 
@@ -205,7 +210,11 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
     append(finished.sheet.layers, budget.or_nothing([&](const Progress& progress) {
       return centre_layers(results[i], input.views.plans[i].options, widths, lines, progress);
     }));
+    if (auto traces = sheet::trace_lines(results[i].drawing, widths))
+      finished.sheet.layers.push_back(std::move(*traces));
     append(finished.sheet.layers, std::move(lines));
+    if (auto limits = sheet::limit_lines(results[i].drawing, widths))
+      finished.sheet.layers.push_back(std::move(*limits));
     // If there is no time to write everything, chains determine which segments belong together.
     if (!budget.run.is_limited()) keep_curves(results[i].drawing.chains);
     finished.drawings.push_back(std::move(results[i].drawing));

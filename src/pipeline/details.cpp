@@ -33,7 +33,7 @@ std::vector<sheet::DetailMark> marks_in(const Annotations& annotations, const dr
   std::vector<sheet::DetailMark> marks;
   if (drawing.projection.central) return marks;
   for (const scene::DetailDescription& detail : annotations.details)
-    marks.push_back({*detail.name, boundary_on_page(detail, drawing.world_to_page, drawing.scale)});
+    marks.push_back({*detail.name, boundary_on_page(detail, drawing)});
   return marks;
 }
 
@@ -49,13 +49,14 @@ sheet::LetterRoom letter_room(const std::vector<sheet::Layer>& layers, const she
 
 }  // namespace
 
-drawing::Boundary boundary_on_page(const scene::DetailDescription& detail, const Mat4& world_to_page, double scale) {
-  const Vec4 centre = world_to_page * Vec4(*detail.centre, 1);
-  return {Vec2(centre) / centre.w, scale * scene::half_size(detail), detail.radius.given()};
+drawing::Boundary boundary_on_page(const scene::DetailDescription& detail, const drawing::ViewDrawing& drawing) {
+  return {drawing::position_on_page(drawing, *detail.centre), drawing.scale * scene::half_size(detail),
+          detail.radius.given()};
 }
 
 sheet::Rectangle boundary_box(const scene::DetailDescription& detail, const view::ProjectedScene& view) {
-  return sheet::box_of(boundary_on_page(detail, view::world_to_page(view, view::make_paper_map(view, 1, Vec2(0))), 1));
+  const Vec4 centre = view::world_to_page(view, view::make_paper_map(view, 1, Vec2(0))) * Vec4(*detail.centre, 1);
+  return sheet::box_of({Vec2(centre) / centre.w, scene::half_size(detail), detail.radius.given()});
 }
 
 projection::Window box_to_place(const ViewOptions& options, const view::ProjectedScene& view,

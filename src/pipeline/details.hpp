@@ -11,8 +11,8 @@
 
 namespace epura::pipeline {
 
-/// The boundary of a detail in a parallel view with this map and scale.
-drawing::Boundary boundary_on_page(const scene::DetailDescription& detail, const Mat4& world_to_page, double scale);
+/// The boundary of a detail in a parallel view.
+drawing::Boundary boundary_on_page(const scene::DetailDescription& detail, const drawing::ViewDrawing& drawing);
 
 /// The box of a detail's boundary in the plane of a parallel view, in units and from the origin of view::drawn_box.
 sheet::Rectangle boundary_box(const scene::DetailDescription& detail, const view::ProjectedScene& view);

@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "drawing/cut_faces.hpp"
 #include "pipeline/annotations.hpp"
+#include "pipeline/breaks.hpp"
 #include "pipeline/compose.hpp"
 #include "pipeline/details.hpp"
 #include "pipeline/lint.hpp"
@@ -17,6 +18,7 @@
 #include "pipeline/read_models.hpp"
 #include "pipeline/recognise_parts.hpp"
 #include "pipeline/sections.hpp"
+#include "pipeline/shown_worlds.hpp"
 #include "pipeline/tell.hpp"
 #include "pipeline/view_plan.hpp"
 #include "sheet/standard_scale.hpp"
@@ -50,7 +52,7 @@ struct Run {
   void note(const ViewResult& result);
   ViewTime time_of_next_view();
   std::vector<view::ProjectedScene> map_views(const WorldOfView& world, const SheetOfViews& views);
-  FinishedSheet draw_sheet(const scene::World& whole, const CutSections& sections, SheetOfViews views);
+  FinishedSheet draw_sheet(const ShownWorlds& worlds, SheetOfViews views);
   std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
 
@@ -127,17 +129,21 @@ std::vector<view::ProjectedScene> Run::map_views(const WorldOfView& world, const
   return seen;
 }
 
-FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sections, SheetOfViews views) {
-  const auto section = [&](std::size_t view) { return section_of(sections, views.descriptions[view]); };
+FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
+  const scene::World& whole = worlds.main();
+  const auto shown = [&](std::size_t view) -> const ShownWorld& { return worlds.of(views.descriptions[view]); };
+  const auto section = [&](std::size_t view) { return section_of(shown(view).sections, views.descriptions[view]); };
   const auto world = [&](std::size_t view) -> const scene::World& {
-    return section(view) == nullptr ? whole : section(view)->cut.world;
+    return section(view) == nullptr ? shown(view).world : section(view)->cut.world;
   };
   std::vector<view::ProjectedScene> seen = map_views(world, views);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (section(i) != nullptr) expect_steps_edge_on(*section(i), seen[i], views.descriptions[i]);
+    views.plans[i].options.exploded = !worlds.is_main(views.descriptions[i]);
     views.plans[i].options.styles = styles_of(scene, views.descriptions[i], world(i), seen[i].projection);
   }
-  const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, sections);
+  find_breaks(views, seen, world);
+  const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
   if (options.lint) add_all(dimensioned, anchored_dimensions(whole, views, seen, annotations));
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
   if (plan.chosen && plan.inside) messages.warn(sentence_of_scale(plan));
@@ -146,7 +152,7 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
   report::Partial partial;
   const Budget budget{progress, progress, partial};
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    const ViewInput input{world(i), section(i), views.plans[i].options, plan.places[i]};
+    const ViewInput input{world(i), section(i), views.plans[i].options, plan.places[i], shown(i).traces};
     // Of a detail, this is said of the view that it enlarges.
     if (input.section != nullptr && !input.options.detail)
       warn_if_unseen(messages, *input.section, seen[i], views.plans[i].options.name);
@@ -177,11 +183,11 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   watch.lap("read");
   recognise_parts(world, scene, options, report, progress);
   watch.lap("features");
-  const CutSections sections = cut_sections(world, scene, messages, progress);
-  if (!sections.empty()) watch.lap("section");
+  const ShownWorlds worlds(std::move(world), scene, messages, progress);
+  if (!scene.explosions.empty() || !worlds.surfaces().empty()) watch.lap("section");
   std::vector<FinishedSheet> finished;
-  for (const SheetOfViews& sheet : sheets) finished.push_back(draw_sheet(world, sections, sheet));
-  if (options.lint) add_all(report.findings, uncovered_sizes(world, scene, dimensioned, progress));
+  for (const SheetOfViews& sheet : sheets) finished.push_back(draw_sheet(worlds, sheet));
+  if (options.lint) add_all(report.findings, uncovered_sizes(worlds.main(), scene, dimensioned, progress));
   return finished;
 }
 

@@ -8,8 +8,10 @@
 #include "base/text.hpp"
 #include "drawing/clip_drawing.hpp"
 #include "drawing/cut_faces.hpp"
+#include "drawing/symmetry.hpp"
 #include "drawing/thin.hpp"
 #include "edges/crossing_candidates.hpp"
+#include "pipeline/breaks.hpp"
 #include "pipeline/details.hpp"
 #include "verify/outline.hpp"
 #include "verify/verify.hpp"
@@ -135,11 +137,14 @@ class ViewRun {
     for (report::PlanStep& step : plan_) step.view = options_.name;
     watch_.lap("visibility");
     DrawnLines lines = draw_lines(paper);
+    if (!input_.traces.empty() && !options_.detail)
+      lines.drawing.traces = budget_.or_nothing([&](const Progress& progress) { return traces(paper, progress); });
     watch_.lap("drawing");
     auto verification =
         budget_.or_nothing([&](const Progress& progress) { return verified(lines.drawing, paper, progress); });
     if (options_.verify) watch_.lap("verify");
     if (options_.detail) show_detail(lines);
+    const double unsymmetric = options_.breaks.any() ? break_view(lines) : 0;
     auto features = budget_.or_nothing([&](const Progress& progress) {
       return options_.centre_lines ? scene::find_centred_features(input_.world, options_.edges.crease_angle, progress)
                                    : scene::CentredFeatures();
@@ -152,7 +157,8 @@ class ViewRun {
             input_.section != nullptr ? std::optional(input_.section->surface) : std::nullopt,
             lines.curves,
             std::move(features),
-            max_error};
+            max_error,
+            unsymmetric};
   }
 
  private:
@@ -165,7 +171,11 @@ class ViewRun {
   drawing::ViewDrawing drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges,
                                 const Progress& progress) const;
   DrawnLines draw_lines(const view::PaperMap& paper);
+  template <class Change>
+  void change(DrawnLines& lines, const Change& change_drawing);
   void show_detail(DrawnLines& lines);
+  double break_view(DrawnLines& lines);
+  std::vector<std::array<Vec2, 2>> traces(const view::PaperMap& paper, const Progress& progress);
   std::optional<report::Verification> verified(const drawing::ViewDrawing& drawing, const view::PaperMap& paper,
                                                const Progress& progress) const;
   report::Verification verified(const edges::FeatureEdges& edges, const drawing::ViewDrawing& drawing,
@@ -291,7 +301,7 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   const auto make = [&](const Progress& progress) {
     DrawnLines lines;
     lines.drawing = drawn_on(paper, drawn_, progress);
-    if (options_.arcs && !options_.detail)
+    if (options_.arcs && !options_.detail && !options_.breaks.any())
       lines.curves = drawing::find_curves(lines.drawing.chains, *options_.arcs, progress);
     return lines;
   };
@@ -306,16 +316,15 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   return lines;
 }
 
-// After verification, which tests all that is in the view.
-void ViewRun::show_detail(DrawnLines& lines) {
-  const drawing::Boundary boundary =
-      boundary_on_page(*options_.detail, lines.drawing.world_to_page, lines.drawing.scale);
-  const auto clip = [&](const Progress& progress) {
-    drawing::ViewDrawing drawing = lines.drawing;
-    drawing::clip_drawing(drawing, {*options_.detail->name, *options_.detail->view, boundary}, progress);
-    DrawnLines clipped{std::move(drawing), {}};
-    if (options_.arcs) clipped.curves = drawing::find_curves(clipped.drawing.chains, *options_.arcs, progress);
-    return clipped;
+// Calls change_drawing(drawing, progress), with fewer lines if there is no time for all. After verification, which
+// tests all that is in the view.
+template <class Change>
+void ViewRun::change(DrawnLines& lines, const Change& change_drawing) {
+  const auto make = [&](const Progress& progress) {
+    DrawnLines changed{lines.drawing, {}};
+    change_drawing(changed.drawing, progress);
+    if (options_.arcs) changed.curves = drawing::find_curves(changed.drawing.chains, *options_.arcs, progress);
+    return changed;
   };
   const auto leave_out = [&](const std::string& stage) {
     partial_.add_stage(stage);
@@ -323,7 +332,52 @@ void ViewRun::show_detail(DrawnLines& lines) {
         static_cast<long long>(drawing::keep_longest_chains(lines.drawing, fewer(lines.drawing.chains.size())));
     return lines.drawing.chains.size() <= few_lines;
   };
-  lines = make_in_time(budget_.run, budget_.last(), clip, leave_out);
+  lines = make_in_time(budget_.run, budget_.last(), make, leave_out);
+}
+
+void ViewRun::show_detail(DrawnLines& lines) {
+  const drawing::Boundary boundary = boundary_on_page(*options_.detail, lines.drawing);
+  change(lines, [&](drawing::ViewDrawing& drawing, const Progress& progress) {
+    drawing::clip_drawing(drawing, {*options_.detail->name, *options_.detail->view, boundary}, progress);
+  });
+}
+
+// Returns the length of lines that a half view is wrong about.
+double ViewRun::break_view(DrawnLines& lines) {
+  const drawing::Breaks breaks = drawing::mapped(options_.breaks, input_.place.scale, input_.place.shift, break_gap);
+  constexpr double slack = 0.25;  // mm; about half a wide line
+  double unsymmetric = 0;
+  for (const int axis : {0, 1})
+    if (const std::optional<double> mirror = breaks.mirror(axis))
+      unsymmetric += budget_.or_nothing([&](const Progress& progress) {
+        return drawing::length_without_mirror_image(lines.drawing, axis, *mirror, slack, progress);
+      });
+  change(lines, [&](drawing::ViewDrawing& drawing, const Progress& progress) {
+    drawing::break_drawing(drawing, breaks, progress);
+  });
+  return unsymmetric;
+}
+
+// The visible parts of lines through space, which belong to no face.
+std::vector<std::array<Vec2, 2>> ViewRun::traces(const view::PaperMap& paper, const Progress& progress) {
+  edges::FeatureEdges lines;
+  lines.crossings = {{{}, {-1, -1}, 0}};
+  for (const scene::Trace& trace : input_.traces) {
+    const int from = view::add_point(view_, trace[0]), to = view::add_point(view_, trace[1]);
+    if (const auto clipped = view::clip_edge(view_, from, to))
+      lines.edges.push_back({clipped->vertex, clipped->t, EdgeKind::wire, 0, -1, 0});
+  }
+  const visibility::HiddenSpans hidden = options_.wireframe
+                                             ? visibility::nothing_hidden(lines)
+                                             : visibility::find_hidden(input_.world, view_, lines, progress);
+  std::vector<std::array<Vec2, 2>> visible;
+  for (std::size_t e = 0; e < lines.edges.size(); ++e)
+    hidden.visit_parts(e, [&](double from, double to, bool is_visible) {
+      if (is_visible)
+        visible.push_back({drawing::position_on_paper(view_, paper, lines.edges[e], from),
+                           drawing::position_on_paper(view_, paper, lines.edges[e], to)});
+    });
+  return visible;
 }
 
 std::optional<report::Verification> ViewRun::verified(const drawing::ViewDrawing& drawing, const view::PaperMap& paper,

@@ -4,11 +4,13 @@
 
 #include <chrono>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/progress.hpp"
 #include "drawing/arcs.hpp"
+#include "drawing/breaks.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/make_drawing.hpp"
 #include "edges/find_edges.hpp"
@@ -18,6 +20,7 @@
 #include "report/report.hpp"
 #include "scene/centred_features.hpp"
 #include "scene/description.hpp"
+#include "scene/exploded_world.hpp"
 #include "scene/scene.hpp"
 #include "sheet/view_lines.hpp"
 #include "view/paper_map.hpp"
@@ -32,12 +35,14 @@ struct ViewOptions {
   view::ViewLimits limits;
   edges::EdgeOptions edges;
   bool wireframe = false;           ///< nothing is hidden
+  bool exploded = false;            ///< bodies are not where dimensions find them
   std::optional<double> max_error;  ///< mm; no longer span may be shown wrongly
   sheet::BodyStyles styles;
   std::optional<int> verify;   ///< number of random points
   std::optional<double> arcs;  ///< tolerance in mm for recognising circles and ellipses
   bool centre_lines = false;
   std::optional<scene::DetailDescription> detail{};  ///< shown by the view
+  drawing::Breaks breaks{};                          ///< left out, in units and from the origin of view::drawn_box
   double join_within = 0.1;  ///< mm on paper; lines this close along each other are merged, 0: all are drawn
   Shortcuts leave_out{};
 
@@ -63,6 +68,7 @@ struct ViewResult {
   drawing::CurveReport curves{};
   scene::CentredFeatures features{};  ///< for centre lines, if requested
   std::optional<double> max_error{};  ///< mm; if a maximum was given, no longer span is shown wrongly
+  double unsymmetric = 0;             ///< mm of lines that a half view leaves out and does not show mirrored
 };
 
 /// Seconds since the last call of `lap`, under a name.
@@ -94,6 +100,7 @@ struct ViewInput {
   const CutSection* section;  ///< null if it shows the whole
   const ViewOptions& options;
   PlaceOnPage place;
+  std::span<const scene::Trace> traces{};  ///< of moved bodies
 };
 
 /// Throws OutOfTime if time is over before there is a line to show; otherwise omissions are noted in the result.

@@ -7,11 +7,13 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "pipeline/breaks.hpp"
 #include "pipeline/details.hpp"
 #include "sheet/arrangement.hpp"
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/detail_marks.hpp"
 #include "sheet/dimensions/overall.hpp"
+#include "sheet/limit_lines.hpp"
 #include "sheet/notation.hpp"
 #include "sheet/standard_scale.hpp"
 #include "view/paper_map.hpp"
@@ -53,7 +55,8 @@ sheet::Room room_around(const Annotations& annotations, const projection::Projec
 
 struct Views {
   std::vector<sheet::ViewToPlace> to_place;
-  std::vector<Vec2> origins;  ///< origins of their boxes
+  std::vector<Vec2> origins;  ///< origins of their boxes, as they are moved together
+  std::vector<Vec2> gaps;     ///< lengths of the gaps in interrupted views, mm
 };
 
 // The box of all ink, with the boundaries of details that the view marks.
@@ -74,15 +77,23 @@ Views views_to_place(const scene::World& world, const SheetOfViews& sheet, std::
   for (std::size_t i = 0; i < views.size(); ++i) {
     // A single view need not be aligned with others.
     const Vec2 origin = views.size() > 1 ? common_point(world, views[i]) : Vec2(0, 0);
-    const projection::Window box = whole_box(sheet.plans[i].options, annotations[i], views[i], world);
-    sheet::ViewToPlace view{sheet::view_place(views[i].projection), {box.min - origin, box.max - origin}};
+    const ViewOptions& options = sheet.plans[i].options;
+    const drawing::Breaks& breaks = options.breaks;
+    const projection::Window box = whole_box(options, annotations[i], views[i], world);
+    const Vec2 moved = breaks.moved(origin);
+    sheet::ViewToPlace view{sheet::view_place(views[i].projection),
+                            {breaks.moved(box.min) - moved, breaks.moved(box.max) - moved}};
     view.scale = sheet.descriptions[i].scale.value_or({}).fixed;
     view.at = sheet.descriptions[i].at.value;
     const sheet::Room room = room_around(annotations[i], views[i].projection, widths);
-    view.before = room.before;
-    view.after = room.after;
+    const drawing::Breaks on_paper = drawing::mapped(breaks, 1, Vec2(0), break_gap);
+    const Vec2 gaps(on_paper.gaps(0), on_paper.gaps(1));
+    const Vec2 limits(breaks.any() ? sheet::limit_room(widths) : 0);
+    view.before = glm::max(room.before, limits) + gaps / 2.0;
+    view.after = glm::max(room.after, limits) + gaps / 2.0;
     result.to_place.push_back(view);
-    result.origins.push_back(origin);
+    result.origins.push_back(moved);
+    result.gaps.push_back(gaps);
   }
   return result;
 }
@@ -221,7 +232,7 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
                  arrangement.fitting};
   for (std::size_t i = 0; i < views.size(); ++i) {
     const sheet::ViewSpot& spot = arrangement.views[i];
-    plan.places.push_back({spot.scale, spot.shift - spot.scale * placing.origins[i]});
+    plan.places.push_back({spot.scale, spot.shift - spot.scale * placing.origins[i] - placing.gaps[i] / 2.0});
   }
   return plan;
 }

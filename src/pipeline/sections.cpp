@@ -67,6 +67,10 @@ CutSections cut_sections(const scene::World& world, const scene::SceneDescriptio
   return sections;
 }
 
+void add_surfaces(SectionSurfaces& surfaces, const CutSections& sections) {
+  for (const auto& [name, section] : sections) surfaces.try_emplace(name, section.surface);
+}
+
 const CutSection* section_of(const CutSections& sections, const scene::ViewDescription& view) {
   const auto found = sections.find(view.section.value_or(""));
   return found == sections.end() ? nullptr : &found->second;

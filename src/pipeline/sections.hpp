@@ -22,6 +22,10 @@ using CutSections = std::map<std::string, CutSection>;
 CutSections cut_sections(const scene::World& world, const scene::SceneDescription& scene, const Messages& messages,
                          const Progress& progress = {});
 
+/// Surfaces of sections by name.
+using SectionSurfaces = std::map<std::string, scene::CuttingSurface>;
+void add_surfaces(SectionSurfaces& surfaces, const CutSections& sections);
+
 /// The section shown by a view; null if it shows the whole.
 const CutSection* section_of(const CutSections& sections, const scene::ViewDescription& view);
 

@@ -66,6 +66,11 @@ void warn_about(const Messages& messages, const ViewResult& result) {
   if (result.max_error)
     messages.print(result.drawing.name + ": hidden lines by the exact method; no span longer than " +
                    format_rounded(*result.max_error, 3) + " mm is wrong\n");
+  constexpr double negligible = 1;  // mm
+  if (result.unsymmetric > negligible)
+    messages.warn("view '" + result.drawing.name + "' is not symmetric: what it leaves out differs in " +
+                  format_rounded(result.unsymmetric, 2) +
+                  " mm of lines\n  hint: draw the whole view, or a part of it with 'break'");
 }
 
 void warn_about(const Messages& messages, const report::Partial& partial) {

@@ -2,6 +2,7 @@
 #include "scene/choices.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
@@ -61,6 +62,28 @@ PaperChoice parse_paper_size(std::string_view text, const std::string& where) {
   if (lower.size() == 6 && lower.starts_with("ansi-") && lower[5] >= 'a' && lower[5] <= 'e')
     return {PaperChoice::Kind::ansi, lower[5] - 'a', {0, 0}};
   return custom_size(lower, where);
+}
+
+BreakChoice::Part parse_break(std::string_view text, const std::string& where) {
+  const std::string hint = "axis and two places on it, such as x:40:160; without a place, up to the end: x:40:";
+  const auto refuse = [&](const std::string& reason) {
+    throw Error(ErrorKind::input, where, "'" + std::string(text) + "' " + reason, hint);
+  };
+  const std::vector<std::string_view> words = split(text, ':');
+  const std::string axes = "xyz", axis = to_lower(words[0]);
+  if (words.size() != 3 || axis.size() != 1 || axes.find(axis) == std::string::npos) refuse("is not a break");
+  BreakChoice::Part part{static_cast<int>(axes.find(axis)), -HUGE_VAL, HUGE_VAL};
+  const auto read = [&](std::string_view word, double& place) {
+    if (word.empty()) return;
+    const auto number = parse_number(word);
+    if (!number || !std::isfinite(*number)) refuse("is not a break: '" + std::string(word) + "' is not a number");
+    place = *number;
+  };
+  read(words[1], part.from);
+  read(words[2], part.to);
+  if (words[1].empty() && words[2].empty()) refuse("leaves everything out");
+  if (!(part.from < part.to)) refuse("leaves nothing out: the second place is not beyond the first");
+  return part;
 }
 
 ProjectionRequest parse_request(std::string_view text) {

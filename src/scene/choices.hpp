@@ -72,6 +72,12 @@ inline constexpr std::array<std::pair<EdgeKind, bool EdgeKinds::*>, 7> chosen_ed
      {EdgeKind::smooth, &EdgeKinds::smooth}}};
 
 template <>
+struct Words<HalfView> {
+  static constexpr std::array list{"left",     "right",     "top",         "bottom",
+                                   "top-left", "top-right", "bottom-left", "bottom-right"};
+};
+
+template <>
 struct Words<Orientation> {
   static constexpr std::array list{"landscape", "portrait"};
 };
@@ -124,6 +130,22 @@ struct PaperChoice {
   bool operator==(const PaperChoice&) const = default;
 };
 
+/// The parts of a view that are left out. ISO 128-3.
+struct BreakChoice {
+  /// What lies between two planes perpendicular to an axis of the world; infinite: up to the end.
+  struct Part {
+    int axis;
+    double from, to;
+
+    bool operator==(const Part&) const = default;
+  };
+  std::vector<Part> parts{};
+  bool automatic = false;    ///< long parts of constant section
+  bool is_optional = false;  ///< views that cannot be broken are drawn whole
+
+  bool operator==(const BreakChoice&) const = default;
+};
+
 /// The name of a projection, and values of its parameters as text: the plugin's table defines the permitted ones.
 struct ProjectionRequest {
   std::string name;
@@ -134,8 +156,9 @@ struct ProjectionRequest {
 };
 
 // These functions throw Error{input} with `where` as the location of the text.
-ScaleChoice parse_scale(std::string_view text, const std::string& where);       ///< fit, auto, 1:2, 0.5
-PaperChoice parse_paper_size(std::string_view text, const std::string& where);  ///< A4, ANSI-B, 300x200, none, auto
-ProjectionRequest parse_request(std::string_view text);                         ///< NAME[:key=value]...; location: text
+ScaleChoice parse_scale(std::string_view text, const std::string& where);        ///< fit, auto, 1:2, 0.5
+PaperChoice parse_paper_size(std::string_view text, const std::string& where);   ///< A4, ANSI-B, 300x200, none, auto
+BreakChoice::Part parse_break(std::string_view text, const std::string& where);  ///< x:40:160, z::20, y:40:
+ProjectionRequest parse_request(std::string_view text);  ///< NAME[:key=value]...; location: text
 
 }  // namespace epura::scene

@@ -79,6 +79,8 @@ struct ViewDescription {
   Located<EdgeKinds> edges;
   LocatedText section;           ///< name of the section shown
   LocatedText detail;            ///< name of the detail shown
+  Located<BreakChoice> breaks;   ///< parts that are left out
+  Located<HalfView> half;        ///< the part drawn of a symmetric view
   LocatedText label;             ///< text above it; by default "A-A" for section A
   Located<double> crease_angle;  ///< degrees
   Located<double> join_within;   ///< mm on paper
@@ -106,6 +108,16 @@ struct DetailDescription {
   Located<Vec3> centre{};
   Located<double> radius{};  ///< of a circle, in the unit of the world
   Located<Vec2> size{};      ///< width and height of a rectangle, likewise
+};
+
+/// Bodies moved apart in exploded views: by a vector, or outwards by a factor of their distance.
+struct ExplodeDescription {
+  std::string where{};   ///< for errors
+  LocatedText match{};   ///< names of bodies or models, as of a style; by default all
+  Located<Vec3> move{};  ///< in the unit of the world
+  Located<double> factor{};
+  LocatedText view{};     ///< name of the view; by default all views
+  Located<bool> trace{};  ///< a line from its place to the moved body; by default if it moves along its axis
 };
 
 /// Vertex `second` of model `first`, both counted from 0 as in the drawing JSON; or a point of the world.
@@ -154,6 +166,7 @@ struct SceneDescription {
   std::vector<StyleDescription> styles;
   std::vector<SectionDescription> sections;
   std::vector<DetailDescription> details;
+  std::vector<ExplodeDescription> explosions;
   std::vector<DimensionDescription> dimensions;
   std::vector<SheetDescription> sheets;  ///< one default sheet if a scene file has none
 };

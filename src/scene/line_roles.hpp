@@ -59,6 +59,8 @@ enum class SheetLine {
   dimension,
   cutting_plane,
   detail,
+  limit,
+  trace,
   partial
 };
 
@@ -92,6 +94,8 @@ inline constexpr std::array sheet_lines = {
     SheetLineRow{SheetLine::dimension, "dimension", "dimensions", LineWidth::narrow},
     SheetLineRow{SheetLine::cutting_plane, "cutting-plane", "cutting-plane", LineWidth::narrow},
     SheetLineRow{SheetLine::detail, "detail", "detail", LineWidth::narrow},
+    SheetLineRow{SheetLine::limit, "limit", "limit", LineWidth::narrow},
+    SheetLineRow{SheetLine::trace, "trace", "trace", LineWidth::narrow, long_dash_dot},
     SheetLineRow{SheetLine::partial, "partial", "partial", LineWidth::wide},
 };
 

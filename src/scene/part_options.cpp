@@ -151,6 +151,25 @@ Options<DetailDescription> detail_options() {
   };
 }
 
+Options<ExplodeDescription> explode_options() {
+  using Explode = ExplodeDescription;
+  return {
+      option<Explode>({.key = "match", .help = "names of bodies or models, as in `[[style]]`", .usual = "all"},
+                      &Explode::match, any_text()),
+      option<Explode>({.key = "move", .help = "how far they are moved apart from the others"}, &Explode::move,
+                      triple_of_numbers("")),
+      option<Explode>({.key = "factor",
+                       .help = "instead: moves them away from the largest body, along the axis of their largest "
+                               "cylinder or an axis of the world, by this multiple of their distance"},
+                      &Explode::factor, number_between(0, HUGE_VAL, "")),
+      option<Explode>({.key = "view", .help = "name of the view", .usual = "all views"}, &Explode::view, any_text()),
+      option<Explode>({.key = "trace",
+                       .help = "a line from their places to where they are moved",
+                       .usual = "along the axes of cylinders only"},
+                      &Explode::trace, truth()),
+  };
+}
+
 Options<ViewDescription> view_options() {
   using View = ViewDescription;
   return {
@@ -170,6 +189,13 @@ Options<ViewDescription> view_options() {
                    whole_number(1)),
       option<View>({.key = "section", .help = "name of the section shown"}, &View::section, any_text()),
       option<View>({.key = "detail", .help = "name of the detail shown; needs a `scale`"}, &View::detail, any_text()),
+      option<View>({.key = "break",
+                    .flag = "--break",
+                    .help = "leave parts of long views out, between two places on an axis of the world: x:40:160; "
+                            "x:40: up to the end; auto: long stretches of constant section"},
+                   &View::breaks, break_choice()),
+      option<View>({.key = "half", .help = "the half or quarter of a symmetric view that is drawn"}, &View::half,
+                   choice<HalfView>()),
       option<View>(
           {.key = "label", .help = "text above the view", .usual = "`A-A` for section `A`, `X` for detail `X`"},
           &View::label, any_text()),

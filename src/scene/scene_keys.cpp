@@ -88,6 +88,7 @@ void prepare(const SceneWords&, const TomlValue& table, DimensionWords& words) {
   words.description.where = table.where;
 }
 void prepare(const SceneWords&, const TomlValue& table, ViewDescription& view) { view.projection.where = table.where; }
+void prepare(const SceneWords&, const TomlValue& table, ExplodeDescription& explode) { explode.where = table.where; }
 void prepare(const SceneWords& words, const TomlValue& table, SheetDescription& sheet) {
   sheet = words.every_sheet;
   sheet.where = table.where;
@@ -135,6 +136,7 @@ Options<SceneWords> scene_keys() {
       parts_key("style", style_options(), in_description(&SceneDescription::styles)),
       parts_key("section", section_options(), in_description(&SceneDescription::sections)),
       parts_key("detail", detail_options(), in_description(&SceneDescription::details)),
+      parts_key("explode", explode_options(), in_description(&SceneDescription::explosions)),
       parts_key("view", view_options(), in_description(&SceneDescription::views)),
       parts_key("dimension", dimension_options(), std::mem_fn(&SceneWords::dimensions)),
       table_option<SceneWords>("all_sheets", "", read_every_sheet),
@@ -177,6 +179,7 @@ std::string describe_scene_keys() {
   append_rows(table, "`[[view]]`", view_options());
   append_rows(table, "`[[section]]`", section_options());
   append_rows(table, "`[[detail]]`", detail_options());
+  append_rows(table, "`[[explode]]`", explode_options());
   append_rows(table, "`[[dimension]]`", dimension_options());
   append_rows(table, "`[all_sheets]`, `[[sheet]]`", sheet_options());
   append_rows(table, "`[[sheet]]`", own_sheet_keys());

@@ -159,6 +159,16 @@ EdgeKinds read_edge_kinds(const TomlValue& value) {
   return chosen;
 }
 
+BreakChoice read_break(const TomlValue& value) {
+  BreakChoice choice;
+  choice.is_optional = value.is_option;
+  const std::vector<LocatedText> words = each_word(value);
+  choice.automatic = words.size() == 1 && to_lower(*words.front()) == "auto";
+  if (choice.automatic) return choice;
+  for (const LocatedText& word : words) choice.parts.push_back(parse_break(*word, word.where));
+  return choice;
+}
+
 AnchorWords read_vertex(const TomlValue& value, const std::vector<TomlValue>& elements) {
   if (elements.size() != 2)
     refuse(value, "has " + std::to_string(elements.size()) + " elements instead of [model, vertex]",
@@ -304,6 +314,8 @@ ValueKind<EdgeKinds> edge_kinds() {
   form.is_closed = form.is_list = true;
   return {std::move(form), read_edge_kinds};
 }
+
+ValueKind<BreakChoice> break_choice() { return {{"`auto`, or list of texts", "PLACES", {"auto"}}, read_break}; }
 
 ValueKind<AnchorWords> anchor() { return {{"anchor", "ANCHOR"}, read_anchor}; }
 

@@ -83,7 +83,8 @@ ValueKind<ColourChoice> colour();   ///< "#c00", "#cc0000" or "file"
 ValueKind<ScaleChoice> scale_choice();
 ValueKind<PaperChoice> paper_choice();
 ValueKind<EdgeKinds> edge_kinds();
-ValueKind<AnchorWords> anchor();  ///< [model, vertex] or {point = [x, y, z]}
+ValueKind<BreakChoice> break_choice();  ///< "auto", or a list of places
+ValueKind<AnchorWords> anchor();        ///< [model, vertex] or {point = [x, y, z]}
 
 /// Returns the index of one of the words.
 std::size_t read_word(const TomlValue& value, const std::vector<std::string>& words);

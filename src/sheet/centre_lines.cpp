@@ -380,6 +380,8 @@ Marks marks_of(const CentredView& view) {
   for (std::size_t i = 0; i < features.round.size(); ++i) {
     if (!shown.shows(features.round[i])) continue;
     std::vector<SeenCircle> rings = see(view.drawing, features.round[i]);
+    const auto is_kept = [&](const SeenCircle& ring) { return view.drawing.breaks.keeps(ring.centre); };
+    if (std::none_of(rings.begin(), rings.end(), is_kept)) continue;
     if (circle_of[i] >= 0 && largest_of(rings).is_round()) {
       circles.insert(circle_of[i]);
       const Vec2 middle = image_of(view.drawing, features.pitch_circles[circle_of[i]].centre, 1);
@@ -394,6 +396,20 @@ Marks marks_of(const CentredView& view) {
     marks.rounds.push_back(see(view.drawing, pitch.axis, {pitch.centre, pitch.radius}));
   }
   return marks;
+}
+
+// What the breaks of a view leave of the pieces.
+std::vector<Piece> remaining(const drawing::Breaks& breaks, const std::vector<Piece>& pieces) {
+  if (!breaks.any()) return pieces;
+  std::vector<Piece> left;
+  for (const Piece& piece : pieces)
+    for (const auto& [from, to] : drawing::remaining_line(breaks, piece.at(piece.from), piece.at(piece.to))) {
+      Piece part{piece.angle, offset_of(piece.angle, from), place_along(piece.angle, from),
+                 place_along(piece.angle, to), false};
+      part.centred = piece.centred && std::abs(part.to - part.from - (piece.to - piece.from)) <= same_place;
+      if (part.to - part.from >= shortest_piece) left.push_back(part);
+    }
+  return left;
 }
 
 // The part of a piece in a detail; a piece that is cut off has no middle.
@@ -431,13 +447,27 @@ Stroke round_stroke(const SeenCircle& circle, double width) {
   return stroke;
 }
 
-std::vector<Stroke> round_strokes(const SeenCircle& circle, const std::optional<drawing::DetailFrame>& detail,
-                                  double width) {
-  if (!detail) return {round_stroke(circle, width)};
+// The parts of a circle inside a boundary, moved.
+void add_round_strokes(std::vector<Stroke>& strokes, const SeenCircle& circle, const drawing::Boundary& boundary,
+                       const Vec2& shift, double width) {
+  SeenCircle moved = circle;
+  moved.centre += shift;
+  for (const drawing::AngleRange& range : drawing::circle_inside(boundary, circle.centre, circle.radius()))
+    strokes.push_back(range.to - range.from < 2 * std::numbers::pi ? arc_stroke(moved, range, width)
+                                                                   : round_stroke(moved, width));
+}
+
+std::vector<Stroke> round_strokes(const SeenCircle& circle, const drawing::ViewDrawing& drawing, double width) {
   std::vector<Stroke> strokes;
-  for (const drawing::AngleRange& range : drawing::circle_inside(detail->boundary, circle.centre, circle.radius()))
-    strokes.push_back(range.to - range.from < 2 * std::numbers::pi ? arc_stroke(circle, range, width)
-                                                                   : round_stroke(circle, width));
+  if (!drawing.detail && !drawing.breaks.any()) return {round_stroke(circle, width)};
+  if (drawing.detail) add_round_strokes(strokes, circle, drawing.detail->boundary, {0, 0}, width);
+  if (!drawing.breaks.any()) return strokes;
+  const Vec2 reach(circle.radius() + beyond);
+  for (const drawing::KeptPart& part : drawing::kept_parts(drawing.breaks)) {
+    const Vec2 min = glm::max(part.min, circle.centre - reach), max = glm::min(part.max, circle.centre + reach);
+    if (min.x < max.x && min.y < max.y)
+      add_round_strokes(strokes, circle, {(min + max) / 2.0, (max - min) / 2.0, false}, part.shift, width);
+  }
   return strokes;
 }
 
@@ -452,7 +482,7 @@ Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<
   std::vector<Piece> pieces = axes(marks.features);
   for (const Piece& piece : crosses(marks.features)) pieces.push_back(piece);
   pieces.insert(pieces.end(), marks.pieces.begin(), marks.pieces.end());
-  pieces = merged(pieces);
+  pieces = remaining(view.drawing.breaks, merged(pieces));
   const auto& detail = view.drawing.detail;
   for (const Piece& whole : uncovered(pieces, drawn, width / 2, progress)) {
     const auto piece = inside(detail, whole);
@@ -463,7 +493,7 @@ Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<
     layer.strokes.push_back({{piece->at(piece->from), piece->at(piece->to)}, false, dashes});
   }
   for (const SeenCircle& circle : marks.rounds)
-    for (Stroke& stroke : round_strokes(circle, detail, width)) layer.strokes.push_back(std::move(stroke));
+    for (Stroke& stroke : round_strokes(circle, view.drawing, width)) layer.strokes.push_back(std::move(stroke));
   return layer;
 }
 

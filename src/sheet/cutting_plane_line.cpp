@@ -27,11 +27,6 @@ constexpr double edge_on = 1e-9;     // radians
 constexpr double past_dividing = 3;  // mm; ISO 128-2: centre lines end past the outline
 constexpr double same_line = 0.05;   // mm
 
-Vec2 on_page(const Mat4& world_to_page, const Vec3& p) {
-  const Vec4 page = world_to_page * Vec4(p, 1);
-  return Vec2(page) / page.w;
-}
-
 // In the world: along the plane, and perpendicular to the projectors.
 Vec3 along_trace(const projection::Projection& projection, const scene::CuttingPlane& plane) {
   return glm::cross(glm::normalize(projection.projector), plane.normal);
@@ -69,14 +64,14 @@ std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const scene::C
   Trace trace{{}, {}, {-along.y, along.x}};
   if (glm::dot(trace.seen, direction(plane.normal)) > 0) trace.seen = -trace.seen;
   if (surface.is_plane()) {
-    const Vec2 point = on_page(map, plane.point);
+    const Vec2 point = drawing::position_on_page(parent, plane.point);
     const Extent ink = extent_of(parent, point, along);
     if (!(ink.from <= ink.to)) return std::nullopt;
     trace.legs = {along};
     trace.corners = {point + (ink.from - past) * along, point + (ink.to + past) * along};
     return trace;
   }
-  for (const Vec3& corner : surface.path) trace.corners.push_back(on_page(map, corner));
+  for (const Vec3& corner : surface.path) trace.corners.push_back(drawing::position_on_page(parent, corner));
   const std::size_t last = trace.corners.size() - 1;
   for (const auto& [end, next] : {std::pair(std::size_t{0}, std::size_t{1}), std::pair(last, last - 1)}) {
     const Vec2 outwards = glm::normalize(trace.corners[end] - trace.corners[next]);
@@ -185,7 +180,7 @@ void add_dividing_lines(Layer& centre, const drawing::ViewDrawing& view, const s
                         const LineWidths& widths) {
   const Vec3 down = glm::cross(surface.along, surface.plane.normal);
   for (const Vec3& divide : surface.divides) {
-    const Vec2 point = on_page(view.world_to_page, divide);
+    const Vec2 point = drawing::position_on_page(view, divide);
     const Vec2 image = Vec2(view.world_to_page * Vec4(down, 0));
     if (!(glm::length(image) > 0)) continue;
     const Vec2 along = glm::normalize(image), across(-along.y, along.x);

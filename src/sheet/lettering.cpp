@@ -74,8 +74,10 @@ std::string written(std::string_view text) {
   return line;
 }
 
+std::filesystem::path Lettering::usual_font() { return EPURA_FONT; }
+
 Lettering::Lettering(const std::filesystem::path& file)
-    : font_(std::make_shared<FontFile>(file.empty() ? EPURA_FONT : file)),
+    : font_(std::make_shared<FontFile>(file.empty() ? usual_font() : file)),
       installed_(std::make_shared<InstalledFonts>()) {
   if (!font_->is_open()) refuse(font_->file, "the lettering font is missing");
   if (!(font_->capital() > 0) || !(font_->units_per_em() > 0)) refuse(font_->file, "is not an outline font");

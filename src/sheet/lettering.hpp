@@ -42,7 +42,10 @@ struct BorrowedCharacter {
 /// box replaces a character that no font has.
 class Lettering {
  public:
-  /// Opens `file`, or the font of Debian's package fonts-osifont. Throws Error{input} if there is none.
+  /// The file of the font that letters everything: that of Debian's package fonts-osifont.
+  static std::filesystem::path usual_font();
+
+  /// Opens `file`, or the usual font. Throws Error{input} if there is none.
   explicit Lettering(const std::filesystem::path& file = {});
 
   /// Length of a line of text, mm, with capitals `height` mm high.

@@ -138,8 +138,10 @@ class Study {
     std::vector<view::ProjectedScene> views;
     for (std::size_t i = 0; i < sheet.plans.size(); ++i)
       views.push_back(pipeline::project_scene(world(i), sheet.plans[i], sheet.descriptions[i]));
+    pipeline::SectionSurfaces surfaces;
+    pipeline::add_surfaces(surfaces, sections);
     const std::vector<pipeline::Annotations> annotations =
-        pipeline::annotate(whole, scene.description, sheet, views, sections);
+        pipeline::annotate(whole, scene.description, sheet, views, surfaces);
     const pipeline::SheetPlan plan = pipeline::plan_sheet(whole, scene.description, sheet, views, annotations);
     for (std::size_t i = 0; i < views.size(); ++i) {
       const pipeline::ViewOptions& options = sheet.plans[i].options;

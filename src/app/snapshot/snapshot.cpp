@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/junit.hpp"
 #include "app/snapshot/case_files.hpp"
 #include "app/snapshot/cases.hpp"
-#include "app/snapshot/junit.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/parallel.hpp"
@@ -84,6 +84,17 @@ bool can_be_accepted(const SnapshotResult& result) {
   return result.verdict == SnapshotVerdict::different || result.verdict == SnapshotVerdict::new_case;
 }
 
+std::vector<TestCase> cases_of(const std::vector<SnapshotResult>& results) {
+  std::vector<TestCase> cases;
+  for (const SnapshotResult& result : results) {
+    const TestVerdict verdict = result.verdict == SnapshotVerdict::as_expected ? TestVerdict::passed
+                                : result.verdict == SnapshotVerdict::failed    ? TestVerdict::error
+                                                                               : TestVerdict::failure;
+    cases.push_back({result.name, verdict, result.words});
+  }
+  return cases;
+}
+
 }  // namespace
 
 int snapshot(const SnapshotOptions& options) {
@@ -107,7 +118,8 @@ int snapshot(const SnapshotOptions& options) {
     pictures.push_back(result.pictures);
   }
   if (!options.report.empty()) write_file(options.report, compare::html_report("epura snapshot", pictures));
-  if (!options.junit.empty()) write_file(options.junit, junit_report(results));
+  if (!options.junit.empty())
+    write_file(options.junit, junit_report("epura snapshot", "epura.snapshot", cases_of(results)));
   text += std::to_string(good) + " of " + std::to_string(results.size()) + " as expected\n";
   std::fputs(printable(text).c_str(), stdout);
   return good == results.size() ? 0 : 1;

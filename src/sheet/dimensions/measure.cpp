@@ -27,7 +27,9 @@ struct Sight {
   const bool orthographic =
       glm::length(glm::cross(drawing.projection.projector, n)) <= 1e-9 * glm::length(drawing.projection.projector);
 
-  [[nodiscard]] Vec2 page(const Vec3& p) const { return Vec2(drawing.world_to_page * Vec4(p, 1)); }
+  [[nodiscard]] Vec2 page(const Vec3& p) const { return drawing.breaks.moved(whole_page(p)); }
+  // Before parts of the view are moved together.
+  [[nodiscard]] Vec2 whole_page(const Vec3& p) const { return Vec2(drawing.world_to_page * Vec4(p, 1)); }
   // Image of a direction.
   [[nodiscard]] Vec2 page_of(const Vec3& d) const { return Vec2(drawing.world_to_page * Vec4(d, 0)); }
   [[nodiscard]] bool in_plane(const Vec3& d) const { return std::abs(glm::dot(d, n)) <= parallel * glm::length(d); }
@@ -45,11 +47,37 @@ std::string with_text(const AnchoredDimension& dimension, const std::string& val
 
 Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }
 
+// Half views show one end of a length across their line of symmetry: the dimension line breaks off beyond that line.
+// ISO 129-1. Returns false for other lengths.
+bool halve(MeasuredLength& length, const Sight& sight, const std::array<Vec2, 2>& unmoved) {
+  constexpr double past = 6, slack = 0.1;  // mm
+  const drawing::Breaks& breaks = sight.drawing.breaks;
+  for (const int axis : {0, 1}) {
+    if (std::abs(length.along[axis]) < 1 - parallel || !breaks.are_mirrored(unmoved[0], unmoved[1], axis, slack))
+      continue;
+    const bool to = breaks.keeps(unmoved[0]);
+    const double side = unmoved[to ? 1 : 0][axis] > unmoved[to ? 0 : 1][axis] ? 1 : -1;
+    Vec2& end = to ? length.to : length.from;
+    end[axis] = breaks.moved(Vec2(*breaks.mirror(axis)))[axis] + side * past;
+    length.open = to;
+    return true;
+  }
+  return false;
+}
+
+void expect_shown(const AnchoredDimension& dimension, const Sight& sight, const Vec3& point) {
+  if (!sight.drawing.breaks.keeps(sight.whole_page(point)))
+    refuse(dimension, "the view '" + sight.drawing.name + "' leaves out the part that it measures",
+           "measure in another view, or change the breaks of this one");
+}
+
 MeasuredDimension length_between(const AnchoredDimension& dimension, const Sight& sight, const Vec2& along,
                                  double value) {
   const Vec2 from = sight.page(dimension.points[0]), to = sight.page(dimension.points[1]);
-  return {MeasuredLength{from, to, along, left_of(along)}, with_text(dimension, length_text(value, sight.notation)),
-          dimension.offset};
+  MeasuredLength length{from, to, along, left_of(along)};
+  if (!halve(length, sight, {sight.whole_page(dimension.points[0]), sight.whole_page(dimension.points[1])}))
+    for (const Vec3& end : dimension.points) expect_shown(dimension, sight, end);
+  return {length, with_text(dimension, length_text(value, sight.notation)), dimension.offset};
 }
 
 MeasuredDimension linear(const AnchoredDimension& dimension, const Sight& sight) {
@@ -116,20 +144,44 @@ MeasuredDimension angular(const AnchoredDimension& dimension, const Sight& sight
   const double angle = portable_atan2(glm::length(glm::cross(legs[0], legs[1])), glm::dot(legs[0], legs[1]));
   const double degrees = angle * 180 / std::numbers::pi;
   if (degrees < 0.005) refuse(dimension, "its legs lie on one line: the angle is zero", "choose other vertices");
-  const Vec2 corner = sight.page(dimension.points[0]);
-  return {MeasuredAngle{corner, {sight.page(dimension.points[1]) - corner, sight.page(dimension.points[2]) - corner}},
-          with_text(dimension, angle_text(degrees, sight.notation)), dimension.offset};
+  expect_shown(dimension, sight, dimension.points[0]);
+  const Vec2 unmoved = sight.whole_page(dimension.points[0]), corner = sight.page(dimension.points[0]);
+  return {
+      MeasuredAngle{corner,
+                    {sight.whole_page(dimension.points[1]) - unmoved, sight.whole_page(dimension.points[2]) - unmoved}},
+      with_text(dimension, angle_text(degrees, sight.notation)), dimension.offset};
+}
+
+// Of a circle in a view that leaves parts out, the longest arc that is drawn.
+void keep_shown_arc(MeasuredCircle& measured, const drawing::Breaks& breaks, const WorldCircle& circle,
+                    const Sight& sight) {
+  const Vec2 centre = sight.whole_page(circle.centre);
+  double sweep = 0;
+  for (const drawing::KeptPart& part : drawing::kept_parts(breaks)) {
+    const Vec2 reach(2 * measured.radius);
+    const Vec2 min = glm::max(part.min, centre - reach), max = glm::min(part.max, centre + reach);
+    if (!(min.x < max.x && min.y < max.y)) continue;
+    for (const drawing::AngleRange& range :
+         drawing::circle_inside({(min + max) / 2.0, (max - min) / 2.0, false}, centre, measured.radius)) {
+      if (range.to - range.from <= sweep) continue;
+      sweep = measured.sweep = range.to - range.from;
+      measured.first = range.from;
+      measured.centre = centre + part.shift;
+    }
+  }
 }
 
 // Where an arc begins and its sweep, from the order of its vertices on paper.
 MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, bool is_radius) {
   MeasuredCircle measured{sight.page(circle.centre), circle.radius * sight.millimetres(), 0, 2 * std::numbers::pi,
                           is_radius};
+  if (circle.whole && sight.drawing.breaks.any()) keep_shown_arc(measured, sight.drawing.breaks, circle, sight);
   if (circle.whole) return measured;
   std::optional<Vec2> before;
+  const Vec2 whole_centre = sight.whole_page(circle.centre);
   measured.sweep = 0;
   for (const Vec3& vertex : circle.rim) {
-    const Vec2 spoke = sight.page(vertex) - measured.centre;
+    const Vec2 spoke = sight.whole_page(vertex) - whole_centre;
     if (before) measured.sweep += portable_atan2(glm::dot(left_of(*before), spoke), glm::dot(*before, spoke));
     if (!before) measured.first = portable_atan2(spoke.y, spoke.x);
     before = spoke;
@@ -142,8 +194,13 @@ MeasuredDimension edge_on(const AnchoredDimension& dimension, const WorldCircle&
                           const std::string& text) {
   const Vec3 across = glm::normalize(glm::cross(circle.axis, sight.n)) * circle.radius;
   const Vec2 along = glm::normalize(sight.page_of(across));
-  return {MeasuredLength{sight.page(circle.centre - across), sight.page(circle.centre + across), along, left_of(along)},
-          text, dimension.offset};
+  const Vec3 one = circle.centre - across, other = circle.centre + across;
+  MeasuredLength length{sight.page(one), sight.page(other), along, left_of(along)};
+  if (!halve(length, sight, {sight.whole_page(one), sight.whole_page(other)})) {
+    expect_shown(dimension, sight, one);
+    expect_shown(dimension, sight, other);
+  }
+  return {length, text, dimension.offset};
 }
 
 MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sight) {
@@ -180,6 +237,17 @@ std::array<Vec2, 2> ends_of_ink(const drawing::ViewDrawing& drawing, const Vec2&
   return ends;
 }
 
+// In a half view, one end of the ink is at the line of symmetry: replaces it with the mirror image of the other end.
+void complete_half(std::array<Vec2, 2>& ends, const drawing::Breaks& breaks, const Vec2& along) {
+  for (const int axis : {0, 1}) {
+    const std::optional<double> mirror = breaks.mirror(axis);
+    if (!mirror || std::abs(along[axis]) < 1 - parallel) continue;
+    const auto distance = [&](const Vec2& p) { return std::abs(p[axis] - *mirror); };
+    const bool second = distance(ends[0]) > distance(ends[1]);
+    ends[second ? 1 : 0][axis] = 2 * *mirror - ends[second ? 0 : 1][axis];
+  }
+}
+
 MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight) {
   const int axis = axis_of(*dimension.direction);
   Vec3 e(0);
@@ -193,7 +261,10 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   const Vec2 side = std::abs(along.x) > std::abs(along.y) ? Vec2(0, -1) : Vec2(1, 0);
   std::array<Vec2, 2> ends{};
   if (!sight.drawing.segments.empty()) ends = ends_of_ink(sight.drawing, along, side);
-  const double drawn = glm::dot(ends[1] - ends[0], along) / glm::length(image);
+  const drawing::Breaks& breaks = sight.drawing.breaks;
+  std::array<Vec2, 2> whole_ends{breaks.restored(ends[0]), breaks.restored(ends[1])};
+  complete_half(whole_ends, breaks, along);
+  const double drawn = glm::dot(whole_ends[1] - whole_ends[0], along) / glm::length(image);
   // Lines of a mesh end where the mesh does; lines of its surfaces may reach as far as the surfaces. At either end, a
   // line may be drawn slightly displaced, or replaced by another.
   const double beside = 2 * (sight.drawing.contours_moved + sight.drawing.joined_within) / glm::length(image);
@@ -204,8 +275,9 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   const std::string sign = dimension.form == scene::ExtentForm::length   ? ""
                            : dimension.form == scene::ExtentForm::sphere ? "S" + sight.notation.diameter
                                                                          : sight.notation.diameter;
-  return {MeasuredLength{ends[0], ends[1], along, left_of(along)},
-          with_text(dimension, sign + length_text(value, sight.notation)), dimension.offset};
+  MeasuredLength length{ends[0], ends[1], along, left_of(along)};
+  halve(length, sight, whole_ends);
+  return {length, with_text(dimension, sign + length_text(value, sight.notation)), dimension.offset};
 }
 
 }  // namespace

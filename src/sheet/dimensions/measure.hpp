@@ -20,6 +20,7 @@ struct MeasuredLength {
   Vec2 along;                                     ///< direction of the dimension line; length 1
   Vec2 extension;                                 ///< direction of the extension lines, to either side; length 1
   std::optional<std::array<Vec2, 2>> opposite{};  ///< where they begin if the dimension line is above or on the left
+  std::optional<bool> open{};  ///< only one end is shown, as in half views: true if `to` is where the line breaks off
 };
 
 struct MeasuredAngle {

@@ -76,17 +76,20 @@ PlacedDimension straight_dimension(const MeasuredLength& length, const std::stri
                                    const DimensionStyle& style) {
   const Vec2 read = reading_direction(length.along);
   Vec2 low = length.from, high = length.to;
-  if (glm::dot(high - low, read) < 0) std::swap(low, high);
+  const bool swaps = glm::dot(high - low, read) < 0;
+  if (swaps) std::swap(low, high);
+  // An end at which the dimension line breaks off.
+  const bool low_open = length.open && *length.open == swaps, high_open = length.open && *length.open != swaps;
   PlacedDimension dimension;
   const Base base{foot_of(length, low, distance), foot_of(length, high, distance), read, span_of(length)};
-  add_extension_line(dimension, low, base.low, style);
-  add_extension_line(dimension, high, base.high, style);
+  if (!low_open) add_extension_line(dimension, low, base.low, style);
+  if (!high_open) add_extension_line(dimension, high, base.high, style);
 
   const Layout layout = layout_of(base, style.width(text), fits_inside(length, text, style), place, style);
   const Vec2 begin = base.low + layout.line.begin * read, end = base.low + layout.line.end * read;
   add_line(dimension, begin, end);
-  dimension.arrows = {arrow_at(base.low, layout.outward ? -read : read, style),
-                      arrow_at(base.high, layout.outward ? read : -read, style)};
+  if (!low_open) dimension.arrows.push_back(arrow_at(base.low, layout.outward ? -read : read, style));
+  if (!high_open) dimension.arrows.push_back(arrow_at(base.high, layout.outward ? read : -read, style));
   set_text(dimension, text, {base.low + layout.text_middle * read, read, style.above()}, style);
   // From the arrows below the line to the top of the text.
   const double below = style.above(), top = 2 * style.above() + style.text;
