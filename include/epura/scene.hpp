@@ -151,6 +151,7 @@ struct SheetOptions {
   FrameKind frame = FrameKind::automatic;
   Unit dimension_unit = Unit::mm;  ///< of the lengths in dimensions
   DecimalSign decimal_sign = DecimalSign::point;
+  std::string font{};  ///< of the lettering: an installed family, or a .ttf or .otf file; empty: osifont
   /// Title block fields by the names in docs/formats.md ("title", "owner", "number", "date" ...) or any other name.
   std::vector<std::pair<std::string, std::string>> title_block{};
 };

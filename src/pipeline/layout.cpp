@@ -13,6 +13,7 @@
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/detail_marks.hpp"
 #include "sheet/dimensions/overall.hpp"
+#include "sheet/installed_fonts.hpp"
 #include "sheet/limit_lines.hpp"
 #include "sheet/notation.hpp"
 #include "sheet/standard_scale.hpp"
@@ -230,6 +231,7 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
                  arrangement.inside,
                  arrangement.on_paper,
                  arrangement.fitting};
+  if (description.font.given()) plan.furniture.font = sheet::find_font(*description.font, description.font.where);
   for (std::size_t i = 0; i < views.size(); ++i) {
     const sheet::ViewSpot& spot = arrangement.views[i];
     plan.places.push_back({spot.scale, spot.shift - spot.scale * placing.origins[i] - placing.gaps[i] / 2.0});

@@ -32,6 +32,12 @@ double millimetres(Unit unit) {
   return lengths[static_cast<std::size_t>(unit)];
 }
 
+bool names_font_file(const std::string& font) {
+  const std::string lower = to_lower(font);
+  return font.find('/') != std::string::npos || lower.ends_with(".ttf") || lower.ends_with(".otf") ||
+         lower.ends_with(".ttc") || lower.ends_with(".otc");
+}
+
 std::string ProjectionRequest::text() const {
   std::string all = name;
   for (const auto& [key, value] : assignments) all += ":" + key + "=" + value;

@@ -146,6 +146,9 @@ struct BreakChoice {
   bool operator==(const BreakChoice&) const = default;
 };
 
+/// Whether a lettering font is given by its file, not its family: with a slash, or the extension of a font file.
+bool names_font_file(const std::string& font);
+
 /// The name of a projection, and values of its parameters as text: the plugin's table defines the permitted ones.
 struct ProjectionRequest {
   std::string name;

@@ -310,6 +310,12 @@ Options<SheetDescription> sheet_options() {
                      .help = "decimal sign of the dimensions and scales on the sheet",
                      .usual = "."},
                     &Sheet::decimal_sign, choice<DecimalSign>().shown_as("SIGN")),
+      option<Sheet>({.key = "font",
+                     .flag = "--font",
+                     .help = "lettering font: a family that is installed, or a .ttf or .otf file; relative paths "
+                             "start at the scene file",
+                     .usual = "osifont"},
+                    &Sheet::font, any_text().shown_as("FONT")),
   };
 }
 
