@@ -141,8 +141,8 @@ struct Dimension {
 enum class AutomaticScale { fit, standard };
 using Scale = std::variant<AutomaticScale, double>;
 
-/// ISO 216 size, "A4" to "A0"; cut to the drawing; the smallest of these sizes that fits at the given scale; or width
-/// and height in mm.
+/// ISO 216 size, "A4" to "A0", or ASME Y14.1 size, "ANSI-A" to "ANSI-E"; cut to the drawing; the smallest of these
+/// sizes that fits at the given scale; or width and height in mm.
 enum class AutomaticSize { cut, smallest };
 using PaperSize = std::variant<std::string, AutomaticSize, std::array<double, 2>>;
 
@@ -154,6 +154,7 @@ struct SheetOptions {
   FrameKind frame = FrameKind::automatic;
   Unit dimension_unit = Unit::mm;  ///< of the lengths in dimensions
   DecimalSign decimal_sign = DecimalSign::point;
+  std::string font{};  ///< of the lettering: an installed family, or a .ttf or .otf file; empty: osifont
   /// Title block fields by the names in docs/formats.md ("title", "owner", "number", "date" ...) or any other name.
   std::vector<std::pair<std::string, std::string>> title_block{};
 };

@@ -272,6 +272,7 @@ scene::SheetDescription describe(const SheetOptions& sheet, const std::string& w
   description.frame = {sheet.frame, where + ".frame"};
   description.dimension_unit = {sheet.dimension_unit, where + ".dimension_unit"};
   description.decimal_sign = {sheet.decimal_sign, where + ".decimal_sign"};
+  description.font = located(sheet.font, where + ".font");
   for (const auto& [name, text] : sheet.title_block)
     description.title_block.emplace_back(name, scene::LocatedText{text, where + ".title_block"});
   return description;

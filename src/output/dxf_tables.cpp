@@ -176,7 +176,7 @@ void add_layers(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std
   });
 }
 
-void add_text_styles(DxfWriter& dxf) {
+void add_text_styles(DxfWriter& dxf, const std::string& file) {
   const auto add = [&](int table, std::string_view name, std::string_view font) {
     begin_entry(dxf, "STYLE", table, "AcDbTextStyleTableRecord", name);
     dxf.add(40, 0);  // each text has its own height
@@ -189,7 +189,7 @@ void add_text_styles(DxfWriter& dxf) {
   };
   add_table(dxf, "STYLE", 2, [&](int table) {
     add(table, "STANDARD", "txt");
-    add(table, dxf_text_style, "osifont.ttf");
+    add(table, dxf_text_style, file.empty() ? "osifont.ttf" : dxf_text(file));
   });
 }
 
@@ -247,7 +247,7 @@ int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<
   add_viewports(dxf, sheet);
   add_line_types(dxf, types);
   add_layers(dxf, sheet, layers, types);
-  add_text_styles(dxf);
+  add_text_styles(dxf, sheet.font.file.filename().string());
   for (const char* empty : {"VIEW", "UCS"}) add_table(dxf, empty, 0, [](int) {});
   add_table(dxf, "APPID", 1, [&](int table) { begin_entry(dxf, "APPID", table, "AcDbRegAppTableRecord", "ACAD"); });
   add_table(dxf, "DIMSTYLE", 1,

@@ -145,7 +145,7 @@ void add_outline(cairo_t* cairo, const sheet::GlyphOutline& outline, double unit
 std::optional<sheet::Lettering> lettering_of(const sheet::Sheet& sheet) {
   const bool written = std::any_of(sheet.layers.begin(), sheet.layers.end(),
                                    [](const sheet::Layer& layer) { return !layer.texts.empty(); });
-  return written ? std::optional<sheet::Lettering>(std::in_place) : std::nullopt;
+  return written ? std::optional<sheet::Lettering>(std::in_place, sheet.font) : std::nullopt;
 }
 
 Vec2 start_of(const sheet::Text& text, const sheet::Lettering& lettering) {
@@ -157,7 +157,7 @@ Vec2 start_of(const sheet::Text& text, const sheet::Lettering& lettering) {
 void write_texts(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const sheet::Lettering& lettering) {
   if (layer.texts.empty()) return;
   cairo_t* cairo = pen.get();
-  const CairoFont usual = font_of(lettering.file(), 0);
+  const CairoFont usual = font_of(lettering.file(), lettering.face());
   FontsOfRuns fonts;
   set_font(cairo, usual);
   for (const sheet::Text& text : layer.texts) {

@@ -125,6 +125,11 @@ void append_written(std::string& svg, const sheet::Text& text, const SvgDocument
   svg += "</text>\n";
 }
 
+std::string families(std::string family) {
+  std::erase_if(family, [](char c) { return c == '\'' || c == '\\'; });
+  return (family.empty() ? "osifont,'ISOCPEUR'" : "'" + family + "',osifont") + ",sans-serif";
+}
+
 }  // namespace
 
 std::string identifier(std::string_view name) {
@@ -148,7 +153,11 @@ void append_texts(std::string& svg, const sheet::Layer& layer, const SvgDocument
   if (layer.texts.empty()) return;
   begin_group(svg, document, "lettering", layer.style.colour);
   const bool as_text = document.text == SvgText::text;
-  svg += as_text ? " font-family=\"osifont,'ISOCPEUR',sans-serif\" xml:space=\"preserve\">\n" : ">\n";
+  if (as_text) {
+    append_attribute(svg, "font-family", families(lettering.family()));
+    svg += " xml:space=\"preserve\"";
+  }
+  svg += ">\n";
   for (const sheet::Text& text : layer.texts) {
     if (as_text) {
       append_written(svg, text, document, lettering);

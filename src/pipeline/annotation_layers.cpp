@@ -204,7 +204,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     const std::vector<scene::DimensionDescription> dimensions = dimensions_of(input.annotations[i], views[i]);
     if (dimensions.empty()) continue;
     if (!lettering) {
-      around = neighbours_of(furniture, labels, marks, lettering.emplace());
+      around = neighbours_of(furniture, labels, marks, lettering.emplace(furniture.font));
       add_boxes(around.boxes, boundaries_of(input.annotations, views), *lettering);
     }
     const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation};

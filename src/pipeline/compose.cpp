@@ -98,7 +98,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const scene::SheetDesc
 // Without frame and labels there is no text, and no font is opened.
 sheet::FurnitureLayers furniture_layers(const sheet::SheetFurniture& furniture) {
   if (furniture.frame == FrameKind::none && furniture.labels.empty()) return {};
-  return sheet::sheet_layers(furniture, sheet::Lettering());
+  return sheet::sheet_layers(furniture, sheet::Lettering(furniture.font));
 }
 
 // A detail is hatched like the view that it enlarges.
@@ -136,7 +136,7 @@ void clear_labels(FinishedSheet& finished, const sheet::SheetFurniture& furnitur
   const sheet::Rectangle area = furniture.frame == FrameKind::none
                                     ? sheet::Rectangle{{0, 0}, {paper.width, paper.height}}
                                     : sheet::drawing_area(paper);
-  sheet::clear_labels(finished.sheet, area, sheet::Lettering());
+  sheet::clear_labels(finished.sheet, area, sheet::Lettering(furniture.font));
 }
 
 // One layer for each view, but none for views without cut faces.
@@ -194,7 +194,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   if (const auto note = unit_note(input)) furniture.labels.push_back(*note);
   sheet::FurnitureLayers around = furniture_layers(furniture);
   FinishedSheet finished{{paper.width, paper.height, field_of(sheet, "title"), std::move(around.layers),
-                          frames_of(results), facts_of(sheet)},
+                          frames_of(results), facts_of(sheet), furniture.font},
                          plan.scale,
                          {},
                          std::move(around.warnings),

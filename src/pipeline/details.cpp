@@ -99,7 +99,7 @@ void add_details(std::vector<sheet::Layer>& layers, const SheetInput& input,
     const std::vector<sheet::DetailMark> marks = marks_in(input.annotations[i], drawings[i]);
     if (marks.empty()) continue;
     sheet::Layer layer = sheet::detail_marks(drawings[i].name, marks, letter_room(layers, input.plan.furniture),
-                                             sheet::Lettering(), widths);
+                                             sheet::Lettering(input.plan.furniture.font), widths);
     layers.push_back(std::move(layer));
   }
 }

@@ -14,6 +14,7 @@
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/detail_marks.hpp"
 #include "sheet/dimensions/overall.hpp"
+#include "sheet/installed_fonts.hpp"
 #include "sheet/limit_lines.hpp"
 #include "sheet/notation.hpp"
 #include "sheet/sight_arrows.hpp"
@@ -132,10 +133,18 @@ sheet::Arrangement arranged_on(const scene::PaperChoice& size, const LayoutOptio
 }
 
 bool is_sized_by_scale(const scene::SheetDescription& sheet) {
-  return sheet.size.value_or({}).kind == scene::PaperChoice::Kind::automatic;
+  const scene::PaperChoice::Kind kind = sheet.size.value_or({}).kind;
+  return kind == scene::PaperChoice::Kind::automatic || kind == scene::PaperChoice::Kind::automatic_ansi;
 }
 
-scene::PaperChoice iso_size(int number) { return {scene::PaperChoice::Kind::iso, number, {0, 0}}; }
+constexpr int largest = 4;
+
+// The sizes from which "auto" chooses, from 0, the smallest, to `largest`.
+scene::PaperChoice size_of_rank(const scene::SheetDescription& sheet, int rank) {
+  if (sheet.size.value_or({}).kind == scene::PaperChoice::Kind::automatic_ansi)
+    return {scene::PaperChoice::Kind::ansi, rank, {0, 0}};
+  return {scene::PaperChoice::Kind::iso, largest - rank, {0, 0}};
+}
 
 // The larger scale of both orientations, unless one is given; landscape if it is the same.
 sheet::Arrangement in_best_orientation(const scene::PaperChoice& size, LayoutOptions options,
@@ -151,13 +160,13 @@ sheet::Arrangement in_best_orientation(const scene::PaperChoice& size, LayoutOpt
 // Sheet and scale together: larger sheets are for parts that would be drawn too small on the smaller ones.
 sheet::Arrangement arranged_with_scale(const scene::SheetDescription& sheet, const LayoutOptions& options,
                                        std::span<const sheet::ViewToPlace> views, scene::PaperChoice& size) {
-  constexpr std::array<std::pair<int, double>, 4> least_scales{{{4, 1}, {3, 0.5}, {2, 0.2}, {1, 0.1}}};
-  for (const auto& [number, least_scale] : least_scales) {
-    size = iso_size(number);
+  constexpr std::array<std::pair<int, double>, 4> least_scales{{{0, 1}, {1, 0.5}, {2, 0.2}, {3, 0.1}}};
+  for (const auto& [rank, least_scale] : least_scales) {
+    size = size_of_rank(sheet, rank);
     sheet::Arrangement arrangement = in_best_orientation(size, options, views, sheet.orientation.given());
     if (arrangement.inside && arrangement.scale >= least_scale * (1 - 1e-9)) return arrangement;
   }
-  return in_best_orientation(size = iso_size(0), options, views, sheet.orientation.given());
+  return in_best_orientation(size = size_of_rank(sheet, largest), options, views, sheet.orientation.given());
 }
 
 // "auto": the smallest paper on which the views fit at a given scale. `size` is initially the usual size, and is set to
@@ -166,19 +175,11 @@ sheet::Arrangement arranged(const scene::SheetDescription& sheet, const LayoutOp
                             std::span<const sheet::ViewToPlace> views, scene::PaperChoice& size) {
   if (is_sized_by_scale(sheet) && options.scale.standard) return arranged_with_scale(sheet, options, views, size);
   if (!is_sized_by_scale(sheet) || !options.scale.fixed) return arranged_on(size, options, views);
-  for (const int larger : {4, 3, 2, 1}) {
-    sheet::Arrangement arrangement = arranged_on(size = iso_size(larger), options, views);
+  for (int rank = 0; rank < largest; ++rank) {
+    sheet::Arrangement arrangement = arranged_on(size = size_of_rank(sheet, rank), options, views);
     if (arrangement.inside) return arrangement;
   }
-  return arranged_on(size = iso_size(0), options, views);
-}
-
-// For the title block: "A3", "300x200".
-std::string size_text(const scene::PaperChoice& size) {
-  if (size.kind == scene::PaperChoice::Kind::iso) return "A" + std::to_string(size.number);
-  if (size.kind == scene::PaperChoice::Kind::custom)
-    return format_number(size.size[0]) + "x" + format_number(size.size[1]);
-  return "none";
+  return arranged_on(size = size_of_rank(sheet, largest), options, views);
 }
 
 // Scale and paper size are filled in once they are known.
@@ -207,11 +208,11 @@ LayoutOptions options_of(const scene::SceneDescription& scene, int number, std::
 
 scene::PaperChoice usual_size(const scene::SheetDescription& sheet, std::size_t views) {
   if (sheet.size.given() && !is_sized_by_scale(sheet)) return *sheet.size;
-  return iso_size(views > 1 ? 3 : 4);
+  return size_of_rank(sheet, views > 1 ? 1 : 0);
 }
 
 scene::PaperChoice largest_size(const scene::SheetDescription& sheet, std::size_t views) {
-  return is_sized_by_scale(sheet) ? iso_size(0) : usual_size(sheet, views);
+  return is_sized_by_scale(sheet) ? size_of_rank(sheet, largest) : usual_size(sheet, views);
 }
 
 double dimension_text_height(const sheet::Paper& paper, std::size_t views) {
@@ -230,7 +231,7 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
   if (options.title_block) {
     options.title_block->scale = sheet::with_decimal_sign(sheet::ratio_text(arrangement.scale),
                                                           description.decimal_sign.value_or(DecimalSign::point));
-    options.title_block->size = size_text(size);
+    options.title_block->size = sheet::size_name(size);
     if (views.size() > 1) options.title_block->angle = options.angle;
   }
   SheetPlan plan{{arrangement.paper, options.frame, std::move(options.title_block)},
@@ -240,6 +241,7 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
                  arrangement.inside,
                  arrangement.on_paper,
                  arrangement.fitting};
+  if (description.font.given()) plan.furniture.font = sheet::find_font(*description.font, description.font.where);
   for (std::size_t i = 0; i < views.size(); ++i) {
     const sheet::ViewSpot& spot = arrangement.views[i];
     plan.places.push_back({spot.scale, spot.shift - spot.scale * placing.origins[i] - placing.gaps[i] / 2.0});

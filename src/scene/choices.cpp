@@ -17,7 +17,7 @@ PaperChoice custom_size(std::string_view text, const std::string& where) {
   const auto height = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
   if (!width || !height)
     throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a paper size",
-                "write none, A0 to A4, or width x height in mm such as 300x200");
+                "write none, auto, A0 to A4, ANSI-A to ANSI-E, or width x height in mm such as 300x200");
   const auto usable = [](double side) { return side >= 1 && side <= longest_side; };
   if (!usable(*width) || !usable(*height))
     throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a usable paper size",
@@ -30,6 +30,12 @@ PaperChoice custom_size(std::string_view text, const std::string& where) {
 double millimetres(Unit unit) {
   constexpr std::array<double, 3> lengths{1, 25.4, 1000};
   return lengths[static_cast<std::size_t>(unit)];
+}
+
+bool names_font_file(const std::string& font) {
+  const std::string lower = to_lower(font);
+  return font.find('/') != std::string::npos || lower.ends_with(".ttf") || lower.ends_with(".otf") ||
+         lower.ends_with(".ttc") || lower.ends_with(".otc");
 }
 
 std::string ProjectionRequest::text() const {
@@ -58,6 +64,9 @@ PaperChoice parse_paper_size(std::string_view text, const std::string& where) {
   if (lower == "auto") return {PaperChoice::Kind::automatic, 0, {0, 0}};
   if (lower.size() == 2 && lower[0] == 'a' && lower[1] >= '0' && lower[1] <= '4')
     return {PaperChoice::Kind::iso, lower[1] - '0', {0, 0}};
+  if (lower == "ansi-auto") return {PaperChoice::Kind::automatic_ansi, 0, {0, 0}};
+  if (lower.size() == 6 && lower.starts_with("ansi-") && lower[5] >= 'a' && lower[5] <= 'e')
+    return {PaperChoice::Kind::ansi, lower[5] - 'a', {0, 0}};
   return custom_size(lower, where);
 }
 

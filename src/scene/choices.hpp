@@ -95,6 +95,7 @@ struct Words<FrameKind> {
 template <>
 struct Words<DecimalSign> {
   static constexpr std::array list{".", ","};
+  static constexpr std::array other{"point", "comma"};  ///< for shells and for the eye
 };
 
 template <>
@@ -126,9 +127,9 @@ inline constexpr double longest_side = 100'000;
 
 /// A paper size.
 struct PaperChoice {
-  enum class Kind { iso, custom, none, automatic };
+  enum class Kind { iso, ansi, custom, none, automatic, automatic_ansi };
   Kind kind = Kind::iso;
-  int number = 4;                    ///< iso: 0 to 4, for A0 to A4
+  int number = 4;                    ///< iso: 0 to 4, for A0 to A4; ansi: 0 to 4, for A to E
   std::array<double, 2> size{0, 0};  ///< custom: width and height, mm
 
   bool operator==(const PaperChoice&) const = default;
@@ -150,6 +151,9 @@ struct BreakChoice {
   bool operator==(const BreakChoice&) const = default;
 };
 
+/// Whether a lettering font is given by its file, not its family: with a slash, or the extension of a font file.
+bool names_font_file(const std::string& font);
+
 /// The name of a projection, and values of its parameters as text: the plugin's table defines the permitted ones.
 struct ProjectionRequest {
   std::string name;
@@ -161,7 +165,7 @@ struct ProjectionRequest {
 
 // These functions throw Error{input} with `where` as the location of the text.
 ScaleChoice parse_scale(std::string_view text, const std::string& where);        ///< fit, auto, 1:2, 0.5
-PaperChoice parse_paper_size(std::string_view text, const std::string& where);   ///< A4 to A0, 300x200, none, auto
+PaperChoice parse_paper_size(std::string_view text, const std::string& where);   ///< A4, ANSI-B, 300x200, none, auto
 BreakChoice::Part parse_break(std::string_view text, const std::string& where);  ///< x:40:160, z::20, y:40:
 ProjectionRequest parse_request(std::string_view text);  ///< NAME[:key=value]...; location: text
 

@@ -163,6 +163,7 @@ struct SheetDescription {
   Located<int> decimals;              ///< of dimensions, at most; by the size of the models by default
   Located<Unit> dimension_unit;       ///< of the lengths in dimensions
   Located<DecimalSign> decimal_sign;  ///< of the numbers on the sheet
+  LocatedText font;                   ///< file or family of the lettering; by default osifont
   TitleBlockFields title_block;
 };
 

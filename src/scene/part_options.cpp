@@ -279,13 +279,15 @@ Options<DimensionWords> dimension_options() {
 Options<SheetDescription> sheet_options() {
   using Sheet = SheetDescription;
   return {
-      option<Sheet>({.key = "size",
-                     .flag = "--sheet",
-                     .help = "A4 to A0, WIDTHxHEIGHT in mm, none, or auto: smallest of A4 to A0 that fits at the given "
-                             "scale; without "
-                             "a scale: the smallest of A4 at 1:1 or larger, A3 at 1:2, A2 at 1:5, A1 at 1:10, else A0",
-                     .usual = "A4; A3 for several views"},
-                    &Sheet::size, paper_choice()),
+      option<Sheet>(
+          {.key = "size",
+           .flag = "--sheet",
+           .help = "A4 to A0, ANSI-A to ANSI-E, WIDTHxHEIGHT in mm, none, or auto: smallest of A4 to A0 that fits "
+                   "at the given scale; without "
+                   "a scale: the smallest of A4 at 1:1 or larger, A3 at 1:2, A2 at 1:5, A1 at 1:10, else A0; "
+                   "ANSI-auto: likewise of ANSI-A to ANSI-E",
+           .usual = "A4; A3 for several views"},
+          &Sheet::size, paper_choice()),
       option<Sheet>({.key = "orientation",
                      .help = "orientation of the sheet",
                      .usual = "landscape",
@@ -325,6 +327,12 @@ Options<SheetDescription> sheet_options() {
                      .help = "decimal sign of the dimensions and scales on the sheet",
                      .usual = "."},
                     &Sheet::decimal_sign, choice<DecimalSign>().shown_as("SIGN")),
+      option<Sheet>({.key = "font",
+                     .flag = "--font",
+                     .help = "lettering font: a family that is installed, or a .ttf or .otf file; relative paths "
+                             "start at the scene file",
+                     .usual = "osifont"},
+                    &Sheet::font, any_text().shown_as("FONT")),
   };
 }
 

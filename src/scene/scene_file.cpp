@@ -131,9 +131,11 @@ DimensionDescription dimension_of(const DimensionWords& words, const Subjects& s
   return dimension;
 }
 
-// Resolves paths of models relative to the folder of the scene file.
-void find_files(std::vector<ModelDescription>& models, const fs::path& folder) {
-  for (ModelDescription& model : models) model.file.value = (folder / *model.file).string();
+// Resolves paths relative to the folder of the scene file.
+void find_files(SceneDescription& scene, const fs::path& folder) {
+  for (ModelDescription& model : scene.models) model.file.value = (folder / *model.file).string();
+  for (SheetDescription& sheet : scene.sheets)
+    if (sheet.font.given() && names_font_file(*sheet.font)) sheet.font.value = (folder / *sheet.font).string();
 }
 
 }  // namespace
@@ -151,7 +153,7 @@ SceneDescription read_scene_file(const fs::path& path) {
   const Subjects subjects{scene.models, numbers_of(scene.models), names_of(scene.views, "view")};
   for (const DimensionWords& dimension : words.dimensions)
     scene.dimensions.push_back(dimension_of(dimension, subjects));
-  find_files(scene.models, path.parent_path());
+  find_files(scene, path.parent_path());
   return scene;
 }
 

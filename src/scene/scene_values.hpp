@@ -89,11 +89,19 @@ ValueKind<AnchorWords> anchor();        ///< [model, vertex] or {point = [x, y, 
 /// Returns the index of one of the words.
 std::size_t read_word(const TomlValue& value, const std::vector<std::string>& words);
 std::string words_as_text(const std::vector<std::string>& words);
+/// The words of an enum, in the order of its enumerators. If it has other words for them, those are read, too.
 template <class Enum>
 ValueKind<Enum> choice() {
   const std::vector<std::string> words(Words<Enum>::list.begin(), Words<Enum>::list.end());
   ValueForm form{words_as_text(words), "WORD", words, true};
-  return {std::move(form), [words](const TomlValue& value) { return static_cast<Enum>(read_word(value, words)); }};
+  std::vector<std::string> all = words;
+  if constexpr (requires { Words<Enum>::other; }) {
+    all.insert(all.end(), Words<Enum>::other.begin(), Words<Enum>::other.end());
+    form.name = words_as_text(form.words = all);
+  }
+  const std::size_t count = words.size();
+  return {std::move(form),
+          [all, count](const TomlValue& value) { return static_cast<Enum>(read_word(value, all) % count); }};
 }
 
 /// Returns a text, which must not be empty.

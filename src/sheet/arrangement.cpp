@@ -177,13 +177,13 @@ Arrangement on_cut_paper(Question question) {
   const Rectangle box = box_of(found->spots);
   check_drawing_size(box.size());
   const bool given = std::any_of(question.views.begin(), question.views.end(), [](const auto& v) { return v.at; });
-  const Vec2 corner = Vec2(margins.left, margins.other) + question.room.clearance;
+  const Vec2 corner = Vec2(margins.left, margins.above()) + question.room.clearance;
   const Vec2 move = given ? Vec2(0, 0) : corner - box.min;
   Arrangement arrangement{margins, found->scale, found->spots, true};
   for (ViewSpot& spot : arrangement.views) spot = moved(spot, move);
   const Vec2 max = box.max + move + question.room.clearance;
   arrangement.paper.width = max.x + margins.other;
-  arrangement.paper.height = max.y + margins.other;
+  arrangement.paper.height = max.y + margins.above();
   arrangement.inside = all_inside(arrangement.views, question, arrangement.paper);
   return arrangement;
 }

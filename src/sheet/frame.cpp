@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace epura::sheet {
@@ -96,11 +97,34 @@ void add_trimming_marks(Furniture& all, const Paper& paper) {
   }
 }
 
+// Zones count from the lower right corner and fill the margin. They divide the sheet, not the frame.
+void add_ansi_zones(Furniture& all, const Paper& paper, const AnsiSheet& sheet) {
+  constexpr double usual_height = 0.24 * 25.4, part_of_margin = 0.55;
+  const Rectangle in = drawing_area(paper), out{{0, 0}, {paper.width, paper.height}};
+  const bool portrait = paper.height > paper.width;
+  for (const int axis : {0, 1}) {
+    const int other = 1 - axis, fields = (axis == 0) == portrait ? sheet.short_zones : sheet.long_zones;
+    const double length = axis == 0 ? paper.width : paper.height;
+    const auto point = [axis](double along, double across) {
+      return axis == 0 ? Vec2(along, across) : Vec2(across, along);
+    };
+    for (const auto& [inner, outer] : {std::pair(in.min[other], out.min[other]), {in.max[other], out.max[other]}}) {
+      const double height = std::min(usual_height, part_of_margin * std::abs(outer - inner));
+      for (int i = 0; i < fields; ++i) {
+        if (i > 0) all.medium.push_back(line(point(length * i / fields, inner), point(length * i / fields, outer)));
+        const std::string text = axis == 0 ? std::to_string(fields - i) : letters(i);
+        const Vec2 centre = point(length * (i + 0.5) / fields, (inner + outer) / 2);
+        all.texts.push_back({text, centre - Vec2(0, height / 2), height, 0, Align::middle, "grid-reference"});
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Paper with_frame_margins(const Paper& paper) {
   const Vec2 sides(std::max(paper.width, paper.height), std::min(paper.width, paper.height));
-  if (sides.x < a5.x || sides.y < a5.y) return paper;
+  if (sides.x < a5.x || sides.y < a5.y || ansi_sheet(paper) != nullptr) return paper;
   return {paper.width, paper.height, left_margin, other_margin};
 }
 
@@ -109,6 +133,8 @@ Furniture frame(const Paper& paper, FrameKind kind, const std::optional<Rectangl
   if (kind == FrameKind::none) return all;
   const Rectangle area = drawing_area(paper);
   all.wide.push_back(outline(area));
+  const AnsiSheet* ansi = ansi_sheet(paper);
+  if (kind == FrameKind::full && ansi != nullptr) add_ansi_zones(all, paper, *ansi);
   if (kind == FrameKind::plain || !has_iso_margins(paper)) return all;
   add_grid(all, paper);
   add_centring_marks(all, paper, title_block);

@@ -4,10 +4,18 @@
 #include <fontconfig/fontconfig.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <mutex>
+#include <set>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "scene/choices.hpp"
 
 namespace epura::sheet {
 
@@ -55,7 +63,64 @@ struct Candidate {
   std::unique_ptr<const FontFile> opened;
 };
 
+using FontList = std::unique_ptr<FcFontSet, FontconfigFree<FcFontSetDestroy>>;
+
+Font font_in_file(const std::string& file, const std::string& where) {
+  std::error_code fault;
+  if (!std::filesystem::is_regular_file(file, fault))
+    throw Error(ErrorKind::input, where, "there is no font file '" + file + "'",
+                "give a .ttf or .otf file, or a family");
+  int count = 0;
+  const Pattern font(FcFreeTypeQuery(bytes(file.c_str()), 0, nullptr, &count));
+  const FontFile opened(file);
+  if (!font || !truth_of(font.get(), FC_OUTLINE) || !opened.is_open() || !(opened.capital() > 0))
+    throw Error(ErrorKind::input, where, "'" + file + "' is not an outline font", "give a .ttf or .otf file");
+  return {file, 0, text_of(font.get(), FC_FAMILY)};
+}
+
+std::vector<std::string> families_of(FcPattern* font) {
+  std::vector<std::string> families;
+  FcChar8* name = nullptr;
+  for (int i = 0; FcPatternGetString(font, FC_FAMILY, i, &name) == FcResultMatch; ++i)
+    families.emplace_back(reinterpret_cast<const char*>(name));
+  return families;
+}
+
+// In an order that does not depend on the list: weight, then width, then file.
+auto rank_of(FcPattern* font) {
+  return std::tuple(std::abs(number_of(font, FC_WEIGHT, FC_WEIGHT_NORMAL) - FC_WEIGHT_NORMAL),
+                    std::abs(number_of(font, FC_WIDTH, FC_WIDTH_NORMAL) - FC_WIDTH_NORMAL), text_of(font, FC_FILE),
+                    number_of(font, FC_INDEX, 0));
+}
+
+Font font_of_family(const std::string& family, const std::string& where) {
+  const Config config(FcInitLoadConfigAndFonts());
+  const Pattern any(FcPatternCreate());
+  const std::unique_ptr<FcObjectSet, FontconfigFree<FcObjectSetDestroy>> wanted(
+      FcObjectSetBuild(FC_FAMILY, FC_FILE, FC_INDEX, FC_OUTLINE, FC_COLOR, FC_VARIABLE, FC_SLANT, FC_WEIGHT, FC_WIDTH,
+                       static_cast<char*>(nullptr)));
+  const FontList list(config ? FcFontList(config.get(), any.get(), wanted.get()) : nullptr);
+  std::set<std::string> known;
+  FcPattern* best = nullptr;
+  for (int i = 0; list && i < list->nfont; ++i) {
+    FcPattern* font = list->fonts[i];
+    if (!is_usable(font)) continue;
+    for (const std::string& name : families_of(font)) {
+      known.insert(name);
+      if (to_lower(name) == to_lower(family) && (best == nullptr || rank_of(font) < rank_of(best))) best = font;
+    }
+  }
+  if (best != nullptr) return {text_of(best, FC_FILE), number_of(best, FC_INDEX, 0), text_of(best, FC_FAMILY)};
+  const std::vector<std::string> names(known.begin(), known.end());
+  throw Error(ErrorKind::input, where, "no installed font family is called '" + family + "'",
+              names.empty() ? "install it, or give its file" : did_you_mean(family, names));
+}
+
 }  // namespace
+
+Font find_font(const std::string& text, const std::string& where) {
+  return scene::names_font_file(text) ? font_in_file(text, where) : font_of_family(text, where);
+}
 
 struct InstalledFonts::List {
   std::mutex reading;

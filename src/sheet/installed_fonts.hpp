@@ -6,8 +6,13 @@
 #include <string>
 
 #include "sheet/font_file.hpp"
+#include "sheet/sheet.hpp"
 
 namespace epura::sheet {
+
+/// The font of a file, or the upright outline font of a family whose weight is nearest to normal. A text with a slash
+/// or with the extension of a font file is a file. Throws Error{input} with `where` as the location of the text.
+Font find_font(const std::string& text, const std::string& where);
 
 /// Upright outline fonts of normal weight, as fontconfig sorts them for "sans-serif", whatever the user's language.
 /// The list is read on first use. Thread-safe.

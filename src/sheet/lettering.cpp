@@ -76,8 +76,10 @@ std::string written(std::string_view text) {
 
 std::filesystem::path Lettering::usual_font() { return EPURA_FONT; }
 
-Lettering::Lettering(const std::filesystem::path& file)
-    : font_(std::make_shared<FontFile>(file.empty() ? usual_font() : file)),
+Lettering::Lettering(const std::filesystem::path& file) : Lettering(Font{file}) {}
+
+Lettering::Lettering(const Font& font)
+    : font_(std::make_shared<FontFile>(font.file.empty() ? usual_font() : font.file, font.face, font.family)),
       installed_(std::make_shared<InstalledFonts>()) {
   if (!font_->is_open()) refuse(font_->file, "the lettering font is missing");
   if (!(font_->capital() > 0) || !(font_->units_per_em() > 0)) refuse(font_->file, "is not an outline font");
@@ -171,13 +173,17 @@ double Lettering::em() const { return font_->units_per_em() / font_->capital(); 
 
 const std::filesystem::path& Lettering::file() const { return font_->file; }
 
+int Lettering::face() const { return font_->face; }
+
+const std::string& Lettering::family() const { return font_->name; }
+
 FontNotes font_notes(const Sheet& sheet) {
   FontNotes notes;
   std::optional<Lettering> lettering;
   std::set<std::string> seen;
   for (const Layer& layer : sheet.layers)
     for (const Text& text : layer.texts) {
-      if (!lettering) lettering.emplace();
+      if (!lettering) lettering.emplace(sheet.font);
       for (const BorrowedCharacter& one : lettering->borrowed(text.text)) {
         if (!seen.insert(one.character).second) continue;
         const auto is_its_font = [&one](const auto& font) { return font.first == one.font; };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lettering font: osifont, designed after ISO 3098; and other fonts for what it lacks.
+// The lettering font, by default osifont, designed after ISO 3098; and other fonts for what it lacks.
 #pragma once
 
 #include <filesystem>
@@ -47,6 +47,7 @@ class Lettering {
 
   /// Opens `file`, or the usual font. Throws Error{input} if there is none.
   explicit Lettering(const std::filesystem::path& file = {});
+  explicit Lettering(const Font& font);
 
   /// Length of a line of text, mm, with capitals `height` mm high.
   [[nodiscard]] double width(std::string_view text, double height) const;
@@ -70,6 +71,9 @@ class Lettering {
   [[nodiscard]] double em() const;
 
   [[nodiscard]] const std::filesystem::path& file() const;
+  [[nodiscard]] int face() const;
+  /// Name of the font; empty for osifont.
+  [[nodiscard]] const std::string& family() const;
 
  private:
   [[nodiscard]] const FontFile& font_for(const std::u32string& characters) const;

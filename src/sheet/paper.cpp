@@ -18,7 +18,18 @@ namespace {
 constexpr std::array<std::array<double, 2>, 5> a_sizes = {
     {{1189, 841}, {841, 594}, {594, 420}, {420, 297}, {297, 210}}};
 
-Vec2 area(const Paper& paper) { return {paper.width - paper.left - paper.other, paper.height - 2 * paper.other}; }
+// Rounded once: 17 inches are 431.8 mm.
+constexpr double in_mm(double inches) { return inches * 254 / 10; }
+constexpr AnsiSheet ansi(double longer, double shorter, const Vec2& margins, int long_zones, int short_zones) {
+  return {in_mm(longer), in_mm(shorter), in_mm(margins.x), in_mm(margins.y), long_zones, short_zones};
+}
+
+// A to E. Fields are 4.25 or 5.5 inches long; A has none.
+constexpr std::array<AnsiSheet, 5> ansi_sizes = {{ansi(11, 8.5, {0.25, 0.38}, 0, 0), ansi(17, 11, {0.62, 0.38}, 4, 2),
+                                                  ansi(22, 17, {0.5, 0.75}, 4, 4), ansi(34, 22, {1, 0.5}, 8, 4),
+                                                  ansi(44, 34, {0.5, 1}, 8, 8)}};
+
+Vec2 area(const Paper& paper) { return {paper.width - paper.left - paper.other, paper.height - 2 * paper.above()}; }
 
 // The largest factor at which `ink` fits into `room`. A point fits at any factor and keeps its size.
 double fitting_scale(const Vec2& ink, const Vec2& room) {
@@ -34,6 +45,11 @@ Paper make_paper(const scene::PaperChoice& size, bool portrait) {
       const auto& [longer, shorter] = a_sizes[static_cast<std::size_t>(size.number)];
       return portrait ? Paper{shorter, longer, 20, 10} : Paper{longer, shorter, 20, 10};
     }
+    case scene::PaperChoice::Kind::ansi: {
+      const AnsiSheet& sheet = ansi_sizes[static_cast<std::size_t>(size.number)];
+      if (portrait) return {sheet.shorter, sheet.longer, sheet.along_sides, sheet.along_sides, sheet.at_ends};
+      return {sheet.longer, sheet.shorter, sheet.at_ends, sheet.at_ends, sheet.along_sides};
+    }
     case scene::PaperChoice::Kind::custom: {
       const auto [width, height] = size.size;
       const double margin = std::min(5.0, std::min(width, height) / 10);
@@ -41,9 +57,35 @@ Paper make_paper(const scene::PaperChoice& size, bool portrait) {
     }
     case scene::PaperChoice::Kind::none:
     case scene::PaperChoice::Kind::automatic:
+    case scene::PaperChoice::Kind::automatic_ansi:
       break;
   }
   return {};
+}
+
+const AnsiSheet* ansi_sheet(const Paper& paper) {
+  if (!paper.ends) return nullptr;
+  const double longer = std::max(paper.width, paper.height), shorter = std::min(paper.width, paper.height);
+  const auto* const found = std::find_if(ansi_sizes.begin(), ansi_sizes.end(), [&](const AnsiSheet& sheet) {
+    return sheet.longer == longer && sheet.shorter == shorter;
+  });
+  return found == ansi_sizes.end() ? nullptr : found;
+}
+
+std::string size_name(const scene::PaperChoice& size) {
+  switch (size.kind) {
+    case scene::PaperChoice::Kind::iso:
+      return "A" + std::to_string(size.number);
+    case scene::PaperChoice::Kind::ansi:
+      return {static_cast<char>('A' + size.number)};
+    case scene::PaperChoice::Kind::custom:
+      return format_number(size.size[0]) + "x" + format_number(size.size[1]);
+    case scene::PaperChoice::Kind::none:
+    case scene::PaperChoice::Kind::automatic:
+    case scene::PaperChoice::Kind::automatic_ansi:
+      break;
+  }
+  return "none";
 }
 
 std::string paper_name(const Paper& paper) {
@@ -55,7 +97,7 @@ std::string paper_name(const Paper& paper) {
 }
 
 Rectangle drawing_area(const Paper& paper) {
-  const Vec2 corner(paper.left, paper.other);
+  const Vec2 corner(paper.left, paper.above());
   return {corner, corner + area(paper)};
 }
 
@@ -77,9 +119,9 @@ Placement place_ink(const Vec2& min, const Vec2& max, std::optional<double> scal
   Paper& page = placement.paper;
   if (cut) {
     page.width = size.x + page.left + page.other;
-    page.height = size.y + 2 * page.other;
+    page.height = size.y + 2 * page.above();
   }
-  const Vec2 middle = Vec2(page.left, page.other) + area(page) / 2.0;
+  const Vec2 middle = Vec2(page.left, page.above()) + area(page) / 2.0;
   placement.shift = middle - (min / 2.0 + max / 2.0) * placement.scale;
   // A fitted drawing may exceed the margin by a rounding error.
   const Vec2 slack = area(page) * (1 + 1e-9) - size;

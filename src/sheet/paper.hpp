@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Paper sizes, drawing areas and scales. Sizes: ISO 216; drawing area: ISO 5457 (20 mm on the left, 10 mm elsewhere).
+// Sizes in inches and their drawing areas: ASME Y14.1-2020, table 1.
 #pragma once
 
 #include <optional>
@@ -15,8 +16,24 @@ namespace epura::sheet {
 /// Millimetres. Width 0: the paper is cut to the drawing.
 struct Paper {
   double width = 0, height = 0;
-  double left = 5, other = 5;  ///< margins
+  double left = 5, other = 5;    ///< margins: `other` on the right, and at the top and bottom without `ends`
+  std::optional<double> ends{};  ///< margin at the top and bottom if it differs
+
+  [[nodiscard]] double above() const { return ends.value_or(other); }  ///< and below
 };
+
+/// What ASME Y14.1 says of one of its sizes. Zones: the numbers of fields along the longer and the shorter side.
+struct AnsiSheet {
+  double longer, shorter;       ///< mm
+  double at_ends, along_sides;  ///< margins, mm: at the shorter sides, along the longer ones
+  int long_zones, short_zones;  ///< 0: none
+};
+
+/// The size A to E that this paper has, with its margins, or null.
+const AnsiSheet* ansi_sheet(const Paper& paper);
+
+/// A to E as "A", "B" ...; A0 to A4 as "A0" ...; sizes of custom paper as "300x200"; otherwise "none".
+std::string size_name(const scene::PaperChoice& size);
 
 /// A sizes are landscape unless `portrait`. An automatic size gives an empty Paper.
 Paper make_paper(const scene::PaperChoice& size, bool portrait);

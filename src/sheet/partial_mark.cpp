@@ -70,9 +70,9 @@ constexpr double line_per_height = 0.1;
 Layer partial_mark(const Paper& paper, const std::string& stage) {
   const std::vector<Letter> letters = letters_of("partial: " + to_lower(stage));
   const double width = letter_step * static_cast<double>(letters.size());
-  const double unit = std::min(height_in_margin * paper.other / letter_height, paper.width / width);
+  const double unit = std::min(height_in_margin * paper.above() / letter_height, paper.width / width);
   const Vec2 start(std::min(paper.left, paper.width - unit * width),
-                   paper.height - paper.other / 2 - unit * letter_height / 2);
+                   paper.height - paper.above() / 2 - unit * letter_height / 2);
   Layer layer = empty_layer("sheet", scene::SheetLine::partial, line_widths(paper));
   layer.style.width = line_per_height * letter_height * unit;
   for (std::size_t i = 0; i < letters.size(); ++i)

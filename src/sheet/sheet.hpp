@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,7 +60,7 @@ struct Fill {
 
 enum class Align { left, middle, right };
 
-/// A line of lettering in the font of the project (sheet/lettering.hpp).
+/// A line of lettering in the font of the sheet (sheet/lettering.hpp).
 struct Text {
   std::string text;  ///< UTF-8
   Vec2 at;           ///< on the base line: its left end, middle or right end
@@ -85,12 +86,20 @@ struct ViewFrame {
   Vec2 min, max;      ///< box of its ink, mm
 };
 
+/// A lettering font. Without a file: osifont.
+struct Font {
+  std::filesystem::path file{};
+  int face = 0;          ///< number of the font in a collection
+  std::string family{};  ///< its name
+};
+
 struct Sheet {
   double width = 0, height = 0;  ///< mm
   std::string title;             ///< for the metadata of the file
   std::vector<Layer> layers;     ///< painted in order
   std::vector<ViewFrame> views{};
   std::vector<std::pair<std::string, std::string>> facts{};  ///< more metadata: ("author", "N. N."), ("scale", "1:2")
+  Font font{};
 };
 
 }  // namespace epura::sheet

@@ -16,6 +16,7 @@ struct SheetFurniture {
   FrameKind frame = FrameKind::none;
   std::optional<TitleBlock> title_block{};
   std::vector<Text> labels{};  ///< of views
+  Font font{};
 };
 
 struct FurnitureLayers {

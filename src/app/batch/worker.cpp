@@ -26,6 +26,7 @@
 #include "importer/catalogue.hpp"
 #include "importer/read_model.hpp"
 #include "projection/catalogue.hpp"
+#include "sheet/installed_fonts.hpp"
 #include "sheet/lettering.hpp"
 
 namespace epura {
@@ -187,7 +188,9 @@ std::string basis_of(const BatchOptions& options) {
   add_libraries(text, projection::plugin_folders(options.draw.run.plugin_path));
   add_libraries(text, importer::importer_folders(options.draw.run.plugin_path));
   std::error_code missing;
-  if (fs::exists(sheet::Lettering::usual_font(), missing)) text += '\0' + hash_of_file(sheet::Lettering::usual_font());
+  const scene::LocatedText& font = options.draw.sheet.font;
+  const fs::path file = font.given() ? sheet::find_font(*font, font.where).file : sheet::Lettering::usual_font();
+  if (fs::exists(file, missing)) text += '\0' + hash_of_file(file);
   return hash_of_bytes(text);
 }
 

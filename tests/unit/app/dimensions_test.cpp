@@ -83,6 +83,8 @@ TEST_F(DimensionsOfProgram, InInchesAfterAsme) {
   EXPECT_EQ(dimensions_in(svg, "front"), "1.250 1.250 ");
   EXPECT_TRUE(contains(svg, "aria-label=\"Dimensions in inches\""));
   EXPECT_EQ(dimensions_in(with({"--decimal-sign", ","}), "front"), "1,250 1,250 ");
+  EXPECT_EQ(dimensions_in(with({"--decimal-sign", "comma"}), "front"), "1,250 1,250 ");
+  EXPECT_EQ(dimensions_in(with({"--decimal-sign", "Point"}), "front"), "1.250 1.250 ");
   EXPECT_EQ(dimensions_in(with({"--dimension-decimals", "2"}), "front"), "1.25 1.25 ");
 }
 

@@ -111,6 +111,23 @@ TEST(Frame, TrimmingMarksAreTwoRectanglesInEachCorner) {
   }
 }
 
+TEST(Frame, AnsiZonesCountFromTheLowerRightCorner) {
+  const sheet::Paper b = paper("ANSI-B");
+  const sheet::Furniture all = full(b);
+  auto count = count_texts(all);
+  EXPECT_EQ(all.texts.size(), 12U);
+  for (const std::string zone : {"1", "4", "A", "B"}) EXPECT_EQ(count[zone], 2) << zone;
+  std::map<std::string, Vec2> at;
+  for (const sheet::Text& text : all.texts) at[text.text] = text.at;
+  EXPECT_LT(at["A"].y, at["B"].y);
+  EXPECT_GT(at["1"].x, at["2"].x);
+  EXPECT_EQ(all.wide.size(), 1U) << "no centring marks of ISO 5457";
+  EXPECT_EQ(full(paper("ANSI-E")).texts.size(), 32U);
+  EXPECT_EQ(count_texts(full(paper("ANSI-D", true)))["H"], 2);
+  EXPECT_TRUE(full(paper("ANSI-A")).texts.empty()) << "size A has no zones";
+  EXPECT_FALSE(full(paper("431.8x279.4")).texts.size() == 12U) << "sizes in millimetres have the frame of ISO 5457";
+}
+
 TEST(Frame, SmallSheetsHaveAPlainOne) {
   for (const std::string size : {"60x40", "1x1", "200x100", "500x100"}) {
     const sheet::Paper small = paper(size);

@@ -202,6 +202,35 @@ TEST(BorrowedLetters, HaveTheirMarksFromTheSameFont) {
   EXPECT_EQ(runs[1].characters, U"x\u0323");
 }
 
+TEST(Fonts, AreFoundByFamilyOrFile) {
+  const sheet::Font family = sheet::find_font("OSIFont", "--font");
+  EXPECT_EQ(family.file.filename(), "osifont.ttf");
+  EXPECT_EQ(family.family, "osifont");
+  const sheet::Font file = sheet::find_font(family.file.string(), "--font");
+  EXPECT_EQ(file.file, family.file);
+  EXPECT_EQ(file.family, "osifont");
+  EXPECT_EQ(sheet::Lettering(file).width("A-A", 5), sheet::Lettering().width("A-A", 5));
+}
+
+TEST(Fonts, UnknownOnesAreRefused) {
+  const auto refusal = [](const std::string& font) {
+    try {
+      sheet::find_font(font, "scene.toml:3:8");
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::input);
+      EXPECT_EQ(error.where(), "scene.toml:3:8");
+      return std::string(error.what()) + "; " + error.hint();
+    }
+    return std::string("none");
+  };
+  EXPECT_NE(refusal("osifnt").find("no installed font family is called 'osifnt'; did you mean 'osifont'?"),
+            std::string::npos)
+      << refusal("osifnt");
+  EXPECT_NE(refusal("/nowhere/font.ttf").find("there is no font file '/nowhere/font.ttf'"), std::string::npos);
+  const test::Folder folder;
+  EXPECT_NE(refusal(folder.file("text.ttf", "no font")).find("is not an outline font"), std::string::npos);
+}
+
 TEST(Lettering, AMissingFontIsSaid) {
   try {
     const sheet::Lettering lettering("/nowhere/font.ttf");

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "base/error.hpp"
 
@@ -22,6 +24,25 @@ TEST(Paper, ASizesLieOnTheirSideUnlessPortrait) {
   EXPECT_EQ(sheet::make_paper(scene::parse_paper_size("A0", "--sheet"), false).width, 1189);
 }
 
+TEST(Paper, AnsiSizesAreThoseOfAsmeY14) {
+  // Sheet and drawing area in inches: ASME Y14.1-2020, table 1.
+  const std::vector<std::tuple<std::string, Vec2, Vec2>> sizes = {{"ANSI-A", {11, 8.5}, {10.5, 7.74}},
+                                                                  {"ansi-b", {17, 11}, {15.76, 10.24}},
+                                                                  {"ANSI-C", {22, 17}, {21, 15.5}},
+                                                                  {"ANSI-D", {34, 22}, {32, 21}},
+                                                                  {"ANSI-E", {44, 34}, {43, 32}}};
+  for (const auto& [name, sheet, area] : sizes)
+    for (const bool portrait : {false, true}) {
+      const sheet::Paper paper = sheet::make_paper(scene::parse_paper_size(name, "--sheet"), portrait);
+      const auto turned = [portrait = portrait](const Vec2& size) { return portrait ? Vec2(size.y, size.x) : size; };
+      const Vec2 room = sheet::drawing_area(paper).size() / 25.4;
+      EXPECT_NEAR(glm::length(Vec2(paper.width, paper.height) / 25.4 - turned(sheet)), 0, 1e-9) << name;
+      EXPECT_NEAR(glm::length(room - turned(area)), 0, 1e-9) << name;
+      EXPECT_NEAR(glm::length(sheet::drawing_area(paper).centre() - Vec2(paper.width, paper.height) / 2.0), 0, 1e-9);
+    }
+  EXPECT_EQ(sheet::size_name(scene::parse_paper_size("ansi-c", "--sheet")), "C");
+}
+
 TEST(Paper, CustomSizesAndNone) {
   EXPECT_EQ(sheet::make_paper(scene::parse_paper_size("none", "--sheet"), false).width, 0);
   const sheet::Paper custom = sheet::make_paper(scene::parse_paper_size("300x200.5", "--sheet"), true);
@@ -32,8 +53,8 @@ TEST(Paper, CustomSizesAndNone) {
 }
 
 TEST(Paper, RefusesWhatIsNoSize) {
-  for (const std::string text :
-       {"", "A", "A5", "A44", "x", "3x", "0x10", "-3x4", "nanx3", "infx3", "1e9x3", "3x4x5", "3 x 4"}) {
+  for (const std::string text : {"", "A", "A5", "ANSI-F", "ANSI-", "ansib", "A44", "x", "3x", "0x10", "-3x4", "nanx3",
+                                 "infx3", "1e9x3", "3x4x5", "3 x 4"}) {
     try {
       sheet::make_paper(scene::parse_paper_size(text, "--sheet"), false);
       ADD_FAILURE() << text;
