@@ -69,6 +69,7 @@ void weld(Polygons& soup) {
   std::vector<int> corners;
   for (const std::vector<int>& face : soup.faces) corners.insert(corners.end(), face.begin(), face.end());
   mesh::renumber(soup.points, corners, mesh::same_places(soup.points));
+  soup.single_precision = true;
   for (std::size_t i = 0; i < soup.faces.size(); ++i)
     std::copy_n(corners.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, soup.faces[i].begin());
 }

@@ -33,7 +33,7 @@ set(CPACK_DEBIAN_EPURA_PACKAGE_DEPENDS fonts-osifont)
 set(CPACK_DEBIAN_EPURA_PACKAGE_SUGGESTS "epura-study ${same_version}, epura-opencascade ${same_version}, epura-gltf ${same_version}, epura-3mf ${same_version}")
 set(CPACK_DEBIAN_EPURA_DESCRIPTION
 "Any projection, exact hidden lines, dimensions and sheets after ISO; reads
-OBJ, STL, PLY and OFF, writes SVG, PDF, PS, EPS, PNG, DXF and JSON.
+OBJ, STL, PLY and OFF, writes SVG, PDF, PS, EPS, PNG, DXF, HTML and JSON.
 Projections are plugins.")
 
 set(CPACK_DEBIAN_STUDY_PACKAGE_NAME epura-study)

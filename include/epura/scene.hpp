@@ -57,7 +57,6 @@ struct Style {
 /// A number, several numbers, or a word.
 using ParameterValue = std::variant<double, std::vector<double>, std::string>;
 
-/// A view of the models through a projection plugin.
 /// A part of a view that is left out, between two places on an axis of the world (0: x, 1: y, 2: z); infinite: up to
 /// the end of the view.
 struct Break {
@@ -65,6 +64,7 @@ struct Break {
   double from = 0, to = 0;
 };
 
+/// A view of the models through a projection plugin.
 struct View {
   std::string projection = "isometric";
   std::vector<std::pair<std::string, ParameterValue>> parameters{};  ///< see `epura plugins NAME`
@@ -75,6 +75,10 @@ struct View {
   /// Smallest angle between two faces whose common edge is a crease, 0 to 180 degrees; by default 5 between recognised
   /// faces of the part, and 30 in other meshes.
   std::optional<double> crease_angle{};
+  /// The same for edges of scans and other meshes without recognised faces that continue a crease; by default
+  /// crease_angle.
+  std::optional<double> weak_crease_angle{};
+  double least_crease = 0;   ///< mm on paper; shorter creases that meet no other line are left out
   double join_within = 0.1;  ///< mm on paper; closer parallel lines are drawn as one, 0: draw all
   LayersBy layers = LayersBy::role;
   std::optional<double> near{}, far{};        ///< depths; omit what is nearer or farther

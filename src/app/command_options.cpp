@@ -80,9 +80,16 @@ scene::Options<SnapshotOptions> snapshot_options() {
 scene::Options<PluginsOptions> plugins_options() {
   using Plugins = PluginsOptions;
   return {
-      scene::option<Plugins>({.flag = "name", .help = "projection to show: parameters, matrix, vanishing points"},
-                             &Plugins::name,
-                             scene::any_text().shown_as("NAME").completed_by(scene::Completion::projections)),
+      scene::option<Plugins>(
+          {.flag = "name", .help = "projection to show: parameters, matrix, vanishing points"}, &Plugins::name,
+          scene::any_text().shown_as("NAME[:key=value]...").completed_by(scene::Completion::projections)),
+      scene::option<Plugins>(
+          {.flag = "--model", .help = "show how this model is projected: every matrix from the world to the viewport"},
+          &Plugins::model, file_name("MODEL")),
+      scene::option<Plugins>({.flag = "--trace", .help = "follow this vertex of the model through all matrices"},
+                             &Plugins::vertex, scene::whole_number(0).shown_as("VERTEX")),
+      scene::option<Plugins>({.flag = "--notation", .help = "of the matrices", .usual = "text"}, &Plugins::notation,
+                             scene::choice<MatrixNotation>()),
       plugin_path_option<Plugins>(&Plugins::plugin_path),
   };
 }

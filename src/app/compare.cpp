@@ -55,8 +55,7 @@ int compare_files(const CompareOptions& options) {
   write_overlay(targets, comparison);
   if (is_html(options.overlay))
     write_file(options.overlay,
-               compare::html_report(options.before + " | " + options.after,
-                                    {compare::add_pictures({options.after, same, words}, before, after, comparison)}));
+               compare::overlay_page(options.before + " | " + options.after, words, before, after, comparison));
   if (!options.json.empty())
     pipeline::write({options.json, compare::to_json(comparison, options.tolerance, options.before, options.after)}, {});
   if (options.json != "-") std::fputs(words.c_str(), stdout);

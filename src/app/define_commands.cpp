@@ -15,7 +15,7 @@ const ProgramTexts& program_texts() {
       .description =
           "epura reads meshes (OBJ, STL, PLY, OFF) and, through importers, other models, projects them with any "
           "projection that a plugin provides, finds "
-          "hidden lines exactly, and writes drawings to scale: SVG, PDF, PS, EPS, PNG, DXF "
+          "hidden lines exactly, and writes drawings to scale: SVG, PDF, PS, EPS, PNG, DXF, HTML "
           "and JSON. Scene files (TOML) describe whole sheets with several views, sections, dimensions and "
           "a title block.",
       .exit_codes = {{0, "success"},

@@ -111,6 +111,7 @@ scene::SceneDescription describe(const DrawOptions& options) {
   add_details(scene, options.details);
   if (options.explode.given()) scene.explosions.push_back({.where = options.explode.where, .factor = options.explode});
   if (options.dimensions.given()) add_dimensions(scene, options.dimensions);
+  if (options.parts_list && !scene.parts_list) scene.parts_list = scene::PartsListDescription{"--parts-list"};
   pipeline::complete_scene(scene);
   for (scene::SheetDescription& sheet : scene.sheets) {
     scene::overrule(sheet, options.sheet, scene::sheet_options());

@@ -22,6 +22,11 @@ bool want_drawings(const std::vector<pipeline::Target>& targets) {
                      [](const pipeline::Target& target) { return target.format->has_drawings; });
 }
 
+bool want_facts(const std::vector<pipeline::Target>& targets) {
+  return std::any_of(targets.begin(), targets.end(),
+                     [](const pipeline::Target& target) { return target.format->has_facts; });
+}
+
 void expect_outputs(const DrawOptions& options) {
   const bool asked = !options.run.why.empty() || options.run.dump || options.run.explain || options.run.lint;
   if (!asked && options.outputs.empty())
@@ -45,6 +50,7 @@ std::string draw_again(const DrawOptions& options, const scene::SceneDescription
   again.dump.reset();
   if (targets.empty()) targets.push_back({"explain.svg", output::find_format("svg")});
   again.keeps_drawings = want_drawings(targets);
+  again.line_facts = want_facts(targets);
   pipeline::Stopwatch watch;
   const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
   const pipeline::DrawnScene drawn = pipeline::draw_scene(scene, again, {silent, {}, watch});
@@ -107,6 +113,7 @@ DrawnFiles draw_within(const DrawOptions& options, const pipeline::Messages& mes
 
   pipeline::RunOptions run = options.run;
   run.keeps_drawings = want_drawings(targets);
+  run.line_facts = want_facts(targets);
   pipeline::DrawnScene drawn = pipeline::draw_scene(scene, run, {messages, progress, watch});
   report::Report& report = drawn.report;
   estimate_savings(report.plan);

@@ -135,6 +135,9 @@ scene::Options<Draw> picture_options() {
            .help = "overall: add width, height and depth, each in the clearest view; auto: also sizes of features; "
                    "hole-table: like auto, with the holes in a table"},
           &Draw::dimensions, scene::choice<AutomaticDimensions>().shown_as("WHICH")),
+      scene::option<Draw>({.flag = "--parts-list",
+                           .help = "add a list of the parts above the title block, and their numbers in the views"},
+                          &Draw::parts_list, scene::truth()),
       scene::option<Draw>(
           {.flag = "--visibility", .help = "how hidden lines are found; none draws a wireframe", .usual = "exact"},
           run(&pipeline::RunOptions::visibility), visibility_kind()),
@@ -156,6 +159,9 @@ scene::Options<Draw> format_options() {
   return {
       scene::option<Draw>({.flag = "--plain", .help = "compact SVG without ids and the origin of lines"},
                           vector(&output::VectorOptions::plain), scene::truth()),
+      scene::option<Draw>(
+          {.flag = "--inline", .help = "SVG as an element of an HTML page, as wide as what contains it"},
+          vector(&output::VectorOptions::is_inline), scene::truth()),
       scene::option<Draw>(
           {.flag = "--svg-text", .help = "lettering in SVG; text needs the font installed", .usual = "outlines"},
           vector(&output::VectorOptions::text), scene::choice<SvgText>().shown_as("HOW")),

@@ -24,6 +24,12 @@ struct scene::Words<ShowProgress> {
   static constexpr std::array list{"auto", "always", "never"};
 };
 
+enum class MatrixNotation { text, latex, json };
+template <>
+struct scene::Words<MatrixNotation> {
+  static constexpr std::array list{"text", "latex", "json"};
+};
+
 enum class AutomaticDimensions { overall, automatic, hole_table };
 template <>
 struct scene::Words<AutomaticDimensions> {
@@ -44,6 +50,7 @@ struct DrawOptions {
   std::vector<scene::Located<scene::DetailRequest>> details;
   scene::Located<double> explode;
   scene::Located<AutomaticDimensions> dimensions;
+  bool parts_list = false;
   output::VectorOptions vector;
   pipeline::RunOptions run;
   bool timings = false;
@@ -75,7 +82,10 @@ struct BatchOptions {
 };
 
 struct PluginsOptions {
-  std::string name;  ///< empty: list all
+  std::string name;           ///< a projection with its parameters; empty: list all
+  std::string model;          ///< file whose projection is shown step by step; empty: none
+  std::optional<int> vertex;  ///< of the model, followed through all steps
+  MatrixNotation notation = MatrixNotation::text;
   std::vector<std::filesystem::path> plugin_path;
 };
 

@@ -4,6 +4,7 @@
 
 #include "app/commands.hpp"
 #include "app/plugin_texts.hpp"
+#include "app/viewing_steps.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
@@ -34,7 +35,7 @@ void print_vanishing_points(const projection::Projection& projection) {
       print(std::string("  ") + axes[i] + "  " + format_fixed(points[i]->x, 6) + ", " + format_fixed(points[i]->y, 6));
 }
 
-void show(const projection::ProjectionEntry& entry) {
+void show(const projection::ProjectionEntry& entry, const scene::ProjectionRequest& request) {
   print(entry.name + " (" + entry.family + "): " + entry.summary);
   if (!entry.reference.empty()) print("reference: " + entry.reference);
   print("plugin: " + entry.plugin.string());
@@ -43,8 +44,9 @@ void show(const projection::ProjectionEntry& entry) {
   Box box;
   box.add(Vec3(0));
   box.add(Vec3(1));
-  const projection::Projection projection = projection::make_projection(entry, {entry.name, {}}, box);
-  print(std::string("\n") + (projection.central ? "M_per" : "M_par") + " with the defaults, for the unit cube");
+  const projection::Projection projection = projection::make_projection(entry, request, box);
+  print(std::string("\n") + (projection.central ? "M_per" : "M_par") +
+        (request.assignments.empty() ? " with the defaults" : " with these parameters") + ", for the unit cube");
   print_matrix(projection::plane_matrix(projection));
   print_vanishing_points(projection);
   const view::Condition condition = view::condition_of(projection, box);
@@ -70,8 +72,17 @@ int list(const std::vector<std::filesystem::path>& folders) {
 
 int plugins(const PluginsOptions& options) {
   const auto folders = projection::plugin_folders(options.plugin_path);
-  if (options.name.empty()) return list(folders);
-  show(projection::find_projection(options.name, folders));
+  if (options.name.empty()) {
+    if (!options.model.empty())
+      throw Error(ErrorKind::input, "--model", "needs a projection",
+                  "as in 'epura plugins isometric --model part.stl'");
+    return list(folders);
+  }
+  const scene::ProjectionRequest request = scene::parse_request(options.name);
+  const projection::ProjectionEntry entry = projection::find_projection(request.name, folders);
+  if (!options.model.empty()) return show_steps(entry, request, options);
+  if (options.vertex) throw Error(ErrorKind::input, "--trace", "needs a model", "name its file with --model");
+  show(entry, request);
   return 0;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 #include "compare/overlay.hpp"
 #include "output/html.hpp"
@@ -81,6 +82,27 @@ ReportedCase add_pictures(ReportedCase reported, const PictureFile& expected, co
   reported.actual = svgs_of(actual);
   for (const PageComparison& page : comparison.pages) reported.overlays.push_back(svg_of(overlay_of(page)));
   return reported;
+}
+
+std::string overlay_page(const std::string& title, const std::string& words, const PictureFile& before,
+                         const PictureFile& after, const Comparison& comparison) {
+  std::vector<sheet::Sheet> sheets;
+  const auto add = [&sheets](sheet::Sheet sheet, const std::string& name, std::size_t number, std::size_t count) {
+    sheet.title = name + (count > 1 ? " " + std::to_string(number + 1) : "");
+    sheets.push_back(std::move(sheet));
+  };
+  for (std::size_t i = 0; i < comparison.pages.size(); ++i)
+    add(overlay_of(comparison.pages[i]), "Differences", i, comparison.pages.size());
+  for (std::size_t i = 0; i < before.pages.size(); ++i)
+    add(sheet_of(before.pages[i]), "Before", i, before.pages.size());
+  for (std::size_t i = 0; i < after.pages.size(); ++i) add(sheet_of(after.pages[i]), "After", i, after.pages.size());
+  output::VectorOptions options;
+  options.decimals = 3;
+  const report::Report report;
+  output::FileContent content{{}, options, report, title, "Differences"};
+  for (const sheet::Sheet& sheet : sheets) content.sheets.push_back({sheet});
+  if (!content.sheets.empty()) content.sheets.front().answers = words;
+  return output::to_html(content);
 }
 
 std::string html_report(const std::string& title, const std::vector<ReportedCase>& cases) {

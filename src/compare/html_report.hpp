@@ -21,6 +21,11 @@ struct ReportedCase {
 ReportedCase add_pictures(ReportedCase reported, const PictureFile& expected, const PictureFile& actual,
                           const Comparison& comparison);
 
+/// One page for browsers (output::to_html): the differences of each page, then the pages before and after, as sheets,
+/// and the differences in words.
+std::string overlay_page(const std::string& title, const std::string& words, const PictureFile& before,
+                         const PictureFile& after, const Comparison& comparison);
+
 /// A self-contained HTML page: cases with differences first, and those without as a list of names.
 std::string html_report(const std::string& title, const std::vector<ReportedCase>& cases);
 

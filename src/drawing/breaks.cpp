@@ -266,7 +266,7 @@ void break_drawing(ViewDrawing& drawing, const Breaks& breaks, const Progress& p
   drawing.crossings = std::move(all.crossings);
   drawing.cut_faces = std::move(all.cut_faces);
   drawing.before_cuts = std::move(before_cuts);
-  drawing.chains = chain_segments(drawing.segments, straight_mm, progress);
+  drawing.chains = chain_segments(drawing.segments, straight_mm, drawing.coincident, progress);
   drawing.min = breaks.moved(drawing.min);
   drawing.max = breaks.moved(drawing.max);
   drawing.breaks = breaks;

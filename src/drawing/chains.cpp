@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 #include "drawing/partners.hpp"
@@ -18,14 +19,16 @@ const Vec2& place(const std::vector<Segment>& segments, End end) {
   return end % 2 == 0 ? s.from : s.to;
 }
 
-std::vector<End> find_partners(const std::vector<Segment>& segments, const Progress& progress) {
+std::vector<End> find_partners(const std::vector<Segment>& segments, double touching, const Progress& progress) {
   const auto place_of = [&](End end) { return place(segments, end); };
   const auto look_of = [&](End end) {
     const Segment& s = segments[line_of(end)];
-    const double style = 2 * static_cast<double>(s.kind) + (s.visible ? 1 : 0);
+    const double style = 2 * static_cast<double>(edges::look_of(s.kind)) + (s.visible ? 1 : 0);
     return std::array{style, static_cast<double>(s.model), static_cast<double>(s.body)};
   };
-  return drawing::find_partners(static_cast<int>(segments.size()), place_of, look_of, progress);
+  const auto kind_of = [&](End end) { return segments[line_of(end)].kind; };
+  return drawing::find_partners(LineEnds{static_cast<int>(segments.size()), place_of, look_of, kind_of}, touching,
+                                progress);
 }
 
 // Leaves out corners at which the line runs straight on. The offsets of the corners left out since the last one kept
@@ -63,15 +66,32 @@ Chain follow(const std::vector<Segment>& segments, const std::vector<End>& partn
   for (End at = start; at != no_end && !used[line_of(at)]; at = partner[other(at)]) {
     used[line_of(at)] = true;
     chain.segments.push_back(line_of(at));
+    chain.kind = std::min(chain.kind, segments[line_of(at)].kind);
     chain.points.push_back(place(segments, other(at)));
   }
   return chain;
 }
 
+double length_of(const Chain& chain) {
+  double length = chain.closed ? glm::distance(chain.points.back(), chain.points.front()) : 0;
+  for (std::size_t i = 1; i < chain.points.size(); ++i) length += glm::distance(chain.points[i - 1], chain.points[i]);
+  return length;
+}
+
+// The number of segments that end in each vertex of a model: by model and vertex.
+std::map<std::array<int, 2>, int> ends_at_vertices(const std::vector<Segment>& segments) {
+  std::map<std::array<int, 2>, int> count;
+  for (const Segment& s : segments)
+    for (std::size_t end = 0; end < 2; ++end)
+      if (s.edge[0] >= 0 && (s.t[end] == 0 || s.t[end] == 1)) ++count[{s.model, s.edge[s.t[end] == 1 ? 1 : 0]}];
+  return count;
+}
+
 }  // namespace
 
-std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance, const Progress& progress) {
-  const std::vector<End> partner = find_partners(segments, progress);
+std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance, double touching,
+                                  const Progress& progress) {
+  const std::vector<End> partner = find_partners(segments, touching, progress);
   std::vector<bool> used(segments.size(), false);
   std::vector<Chain> chains;
   Pace pace(progress, segments.size());
@@ -90,6 +110,31 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
   for (End end = 0; end < static_cast<End>(partner.size()); end += 2)
     if (!used[line_of(end)]) add(end, true);
   return chains;
+}
+
+bool drop_short_creases(ViewDrawing& drawing, double least) {
+  const auto is_short = [&](const Chain& chain) {
+    return chain.kind == EdgeKind::crease && !chain.closed && length_of(chain) < least;
+  };
+  if (std::none_of(drawing.chains.begin(), drawing.chains.end(), is_short)) return false;
+  const std::map<std::array<int, 2>, int> ends = ends_at_vertices(drawing.segments);
+  // Whether the edge ends there, and no other.
+  const auto fades = [&](const Segment& s, std::size_t end) {
+    if (s.edge[0] < 0 || (s.t[end] != 0 && s.t[end] != 1)) return false;
+    return ends.at({s.model, s.edge[s.t[end] == 1 ? 1 : 0]}) == 1;
+  };
+  std::vector<char> dropped(drawing.segments.size(), 0);
+  for (const Chain& chain : drawing.chains) {
+    if (!is_short(chain)) continue;
+    int fading = 0;
+    for (const int i : chain.segments)
+      for (std::size_t end = 0; end < 2; ++end) fading += fades(drawing.segments[i], end) ? 1 : 0;
+    if (fading == 2)
+      for (const int i : chain.segments) dropped[i] = 1;
+  }
+  const auto* first = drawing.segments.data();
+  std::erase_if(drawing.segments, [&](const Segment& s) { return dropped[&s - first] != 0; });
+  return true;
 }
 
 }  // namespace epura::drawing

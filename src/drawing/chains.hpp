@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Touching segments of the same style, model and named body, joined end to end into polylines.
+// Touching segments that look the same, of one model and named body, joined end to end into polylines.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,13 @@
 namespace epura::drawing {
 
 /// Every segment is in exactly one chain. Where more than two ends meet, the straightest continuations are joined.
-/// Corners at which a chain runs straight on within `tolerance` mm are left out. Throws OutOfTime.
-std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance,
+/// Corners at which a chain runs straight on within `tolerance` mm are left out. Ends up to `touching` mm apart meet.
+/// Throws OutOfTime.
+std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance, double touching = 0,
                                   const Progress& progress = {});
+
+/// Removes chains of creases shorter than `least` mm that meet no other line and end neither behind a face nor at the
+/// edge of the view, with their segments. Returns whether there were any; then the chains must be made anew.
+bool drop_short_creases(ViewDrawing& drawing, double least);
 
 }  // namespace epura::drawing

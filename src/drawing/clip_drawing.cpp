@@ -55,7 +55,7 @@ void clip_drawing(ViewDrawing& drawing, const DetailFrame& detail, const Progres
   const Boundary& boundary = detail.boundary;
   progress.begin("clipping the detail", drawing.segments.size());
   clip_to(drawing, boundary);
-  drawing.chains = chain_segments(drawing.segments, straight_mm, progress);
+  drawing.chains = chain_segments(drawing.segments, straight_mm, drawing.coincident, progress);
   drawing.min = boundary.centre - boundary.half;
   drawing.max = boundary.centre + boundary.half;
   drawing.detail = detail;

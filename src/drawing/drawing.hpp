@@ -54,7 +54,7 @@ struct Chain {
   std::vector<Vec2> points;  ///< the closing point of a closed chain is not repeated
   bool closed;
   bool visible;
-  EdgeKind kind;
+  EdgeKind kind;                    ///< the first of those of its segments, which look the same
   std::vector<int> segments;        ///< indices into ViewDrawing::segments, in order along the chain
   std::vector<CurvePart> curves{};  ///< ascending and disjoint
 };
@@ -94,6 +94,7 @@ struct ViewDrawing {
   std::vector<std::array<Vec2, 2>> traces{};  ///< of bodies moved apart: visible lines from their places
   double contours_moved = 0;  ///< mm; greatest distance at which contours of curved faces are drawn from edges of the
                               ///< mesh
+  double coincident = 0;      ///< mm; lines this close coincide, and their ends meet
   double joined_within = 0;   ///< mm; omitted lines have ink of at least the same strength within this distance
 };
 

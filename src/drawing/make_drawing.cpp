@@ -21,7 +21,7 @@ std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::
   const edges::FeatureEdges& drawn = lines.drawn;
   const auto visit_drawn = [&](std::size_t e, const auto& visit) {
     lines.hidden.visit_parts(e, [&](double from, double to, bool visible) {
-      if (visible || keep_hidden) visit(from, to, visible);
+      if (visible || (keep_hidden && !drawn.edges[e].by_chance)) visit(from, to, visible);
     });
   };
   std::vector<std::size_t> first(drawn.edges.size() + 1, 0);  // index of the first piece, by edge
@@ -197,10 +197,13 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
   pieces = joined_where_near(std::move(pieces), lines, options.near, limits.min, progress);
   drawing.joined_within = options.near.reach();
+  drawing.coincident = limits.tolerance;
   add_segments(lines, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // to make room for the chains
   progress.begin("joining lines", drawing.segments.size());
-  drawing.chains = chain_segments(drawing.segments, straight_mm, progress);
+  drawing.chains = chain_segments(drawing.segments, straight_mm, drawing.coincident, progress);
+  if (options.least_crease > 0 && drop_short_creases(drawing, options.least_crease))
+    drawing.chains = chain_segments(drawing.segments, straight_mm, drawing.coincident, progress);
 
   Vec2 max(-HUGE_VAL), low(HUGE_VAL);
   for (const Segment& s : drawing.segments) {

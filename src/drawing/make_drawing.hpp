@@ -21,6 +21,7 @@ struct DrawingOptions {
   /// Hidden lines that are not kept are not created. This does not change the result: visible lines come first in rank.
   bool leave_out = true;
   NearLines near{};
+  double least_crease = 0;  ///< mm; shorter creases that meet no other line are left out
 };
 
 /// Returns the place at page parameter `s` of an edge, in mm.

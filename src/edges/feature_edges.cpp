@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
 #include "edges/slivers.hpp"
@@ -266,6 +267,27 @@ struct Judge {
   }
 };
 
+// Hysteresis: of the edges that would be creases with the weak angle, those that are connected to a crease by others
+// of them become creases (Canny, A computational approach to edge detection, PAMI 1986).
+void continue_creases(const mesh::Mesh& mesh, const Judge& weak, std::vector<std::optional<EdgeKind>>& kinds,
+                      const Progress& progress) {
+  std::vector<char> is_weak(kinds.size(), 0);
+  parallel_for(kinds.size(), 4096, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e)
+      is_weak[e] = !kinds[e] && weak.kind_of(mesh.edges[e]) == EdgeKind::crease ? 1 : 0;
+  });
+  DisjointSets connected(mesh.points.size());
+  const auto is_crease = [&](std::size_t e) { return kinds[e] == EdgeKind::crease; };
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+    if (is_weak[e] != 0 || is_crease(e)) connected.join(mesh.edges[e].vertex[0], mesh.edges[e].vertex[1]);
+  const std::vector<int> root = std::move(connected).roots();
+  std::vector<char> has_crease(root.size(), 0);
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+    if (is_crease(e)) has_crease[root[mesh.edges[e].vertex[0]]] = 1;
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+    if (is_weak[e] != 0 && has_crease[root[mesh.edges[e].vertex[0]]] != 0) kinds[e] = EdgeKind::crease;
+}
+
 }  // namespace
 
 std::vector<std::optional<EdgeKind>> feature_edges(const scene::World& world, const view::ProjectedScene& view,
@@ -297,6 +319,11 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
     for (std::size_t e = begin; e < end; ++e) kinds[e] = judge.kind_of(edges[e]);
     progress.advance(end - begin);
   });
+  if (part == nullptr && options.crease && options.weak_angle < options.crease_angle) {
+    Judge weak = judge;
+    weak.crease = FoldLimit(options.weak_angle - angle_rounding);
+    continue_creases(*around.world.models[around.model].mesh, weak, kinds, progress);
+  }
   return kinds;
 }
 

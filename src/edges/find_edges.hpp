@@ -17,6 +17,7 @@ struct EdgeOptions {
   bool tangent = false;      ///< see edges/tangent_edges.hpp
   bool smooth = false;       ///< all other edges of the mesh
   double crease_angle = 30;  ///< least angle between the triangles' normals at a crease of a mesh, degrees
+  double weak_angle = 180;   ///< the same where the edge continues a crease; without effect from crease_angle on
   double part_angle = 5;     ///< the same for a border between recognised faces of a part, along all of it
 };
 
@@ -29,6 +30,7 @@ struct FeatureEdge {
   int mesh_edge;                     ///< number in its model; -1 for an intersection line
   int crossing;                      ///< index in FeatureEdges::crossings of an intersection line; otherwise -1
   std::array<int, 2> shown{-1, -1};  ///< vertices of the view at which its ends are drawn; -1: not moved
+  bool by_chance = false;            ///< a contour of facets where their surface has none; not drawn where it is hidden
 };
 
 /// The triangles of a model that meet in an edge next to slivers: those at the edge and those beyond the slivers.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/groups.hpp"
@@ -19,6 +20,9 @@ using features::SurfaceKind;
 
 // Relative to the height of a triangle: the contour of a surface is no farther from that of its facets.
 constexpr double most_moved = 1;
+
+// Cosines this small of the angle between a normal and the projector count as 0.
+constexpr double along_projector = 1e-5;
 
 // Whether contours at a triangle are moved to the surface.
 bool is_smoothed(const scene::Placed& placed, int triangle) {
@@ -71,6 +75,20 @@ class ModelContours {
     if (surface.kind != SurfaceKind::free_form)
       *nearest -= features::signed_distance(surface, *nearest) * features::normal_near(surface, *nearest);
     return nearest;
+  }
+
+  /// Whether an edge between two triangles of one face is a contour only because the tessellation turned one of them
+  /// over: at their corners, the surface nowhere faces the other way.
+  [[nodiscard]] bool is_by_chance(std::span<const int> triangles) const {
+    if (part_.face_of_triangle[triangles[0]] != part_.face_of_triangle[triangles[1]]) return false;
+    bool front = false, back = false;
+    for (const int t : triangles)
+      for (const int corner : mesh_.triangle(t)) {
+        const double facing = glm::dot(normal_at(corner, t), glm::normalize(towards_viewer(mesh_.point(corner))));
+        front = front || facing > along_projector;
+        back = back || facing < -along_projector;
+      }
+    return front != back;
   }
 
  private:
@@ -152,6 +170,7 @@ class MovedEnds {
     const std::vector<int> edges = smoothed_edges(model, part_angle);
     if (edges.empty()) return;
     const ModelContours contours(placed, view_.projection, part_angle);
+    for (const int e : edges) drawn_.edges[e].by_chance = contours.is_by_chance(triangles_at(drawn_.edges[e]));
     const int first = world_.first_vertex[model];
     std::vector<int> vertices;
     for (const int e : edges)
@@ -197,12 +216,17 @@ class MovedEnds {
       if (edge.kind != EdgeKind::contour || edge.t != std::array<double, 2>{0, 1}) continue;
       const features::PartBorder* border = placed.part->border_at(edge.mesh_edge);
       if (border != nullptr && border->angle > part_angle) continue;
-      const auto triangles = placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]);
+      const std::span<const int> triangles = triangles_at(edge);
       if (triangles.size() == 2 &&
           std::any_of(triangles.begin(), triangles.end(), [&](int t) { return is_smoothed(placed, t); }))
         found.push_back(e);
     }
     return found;
+  }
+
+  [[nodiscard]] std::span<const int> triangles_at(const FeatureEdge& edge) const {
+    const mesh::Mesh& mesh = *world_.models[edge.model].mesh;
+    return mesh.triangles_of(mesh.edges[static_cast<std::size_t>(edge.mesh_edge)]);
   }
 
   // Edges are sorted by model.

@@ -64,6 +64,10 @@ std::string fold_of(const ExplainInput& drawn_view, const Subject& subject, bool
   if (!angle) return faces + " meet here";
   const double min = drawn_view.options.crease_angle;
   const std::string text = faces + " turn by " + format_value(*angle) + " degrees";
+  if (*angle < min && *angle >= drawn_view.options.weak_angle)
+    return text + (crease ? " and continue a crease" : " and continue no crease") + "; a crease turns by " +
+           format_value(min) + " or more, or by " + format_value(drawn_view.options.weak_angle) +
+           " where it continues one";
   if (crease != (*angle >= min)) return text + ", but not if slivers are ignored";
   return text + "; a crease turns by " + format_value(min) + " or more";
 }

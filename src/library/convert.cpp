@@ -144,6 +144,10 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   description.edges = {view.edges, where + ".edges"};
   if (view.crease_angle)
     description.crease_angle = {checked(*view.crease_angle, where + ".crease_angle", 0, 180), where + ".crease_angle"};
+  if (view.weak_crease_angle)
+    description.weak_crease_angle = {checked(*view.weak_crease_angle, where + ".weak_crease_angle", 0, 180),
+                                     where + ".weak_crease_angle"};
+  description.least_crease = {checked(view.least_crease, where + ".least_crease", 0, 100), where + ".least_crease"};
   description.join_within = {checked(view.join_within, where + ".join_within", 0, 1), where + ".join_within"};
   description.layers = {view.layers, where + ".layers"};
   description.near = located(view.near, where + ".near");

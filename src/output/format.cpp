@@ -40,16 +40,19 @@ std::string json(const FileContent& file, const Progress& progress) {
   return to_json(content.sheet, content.scale, content.drawings, file.report, progress);
 }
 
-constexpr bool pages = true, drawings = true;
+std::string html(const FileContent& file, const Progress& progress) { return to_html(file, progress); }
+
+constexpr bool pages = true, drawings = true, facts = true;
 
 constexpr std::array table = {
-    Format{"svg", !pages, !drawings, "emf wmf svgz", svg},
-    Format{"pdf", pages, !drawings, "ai", all_sheets<to_pdf>},
-    Format{"ps", pages, !drawings, "", all_sheets<to_ps>},
-    Format{"eps", !pages, !drawings, "", one_sheet<to_eps>},
-    Format{"png", !pages, !drawings, "jpg jpeg gif bmp tif tiff webp", png},
-    Format{"dxf", !pages, !drawings, "dwg", dxf},
-    Format{"json", !pages, drawings, "", json},
+    Format{"svg", !pages, !drawings, !facts, "emf wmf svgz", svg},
+    Format{"pdf", pages, !drawings, !facts, "ai", all_sheets<to_pdf>},
+    Format{"ps", pages, !drawings, !facts, "", all_sheets<to_ps>},
+    Format{"eps", !pages, !drawings, !facts, "", one_sheet<to_eps>},
+    Format{"png", !pages, !drawings, !facts, "jpg jpeg gif bmp tif tiff webp", png},
+    Format{"dxf", !pages, !drawings, !facts, "dwg", dxf},
+    Format{"json", !pages, drawings, !facts, "", json},
+    Format{"html", pages, drawings, facts, "htm xhtml", html},
 };
 
 }  // namespace

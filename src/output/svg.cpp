@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "output/glyphs.hpp"
 #include "output/metadata.hpp"
+#include "output/page_lines.hpp"
 #include "output/svg_lettering.hpp"
 #include "output/svg_path_text.hpp"
 #include "output/svg_paths.hpp"
@@ -88,13 +89,18 @@ std::string prefix_of(const sheet::Sheet& sheet) {
 class LayerWriter {
  public:
   LayerWriter(std::string& svg, const sheet::Sheet& sheet, const SvgDocument& document)
-      : svg_(svg), document_(document), lettering_(lettering_of(sheet)) {}
+      : svg_(svg), document_(document), lettering_(lettering_of(sheet)) {
+    if (document.in_html) ids_ = {"title", "desc"};
+    for (const sheet::Layer& layer : sheet.layers)
+      if (draws_edges(layer)) edges_ += layer.strokes.size();
+  }
 
   void append(const std::vector<const sheet::Layer*>& layers, const Progress& progress);
 
  private:
-  void begin_group(std::string_view name, std::string_view label);
+  void begin_group(std::string_view name, std::string_view label, std::string_view label_in_page);
   void append(const sheet::Layer& layer, std::string_view name_in_view, const Progress& progress);
+  void append_lines(const sheet::Layer& layer, const Progress& progress);
   void append_look(const sheet::LineStyle& style);
   void append_origin(const sheet::Layer& layer);
 
@@ -103,6 +109,8 @@ class LayerWriter {
   std::optional<sheet::Lettering> lettering_;
   std::set<std::string> ids_{};
   std::size_t lines_ = 0;
+  std::size_t edges_ = 0;       ///< number of lines in layers that draw edges
+  std::size_t edge_bytes_ = 0;  ///< written of them
 };
 
 // The view of VIEW/ROLE; empty if there is none.
@@ -119,7 +127,7 @@ void LayerWriter::append(const std::vector<const sheet::Layer*>& layers, const P
     if (view != open) {
       if (!open.empty()) svg_ += "</g>\n";
       if (!view.empty()) {
-        begin_group(view, view);
+        begin_group(view, view, "data-view");
         svg_ += ">\n";
       }
       open = view;
@@ -129,31 +137,45 @@ void LayerWriter::append(const std::vector<const sheet::Layer*>& layers, const P
   if (!open.empty()) svg_ += "</g>\n";
 }
 
-void LayerWriter::begin_group(std::string_view name, std::string_view label) {
+void LayerWriter::begin_group(std::string_view name, std::string_view label, std::string_view label_in_page) {
+  if (document_.page != nullptr) return append_attribute(svg_ += "<g", label_in_page, label);
   std::string id = identifier(name);
   // Plain numbers are the ids of lines.
   if (id.find_first_not_of("0123456789") == std::string::npos) id += '-';
   while (!ids_.insert(id).second) id += '-';
-  svg_.append("<g id=\"").append(document_.prefix).append(id).append("\" inkscape:groupmode=\"layer\"");
+  svg_.append("<g id=\"").append(document_.prefix).append(id) += '"';
+  if (document_.in_html) return append_attribute(svg_, label_in_page, label);
+  svg_ += " inkscape:groupmode=\"layer\"";
   append_attribute(svg_, "inkscape:label", label);
 }
 
 void LayerWriter::append(const sheet::Layer& layer, std::string_view name_in_view, const Progress& progress) {
-  begin_group(layer.name, name_in_view);
+  begin_group(layer.name, name_in_view, "data-layer");
   append_look(layer.style);
   if (!document_.plain) append_origin(layer);
   svg_ += ">\n";
   append_fills(svg_, layer, document_);
-  append_paths(svg_, layer, document_, lines_, progress);
+  append_lines(layer, progress);
   if (lettering_) append_texts(svg_, layer, document_, *lettering_);
   lines_ += layer.strokes.size();
   svg_ += "</g>\n";
 }
 
+// In a page, lines of edges may use what everything else leaves of the bound on its size.
+void LayerWriter::append_lines(const sheet::Layer& layer, const Progress& progress) {
+  if (!draws_edges(layer)) return append_paths(svg_, layer, document_, lines_, progress);
+  if (!document_.lines) return;
+  const std::size_t before = svg_.size();
+  SvgDocument document = document_;
+  document.spare = (before - edge_bytes_) * 3 / 10 / edges_;
+  append_paths(svg_, layer, document, lines_, progress);
+  edge_bytes_ += svg_.size() - before;
+}
+
 // Differences from the document's style, as attributes: every program reads them, and a path's own dashes override
 // them.
 void LayerWriter::append_look(const sheet::LineStyle& style) {
-  append_attribute(svg_, "class", document_.prefix + identifier(style.name));
+  if (document_.page == nullptr) append_attribute(svg_, "class", document_.prefix + identifier(style.name));
   if (style.colour != Colour{}) svg_.append(" stroke=\"").append(hexadecimal(style.colour)) += '"';
   append_millimetres(svg_ += " stroke-width=\"", style.width);
   svg_ += '"';
@@ -249,6 +271,29 @@ void append_style(std::string& svg, const std::string& id, bool has_text) {
   svg += "#" + id + ":where(:not(:root)) *{all:revert-layer}</style>\n";
 }
 
+// The beginning of a document of its own: with its size, names for Inkscape, and metadata.
+void begin_file(std::string& svg, const sheet::Sheet& sheet, const std::string& width, const std::string& height) {
+  svg +=
+      " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+      "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" fill=\"none\" stroke=\"#000\" "
+      "stroke-linecap=\"round\" stroke-linejoin=\"round\" width=\"";
+  svg += width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\">\n";
+  svg += "<sodipodi:namedview inkscape:document-units=\"mm\"/>\n";
+  append_metadata(svg, sheet);
+}
+
+// The beginning of an element of a page, with its name and description for screen readers.
+void begin_inline(std::string& svg, const sheet::Sheet& sheet, const std::string& id, const std::string& view_box) {
+  svg.append(" role=\"img\" aria-labelledby=\"").append(id).append("-title\" aria-describedby=\"").append(id);
+  svg +=
+      "-desc\" fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\" width=\"100%\" "
+      "viewBox=\"" +
+      view_box + "\">\n<title id=\"" + id + "-title\">";
+  append_escaped(svg, sheet.title.empty() ? "Drawing" : sheet.title);
+  append_escaped(svg += "</title>\n<desc id=\"" + id + "-desc\">", description_of(sheet));
+  svg += "</desc>\n";
+}
+
 void append_document(std::string& svg, const sheet::Sheet& sheet, const VectorOptions& options,
                      const Progress& progress) {
   const std::string id = options.id_prefix.empty() ? prefix_of(sheet) : options.id_prefix;
@@ -257,27 +302,48 @@ void append_document(std::string& svg, const sheet::Sheet& sheet, const VectorOp
   std::size_t max = 0;
   for (const sheet::Layer* layer : layers) max += most_bytes(*layer);
   svg.reserve(svg.size() + max);
-  svg += "<svg id=\"" + id +
-         "\" xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
-         "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" fill=\"none\" stroke=\"#000\" "
-         "stroke-linecap=\"round\" stroke-linejoin=\"round\" width=\"";
   std::string width, height;
   append_millimetres(width, sheet.width);
   append_millimetres(height, sheet.height);
-  svg += width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\">\n";
-  svg += "<sodipodi:namedview inkscape:document-units=\"mm\"/>\n";
-  append_metadata(svg, sheet);
+  svg += "<svg id=\"" + id + "\" xmlns=\"http://www.w3.org/2000/svg\"";
+  if (options.is_inline)
+    begin_inline(svg, sheet, id, "0 0 " + width + " " + height);
+  else
+    begin_file(svg, sheet, width, height);
   const auto has_texts = [](const sheet::Layer* layer) { return !layer->texts.empty(); };
   append_style(svg, id, options.text == SvgText::text && std::any_of(layers.begin(), layers.end(), has_texts));
-  const SvgDocument document{sheet.height, options.decimals, options.plain, options.text, id + "-"};
+  const SvgDocument document{sheet.height, options.decimals, options.plain, options.text, id + "-", options.is_inline};
   LayerWriter(svg, sheet, document).append(layers, progress);
+  svg += "</svg>\n";
+}
+
+// A page has one drawing on its sheet of paper. Its background is part of it, so that the dark page can show it, too.
+void append_for_page(std::string& svg, const sheet::Sheet& sheet, const VectorOptions& options, bool lines,
+                     const Progress& progress) {
+  std::string width, height;
+  append_millimetres(width, sheet.width);
+  append_millimetres(height, sheet.height);
+  svg += "<svg class=\"drawing\" xmlns=\"http://www.w3.org/2000/svg\" role=\"group\"";
+  append_attribute(svg, "aria-label", sheet.title.empty() ? "drawing" : sheet.title);
+  const std::string language = fact_of(sheet, "language");
+  if (!language.empty()) append_attribute(svg, "lang", language);
+  svg += " fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\" viewBox=\"0 0 " + width +
+         " " + height + "\">\n<rect class=\"paper\" width=\"" + width + "\" height=\"" + height + "\"/>\n";
+  const SvgDocument document{sheet.height, options.decimals, options.plain, options.text, "", true, &sheet, lines};
+  LayerWriter(svg, sheet, document).append(by_view(sheet), progress);
   svg += "</svg>\n";
 }
 
 }  // namespace
 
+std::string svg_of_page(const sheet::Sheet& sheet, const VectorOptions& options, bool lines, const Progress& progress) {
+  std::string svg;
+  append_for_page(svg, sheet, options, lines, progress);
+  return svg;
+}
+
 std::string to_svg(const sheet::Sheet& sheet, const VectorOptions& options, const Progress& progress) {
-  std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  std::string svg = options.is_inline ? "" : "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   append_document(svg, sheet, options, progress);
   return svg;
 }

@@ -98,6 +98,8 @@ void append_outlined(std::string& svg, const sheet::Text& text, const SvgDocumen
                      const sheet::Lettering& lettering) {
   svg += "<g";
   append_role(svg, document, text);
+  // Elsewhere, the words are for programs; in a page, a name without a role would be an error.
+  if (document.in_html) append_attribute(svg, "role", "img");
   append_attribute(svg, "aria-label", text.text);
   svg += '>';
   append_outlines(svg, text, document.height, lettering);

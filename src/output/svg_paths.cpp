@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.hpp"
 #include "output/curve_pieces.hpp"
 #include "output/in_order.hpp"
 #include "output/svg_path_text.hpp"
@@ -127,6 +128,28 @@ void append_origin(std::string& svg, const sheet::Stroke& stroke, std::optional<
   svg += '"';
 }
 
+std::string numbers(const std::vector<double>& values, int digits) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : " ") + format_rounded(value, digits);
+  return text;
+}
+
+// LENGTH;FACES;BODY;DEPTHS, in at most so many bytes: depths and faces are omitted if they are longer.
+void append_facts(std::string& svg, const sheet::LineFacts& facts, std::size_t most) {
+  std::string text = " data-about=\"" + format_rounded(facts.length, 6) + ";";
+  std::string faces;
+  for (const int face : facts.faces) faces += (faces.empty() ? "" : " ") + std::to_string(face);
+  if (facts.more_faces > 0) faces += " +" + std::to_string(facts.more_faces);
+  const std::string body = ";" + (facts.body > 0 ? std::to_string(facts.body) : std::string());
+  // Planes need more digits: their coefficients are multiplied by positions.
+  const std::string depths = ";" + numbers(facts.depth, facts.depth.size() == 3 ? 9 : 6);
+  const auto fits = [&](std::size_t more) { return text.size() + more + body.size() + 1 <= most; };
+  if (fits(faces.size())) text += faces;
+  text += body;
+  if (fits(depths.size())) text += depths;
+  if (fits(0)) svg += text + '"';
+}
+
 }  // namespace
 
 std::string dash_array(const sheet::Dashes& dashes) {
@@ -169,7 +192,8 @@ void append_paths(std::string& svg, const sheet::Layer& layer, const SvgDocument
   const auto begin_path = [&](std::string& lines, const Part& part) {
     lines += "<path";
     if (!document.plain) {
-      lines.append(" id=\"").append(document.prefix).append(std::to_string(first_line + part.path)) += '"';
+      if (document.page == nullptr)
+        lines.append(" id=\"").append(document.prefix).append(std::to_string(first_line + part.path)) += '"';
       append_origin(lines, *part.stroke, common.model);
     }
     const std::string dashes = dash_array(*part.stroke);
@@ -178,12 +202,23 @@ void append_paths(std::string& svg, const sheet::Layer& layer, const SvgDocument
   };
   const auto write = [&](Chunk chunk) {
     std::string lines;
+    std::size_t begin = 0;
     for (const Part& part : chunk) {
       const bool first = &part == parts.data() || (&part)[-1].path != part.path;
       const bool last = &part == &parts.back() || (&part)[1].path != part.path;
+      if (first) begin = lines.size();
       if (first) begin_path(lines, part);
       append_line(lines, *part.stroke, document);
-      if (last) lines += "\"/>\n";
+      if (!last) continue;
+      lines += '"';
+      if (document.page != nullptr && part.stroke->facts >= 0 && !document.plain) {
+        // In the file, the line has an id, and a page may be 1.3 times as large.
+        const std::size_t id = 9 + std::to_string(first_line + part.path).size();
+        const std::size_t in_file = lines.size() - begin + 3 + id;
+        append_facts(lines, document.page->line_facts[static_cast<std::size_t>(part.stroke->facts)],
+                     in_file * 3 / 10 + id + document.spare);
+      }
+      lines += "/>\n";
     }
     progress.advance(chunk.size());
     return lines;

@@ -14,11 +14,16 @@ namespace epura::output {
 
 /// Properties of a whole document.
 struct SvgDocument {
-  double height;       ///< of the sheet, mm: SVG has y down
-  int decimals;        ///< decimals of a millimetre in the coordinates of lines
-  bool plain;          ///< one path for each dash pattern of a layer, without id and origin
-  SvgText text;        ///< how lettering is written
-  std::string prefix;  ///< of ids and classes, including its hyphen
+  double height;         ///< of the sheet, mm: SVG has y down
+  int decimals;          ///< decimals of a millimetre in the coordinates of lines
+  bool plain;            ///< one path for each dash pattern of a layer, without id and origin
+  SvgText text;          ///< how lettering is written
+  std::string prefix;    ///< of ids and classes, including its hyphen
+  bool in_html = false;  ///< no names for Inkscape, but roles for screen readers
+  /// The sheet, if this is part of a page of its own: no ids, and the facts of lines.
+  const sheet::Sheet* page = nullptr;
+  bool lines = true;      ///< whether layers of edges have their lines
+  std::size_t spare = 0;  ///< bytes that a line of a page may be longer than the bound on it
 };
 
 /// Value of stroke-dasharray.

@@ -27,12 +27,15 @@ struct VectorOptions {
   int decimals = 4;    ///< of coordinates in millimetres, SVG only: no point is off by more than 0.0001 mm
   SvgText text = SvgText::outlines;
   bool dxf_blocks = false;  ///< DXF: each view is a block
+  bool is_inline = false;   ///< SVG as an element of an HTML page, as wide as what contains it
   std::string id_prefix{};  ///< of ids and classes in SVG; empty: derived from the content of the sheet
 };
 
 /// Returns the prefix. Throws Error{input} that names its origin `where`, unless it is a letter followed by letters,
 /// digits, hyphens and underscores, 64 characters in all.
 std::string checked_id_prefix(std::string prefix, const std::string& where);
+
+struct FileContent;
 
 /// Sheets that become pages of one file, at least one.
 using Pages = std::vector<const sheet::Sheet*>;
@@ -42,12 +45,21 @@ using Pages = std::vector<const sheet::Sheet*>;
 std::string to_svg(const sheet::Sheet& sheet, const VectorOptions& options, const Progress& progress = {});
 /// The same as an element of a page: without the XML declaration.
 std::string svg_element(const sheet::Sheet& sheet, const VectorOptions& options);
+/// The same for a page of its own (to_html): views, layers and lines have their names and facts as attributes, lines
+/// have no ids, and there is no style sheet, which a strict policy would refuse. Without `lines`,
+/// layers of edges are empty.
+std::string svg_of_page(const sheet::Sheet& sheet, const VectorOptions& options, bool lines,
+                        const Progress& progress = {});
 std::string to_pdf(const Pages& sheets, const Progress& progress = {});
 std::string to_ps(const Pages& sheets, const Progress& progress = {});
 std::string to_eps(const sheet::Sheet& sheet, const Progress& progress = {});
 std::string to_png(const sheet::Sheet& sheet, double dpi, const Progress& progress = {});
 /// AutoCAD 2000 (AC1015), in millimetres.
 std::string to_dxf(const sheet::Sheet& sheet, const VectorOptions& options = {}, const Progress& progress = {});
+
+/// One self-contained page for a browser: the sheets, and what is known of their lines. Several sheets become one page.
+/// No more than 1.3 times the size of the SVG files and 40 kB. Nothing is loaded from elsewhere.
+std::string to_html(const FileContent& content, const Progress& progress = {});
 
 /// Drawing JSON, schema 1 (docs/formats.md).
 std::string to_json(const sheet::Sheet& sheet, double scale, std::span<const drawing::ViewDrawing> drawings,
@@ -58,12 +70,15 @@ struct SheetContent {
   const sheet::Sheet& sheet;
   double scale = 1;  ///< mm on paper per unit of the world
   std::span<const drawing::ViewDrawing> drawings{};
+  std::string_view answers{};  ///< to the questions about its edges
 };
 
 struct FileContent {
   std::vector<SheetContent> sheets;  ///< at least one; exactly one if the format has no pages
   const VectorOptions& options;
   const report::Report& report;
+  std::string_view title{};              ///< of a page; empty: that of the first sheet
+  std::string_view answers_name{"Why"};  ///< what a page calls the answers
 };
 
 /// A row of the table of formats.
@@ -71,6 +86,7 @@ struct Format {
   std::string_view name;        ///< also the extension of its files
   bool has_pages;               ///< whether several sheets go into one file
   bool has_drawings;            ///< whether it contains the drawings of the sheets as data, not as pictures
+  bool has_facts;               ///< whether it contains what the model tells of the lines
   std::string_view instead_of;  ///< extensions that cannot be written, for which this format is suggested
   std::string (*encode)(const FileContent&, const Progress&);
 };

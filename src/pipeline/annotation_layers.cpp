@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "pipeline/details.hpp"
+#include "sheet/balloons.hpp"
 #include "sheet/captions.hpp"
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/detail_marks.hpp"
@@ -71,6 +72,7 @@ sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const st
   if (furniture.title_block)
     if (const auto box = sheet::title_block_box(*furniture.title_block, paper))
       neighbours.boxes.push_back(sheet::turned_box(*box));
+  if (const auto list = sheet::parts_list_box(furniture)) neighbours.boxes.push_back(sheet::turned_box(*list));
   for (const sheet::Text& label : labels) neighbours.boxes.push_back(sheet::box_of(label, lettering));
   for (const sheet::Layer& mark : marks) add_boxes(neighbours.boxes, mark, lettering);
   return neighbours;
@@ -187,6 +189,28 @@ void add_tables(AnnotationLayers& result, sheet::Neighbours& around, const Sheet
     }
 }
 
+// The space that arrows, marks of sections and dimensions leave around the views.
+void add_balloons(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                  std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  const sheet::LineWidths widths = sheet::line_widths(input.plan.furniture.paper);
+  for (std::size_t i = 0; i < input.balloons.size(); ++i) {
+    if (input.balloons[i].empty()) continue;
+    const drawing::ViewDrawing& drawing = views[i].drawing;
+    sheet::Layer layer = sheet::empty_layer(drawing.name, scene::SheetLine::balloon, widths);
+    const sheet::Neighbours neighbours = with_other_views(around, views, i);
+    for (const std::string& number :
+         sheet::place_balloons(layer, input.balloons[i], {drawing.min, drawing.max}, style, neighbours))
+      result.warnings.push_back("there is no place for the balloon of item " + number + " around the view '" +
+                                drawing.name + "'\n  hint: use a larger sheet or a smaller scale");
+    add_boxes(around.boxes, layer, style.lettering);
+    result.layers.push_back(std::move(layer));
+  }
+}
+
+bool has_balloons(const SheetInput& input) {
+  return std::any_of(input.balloons.begin(), input.balloons.end(), [](const auto& view) { return !view.empty(); });
+}
+
 }  // namespace
 
 AnnotationLayers annotation_layers(const SheetInput& input, std::span<const ViewResult> views,
@@ -200,13 +224,16 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
   std::vector<sheet::Layer> marks = marks_of(input.annotations, views, widths);
   std::optional<sheet::Lettering> lettering;
   sheet::Neighbours around;
+  const auto open_font = [&] {
+    if (lettering) return;
+    around = neighbours_of(furniture, labels, marks, lettering.emplace(furniture.font));
+    add_boxes(around.boxes, boundaries_of(input.annotations, views), *lettering);
+  };
+  if (has_balloons(input)) open_font();
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::vector<scene::DimensionDescription> dimensions = dimensions_of(input.annotations[i], views[i]);
     if (dimensions.empty()) continue;
-    if (!lettering) {
-      around = neighbours_of(furniture, labels, marks, lettering.emplace(furniture.font));
-      add_boxes(around.boxes, boundaries_of(input.annotations, views), *lettering);
-    }
+    open_font();
     const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation};
     const drawing::ViewDrawing& drawing = views[i].drawing;
     sheet::Neighbours neighbours = with_other_views(around, views, i);
@@ -230,9 +257,11 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     add_boxes(around.boxes, layer, *lettering);
     result.layers.push_back(std::move(layer));
   }
-  if (lettering)
-    add_tables(result, around, input, views,
-               {*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation});
+  if (lettering) {
+    const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation};
+    add_balloons(result, around, input, views, style);
+    add_tables(result, around, input, views, style);
+  }
   std::move(marks.begin(), marks.end(), std::back_inserter(result.layers));
   return result;
 }

@@ -108,6 +108,19 @@ void add_details(std::vector<Annotations>& annotations, const scene::SceneDescri
   }
 }
 
+// Items may have their balloons in any whole view of the sheet; in exploded ones if there are any, which are for this.
+void add_balloons(std::vector<Annotations>& annotations, const scene::SceneDescription& scene,
+                  const SheetOfViews& sheet) {
+  if (sheet.items.empty() || !scene.parts_list->balloons.value_or(true)) return;
+  const auto exploded = [](const PlannedView& plan) { return plan.options.exploded; };
+  const bool any_exploded = std::any_of(sheet.plans.begin(), sheet.plans.end(), exploded);
+  const scene::LocatedText& wanted = scene.parts_list->view;
+  for (std::size_t i = 0; i < sheet.plans.size(); ++i)
+    annotations[i].balloons =
+        wanted.given() ? *wanted == *sheet.descriptions[i].name
+                       : !sheet.descriptions[i].detail.given() && (exploded(sheet.plans[i]) || !any_exploded);
+}
+
 }  // namespace
 
 std::vector<Annotations> annotate(const scene::World& world, const scene::SceneDescription& scene,
@@ -117,6 +130,7 @@ std::vector<Annotations> annotate(const scene::World& world, const scene::SceneD
   add_dimensions(annotations, world, scene, sheet, seen);
   add_planes(annotations, sheet.descriptions, seen, sections);
   add_details(annotations, scene, sheet.descriptions);
+  add_balloons(annotations, scene, sheet);
   for (std::size_t i = 0; i < seen.size(); ++i)
     if (const auto parent = parent_of(sheet, i))
       annotations[*parent].arrows.push_back(
@@ -136,13 +150,27 @@ sheet::Notation notation_of(const scene::World& world, const scene::SheetDescrip
   return {sheet.decimals.value_or(usual), unit, sheet.decimal_sign.value_or(DecimalSign::point)};
 }
 
-void expect_views_of_dimensions(const scene::SceneDescription& scene) {
+void expect_views_of_annotations(const scene::SceneDescription& scene) {
   std::vector<std::string> names;
   for (const scene::ViewDescription& view : scene.views) names.push_back(*view.name);
-  for (const scene::DimensionDescription& dimension : scene.dimensions)
-    if (dimension.view.given() && std::count(names.begin(), names.end(), *dimension.view) == 0)
-      throw Error(ErrorKind::input, dimension.view.where, "there is no view '" + *dimension.view + "'",
-                  did_you_mean(*dimension.view, names));
+  const auto expect = [&names](const scene::LocatedText& view) {
+    if (view.given() && std::count(names.begin(), names.end(), *view) == 0)
+      throw Error(ErrorKind::input, view.where, "there is no view '" + *view + "'", did_you_mean(*view, names));
+  };
+  for (const scene::DimensionDescription& dimension : scene.dimensions) expect(dimension.view);
+  if (!scene.parts_list) return;
+  const scene::PartsListDescription& list = *scene.parts_list;
+  expect(list.view);
+  if (const int sheets = static_cast<int>(scene.sheets.size()); list.sheet.value_or(1) > sheets)
+    throw Error(ErrorKind::input, list.sheet.where,
+                "the parts list is for sheet " + std::to_string(*list.sheet) + " of " + std::to_string(sheets),
+                "add a [[sheet]]");
+  if (list.view.given() && list.balloons.value_or(true))
+    for (const scene::ViewDescription& view : scene.views)
+      if (*view.name == *list.view && view.sheet.value_or(1) != list.sheet.value_or(1))
+        throw Error(ErrorKind::input, list.view.where,
+                    "view '" + *list.view + "' is not on the sheet of the parts list",
+                    "balloons are beside the list that explains them");
 }
 
 }  // namespace epura::pipeline

@@ -27,6 +27,7 @@ struct Annotations {
   std::vector<sheet::HoleTable> tables{};           ///< of holes in this view
   std::vector<scene::DetailDescription> details{};  ///< of this view, shown by other views of the scene
   std::vector<ViewArrow> arrows{};                  ///< of auxiliary views beside this one
+  bool balloons = false;                            ///< the view may have balloons
 };
 
 /// By view of the sheet; `seen` has the projected views in the same order. A dimension without a view belongs to the
@@ -43,7 +44,7 @@ bool dimensions_features(const scene::SceneDescription& scene);
 /// How dimensions of a sheet are written.
 sheet::Notation notation_of(const scene::World& world, const scene::SheetDescription& sheet);
 
-/// Throws Error{input} for dimensions in views that do not exist.
-void expect_views_of_dimensions(const scene::SceneDescription& scene);
+/// Throws Error{input} for dimensions and balloons in views that do not exist, and for lists on such sheets.
+void expect_views_of_annotations(const scene::SceneDescription& scene);
 
 }  // namespace epura::pipeline

@@ -68,7 +68,7 @@ void complete_scene(scene::SceneDescription& scene) {
   for (const scene::ViewDescription& view : scene.views) sheets = std::max(sheets, view.sheet.value_or(1));
   if (scene.sheets.empty()) scene.sheets.resize(static_cast<std::size_t>(sheets));
   scene::expect_sound_names(scene);
-  expect_views_of_dimensions(scene);
+  expect_views_of_annotations(scene);
 }
 
 }  // namespace epura::pipeline

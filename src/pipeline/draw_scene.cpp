@@ -13,12 +13,14 @@
 #include "pipeline/breaks.hpp"
 #include "pipeline/compose.hpp"
 #include "pipeline/details.hpp"
+#include "pipeline/line_facts.hpp"
 #include "pipeline/lint.hpp"
 #include "pipeline/plan_steps.hpp"
 #include "pipeline/questions.hpp"
 #include "pipeline/read_models.hpp"
 #include "pipeline/recognise_parts.hpp"
 #include "pipeline/sections.hpp"
+#include "pipeline/seen_items.hpp"
 #include "pipeline/shown_worlds.hpp"
 #include "pipeline/tell.hpp"
 #include "pipeline/view_plan.hpp"
@@ -51,6 +53,8 @@ struct Run {
   std::vector<sheet::DimensionsInView> dimensioned{};  ///< for lint
 
   void note(const ViewResult& result);
+  std::vector<std::vector<sheet::BalloonTarget>> balloons_of(
+      const SheetOfViews& views, const std::vector<std::vector<std::optional<SeenPoint>>>& seen) const;
   ViewTime time_of_next_view();
   std::vector<view::ProjectedScene> map_views(const WorldOfView& world, const SheetOfViews& views);
   FinishedSheet draw_sheet(const ShownWorlds& worlds, SheetOfViews views);
@@ -130,6 +134,20 @@ std::vector<view::ProjectedScene> Run::map_views(const WorldOfView& world, const
   return seen;
 }
 
+std::vector<std::vector<sheet::BalloonTarget>> Run::balloons_of(
+    const SheetOfViews& views, const std::vector<std::vector<std::optional<SeenPoint>>>& seen) const {
+  if (!scene.parts_list || !scene.parts_list->balloons.value_or(true)) return {};
+  std::optional<std::size_t> main;
+  for (std::size_t i = 0; i < views.descriptions.size(); ++i)
+    if (views.descriptions[i].name.value == scene.parts_list->view.value) main = i;
+  std::vector<std::size_t> missing;
+  auto balloons = balloons_by_view(seen, main, missing);
+  for (const std::size_t item : views.items.empty() ? std::vector<std::size_t>() : missing)
+    messages.warn("no view shows item " + std::to_string(item) + ", '" + views.items[item - 1].name +
+                  "', and it has no balloon\n  hint: add a view that shows it, such as a section");
+  return balloons;
+}
+
 FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   const scene::World& whole = worlds.main();
   const auto shown = [&](std::size_t view) -> const ShownWorld& { return worlds.of(views.descriptions[view]); };
@@ -145,12 +163,16 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
     views.plans[i].options.styles = styles_of(scene, views.descriptions[i], world(i), seen[i].projection);
   }
   find_breaks(views, seen, world);
+  if (scene.parts_list && scene.parts_list->sheet.value_or(1) == views.sheet + 1)
+    views.items = scene::find_items(whole, scene.models);
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
   if (options.lint) add_all(dimensioned, anchored_dimensions(whole, views, seen, annotations));
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
   if (plan.chosen && plan.inside) messages.warn(sentence_of_scale(plan));
   warn_about_details(messages, views, plan);
   std::vector<ViewResult> results;
+  std::string answers_of_sheet;
+  std::vector<std::vector<std::optional<SeenPoint>>> items_seen(seen.size());
   report::Partial partial;
   const Budget budget{progress, progress, partial};
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -161,14 +183,20 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
     results.push_back(draw_view(input, std::move(seen[i]), time_of_next_view(), watch));
     warn_if_empty(messages, results.back(), input);
     note(results.back());
+    if (annotations[i].balloons) items_seen[i] = seen_items(world(i), results.back().drawing, views.items);
     partial.add(results.back().partial);
-    answers += budget.or_nothing([&](const Progress& until) { return answer(options, input, results.back(), until); });
+    answers_of_sheet +=
+        budget.or_nothing([&](const Progress& until) { return answer(options, input, results.back(), until); });
     results.back().work = {};  // frees memory for what follows
   }
   if (options.arcs) tell_of_curves(messages, results);
   if (!plan.inside) warn_about(messages, plan);
   report.cut_off = report.cut_off || !plan.on_paper;
-  FinishedSheet sheet = compose({whole, scene, views, plan, annotations}, results, budget);
+  FinishedSheet sheet =
+      compose({whole, scene, views, plan, annotations, balloons_of(views, items_seen)}, results, budget);
+  answers += sheet.answers = std::move(answers_of_sheet);
+  if (options.line_facts)
+    for (std::size_t i = 0; i < sheet.drawings.size(); ++i) add_line_facts(sheet.sheet, sheet.drawings[i], world(i));
   if (!partial.stages.empty()) mark_partial(sheet, partial.stages.front());
   report.partial.add(partial);
   if (!options.keeps_drawings) sheet.drawings = {};

@@ -292,7 +292,7 @@ void ViewRun::hide() {
 drawing::ViewDrawing ViewRun::drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges,
                                        const Progress& progress) const {
   const drawing::DrawingOptions options{options_.name, options_.keep_hidden(), options_.leave_out.hidden,
-                                        near_lines(options_)};
+                                        near_lines(options_), options_.least_crease};
   return drawing::make_drawing({input_.world, view_, edges, hidden_}, paper, options, progress);
 }
 

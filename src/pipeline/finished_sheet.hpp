@@ -21,6 +21,7 @@ struct FinishedSheet {
   std::vector<std::string> warnings{};           ///< requests that could not be met
   sheet::Paper paper{};
   std::vector<report::Finding> findings{};  ///< faults of the dimensions on it
+  std::string answers{};                    ///< to the questions about its edges
 };
 
 /// Marks a sheet as incomplete since time was over in a stage; a further call replaces the stage.

@@ -6,11 +6,13 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
 #include "pipeline/details.hpp"
 #include "sheet/arrangement.hpp"
+#include "sheet/balloons.hpp"
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/detail_marks.hpp"
 #include "sheet/dimensions/overall.hpp"
@@ -28,10 +30,10 @@ namespace {
 constexpr double usual_text_height = 3.5;
 
 // A title alone goes into the metadata of files.
-FrameKind frame_of(const scene::SheetDescription& sheet, std::size_t views) {
+FrameKind frame_of(const scene::SheetDescription& sheet, std::size_t views, bool has_list) {
   const bool has_fields = std::any_of(sheet.title_block.begin(), sheet.title_block.end(),
                                       [](const auto& field) { return field.first != "title"; });
-  const FrameKind usual = has_fields || views > 1 ? FrameKind::full : FrameKind::none;
+  const FrameKind usual = has_fields || views > 1 || has_list ? FrameKind::full : FrameKind::none;
   const FrameKind frame = sheet.frame.value_or(FrameKind::automatic);
   return frame == FrameKind::automatic ? usual : frame;
 }
@@ -52,6 +54,7 @@ sheet::Room room_around(const Annotations& annotations, const projection::Projec
     marks = glm::max(marks, sheet::cutting_plane_room(projection, section, widths));
   for (const ViewArrow& arrow : annotations.arrows)
     marks = glm::max(marks, glm::abs(arrow.sight) * sheet::sight_arrow_room(widths));
+  if (annotations.balloons) marks = glm::max(marks, Vec2(sheet::balloon_room(usual_text_height)));
   if (!annotations.details.empty()) marks = glm::max(marks, Vec2(sheet::detail_room));
   room.before += marks;
   room.after += marks;
@@ -83,6 +86,7 @@ struct LayoutOptions {
   std::optional<sheet::TitleBlock> title_block;
   ProjectionAngle angle;
   sheet::LineWidths widths{};
+  std::optional<sheet::PartsList> list{};
 };
 
 Views views_to_place(const scene::World& world, const SheetOfViews& sheet, std::span<const view::ProjectedScene> views,
@@ -129,6 +133,7 @@ sheet::Arrangement arranged_on(const scene::PaperChoice& size, const LayoutOptio
   sheet::DrawingRoom room{options.frame == FrameKind::none ? paper : sheet::with_frame_margins(paper)};
   room.clearance = clearance_of(options.frame);
   if (options.title_block) room.title_block = sheet::title_block_box(*options.title_block, room.paper);
+  if (options.list) room.title_block = sheet::with_parts_list(room.title_block, *options.list, room.paper);
   return sheet::arrange(views, options.scale, options.angle, room);
 }
 
@@ -192,10 +197,42 @@ sheet::TitleBlock title_block_of(const scene::SceneDescription& scene, int sheet
   return block;
 }
 
-LayoutOptions options_of(const scene::SceneDescription& scene, int number, std::size_t views) {
+sheet::PartsList parts_list_of(const std::vector<scene::Item>& items, const scene::SheetDescription& sheet) {
+  sheet::PartsList list{items, {}, sheet.decimal_sign.value_or(DecimalSign::point)};
+  for (const auto& [name, text] : sheet.title_block)
+    if (name == "language") list.language = *text;
+  return list;
+}
+
+// Throws Error{input} for a list on paper that is cut to the drawing.
+void expect_paper_for_list(const scene::SceneDescription& scene, const SheetOfViews& sheet,
+                           const scene::PaperChoice& size) {
+  if (sheet.items.empty() || size.kind != scene::PaperChoice::Kind::none) return;
+  throw Error(ErrorKind::input, scene.parts_list->where,
+              "a parts list needs a sheet, and the paper is cut to the drawing", "choose a size, such as --sheet A3");
+}
+
+// Throws Error{input} for a list that is higher than its sheet.
+void expect_room_for_list(const SheetPlan& plan, const scene::PartsListDescription& list) {
+  const sheet::SheetFurniture& furniture = plan.furniture;
+  const sheet::Paper& paper = furniture.paper;
+  const auto box = sheet::parts_list_box(furniture);
+  const double highest = sheet::drawing_area(paper).max.y;
+  if (!box || box->max.y <= highest) return;
+  throw Error(ErrorKind::input, list.where,
+              "the parts list of " + std::to_string(furniture.parts_list->items.size()) + " items is " +
+                  format_rounded(box->size().y, 4) + " mm high, and the sheet has room for " +
+                  format_rounded(std::max(highest - box->min.y, 0.0), 4) + " mm",
+              "use a larger sheet, such as --sheet A1, or omit bodies by a [[style]] with drawn = false");
+}
+
+LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfViews& on_sheet) {
+  const int number = on_sheet.sheet;
+  const std::size_t views = on_sheet.plans.size();
   const scene::SheetDescription& sheet = scene.sheets[static_cast<std::size_t>(number)];
   LayoutOptions options{};
-  options.frame = frame_of(sheet, views);
+  options.frame = frame_of(sheet, views, !on_sheet.items.empty());
+  if (!on_sheet.items.empty()) options.list = parts_list_of(on_sheet.items, sheet);
   options.portrait = sheet.orientation.value_or(Orientation::landscape) == Orientation::portrait;
   options.angle = sheet.angle.value_or(ProjectionAngle::first);
   options.scale =
@@ -222,9 +259,10 @@ double dimension_text_height(const sheet::Paper& paper, std::size_t views) {
 
 SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& scene, const SheetOfViews& sheet,
                      std::span<const view::ProjectedScene> views, const std::vector<Annotations>& annotations) {
-  LayoutOptions options = options_of(scene, sheet.sheet, views.size());
+  LayoutOptions options = options_of(scene, sheet);
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.sheet)];
   scene::PaperChoice size = usual_size(description, views.size());
+  expect_paper_for_list(scene, sheet, size);
   options.widths = sheet::line_widths(sheet::make_paper(size, false));
   const Views placing = views_to_place(world, sheet, views, annotations, options);
   const sheet::Arrangement arrangement = arranged(description, options, placing.to_place, size);
@@ -241,6 +279,8 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
                  arrangement.inside,
                  arrangement.on_paper,
                  arrangement.fitting};
+  plan.furniture.parts_list = std::move(options.list);
+  if (scene.parts_list) expect_room_for_list(plan, *scene.parts_list);
   if (description.font.given()) plan.furniture.font = sheet::find_font(*description.font, description.font.where);
   for (std::size_t i = 0; i < views.size(); ++i) {
     const sheet::ViewSpot& spot = arrangement.views[i];

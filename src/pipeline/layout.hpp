@@ -10,6 +10,7 @@
 #include "pipeline/draw_view.hpp"
 #include "pipeline/view_plan.hpp"
 #include "scene/description.hpp"
+#include "sheet/balloons.hpp"
 #include "sheet/paper.hpp"
 #include "sheet/projection_symbol.hpp"
 #include "sheet/sheet_layers.hpp"
@@ -44,7 +45,8 @@ struct SheetInput {
   const scene::SceneDescription& scene;
   const SheetOfViews& views;
   const SheetPlan& plan;
-  const std::vector<Annotations>& annotations;  ///< by view
+  const std::vector<Annotations>& annotations;                ///< by view
+  std::vector<std::vector<sheet::BalloonTarget>> balloons{};  ///< by view
 };
 
 }  // namespace epura::pipeline

@@ -46,6 +46,7 @@ struct RunOptions {
   bool explain = false;         ///< print the steps
   bool lint = false;            ///< report faults of the dimensions
   bool keeps_drawings = false;  ///< in addition to the sheets
+  bool line_facts = false;      ///< the sheets tell what the model knows of their lines
 };
 
 }  // namespace epura::pipeline

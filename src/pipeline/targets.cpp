@@ -18,7 +18,8 @@ namespace {
 std::string encode(const output::Format& format, std::span<const FinishedSheet> sheets,
                    const output::VectorOptions& options, const report::Report& report, const Progress& progress) {
   output::FileContent content{{}, options, report};
-  for (const FinishedSheet& sheet : sheets) content.sheets.push_back({sheet.sheet, sheet.scale, sheet.drawings});
+  for (const FinishedSheet& sheet : sheets)
+    content.sheets.push_back({sheet.sheet, sheet.scale, sheet.drawings, sheet.answers});
   return format.encode(content, progress);
 }
 

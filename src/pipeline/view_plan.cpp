@@ -24,6 +24,7 @@ edges::EdgeOptions edge_options(const scene::ViewDescription& view) {
                            .tangent = kinds.tangent,
                            .smooth = kinds.smooth};
   if (view.crease_angle.given()) edges.crease_angle = edges.part_angle = *view.crease_angle;
+  edges.weak_angle = view.weak_crease_angle.value_or(edges.weak_angle);
   return edges;
 }
 
@@ -54,6 +55,7 @@ ViewOptions view_options(const scene::ViewDescription& view, const RunOptions& r
   options.edges = edge_options(view);
   options.wireframe = run.visibility == Visibility::none;
   options.join_within = view.join_within.value_or(options.join_within);
+  options.least_crease = view.least_crease.value_or(options.least_crease);
   options.arcs = run.arcs;
   options.centre_lines = run.centre_lines;
   options.leave_out = run.plan;

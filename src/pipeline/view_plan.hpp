@@ -8,6 +8,7 @@
 #include "pipeline/options.hpp"
 #include "projection/catalogue.hpp"
 #include "scene/description.hpp"
+#include "scene/items.hpp"
 
 namespace epura::pipeline {
 
@@ -26,6 +27,7 @@ struct SheetOfViews {
   int sheet;
   std::vector<scene::ViewDescription> descriptions;
   std::vector<PlannedView> plans;
+  std::vector<scene::Item> items{};  ///< of its parts list; empty: it has none
 };
 
 /// In the order of the sheets; a sheet may have no views.

@@ -66,6 +66,8 @@ struct StyleDescription {
   Located<double> hatch_angle;  ///< degrees counterclockwise; chosen by default
   Located<double> hatch_pitch;  ///< mm on paper; chosen by default
   Located<bool> drawn;          ///< true by default
+  LocatedText material;         ///< for the parts list
+  Located<double> density;      ///< kg/m³, for masses
 };
 
 /// A view of the models. A detail view shows its parent at a larger scale, see complete_details. Views without a
@@ -77,15 +79,17 @@ struct ViewDescription {
   Located<HiddenLines> hidden;
   Located<HatchPattern> hatch;  ///< of bodies without a pattern of their own; none: of all bodies
   Located<EdgeKinds> edges;
-  LocatedText section;           ///< name of the section shown
-  LocatedText detail;            ///< name of the detail shown
-  Located<BreakChoice> breaks;   ///< parts that are left out
-  Located<HalfView> half;        ///< the part drawn of a symmetric view
-  Located<Vec3> from;            ///< instead of a projection: from the models towards the viewer
-  LocatedText of;                ///< name of the view beside which it is, with an arrow and a letter
-  LocatedText label;             ///< text above it; by default "A-A" for section A
-  Located<double> crease_angle;  ///< degrees
-  Located<double> join_within;   ///< mm on paper
+  LocatedText section;                ///< name of the section shown
+  LocatedText detail;                 ///< name of the detail shown
+  Located<BreakChoice> breaks;        ///< parts that are left out
+  Located<HalfView> half;             ///< the part drawn of a symmetric view
+  Located<Vec3> from;                 ///< instead of a projection: from the models towards the viewer
+  LocatedText of;                     ///< name of the view beside which it is, with an arrow and a letter
+  LocatedText label;                  ///< text above it; by default "A-A" for section A
+  Located<double> crease_angle;       ///< degrees
+  Located<double> weak_crease_angle;  ///< degrees
+  Located<double> least_crease;       ///< mm on paper
+  Located<double> join_within;        ///< mm on paper
   Located<LayersBy> layers;
   Located<double> near, far;  ///< depths, in units of the world
   Located<Vec2> at;           ///< centre of its ink, mm from the lower left corner of the sheet
@@ -167,6 +171,14 @@ struct SheetDescription {
   TitleBlockFields title_block;
 };
 
+/// A list of the parts with numbers, and balloons in the views that refer to them. ISO 7573, ISO 6433.
+struct PartsListDescription {
+  std::string where;         ///< for errors
+  LocatedText view{};        ///< name of the view with the balloons; by default that in which each item is seen best
+  Located<int> sheet{};      ///< number of its sheet, from 1; by default the first
+  Located<bool> balloons{};  ///< true by default
+};
+
 struct SceneDescription {
   std::vector<ModelDescription> models;
   std::vector<ViewDescription> views;
@@ -176,6 +188,7 @@ struct SceneDescription {
   std::vector<ExplodeDescription> explosions;
   std::vector<DimensionDescription> dimensions;
   std::vector<SheetDescription> sheets;  ///< one default sheet if a scene file has none
+  std::optional<PartsListDescription> parts_list{};
 };
 
 }  // namespace epura::scene

@@ -69,6 +69,8 @@ void inherit_from(const ViewDescription& parent, ViewDescription& view) {
   inherit(view.hidden, parent.hidden);
   inherit(view.edges, parent.edges);
   inherit(view.crease_angle, parent.crease_angle);
+  inherit(view.weak_crease_angle, parent.weak_crease_angle);
+  inherit(view.least_crease, parent.least_crease);
   inherit(view.join_within, parent.join_within);
   inherit(view.layers, parent.layers);
   inherit(view.near, parent.near);

@@ -62,6 +62,8 @@ enum class SheetLine {
   limit,
   trace,
   arrows,
+  balloon,
+  parts_list,
   partial
 };
 
@@ -98,6 +100,8 @@ inline constexpr std::array sheet_lines = {
     SheetLineRow{SheetLine::limit, "limit", "limit", LineWidth::narrow},
     SheetLineRow{SheetLine::trace, "trace", "trace", LineWidth::narrow, long_dash_dot},
     SheetLineRow{SheetLine::arrows, "arrows", "arrows", LineWidth::narrow},
+    SheetLineRow{SheetLine::balloon, "balloon", "balloons", LineWidth::narrow},
+    SheetLineRow{SheetLine::parts_list, "parts-list", "parts-list", LineWidth::grid},
     SheetLineRow{SheetLine::partial, "partial", "partial", LineWidth::wide},
 };
 

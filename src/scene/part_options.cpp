@@ -113,6 +113,9 @@ Options<StyleDescription> style_options() {
       option<Style>({.key = "hatch_pitch", .help = "distance between lines of the hatching", .usual = "automatic"},
                     &Style::hatch_pitch, number_between(0.5, 50, "mm")),
       option<Style>({.key = "drawn", .help = "`false` omits them"}, &Style::drawn, truth()),
+      option<Style>({.key = "material", .help = "material, for the parts list"}, &Style::material, any_text()),
+      option<Style>({.key = "density", .help = "density in kg/m³, for the masses in the parts list"}, &Style::density,
+                    positive_number()),
   };
 }
 
@@ -170,9 +173,64 @@ Options<ExplodeDescription> explode_options() {
   };
 }
 
-Options<ViewDescription> view_options() {
+namespace {
+
+// What is drawn of a view, and how.
+Options<ViewDescription> line_options() {
   using View = ViewDescription;
   return {
+      option<View>({.key = "hidden",
+                    .flag = "--hidden",
+                    .help = "style of hidden lines",
+                    .usual = "dashed; none in pictorial views"},
+                   &View::hidden, choice<HiddenLines>().shown_as("STYLE")),
+      option<View>({.key = "hatch",
+                    .flag = "--hatch",
+                    .help = "pattern of cut faces; none draws their outlines only",
+                    .usual = "general"},
+                   &View::hatch, choice<HatchPattern>().shown_as("PATTERN")),
+      option<View>({.key = "edges",
+                    .flag = "--edges",
+                    .help = "kinds of edges to draw",
+                    .usual = "contour,crease,boundary,intersection,wire"},
+                   &View::edges, edge_kinds()),
+      option<View>({.key = "crease_angle",
+                    .flag = "--crease-angle",
+                    .help = "smallest angle between two faces whose common edge is a crease",
+                    .usual = "5 between faces of the part, 30 in other meshes"},
+                   &View::crease_angle, number_between(0, 180, "degrees").shown_as("DEG")),
+      option<View>({.key = "weak_crease_angle",
+                    .flag = "--weak-crease-angle",
+                    .help = "the same for edges of scans and other meshes that continue a crease",
+                    .usual = "crease_angle"},
+                   &View::weak_crease_angle, number_between(0, 180, "degrees").shown_as("DEG")),
+      option<View>({.key = "least_crease",
+                    .flag = "--least-crease",
+                    .help = "length on paper from which creases are drawn that meet no other line",
+                    .usual = "0"},
+                   &View::least_crease, number_between(0, 100, "mm")),
+      option<View>({.key = "join_within",
+                    .flag = "--join-within",
+                    .help = "distance on paper within which parallel lines are drawn as one; 0: draw all lines",
+                    .usual = "0.1"},
+                   &View::join_within, number_between(0, 1, "mm")),
+      option<View>({.key = "layers",
+                    .flag = "--layers",
+                    .help = "role: a layer for each role of lines; body: also for each body, by its name",
+                    .usual = "role"},
+                   &View::layers, choice<LayersBy>().shown_as("KIND")),
+      option<View>({.key = "near", .flag = "--near", .help = "omit what is nearer to the viewer than this depth"},
+                   &View::near, any_number("")),
+      option<View>({.key = "far", .flag = "--far", .help = "omit what is farther from the viewer than this depth"},
+                   &View::far, any_number("")),
+  };
+}
+
+}  // namespace
+
+Options<ViewDescription> view_options() {
+  using View = ViewDescription;
+  Options<View> all = {
       option<View>({.key = "projection",
                     .help = "`NAME[:key=value...]`, or `{name = NAME, key = value}`; required, except for details",
                     .usual = "that of the view that `detail` enlarges"},
@@ -204,41 +262,10 @@ Options<ViewDescription> view_options() {
                     .help = "text above the view",
                     .usual = "`A-A` for section `A`, `X` for detail `X`, the next free letter beside another view"},
                    &View::label, any_text()),
-      option<View>({.key = "hidden",
-                    .flag = "--hidden",
-                    .help = "style of hidden lines",
-                    .usual = "dashed; none in pictorial views"},
-                   &View::hidden, choice<HiddenLines>().shown_as("STYLE")),
-      option<View>({.key = "hatch",
-                    .flag = "--hatch",
-                    .help = "pattern of cut faces; none draws their outlines only",
-                    .usual = "general"},
-                   &View::hatch, choice<HatchPattern>().shown_as("PATTERN")),
-      option<View>({.key = "edges",
-                    .flag = "--edges",
-                    .help = "kinds of edges to draw",
-                    .usual = "contour,crease,boundary,intersection,wire"},
-                   &View::edges, edge_kinds()),
-      option<View>({.key = "crease_angle",
-                    .flag = "--crease-angle",
-                    .help = "smallest angle between two faces whose common edge is a crease",
-                    .usual = "5 between faces of the part, 30 in other meshes"},
-                   &View::crease_angle, number_between(0, 180, "degrees").shown_as("DEG")),
-      option<View>({.key = "join_within",
-                    .flag = "--join-within",
-                    .help = "distance on paper within which parallel lines are drawn as one; 0: draw all lines",
-                    .usual = "0.1"},
-                   &View::join_within, number_between(0, 1, "mm")),
-      option<View>({.key = "layers",
-                    .flag = "--layers",
-                    .help = "role: a layer for each role of lines; body: also for each body, by its name",
-                    .usual = "role"},
-                   &View::layers, choice<LayersBy>().shown_as("KIND")),
-      option<View>({.key = "near", .flag = "--near", .help = "omit what is nearer to the viewer than this depth"},
-                   &View::near, any_number("")),
-      option<View>({.key = "far", .flag = "--far", .help = "omit what is farther from the viewer than this depth"},
-                   &View::far, any_number("")),
   };
+  const Options<View> lines = line_options();
+  all.insert(all.end(), lines.begin(), lines.end());
+  return all;
 }
 
 Options<DimensionWords> dimension_options() {
@@ -273,6 +300,20 @@ Options<DimensionWords> dimension_options() {
                      .help = "auto: a note for equal holes and dimensions of their positions, or labels and a table",
                      .usual = "notes"},
                     in_description(&Dimension::holes), choice<HoleDimensions>()),
+  };
+}
+
+Options<PartsListDescription> parts_list_options() {
+  using List = PartsListDescription;
+  return {
+      option<List>({.key = "view",
+                    .help = "name of the view with the balloons; items that it does not show have theirs elsewhere",
+                    .usual = "for each item, the view that shows most of it"},
+                   &List::view, any_text()),
+      option<List>({.key = "sheet", .help = "number of its sheet, from 1", .usual = "1"}, &List::sheet,
+                   whole_number(1)),
+      option<List>({.key = "balloons", .help = "`false`: the list only, without numbers in the views"}, &List::balloons,
+                   truth()),
   };
 }
 

@@ -29,6 +29,7 @@ Options<DetailDescription> detail_options();
 Options<ExplodeDescription> explode_options();
 Options<ViewDescription> view_options();
 Options<DimensionWords> dimension_options();
+Options<PartsListDescription> parts_list_options();
 Options<SheetDescription> sheet_options();
 Options<TitleBlockFields> title_block_options();
 

@@ -153,6 +153,7 @@ SceneDescription read_scene_file(const fs::path& path) {
   const Subjects subjects{scene.models, numbers_of(scene.models), names_of(scene.views, "view")};
   for (const DimensionWords& dimension : words.dimensions)
     scene.dimensions.push_back(dimension_of(dimension, subjects));
+  if (scene.parts_list && !subjects.views.empty()) refuse_unknown(scene.parts_list->view, subjects.views, "view");
   find_files(scene, path.parent_path());
   return scene;
 }

@@ -127,6 +127,11 @@ void read_title_block(SceneWords& words, const TomlValue& value) {
   read_entries(words.every_sheet.title_block, value, title_block_keys(), "[title_block]");
 }
 
+void read_parts_list(SceneWords& words, const TomlValue& value) {
+  words.description.parts_list = PartsListDescription{value.where};
+  read_entries(*words.description.parts_list, value, parts_list_options(), "[parts_list]");
+}
+
 // In reading order: values shared by all sheets precede the sheets.
 Options<SceneWords> scene_keys() {
   return {
@@ -139,6 +144,7 @@ Options<SceneWords> scene_keys() {
       parts_key("explode", explode_options(), in_description(&SceneDescription::explosions)),
       parts_key("view", view_options(), in_description(&SceneDescription::views)),
       parts_key("dimension", dimension_options(), std::mem_fn(&SceneWords::dimensions)),
+      table_option<SceneWords>("parts_list", "", read_parts_list),
       table_option<SceneWords>("all_sheets", "", read_every_sheet),
       table_option<SceneWords>("title_block", "", read_title_block),
       parts_key("sheet", sheet_keys(), in_description(&SceneDescription::sheets)),
@@ -181,6 +187,7 @@ std::string describe_scene_keys() {
   append_rows(table, "`[[detail]]`", detail_options());
   append_rows(table, "`[[explode]]`", explode_options());
   append_rows(table, "`[[dimension]]`", dimension_options());
+  append_rows(table, "`[parts_list]`", parts_list_options());
   append_rows(table, "`[all_sheets]`, `[[sheet]]`", sheet_options());
   append_rows(table, "`[[sheet]]`", own_sheet_keys());
   append_rows(table, "`[title_block]`", title_block_keys());

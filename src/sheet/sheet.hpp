@@ -42,6 +42,17 @@ struct ModelEdge {
   bool operator==(const ModelEdge&) const = default;
 };
 
+/// What the model tells of a stroke, for documents that answer questions.
+struct LineFacts {
+  double length = 0;            ///< of the stroke's edges in space, as wholes, in units of the world
+  std::vector<int> faces{};     ///< numbers in the file of faces at these edges: the first ones
+  int more_faces = 0;           ///< how many more there are
+  int body = -1;                ///< of its model; -1 if the edge belongs to no face
+  std::vector<double> depth{};  ///< along the third axis of ViewDrawing::world_to_page: one number if it is the same
+                                ///< everywhere, the two of a straight line's ends, three if it is a x + b y + c, with y
+                                ///< up, or one for each point; empty if unknown
+};
+
 /// One polyline, drawn without lifting the pen.
 struct Stroke {
   std::vector<Vec2> points;  ///< y up, origin at the lower left corner of the sheet
@@ -51,6 +62,7 @@ struct Stroke {
   std::optional<EdgeKind> kind{};  ///< of the edge drawn; nothing for a frame
   std::vector<ModelEdge> edges{};  ///< the edges drawn, in order
   std::vector<drawing::CurvePart> curves{};  ///< parts of the points that are arcs, ascending and disjoint
+  int facts = -1;                            ///< index into Sheet::line_facts; -1: nothing is known
 };
 
 /// An area filled with black by the even-odd rule. Rings do not repeat their first point.
@@ -100,6 +112,7 @@ struct Sheet {
   std::vector<ViewFrame> views{};
   std::vector<std::pair<std::string, std::string>> facts{};  ///< more metadata: ("author", "N. N."), ("scale", "1:2")
   Font font{};
+  std::vector<LineFacts> line_facts{};  ///< only if a document answers questions (pipeline::RunOptions::line_facts)
 };
 
 }  // namespace epura::sheet

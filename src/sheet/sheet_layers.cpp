@@ -7,6 +7,13 @@
 
 namespace epura::sheet {
 
+std::optional<Rectangle> parts_list_box(const SheetFurniture& furniture) {
+  if (!furniture.parts_list) return std::nullopt;
+  std::optional<Rectangle> block;
+  if (furniture.title_block) block = title_block_box(*furniture.title_block, furniture.paper);
+  return parts_list_box(block, *furniture.parts_list, furniture.paper);
+}
+
 FurnitureLayers sheet_layers(const SheetFurniture& furniture, const Lettering& lettering) {
   DrawnTitleBlock block;
   std::optional<Rectangle> box;
@@ -30,6 +37,11 @@ FurnitureLayers sheet_layers(const SheetFurniture& furniture, const Lettering& l
   add(scene::SheetLine::grid, std::move(border.medium));
   add(scene::SheetLine::title_block, std::move(block.ink.medium));
   add(scene::SheetLine::symbol_axes, std::move(block.ink.narrow));
+  if (const auto list = parts_list_box(furniture)) {
+    Layer& layer = add(scene::SheetLine::parts_list, {});
+    std::vector<std::string> more = draw_parts_list(layer, *furniture.parts_list, *list, lettering);
+    append(result.warnings, std::move(more));
+  }
   add(scene::SheetLine::text, {}).texts = std::move(border.texts);
   std::erase_if(result.layers,
                 [](const Layer& layer) { return layer.strokes.empty() && layer.fills.empty() && layer.texts.empty(); });

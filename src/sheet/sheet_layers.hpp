@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sheet/frame.hpp"
+#include "sheet/parts_list.hpp"
 #include "sheet/title_block.hpp"
 
 namespace epura::sheet {
@@ -17,7 +18,11 @@ struct SheetFurniture {
   std::optional<TitleBlock> title_block{};
   std::vector<Text> labels{};  ///< of views
   Font font{};
+  std::optional<PartsList> parts_list{};
 };
+
+/// The rectangle of the parts list above the title block, if there is one.
+std::optional<Rectangle> parts_list_box(const SheetFurniture& furniture);
 
 struct FurnitureLayers {
   std::vector<Layer> layers;
@@ -29,7 +34,8 @@ struct FurnitureLayers {
 ///   sheet/grid          grid references: 0.35 mm
 ///   sheet/title-block   lines of the title block, outlines of the projection symbol: 0.35 mm
 ///   sheet/centre-lines  of the projection symbol: 0.18 mm
-///   sheet/text          all lettering
+///   sheet/parts-list    the parts list: 0.35 mm, with its lettering
+///   sheet/text          all other lettering
 FurnitureLayers sheet_layers(const SheetFurniture& furniture, const Lettering& lettering);
 
 }  // namespace epura::sheet

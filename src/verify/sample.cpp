@@ -34,10 +34,11 @@ PageLine page_line(const VerifyInput& input, const Viewing& viewing, const Toler
 }
 
 // Written anew: the code under test must not take part in its test.
-void add_spans(const visibility::HiddenSpans& hidden, int edge, std::vector<TestedSpan>& spans) {
+void add_spans(const VerifyInput& input, int edge, std::vector<TestedSpan>& spans) {
+  const visibility::HiddenSpans& hidden = input.hidden;
   double at = 0;
   const auto add = [&](double from, double to, bool visible) {
-    if (from < to) spans.push_back({edge, from, to, visible, -1});
+    if (from < to && (visible || !input.drawn.edges[edge].by_chance)) spans.push_back({edge, from, to, visible, -1});
   };
   for (std::size_t i = hidden.first[edge]; i < hidden.first[edge + 1]; ++i) {
     add(at, hidden.spans[i][0], true);
@@ -121,7 +122,7 @@ Population population_of(const VerifyInput& input, const Viewing& viewing, const
   Population population;
   for (std::size_t e = 0; e < input.drawn.edges.size(); ++e) {
     population.lines.push_back(page_line(input, viewing, tolerance, frame, input.drawn.edges[e]));
-    add_spans(input.hidden, static_cast<int>(e), population.spans);
+    add_spans(input, static_cast<int>(e), population.spans);
   }
   stratify(population, input.drawn, tolerance.size);
   return population;

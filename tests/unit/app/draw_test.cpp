@@ -18,7 +18,7 @@ const std::map<std::string, std::string_view>& beginnings() {
   static const std::map<std::string, std::string_view> table{
       {"svg", "<?xml version=\"1.0\""}, {"pdf", "%PDF-1."},           {"ps", "%!PS-Adobe-3"},
       {"eps", "%!PS-Adobe-3.0 EPSF"},   {"png", "\x89PNG\r\n\x1A\n"}, {"json", "{\"epura\": 1,"},
-      {"dxf", "999\nepura\n"}};
+      {"html", "<!DOCTYPE html><html"}, {"dxf", "999\nepura\n"}};
   return table;
 }
 
@@ -31,7 +31,7 @@ TEST(Draw, EveryFormatByItsExtension) {
     EXPECT_EQ(run.err, "") << format;
     EXPECT_EQ(read_file(folder / ("x." + format)).substr(0, beginning.size()), beginning);
   }
-  EXPECT_EQ(folder.names(), (Names{"x.dxf", "x.eps", "x.json", "x.pdf", "x.png", "x.ps", "x.svg"}));
+  EXPECT_EQ(folder.names(), (Names{"x.dxf", "x.eps", "x.html", "x.json", "x.pdf", "x.png", "x.ps", "x.svg"}));
 }
 
 // Its rims are turned against each other by half a facet: corners of one peep out beside the other.

@@ -37,11 +37,55 @@ TEST(Chains, JoinWhatTouchesWhicheverWayItRuns) {
 }
 
 TEST(Chains, LooksAreNotMixed) {
-  const auto chains =
-      drawing::chain_segments({segment({0, 0}, {1, 0}), segment({1, 0}, {2, 0}, false),
-                               segment({2, 0}, {3, 0}, false, EdgeKind::contour), segment({3, 0}, {4, 0})},
-                              1e-6);
+  const auto chains = drawing::chain_segments({segment({0, 0}, {1, 0}), segment({1, 0}, {2, 0}, false),
+                                               segment({2, 0}, {3, 0}, false, EdgeKind::wire), segment({3, 0}, {4, 0})},
+                                              1e-6);
   EXPECT_EQ(chains.size(), 4U);
+}
+
+TEST(Chains, KindsThatLookTheSameAreMixed) {
+  const auto chains = drawing::chain_segments(
+      {segment({0, 0}, {1, 0}), segment({1, 0}, {2, 0.1}, true, EdgeKind::contour), segment({2, 0.1}, {3, 0})}, 1e-6);
+  ASSERT_EQ(chains.size(), 1U);
+  EXPECT_EQ(chains[0].kind, EdgeKind::contour);
+}
+
+TEST(Chains, AtACornerLinesOfOneKindAreJoined) {
+  const double c = 0.5, s = std::sqrt(3) / 2;  // three edges of a cube; two of them are its outline
+  const auto chains =
+      drawing::chain_segments({segment({0, 0}, {0, 1}), segment({0, 0}, {s, -c}, true, EdgeKind::contour),
+                               segment({0, 0}, {-s, -c}, true, EdgeKind::contour)},
+                              1e-6);
+  ASSERT_EQ(chains.size(), 2U);
+  const auto& outline = chains[chains[0].segments.size() == 2 ? 0 : 1];
+  EXPECT_EQ(outline.kind, EdgeKind::contour);
+  EXPECT_EQ(outline.segments.size(), 2U);
+}
+
+TEST(Chains, ACurveRunsOnWhereItsKindChanges) {
+  // The rim of a cylinder is a contour up to where the straight contour of the wall begins.
+  const auto chains =
+      drawing::chain_segments({segment({-1, 0.2}, {0, 0}, true, EdgeKind::contour), segment({0, 0}, {1, 0.2}),
+                               segment({0, 0}, {0.1, -5}, true, EdgeKind::contour)},
+                              1e-6);
+  ASSERT_EQ(chains.size(), 2U);
+  for (const drawing::Chain& chain : chains) EXPECT_EQ(chain.segments.size() == 1, length(chain) > 4);
+}
+
+TEST(Chains, JoinEndsThatTouch) {
+  // Pairs of ends lie in one cell of one of four grids, wherever they are.
+  for (int i = 0; i < 64; ++i) {
+    const Vec2 at(1 + 0.3 * i, 2 - 0.7 * i), beside = at + 0.9e-5 * Vec2(std::cos(i), std::sin(i));
+    const auto lines = std::vector{segment({0, 40}, at), segment(beside, {30, 40})};
+    EXPECT_EQ(drawing::chain_segments(lines, 1e-6, 1e-5).size(), 1U) << i;
+    EXPECT_EQ(drawing::chain_segments(lines, 1e-6, 1e-6).size(), 2U) << i;
+  }
+}
+
+TEST(Chains, AShortLineDoesNotMeetItself) {
+  const auto chains = drawing::chain_segments({segment({0, 0}, {1e-6, 0})}, 1e-9, 1e-5);
+  ASSERT_EQ(chains.size(), 1U);
+  EXPECT_FALSE(chains[0].closed);
 }
 
 TEST(Chains, ARingIsClosedAndDoesNotRepeatItsStart) {
@@ -109,6 +153,27 @@ TEST(Chains, AtACrossingLinesRunStraightOn) {
   ASSERT_EQ(chains.size(), 2U);
   for (const drawing::Chain& chain : chains) EXPECT_EQ(length(chain), 2);
   for (const drawing::Chain& chain : chains) EXPECT_EQ(chain.points.size(), 2U) << "a straight line";
+}
+
+TEST(Chains, ShortCreasesThatMeetNothingAreDropped) {
+  const auto edge = [](Vec2 from, Vec2 to, int a, int b, std::array<double, 2> t = {0, 1}) {
+    return drawing::Segment{from, to, true, EdgeKind::crease, 0, {a, b}, -1, t};
+  };
+  drawing::ViewDrawing drawing;
+  drawing.segments = {edge({0, 0}, {1, 0}, 0, 1), edge({1, 0}, {1.5, 0}, 1, 2),  // free at both ends
+                      edge({0, 5}, {1, 5}, 3, 4), edge({1, 5}, {9, 5}, 4, 5),    // long
+                      edge({0, 8}, {1, 8}, 6, 7), edge({1, 8}, {1, 9}, 7, 8),
+                      edge({1, 8}, {2, 7}, 7, 9), edge({4, 1}, {5, 1}, 10, 11, {0, 0.5})};  // goes on behind a face
+  const std::size_t all = drawing.segments.size();
+  const auto left = [&](double least) {
+    drawing.chains = drawing::chain_segments(drawing.segments, 1e-6);
+    drawing::drop_short_creases(drawing, least);
+    return drawing.segments.size();
+  };
+  EXPECT_EQ(left(1), all);
+  EXPECT_EQ(left(2), all - 2);
+  drawing.segments[0].kind = EdgeKind::contour;
+  EXPECT_EQ(left(2), all - 2) << "nothing more";
 }
 
 TEST(Chains, HoldEverySegmentOnceAndItsLength) {

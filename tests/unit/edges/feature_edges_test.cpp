@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "shapes.hpp"
 
@@ -44,6 +45,34 @@ Shape fan_of_three() {
 TEST(FeatureEdges, OfACubeAreSixContoursAndSixCreases) {
   EXPECT_EQ(kinds(world_of(box({0, 0, 0}, {1, 1, 1})), orthographic(corner)), (Kinds{{"contour", 6}, {"crease", 6}}));
   EXPECT_EQ(kinds(world_of(triangulated_cube()), orthographic(corner)), (Kinds{{"contour", 6}, {"crease", 6}}));
+}
+
+// A ridge along x whose edges, one after the other, are folded by these angles. Its sides share no other edges.
+Shape ridge(const std::vector<double>& folds) {
+  Shape shape{{{0, 0, 0}}, {}, {}};
+  for (std::size_t i = 0; i < folds.size(); ++i) {
+    const double x = double(i) + 0.5, drop = std::tan(folds[i] / 2 * std::numbers::pi / 180);
+    const int at = int(shape.points.size());
+    const int from = at == 1 ? 0 : at - 3;
+    shape.points.push_back({x + 0.5, 0, 0});
+    shape.points.push_back({x, 1, -drop});
+    shape.points.push_back({x, -1, -drop});
+    shape.faces.push_back({from, at, at + 1});
+    shape.faces.push_back({at, from, at + 2});
+  }
+  return shape;
+}
+
+TEST(FeatureEdges, AWeakCreaseContinuesACrease) {
+  const scene::World world = world_of(ridge({25, 25, 40, 25, 15, 25}));
+  const auto creases = [&](double weak) {
+    return kinds(world, orthographic({0.1, 0.2, 1}), {.weak_angle = weak})["crease"];
+  };
+  EXPECT_EQ(creases(180), 1);
+  EXPECT_EQ(creases(30), 1);
+  EXPECT_EQ(creases(20), 4) << "the last one is beyond a gap";
+  EXPECT_EQ(creases(10), 6);
+  EXPECT_EQ(kinds(world_of(ridge({25, 25})), orthographic({0.1, 0.2, 1}), {.weak_angle = 20})["crease"], 0);
 }
 
 TEST(FeatureEdges, WiresAreDrawnUnlessFacesGiveAStrongerReason) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include "edges/find_edges.hpp"
@@ -58,6 +59,37 @@ Profile ring(double radius, double tube, int steps) {
     profile.push_back({radius - tube * std::cos(a), tube * std::sin(a)});
   }
   return profile;
+}
+
+// A cylinder with a rounded foot, on which the vertices of the tessellation have no order.
+Shape rounded_foot(int rows, int sides) {
+  std::mt19937 random(1);
+  const auto shift = [&] { return 0.8 * (double(random()) / double(std::mt19937::max()) - 0.5); };
+  Shape shape;
+  for (int row = 0; row <= rows; ++row)
+    for (int i = 0; i < sides; ++i) {
+      const bool inside = row > 0 && row < rows;
+      const double v = (row + (inside ? shift() : 0) - rows) * pi / 2 / rows;
+      const double u = 2 * pi * (i + (inside ? shift() : 0)) / sides, radius = 37 + 3 * std::cos(v);
+      shape.points.push_back({radius * std::cos(u), radius * std::sin(u), 3 + 3 * std::sin(v)});
+    }
+  for (int i = 0; i < sides; ++i) {
+    const auto& p = shape.points[std::size_t(rows * sides + i)];
+    shape.points.push_back({p[0], p[1], 30});
+  }
+  std::vector<int> below, above;
+  for (int i = 0; i < sides; ++i) {
+    below.insert(below.begin(), i);
+    above.push_back((rows + 1) * sides + i);
+    for (int row = 0; row <= rows; ++row) {
+      const int a = row * sides + i, b = row * sides + (i + 1) % sides;
+      shape.faces.push_back({a, b, b + sides});
+      shape.faces.push_back({a, b + sides, a + sides});
+    }
+  }
+  shape.faces.push_back(below);
+  shape.faces.push_back(above);
+  return shape;
 }
 
 std::map<EdgeKind, int> count_kinds(const scene::World& world, const edges::EdgeOptions& options = {},
@@ -207,6 +239,19 @@ TEST(SmoothContours, OfATorusLieWhereItIsSeenEdgeOn) {
     }
     EXPECT_LT(nearest, 0.03);
   }
+}
+
+TEST(SmoothContours, OfFacetsThatATessellationTurnsOverAreNotDrawnWhereHidden) {
+  const scene::World world = recognised(world_of(rounded_foot(8, 24)));
+  const projection::Projection front = orthographic({0, -1, 0});
+  view::ProjectedScene view = view::project_scene(world, front, {});
+  int by_chance = 0;
+  for (const edges::FeatureEdge& edge : edges::find_feature_edges(world, view, {}).edges) by_chance += edge.by_chance;
+  EXPECT_GT(by_chance, 0);
+  // The contour of the rounding is at both sides.
+  const drawing::ViewDrawing drawing = draw(world, front).drawing;
+  for (const drawing::Segment& segment : drawing.segments)
+    EXPECT_TRUE(segment.visible || std::abs(segment.from.x) > 0.8 * drawing.max.x) << segment.from.x;
 }
 
 TEST(SmoothContours, OfCylindersAndMeshesStay) {

@@ -166,6 +166,8 @@ TEST(Library, TypedValuesMeanWhatOptionsMean) {
                                .hidden = HiddenLines::solid,
                                .edges = {.tangent = true},
                                .crease_angle = 20,
+                               .weak_crease_angle = 15,
+                               .least_crease = 2,
                                .join_within = 0.2}},
                     .sheets = {{.size = "A3",
                                 .orientation = Orientation::portrait,
@@ -178,7 +180,8 @@ TEST(Library, TypedValuesMeanWhatOptionsMean) {
   const std::string file = (folder / "x.svg").string();
   const std::string options =
       " --unit in --projection cabinet:angle=30 --hidden solid --edges contour,crease,boundary,intersection,tangent"
-      " --crease-angle 20 --join-within 0.2 --sheet A3 --portrait --scale 1:20 --frame full --title Bracket --owner "
+      " --crease-angle 20 --weak-crease-angle 15 --least-crease 2 --join-within 0.2 --sheet A3 --portrait --scale 1:20 "
+      "--frame full --title Bracket --owner "
       "epura --arcs "
       "--centre-lines -o ";
   ASSERT_EQ(std::system(

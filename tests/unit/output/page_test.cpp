@@ -90,17 +90,19 @@ TEST(Png, RefusesAbsurdSizes) {
 }
 
 TEST(Formats, AreKnownByTheirExtension) {
-  for (const char* name : {"svg", "pdf", "ps", "eps", "png", "dxf", "json"}) {
+  for (const char* name : {"svg", "pdf", "ps", "eps", "png", "dxf", "json", "html"}) {
     const output::Format* format = output::find_format("." + std::string(name));
     ASSERT_TRUE(format != nullptr) << name;
     EXPECT_EQ(format->name, name);
-    EXPECT_EQ(format->has_pages, name == std::string("pdf") || name == std::string("ps"));
-    EXPECT_EQ(format->has_drawings, name == std::string("json"));
+    EXPECT_EQ(format->has_pages,
+              name == std::string("pdf") || name == std::string("ps") || name == std::string("html"));
+    EXPECT_EQ(format->has_drawings, name == std::string("json") || name == std::string("html"));
+    EXPECT_EQ(format->has_facts, name == std::string("html"));
   }
   EXPECT_EQ(output::find_format("PDF"), output::find_format("pdf"));
   EXPECT_EQ(output::find_format("dwg"), nullptr);
   EXPECT_EQ(output::find_format(""), nullptr);
-  EXPECT_EQ(output::format_names().size(), 7U);
+  EXPECT_EQ(output::format_names().size(), 8U);
 }
 
 TEST(Formats, AreNamedInsteadOfOthers) {

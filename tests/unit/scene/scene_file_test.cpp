@@ -80,7 +80,8 @@ TEST(SceneFile, AllKeysOfAView) {
   const scene::SceneDescription scene = scene_of(
       model + "[[sheet]]\n[[sheet]]\n[[section]]\nname = 'A'\npoint = [1, 2.5, 3]\nnormal = [0, 0, 1]\n" + view +
       "name = 'cut'\nscale = '2:1'\nhidden = 'none'\nedges = ['contour', 'smooth']\nsection = 'A'\n"
-      "label = 'cut A'\ncrease_angle = 20\njoin_within = 0.2\nnear = -1\nfar = 1e3\nat = [100, 50.5]\nsheet = 2\n");
+      "label = 'cut A'\ncrease_angle = 20\nweak_crease_angle = 15\nleast_crease = 2\njoin_within = 0.2\nnear = -1\nfar "
+      "= 1e3\nat = [100, 50.5]\nsheet = 2\n");
   const scene::ViewDescription& read = scene.views.at(0);
   EXPECT_EQ(read.projection->text(), "front");
   EXPECT_EQ(*read.name, "cut");
@@ -91,6 +92,8 @@ TEST(SceneFile, AllKeysOfAView) {
   EXPECT_EQ(*read.section, "A");
   EXPECT_EQ(*read.label, "cut A");
   EXPECT_EQ(*read.crease_angle, 20);
+  EXPECT_EQ(*read.weak_crease_angle, 15);
+  EXPECT_EQ(*read.least_crease, 2);
   EXPECT_EQ(*read.join_within, 0.2);
   EXPECT_EQ(*read.near, -1);
   EXPECT_EQ(*read.far, 1000);

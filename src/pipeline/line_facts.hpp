@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the models tell of the lines on a sheet: lengths in space, faces, bodies, and depth.
+#pragma once
+
+#include "drawing/drawing.hpp"
+#include "scene/scene.hpp"
+#include "sheet/sheet.hpp"
+
+namespace epura::pipeline {
+
+/// Adds the facts of all strokes of a view that draw edges of a file; `world` is the one that the view shows.
+void add_line_facts(sheet::Sheet& sheet, const drawing::ViewDrawing& drawing, const scene::World& world);
+
+}  // namespace epura::pipeline

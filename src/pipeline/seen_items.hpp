@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the items of a parts list are best seen in a view: where leaders of balloons end.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "scene/items.hpp"
+#include "scene/scene.hpp"
+#include "sheet/balloons.hpp"
+
+namespace epura::pipeline {
+
+/// A point of an item that nothing hides.
+struct SeenPoint {
+  Vec2 at;      ///< on paper
+  double free;  ///< mm from there to lines of the drawing and to other bodies; 0 on a line
+  bool on_line = false;
+};
+
+/// By item. On a face, as far from lines as possible; the faces are compared at the points of a grid. An item whose
+/// faces are too small or seen edge-on has a point on its longest visible line. `world` is what the view shows, with
+/// the bodies of the items.
+std::vector<std::optional<SeenPoint>> seen_items(const scene::World& world, const drawing::ViewDrawing& drawing,
+                                                 const std::vector<scene::Item>& items);
+
+/// By view: the balloons of the items, each in the view of `seen` that shows it best; in `main`, if it shows it. Views
+/// in which nothing was looked for are empty. The numbers of items that no view shows are added to `missing`.
+std::vector<std::vector<sheet::BalloonTarget>> balloons_by_view(
+    const std::vector<std::vector<std::optional<SeenPoint>>>& seen, std::optional<std::size_t> main,
+    std::vector<std::size_t>& missing);
+
+}  // namespace epura::pipeline

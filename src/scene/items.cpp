@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/items.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+#include "scene/body_styles.hpp"
+#include "scene/congruent.hpp"
+
+namespace epura::scene {
+
+namespace {
+
+/// A body, with what tells whether it equals others.
+struct Body {
+  int model, number;
+  std::string name;  ///< empty if it has none
+  std::vector<int> triangles;
+};
+
+std::string name_of_part(const World& world, const std::vector<ModelDescription>& models, int model, int body) {
+  const std::string& name = name_of_body(*world.models[model].mesh, body);
+  if (!name.empty()) return name;
+  const bool is_whole = world.models[model].mesh->report.bodies <= 1;
+  return is_whole && models[model].name.given() ? *models[model].name : std::string();
+}
+
+// One named group is one body, whatever it consists of.
+std::vector<Body> bodies_of(const World& world, const std::vector<ModelDescription>& models) {
+  std::vector<Body> bodies;
+  for (std::size_t m = 0; m < world.models.size(); ++m) {
+    const mesh::Mesh& mesh = *world.models[m].mesh;
+    const bool is_one = mesh.report.body_names.empty() && !mesh.report.only_body.empty();
+    std::map<int, std::vector<int>> triangles;
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+      triangles[is_one ? 0 : mesh.body[t]].push_back(world.first_triangle[m] + t);
+    for (auto& [body, own] : triangles)
+      bodies.push_back(
+          {static_cast<int>(m), body, name_of_part(world, models, static_cast<int>(m), body), std::move(own)});
+  }
+  return bodies;
+}
+
+// "nut_1", "nut-2", "nut 3", "nut:4" -> "nut"
+std::string without_number(const std::string& name) {
+  const std::size_t end = name.find_last_not_of("0123456789");
+  if (end == std::string::npos || end + 1 == name.size()) return name;
+  const std::size_t base = name.find_last_not_of("_-.:# ", end);
+  return base == std::string::npos || base == end ? name : name.substr(0, base + 1);
+}
+
+/// An item while bodies are sorted into items.
+struct Growing {
+  Item item;
+  std::string name;  ///< of its first body
+  Shape shape;
+};
+
+bool is_joined(const Growing& item, const Body& body, const Shape& shape, double tolerance) {
+  if (!body.name.empty() && body.name == item.name) return true;
+  const bool may_be = body.name.empty() || item.name.empty() || without_number(body.name) == without_number(item.name);
+  return may_be && are_congruent(item.shape, shape, tolerance);
+}
+
+void describe(Item& item, const World& world, const Body& body, const Shape& shape) {
+  const Placed& model = world.models[body.model];
+  if (model.styles.empty()) return;
+  const StyleDescription& style = model.styles[static_cast<std::size_t>(body.number)];
+  constexpr double cubic_metre = 1e9;  // mm³
+  item.material = style.material.value_or("");
+  if (style.density.given() && model.mesh->report.open_edges == 0)
+    item.mass = std::abs(shape.volume) / cubic_metre * *style.density;
+}
+
+// "part", or "part 1", "part 2" if the model has several items without names.
+void name_items(std::vector<Growing>& items, const std::vector<ModelDescription>& models) {
+  std::map<int, int> count, number;
+  for (const Growing& one : items)
+    if (one.item.name.empty()) ++count[one.item.bodies.front()[0]];
+  for (Growing& one : items) {
+    if (!one.item.name.empty()) continue;
+    const int model = one.item.bodies.front()[0];
+    one.item.name = name_of(models[model]);
+    if (count[model] > 1) one.item.name += " " + std::to_string(++number[model]);
+  }
+}
+
+}  // namespace
+
+std::vector<Item> find_items(const World& world, const std::vector<ModelDescription>& descriptions) {
+  std::vector<Growing> items;
+  for (const Body& body : bodies_of(world, descriptions)) {
+    Shape shape = shape_of(world, body.triangles);
+    if (shape.corners.empty()) continue;
+    const double tolerance = 1e-6 * shape.reach.back() + 4 * world.rounding;
+    const auto same = [&](const Growing& one) { return one.name == body.name && !body.name.empty(); };
+    auto found = std::find_if(items.begin(), items.end(), same);
+    if (found == items.end())
+      found = std::find_if(items.begin(), items.end(),
+                           [&](const Growing& one) { return is_joined(one, body, shape, tolerance); });
+    if (found == items.end()) {
+      Growing& added = items.emplace_back();
+      added.item.name = added.name = body.name;
+      describe(added.item, world, body, shape);
+      added.shape = std::move(shape);
+      found = items.end() - 1;
+    }
+    if (found->item.name.empty()) found->item.name = body.name;
+    if (!body.name.empty() && found->item.name != body.name) found->item.name = without_number(found->item.name);
+    ++found->item.quantity;
+    found->item.bodies.push_back({body.model, body.number});
+  }
+  name_items(items, descriptions);
+  std::vector<Item> result;
+  for (Growing& one : items) result.push_back(std::move(one.item));
+  return result;
+}
+
+}  // namespace epura::scene

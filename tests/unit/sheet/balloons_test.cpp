@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// What would break if this were wrong: balloons on the drawing or on each other, and leaders that cross.
+#include "sheet/balloons.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace epura::test {
+namespace {
+
+double side(const Vec2& a, const Vec2& b, const Vec2& p) {
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+bool cross(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  return side(a[0], a[1], b[0]) * side(a[0], a[1], b[1]) < 0 && side(b[0], b[1], a[0]) * side(b[0], b[1], a[1]) < 0;
+}
+
+// Items in the middle of a view, with a dimension on one side.
+TEST(Balloons, AreOutsideTheViewAndTheirLeadersDoNotCross) {
+  const sheet::Lettering lettering;
+  const sheet::DimensionStyle style{lettering, 0.25};
+  const sheet::Rectangle view{{60, 60}, {160, 120}};
+  std::vector<sheet::BalloonTarget> targets;
+  for (int i = 0; i < 12; ++i) targets.push_back({std::to_string(i + 1), {92.0 + 12 * (i % 4), 78.0 + 12 * (i / 4)}});
+  const sheet::Rectangle dimension{{60, 124}, {160, 135}};
+  const sheet::Neighbours around{sheet::Rectangle{{20, 10}, {287, 200}}, {sheet::turned_box(dimension)}};
+  sheet::Layer layer;
+  EXPECT_TRUE(sheet::place_balloons(layer, targets, view, style, around).empty());
+  ASSERT_EQ(layer.texts.size(), 12U);
+  std::vector<std::vector<Vec2>> leaders;
+  std::vector<Vec2> centres;
+  for (const sheet::Stroke& stroke : layer.strokes)
+    stroke.curves.empty() ? leaders.push_back(stroke.points) : centres.push_back(stroke.curves.front().centre);
+  ASSERT_EQ(leaders.size(), 12U);
+  const double radius = sheet::balloon_radius(style.text);
+  for (std::size_t i = 0; i < leaders.size(); ++i) {
+    const sheet::Rectangle circle{centres[i] - radius, centres[i] + radius};
+    EXPECT_FALSE(circle.overlaps(view)) << targets[i].number;
+    EXPECT_FALSE(circle.overlaps(dimension)) << targets[i].number;
+    EXPECT_TRUE(around.paper->holds(circle));
+    EXPECT_EQ(leaders[i][1], targets[i].point);
+    EXPECT_NEAR(glm::length(leaders[i][0] - centres[i]), radius, 1e-9);
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_FALSE(cross(leaders[i], leaders[j])) << targets[i].number << " and " << targets[j].number;
+      EXPECT_GT(glm::length(centres[i] - centres[j]), 2 * radius);
+    }
+  }
+}
+
+TEST(Balloons, AreLeftOutWhereThereIsNoPlace) {
+  const sheet::Lettering lettering;
+  const std::vector<sheet::BalloonTarget> targets{{"7", {50, 50}}};
+  sheet::Layer layer;
+  const sheet::Rectangle paper{{0, 0}, {100, 100}};
+  const auto left_out = sheet::place_balloons(layer, targets, paper, {lettering, 0.25}, {paper});
+  EXPECT_EQ(left_out, std::vector<std::string>{"7"});
+  EXPECT_TRUE(layer.strokes.empty());
+}
+
+}  // namespace
+}  // namespace epura::test
