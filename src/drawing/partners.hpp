@@ -33,6 +33,8 @@ struct LineEnds {
   Look look;
   Kind kind;
 };
+template <class Place, class Look, class Kind>
+LineEnds(int, Place, Look, Kind) -> LineEnds<Place, Look, Kind>;
 
 /// Joins ends that meet in one point, while there are two left: first those that go on in nearly the same direction,
 /// as facets of a curve do, then those of one kind; the straightest pair first.
