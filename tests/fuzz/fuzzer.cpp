@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// One target as libFuzzer runs it. Errors of the user are right answers; what ends the process is a finding.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "base/error.hpp"
+#include "targets.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
+  static const epura::fuzz::Target* target = epura::fuzz::target_named(EPURA_FUZZ_TARGET);
+  epura::check(target != nullptr, "there is no target " EPURA_FUZZ_TARGET);
+  epura::fuzz::run(*target, std::string(reinterpret_cast<const char*>(bytes), count));
+  return 0;
+}

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/batch/job_table.hpp"
+#include "app/batch/placeholders.hpp"
+#include "app/batch/shards.hpp"
+#include "base/error.hpp"
+#include "compare/comparison.hpp"
+#include "compare/read_pictures.hpp"
+#include "importer/assemble.hpp"
+#include "importer/loader.hpp"
+#include "importer/read_model.hpp"
+#include "mesh/read.hpp"
+#include "scene/choices.hpp"
+#include "scene/cutting_plane.hpp"
+#include "scene/details.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/transform.hpp"
+#include "targets.hpp"
+
+namespace epura::fuzz {
+
+namespace {
+
+/// A file in memory, for functions that want a path.
+class MemoryFile {
+ public:
+  explicit MemoryFile(const std::string& bytes) : descriptor_(::memfd_create("fuzz", MFD_CLOEXEC)) {
+    check(descriptor_ >= 0 && ::write(descriptor_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()),
+          "no file in memory");
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() { ::close(descriptor_); }
+
+  [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+ private:
+  int descriptor_;
+};
+
+void expect_sound(const mesh::Mesh& mesh) {
+  const auto points = static_cast<int>(mesh.points.size());
+  for (std::size_t t = 0; t < mesh.polygon.size(); ++t)
+    for (const int v : mesh.triangle(static_cast<int>(t)))
+      check(v >= 0 && v < points && finite(mesh.point(v)), "a triangle has a corner that is no point");
+  for (const mesh::MeshEdge& edge : mesh.edges)
+    check(edge.count == static_cast<int>(mesh.triangles_of(edge).size()), "an edge miscounts its triangles");
+}
+
+void read_mesh_format(const std::string& bytes, const char* format) {
+  expect_sound(mesh::make_mesh(mesh::format_named(format)->read(bytes, "model", {}), "model"));
+}
+
+void read_obj(const std::string& bytes) { read_mesh_format(bytes, "obj"); }
+void read_stl(const std::string& bytes) { read_mesh_format(bytes, "stl"); }
+void read_ply(const std::string& bytes) { read_mesh_format(bytes, "ply"); }
+void read_off(const std::string& bytes) { read_mesh_format(bytes, "off"); }
+
+void build(const importer::Document& document) {
+  importer::expect_sound(document);
+  expect_sound(mesh::make_mesh(importer::assemble(document, "fuzz").soup, "model"));
+}
+
+// Importers run in this process, where their faults are seen.
+void read_by_importer(const std::string& bytes, const std::string& library) {
+  static const auto importers = importer::load_importers(EPURA_FUZZ_IMPORTERS "/" + library + ".so");
+  const MemoryFile file(bytes);
+  build(importer::read_by(*importers.front().definition, {file.path(), "model", {}}, [](double) {}));
+}
+
+void read_gltf(const std::string& bytes) { read_by_importer(bytes, "gltf"); }
+void read_threemf(const std::string& bytes) { read_by_importer(bytes, "3mf"); }
+
+void read_answer(const std::string& bytes) {
+  foreign::Unpacker unpack(bytes);
+  build(importer::unpack_document(unpack));
+}
+
+void read_scene(const std::string& bytes) {
+  const MemoryFile file(bytes);
+  scene::read_scene_file(file.path());
+}
+
+// The first byte selects what the other ones are a value of.
+void read_words(const std::string& bytes) {
+  using Read = void (*)(const std::string& text);
+  static constexpr std::array<Read, 10> reads{
+      [](const std::string& text) { scene::parse_scale(text, "--scale"); },
+      [](const std::string& text) { scene::parse_paper_size(text, "--sheet"); },
+      [](const std::string& text) { scene::parse_break(text, "--break"); },
+      [](const std::string& text) {
+        const std::string again = scene::parse_request(text).text();
+        check(scene::parse_request(again).text() == again, "a projection is written in two ways");
+      },
+      [](const std::string& text) { scene::parse_section(text, "--section"); },
+      [](const std::string& text) { scene::parse_detail(text, "--detail"); },
+      [](const std::string& text) { scene::parse_transform(text); },
+      [](const std::string& text) { importer::parse_model_request(text); },
+      [](const std::string& text) { expect_known_placeholders(text, "--output"); },
+      [](const std::string& text) { parse_shard(text); }};
+  if (!bytes.empty()) reads[static_cast<unsigned char>(bytes.front()) % reads.size()](bytes.substr(1));
+}
+
+void read_jobs(const std::string& bytes) {
+  const MemoryFile file(bytes);
+  epura::read_job_table(file.path());
+}
+
+// A drawing is equal to itself.
+void read_drawing(const std::string& bytes, const char* name) {
+  const compare::PictureFile file = compare::pictures_of(bytes, name);
+  check(compare::compare(file, file, 0.01).differences.empty(), "a drawing differs from itself");
+}
+
+void read_json(const std::string& bytes) { read_drawing(bytes, "drawing.json"); }
+void read_svg(const std::string& bytes) { read_drawing(bytes, "drawing.svg"); }
+void read_pdf(const std::string& bytes) { read_drawing(bytes, "drawing.pdf"); }
+
+}  // namespace
+
+std::span<const Target> readers() {
+  static constexpr std::array<Target, 13> all{{{"obj", read_obj},
+                                               {"stl", read_stl},
+                                               {"ply", read_ply},
+                                               {"off", read_off},
+                                               {"gltf", read_gltf},
+                                               {"3mf", read_threemf},
+                                               {"answer", read_answer},
+                                               {"scene", read_scene},
+                                               {"words", read_words},
+                                               {"jobs", read_jobs},
+                                               {"json", read_json},
+                                               {"svg", read_svg},
+                                               {"pdf", read_pdf}}};
+  return all;
+}
+
+}  // namespace epura::fuzz

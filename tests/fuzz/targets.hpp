@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// What strangers hand to epura, as functions of bytes: for the fuzzers, and for the test that replays what they found.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace epura::fuzz {
+
+struct Target {
+  std::string_view name;  ///< also that of its corpus, and of its dictionary if it has one
+  /// Reads the bytes, or draws what they describe. Throws Error if they are refused. Aborts with a sentence if a
+  /// property is violated; any other exception is a fault, too.
+  void (*run)(const std::string& bytes);
+};
+
+/// Files and texts of the user, and answers of processes with foreign code.
+std::span<const Target> readers();
+
+/// Drawings of small meshes full of ties, against the truth and against themselves.
+std::span<const Target> drawings();
+
+/// Returns null if there is none.
+const Target* target_named(std::string_view name);
+
+/// Runs a target. Returns whether the bytes were accepted. What is neither accepted nor refused ends the process.
+bool run(const Target& target, const std::string& bytes);
+
+}  // namespace epura::fuzz
