@@ -23,6 +23,9 @@ struct Piece {
   std::array<double, 2> s;  ///< page parameters of the ends along the edge
 };
 
+/// Whether a piece leads from a point of its edge to another line.
+inline bool is_link(const Piece& p) { return p.s[0] == p.s[1]; }
+
 /// Whether the first piece is drawn where both coincide.
 bool outranks(const Piece& a, const Piece& b);
 

@@ -7,8 +7,10 @@
 
 #include "base/parallel.hpp"
 #include "drawing/chains.hpp"
+#include "drawing/continue_contours.hpp"
 #include "drawing/ink.hpp"
 #include "drawing/meet_contours.hpp"
+#include "drawing/specks.hpp"
 
 namespace epura::drawing {
 
@@ -140,13 +142,26 @@ void find_drawn(std::vector<Piece>& pieces, const visibility::ResolvedView& line
   for (Piece& piece : pieces) piece.drawn = strength_of(piece, lines, near) >= 0;
 }
 
+std::vector<signed char> strengths_of(const std::vector<Piece>& pieces, const visibility::ResolvedView& lines,
+                                      const NearLines& near) {
+  std::vector<signed char> strengths;
+  strengths.reserve(pieces.size());
+  for (const Piece& piece : pieces) strengths.push_back(strength_of(piece, lines, near));
+  return strengths;
+}
+
+// Draws one line where a person sees one.
 std::vector<Piece> joined_where_near(std::vector<Piece> pieces, const visibility::ResolvedView& lines,
                                      const NearLines& near, double touching, const Progress& progress) {
   if (!(near.distance > 0)) return pieces;
-  std::vector<signed char> strength;
-  strength.reserve(pieces.size());
-  for (const Piece& piece : pieces) strength.push_back(strength_of(piece, lines, near));
-  return join_near(std::move(pieces), strength, near.distance, touching, progress);
+  const std::vector<signed char> strengths = strengths_of(pieces, lines, near);
+  pieces = join_near(std::move(pieces), strengths, near.distance, touching, progress);
+  std::vector<int> models;
+  models.reserve(pieces.size());
+  for (const Piece& piece : pieces) models.push_back(lines.drawn.edges[piece.edge].model);
+  pieces = continue_contours(std::move(pieces), models, near.distance, progress);
+  const std::vector<signed char> left = strengths_of(pieces, lines, near);
+  return drop_specks(std::move(pieces), left, near.distance, progress);
 }
 
 }  // namespace

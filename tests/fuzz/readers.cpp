@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <functional>
+#include <fstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/batch/job_table.hpp"
@@ -30,21 +30,24 @@ namespace epura::fuzz {
 
 namespace {
 
-/// A file in memory, for functions that want a path.
-class MemoryFile {
+/// A file of this process, for functions that want a path.
+class OwnFile {
  public:
-  explicit MemoryFile(const std::string& bytes) : descriptor_(::memfd_create("fuzz", MFD_CLOEXEC)) {
-    check(descriptor_ >= 0 && ::write(descriptor_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()),
-          "no file in memory");
+  explicit OwnFile(const std::string& bytes)
+      : path_(std::filesystem::temp_directory_path() / ("epura-fuzz-" + std::to_string(::getpid()))) {
+    std::ofstream(path_, std::ios::binary) << bytes;
   }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  ~MemoryFile() { ::close(descriptor_); }
+  OwnFile(const OwnFile&) = delete;
+  OwnFile& operator=(const OwnFile&) = delete;
+  ~OwnFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
 
-  [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+  [[nodiscard]] std::string path() const { return path_.string(); }
 
  private:
-  int descriptor_;
+  std::filesystem::path path_;
 };
 
 void expect_sound(const mesh::Mesh& mesh) {
@@ -71,14 +74,22 @@ void build(const importer::Document& document) {
 }
 
 // Importers run in this process, where their faults are seen.
-void read_by_importer(const std::string& bytes, const std::string& library) {
-  static const auto importers = importer::load_importers(EPURA_FUZZ_IMPORTERS "/" + library + ".so");
-  const MemoryFile file(bytes);
-  build(importer::read_by(*importers.front().definition, {file.path(), "model", {}}, [](double) {}));
+void read_by(const std::vector<importer::LoadedImporter>& importers, const std::string& bytes) {
+  const OwnFile file(bytes);
+  const auto& [table, definition] = importers.front();
+  const std::vector<double> values = foreign::flattened(foreign::default_values(table.parameters));
+  build(importer::read_by(*definition, {file.path(), "model", values}, [](double) {}));
 }
 
-void read_gltf(const std::string& bytes) { read_by_importer(bytes, "gltf"); }
-void read_threemf(const std::string& bytes) { read_by_importer(bytes, "3mf"); }
+void read_gltf(const std::string& bytes) {
+  static const auto importers = importer::load_importers(EPURA_FUZZ_IMPORTERS "/gltf.so");
+  read_by(importers, bytes);
+}
+
+void read_threemf(const std::string& bytes) {
+  static const auto importers = importer::load_importers(EPURA_FUZZ_IMPORTERS "/3mf.so");
+  read_by(importers, bytes);
+}
 
 void read_answer(const std::string& bytes) {
   foreign::Unpacker unpack(bytes);
@@ -86,7 +97,7 @@ void read_answer(const std::string& bytes) {
 }
 
 void read_scene(const std::string& bytes) {
-  const MemoryFile file(bytes);
+  const OwnFile file(bytes);
   scene::read_scene_file(file.path());
 }
 
@@ -111,7 +122,7 @@ void read_words(const std::string& bytes) {
 }
 
 void read_jobs(const std::string& bytes) {
-  const MemoryFile file(bytes);
+  const OwnFile file(bytes);
   epura::read_job_table(file.path());
 }
 

@@ -61,8 +61,8 @@ void expect_right(const Shape& shape, Random& random, bool axes, const std::stri
   const scene::World world = world_of(shape);
   for (const projection::Projection& view : views(random, axes)) {
     const WrongSpan wrong = longest_wrong(draw(world, view));
-    EXPECT_LT(wrong.longest, most_wrong) << name << (view.central ? " central " : " parallel ") << view.n.x << "," << view.n.y
-                                   << "," << view.n.z << " " << wrong.words;
+    EXPECT_LT(wrong.longest, most_wrong) << name << (view.central ? " central " : " parallel ") << view.n.x << ","
+                                         << view.n.y << "," << view.n.z << " " << wrong.words;
   }
 }
 

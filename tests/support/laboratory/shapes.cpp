@@ -236,8 +236,10 @@ scene::World world_of(const std::vector<Shape>& shapes) {
 }
 
 scene::World recognised(scene::World world) {
-  for (scene::Placed& placed : world.models)
-    placed.part = std::make_shared<const features::PartFaces>(features::recognise_faces(*placed.mesh));
+  for (scene::Placed& placed : world.models) {
+    auto part = std::make_shared<const features::PartFaces>(features::recognise_faces(*placed.mesh));
+    if (!part->faces.empty()) placed.part = std::move(part);
+  }
   return world;
 }
 

@@ -55,7 +55,7 @@ Shape revolved(const std::vector<std::array<double, 2>>& profile, int sides, boo
 /// `digits`: for a file that writes coordinates as text with this number of digits; 0: unchanged.
 mesh::Mesh mesh_of(const Shape& shape, int digits = 0);
 scene::World world_of(const std::vector<Shape>& shapes);
-/// The same world with the faces of its parts recognised.
+/// The same world with the faces of its parts, if they can be recognised.
 scene::World recognised(scene::World world);
 inline scene::World world_of(const Shape& shape) { return world_of(std::vector<Shape>{shape}); }
 

@@ -40,8 +40,6 @@ Pieces joined(const Pieces& pieces, double within = distance) {
   return drawing::join_near(pieces, strength, within, touching);
 }
 
-bool is_link(const drawing::Piece& piece) { return piece.s[0] == piece.s[1]; }
-
 bool same(const drawing::Piece& a, const drawing::Piece& b) {
   return a.from == b.from && a.to == b.to && a.visible == b.visible && a.edge == b.edge && a.s == b.s;
 }
@@ -119,7 +117,7 @@ TEST(NearInk, VisibleInkTakesHiddenInkAndNeverTheOtherWay) {
   const Pieces left = joined(pieces);
   EXPECT_EQ(ink(left, true), 20);
   EXPECT_NEAR(ink(left, false), 80 + 2 * 0.06, 1e-12);  // both ends are linked
-  EXPECT_EQ(std::count_if(left.begin(), left.end(), is_link), 2);
+  EXPECT_EQ(std::count_if(left.begin(), left.end(), drawing::is_link), 2);
   EXPECT_EQ(loose_ends(left), 4);  // those that the lines have
   const auto end = std::ranges::find(left, Vec2(40, 0.06), &drawing::Piece::to);
   ASSERT_NE(end, left.end());

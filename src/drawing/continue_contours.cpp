@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/continue_contours.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "drawing/polylines.hpp"
+
+namespace epura::drawing {
+
+namespace {
+
+// In multiples of the distance: the greatest overlap, and the length over which directions are measured.
+constexpr double most_overlap = 16;
+constexpr double with_direction = 3;
+// Cosine of the angle between lines that continue each other.
+constexpr double same_direction = 0.85;
+// A line approaches the end at which it continues another one over so many times its distance from it.
+constexpr double approach = 1.5;
+
+/// A contour followed from one of its ends.
+struct LooseEnd {
+  std::vector<End> members;  ///< at which its pieces are entered, in order
+  Vec2 at, outwards;         ///< its place, and the direction in which the line would go on
+};
+
+/// A position on a contour.
+struct Foot {
+  std::size_t member;
+  double part;  ///< of the member from where it is entered
+  double distance;
+};
+
+class Continuation {
+ public:
+  Continuation(std::vector<Piece>& pieces, const std::vector<int>& models, double distance)
+      : pieces_(pieces), models_(models), distance_(distance), is_dropped_(pieces.size(), 0), links_(pieces.size()) {}
+
+  void run(const Progress& progress) {
+    const Polylines lines(pieces_, std::vector<signed char>(pieces_.size(), 1), progress);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (lines.is_closed(i)) continue;
+      std::vector<End> members(lines[i].begin(), lines[i].end());
+      add_end(members);
+      std::reverse(members.begin(), members.end());
+      std::transform(members.begin(), members.end(), members.begin(), other);
+      add_end(std::move(members));
+    }
+    for (const auto& [cost, one, two] : pairs()) {
+      progress.expect_time();
+      if (is_joined_[one] == 0 && is_joined_[two] == 0 && (join(one, two) || join(two, one)))
+        is_joined_[one] = is_joined_[two] = 1;
+    }
+  }
+
+  /// Adds what is left of a contour, with the links at its ends. A link belongs to the point where it begins.
+  void add(std::size_t number, std::vector<Piece>& to) const {
+    if (is_dropped_[number] != 0) return;
+    const Piece& piece = pieces_[number];
+    const auto& [before, after] = links_[number];
+    Piece link = piece;
+    if (before) {
+      link.from = piece.from, link.to = *before, link.s = {piece.s[0], piece.s[0]};
+      to.push_back(link);
+    }
+    to.push_back(piece);
+    if (after) {
+      link.from = piece.to, link.to = *after, link.s = {piece.s[1], piece.s[1]};
+      to.push_back(link);
+    }
+  }
+
+ private:
+  using Pair = std::tuple<double, std::size_t, std::size_t>;
+  using Cell = std::array<long, 2>;
+
+  [[nodiscard]] Vec2 place(End end) const {
+    const Piece& piece = pieces_[line_of(end)];
+    return end % 2 == 0 ? piece.from : piece.to;
+  }
+
+  void add_end(std::vector<End> members) {
+    LooseEnd end{std::move(members), {}, {}};
+    end.at = place(end.members.front());
+    Vec2 inside = end.at;
+    for (std::size_t i = 0; i < end.members.size() && glm::distance(inside, end.at) < with_direction * distance_; ++i)
+      inside = place(other(end.members[i]));
+    const double length = glm::distance(inside, end.at);
+    if (!(length > 0)) return;
+    end.outwards = (end.at - inside) / length;
+    ends_.push_back(std::move(end));
+    is_joined_.push_back(0);
+  }
+
+  // By how much the first line goes beyond the end of the second one; nothing if they do not continue each other.
+  [[nodiscard]] std::optional<double> overlap(const LooseEnd& one, const LooseEnd& two) const {
+    const int a = line_of(one.members.front()), b = line_of(two.members.front());
+    if (models_[a] != models_[b] || pieces_[a].visible != pieces_[b].visible) return std::nullopt;
+    if (glm::dot(one.outwards, two.outwards) > -same_direction) return std::nullopt;
+    const double along = glm::dot(one.at - two.at, one.outwards);
+    return along >= -distance_ && along <= most_overlap * distance_ ? std::optional(along) : std::nullopt;
+  }
+
+  // Pairs of ends that may continue each other, the closest first.
+  [[nodiscard]] std::vector<Pair> pairs() const {
+    const double size = (most_overlap + 1) * distance_;
+    const auto cell_of = [size](const Vec2& p) {
+      return Cell{std::lround(std::floor(p.x / size)), std::lround(std::floor(p.y / size))};
+    };
+    std::vector<std::pair<Cell, std::size_t>> cells;
+    for (std::size_t i = 0; i < ends_.size(); ++i) cells.emplace_back(cell_of(ends_[i].at), i);
+    std::sort(cells.begin(), cells.end());
+    std::vector<Pair> found;
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      const Cell own = cell_of(ends_[i].at);
+      for (long x = own[0] - 1; x <= own[0] + 1; ++x) {
+        const auto first = std::lower_bound(cells.begin(), cells.end(), std::pair(Cell{x, own[1] - 1}, std::size_t(0)));
+        for (auto c = first; c != cells.end() && c->first <= Cell{x, own[1] + 1}; ++c)
+          if (c->second > i && overlap(ends_[i], ends_[c->second]))
+            found.emplace_back(glm::distance(ends_[i].at, ends_[c->second].at), i, c->second);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  // The point of a contour that is nearest to `p`, within `reach` mm along it from its end.
+  [[nodiscard]] Foot foot(const LooseEnd& line, const Vec2& p, double reach) const {
+    Foot nearest{0, 0, glm::distance(p, line.at)};
+    double walked = 0;
+    for (std::size_t i = 0; i < line.members.size() && walked <= reach; ++i) {
+      const Vec2 from = place(line.members[i]), step = place(other(line.members[i])) - from;
+      const double square = glm::dot(step, step);
+      const double part = square > 0 ? std::clamp(glm::dot(p - from, step) / square, 0.0, 1.0) : 0;
+      if (const double away = glm::distance(p, from + part * step); away < nearest.distance) nearest = {i, part, away};
+      walked += std::sqrt(square);
+    }
+    return nearest;
+  }
+
+  // Whether what is cut off up to `end` runs along the other line.
+  [[nodiscard]] bool runs_along(const LooseEnd& cut, const Foot& end, const LooseEnd& line, double reach) const {
+    for (std::size_t i = 0; i <= end.member; ++i)
+      if (foot(line, place(cut.members[i]), reach).distance > distance_) return false;
+    return end.distance <= distance_;
+  }
+
+  // Moves a position on a contour away from its end, not to a link; nothing if the contour is too short.
+  [[nodiscard]] std::optional<Foot> beyond(const LooseEnd& line, Foot at, double by) const {
+    for (; at.member < line.members.size(); ++at.member, at.part = 0) {
+      const double length = glm::distance(place(line.members[at.member]), place(other(line.members[at.member])));
+      if (length > 0 && (1 - at.part) * length > by && !is_link(pieces_[line_of(line.members[at.member])])) {
+        at.part += by / length;
+        return at;
+      }
+      by -= (1 - at.part) * length;
+    }
+    return std::nullopt;
+  }
+
+  // Makes the second contour begin where the first one ends.
+  bool join(std::size_t first, std::size_t second) {
+    const LooseEnd& line = ends_[first];
+    LooseEnd& cut = ends_[second];
+    const double reach = 2 * glm::distance(line.at, cut.at) + 2 * distance_;
+    const Foot end = foot(cut, line.at, reach);
+    if (!runs_along(cut, end, line, reach)) return false;
+    const auto begin = beyond(cut, end, approach * end.distance);
+    if (!begin || is_cut_off(line, 0) || is_cut_off(cut, begin->member)) return false;
+    for (std::size_t i = 0; i < begin->member; ++i) is_dropped_[line_of(cut.members[i])] = 1;
+    const End entered = cut.members[begin->member];
+    Piece& piece = pieces_[line_of(entered)];
+    const auto side = static_cast<std::size_t>(entered % 2);
+    const Vec2 at = place(entered) + begin->part * (place(other(entered)) - place(entered));
+    piece.s[side] += begin->part * (piece.s[1 - side] - piece.s[side]);
+    (side == 0 ? piece.from : piece.to) = at;
+    if (at != line.at) links_[line_of(entered)][side] = line.at;
+    return true;
+  }
+
+  // Whether a short contour has been cut off up to here from its other end.
+  [[nodiscard]] bool is_cut_off(const LooseEnd& line, std::size_t member) const {
+    return is_dropped_[line_of(line.members[member])] != 0;
+  }
+
+  std::vector<Piece>& pieces_;
+  const std::vector<int>& models_;
+  double distance_;
+  std::vector<LooseEnd> ends_;
+  std::vector<char> is_joined_, is_dropped_;
+  std::vector<std::array<std::optional<Vec2>, 2>> links_;  ///< by piece and side: where another contour ends
+};
+
+}  // namespace
+
+std::vector<Piece> continue_contours(std::vector<Piece> pieces, const std::vector<int>& models, double distance,
+                                     const Progress& progress) {
+  std::vector<std::size_t> numbers;  // of the contours
+  std::vector<Piece> contours;
+  std::vector<int> their_models;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (pieces[i].drawn && pieces[i].kind == EdgeKind::contour) {
+      numbers.push_back(i);
+      contours.push_back(pieces[i]);
+      their_models.push_back(models[i]);
+    }
+  if (contours.empty() || !(distance > 0)) return pieces;
+  Continuation continuation(contours, their_models, distance);
+  continuation.run(progress);
+  std::vector<Piece> result;
+  result.reserve(pieces.size());
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (next < numbers.size() && numbers[next] == i)
+      continuation.add(next++, result);
+    else
+      result.push_back(pieces[i]);
+  }
+  return result;
+}
+
+}  // namespace epura::drawing

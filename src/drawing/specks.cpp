@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/specks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "drawing/kept_ink.hpp"
+#include "drawing/polylines.hpp"
+
+namespace epura::drawing {
+
+namespace {
+
+/// Returns for each piece whether it belongs to a polyline of at most `most` mm.
+std::vector<char> find_short(const std::vector<Piece>& pieces, const std::vector<signed char>& strength, double most,
+                             const Progress& progress) {
+  std::vector<char> is_short(pieces.size(), 0);
+  const Polylines lines(pieces, strength, progress);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    double length = 0;
+    for (const End end : lines[i]) {
+      length += is_link(pieces[line_of(end)]) ? HUGE_VAL : length_of(pieces[line_of(end)]);
+      if (length > most) break;
+    }
+    if (length > most) continue;
+    for (const End end : lines[i]) is_short[line_of(end)] = strength[line_of(end)] >= 0 ? 1 : 0;
+  }
+  return is_short;
+}
+
+/// Pieces that can be found by their positions.
+InkParts parts_of(const std::vector<Piece>& pieces, const std::vector<char>& wanted, double cell) {
+  Vec2 min(HUGE_VAL), max(-HUGE_VAL);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (wanted[i] != 0) {
+      min = glm::min(min, glm::min(pieces[i].from, pieces[i].to));
+      max = glm::max(max, glm::max(pieces[i].from, pieces[i].to));
+    }
+  InkParts parts(pieces, min, max, cell);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (wanted[i] != 0) parts.add({static_cast<int>(i), 0, 1});
+  return parts;
+}
+
+}  // namespace
+
+std::vector<Piece> drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, double distance,
+                               const Progress& progress) {
+  const std::vector<char> is_short = find_short(pieces, strength, distance, progress);
+  if (std::find(is_short.begin(), is_short.end(), 1) == is_short.end()) return pieces;
+  const InkParts specks = parts_of(pieces, is_short, distance);
+  std::vector<std::array<bool, 2>> lies_on(pieces.size(), {false, false});  // by end
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    if (is_short[p] != 0 || strength[p] < 0) continue;
+    const std::array<Vec2, 2> line{pieces[p].from, pieces[p].to};
+    specks.visit(line[0], line[1], distance, [&](int part) {
+      const int speck = specks[part].piece;
+      if (pieces[speck].visible && !pieces[p].visible) return true;
+      for (std::size_t end = 0; end < 2; ++end) {
+        const Vec2& at = specks.line(part)[end];
+        lies_on[speck][end] = lies_on[speck][end] || glm::distance(nearest_on(line, at), at) <= distance;
+      }
+      return true;
+    });
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (!(lies_on[i][0] && lies_on[i][1])) pieces[kept++] = pieces[i];
+  pieces.resize(kept);
+  return pieces;
+}
+
+}  // namespace epura::drawing

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines so short that nobody sees them on the ink beside them. Rounding leaves many where faces nearly touch.
+#pragma once
+
+#include <vector>
+
+#include "base/progress.hpp"
+#include "drawing/ink.hpp"
+
+namespace epura::drawing {
+
+/// Drops polylines of at most `distance` mm whose ends both lie within that distance of longer lines that are drawn,
+/// and are visible if they are. Links between lines stay. `strength` is by piece: a negative one means no ink. Throws
+/// OutOfTime.
+std::vector<Piece> drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, double distance,
+                               const Progress& progress = {});
+
+}  // namespace epura::drawing

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/continue_contours.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "base/nearest.hpp"
+#include "drawing/polylines.hpp"
+#include "drawing/specks.hpp"
+
+namespace epura::test {
+namespace {
+
+using drawing::Piece;
+using Pieces = std::vector<Piece>;
+
+constexpr double distance = 0.1;
+
+struct Pen {
+  bool visible = true;
+  EdgeKind kind = EdgeKind::contour;
+};
+
+void add(Pieces& pieces, const std::vector<Vec2>& points, const Pen& pen = {}) {
+  for (std::size_t i = 1; i < points.size(); ++i)
+    pieces.push_back({points[i - 1], points[i], pen.visible, true, pen.kind, static_cast<int>(pieces.size()), {0, 1}});
+}
+
+// The part of a circle of radius 20 between two angles.
+std::vector<Vec2> arc(double from, double to, double radius = 20) {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 8; ++i) {
+    const double angle = from + (to - from) * i / 8;
+    points.push_back(radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return points;
+}
+
+Pieces continued(const Pieces& pieces) {
+  return drawing::continue_contours(pieces, std::vector<int>(pieces.size(), 0), distance);
+}
+
+std::size_t count_lines(const Pieces& pieces) {
+  return drawing::Polylines(pieces, std::vector<signed char>(pieces.size(), 1), {}).size();
+}
+
+double distance_from(const Pieces& ink, const Vec2& at) {
+  double nearest = HUGE_VAL;
+  for (const Piece& p : ink) nearest = std::min(nearest, glm::distance(at, nearest_on_segment(at, p.from, p.to)));
+  return nearest;
+}
+
+void expect_near(const Pieces& ink, const Pieces& other) {
+  for (const Piece& p : ink)
+    for (const double u : {0.0, 0.5, 1.0}) EXPECT_LE(distance_from(other, p.from + u * (p.to - p.from)), distance);
+}
+
+bool is_unchanged(const Pieces& pieces) {
+  const Pieces after = continued(pieces);
+  return std::equal(after.begin(), after.end(), pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    return a.from == b.from && a.to == b.to && a.s == b.s && a.edge == b.edge;
+  });
+}
+
+TEST(ContinueContours, MakesOneLineOfPartsThatOverlap) {
+  Pieces pieces;
+  for (int i = 0; i < 6; ++i) add(pieces, arc(0.3 * i, 0.3 * i + 0.34, i % 2 == 0 ? 20 : 20.03));
+  const Pieces line = continued(pieces);
+  EXPECT_EQ(count_lines(line), 1U);
+  expect_near(line, pieces);
+  expect_near(pieces, line);
+  double length = 0;
+  for (const Piece& p : line) length += drawing::length_of(p);
+  EXPECT_NEAR(length, 20 * (0.3 * 5 + 0.34), 0.2);
+}
+
+TEST(ContinueContours, MakesOneLineOfPartsThatNearlyMeet) {
+  Pieces pieces;
+  for (int i = 0; i < 6; ++i) add(pieces, arc(0.3 * i, 0.3 * i + 0.296, i % 2 == 0 ? 20 : 20.03));
+  const Pieces line = continued(pieces);
+  EXPECT_EQ(count_lines(line), 1U);
+  expect_near(line, pieces);
+}
+
+// What is left of a piece lies on its edge; a link begins there.
+TEST(ContinueContours, KeepsPiecesOnTheirEdges) {
+  Pieces pieces;
+  add(pieces, {{0, 0}, {10, 0}});
+  add(pieces, {{9, 0.05}, {20, 0.05}});
+  const Pieces line = continued(pieces);
+  ASSERT_EQ(line.size(), 3U);
+  int links = 0;
+  for (const Piece& p : line) {
+    const Piece& whole = pieces[static_cast<std::size_t>(p.edge)];
+    EXPECT_LT(glm::distance(p.from, whole.from + p.s[0] * (whole.to - whole.from)), 1e-12);
+    links += is_link(p) ? 1 : 0;
+    const double off = glm::distance(p.to, whole.from + p.s[1] * (whole.to - whole.from));
+    EXPECT_LT(off, is_link(p) ? 2 * distance : 1e-12);
+  }
+  EXPECT_EQ(links, 1);
+  EXPECT_EQ(count_lines(line), 1U);
+}
+
+TEST(ContinueContours, DoesNotDependOnOrderAndDirection) {
+  std::mt19937 random(5);
+  Pieces pieces;
+  for (int i = 0; i < 8; ++i) add(pieces, arc(0.3 * i, 0.3 * i + 0.33, i % 2 == 0 ? 20 : 20.02));
+  for (int turn = 0; turn < 20; ++turn) {
+    std::shuffle(pieces.begin(), pieces.end(), random);
+    for (Piece& p : pieces)
+      if (random() % 2 == 0) std::swap(p.from, p.to);
+    EXPECT_EQ(count_lines(continued(pieces)), 1U);
+  }
+}
+
+TEST(ContinueContours, LeavesOtherLinesAlone) {
+  const auto two = [](const std::vector<Vec2>& second, const Pen& first_pen = {}, const Pen& second_pen = {}) {
+    Pieces pieces;
+    add(pieces, {{0, 0}, {10, 0}}, first_pen);
+    add(pieces, second, second_pen);
+    return pieces;
+  };
+  const std::vector<Vec2> beside{{9.5, 0.05}, {20, 0.05}};
+  EXPECT_FALSE(is_unchanged(two(beside)));
+  EXPECT_TRUE(is_unchanged(two(beside, {true, EdgeKind::crease}, {true, EdgeKind::crease})));
+  EXPECT_TRUE(is_unchanged(two(beside, {}, {false})));
+  EXPECT_TRUE(is_unchanged(two({{9.5, 0.2}, {20, 0.2}}))) << "too far";
+  EXPECT_TRUE(is_unchanged(two({{10.05, 0}, {10.05, 9}}))) << "a corner";
+  EXPECT_TRUE(is_unchanged(two({{10, 0.05}, {0, 1.5}}))) << "a cusp";
+  EXPECT_TRUE(is_unchanged(two({{5, 0.05}, {20, 0.05}}))) << "a long way";
+  const Pieces others = two(beside);
+  EXPECT_EQ(drawing::continue_contours(others, {0, 1}, distance).size(), 2U);
+}
+
+// --- specks
+
+Pieces without_specks(const Pieces& pieces) {
+  return drawing::drop_specks(pieces, std::vector<signed char>(pieces.size(), 1), distance);
+}
+
+std::size_t left_of(const std::vector<Vec2>& speck, const Pen& pen, const Pen& line) {
+  Pieces pieces;
+  add(pieces, {{0, 0}, {10, 0}}, line);
+  add(pieces, speck, pen);
+  return without_specks(pieces).size() - 1;
+}
+
+TEST(Specks, AreDroppedOnOtherInk) {
+  const std::vector<Vec2> speck{{5, 0.01}, {5.02, 0.03}, {5.04, 0.02}};
+  EXPECT_EQ(left_of(speck, {}, {}), 0U);
+  EXPECT_EQ(left_of(speck, {true, EdgeKind::crease}, {}), 0U);
+  EXPECT_EQ(left_of(speck, {false}, {true}), 0U);
+  EXPECT_EQ(left_of(speck, {true}, {false}), 2U) << "visible";
+}
+
+TEST(Specks, StayElsewhere) {
+  EXPECT_EQ(left_of({{5, 0.05}, {5, 0.12}}, {}, {}), 1U) << "sticks out";
+  EXPECT_EQ(left_of({{5, 1}, {5.01, 1}}, {}, {}), 1U) << "alone";
+  EXPECT_EQ(left_of({{5, 0.05}, {5.15, 0.05}}, {}, {}), 1U) << "long";
+  Pieces specks;
+  add(specks, {{5, 0}, {5.01, 0}});
+  add(specks, {{5, 0.01}, {5.01, 0.01}});
+  EXPECT_EQ(without_specks(specks).size(), 2U) << "on one another";
+}
+
+TEST(Specks, LinksStay) {
+  Pieces pieces;
+  add(pieces, {{0, 0}, {10, 0}});
+  add(pieces, {{5, 0.05}, {5, 0}});
+  pieces.back().s = {0.5, 0.5};
+  EXPECT_EQ(without_specks(pieces).size(), 2U);
+}
+
+}  // namespace
+}  // namespace epura::test
