@@ -21,10 +21,8 @@ using features::SurfaceKind;
 // Relative to the height of a triangle: the contour of a surface is no farther from that of its facets.
 constexpr double most_moved = 1;
 
-// Cosines of the angle between a normal and the projector: up to the first, they count as 0; from the second, there
-// certainly is no contour.
+// Cosines this small of the angle between a normal and the projector count as 0.
 constexpr double along_projector = 1e-5;
-constexpr double clearly_facing = 0.1;
 
 // Whether contours at a triangle are moved to the surface.
 bool is_smoothed(const scene::Placed& placed, int triangle) {
@@ -79,21 +77,18 @@ class ModelContours {
     return nearest;
   }
 
-  enum class Cause { surface, perhaps_chance, chance };
-
   /// Whether an edge between two triangles of one face is a contour only because the tessellation turned one of them
   /// over: at their corners, the surface nowhere faces the other way.
-  [[nodiscard]] Cause cause_of(std::span<const int> triangles) const {
-    if (part_.face_of_triangle[triangles[0]] != part_.face_of_triangle[triangles[1]]) return Cause::surface;
-    double least = HUGE_VAL, most = -HUGE_VAL;
+  [[nodiscard]] bool is_by_chance(std::span<const int> triangles) const {
+    if (part_.face_of_triangle[triangles[0]] != part_.face_of_triangle[triangles[1]]) return false;
+    bool front = false, back = false;
     for (const int t : triangles)
       for (const int corner : mesh_.triangle(t)) {
         const double facing = glm::dot(normal_at(corner, t), glm::normalize(towards_viewer(mesh_.point(corner))));
-        least = std::min(least, facing);
-        most = std::max(most, facing);
+        front = front || facing > along_projector;
+        back = back || facing < -along_projector;
       }
-    if (least > clearly_facing || most < -clearly_facing) return Cause::chance;
-    return (most > along_projector) != (least < -along_projector) ? Cause::perhaps_chance : Cause::surface;
+    return front != back;
   }
 
  private:
@@ -175,11 +170,7 @@ class MovedEnds {
     const std::vector<int> edges = smoothed_edges(model, part_angle);
     if (edges.empty()) return;
     const ModelContours contours(placed, view_.projection, part_angle);
-    for (const int e : edges) {
-      const ModelContours::Cause cause = contours.cause_of(triangles_at(drawn_.edges[e]));
-      drawn_.edges[e].by_chance = cause == ModelContours::Cause::perhaps_chance;
-      if (cause == ModelContours::Cause::chance) left_out_.push_back(e);
-    }
+    for (const int e : edges) drawn_.edges[e].by_chance = contours.is_by_chance(triangles_at(drawn_.edges[e]));
     const int first = world_.first_vertex[model];
     std::vector<int> vertices;
     for (const int e : edges)
@@ -212,17 +203,6 @@ class MovedEnds {
           around.insert(around.end(), edges_at[number(v)].begin(), edges_at[number(v)].end());
       drawn_.moved = std::max(drawn_.moved, distance_moved(vertices[i], shown[i], around));
     }
-  }
-
-  void leave_out() {
-    std::size_t kept = 0, next = 0;
-    for (std::size_t e = 0; e < drawn_.edges.size(); ++e) {
-      if (next < left_out_.size() && left_out_[next] == static_cast<int>(e))
-        ++next;
-      else
-        drawn_.edges[kept++] = drawn_.edges[e];
-    }
-    drawn_.edges.resize(kept);
   }
 
  private:
@@ -297,7 +277,6 @@ class MovedEnds {
   const scene::World& world_;
   view::ProjectedScene& view_;
   FeatureEdges& drawn_;
-  std::vector<int> left_out_;  ///< edges that are contours by chance alone; ascending
 };
 
 }  // namespace
@@ -310,7 +289,6 @@ void smooth_contours(const scene::World& world, view::ProjectedScene& view, cons
     // Contours of a cut mesh must end in the cutting plane.
     if (placed.part != nullptr && placed.mesh->uncut == nullptr) ends.move(model, options.part_angle);
   }
-  ends.leave_out();
 }
 
 }  // namespace epura::edges

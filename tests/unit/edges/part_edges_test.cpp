@@ -254,46 +254,6 @@ TEST(SmoothContours, OfFacetsThatATessellationTurnsOverAreNotDrawnWhereHidden) {
     EXPECT_TRUE(segment.visible || std::abs(segment.from.x) > 0.8 * drawing.max.x) << segment.from.x;
 }
 
-// Facets between rows of a torus that are turned against one another tilt so much that some face away.
-Shape twisted_ring(int rows, int around, double twist) {
-  Shape shape;
-  for (int i = 0; i <= rows; ++i)
-    for (int k = 0; k < around; ++k) {
-      const double tube = pi / 2 * i / rows, angle = 2 * pi * (k + twist * i) / around;
-      const double r = 30 + std::cos(tube);
-      shape.points.push_back({r * std::cos(angle), r * std::sin(angle), std::sin(tube)});
-    }
-  for (int i = 0; i < rows; ++i)
-    for (int k = 0; k < around; ++k) {
-      const int next = (k + 1) % around, a = i * around, b = a + around;
-      shape.faces.push_back({a + k, a + next, b + k});
-      shape.faces.push_back({a + next, b + next, b + k});
-    }
-  return shape;
-}
-
-TEST(SmoothContours, OfFacetsTurnedOverWhereTheSurfaceFacesTheViewerAreNotDrawn) {
-  const Vec3 from = glm::normalize(Vec3(1, 0, 1));
-  const auto turned_over = [&](const scene::World& world) {
-    view::ProjectedScene view = view::project_scene(world, orthographic(from), {});
-    int count = 0;
-    for (const edges::FeatureEdge& edge : edges::find_feature_edges(world, view, {}).edges) {
-      if (edge.kind != EdgeKind::contour) continue;
-      const bool faces = std::all_of(edge.vertex.begin(), edge.vertex.end(), [&](int v) {
-        const Vec3& p = world.points[v];
-        const double r = std::hypot(p.x, p.y);
-        return glm::dot(from, Vec3(p.x / r * (r - 30), p.y / r * (r - 30), p.z)) > 0.2;
-      });
-      count += faces ? 1 : 0;
-    }
-    return count;
-  };
-  const Shape ring = twisted_ring(12, 48, 0.25);
-  ASSERT_NE(recognised(world_of(ring)).models[0].part, nullptr);
-  EXPECT_GT(turned_over(world_of(ring)), 0);
-  EXPECT_EQ(turned_over(recognised(world_of(ring))), 0);
-}
-
 TEST(SmoothContours, OfCylindersAndMeshesStay) {
   EXPECT_TRUE(shown_contours(recognised(world_of(cylinder(10, 0, 30, 24))), corner).places.empty());
   EXPECT_TRUE(shown_contours(world_of(revolved(arc(10, 16), 24)), corner).places.empty());
