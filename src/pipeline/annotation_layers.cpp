@@ -2,11 +2,14 @@
 #include "pipeline/annotation_layers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <numbers>
 #include <utility>
 
+#include "base/error.hpp"
+#include "base/text.hpp"
 #include "pipeline/details.hpp"
 #include "sheet/balloons.hpp"
 #include "sheet/captions.hpp"
@@ -14,6 +17,7 @@
 #include "sheet/detail_marks.hpp"
 #include "sheet/dimensions/dimensions.hpp"
 #include "sheet/frame.hpp"
+#include "sheet/free_rectangles.hpp"
 #include "sheet/sight_arrows.hpp"
 
 namespace epura::pipeline {
@@ -145,10 +149,18 @@ std::vector<sheet::Rectangle> taken_by(const std::vector<sheet::TurnedBox>& boxe
   return taken;
 }
 
-std::vector<std::string> captions_of(const scene::SheetDescription& sheet) {
-  std::string language;
-  for (const auto& [name, text] : sheet.title_block)
-    if (name == "language") language = *text;
+const scene::SheetDescription& sheet_of(const SheetInput& input) {
+  return input.scene.sheets[static_cast<std::size_t>(input.views.sheet)];
+}
+
+std::string language_of(const SheetInput& input) {
+  for (const auto& [name, text] : sheet_of(input).title_block)
+    if (name == "language") return *text;
+  return {};
+}
+
+std::vector<std::string> captions_of(const SheetInput& input) {
+  const std::string language = language_of(input);
   return {std::string(sheet::caption("hole", language)), "X", "Y", std::string(sheet::caption("hole_size", language))};
 }
 
@@ -169,7 +181,7 @@ bool add_table(sheet::Layer& layer, const sheet::HoleTable& table, const std::ve
 // In the layers of the dimensions, when everything else is in place.
 void add_tables(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
                 std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
-  const auto captions = captions_of(input.scene.sheets[static_cast<std::size_t>(input.views.sheet)]);
+  const auto captions = captions_of(input);
   for (std::size_t i = 0; i < views.size(); ++i)
     for (const sheet::HoleTable& table : input.annotations[i].tables) {
       sheet::Layer own;
@@ -187,6 +199,107 @@ void add_tables(AnnotationLayers& result, sheet::Neighbours& around, const Sheet
       std::move(own.fills.begin(), own.fills.end(), std::back_inserter(layer->fills));
       std::move(own.texts.begin(), own.texts.end(), std::back_inserter(layer->texts));
     }
+}
+
+// Notes and symbols on this sheet without leaders.
+std::vector<scene::CalloutDescription> callouts_of_sheet(const SheetInput& input) {
+  std::vector<scene::CalloutDescription> callouts = input.scene.callouts;
+  std::erase_if(callouts, [&](const scene::CalloutDescription& one) {
+    return one.to.given() || one.sheet.value_or(1) != input.views.sheet + 1;
+  });
+  return callouts;
+}
+
+// Boxes of what has a given position on the sheet. Throws Error{input} for positions beyond it.
+std::vector<sheet::TurnedBox> reserved_for(const SheetInput& input, const sheet::DimensionStyle& style) {
+  const sheet::Paper& paper = input.plan.furniture.paper;
+  const sheet::Rectangle whole{{0, 0}, {paper.width, paper.height}};
+  std::vector<sheet::TurnedBox> boxes;
+  const auto add = [&](const scene::CalloutDescription& callout) {
+    if (!callout.at.given()) return;
+    const sheet::Rectangle box = sheet::box_at(drawn(callout, style), *callout.at);
+    if (!whole.holds(box))
+      throw Error(ErrorKind::input, callout.at.where, name_of(callout) + " does not fit on the sheet at this position",
+                  "it is " + format_rounded(box.size().x, 4) + " by " + format_rounded(box.size().y, 4) +
+                      " mm large, below and on the right of its position; the sheet has " +
+                      format_rounded(paper.width, 4) + " by " + format_rounded(paper.height, 4) + " mm");
+    boxes.push_back(sheet::turned_box(box));
+  };
+  for (const Annotations& one : input.annotations)
+    for (const ViewCallout& callout : one.callouts) add(callout.description);
+  for (const scene::CalloutDescription& callout : callouts_of_sheet(input)) add(callout);
+  return boxes;
+}
+
+// Notes and symbols with leaders, in layers of their own.
+void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                  std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    std::vector<sheet::Callout> callouts;
+    for (const ViewCallout& callout : input.annotations[i].callouts) {
+      callouts.push_back(drawn(callout.description, style));
+      callouts.back().target = input.targets[i][callouts.size() - 1];
+    }
+    if (callouts.empty()) continue;
+    const drawing::ViewDrawing& drawing = views[i].drawing;
+    sheet::Neighbours neighbours = with_other_views(around, views, i);
+    add_centre_lines(neighbours.boxes, views[i]);
+    sheet::Layer layer =
+        sheet::empty_layer(drawing.name, scene::SheetLine::note, sheet::line_widths(input.plan.furniture.paper));
+    const sheet::CalloutFaults faults = sheet::place_callouts(layer, callouts, drawing, style, neighbours);
+    for (const std::string& name : faults.without_place)
+      result.warnings.push_back("there is no place for " + name + " around the view '" + drawing.name +
+                                "'\n  hint: use a larger sheet or a smaller scale, or give its position, 'at'");
+    for (const std::string& name : faults.crossings)
+      result.findings.push_back({report::FindingKind::crossing, drawing.name, name + " and something else"});
+    add_boxes(around.boxes, layer, style.lettering);
+    result.layers.push_back(std::move(layer));
+  }
+}
+
+// Where no text may stand besides what is on the sheet already: the centring marks.
+void add_centring_marks(std::vector<sheet::Rectangle>& taken, const sheet::SheetFurniture& furniture) {
+  constexpr double inside = 10;  // mm. ISO 5457
+  if (furniture.frame != FrameKind::full) return;
+  const sheet::Rectangle area = sheet::drawing_area(furniture.paper);
+  const Vec2 middle = Vec2(furniture.paper.width, furniture.paper.height) / 2.0;
+  for (const double x : {area.min.x, area.max.x - inside}) taken.push_back({{x, middle.y}, {x + inside, middle.y}});
+  for (const double y : {area.min.y, area.max.y - inside}) taken.push_back({{middle.x, y}, {middle.x, y + inside}});
+}
+
+// Notes that belong to the whole sheet, numbered, in the free room nearest to its lower left corner.
+void add_general_notes(AnnotationLayers& result, sheet::Layer& layer, const sheet::Neighbours& around,
+                       const SheetInput& input, std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  constexpr std::array<double, 4> widths{120, 90, 65, 180};  // mm, preferred first
+  std::vector<std::vector<std::string>> notes;
+  for (const scene::CalloutDescription& callout : callouts_of_sheet(input))
+    if (!callout.at.given()) notes.push_back(callout.content.lines);
+  if (notes.empty()) return;
+  const std::string heading(sheet::caption("notes", language_of(input)));
+  std::vector<sheet::Rectangle> taken = taken_by(around.boxes, views);
+  add_centring_marks(taken, input.plan.furniture);
+  for (const double width : widths) {
+    const sheet::Callout list = sheet::general_notes(heading, notes, width, style);
+    const auto corner = sheet::nearest_free_position(*around.paper, taken, list.size, around.paper->min);
+    if (!corner) continue;
+    sheet::draw_at(layer, list, *corner + Vec2(0, list.size.y));
+    return;
+  }
+  result.warnings.push_back(
+      "the sheet has no room for the general notes\n  hint: use a larger sheet or a smaller scale, or give them "
+      "positions, 'at'");
+}
+
+// What stands on the sheet without a leader.
+void add_free_notes(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                    std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  sheet::Layer layer =
+      sheet::empty_layer("sheet", scene::SheetLine::note, sheet::line_widths(input.plan.furniture.paper));
+  for (const scene::CalloutDescription& callout : callouts_of_sheet(input))
+    if (callout.at.given()) sheet::draw_at(layer, drawn(callout, style), *callout.at);
+  add_boxes(around.boxes, layer, style.lettering);
+  add_general_notes(result, layer, around, input, views, style);
+  if (!layer.texts.empty()) result.layers.push_back(std::move(layer));
 }
 
 // The space that arrows, marks of sections and dimensions leave around the views.
@@ -207,8 +320,11 @@ void add_balloons(AnnotationLayers& result, sheet::Neighbours& around, const She
   }
 }
 
-bool has_balloons(const SheetInput& input) {
-  return std::any_of(input.balloons.begin(), input.balloons.end(), [](const auto& view) { return !view.empty(); });
+// Besides dimensions.
+bool has_lettering(const SheetInput& input) {
+  const auto is_given = [](const auto& view) { return !view.empty(); };
+  return std::any_of(input.balloons.begin(), input.balloons.end(), is_given) ||
+         std::any_of(input.targets.begin(), input.targets.end(), is_given) || !callouts_of_sheet(input).empty();
 }
 
 }  // namespace
@@ -224,26 +340,31 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
   std::vector<sheet::Layer> marks = marks_of(input.annotations, views, widths);
   std::optional<sheet::Lettering> lettering;
   sheet::Neighbours around;
+  std::vector<sheet::TurnedBox> reserved;
+  const auto style = [&] {
+    return sheet::DimensionStyle{*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation};
+  };
   const auto open_font = [&] {
     if (lettering) return;
     around = neighbours_of(furniture, labels, marks, lettering.emplace(furniture.font));
     add_boxes(around.boxes, boundaries_of(input.annotations, views), *lettering);
+    reserved = reserved_for(input, style());
   };
-  if (has_balloons(input)) open_font();
+  if (has_lettering(input)) open_font();
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::vector<scene::DimensionDescription> dimensions = dimensions_of(input.annotations[i], views[i]);
     if (dimensions.empty()) continue;
     open_font();
-    const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation};
     const drawing::ViewDrawing& drawing = views[i].drawing;
     sheet::Neighbours neighbours = with_other_views(around, views, i);
+    neighbours.boxes.insert(neighbours.boxes.end(), reserved.begin(), reserved.end());
     if (dimensions_features(input.scene)) add_centre_lines(neighbours.boxes, views[i]);
     for (const sheet::HoleTable& table : input.annotations[i].tables) {
       sheet::Layer origin;
-      sheet::draw_origin(origin, table, drawing, style);
+      sheet::draw_origin(origin, table, drawing, style());
       add_boxes(neighbours.boxes, origin, *lettering);
     }
-    sheet::PlacedLayer placed = sheet::place_dimensions({input.world, drawing, dimensions}, style, neighbours,
+    sheet::PlacedLayer placed = sheet::place_dimensions({input.world, drawing, dimensions}, style(), neighbours,
                                                         budget.run.with_part_of_the_time(0.5));
     sheet::Layer& layer = placed.layer;
     note_faults(result.findings, drawing.name, placed, paper);
@@ -258,9 +379,10 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     result.layers.push_back(std::move(layer));
   }
   if (lettering) {
-    const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation};
-    add_balloons(result, around, input, views, style);
-    add_tables(result, around, input, views, style);
+    add_callouts(result, around, input, views, style());
+    add_balloons(result, around, input, views, style());
+    add_tables(result, around, input, views, style());
+    add_free_notes(result, around, input, views, style());
   }
   std::move(marks.begin(), marks.end(), std::back_inserter(result.layers));
   return result;

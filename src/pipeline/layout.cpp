@@ -55,6 +55,9 @@ sheet::Room room_around(const Annotations& annotations, const projection::Projec
   for (const ViewArrow& arrow : annotations.arrows)
     marks = glm::max(marks, glm::abs(arrow.sight) * sheet::sight_arrow_room(widths));
   if (annotations.balloons) marks = glm::max(marks, Vec2(sheet::balloon_room(usual_text_height)));
+  for (const ViewCallout& callout : annotations.callouts)
+    if (!callout.description.at.given())
+      marks.y = std::max(marks.y, sheet::callout_room(height_of(callout.description, usual_text_height)));
   if (!annotations.details.empty()) marks = glm::max(marks, Vec2(sheet::detail_room));
   room.before += marks;
   room.after += marks;

@@ -154,6 +154,33 @@ struct DimensionDescription {
   Located<bool> limits{};           ///< whether limits of size are written; false by default
 };
 
+/// How a leader ends: at the thing that it means. ISO 128-2.
+enum class LeaderEnd { automatic, arrow, dot, none };
+
+template <>
+struct Words<LeaderEnd> {
+  static constexpr std::array list{"auto", "arrow", "dot", "none"};
+};
+
+/// Where a leader ends: on the models, or on the sheet, mm from its lower left corner.
+using LeaderTarget = std::variant<Anchor, Vec2>;
+
+/// Lines of text.
+struct NoteText {
+  std::vector<std::string> lines;
+};
+
+/// What stands beside a view, with a leader into it, or alone on the sheet.
+struct CalloutDescription {
+  std::string where;           ///< for errors
+  LocatedText view{};          ///< name of the view with the leader; by default the first one
+  Located<LeaderTarget> to{};  ///< no leader if not given
+  Located<LeaderEnd> end{};    ///< by default an arrow on a line, otherwise a dot
+  Located<Vec2> at{};          ///< upper left corner, mm from the lower left corner of the sheet; by default chosen
+  Located<int> sheet{};        ///< without a leader: number of its sheet, from 1; by default the first
+  NoteText content{};
+};
+
 /// Fields of a title block by name ("title", "owner", "number", "date" ...). ISO 7200.
 using TitleBlockFields = std::vector<std::pair<std::string, LocatedText>>;
 
@@ -187,7 +214,8 @@ struct SceneDescription {
   std::vector<DetailDescription> details;
   std::vector<ExplodeDescription> explosions;
   std::vector<DimensionDescription> dimensions;
-  std::vector<SheetDescription> sheets;  ///< one default sheet if a scene file has none
+  std::vector<CalloutDescription> callouts{};  ///< in the order of the scene
+  std::vector<SheetDescription> sheets;        ///< one default sheet if a scene file has none
   std::optional<PartsListDescription> parts_list{};
 };
 

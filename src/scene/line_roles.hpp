@@ -63,6 +63,7 @@ enum class SheetLine {
   trace,
   arrows,
   balloon,
+  note,
   parts_list,
   partial
 };
@@ -101,6 +102,7 @@ inline constexpr std::array sheet_lines = {
     SheetLineRow{SheetLine::trace, "trace", "trace", LineWidth::narrow, long_dash_dot},
     SheetLineRow{SheetLine::arrows, "arrows", "arrows", LineWidth::narrow},
     SheetLineRow{SheetLine::balloon, "balloon", "balloons", LineWidth::narrow},
+    SheetLineRow{SheetLine::note, "note", "notes", LineWidth::narrow},
     SheetLineRow{SheetLine::parts_list, "parts-list", "parts-list", LineWidth::grid},
     SheetLineRow{SheetLine::partial, "partial", "partial", LineWidth::wide},
 };

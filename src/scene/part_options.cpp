@@ -303,6 +303,43 @@ Options<DimensionWords> dimension_options() {
   };
 }
 
+namespace {
+
+// What all notes and symbols with leaders have in common.
+Options<CalloutWords> callout_options() {
+  using Words = CalloutWords;
+  using Callout = CalloutDescription;
+  return {
+      option<Words>({.key = "view", .help = "name of the view into which its leader points", .usual = "first view"},
+                    in_description(&Callout::view), any_text()),
+      option<Words>({.key = "to",
+                     .help = "end of its leader: a vertex or point of the models, or a position from the lower left "
+                             "corner of the sheet, in mm",
+                     .usual = "no leader"},
+                    &Words::to, leader_target()),
+      option<Words>({.key = "end",
+                     .help = "how its leader ends; auto: with an arrow on a line, otherwise with a dot",
+                     .usual = "auto"},
+                    in_description(&Callout::end), choice<LeaderEnd>()),
+      option<Words>({.key = "at",
+                     .help = "upper left corner, from the lower left corner of the sheet",
+                     .usual = "a free place nearby"},
+                    in_description(&Callout::at), pair_of_numbers("mm")),
+      option<Words>({.key = "sheet", .help = "number of its sheet, from 1, if it has no leader", .usual = "1"},
+                    in_description(&Callout::sheet), whole_number(1)),
+  };
+}
+
+}  // namespace
+
+Options<CalloutWords> note_options() {
+  Options<CalloutWords> all = {option<CalloutWords>(
+      {.key = "text", .help = "one or several lines", .required = true},
+      [](auto& words) -> auto& { return words.description.content.lines; }, text_lines())};
+  for (const auto& one : callout_options()) all.push_back(one);
+  return all;
+}
+
 Options<PartsListDescription> parts_list_options() {
   using List = PartsListDescription;
   return {

@@ -131,6 +131,23 @@ DimensionDescription dimension_of(const DimensionWords& words, const Subjects& s
   return dimension;
 }
 
+// Views and sheets are known once the command line is.
+CalloutDescription callout_of(const CalloutWords& words, const Subjects& subjects) {
+  CalloutDescription callout = words.description;
+  if (!words.to.given()) {
+    for (const auto& [key, where] : {std::pair("view", callout.view.where), {"end", callout.end.where}})
+      if (!where.empty())
+        refuse(where, "what has no leader has no '" + std::string(key) + "'", "say where its leader ends, by 'to'");
+    return callout;
+  }
+  if (callout.sheet.given())
+    refuse(callout.sheet.where, "what has a leader is on the sheet of its view", "omit 'sheet', or 'to'");
+  const auto* anchor = std::get_if<AnchorWords>(&*words.to);
+  const Vec2* page = std::get_if<Vec2>(&*words.to);
+  callout.to = {anchor != nullptr ? LeaderTarget(anchor_of(*anchor, subjects)) : LeaderTarget(*page), words.to.where};
+  return callout;
+}
+
 // Resolves paths relative to the folder of the scene file.
 void find_files(SceneDescription& scene, const fs::path& folder) {
   for (ModelDescription& model : scene.models) model.file.value = (folder / *model.file).string();
@@ -153,6 +170,7 @@ SceneDescription read_scene_file(const fs::path& path) {
   const Subjects subjects{scene.models, numbers_of(scene.models), names_of(scene.views, "view")};
   for (const DimensionWords& dimension : words.dimensions)
     scene.dimensions.push_back(dimension_of(dimension, subjects));
+  for (const CalloutWords& callout : words.callouts) scene.callouts.push_back(callout_of(callout, subjects));
   if (scene.parts_list && !subjects.views.empty()) refuse_unknown(scene.parts_list->view, subjects.views, "view");
   find_files(scene, path.parent_path());
   return scene;

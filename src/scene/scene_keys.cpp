@@ -87,6 +87,7 @@ void prepare(const SceneWords&, const TomlValue&, auto&) {}
 void prepare(const SceneWords&, const TomlValue& table, DimensionWords& words) {
   words.description.where = table.where;
 }
+void prepare(const SceneWords&, const TomlValue& table, CalloutWords& words) { words.description.where = table.where; }
 void prepare(const SceneWords&, const TomlValue& table, ViewDescription& view) { view.projection.where = table.where; }
 void prepare(const SceneWords&, const TomlValue& table, ExplodeDescription& explode) { explode.where = table.where; }
 void prepare(const SceneWords& words, const TomlValue& table, SheetDescription& sheet) {
@@ -144,6 +145,7 @@ Options<SceneWords> scene_keys() {
       parts_key("explode", explode_options(), in_description(&SceneDescription::explosions)),
       parts_key("view", view_options(), in_description(&SceneDescription::views)),
       parts_key("dimension", dimension_options(), std::mem_fn(&SceneWords::dimensions)),
+      parts_key("note", note_options(), std::mem_fn(&SceneWords::callouts)),
       table_option<SceneWords>("parts_list", "", read_parts_list),
       table_option<SceneWords>("all_sheets", "", read_every_sheet),
       table_option<SceneWords>("title_block", "", read_title_block),
@@ -187,6 +189,7 @@ std::string describe_scene_keys() {
   append_rows(table, "`[[detail]]`", detail_options());
   append_rows(table, "`[[explode]]`", explode_options());
   append_rows(table, "`[[dimension]]`", dimension_options());
+  append_rows(table, "`[[note]]`", note_options());
   append_rows(table, "`[parts_list]`", parts_list_options());
   append_rows(table, "`[all_sheets]`, `[[sheet]]`", sheet_options());
   append_rows(table, "`[[sheet]]`", own_sheet_keys());

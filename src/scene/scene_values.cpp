@@ -190,6 +190,31 @@ AnchorWords read_anchor(const TomlValue& value) {
   return {value.where, {}, -1, read_vector<Vec3>(table->values[0])};
 }
 
+LeaderWords read_leader_target(const TomlValue& value) {
+  const auto* table = std::get_if<TomlTable>(&value.content);
+  if (table == nullptr || table->values.size() != 1 || table->values[0].key != "page") return read_anchor(value);
+  return read_vector<Vec2>(table->values[0]);
+}
+
+// Lines may be indented; only those between others may be empty.
+std::vector<std::string> read_lines(const TomlValue& value) {
+  std::vector<std::string> lines;
+  const auto add = [&](const TomlValue& text) {
+    for (const std::string_view line : split(content_of<std::string>(text), '\n')) {
+      if (std::any_of(line.begin(), line.end(), is_control))
+        refuse(value, "has a tab or another control character", "use spaces, and line breaks between lines");
+      lines.emplace_back(line.substr(0, line.find_last_not_of(' ') + 1));
+    }
+  };
+  if (const auto* list = std::get_if<TomlList>(&value.content))
+    for (const TomlValue& element : list->values) add(element);
+  else
+    add(value);
+  while (!lines.empty() && lines.back().empty()) lines.pop_back();
+  if (lines.empty() || lines.front().empty()) refuse(value, "is empty", "omit it, or give a value");
+  return lines;
+}
+
 std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + ", " + unit;
 }
@@ -318,6 +343,10 @@ ValueKind<EdgeKinds> edge_kinds() {
 ValueKind<BreakChoice> break_choice() { return {{"`auto`, or list of texts", "PLACES", {"auto"}}, read_break}; }
 
 ValueKind<AnchorWords> anchor() { return {{"anchor", "ANCHOR"}, read_anchor}; }
+
+ValueKind<LeaderWords> leader_target() { return {{"anchor, or `{page = [x, y]}`", "TARGET"}, read_leader_target}; }
+
+ValueKind<std::vector<std::string>> text_lines() { return {{"text, or list of texts", "LINES"}, read_lines}; }
 
 std::vector<LocatedText> each_word(const TomlValue& value) {
   std::vector<LocatedText> texts;

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <tuple>
 
-#include "base/portable_math.hpp"
 #include "sheet/free_rectangles.hpp"
 
 namespace epura::sheet {
@@ -22,14 +20,6 @@ constexpr double origin_radius = 0.5, origin_arm = 3;            // of the heigh
 constexpr int origin_parts = 24;
 
 double height_of(const DimensionStyle& style) { return row_height * style.text; }
-
-Stroke circle(const Vec2& centre, double radius) {
-  Stroke stroke;
-  for (int i = 0; i <= origin_parts; ++i)
-    stroke.points.push_back(centre + radius * turned_to(2 * std::numbers::pi * i / origin_parts));
-  stroke.curves = {{0, origin_parts, centre, {radius, 0}, {0, radius}, 0, 2 * std::numbers::pi}};
-  return stroke;
-}
 
 void add_line(Layer& layer, const Vec2& from, const Vec2& to) { layer.strokes.emplace_back().points = {from, to}; }
 
@@ -101,7 +91,7 @@ void draw_origin(Layer& layer, const HoleTable& table, const drawing::ViewDrawin
                  const DimensionStyle& style) {
   const Vec2 at(drawing.world_to_page * Vec4(table.origin, 1));
   const double radius = origin_radius * style.text, arm = origin_arm * style.text;
-  layer.strokes.push_back(circle(at, radius));
+  layer.strokes.push_back(circle_at(at, radius, origin_parts));
   const std::array<std::pair<Vec2, const char*>, 2> axes{{{{1, 0}, "X"}, {{0, 1}, "Y"}}};
   for (const auto& [along, name] : axes) {
     // Beside the outline, outside the view.
