@@ -191,6 +191,10 @@ void expect_views_of_annotations(const scene::SceneDescription& scene) {
     expect(callout.view);
     expect_sheet(callout.sheet, name_of(callout));
   }
+  expect_datums(scene);
+  for (const scene::TableDescription& table : scene.tables) expect_sheet(table.sheet, "the table");
+  for (const scene::RevisionDescription& revision : scene.revisions)
+    expect_sheet(revision.sheet, "revision " + *revision.revision);
   if (!scene.parts_list) return;
   const scene::PartsListDescription& list = *scene.parts_list;
   expect(list.view);

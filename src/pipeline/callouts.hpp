@@ -30,9 +30,13 @@ struct CalloutTargets {
 
 /// Where the leaders of a view end; by default with an arrow on a line and with a dot on a face. `world` is what the
 /// view shows. Throws Error{input} for points that the view does not show: outside of its bodies and lines, left out,
-/// or behind the viewer.
+/// or behind the viewer; and for datums that are not on a line.
 CalloutTargets find_targets(const scene::World& world, const drawing::ViewDrawing& drawing,
                             std::span<const ViewCallout> callouts);
+
+/// Throws Error{input} for tolerances that refer to datums which are not on their sheets, and for two datums with one
+/// letter on a sheet. The views of callouts must exist.
+void expect_datums(const scene::SceneDescription& scene);
 
 /// The height of its text or symbol, mm.
 double height_of(const scene::CalloutDescription& callout, double text_height);

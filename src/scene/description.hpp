@@ -15,6 +15,8 @@
 #include "base/vec.hpp"
 #include "mesh/soup.hpp"
 #include "scene/choices.hpp"
+#include "scene/geometric_tolerances.hpp"
+#include "scene/surface_texture.hpp"
 
 namespace epura::scene {
 
@@ -178,7 +180,33 @@ struct CalloutDescription {
   Located<LeaderEnd> end{};    ///< by default an arrow on a line, otherwise a dot
   Located<Vec2> at{};          ///< upper left corner, mm from the lower left corner of the sheet; by default chosen
   Located<int> sheet{};        ///< without a leader: number of its sheet, from 1; by default the first
-  NoteText content{};
+  std::variant<NoteText, ToleranceFrame, DatumFeature, SurfaceTexture> content{};
+};
+
+/// A corner of the drawing area.
+enum class SheetCorner { top_left, top_right, bottom_left, bottom_right };
+
+template <>
+struct Words<SheetCorner> {
+  static constexpr std::array list{"top-left", "top-right", "bottom-left", "bottom-right"};
+};
+
+/// A table of texts on a sheet.
+struct TableDescription {
+  std::string where{};  ///< for errors
+  LocatedText title{};  ///< above the others
+  std::vector<std::string> header{};
+  std::vector<std::vector<std::string>> rows{};  ///< each has as many cells as the header, or as the first row
+  Located<SheetCorner> corner{};                 ///< the free room nearest to it; by default the top right corner
+  Located<Vec2> at{};                            ///< its upper left corner instead, mm
+  Located<int> sheet{};                          ///< number of its sheet, from 1; by default the first
+};
+
+/// A row of the table of revisions of a sheet.
+struct RevisionDescription {
+  LocatedText revision{};  ///< "B"
+  LocatedText date{}, text{}, author{};
+  Located<int> sheet{};  ///< number of its sheet, from 1; by default the first
 };
 
 /// Fields of a title block by name ("title", "owner", "number", "date" ...). ISO 7200.
@@ -215,7 +243,9 @@ struct SceneDescription {
   std::vector<ExplodeDescription> explosions;
   std::vector<DimensionDescription> dimensions;
   std::vector<CalloutDescription> callouts{};  ///< in the order of the scene
-  std::vector<SheetDescription> sheets;        ///< one default sheet if a scene file has none
+  std::vector<TableDescription> tables{};
+  std::vector<RevisionDescription> revisions{};
+  std::vector<SheetDescription> sheets;  ///< one default sheet if a scene file has none
   std::optional<PartsListDescription> parts_list{};
 };
 

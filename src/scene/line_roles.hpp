@@ -64,6 +64,8 @@ enum class SheetLine {
   arrows,
   balloon,
   note,
+  symbol,
+  table,
   parts_list,
   partial
 };
@@ -103,6 +105,8 @@ inline constexpr std::array sheet_lines = {
     SheetLineRow{SheetLine::arrows, "arrows", "arrows", LineWidth::narrow},
     SheetLineRow{SheetLine::balloon, "balloon", "balloons", LineWidth::narrow},
     SheetLineRow{SheetLine::note, "note", "notes", LineWidth::narrow},
+    SheetLineRow{SheetLine::symbol, "symbol", "symbols", LineWidth::narrow},
+    SheetLineRow{SheetLine::table, "table", "tables", LineWidth::grid},
     SheetLineRow{SheetLine::parts_list, "parts-list", "parts-list", LineWidth::grid},
     SheetLineRow{SheetLine::partial, "partial", "partial", LineWidth::wide},
 };

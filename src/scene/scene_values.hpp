@@ -91,6 +91,9 @@ ValueKind<AnchorWords> anchor();                   ///< [model, vertex] or {poin
 ValueKind<LeaderWords> leader_target();            ///< an anchor, or {page = [x, y]}
 ValueKind<std::vector<std::string>> text_lines();  ///< a list of texts, or a text with line breaks
 
+ValueKind<std::vector<std::string>> list_of_texts();               ///< single lines, which may be empty
+ValueKind<std::vector<std::vector<std::string>>> rows_of_texts();  ///< one row or more, of such lists
+
 /// Returns the index of one of the words.
 std::size_t read_word(const TomlValue& value, const std::vector<std::string>& words);
 std::string words_as_text(const std::vector<std::string>& words);

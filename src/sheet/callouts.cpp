@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "sheet/fit_text.hpp"
+#include "sheet/line_styles.hpp"
 
 namespace epura::sheet {
 
@@ -42,15 +43,66 @@ constexpr std::array<Direction, 16> oblique{{{60, 0},
                                              {285, 7},
                                              {255, 7}}};
 
-/// A possible place: its box, and where the leader bends into the reference line.
+/// A possible place: its box, the way of its leader from the target, and how much it is disliked. mm
 struct Spot {
   Rectangle box;
-  Vec2 bend, end;  ///< of the reference line
+  std::vector<Vec2> leader;
+  double cost = 0;
 };
 
-Spot spot_at(const Callout& callout, const Vec2& bend, bool to_right) {
-  const Vec2 corner = to_right ? bend : bend - Vec2(callout.size.x, 0);
-  return {{corner, corner + callout.size}, bend, bend + Vec2(to_right ? callout.size.x : -callout.size.x, 0)};
+Rectangle box_from(const Vec2& corner, const Vec2& size) { return {corner, corner + size}; }
+
+bool is_upright(const Vec2& direction) { return std::abs(direction.x) < 0.02; }
+bool is_level(const Vec2& direction) { return std::abs(direction.y) < 0.02; }
+
+// With a bend of the leader at a point; the callout is on one side of it.
+Spot spot_at(const Callout& callout, const Vec2& bend, bool to_right, double landing) {
+  const double way = to_right ? 1 : -1, width = callout.size.x;
+  const Vec2 target = callout.target->point;
+  if (callout.form == LeaderForm::reference)
+    return {box_from(to_right ? bend : bend - Vec2(width, 0), callout.size),
+            {target, bend, bend + Vec2(way * width, 0)}};
+  const Vec2 end = bend + Vec2(way * landing, 0);
+  return {box_from(end - Vec2(to_right ? 0 : width, callout.attach), callout.size), {target, bend, end}};
+}
+
+// With a leader of this length and direction.
+std::vector<Spot> spots_along(const Callout& callout, const Vec2& along, double length, double landing) {
+  const Vec2 end = callout.target->point + length * along;
+  if (callout.form == LeaderForm::datum && is_upright(along)) {
+    const Vec2 corner = end - Vec2(callout.size.x / 2, along.y > 0 ? 0 : callout.size.y);
+    return {{box_from(corner, callout.size), {callout.target->point, end}}};
+  }
+  if (is_upright(along)) return {spot_at(callout, end, true, landing), spot_at(callout, end, false, landing)};
+  const bool is_straight = is_level(along) && callout.form != LeaderForm::reference;
+  return {spot_at(callout, end, along.x > 0, is_straight ? 0 : landing)};
+}
+
+// The possible places with leaders of this length.
+std::vector<Spot> spots_of(const Callout& callout, double length, double landing) {
+  constexpr double for_inside = 25, for_oblique = 12, for_slant_of_frame = 40;  // mm
+  const std::optional<Vec2>& normal = callout.target->normal;
+  std::vector<Spot> spots;
+  const auto add = [&](const Vec2& along, double cost) {
+    for (Spot& spot : spots_along(callout, along, length, landing)) {
+      spot.cost = length + cost;
+      spots.push_back(std::move(spot));
+    }
+  };
+  const bool is_text = callout.form == LeaderForm::reference;
+  if (normal && !is_text) {
+    add(*normal, 0);
+    if (!callout.target->is_border) add(-*normal, 0);
+  }
+  if (callout.form == LeaderForm::datum) return spots;
+  for (const Direction& direction : oblique) {
+    const Vec2 along = turned_to(direction.degrees * std::numbers::pi / 180);
+    const double weight = is_text ? for_oblique : for_slant_of_frame;
+    const double slant = normal ? weight * (1 - std::abs(glm::dot(along, *normal))) : 0;
+    const bool is_inside = normal && callout.target->is_border && glm::dot(along, *normal) < 0.05;
+    add(along, direction.cost + slant + (is_inside ? for_inside : 0) + (normal && !is_text ? for_oblique : 0));
+  }
+  return spots;
 }
 
 bool has_area(const TurnedBox& box) { return box.half.x > 0 && box.half.y > 0; }
@@ -68,33 +120,30 @@ class Placer {
       }
   }
 
-  [[nodiscard]] std::optional<Spot> best(const Callout& callout) const {
-    const Vec2 target = callout.target->point;
+  [[nodiscard]] std::optional<Spot> best(const Callout& callout, double landing) const {
     std::optional<Spot> best;
     double least = HUGE_VAL;
     for (double length = shortest; length <= longest && length < least; length += step)
-      for (const Direction& direction : oblique) {
-        const double known = length + direction.cost;
-        if (known >= least) continue;
-        const Vec2 along = turned_to(direction.degrees * std::numbers::pi / 180);
-        const Spot spot = spot_at(callout, target + length * along, along.x > 0);
-        if (!is_free(spot.box)) continue;
-        const double cost = known + cost_of(spot, target);
+      for (Spot& spot : spots_of(callout, length, landing)) {
+        if (spot.cost >= least || !is_free(spot.box)) continue;
+        const double cost = spot.cost + cost_of(spot);
         if (cost >= least) continue;
         least = cost;
-        best = spot;
+        best = std::move(spot);
       }
     return best;
   }
 
-  // At a given position, from the end of the reference line whose leader does not cross the text, or the nearer one.
-  [[nodiscard]] Spot fixed(const Callout& callout) const {
+  // At a given position, from the side whose leader does not cross the callout, or the nearer one.
+  [[nodiscard]] Spot fixed(const Callout& callout, double landing) const {
     const Rectangle box = box_at(callout, *callout.at);
-    const Vec2 target = callout.target->point;
-    const Spot right = spot_at(callout, box.min, true), left = spot_at(callout, {box.max.x, box.min.y}, false);
+    const bool is_text = callout.form == LeaderForm::reference;
+    const double y = box.min.y + (is_text ? 0 : callout.attach), away = is_text ? 0 : landing;
+    const Spot right = spot_at(callout, {box.min.x - away, y}, true, landing);
+    const Spot left = spot_at(callout, {box.max.x + away, y}, false, landing);
     const auto rank = [&](const Spot& spot) {
-      const bool crosses = overlap(line_box(target, spot.bend), turned_box(box));
-      return std::pair(crosses, glm::length(target - spot.bend));
+      const bool crosses = overlap(line_box(spot.leader[0], spot.leader[1]), turned_box(box));
+      return std::pair(crosses, glm::length(spot.leader[0] - spot.leader[1]));
     };
     return rank(left) < rank(right) ? left : right;
   }
@@ -109,27 +158,35 @@ class Placer {
            ink_in(turned, view_) == 0;
   }
 
-  void add(const Spot& spot, const Vec2& target) {
+  void add(const Spot& spot) {
     add(turned_box(spot.box));
-    add(line_box(target, spot.bend));
-    add(line_box(spot.bend, spot.end));
+    for (std::size_t i = 1; i < spot.leader.size(); ++i) add(line_box(spot.leader[i - 1], spot.leader[i]));
   }
 
  private:
   void add(const TurnedBox& box) { (has_area(box) ? areas_ : lines_).push_back(box); }
 
-  // Infinite if the leader crosses lettering.
-  [[nodiscard]] double cost_of(const Spot& spot, const Vec2& target) const {
+  // Of what the leader crosses; infinite for lettering.
+  [[nodiscard]] double cost_of(const Spot& spot) const {
     constexpr double in_view = 60, for_line = 20, for_ink = 2;  // mm
     constexpr double at_target = 0.5;                           // mm of the leader that touch what it means
-    const Vec2 along = glm::normalize(spot.bend - target);
-    const TurnedBox leader = line_box(target + at_target * along, spot.bend);
-    const auto is_met = [&leader](const TurnedBox& other) { return overlap(leader, other); };
-    if (std::any_of(areas_.begin(), areas_.end(), is_met)) return HUGE_VAL;
+    constexpr double leader_clearance = 0.8;                    // mm to lettering
     const Rectangle whole{view_.min, view_.max};
-    return (spot.box.overlaps(whole) ? in_view : 0) +
-           for_line * static_cast<double>(std::count_if(lines_.begin(), lines_.end(), is_met)) +
-           for_ink * ink_in(leader, view_);
+    double cost = spot.box.overlaps(whole) ? in_view : 0;
+    for (std::size_t i = 1; i < spot.leader.size(); ++i) {
+      const Vec2 &from = spot.leader[i - 1], &to = spot.leader[i];
+      if (from == to) continue;
+      const Vec2 start = i == 1 ? from + at_target * glm::normalize(to - from) : from;
+      const TurnedBox line = line_box(start, to);
+      const auto is_met = [&line](const TurnedBox& other) { return overlap(line, other); };
+      TurnedBox wide = line;
+      wide.half.y = leader_clearance;
+      const auto is_near = [&wide](const TurnedBox& other) { return overlap(wide, other); };
+      if (std::any_of(areas_.begin(), areas_.end(), is_near)) return HUGE_VAL;
+      cost += for_line * static_cast<double>(std::count_if(lines_.begin(), lines_.end(), is_met)) +
+              for_ink * ink_in(line, view_);
+    }
+    return cost;
   }
 
   const drawing::ViewDrawing& view_;
@@ -138,13 +195,28 @@ class Placer {
   std::vector<Rectangle> hatched_;
 };
 
-void draw(Layer& layer, const Callout& callout, const Spot& spot, const DimensionStyle& style) {
-  const Vec2 target = callout.target->point;
-  layer.strokes.emplace_back().points = {target, spot.bend, spot.end};
-  if (callout.target->end == scene::LeaderEnd::arrow)
-    layer.fills.push_back(arrow_at(target, glm::normalize(target - spot.bend), style));
-  if (callout.target->end == scene::LeaderEnd::dot) layer.fills.push_back(dot_at(target));
-  draw_at(layer, callout, {spot.box.min.x, spot.box.max.y});
+// A triangle on a line, on the side of its leader. ISO 5459.
+Fill datum_triangle(const CalloutTarget& target, const Vec2& leader, const DimensionStyle& style) {
+  const Vec2 normal = target.normal.value_or(leader);
+  const Vec2 along = glm::dot(normal, leader) < 0 ? -normal : normal;
+  const Vec2 across = style.text / 2 * left_of(along);
+  const double height = style.text * std::numbers::sqrt3 / 2;
+  return {{{target.point + across, target.point - across, target.point + height * along}}};
+}
+
+void draw(CalloutLayers& layers, const Callout& callout, const Spot& spot, const DimensionStyle& style) {
+  const CalloutTarget& target = *callout.target;
+  const Vec2 along = glm::normalize(spot.leader[1] - target.point);
+  Stroke& leader = layers.notes.strokes.emplace_back();
+  for (const Vec2& p : spot.leader)
+    if (leader.points.empty() || leader.points.back() != p) leader.points.push_back(p);
+  if (callout.form == LeaderForm::datum)
+    layers.notes.fills.push_back(datum_triangle(target, along, style));
+  else if (target.end == scene::LeaderEnd::arrow)
+    layers.notes.fills.push_back(arrow_at(target.point, -along, style));
+  else if (target.end == scene::LeaderEnd::dot)
+    layers.notes.fills.push_back(dot_at(target.point));
+  draw_at(layers, callout, {spot.box.min.x, spot.box.max.y});
 }
 
 // Lines of at most `width`, broken at blanks; further lines are indented like the first one.
@@ -193,7 +265,6 @@ class LineSetter {
 
 Callout note_callout(const std::vector<std::string>& lines, bool has_leader, const DimensionStyle& style) {
   Callout callout{lines.front()};
-  callout.underlined = has_leader;
   const double left = has_leader ? side * style.text : 0;
   LineSetter setter(callout, style);
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -229,36 +300,57 @@ Rectangle box_at(const Callout& callout, const Vec2& upper_left) {
   return {upper_left - Vec2(0, callout.size.y), upper_left + Vec2(callout.size.x, 0)};
 }
 
-void draw_at(Layer& layer, const Callout& callout, const Vec2& upper_left) {
+void draw_at(CalloutLayers& layers, const Callout& callout, const Vec2& upper_left) {
   const Vec2 corner = box_at(callout, upper_left).min;
   for (Text text : callout.texts) {
     text.at += corner;
-    layer.texts.push_back(std::move(text));
+    layers.notes.texts.push_back(std::move(text));
   }
+  for (Stroke stroke : callout.strokes) {
+    for (Vec2& p : stroke.points) p += corner;
+    for (drawing::CurvePart& curve : stroke.curves) curve.centre += corner;
+    layers.symbols.strokes.push_back(std::move(stroke));
+  }
+  for (Fill fill : callout.fills) {
+    for (std::vector<Vec2>& ring : fill.rings)
+      for (Vec2& p : ring) p += corner;
+    layers.symbols.fills.push_back(std::move(fill));
+  }
+}
+
+CalloutLayers callout_layers(const std::string& view, const DimensionStyle& style) {
+  constexpr double letters = 10;  // heights of capitals in line widths. ISO 3098-1, type B
+  CalloutLayers layers{empty_layer(view, scene::SheetLine::note, {2 * style.line, style.line}),
+                       empty_layer(view, scene::SheetLine::symbol, {2 * style.line, style.line})};
+  layers.symbols.style.width = style.text / letters;
+  return layers;
 }
 
 double callout_room(double height) { return shortest + height + clearance; }
 
-CalloutFaults place_callouts(Layer& layer, std::span<const Callout> callouts, const drawing::ViewDrawing& view,
+CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> callouts, const drawing::ViewDrawing& view,
                              const DimensionStyle& style, const Neighbours& neighbours) {
+  const double landing = style.text;
   Placer placer(view, neighbours);
   CalloutFaults faults;
   for (const Callout& callout : callouts) {
     if (!callout.at) continue;
-    const Spot spot = placer.fixed(callout);
+    const Spot spot = placer.fixed(callout, landing);
     if (!placer.is_free(spot.box)) faults.crossings.push_back(callout.name);
-    placer.add(spot, callout.target->point);
-    draw(layer, callout, spot, style);
+    placer.add(spot);
+    draw(layers, callout, spot, style);
   }
-  for (const Callout& callout : callouts) {
-    if (callout.at) continue;
-    if (const auto spot = placer.best(callout)) {
-      placer.add(*spot, callout.target->point);
-      draw(layer, callout, *spot, style);
-    } else {
-      faults.without_place.push_back(callout.name);
+  // Those with the least choice first.
+  for (const LeaderForm form : {LeaderForm::datum, LeaderForm::landing, LeaderForm::reference})
+    for (const Callout& callout : callouts) {
+      if (callout.at || callout.form != form) continue;
+      if (const auto spot = placer.best(callout, landing)) {
+        placer.add(*spot);
+        draw(layers, callout, *spot, style);
+      } else {
+        faults.without_place.push_back(callout.name);
+      }
     }
-  }
   return faults;
 }
 

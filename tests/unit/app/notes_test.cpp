@@ -64,6 +64,38 @@ TEST_F(Notes, NameTheirFaults) {
   refused(note + "to = [0, 1]\nend = \"arow\"\n", "unknown value 'arow'");
 }
 
+TEST_F(Notes, RefuseTolerancesThatMeanNothing) {
+  const std::string to = "to = {point = [20, 0, 20]}\n", frame = "[[tolerance_frame]]\n" + to;
+  const std::string datum = "[[datum]]\nletter = \"A\"\nto = {point = [20, 0, 0]}\n";
+  refused(frame + "characteristic = \"flatnes\"\nzone = \"0.1\"\n", "did you mean 'flatness'?");
+  refused(frame + "characteristic = \"flatness\"\nzone = \"0.1\"\ndatums = \"A\"\n" + datum, "flatness has no datums");
+  refused(frame + "characteristic = \"perpendicularity\"\nzone = \"0.1\"\n", "perpendicularity needs a datum");
+  refused(frame + "characteristic = \"position\"\nzone = \"0.1\"\ndatums = \"B\"\n" + datum,
+          "the sheet has no datum B, to which the tolerance of position refers");
+  refused(frame + "characteristic = \"position\"\nzone = \"0.1 X\"\n", "'X' is not a modifier");
+  refused(frame + "characteristic = \"position\"\nzone = \"0.1\"\ndatums = [\"A\", \"B\", \"C\", \"D\"]\n",
+          "has 4 datums, at most 3");
+  refused("[[tolerance_frame]]\ncharacteristic = \"flatness\"\nzone = \"0.1\"\n", "[[tolerance_frame]] lacks 'to'");
+  refused(datum + datum, "datum A is on the sheet twice");
+  refused("[[datum]]\nletter = \"A\"\nto = {point = [20, 0, 10]}\n",
+          "datum A does not stand on a line of view 'front'");
+  refused("[[datum]]\nletter = \"I\"\n" + to, "'I' is not a datum letter");
+  refused("[[surface_texture]]\nremoval = \"forbidden\"\n", "unknown value 'forbidden'");
+}
+
+TEST_F(Notes, DrawSymbolsAndOneForTheWholePart) {
+  const Outcome run = draw(
+      "[[datum]]\nletter = \"A\"\nto = {point = [20, 0, 0]}\n"
+      "[[tolerance_frame]]\ncharacteristic = \"parallelism\"\nzone = \"0.1\"\ndatums = \"A\"\n"
+      "to = {point = [20, 0, 20]}\n[[surface_texture]]\ntext = \"Ra 3.2\"\n");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err.find("warning"), std::string::npos) << run.err;
+  const std::string svg = read_file(folder / "a.svg");
+  EXPECT_NE(svg.find(">Ra 3.2<"), std::string::npos);
+  EXPECT_EQ(svg.find(">(<"), std::string::npos) << "no symbol says otherwise";
+  EXPECT_NE(svg.find("inkscape:label=\"symbols\""), std::string::npos);
+}
+
 TEST_F(Notes, TellOfPointsThatAreHidden) {
   const Outcome hidden = draw("[[note]]\ntext = \"rear\"\nto = {point = [20, 30, 10]}\n");
   EXPECT_EQ(hidden.code, 0);

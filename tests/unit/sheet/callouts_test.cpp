@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "sheet/callout_symbols.hpp"
 #include "sheet/free_rectangles.hpp"
 
 namespace epura::test {
@@ -37,7 +39,8 @@ class Callouts : public testing::Test {
   drawing::ViewDrawing view = rectangle_view(box);
   sheet::Rectangle dimension{{100, 134}, {180, 145}};
   sheet::Neighbours around{sheet::Rectangle{{20, 10}, {287, 200}}, {sheet::turned_box(dimension)}};
-  sheet::Layer layer;
+  sheet::CalloutLayers layers = sheet::callout_layers("front", style);
+  sheet::Layer& layer = layers.notes;
 
   sheet::Callout note(const std::string& text, const Vec2& point) const {
     sheet::Callout callout = sheet::note_callout({text}, true, style);
@@ -51,7 +54,7 @@ TEST_F(Callouts, StandOutsideTheViewClearOfEverything) {
   std::vector<sheet::Callout> notes;
   for (int i = 0; i < 6; ++i)
     notes.push_back(note("NOTE " + std::to_string(i), {110.0 + 20 * (i % 3), 95.0 + 15 * (i / 3)}));
-  const sheet::CalloutFaults faults = sheet::place_callouts(layer, notes, view, style, around);
+  const sheet::CalloutFaults faults = sheet::place_callouts(layers, notes, view, style, around);
   EXPECT_TRUE(faults.without_place.empty());
   ASSERT_EQ(layer.texts.size(), 6U);
   ASSERT_EQ(layer.strokes.size(), 6U);
@@ -80,7 +83,7 @@ TEST_F(Callouts, AreLeftOutWhereThereIsNoPlace) {
   around.paper = box;
   around.boxes = {sheet::turned_box(box)};
   const std::vector<sheet::Callout> notes{note("NOTE", {140, 100})};
-  EXPECT_EQ(sheet::place_callouts(layer, notes, view, style, around).without_place, std::vector<std::string>{"NOTE"});
+  EXPECT_EQ(sheet::place_callouts(layers, notes, view, style, around).without_place, std::vector<std::string>{"NOTE"});
   EXPECT_TRUE(layer.texts.empty());
   EXPECT_TRUE(layer.strokes.empty());
 }
@@ -89,7 +92,7 @@ TEST_F(Callouts, StandWhereTheyAreToldAndTellWhatTheyCross) {
   std::vector<sheet::Callout> notes{note("FREE", {140, 100}), note("ON A LINE", {120, 100})};
   notes[0].at = Vec2(200, 160);
   notes[1].at = Vec2(90, 90);
-  const sheet::CalloutFaults faults = sheet::place_callouts(layer, notes, view, style, around);
+  const sheet::CalloutFaults faults = sheet::place_callouts(layers, notes, view, style, around);
   EXPECT_EQ(faults.crossings, std::vector<std::string>{"ON A LINE"});
   ASSERT_EQ(layer.texts.size(), 2U);
   EXPECT_DOUBLE_EQ(box_of(layer.texts[0]).max.y, 160);
@@ -100,11 +103,77 @@ TEST_F(Callouts, EndWithADotAnArrowOrNothing) {
   std::vector<sheet::Callout> notes{note("A", {140, 100}), note("B", {180, 100}), note("C", {150, 90})};
   notes[1].target->end = scene::LeaderEnd::arrow;
   notes[2].target->end = scene::LeaderEnd::none;
-  sheet::place_callouts(layer, notes, view, style, around);
+  sheet::place_callouts(layers, notes, view, style, around);
   ASSERT_EQ(layer.fills.size(), 2U);
   const auto radius = [&](const Vec2& p) { return glm::length(p - Vec2(140, 100)); };
   for (const Vec2& p : layer.fills[0].rings[0]) EXPECT_NEAR(radius(p), 0.625, 1e-9);
   EXPECT_EQ(layer.fills[1].rings[0][0], Vec2(180, 100)) << "the tip of the arrow";
+}
+
+// The border of the view at its right side, with nothing beyond it.
+sheet::CalloutTarget right_side(double y) { return {{180, y}, scene::LeaderEnd::arrow, Vec2(1, 0), true}; }
+
+TEST_F(Callouts, ReachFramesPerpendicularToTheLine) {
+  scene::ToleranceFrame frame{scene::Characteristic::position, {{"⌀0.1"}, {"M", true}}, {{{"A"}}}};
+  std::vector<sheet::Callout> callouts{sheet::tolerance_frame(frame, style)};
+  callouts[0].target = right_side(100);
+  sheet::place_callouts(layers, callouts, view, style, around);
+  ASSERT_EQ(layer.strokes.size(), 1U);
+  ASSERT_EQ(layer.strokes[0].points.size(), 2U) << "straight";
+  EXPECT_NEAR(layer.strokes[0].points[1].y, 100, 1e-9);
+  const sheet::Stroke& outline =
+      layers.symbols.strokes.back().closed ? layers.symbols.strokes.back() : layers.symbols.strokes.front();
+  ASSERT_TRUE(outline.closed);
+  EXPECT_NEAR(outline.points[0].y, 100 - style.text, 1e-9) << "it meets the frame, 2 h high, in the middle of its side";
+  EXPECT_NEAR(outline.points[0].x, layer.strokes[0].points[1].x, 1e-9);
+  EXPECT_DOUBLE_EQ(layers.symbols.style.width, 0.35) << "a tenth of the height of capitals";
+}
+
+TEST_F(Callouts, StandDatumsOnTheirLines) {
+  std::vector<sheet::Callout> callouts{sheet::datum_frame({"A"}, style)};
+  callouts[0].target = right_side(100);
+  sheet::place_callouts(layers, callouts, view, style, around);
+  ASSERT_EQ(layer.fills.size(), 1U);
+  std::vector<Vec2> triangle = layer.fills[0].rings[0];
+  ASSERT_EQ(triangle.size(), 3U);
+  EXPECT_NEAR(triangle[0].x, 180, 1e-9) << "its base is on the line";
+  EXPECT_NEAR(triangle[1].x, 180, 1e-9);
+  EXPECT_NEAR(std::abs(triangle[0].y - triangle[1].y), style.text, 1e-9);
+  EXPECT_GT(triangle[2].x, 180) << "it is outside";
+  EXPECT_NEAR(triangle[2].y, 100, 1e-9);
+  callouts[0].at = Vec2(200, 170);
+  callouts[0].target = {{140, 130}, scene::LeaderEnd::arrow, Vec2(0, 1), true};
+  sheet::place_callouts(layers, callouts, view, style, around);
+  triangle = layer.fills[1].rings[0];
+  EXPECT_NEAR(triangle[2].x, 140, 1e-9) << "it stands upright, wherever its frame is";
+}
+
+// ISO 1302: arms at 60 degrees; a bar or a circle between them.
+TEST_F(Callouts, DrawSymbolsOfSurfaceTexture) {
+  const auto symbol = [&](scene::MaterialRemoval removal) {
+    return sheet::texture_symbol({removal, {"Ra 3.2"}}, style);
+  };
+  using scene::MaterialRemoval;
+  EXPECT_EQ(symbol(MaterialRemoval::any).strokes.size(), 1U);
+  const sheet::Callout required = symbol(MaterialRemoval::required), prohibited = symbol(MaterialRemoval::prohibited);
+  ASSERT_EQ(required.strokes.size(), 2U);
+  ASSERT_EQ(prohibited.strokes.size(), 2U);
+  const std::vector<Vec2>& arms = required.strokes[0].points;
+  ASSERT_EQ(arms.size(), 4U) << "with the line above the text";
+  EXPECT_EQ(arms[1].y, 0) << "it stands on the surface";
+  EXPECT_NEAR(arms[0].y / (arms[1].x - arms[0].x), std::sqrt(3.0), 1e-9);
+  EXPECT_NEAR(arms[2].y / (arms[2].x - arms[1].x), std::sqrt(3.0), 1e-9);
+  EXPECT_EQ(required.strokes[1].points[0], arms[0]);
+  EXPECT_FALSE(prohibited.strokes[1].curves.empty());
+  const sheet::Rectangle words = box_of(required.texts[0]);
+  EXPECT_GT(words.min.x, arms[2].x);
+  EXPECT_LT(words.max.y, arms[2].y);
+}
+
+TEST_F(Callouts, WriteTheDecimalSignOfTheSheet) {
+  style.notation.sign = DecimalSign::comma;
+  EXPECT_EQ(sheet::texture_symbol({{}, {"Ra 3.2"}}, style).texts[0].text, "Ra 3,2");
+  EXPECT_EQ(sheet::tolerance_frame({{}, {{"0.1"}}}, style).texts[0].text, "0,1");
 }
 
 TEST_F(Callouts, NumberGeneralNotesAndBreakLongLines) {
