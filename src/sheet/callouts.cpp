@@ -16,8 +16,9 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double side = 0.25, below = 0.5;  // free around texts on a reference line, in heights of capitals
-constexpr double clearance = 1.5;           // mm, between a callout and everything else
+constexpr double side = 0.25, below = 0.5;            // free around texts on a reference line, in heights of capitals
+constexpr double triangle = std::numbers::sqrt3 / 2;  // height of the triangle of a datum, likewise
+constexpr double clearance = 1.5;                     // mm, between a callout and everything else
 constexpr double shortest = 8, longest = 200, step = 1.5;  // mm, of leaders
 
 /// A direction of leaders, and how much it is disliked. mm
@@ -78,6 +79,24 @@ std::vector<Spot> spots_along(const Callout& callout, const Vec2& along, double 
   return {spot_at(callout, end, along.x > 0, is_straight ? 0 : landing)};
 }
 
+// Where a perpendicular leader would cross lettering, that of a datum bends at the tip of its triangle.
+void add_bent_datums(std::vector<Spot>& spots, const Callout& callout, double length, double text_height) {
+  constexpr double for_bend = 20, least_rise = 0.2;  // mm; along the normal
+  const Vec2 target = callout.target->point, normal = *callout.target->normal;
+  for (const double sign : {1.0, -1.0}) {
+    if (sign < 0 && callout.target->is_border) continue;
+    const Vec2 tip = target + sign * triangle * text_height * normal;
+    for (int degrees = 15; degrees < 360; degrees += 15) {
+      const Vec2 along = turned_to(degrees * std::numbers::pi / 180);
+      if (degrees % 90 == 0 || sign * glm::dot(along, normal) < least_rise) continue;
+      Spot spot = spot_at(callout, tip + length * along, along.x > 0, text_height);
+      spot.leader.insert(spot.leader.begin() + 1, tip);
+      spot.cost = length + for_bend;
+      spots.push_back(std::move(spot));
+    }
+  }
+}
+
 // The possible places with leaders of this length.
 std::vector<Spot> spots_of(const Callout& callout, double length, double landing) {
   constexpr double for_inside = 25, for_oblique = 12, for_slant_of_frame = 40;  // mm
@@ -94,7 +113,10 @@ std::vector<Spot> spots_of(const Callout& callout, double length, double landing
     add(*normal, 0);
     if (!callout.target->is_border) add(-*normal, 0);
   }
-  if (callout.form == LeaderForm::datum) return spots;
+  if (callout.form == LeaderForm::datum) {
+    if (normal) add_bent_datums(spots, callout, length, landing);
+    return spots;
+  }
   for (const Direction& direction : oblique) {
     const Vec2 along = turned_to(direction.degrees * std::numbers::pi / 180);
     const double weight = is_text ? for_oblique : for_slant_of_frame;
@@ -200,8 +222,7 @@ Fill datum_triangle(const CalloutTarget& target, const Vec2& leader, const Dimen
   const Vec2 normal = target.normal.value_or(leader);
   const Vec2 along = glm::dot(normal, leader) < 0 ? -normal : normal;
   const Vec2 across = style.text / 2 * left_of(along);
-  const double height = style.text * std::numbers::sqrt3 / 2;
-  return {{{target.point + across, target.point - across, target.point + height * along}}};
+  return {{{target.point + across, target.point - across, target.point + triangle * style.text * along}}};
 }
 
 void draw(CalloutLayers& layers, const Callout& callout, const Spot& spot, const DimensionStyle& style) {

@@ -148,6 +148,21 @@ TEST_F(Callouts, StandDatumsOnTheirLines) {
   EXPECT_NEAR(triangle[2].x, 140, 1e-9) << "it stands upright, wherever its frame is";
 }
 
+TEST_F(Callouts, BendLeadersOfDatumsPastLettering) {
+  const sheet::Rectangle text{{185, 96}, {200, 104}};
+  around.boxes.push_back(sheet::turned_box(text));
+  std::vector<sheet::Callout> callouts{sheet::datum_frame({"A"}, style)};
+  callouts[0].target = right_side(100);
+  EXPECT_TRUE(sheet::place_callouts(layers, callouts, view, style, around).without_place.empty());
+  ASSERT_EQ(layer.strokes.size(), 1U);
+  const std::vector<Vec2>& leader = layer.strokes[0].points;
+  ASSERT_EQ(leader.size(), 4U);
+  EXPECT_NEAR(leader[1].y, 100, 1e-9) << "as far as the tip of the triangle, it is perpendicular";
+  EXPECT_EQ(leader[2].y, leader[3].y);
+  for (std::size_t i = 1; i < leader.size(); ++i)
+    EXPECT_FALSE(overlap(sheet::line_box(leader[i - 1], leader[i]), sheet::turned_box(text)));
+}
+
 // ISO 1302: arms at 60 degrees; a bar or a circle between them.
 TEST_F(Callouts, DrawSymbolsOfSurfaceTexture) {
   const auto symbol = [&](scene::MaterialRemoval removal) {
