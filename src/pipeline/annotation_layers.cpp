@@ -2,11 +2,14 @@
 #include "pipeline/annotation_layers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <numbers>
 #include <utility>
 
+#include "base/error.hpp"
+#include "base/text.hpp"
 #include "pipeline/details.hpp"
 #include "sheet/balloons.hpp"
 #include "sheet/captions.hpp"
@@ -14,6 +17,7 @@
 #include "sheet/detail_marks.hpp"
 #include "sheet/dimensions/dimensions.hpp"
 #include "sheet/frame.hpp"
+#include "sheet/free_rectangles.hpp"
 #include "sheet/sight_arrows.hpp"
 
 namespace epura::pipeline {
@@ -69,10 +73,9 @@ sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const st
   sheet::Neighbours neighbours;
   neighbours.paper = furniture.frame == FrameKind::none ? sheet::Rectangle{{0, 0}, {paper.width, paper.height}}
                                                         : sheet::drawing_area(paper);
-  if (furniture.title_block)
-    if (const auto box = sheet::title_block_box(*furniture.title_block, paper))
-      neighbours.boxes.push_back(sheet::turned_box(*box));
-  if (const auto list = sheet::parts_list_box(furniture)) neighbours.boxes.push_back(sheet::turned_box(*list));
+  const sheet::BlockBoxes blocks = sheet::block_boxes(furniture);
+  for (const auto& box : {blocks.title_block, blocks.parts_list, blocks.revisions})
+    if (box) neighbours.boxes.push_back(sheet::turned_box(*box));
   for (const sheet::Text& label : labels) neighbours.boxes.push_back(sheet::box_of(label, lettering));
   for (const sheet::Layer& mark : marks) add_boxes(neighbours.boxes, mark, lettering);
   return neighbours;
@@ -145,10 +148,18 @@ std::vector<sheet::Rectangle> taken_by(const std::vector<sheet::TurnedBox>& boxe
   return taken;
 }
 
-std::vector<std::string> captions_of(const scene::SheetDescription& sheet) {
-  std::string language;
-  for (const auto& [name, text] : sheet.title_block)
-    if (name == "language") language = *text;
+const scene::SheetDescription& sheet_of(const SheetInput& input) {
+  return input.scene.sheets[static_cast<std::size_t>(input.views.sheet)];
+}
+
+std::string language_of(const SheetInput& input) {
+  for (const auto& [name, text] : sheet_of(input).title_block)
+    if (name == "language") return *text;
+  return {};
+}
+
+std::vector<std::string> captions_of(const SheetInput& input) {
+  const std::string language = language_of(input);
   return {std::string(sheet::caption("hole", language)), "X", "Y", std::string(sheet::caption("hole_size", language))};
 }
 
@@ -158,9 +169,9 @@ bool add_table(sheet::Layer& layer, const sheet::HoleTable& table, const std::ve
                const sheet::DimensionStyle& style) {
   constexpr int most_blocks = 6;
   for (int blocks = 1; blocks <= most_blocks; ++blocks) {
-    const sheet::TableDrawing drawing(table, captions, blocks, style);
+    const sheet::TableDrawing drawing(sheet::text_table(table, captions), blocks, style);
     const auto corner = sheet::free_corner(room, taken, drawing.size());
-    if (corner) drawing.draw(layer, *corner);
+    if (corner) drawing.draw(layer, *corner, "dimension");
     if (corner) return true;
   }
   return false;
@@ -169,7 +180,7 @@ bool add_table(sheet::Layer& layer, const sheet::HoleTable& table, const std::ve
 // In the layers of the dimensions, when everything else is in place.
 void add_tables(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
                 std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
-  const auto captions = captions_of(input.scene.sheets[static_cast<std::size_t>(input.views.sheet)]);
+  const auto captions = captions_of(input);
   for (std::size_t i = 0; i < views.size(); ++i)
     for (const sheet::HoleTable& table : input.annotations[i].tables) {
       sheet::Layer own;
@@ -187,6 +198,210 @@ void add_tables(AnnotationLayers& result, sheet::Neighbours& around, const Sheet
       std::move(own.fills.begin(), own.fills.end(), std::back_inserter(layer->fills));
       std::move(own.texts.begin(), own.texts.end(), std::back_inserter(layer->texts));
     }
+}
+
+// Notes and symbols on this sheet without leaders.
+std::vector<scene::CalloutDescription> callouts_of_sheet(const SheetInput& input) {
+  const auto is_texture = [](const ViewCallout& callout) {
+    return std::holds_alternative<scene::SurfaceTexture>(callout.description.content);
+  };
+  const bool has_textures =
+      std::any_of(input.annotations.begin(), input.annotations.end(), [&is_texture](const Annotations& view) {
+        return std::any_of(view.callouts.begin(), view.callouts.end(), is_texture);
+      });
+  std::vector<scene::CalloutDescription> callouts;
+  for (const scene::CalloutDescription& one : input.scene.callouts) {
+    if (one.to.given() || one.sheet.value_or(1) != input.views.sheet + 1) continue;
+    callouts.push_back(one);
+    if (auto* texture = std::get_if<scene::SurfaceTexture>(&callouts.back().content)) texture->others = has_textures;
+  }
+  return callouts;
+}
+
+std::string table_name(const scene::TableDescription& table) {
+  return table.title.given() ? "the table '" + *table.title + "'" : std::string("the table");
+}
+
+std::vector<scene::TableDescription> tables_of_sheet(const SheetInput& input) {
+  std::vector<scene::TableDescription> tables = input.scene.tables;
+  std::erase_if(tables, [&](const auto& table) { return table.sheet.value_or(1) != input.views.sheet + 1; });
+  return tables;
+}
+
+sheet::TableDrawing table_drawing(const scene::TableDescription& table, const sheet::DimensionStyle& style) {
+  return {{table.title.value_or(""), table.header, table.rows}, 1, style};
+}
+
+// Boxes of what has a given position on the sheet. Throws Error{input} for positions beyond it.
+std::vector<sheet::TurnedBox> reserved_for(const SheetInput& input, const sheet::DimensionStyle& style) {
+  const sheet::Paper& paper = input.plan.furniture.paper;
+  const sheet::Rectangle whole{{0, 0}, {paper.width, paper.height}};
+  std::vector<sheet::TurnedBox> boxes;
+  const auto reserve = [&](const sheet::Rectangle& box, const std::string& name, const std::string& where) {
+    if (!whole.holds(box))
+      throw Error(ErrorKind::input, where, name + " does not fit on the sheet at this position",
+                  "it is " + format_rounded(box.size().x, 4) + " by " + format_rounded(box.size().y, 4) +
+                      " mm large, below and on the right of its position; the sheet has " +
+                      format_rounded(paper.width, 4) + " by " + format_rounded(paper.height, 4) + " mm");
+    boxes.push_back(sheet::turned_box(box));
+  };
+  const auto add = [&](const scene::CalloutDescription& callout) {
+    if (callout.at.given())
+      reserve(sheet::box_at(drawn(callout, style), *callout.at), name_of(callout), callout.at.where);
+  };
+  for (const Annotations& one : input.annotations)
+    for (const ViewCallout& callout : one.callouts) add(callout.description);
+  for (const scene::CalloutDescription& callout : callouts_of_sheet(input)) add(callout);
+  for (const scene::TableDescription& table : tables_of_sheet(input)) {
+    if (!table.at.given()) continue;
+    const Vec2 size = table_drawing(table, style).size();
+    reserve({*table.at - Vec2(0, size.y), *table.at + Vec2(size.x, 0)}, table_name(table), table.at.where);
+  }
+  return boxes;
+}
+
+// Symbols have many short lines, which are together in few boxes.
+void add_outlines(std::vector<sheet::TurnedBox>& boxes, const sheet::Layer& symbols) {
+  for (const sheet::Stroke& stroke : symbols.strokes) {
+    sheet::Rectangle box{stroke.points.front(), stroke.points.front()};
+    for (const Vec2& p : stroke.points) box = sheet::united(box, {p, p});
+    boxes.push_back(sheet::turned_box(box));
+  }
+}
+
+// Those that have ink.
+void add_layers(AnnotationLayers& result, sheet::Neighbours& around, sheet::CalloutLayers layers,
+                const sheet::Lettering& lettering) {
+  add_boxes(around.boxes, layers.notes, lettering);
+  add_outlines(around.boxes, layers.symbols);
+  for (sheet::Layer* layer : {&layers.notes, &layers.symbols})
+    if (!layer->strokes.empty() || !layer->texts.empty()) result.layers.push_back(std::move(*layer));
+}
+
+// Notes and symbols with leaders, in layers of their own.
+void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                  std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    std::vector<sheet::Callout> callouts;
+    for (const ViewCallout& callout : input.annotations[i].callouts) {
+      callouts.push_back(drawn(callout.description, style));
+      callouts.back().target = input.targets[i][callouts.size() - 1];
+    }
+    if (callouts.empty()) continue;
+    const drawing::ViewDrawing& drawing = views[i].drawing;
+    sheet::Neighbours neighbours = with_other_views(around, views, i);
+    add_centre_lines(neighbours.boxes, views[i]);
+    sheet::CalloutLayers layers = sheet::callout_layers(drawing.name, style);
+    const sheet::CalloutFaults faults = sheet::place_callouts(layers, callouts, drawing, style, neighbours);
+    for (const std::string& name : faults.without_place)
+      result.warnings.push_back("there is no place for " + name + " around the view '" + drawing.name +
+                                "'\n  hint: use a larger sheet or a smaller scale, or give its position, 'at'");
+    for (const std::string& name : faults.crossings)
+      result.findings.push_back({report::FindingKind::crossing, drawing.name, name + " and something else"});
+    add_layers(result, around, std::move(layers), style.lettering);
+  }
+}
+
+// Where no text may stand besides what is on the sheet already: the centring marks.
+void add_centring_marks(std::vector<sheet::Rectangle>& taken, const sheet::SheetFurniture& furniture) {
+  constexpr double inside = 10;  // mm. ISO 5457
+  if (furniture.frame != FrameKind::full) return;
+  const sheet::Rectangle area = sheet::drawing_area(furniture.paper);
+  const Vec2 middle = Vec2(furniture.paper.width, furniture.paper.height) / 2.0;
+  for (const double x : {area.min.x, area.max.x - inside}) taken.push_back({{x, middle.y}, {x + inside, middle.y}});
+  for (const double y : {area.min.y, area.max.y - inside}) taken.push_back({{middle.x, y}, {middle.x, y + inside}});
+}
+
+// Adds a callout in the free room nearest to a point; returns its box, or nothing if there is no room.
+std::optional<sheet::Rectangle> add_near(sheet::CalloutLayers& layers, const sheet::Callout& callout,
+                                         const sheet::Rectangle& room, std::span<const sheet::Rectangle> taken,
+                                         const Vec2& towards) {
+  const auto corner = sheet::nearest_free_position(room, taken, callout.size, towards);
+  if (!corner) return std::nullopt;
+  const Vec2 upper_left = *corner + Vec2(0, callout.size.y);
+  sheet::draw_at(layers, callout, upper_left);
+  return sheet::box_at(callout, upper_left);
+}
+
+Vec2 position_of(scene::SheetCorner corner, const sheet::Rectangle& area) {
+  const bool left = corner == scene::SheetCorner::top_left || corner == scene::SheetCorner::bottom_left;
+  const bool top = corner == scene::SheetCorner::top_left || corner == scene::SheetCorner::top_right;
+  return {left ? area.min.x : area.max.x, top ? area.max.y : area.min.y};
+}
+
+// Tables of texts: where they are told, or in the free room nearest to a corner.
+void add_text_tables(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                     std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  sheet::Layer layer =
+      sheet::empty_layer("sheet", scene::SheetLine::table, sheet::line_widths(input.plan.furniture.paper));
+  const std::vector<scene::TableDescription> tables = tables_of_sheet(input);
+  const auto add = [&](const scene::TableDescription& table, const Vec2& lower_left) {
+    sheet::Layer own;
+    const sheet::TableDrawing drawing = table_drawing(table, style);
+    drawing.draw(own, lower_left + drawing.size(), "table");
+    around.boxes.push_back(sheet::turned_box({lower_left, lower_left + drawing.size()}));
+    std::move(own.strokes.begin(), own.strokes.end(), std::back_inserter(layer.strokes));
+    std::move(own.texts.begin(), own.texts.end(), std::back_inserter(layer.texts));
+  };
+  for (const scene::TableDescription& table : tables)
+    if (table.at.given()) add(table, *table.at - Vec2(0, table_drawing(table, style).size().y));
+  for (const scene::TableDescription& table : tables) {
+    if (table.at.given()) continue;
+    std::vector<sheet::Rectangle> taken = taken_by(around.boxes, views);
+    add_centring_marks(taken, input.plan.furniture);
+    const Vec2 towards = position_of(table.corner.value_or(scene::SheetCorner::top_right), *around.paper);
+    if (const auto at = sheet::nearest_free_position(*around.paper, taken, table_drawing(table, style).size(), towards))
+      add(table, *at);
+    else
+      result.warnings.push_back("the sheet has no room for " + table_name(table) +
+                                "\n  hint: use a larger sheet or a smaller scale");
+  }
+  if (!tables.empty()) result.layers.push_back(std::move(layer));
+}
+
+// Notes that belong to the whole sheet, numbered, in the free room nearest to its lower left corner.
+bool add_general_notes(sheet::CalloutLayers& layers, const std::vector<std::vector<std::string>>& notes,
+                       const std::string& heading, const sheet::Rectangle& room,
+                       std::span<const sheet::Rectangle> taken, const sheet::DimensionStyle& style) {
+  constexpr std::array<double, 4> widths{120, 90, 65, 180};  // mm, preferred first
+  return std::any_of(widths.begin(), widths.end(), [&](double width) {
+    return add_near(layers, sheet::general_notes(heading, notes, width, style), room, taken, room.min).has_value();
+  });
+}
+
+// What stands on the sheet without a leader: where it is told, notes in a list, symbols beside the title block.
+void add_free_callouts(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                       std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  sheet::CalloutLayers layers = sheet::callout_layers("sheet", style);
+  std::vector<std::vector<std::string>> notes;
+  std::vector<scene::CalloutDescription> symbols;
+  for (const scene::CalloutDescription& callout : callouts_of_sheet(input)) {
+    const auto* note = std::get_if<scene::NoteText>(&callout.content);
+    if (callout.at.given())
+      sheet::draw_at(layers, drawn(callout, style), *callout.at);
+    else if (note != nullptr)
+      notes.push_back(note->lines);
+    else
+      symbols.push_back(callout);
+  }
+  add_boxes(around.boxes, layers.notes, style.lettering);
+  add_outlines(around.boxes, layers.symbols);
+  std::vector<sheet::Rectangle> taken = taken_by(around.boxes, views);
+  add_centring_marks(taken, input.plan.furniture);
+  const auto warn = [&result](const std::string& what) {
+    result.warnings.push_back("the sheet has no room for " + what +
+                              "\n  hint: use a larger sheet or a smaller scale, or give its position, 'at'");
+  };
+  const sheet::Rectangle& room = *around.paper;
+  for (const scene::CalloutDescription& symbol : symbols) {
+    if (const auto box = add_near(layers, drawn(symbol, style), room, taken, {room.max.x, room.min.y}))
+      taken.push_back(*box);
+    else
+      warn(name_of(symbol));
+  }
+  const std::string heading(sheet::caption("notes", language_of(input)));
+  if (!notes.empty() && !add_general_notes(layers, notes, heading, room, taken, style)) warn("the general notes");
+  add_layers(result, around, std::move(layers), style.lettering);
 }
 
 // The space that arrows, marks of sections and dimensions leave around the views.
@@ -207,8 +422,12 @@ void add_balloons(AnnotationLayers& result, sheet::Neighbours& around, const She
   }
 }
 
-bool has_balloons(const SheetInput& input) {
-  return std::any_of(input.balloons.begin(), input.balloons.end(), [](const auto& view) { return !view.empty(); });
+// Besides dimensions.
+bool has_lettering(const SheetInput& input) {
+  const auto is_given = [](const auto& view) { return !view.empty(); };
+  return std::any_of(input.balloons.begin(), input.balloons.end(), is_given) ||
+         std::any_of(input.targets.begin(), input.targets.end(), is_given) || !callouts_of_sheet(input).empty() ||
+         !tables_of_sheet(input).empty();
 }
 
 }  // namespace
@@ -224,26 +443,31 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
   std::vector<sheet::Layer> marks = marks_of(input.annotations, views, widths);
   std::optional<sheet::Lettering> lettering;
   sheet::Neighbours around;
+  std::vector<sheet::TurnedBox> reserved;
+  const auto style = [&] {
+    return sheet::DimensionStyle{*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation};
+  };
   const auto open_font = [&] {
     if (lettering) return;
     around = neighbours_of(furniture, labels, marks, lettering.emplace(furniture.font));
     add_boxes(around.boxes, boundaries_of(input.annotations, views), *lettering);
+    reserved = reserved_for(input, style());
   };
-  if (has_balloons(input)) open_font();
+  if (has_lettering(input)) open_font();
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::vector<scene::DimensionDescription> dimensions = dimensions_of(input.annotations[i], views[i]);
     if (dimensions.empty()) continue;
     open_font();
-    const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation};
     const drawing::ViewDrawing& drawing = views[i].drawing;
     sheet::Neighbours neighbours = with_other_views(around, views, i);
+    neighbours.boxes.insert(neighbours.boxes.end(), reserved.begin(), reserved.end());
     if (dimensions_features(input.scene)) add_centre_lines(neighbours.boxes, views[i]);
     for (const sheet::HoleTable& table : input.annotations[i].tables) {
       sheet::Layer origin;
-      sheet::draw_origin(origin, table, drawing, style);
+      sheet::draw_origin(origin, table, drawing, style());
       add_boxes(neighbours.boxes, origin, *lettering);
     }
-    sheet::PlacedLayer placed = sheet::place_dimensions({input.world, drawing, dimensions}, style, neighbours,
+    sheet::PlacedLayer placed = sheet::place_dimensions({input.world, drawing, dimensions}, style(), neighbours,
                                                         budget.run.with_part_of_the_time(0.5));
     sheet::Layer& layer = placed.layer;
     note_faults(result.findings, drawing.name, placed, paper);
@@ -258,9 +482,11 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     result.layers.push_back(std::move(layer));
   }
   if (lettering) {
-    const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation};
-    add_balloons(result, around, input, views, style);
-    add_tables(result, around, input, views, style);
+    add_callouts(result, around, input, views, style());
+    add_balloons(result, around, input, views, style());
+    add_tables(result, around, input, views, style());
+    add_text_tables(result, around, input, views, style());
+    add_free_callouts(result, around, input, views, style());
   }
   std::move(marks.begin(), marks.end(), std::back_inserter(result.layers));
   return result;

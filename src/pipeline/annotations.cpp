@@ -14,6 +14,7 @@
 #include "scene/design_features.hpp"
 #include "scene/true_extents.hpp"
 #include "sheet/cutting_plane_line.hpp"
+#include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/automatic.hpp"
 #include "sheet/dimensions/overall.hpp"
 
@@ -108,6 +109,26 @@ void add_details(std::vector<Annotations>& annotations, const scene::SceneDescri
   }
 }
 
+void add_callouts(std::vector<Annotations>& annotations, const scene::World& world,
+                  const scene::SceneDescription& scene, const SheetOfViews& sheet) {
+  for (const scene::CalloutDescription& callout : scene.callouts) {
+    if (!callout.to.given()) continue;
+    const std::string& name = callout.view.given() ? *callout.view : *scene.views.front().name;
+    for (std::size_t i = 0; i < annotations.size(); ++i) {
+      if (*sheet.descriptions[i].name != name) continue;
+      const auto* anchor = std::get_if<scene::Anchor>(&*callout.to);
+      if (anchor != nullptr && sheet.plans[i].options.exploded)
+        throw Error(ErrorKind::input, callout.to.where,
+                    "view '" + name + "' is exploded, where points of the models have moved",
+                    "write where the leader ends on the sheet: to = {page = [x, y]}");
+      if (anchor != nullptr)
+        annotations[i].callouts.push_back({callout, sheet::position_of(world, *anchor, callout.to.where)});
+      else
+        annotations[i].callouts.push_back({callout, std::get<Vec2>(*callout.to)});
+    }
+  }
+}
+
 // Items may have their balloons in any whole view of the sheet; in exploded ones if there are any, which are for this.
 void add_balloons(std::vector<Annotations>& annotations, const scene::SceneDescription& scene,
                   const SheetOfViews& sheet) {
@@ -130,6 +151,7 @@ std::vector<Annotations> annotate(const scene::World& world, const scene::SceneD
   add_dimensions(annotations, world, scene, sheet, seen);
   add_planes(annotations, sheet.descriptions, seen, sections);
   add_details(annotations, scene, sheet.descriptions);
+  add_callouts(annotations, world, scene, sheet);
   add_balloons(annotations, scene, sheet);
   for (std::size_t i = 0; i < seen.size(); ++i)
     if (const auto parent = parent_of(sheet, i))
@@ -158,13 +180,25 @@ void expect_views_of_annotations(const scene::SceneDescription& scene) {
       throw Error(ErrorKind::input, view.where, "there is no view '" + *view + "'", did_you_mean(*view, names));
   };
   for (const scene::DimensionDescription& dimension : scene.dimensions) expect(dimension.view);
+  const auto expect_sheet = [&scene](const scene::Located<int>& sheet, const std::string& what) {
+    const int sheets = static_cast<int>(scene.sheets.size());
+    if (sheet.value_or(1) > sheets)
+      throw Error(ErrorKind::input, sheet.where,
+                  what + " is for sheet " + std::to_string(*sheet) + " of " + std::to_string(sheets),
+                  "add a [[sheet]]");
+  };
+  for (const scene::CalloutDescription& callout : scene.callouts) {
+    expect(callout.view);
+    expect_sheet(callout.sheet, name_of(callout));
+  }
+  expect_datums(scene);
+  for (const scene::TableDescription& table : scene.tables) expect_sheet(table.sheet, "the table");
+  for (const scene::RevisionDescription& revision : scene.revisions)
+    expect_sheet(revision.sheet, "revision " + *revision.revision);
   if (!scene.parts_list) return;
   const scene::PartsListDescription& list = *scene.parts_list;
   expect(list.view);
-  if (const int sheets = static_cast<int>(scene.sheets.size()); list.sheet.value_or(1) > sheets)
-    throw Error(ErrorKind::input, list.sheet.where,
-                "the parts list is for sheet " + std::to_string(*list.sheet) + " of " + std::to_string(sheets),
-                "add a [[sheet]]");
+  expect_sheet(list.sheet, "the parts list");
   if (list.view.given() && list.balloons.value_or(true))
     for (const scene::ViewDescription& view : scene.views)
       if (*view.name == *list.view && view.sheet.value_or(1) != list.sheet.value_or(1))

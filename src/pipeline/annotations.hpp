@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/callouts.hpp"
 #include "pipeline/sections.hpp"
 #include "pipeline/view_plan.hpp"
 #include "scene/description.hpp"
@@ -27,13 +28,15 @@ struct Annotations {
   std::vector<sheet::HoleTable> tables{};           ///< of holes in this view
   std::vector<scene::DetailDescription> details{};  ///< of this view, shown by other views of the scene
   std::vector<ViewArrow> arrows{};                  ///< of auxiliary views beside this one
+  std::vector<ViewCallout> callouts{};              ///< with leaders into this view
   bool balloons = false;                            ///< the view may have balloons
 };
 
 /// By view of the sheet; `seen` has the projected views in the same order. A dimension without a view belongs to the
 /// first view of the scene; overall dimensions without view and direction are on the first sheet. A section shown by
 /// some view of the sheet is marked in the first uncut view that sees its plane edge-on. Throws Error{input} for
-/// overall dimensions that no view shows, and for dimensions of exploded views, where positions differ from `world`.
+/// overall dimensions that no view shows, and for dimensions and leaders to points of the models in exploded views,
+/// where positions differ from `world`.
 std::vector<Annotations> annotate(const scene::World& world, const scene::SceneDescription& scene,
                                   const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
                                   const SectionSurfaces& sections);
@@ -44,7 +47,8 @@ bool dimensions_features(const scene::SceneDescription& scene);
 /// How dimensions of a sheet are written.
 sheet::Notation notation_of(const scene::World& world, const scene::SheetDescription& sheet);
 
-/// Throws Error{input} for dimensions and balloons in views that do not exist, and for lists on such sheets.
+/// Throws Error{input} for dimensions, leaders and balloons in views that do not exist, and for lists and notes on such
+/// sheets.
 void expect_views_of_annotations(const scene::SceneDescription& scene);
 
 }  // namespace epura::pipeline

@@ -66,9 +66,8 @@ std::optional<sheet::Text> unit_note(const SheetInput& input) {
   const bool has_dimensions = std::any_of(input.annotations.begin(), input.annotations.end(),
                                           [](const Annotations& one) { return !one.dimensions.empty(); });
   if (!has_dimensions || !furniture.title_block) return std::nullopt;
-  auto box = sheet::title_block_box(*furniture.title_block, furniture.paper);
-  if (!box) return std::nullopt;
-  if (const auto list = sheet::parts_list_box(furniture)) box = *list;
+  if (!sheet::title_block_box(*furniture.title_block, furniture.paper)) return std::nullopt;
+  const auto box = sheet::block_boxes(furniture).all;
   constexpr double height = 2.5, above = 2.5;
   const Unit unit = sheet_of(input).dimension_unit.value_or(Unit::mm);
   const std::string words(sheet::caption(scene::word_of(unit), field_of(sheet_of(input), "language")));
@@ -98,7 +97,8 @@ std::vector<std::pair<std::string, std::string>> facts_of(const scene::SheetDesc
 
 // Without frame and labels there is no text, and no font is opened.
 sheet::FurnitureLayers furniture_layers(const sheet::SheetFurniture& furniture) {
-  if (furniture.frame == FrameKind::none && furniture.labels.empty() && !furniture.parts_list) return {};
+  if (furniture.frame == FrameKind::none && furniture.labels.empty() && !furniture.parts_list && !furniture.revisions)
+    return {};
   return sheet::sheet_layers(furniture, sheet::Lettering(furniture.font));
 }
 

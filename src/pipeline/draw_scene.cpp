@@ -173,6 +173,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   std::vector<ViewResult> results;
   std::string answers_of_sheet;
   std::vector<std::vector<std::optional<SeenPoint>>> items_seen(seen.size());
+  std::vector<std::vector<sheet::CalloutTarget>> targets;
   report::Partial partial;
   const Budget budget{progress, progress, partial};
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -183,6 +184,9 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
     results.push_back(draw_view(input, std::move(seen[i]), time_of_next_view(), watch));
     warn_if_empty(messages, results.back(), input);
     note(results.back());
+    CalloutTargets found = find_targets(world(i), results.back().drawing, annotations[i].callouts);
+    for (const std::string& warning : found.warnings) messages.warn(warning);
+    targets.push_back(std::move(found.targets));
     if (annotations[i].balloons) items_seen[i] = seen_items(world(i), results.back().drawing, views.items);
     partial.add(results.back().partial);
     answers_of_sheet +=
@@ -192,8 +196,8 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   if (options.arcs) tell_of_curves(messages, results);
   if (!plan.inside) warn_about(messages, plan);
   report.cut_off = report.cut_off || !plan.on_paper;
-  FinishedSheet sheet =
-      compose({whole, scene, views, plan, annotations, balloons_of(views, items_seen)}, results, budget);
+  FinishedSheet sheet = compose(
+      {whole, scene, views, plan, annotations, std::move(targets), balloons_of(views, items_seen)}, results, budget);
   answers += sheet.answers = std::move(answers_of_sheet);
   if (options.line_facts)
     for (std::size_t i = 0; i < sheet.drawings.size(); ++i) add_line_facts(sheet.sheet, sheet.drawings[i], world(i));

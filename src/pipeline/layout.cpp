@@ -18,6 +18,7 @@
 #include "sheet/dimensions/overall.hpp"
 #include "sheet/installed_fonts.hpp"
 #include "sheet/limit_lines.hpp"
+#include "sheet/list_table.hpp"
 #include "sheet/notation.hpp"
 #include "sheet/sight_arrows.hpp"
 #include "sheet/standard_scale.hpp"
@@ -58,6 +59,12 @@ sheet::Room room_around(const Annotations& annotations, const projection::Projec
   if (!annotations.details.empty()) marks = glm::max(marks, Vec2(sheet::detail_room));
   room.before += marks;
   room.after += marks;
+  // Dimensions are rather below their view, so there is room above it.
+  double callouts = 0;
+  for (const ViewCallout& callout : annotations.callouts)
+    if (!callout.description.at.given())
+      callouts = std::max(callouts, sheet::callout_room(height_of(callout.description, usual_text_height)));
+  room.after.y += callouts;
   return room;
 }
 
@@ -87,6 +94,7 @@ struct LayoutOptions {
   ProjectionAngle angle;
   sheet::LineWidths widths{};
   std::optional<sheet::PartsList> list{};
+  std::optional<sheet::RevisionList> revisions{};
 };
 
 Views views_to_place(const scene::World& world, const SheetOfViews& sheet, std::span<const view::ProjectedScene> views,
@@ -133,7 +141,9 @@ sheet::Arrangement arranged_on(const scene::PaperChoice& size, const LayoutOptio
   sheet::DrawingRoom room{options.frame == FrameKind::none ? paper : sheet::with_frame_margins(paper)};
   room.clearance = clearance_of(options.frame);
   if (options.title_block) room.title_block = sheet::title_block_box(*options.title_block, room.paper);
-  if (options.list) room.title_block = sheet::with_parts_list(room.title_block, *options.list, room.paper);
+  if (options.list) room.title_block = sheet::with_list(room.title_block, options.list->items.size(), room.paper);
+  if (options.revisions)
+    room.title_block = sheet::with_list(room.title_block, options.revisions->rows.size(), room.paper);
   return sheet::arrange(views, options.scale, options.angle, room);
 }
 
@@ -197,33 +207,47 @@ sheet::TitleBlock title_block_of(const scene::SceneDescription& scene, int sheet
   return block;
 }
 
-sheet::PartsList parts_list_of(const std::vector<scene::Item>& items, const scene::SheetDescription& sheet) {
-  sheet::PartsList list{items, {}, sheet.decimal_sign.value_or(DecimalSign::point)};
+std::string language_of(const scene::SheetDescription& sheet) {
   for (const auto& [name, text] : sheet.title_block)
-    if (name == "language") list.language = *text;
-  return list;
+    if (name == "language") return *text;
+  return {};
 }
 
-// Throws Error{input} for a list on paper that is cut to the drawing.
-void expect_paper_for_list(const scene::SceneDescription& scene, const SheetOfViews& sheet,
-                           const scene::PaperChoice& size) {
-  if (sheet.items.empty() || size.kind != scene::PaperChoice::Kind::none) return;
-  throw Error(ErrorKind::input, scene.parts_list->where,
-              "a parts list needs a sheet, and the paper is cut to the drawing", "choose a size, such as --sheet A3");
+std::vector<scene::RevisionDescription> revisions_of(const scene::SceneDescription& scene, int sheet) {
+  std::vector<scene::RevisionDescription> revisions = scene.revisions;
+  std::erase_if(revisions, [sheet](const auto& revision) { return revision.sheet.value_or(1) != sheet + 1; });
+  return revisions;
 }
 
-// Throws Error{input} for a list that is higher than its sheet.
-void expect_room_for_list(const SheetPlan& plan, const scene::PartsListDescription& list) {
+// Throws Error{input} for lists on paper that is cut to the drawing.
+void expect_paper_for_lists(const scene::SceneDescription& scene, const LayoutOptions& options,
+                            const scene::PaperChoice& size) {
+  if (size.kind != scene::PaperChoice::Kind::none || !(options.list || options.revisions)) return;
+  throw Error(ErrorKind::input, options.list ? scene.parts_list->where : options.revisions->rows[0].revision.where,
+              std::string(options.list ? "a parts list" : "a list of revisions") +
+                  " needs a sheet, and the paper is cut to the drawing",
+              "choose a size, such as --sheet A3");
+}
+
+// Throws Error{input} for lists that are higher than their sheet.
+void expect_room_for_lists(const SheetPlan& plan, const scene::SceneDescription& scene) {
   const sheet::SheetFurniture& furniture = plan.furniture;
-  const sheet::Paper& paper = furniture.paper;
-  const auto box = sheet::parts_list_box(furniture);
-  const double highest = sheet::drawing_area(paper).max.y;
-  if (!box || box->max.y <= highest) return;
-  throw Error(ErrorKind::input, list.where,
-              "the parts list of " + std::to_string(furniture.parts_list->items.size()) + " items is " +
-                  format_rounded(box->size().y, 4) + " mm high, and the sheet has room for " +
-                  format_rounded(std::max(highest - box->min.y, 0.0), 4) + " mm",
-              "use a larger sheet, such as --sheet A1, or omit bodies by a [[style]] with drawn = false");
+  const sheet::BlockBoxes boxes = sheet::block_boxes(furniture);
+  const double highest = sheet::drawing_area(furniture.paper).max.y;
+  const auto expect = [highest](const std::optional<sheet::Rectangle>& box, const std::string& what,
+                                const std::string& where, const std::string& hint) {
+    if (!box || box->max.y <= highest) return;
+    throw Error(ErrorKind::input, where,
+                what + " is " + format_rounded(box->size().y, 4) + " mm high, and the sheet has room for " +
+                    format_rounded(std::max(highest - box->min.y, 0.0), 4) + " mm",
+                "use a larger sheet, such as --sheet A1" + hint);
+  };
+  if (furniture.parts_list)
+    expect(boxes.parts_list, "the parts list of " + std::to_string(furniture.parts_list->items.size()) + " items",
+           scene.parts_list->where, ", or omit bodies by a [[style]] with drawn = false");
+  if (furniture.revisions)
+    expect(boxes.revisions, "the list of " + std::to_string(furniture.revisions->rows.size()) + " revisions",
+           furniture.revisions->rows[0].revision.where, ", or omit old ones");
 }
 
 LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfViews& on_sheet) {
@@ -231,8 +255,11 @@ LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfView
   const std::size_t views = on_sheet.plans.size();
   const scene::SheetDescription& sheet = scene.sheets[static_cast<std::size_t>(number)];
   LayoutOptions options{};
-  options.frame = frame_of(sheet, views, !on_sheet.items.empty());
-  if (!on_sheet.items.empty()) options.list = parts_list_of(on_sheet.items, sheet);
+  if (!on_sheet.items.empty())
+    options.list = {on_sheet.items, language_of(sheet), sheet.decimal_sign.value_or(DecimalSign::point)};
+  if (auto revisions = revisions_of(scene, number); !revisions.empty())
+    options.revisions = {std::move(revisions), language_of(sheet)};
+  options.frame = frame_of(sheet, views, options.list || options.revisions);
   options.portrait = sheet.orientation.value_or(Orientation::landscape) == Orientation::portrait;
   options.angle = sheet.angle.value_or(ProjectionAngle::first);
   options.scale =
@@ -262,7 +289,7 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
   LayoutOptions options = options_of(scene, sheet);
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.sheet)];
   scene::PaperChoice size = usual_size(description, views.size());
-  expect_paper_for_list(scene, sheet, size);
+  expect_paper_for_lists(scene, options, size);
   options.widths = sheet::line_widths(sheet::make_paper(size, false));
   const Views placing = views_to_place(world, sheet, views, annotations, options);
   const sheet::Arrangement arrangement = arranged(description, options, placing.to_place, size);
@@ -280,7 +307,8 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
                  arrangement.on_paper,
                  arrangement.fitting};
   plan.furniture.parts_list = std::move(options.list);
-  if (scene.parts_list) expect_room_for_list(plan, *scene.parts_list);
+  plan.furniture.revisions = std::move(options.revisions);
+  expect_room_for_lists(plan, scene);
   if (description.font.given()) plan.furniture.font = sheet::find_font(*description.font, description.font.where);
   for (std::size_t i = 0; i < views.size(); ++i) {
     const sheet::ViewSpot& spot = arrangement.views[i];

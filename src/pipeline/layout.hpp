@@ -46,6 +46,7 @@ struct SheetInput {
   const SheetOfViews& views;
   const SheetPlan& plan;
   const std::vector<Annotations>& annotations;                ///< by view
+  std::vector<std::vector<sheet::CalloutTarget>> targets{};   ///< of callouts, by view
   std::vector<std::vector<sheet::BalloonTarget>> balloons{};  ///< by view
 };
 

@@ -15,6 +15,8 @@
 #include "base/vec.hpp"
 #include "mesh/soup.hpp"
 #include "scene/choices.hpp"
+#include "scene/geometric_tolerances.hpp"
+#include "scene/surface_texture.hpp"
 
 namespace epura::scene {
 
@@ -154,6 +156,59 @@ struct DimensionDescription {
   Located<bool> limits{};           ///< whether limits of size are written; false by default
 };
 
+/// How a leader ends: at the thing that it means. ISO 128-2.
+enum class LeaderEnd { automatic, arrow, dot, none };
+
+template <>
+struct Words<LeaderEnd> {
+  static constexpr std::array list{"auto", "arrow", "dot", "none"};
+};
+
+/// Where a leader ends: on the models, or on the sheet, mm from its lower left corner.
+using LeaderTarget = std::variant<Anchor, Vec2>;
+
+/// Lines of text.
+struct NoteText {
+  std::vector<std::string> lines;
+};
+
+/// What stands beside a view, with a leader into it, or alone on the sheet.
+struct CalloutDescription {
+  std::string where;           ///< for errors
+  LocatedText view{};          ///< name of the view with the leader; by default the first one
+  Located<LeaderTarget> to{};  ///< no leader if not given
+  Located<LeaderEnd> end{};    ///< by default an arrow on a line, otherwise a dot
+  Located<Vec2> at{};          ///< upper left corner, mm from the lower left corner of the sheet; by default chosen
+  Located<int> sheet{};        ///< without a leader: number of its sheet, from 1; by default the first
+  std::variant<NoteText, ToleranceFrame, DatumFeature, SurfaceTexture> content{};
+};
+
+/// A corner of the drawing area.
+enum class SheetCorner { top_left, top_right, bottom_left, bottom_right };
+
+template <>
+struct Words<SheetCorner> {
+  static constexpr std::array list{"top-left", "top-right", "bottom-left", "bottom-right"};
+};
+
+/// A table of texts on a sheet.
+struct TableDescription {
+  std::string where{};  ///< for errors
+  LocatedText title{};  ///< above the others
+  std::vector<std::string> header{};
+  std::vector<std::vector<std::string>> rows{};  ///< each has as many cells as the header, or as the first row
+  Located<SheetCorner> corner{};                 ///< the free room nearest to it; by default the top right corner
+  Located<Vec2> at{};                            ///< its upper left corner instead, mm
+  Located<int> sheet{};                          ///< number of its sheet, from 1; by default the first
+};
+
+/// A row of the table of revisions of a sheet.
+struct RevisionDescription {
+  LocatedText revision{};  ///< "B"
+  LocatedText date{}, text{}, author{};
+  Located<int> sheet{};  ///< number of its sheet, from 1; by default the first
+};
+
 /// Fields of a title block by name ("title", "owner", "number", "date" ...). ISO 7200.
 using TitleBlockFields = std::vector<std::pair<std::string, LocatedText>>;
 
@@ -187,6 +242,9 @@ struct SceneDescription {
   std::vector<DetailDescription> details;
   std::vector<ExplodeDescription> explosions;
   std::vector<DimensionDescription> dimensions;
+  std::vector<CalloutDescription> callouts{};  ///< in the order of the scene
+  std::vector<TableDescription> tables{};
+  std::vector<RevisionDescription> revisions{};
   std::vector<SheetDescription> sheets;  ///< one default sheet if a scene file has none
   std::optional<PartsListDescription> parts_list{};
 };

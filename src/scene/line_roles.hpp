@@ -63,6 +63,9 @@ enum class SheetLine {
   trace,
   arrows,
   balloon,
+  note,
+  symbol,
+  table,
   parts_list,
   partial
 };
@@ -101,6 +104,9 @@ inline constexpr std::array sheet_lines = {
     SheetLineRow{SheetLine::trace, "trace", "trace", LineWidth::narrow, long_dash_dot},
     SheetLineRow{SheetLine::arrows, "arrows", "arrows", LineWidth::narrow},
     SheetLineRow{SheetLine::balloon, "balloon", "balloons", LineWidth::narrow},
+    SheetLineRow{SheetLine::note, "note", "notes", LineWidth::narrow},
+    SheetLineRow{SheetLine::symbol, "symbol", "symbols", LineWidth::narrow},
+    SheetLineRow{SheetLine::table, "table", "tables", LineWidth::grid},
     SheetLineRow{SheetLine::parts_list, "parts-list", "parts-list", LineWidth::grid},
     SheetLineRow{SheetLine::partial, "partial", "partial", LineWidth::wide},
 };

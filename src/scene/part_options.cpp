@@ -2,6 +2,8 @@
 #include "scene/part_options.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include "base/text.hpp"
 #include "scene/line_roles.hpp"
@@ -300,6 +302,142 @@ Options<DimensionWords> dimension_options() {
                      .help = "auto: a note for equal holes and dimensions of their positions, or labels and a table",
                      .usual = "notes"},
                     in_description(&Dimension::holes), choice<HoleDimensions>()),
+  };
+}
+
+namespace {
+
+// A member of a note or symbol whose kind is known.
+template <class Content, class Member>
+auto in_content(Member Content::*member) {
+  return [member](auto& words) -> auto& { return std::get<Content>(words.description.content).*member; };
+}
+
+// An option that is parsed from a text.
+Option<CalloutWords> parsed_option(OptionInfo info, std::function<void(CalloutWords&, const TomlValue&)> read) {
+  info.form = any_text().form;
+  return {std::move(info), std::move(read)};
+}
+
+Option<CalloutWords> target_option(const std::string& of, bool required) {
+  return option<CalloutWords>({.key = "to",
+                               .help = of + ": a vertex or point of the models, or a position from the lower left "
+                                            "corner of the sheet, in mm",
+                               .usual = required ? "" : "no leader",
+                               .required = required},
+                              &CalloutWords::to, leader_target());
+}
+
+Option<CalloutWords> end_option() {
+  return option<CalloutWords>({.key = "end",
+                               .help = "how its leader ends; auto: with an arrow on a line, otherwise with a dot",
+                               .usual = "auto"},
+                              in_description(&CalloutDescription::end), choice<LeaderEnd>());
+}
+
+Option<CalloutWords> sheet_option() {
+  return option<CalloutWords>(
+      {.key = "sheet", .help = "number of its sheet, from 1, if it has no leader", .usual = "1"},
+      in_description(&CalloutDescription::sheet), whole_number(1));
+}
+
+// What all notes and symbols have in common, after their own options.
+Options<CalloutWords> with_position(Options<CalloutWords> options) {
+  options.push_back(option<CalloutWords>(
+      {.key = "view", .help = "name of the view into which its leader points", .usual = "first view"},
+      in_description(&CalloutDescription::view), any_text()));
+  options.push_back(option<CalloutWords>({.key = "at",
+                                          .help = "upper left corner, from the lower left corner of the sheet",
+                                          .usual = "a free place nearby"},
+                                         in_description(&CalloutDescription::at), pair_of_numbers("mm")));
+  return options;
+}
+
+}  // namespace
+
+Options<CalloutWords> note_options() {
+  return with_position({option<CalloutWords>({.key = "text", .help = "one or several lines", .required = true},
+                                             in_content(&NoteText::lines), text_lines()),
+                        target_option("end of its leader", false), end_option(), sheet_option()});
+}
+
+Options<CalloutWords> tolerance_frame_options() {
+  const auto read_zone = [](CalloutWords& words, const TomlValue& value) {
+    in_content (&ToleranceFrame::zone)(words) = parse_zone(read_text(value), value.where);
+  };
+  const auto read_datums = [](CalloutWords& words, const TomlValue& value) {
+    std::vector<std::string>& letters = in_content(&ToleranceFrame::letters)(words);
+    for (const LocatedText& datum : each_word(value))
+      in_content (&ToleranceFrame::datums)(words).push_back(parse_datum(*datum, datum.where, letters));
+  };
+  return with_position(
+      {option<CalloutWords>({.key = "characteristic", .help = "what is tolerated", .required = true},
+                            in_content(&ToleranceFrame::characteristic), choice<Characteristic>()),
+       parsed_option({.key = "zone",
+                      .help = "width of the tolerance zone, `0.1`, or its diameter, `Ø0.1`, in the unit of "
+                              "dimensions; then modifiers, `Ø0.1 M`",
+                      .required = true},
+                     read_zone),
+       parsed_option({.key = "datums",
+                      .help = "letters of the datums in their order, as texts with commas or a list, `A, B M`; `A-B` "
+                              "is a common datum"},
+                     read_datums),
+       option<CalloutWords>({.key = "text", .help = "text above the frame, such as `4×`"},
+                            in_content(&ToleranceFrame::above), any_text()),
+       target_option("end of its leader", true), end_option()});
+}
+
+Options<CalloutWords> datum_options() {
+  const auto read_letter = [](CalloutWords& words, const TomlValue& value) {
+    const std::string letter = read_text(value);
+    expect_datum_letter(letter, value.where);
+    in_content (&DatumFeature::letter)(words) = letter;
+  };
+  return with_position(
+      {parsed_option({.key = "letter", .help = "its letter, to which tolerances refer", .required = true}, read_letter),
+       target_option("where its triangle stands, on a line of the view", true)});
+}
+
+Options<CalloutWords> texture_options() {
+  return with_position(
+      {option<CalloutWords>({.key = "text", .help = "requirements, such as `Ra 3.2`; one or several lines"},
+                            in_content(&SurfaceTexture::lines), text_lines()),
+       option<CalloutWords>({.key = "removal", .help = "whether material is removed", .usual = "any"},
+                            in_content(&SurfaceTexture::removal), choice<MaterialRemoval>()),
+       option<CalloutWords>({.key = "process", .help = "how the surface is made, such as `ground`"},
+                            in_content(&SurfaceTexture::process), any_text()),
+       target_option("the surface; without it, the symbol is for the whole part and beside the title block", false),
+       end_option(), sheet_option()});
+}
+
+Options<TableDescription> table_options() {
+  using Table = TableDescription;
+  return {
+      option<Table>({.key = "title", .help = "text above the table"}, &Table::title, any_text()),
+      option<Table>({.key = "header", .help = "captions of the columns"}, &Table::header, list_of_texts()),
+      option<Table>({.key = "rows", .help = "rows of texts, one for each column; they may be empty", .required = true},
+                    &Table::rows, rows_of_texts()),
+      option<Table>({.key = "corner",
+                     .help = "it stands in the free room nearest to this corner of the sheet",
+                     .usual = "top-right"},
+                    &Table::corner, choice<SheetCorner>()),
+      option<Table>({.key = "at", .help = "upper left corner, from the lower left corner of the sheet"}, &Table::at,
+                    pair_of_numbers("mm")),
+      option<Table>({.key = "sheet", .help = "number of its sheet, from 1", .usual = "1"}, &Table::sheet,
+                    whole_number(1)),
+  };
+}
+
+Options<RevisionDescription> revision_options() {
+  using Revision = RevisionDescription;
+  return {
+      option<Revision>({.key = "revision", .help = "revision index, such as `B`", .required = true},
+                       &Revision::revision, any_text()),
+      option<Revision>({.key = "text", .help = "what was changed", .required = true}, &Revision::text, any_text()),
+      option<Revision>({.key = "date", .help = "date of the change, written as given"}, &Revision::date, field_text()),
+      option<Revision>({.key = "author", .help = "who made it"}, &Revision::author, any_text()),
+      option<Revision>({.key = "sheet", .help = "number of the sheet with the table, from 1", .usual = "1"},
+                       &Revision::sheet, whole_number(1)),
   };
 }
 

@@ -16,6 +16,12 @@ struct DimensionWords {
   std::vector<std::pair<std::string, AnchorWords>> anchors;
 };
 
+/// A note or symbol beside a view, with the model of its target not yet resolved.
+struct CalloutWords {
+  CalloutDescription description;
+  Located<LeaderWords> to;
+};
+
 /// Returns a function that finds a member of the description in parsed words.
 template <class Member>
 auto in_description(Member member) {
@@ -29,6 +35,12 @@ Options<DetailDescription> detail_options();
 Options<ExplodeDescription> explode_options();
 Options<ViewDescription> view_options();
 Options<DimensionWords> dimension_options();
+Options<CalloutWords> note_options();
+Options<CalloutWords> tolerance_frame_options();
+Options<CalloutWords> datum_options();
+Options<CalloutWords> texture_options();
+Options<TableDescription> table_options();
+Options<RevisionDescription> revision_options();
 Options<PartsListDescription> parts_list_options();
 Options<SheetDescription> sheet_options();
 Options<TitleBlockFields> title_block_options();

@@ -131,6 +131,51 @@ DimensionDescription dimension_of(const DimensionWords& words, const Subjects& s
   return dimension;
 }
 
+// ISO 1101, table 2.
+void expect_datums(const CalloutDescription& callout) {
+  const auto* frame = std::get_if<ToleranceFrame>(&callout.content);
+  if (frame == nullptr) return;
+  const CharacteristicRow& row = row_of(frame->characteristic);
+  if (row.datums == DatumRule::required && frame->datums.empty())
+    refuse(callout.where, "a tolerance of " + std::string(row.name) + " needs a datum", "write one: datums = [\"A\"]");
+  if (row.datums == DatumRule::none && !frame->datums.empty())
+    refuse(callout.where, "a tolerance of " + std::string(row.name) + " has no datums", "omit 'datums'");
+  if (frame->datums.size() > 3)
+    refuse(callout.where,
+           "a tolerance frame has " + std::to_string(frame->datums.size()) + " datums, at most 3 are allowed",
+           "several letters in one place are a common datum, such as \"A-B\"");
+}
+
+// Views and sheets are known once the command line is.
+CalloutDescription callout_of(const CalloutWords& words, const Subjects& subjects) {
+  CalloutDescription callout = words.description;
+  expect_datums(callout);
+  if (!words.to.given()) {
+    for (const auto& [key, where] : {std::pair("view", callout.view.where), {"end", callout.end.where}})
+      if (!where.empty())
+        refuse(where, "what has no leader has no '" + std::string(key) + "'", "say where its leader ends, by 'to'");
+    return callout;
+  }
+  if (callout.sheet.given())
+    refuse(callout.sheet.where, "what has a leader is on the sheet of its view", "omit 'sheet', or 'to'");
+  const auto* anchor = std::get_if<AnchorWords>(&*words.to);
+  const Vec2* page = std::get_if<Vec2>(&*words.to);
+  callout.to = {anchor != nullptr ? LeaderTarget(anchor_of(*anchor, subjects)) : LeaderTarget(*page), words.to.where};
+  return callout;
+}
+
+void expect_cells(const TableDescription& table) {
+  const std::size_t columns = table.header.empty() ? table.rows.front().size() : table.header.size();
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    if (table.rows[i].size() != columns)
+      refuse(table.where,
+             "row " + std::to_string(i + 1) + " of the table has " + std::to_string(table.rows[i].size()) +
+                 " cells instead of " + std::to_string(columns),
+             "write \"\" for empty cells");
+  if (table.at.given() && table.corner.given())
+    refuse(table.corner.where, "the table has a position and a corner", "omit 'corner', or 'at'");
+}
+
 // Resolves paths relative to the folder of the scene file.
 void find_files(SceneDescription& scene, const fs::path& folder) {
   for (ModelDescription& model : scene.models) model.file.value = (folder / *model.file).string();
@@ -153,6 +198,8 @@ SceneDescription read_scene_file(const fs::path& path) {
   const Subjects subjects{scene.models, numbers_of(scene.models), names_of(scene.views, "view")};
   for (const DimensionWords& dimension : words.dimensions)
     scene.dimensions.push_back(dimension_of(dimension, subjects));
+  for (const TableDescription& table : scene.tables) expect_cells(table);
+  for (const CalloutWords& callout : words.callouts) scene.callouts.push_back(callout_of(callout, subjects));
   if (scene.parts_list && !subjects.views.empty()) refuse_unknown(scene.parts_list->view, subjects.views, "view");
   find_files(scene, path.parent_path());
   return scene;

@@ -87,6 +87,7 @@ void prepare(const SceneWords&, const TomlValue&, auto&) {}
 void prepare(const SceneWords&, const TomlValue& table, DimensionWords& words) {
   words.description.where = table.where;
 }
+void prepare(const SceneWords&, const TomlValue& where, TableDescription& table) { table.where = where.where; }
 void prepare(const SceneWords&, const TomlValue& table, ViewDescription& view) { view.projection.where = table.where; }
 void prepare(const SceneWords&, const TomlValue& table, ExplodeDescription& explode) { explode.where = table.where; }
 void prepare(const SceneWords& words, const TomlValue& table, SheetDescription& sheet) {
@@ -103,6 +104,20 @@ Option<SceneWords> parts_key(const std::string& name, const Options<Part>& keys,
       prepare(words, *table, part);
       read_entries(part, *table, keys, "[[" + name + "]]");
       parts(words).push_back(std::move(part));
+    }
+  };
+  return table_option<SceneWords>(name, "", read);
+}
+
+template <class Content>
+Option<SceneWords> callouts_key(const std::string& name, const Options<CalloutWords>& keys) {
+  const auto read = [name, keys](SceneWords& words, const TomlValue& value) {
+    for (const TomlValue* table : tables_of(value)) {
+      CalloutWords callout;
+      callout.description.where = table->where;
+      callout.description.content = Content();
+      read_entries(callout, *table, keys, "[[" + name + "]]");
+      words.callouts.push_back(std::move(callout));
     }
   };
   return table_option<SceneWords>(name, "", read);
@@ -144,6 +159,12 @@ Options<SceneWords> scene_keys() {
       parts_key("explode", explode_options(), in_description(&SceneDescription::explosions)),
       parts_key("view", view_options(), in_description(&SceneDescription::views)),
       parts_key("dimension", dimension_options(), std::mem_fn(&SceneWords::dimensions)),
+      callouts_key<NoteText>("note", note_options()),
+      callouts_key<ToleranceFrame>("tolerance_frame", tolerance_frame_options()),
+      callouts_key<DatumFeature>("datum", datum_options()),
+      callouts_key<SurfaceTexture>("surface_texture", texture_options()),
+      parts_key("table", table_options(), in_description(&SceneDescription::tables)),
+      parts_key("revision", revision_options(), in_description(&SceneDescription::revisions)),
       table_option<SceneWords>("parts_list", "", read_parts_list),
       table_option<SceneWords>("all_sheets", "", read_every_sheet),
       table_option<SceneWords>("title_block", "", read_title_block),
@@ -187,6 +208,12 @@ std::string describe_scene_keys() {
   append_rows(table, "`[[detail]]`", detail_options());
   append_rows(table, "`[[explode]]`", explode_options());
   append_rows(table, "`[[dimension]]`", dimension_options());
+  append_rows(table, "`[[note]]`", note_options());
+  append_rows(table, "`[[tolerance_frame]]`", tolerance_frame_options());
+  append_rows(table, "`[[datum]]`", datum_options());
+  append_rows(table, "`[[surface_texture]]`", texture_options());
+  append_rows(table, "`[[table]]`", table_options());
+  append_rows(table, "`[[revision]]`", revision_options());
   append_rows(table, "`[parts_list]`", parts_list_options());
   append_rows(table, "`[all_sheets]`, `[[sheet]]`", sheet_options());
   append_rows(table, "`[[sheet]]`", own_sheet_keys());

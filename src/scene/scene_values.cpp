@@ -190,6 +190,48 @@ AnchorWords read_anchor(const TomlValue& value) {
   return {value.where, {}, -1, read_vector<Vec3>(table->values[0])};
 }
 
+// Elements of a list with its key, for messages: they have none of their own.
+std::vector<TomlValue> named_elements(const TomlValue& value) {
+  std::vector<TomlValue> elements = content_of<TomlList>(value).values;
+  for (TomlValue& element : elements) element.key = value.key;
+  return elements;
+}
+
+// Numbers may be written without quotes.
+std::vector<std::string> read_texts(const TomlValue& value) {
+  std::vector<std::string> texts;
+  for (const TomlValue& element : named_elements(value))
+    texts.push_back(std::holds_alternative<double>(element.content) ? format_number(read_number(element))
+                                                                    : read_field(element));
+  if (texts.empty()) refuse(value, "is empty", "give one text or more");
+  return texts;
+}
+
+LeaderWords read_leader_target(const TomlValue& value) {
+  const auto* table = std::get_if<TomlTable>(&value.content);
+  if (table == nullptr || table->values.size() != 1 || table->values[0].key != "page") return read_anchor(value);
+  return read_vector<Vec2>(table->values[0]);
+}
+
+// Lines may be indented; only those between others may be empty.
+std::vector<std::string> read_lines(const TomlValue& value) {
+  std::vector<std::string> lines;
+  const auto add = [&](const TomlValue& text) {
+    for (const std::string_view line : split(content_of<std::string>(text), '\n')) {
+      if (std::any_of(line.begin(), line.end(), is_control))
+        refuse(value, "has a tab or another control character", "use spaces, and line breaks between lines");
+      lines.emplace_back(line.substr(0, line.find_last_not_of(' ') + 1));
+    }
+  };
+  if (const auto* list = std::get_if<TomlList>(&value.content))
+    for (const TomlValue& element : list->values) add(element);
+  else
+    add(value);
+  while (!lines.empty() && lines.back().empty()) lines.pop_back();
+  if (lines.empty() || lines.front().empty()) refuse(value, "is empty", "omit it, or give a value");
+  return lines;
+}
+
 std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + ", " + unit;
 }
@@ -269,12 +311,7 @@ ValueKind<Vec3> triple_of_numbers(const std::string& unit) {
 ValueKind<std::vector<Vec3>> list_of_triples() {
   return {{"[[x, y, z], ...]", "POINTS"}, [](const TomlValue& value) {
             std::vector<Vec3> triples;
-            for (const TomlValue& triple : content_of<TomlList>(value).values) {
-              // Elements have no key of their own.
-              TomlValue named = triple;
-              named.key = value.key;
-              triples.push_back(read_vector<Vec3>(named));
-            }
+            for (const TomlValue& triple : named_elements(value)) triples.push_back(read_vector<Vec3>(triple));
             return triples;
           }};
 }
@@ -318,6 +355,21 @@ ValueKind<EdgeKinds> edge_kinds() {
 ValueKind<BreakChoice> break_choice() { return {{"`auto`, or list of texts", "PLACES", {"auto"}}, read_break}; }
 
 ValueKind<AnchorWords> anchor() { return {{"anchor", "ANCHOR"}, read_anchor}; }
+
+ValueKind<LeaderWords> leader_target() { return {{"anchor, or `{page = [x, y]}`", "TARGET"}, read_leader_target}; }
+
+ValueKind<std::vector<std::string>> text_lines() { return {{"text, or list of texts", "LINES"}, read_lines}; }
+
+ValueKind<std::vector<std::string>> list_of_texts() { return {{"list of texts", "TEXTS"}, read_texts}; }
+
+ValueKind<std::vector<std::vector<std::string>>> rows_of_texts() {
+  return {{"list of lists of texts", "ROWS"}, [](const TomlValue& value) {
+            std::vector<std::vector<std::string>> rows;
+            for (const TomlValue& row : named_elements(value)) rows.push_back(read_texts(row));
+            if (rows.empty()) refuse(value, "has no rows");
+            return rows;
+          }};
+}
 
 std::vector<LocatedText> each_word(const TomlValue& value) {
   std::vector<LocatedText> texts;

@@ -65,6 +65,9 @@ struct AnchorWords {
   std::optional<Vec3> point;  ///< instead of a vertex
 };
 
+/// Where a leader ends, with an unresolved model.
+using LeaderWords = std::variant<AnchorWords, Vec2>;
+
 // Texts are single lines without control characters, and not empty unless stated.
 ValueKind<std::string> any_text();
 ValueKind<std::string> field_text();                ///< may be empty, or a date: 2026-11-21
@@ -83,8 +86,13 @@ ValueKind<ColourChoice> colour();   ///< "#c00", "#cc0000" or "file"
 ValueKind<ScaleChoice> scale_choice();
 ValueKind<PaperChoice> paper_choice();
 ValueKind<EdgeKinds> edge_kinds();
-ValueKind<BreakChoice> break_choice();  ///< "auto", or a list of places
-ValueKind<AnchorWords> anchor();        ///< [model, vertex] or {point = [x, y, z]}
+ValueKind<BreakChoice> break_choice();             ///< "auto", or a list of places
+ValueKind<AnchorWords> anchor();                   ///< [model, vertex] or {point = [x, y, z]}
+ValueKind<LeaderWords> leader_target();            ///< an anchor, or {page = [x, y]}
+ValueKind<std::vector<std::string>> text_lines();  ///< a list of texts, or a text with line breaks
+
+ValueKind<std::vector<std::string>> list_of_texts();               ///< single lines, which may be empty
+ValueKind<std::vector<std::vector<std::string>>> rows_of_texts();  ///< one row or more, of such lists
 
 /// Returns the index of one of the words.
 std::size_t read_word(const TomlValue& value, const std::vector<std::string>& words);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -19,8 +18,6 @@ constexpr double first_ring = 7, next_ring = 6;  // mm between the view and the 
 constexpr int rings = 9;
 constexpr double step = 2;     // mm between possible places on a ring
 constexpr double apart = 2.5;  // mm between circles, and between them and other things
-constexpr double dot_radius = 0.625;
-constexpr int circle_parts = 48;
 
 /// A possible place of a balloon.
 struct Place {
@@ -164,27 +161,12 @@ class Placer {
   std::vector<Placed> placed_;
 };
 
-Stroke circle(const Vec2& centre, double radius) {
-  Stroke stroke;
-  for (int i = 0; i <= circle_parts; ++i)
-    stroke.points.push_back(centre + radius * turned_to(2 * std::numbers::pi * i / circle_parts));
-  stroke.curves = {{0, circle_parts, centre, {radius, 0}, {0, radius}, 0, 2 * std::numbers::pi}};
-  return stroke;
-}
-
-Fill dot(const Vec2& centre) {
-  Fill fill{{{}}};
-  for (int i = 0; i < circle_parts; ++i)
-    fill.rings.front().push_back(centre + dot_radius * turned_to(2 * std::numbers::pi * i / circle_parts));
-  return fill;
-}
-
 void draw(Layer& layer, const BalloonTarget& target, const Vec2& centre, const DimensionStyle& style) {
   const double radius = balloon_radius(style.text), height = balloon_text(style.text);
   const Vec2 along = glm::normalize(target.point - centre);
-  layer.strokes.push_back(circle(centre, radius));
+  layer.strokes.push_back(circle_at(centre, radius));
   layer.strokes.emplace_back().points = {centre + radius * along, target.point};
-  layer.fills.push_back(target.on_line ? arrow_at(target.point, along, style) : dot(target.point));
+  layer.fills.push_back(target.on_line ? arrow_at(target.point, along, style) : dot_at(target.point));
   layer.texts.push_back({target.number, centre - Vec2(0, height / 2), height, 0, Align::middle, "balloon"});
 }
 

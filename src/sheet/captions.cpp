@@ -19,7 +19,7 @@ struct Row {
   std::array<std::string_view, languages.size()> words;
 };
 
-constexpr std::array<Row, 26> rows{{
+constexpr std::array<Row, 30> rows{{
     {"owner",
      {"Legal owner", "Gesetzlicher Eigentümer", "Propriétaire légal", "Propietario legal", "Proprietário legal",
       "法的所有者"}},
@@ -58,6 +58,10 @@ constexpr std::array<Row, 26> rows{{
     {"item", {"Item", "Pos.", "Rep.", "Marca", "Item", "照合番号"}},
     {"quantity", {"Qty", "Menge", "Qté", "Cant.", "Qtd.", "個数"}},
     {"name", {"Name", "Benennung", "Désignation", "Denominación", "Denominação", "品名"}},
+    {"change", {"Change", "Änderung", "Modification", "Modificación", "Alteração", "変更内容"}},
+    {"change_date", {"Date", "Datum", "Date", "Fecha", "Data", "日付"}},
+    {"changed_by", {"By", "Name", "Par", "Por", "Por", "担当"}},
+    {"notes", {"Notes", "Hinweise", "Notes", "Notas", "Notas", "注記"}},
     {"mm", {"Dimensions in mm", "Maße in mm", "Cotes en mm", "Cotas en mm", "Cotas em mm", "寸法単位 mm"}},
     {"in",
      {"Dimensions in inches", "Maße in Zoll", "Cotes en pouces", "Cotas en pulgadas", "Cotas em polegadas",

@@ -45,4 +45,19 @@ std::vector<Rectangle> free_rectangles(const Rectangle& room, std::span<const Re
   return free;
 }
 
+std::optional<Vec2> nearest_free_position(const Rectangle& room, std::span<const Rectangle> taken, const Vec2& size,
+                                          const Vec2& towards) {
+  constexpr double apart = 3;
+  std::vector<Rectangle> grown;
+  for (const Rectangle& one : taken) grown.push_back(one.grown(apart));
+  std::optional<Vec2> best;
+  for (const Rectangle& free : free_rectangles(room.grown(-apart), grown)) {
+    if (free.size().x < size.x || free.size().y < size.y) continue;
+    const Vec2 corner = glm::clamp(towards - size / 2.0, free.min, free.max - size);
+    const auto distance = [&](const Vec2& p) { return glm::length(p + size / 2.0 - towards); };
+    if (!best || distance(corner) < distance(*best)) best = corner;
+  }
+  return best;
+}
+
 }  // namespace epura::sheet

@@ -4,24 +4,27 @@
 #include <utility>
 
 #include "sheet/line_styles.hpp"
+#include "sheet/list_table.hpp"
 
 namespace epura::sheet {
 
-std::optional<Rectangle> parts_list_box(const SheetFurniture& furniture) {
-  if (!furniture.parts_list) return std::nullopt;
-  std::optional<Rectangle> block;
-  if (furniture.title_block) block = title_block_box(*furniture.title_block, furniture.paper);
-  return parts_list_box(block, *furniture.parts_list, furniture.paper);
+BlockBoxes block_boxes(const SheetFurniture& furniture) {
+  BlockBoxes boxes;
+  if (furniture.title_block) boxes.all = boxes.title_block = title_block_box(*furniture.title_block, furniture.paper);
+  const auto add = [&](std::optional<Rectangle>& box, std::size_t rows) {
+    box = list_box(boxes.all, rows, furniture.paper);
+    boxes.all = with_list(boxes.all, rows, furniture.paper);
+  };
+  if (furniture.parts_list) add(boxes.parts_list, furniture.parts_list->items.size());
+  if (furniture.revisions) add(boxes.revisions, furniture.revisions->rows.size());
+  return boxes;
 }
 
 FurnitureLayers sheet_layers(const SheetFurniture& furniture, const Lettering& lettering) {
   DrawnTitleBlock block;
-  std::optional<Rectangle> box;
-  if (furniture.title_block) {
-    block = draw_title_block(*furniture.title_block, furniture.paper, lettering);
-    box = title_block_box(*furniture.title_block, furniture.paper);
-  }
-  Furniture border = frame(furniture.paper, furniture.frame, box);
+  const BlockBoxes boxes = block_boxes(furniture);
+  if (furniture.title_block) block = draw_title_block(*furniture.title_block, furniture.paper, lettering);
+  Furniture border = frame(furniture.paper, furniture.frame, boxes.title_block);
   append(border.wide, std::move(block.ink.wide));
   append(border.texts, std::move(block.ink.texts));
   append(border.texts, furniture.labels);
@@ -37,11 +40,12 @@ FurnitureLayers sheet_layers(const SheetFurniture& furniture, const Lettering& l
   add(scene::SheetLine::grid, std::move(border.medium));
   add(scene::SheetLine::title_block, std::move(block.ink.medium));
   add(scene::SheetLine::symbol_axes, std::move(block.ink.narrow));
-  if (const auto list = parts_list_box(furniture)) {
-    Layer& layer = add(scene::SheetLine::parts_list, {});
-    std::vector<std::string> more = draw_parts_list(layer, *furniture.parts_list, *list, lettering);
-    append(result.warnings, std::move(more));
-  }
+  if (boxes.parts_list)
+    append(result.warnings,
+           draw_parts_list(add(scene::SheetLine::parts_list, {}), *furniture.parts_list, *boxes.parts_list, lettering));
+  if (boxes.revisions)
+    append(result.warnings,
+           draw_revisions(add(scene::SheetLine::table, {}), *furniture.revisions, *boxes.revisions, lettering));
   add(scene::SheetLine::text, {}).texts = std::move(border.texts);
   std::erase_if(result.layers,
                 [](const Layer& layer) { return layer.strokes.empty() && layer.fills.empty() && layer.texts.empty(); });

@@ -8,6 +8,7 @@
 
 #include "sheet/frame.hpp"
 #include "sheet/parts_list.hpp"
+#include "sheet/revision_list.hpp"
 #include "sheet/title_block.hpp"
 
 namespace epura::sheet {
@@ -19,10 +20,14 @@ struct SheetFurniture {
   std::vector<Text> labels{};  ///< of views
   Font font{};
   std::optional<PartsList> parts_list{};
+  std::optional<RevisionList> revisions{};
 };
 
-/// The rectangle of the parts list above the title block, if there is one.
-std::optional<Rectangle> parts_list_box(const SheetFurniture& furniture);
+/// The rectangles of the title block and of the lists on it, as far as they exist, and of all of them together.
+struct BlockBoxes {
+  std::optional<Rectangle> title_block{}, parts_list{}, revisions{}, all{};
+};
+BlockBoxes block_boxes(const SheetFurniture& furniture);
 
 struct FurnitureLayers {
   std::vector<Layer> layers;
@@ -35,6 +40,7 @@ struct FurnitureLayers {
 ///   sheet/title-block   lines of the title block, outlines of the projection symbol: 0.35 mm
 ///   sheet/centre-lines  of the projection symbol: 0.18 mm
 ///   sheet/parts-list    the parts list: 0.35 mm, with its lettering
+///   sheet/tables        the list of revisions: 0.35 mm, with its lettering
 ///   sheet/text          all other lettering
 FurnitureLayers sheet_layers(const SheetFurniture& furniture, const Lettering& lettering);
 

@@ -76,13 +76,6 @@ Vec3 place_of_vertex(const scene::World& world, const std::array<int, 2>& vertex
   return world.points[std::size_t(world.first_vertex[std::size_t(model)] + number)];
 }
 
-Vec3 place_of(const scene::World& world, const scene::Anchor& anchor, const std::string& where) {
-  const auto* vertex = std::get_if<std::array<int, 2>>(&anchor);
-  const Vec3 place = vertex ? place_of_vertex(world, *vertex, where) : std::get<Vec3>(anchor);
-  if (!finite(place)) refuse(where, "the coordinates of an anchor are not finite");
-  return place;
-}
-
 void expect_apart(const scene::World& world, const Vec3& a, const Vec3& b, const std::string& where) {
   if (glm::length(a - b) <= same_place * glm::length(world.box.size()))
     refuse(where, "two of its anchors are at the same place", "choose other vertices");
@@ -148,7 +141,7 @@ AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene:
     refuse(where, "the number of its anchors is " + std::to_string(description.anchors.size()),
            "the dimension '" + std::string(scene::word_of(type)) + "' needs " + rule.wants);
   expect_offset(dimension);
-  for (const scene::Anchor& anchor : description.anchors) dimension.points.push_back(place_of(world, anchor, where));
+  for (const scene::Anchor& anchor : description.anchors) dimension.points.push_back(position_of(world, anchor, where));
   for (std::size_t i = 1; i < dimension.points.size(); ++i)
     expect_apart(world, dimension.points[0], dimension.points[i], where);
   if (type == DimensionType::radius || type == DimensionType::diameter)
@@ -158,6 +151,13 @@ AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene:
 }
 
 }  // namespace
+
+Vec3 position_of(const scene::World& world, const scene::Anchor& anchor, const std::string& where) {
+  const auto* vertex = std::get_if<std::array<int, 2>>(&anchor);
+  const Vec3 place = vertex ? place_of_vertex(world, *vertex, where) : std::get<Vec3>(anchor);
+  if (!finite(place)) refuse(where, "the coordinates of an anchor are not finite");
+  return place;
+}
 
 std::vector<AnchoredDimension> find_anchors(const scene::World& world,
                                             std::span<const scene::DimensionDescription> dimensions,

@@ -44,6 +44,10 @@ struct AnchoredDimension {
   double beyond_vertices = 0;                          ///< how much more they measure than the mesh, which is drawn
 };
 
+/// The position of an anchor. Throws Error{input} with `where` as the location for vertices that do not exist or that
+/// belong to nothing, and for coordinates that are not finite.
+Vec3 position_of(const scene::World& world, const scene::Anchor& anchor, const std::string& where);
+
 /// In the order given; without those for which there is no time. Throws Error{input} that locates the dimension: for a
 /// direction that its type does not allow or that is missing, vertices that do not exist, anchors that coincide, and
 /// anchors that are not on a circle where one is required.

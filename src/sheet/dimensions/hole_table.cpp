@@ -4,32 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <tuple>
 
-#include "base/portable_math.hpp"
 #include "sheet/free_rectangles.hpp"
 
 namespace epura::sheet {
 
 namespace {
 
-constexpr double row_height = 1.8, side = 0.5, base_line = 0.4;  // of the height of capitals
-constexpr double between_blocks = 1;                             // likewise
-constexpr double apart = 3;                                      // mm, from everything else
-constexpr double origin_radius = 0.5, origin_arm = 3;            // of the height of capitals
+constexpr double apart = 3;                            // mm, from everything else
+constexpr double origin_radius = 0.5, origin_arm = 3;  // of the height of capitals
 constexpr int origin_parts = 24;
-
-double height_of(const DimensionStyle& style) { return row_height * style.text; }
-
-Stroke circle(const Vec2& centre, double radius) {
-  Stroke stroke;
-  for (int i = 0; i <= origin_parts; ++i)
-    stroke.points.push_back(centre + radius * turned_to(2 * std::numbers::pi * i / origin_parts));
-  stroke.curves = {{0, origin_parts, centre, {radius, 0}, {0, radius}, 0, 2 * std::numbers::pi}};
-  return stroke;
-}
 
 void add_line(Layer& layer, const Vec2& from, const Vec2& to) { layer.strokes.emplace_back().points = {from, to}; }
 
@@ -51,57 +37,17 @@ std::string letters_of(std::size_t group) {
   return group < letters.size() ? last : letters_of(group / letters.size() - 1) + last;
 }
 
-TableDrawing::TableDrawing(const HoleTable& table, const std::vector<std::string>& captions, int columns,
-                           const DimensionStyle& style)
-    : columns_(columns), style_(style) {
-  rows_.push_back(captions);
-  for (const HoleRow& row : table.rows) rows_.push_back({row.label, row.x, row.y, row.size});
-  widths_.assign(captions.size(), 0);
-  for (const auto& row : rows_)
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths_[i] = std::max(widths_[i], style.width(row[i]) + 2 * side * style.text);
-}
-
-Vec2 TableDrawing::size() const {
-  double width = 0;
-  for (const double one : widths_) width += one;
-  const std::size_t count = rows_.size() - 1, blocks = static_cast<std::size_t>(columns_);
-  const std::size_t longest = (count + blocks - 1) / blocks + 1;
-  return {columns_ * width + (columns_ - 1) * between_blocks * style_.text,
-          static_cast<double>(longest) * height_of(style_)};
-}
-
-void TableDrawing::draw(Layer& layer, const Vec2& corner) const {
-  const double height = height_of(style_);
-  const std::size_t count = rows_.size() - 1, blocks = static_cast<std::size_t>(columns_);
-  const std::size_t in_block = (count + blocks - 1) / blocks;
-  double left = corner.x - size().x;
-  for (std::size_t begin = 0; begin < count; begin += in_block) {
-    const std::size_t rows = std::min(in_block, count - begin);
-    const double bottom = corner.y - static_cast<double>(rows + 1) * height;
-    std::vector<double> edges{left};
-    for (const double width : widths_) edges.push_back(edges.back() + width);
-    for (const double x : edges) add_line(layer, {x, bottom}, {x, corner.y});
-    // Texts in reading order, for programs that extract them.
-    for (std::size_t i = 0; i <= rows; ++i) {
-      const double top = corner.y - static_cast<double>(i) * height;
-      add_line(layer, {left, top}, {edges.back(), top});
-      const std::vector<std::string>& words = rows_[i == 0 ? 0 : begin + i];
-      for (std::size_t column = 0; column < words.size(); ++column) {
-        const Vec2 at(edges[column] + side * style_.text, top - height + base_line * style_.text);
-        layer.texts.push_back({words[column], at, style_.text, 0, Align::left, "dimension"});
-      }
-    }
-    add_line(layer, {left, bottom}, {edges.back(), bottom});
-    left = edges.back() + between_blocks * style_.text;
-  }
+TextTable text_table(const HoleTable& table, const std::vector<std::string>& captions) {
+  TextTable texts{{}, captions, {}};
+  for (const HoleRow& row : table.rows) texts.rows.push_back({row.label, row.x, row.y, row.size});
+  return texts;
 }
 
 void draw_origin(Layer& layer, const HoleTable& table, const drawing::ViewDrawing& drawing,
                  const DimensionStyle& style) {
   const Vec2 at(drawing.world_to_page * Vec4(table.origin, 1));
   const double radius = origin_radius * style.text, arm = origin_arm * style.text;
-  layer.strokes.push_back(circle(at, radius));
+  layer.strokes.push_back(circle_at(at, radius, origin_parts));
   const std::array<std::pair<Vec2, const char*>, 2> axes{{{{1, 0}, "X"}, {{0, 1}, "Y"}}};
   for (const auto& [along, name] : axes) {
     // Beside the outline, outside the view.

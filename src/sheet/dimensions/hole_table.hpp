@@ -12,6 +12,7 @@
 #include "sheet/dimensions/marks.hpp"
 #include "sheet/notation.hpp"
 #include "sheet/rectangle.hpp"
+#include "sheet/table_drawing.hpp"
 
 namespace epura::sheet {
 
@@ -31,22 +32,8 @@ std::string recesses_of(const scene::DesignHole& hole, const Notation& notation)
 /// Letters for groups of equal holes: A to Z without I, O and Q, which look like numbers, then AA, AB ...
 std::string letters_of(std::size_t group);
 
-/// A layer's part for a table: its lines and texts with the upper right corner at `corner`.
-class TableDrawing {
- public:
-  /// `captions` are those of the columns; the rows are in `columns` blocks side by side.
-  TableDrawing(const HoleTable& table, const std::vector<std::string>& captions, int columns,
-               const DimensionStyle& style);
-
-  [[nodiscard]] Vec2 size() const;
-  void draw(Layer& layer, const Vec2& corner) const;
-
- private:
-  std::vector<std::vector<std::string>> rows_;  ///< with the captions first
-  std::vector<double> widths_;
-  int columns_;
-  const DimensionStyle& style_;
-};
+/// The table with these captions of its columns.
+TextTable text_table(const HoleTable& table, const std::vector<std::string>& captions);
 
 /// Marks the origin: a circle, and arrows along X and Y.
 void draw_origin(Layer& layer, const HoleTable& table, const drawing::ViewDrawing& drawing,

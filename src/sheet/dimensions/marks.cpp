@@ -61,6 +61,23 @@ Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionStyle& styl
   return {{{tip, foot + across, foot - across}}};
 }
 
+Stroke circle_at(const Vec2& centre, double radius, int parts) {
+  Stroke stroke;
+  for (int i = 0; i <= parts; ++i)
+    stroke.points.push_back(centre + radius * turned_to(2 * std::numbers::pi * i / parts));
+  stroke.curves = {{0, parts, centre, {radius, 0}, {0, radius}, 0, 2 * std::numbers::pi}};
+  return stroke;
+}
+
+Fill dot_at(const Vec2& centre) {
+  constexpr double radius = 0.625;  // mm
+  constexpr int parts = 48;
+  Fill fill{{{}}};
+  for (int i = 0; i < parts; ++i)
+    fill.rings.front().push_back(centre + radius * turned_to(2 * std::numbers::pi * i / parts));
+  return fill;
+}
+
 void add_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to) {
   dimension.strokes.emplace_back().points = {from, to};
 }

@@ -53,6 +53,12 @@ Vec2 reading_direction(const Vec2& along);
 /// `direction` points to the tip and has length 1.
 Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionStyle& style);
 
+/// A circle as a stroke of this many straight parts, which remain one curve.
+Stroke circle_at(const Vec2& centre, double radius, int parts = 48);
+
+/// A dot at the end of a leader.
+Fill dot_at(const Vec2& centre);
+
 /// Adds a stroke between two points.
 void add_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to);
 

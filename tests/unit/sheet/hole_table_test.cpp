@@ -31,12 +31,13 @@ TEST(HoleTable, IsDrawnInBlocksOfRows) {
   const sheet::HoleTable table{
       "top", {0, 0, 0}, {{"A1", "10", "20", "⌀8"}, {"A2", "30", "20", "⌀8"}, {"B1", "5", "5", "⌀4"}}};
   const std::vector<std::string> captions{"Hole", "X", "Y", "Size"};
-  const sheet::TableDrawing one(table, captions, 1, style), two(table, captions, 2, style);
+  const sheet::TextTable texts = sheet::text_table(table, captions);
+  const sheet::TableDrawing one(texts, 1, style), two(texts, 2, style);
   EXPECT_NEAR(one.size().y, 4 * 1.8 * 3.5, 1e-9);
   EXPECT_NEAR(two.size().y, 3 * 1.8 * 3.5, 1e-9);
   EXPECT_NEAR(two.size().x, 2 * one.size().x + 3.5, 1e-9);
   sheet::Layer layer;
-  one.draw(layer, {100, 200});
+  one.draw(layer, {100, 200}, "dimension");
   EXPECT_EQ(layer.texts.size(), 16U);
   for (const sheet::Text& text : layer.texts) {
     EXPECT_GT(text.at.x, 100 - one.size().x);
@@ -45,7 +46,7 @@ TEST(HoleTable, IsDrawnInBlocksOfRows) {
     EXPECT_LT(text.at.y + text.height, 200);
   }
   sheet::Layer both;
-  two.draw(both, {100, 200});
+  two.draw(both, {100, 200}, "dimension");
   EXPECT_EQ(both.texts.size(), 20U) << "the captions are repeated";
 }
 

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/callout_symbols.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "sheet/furniture.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+// In heights of capitals.
+constexpr double frame_height = 2, padding = 0.5, between = 0.3, circle_radius = 0.75;
+constexpr double symbol_unit = 0.085;  // of the numbers of symbols
+constexpr double above_frame = 0.4;    // between a frame and the text above it
+constexpr double line_step = 1.5;
+
+/// Reads the numbers of a symbol.
+class SymbolReader {
+ public:
+  SymbolReader(Callout& callout, const Vec2& centre, double height)
+      : callout_(callout), centre_(centre), unit_(symbol_unit * height) {}
+
+  void draw(std::string_view symbol) {
+    const std::vector<std::string_view> words = split(symbol, ' ');
+    for (std::size_t i = 0; i < words.size();) {
+      const char kind = words[i++][0];
+      const auto number = [&] { return *parse_number(words[i++]); };
+      const auto point = [&] {
+        const double x = number();
+        return centre_ + unit_ * Vec2(x, number());
+      };
+      const Vec2 at = point();
+      if (kind == 'm') callout_.strokes.emplace_back().points = {at};
+      if (kind == 'l') callout_.strokes.back().points.push_back(at);
+      if (kind == 'c') callout_.strokes.push_back(circle_at(at, unit_ * number()));
+      if (kind == 'h') callout_.strokes.push_back(upper_half(at, unit_ * number()));
+      if (kind == 'f') {
+        const Vec2 second = point();
+        callout_.fills.push_back({{{at, second, point()}}});
+      }
+    }
+  }
+
+ private:
+  static Stroke upper_half(const Vec2& centre, double radius) {
+    constexpr int parts = 24;
+    Stroke stroke;
+    for (int i = 0; i <= parts; ++i) stroke.points.push_back(centre + radius * turned_to(std::numbers::pi * i / parts));
+    stroke.curves = {{0, parts, centre, {radius, 0}, {0, radius}, 0, std::numbers::pi}};
+    return stroke;
+  }
+
+  Callout& callout_;
+  Vec2 centre_;
+  double unit_;
+};
+
+std::string with_own_signs(std::string text, const DimensionStyle& style) {
+  if (!style.lettering.covers("⌀"))
+    if (const std::size_t at = text.find("⌀"); at != std::string::npos) text.replace(at, std::string("⌀").size(), "Ø");
+  return with_decimal_sign(std::move(text), style.notation.sign);
+}
+
+double width_of(const scene::FramePiece& piece, const DimensionStyle& style) {
+  return piece.circled ? 2 * circle_radius * style.text
+                       : style.lettering.width(with_own_signs(piece.text, style), style.text);
+}
+
+// Adds a compartment at the right end of a frame; returns its right side.
+double add_cell(Callout& callout, const scene::FrameCell& cell, double left, const DimensionStyle& style) {
+  const double h = style.text;
+  double inner = 0;
+  for (const scene::FramePiece& piece : cell) inner += width_of(piece, style) + (inner > 0 ? between * h : 0);
+  const double width = std::max(inner + 2 * padding * h, frame_height * h);
+  double x = left + (width - inner) / 2;
+  for (const scene::FramePiece& piece : cell) {
+    const double own = width_of(piece, style), middle = x + own / 2;
+    callout.texts.push_back({with_own_signs(piece.text, style), {middle, h / 2}, h, 0, Align::middle, "tolerance"});
+    if (piece.circled) callout.strokes.push_back(circle_at({middle, h}, circle_radius * h));
+    x += own + between * h;
+  }
+  callout.strokes.push_back(line({left + width, 0}, {left + width, frame_height * h}));
+  return left + width;
+}
+
+constexpr double short_arm = 1.4, least_arm = 3;
+const double slope = 1 / std::sqrt(3.0);  // arms are at 60 degrees to the surface
+
+// The basic symbol in brackets: other symbols on the sheet say what else is required. Returns the right end.
+double add_others(Callout& callout, double left, const DimensionStyle& style) {
+  constexpr double bracket = 2;
+  const double h = style.text, wide = style.lettering.width("(", bracket * h);
+  const Vec2 tip(left + h + wide + short_arm * slope * h, 0);
+  callout.strokes.emplace_back().points = {tip + short_arm * h * Vec2(-slope, 1), tip,
+                                           tip + least_arm * h * Vec2(slope, 1)};
+  const double right = tip.x + least_arm * slope * h + wide;
+  callout.texts.push_back({"(", {left + h, h / 2}, bracket * h, 0, Align::left, "texture"});
+  callout.texts.push_back({")", {right, h / 2}, bracket * h, 0, Align::right, "texture"});
+  return right;
+}
+
+}  // namespace
+
+double height_of(const scene::ToleranceFrame& frame) {
+  return frame_height + (frame.above.empty() ? 0 : above_frame + 1);
+}
+
+Callout tolerance_frame(const scene::ToleranceFrame& frame, const DimensionStyle& style) {
+  const double h = style.text, height = frame_height * h;
+  Callout callout;
+  callout.form = LeaderForm::landing;
+  callout.attach = h;
+  SymbolReader(callout, {h, h}, h).draw(scene::row_of(frame.characteristic).symbol);
+  callout.strokes.push_back(line({height, 0}, {height, height}));
+  double right = add_cell(callout, frame.zone, height, style);
+  for (const scene::FrameCell& datum : frame.datums) right = add_cell(callout, datum, right, style);
+  // The right side is that of the outline.
+  callout.strokes.back() = outline({{0, 0}, {right, height}});
+  if (!frame.above.empty())
+    callout.texts.push_back(
+        {with_own_signs(frame.above, style), {0, height + above_frame * h}, h, 0, Align::left, "tolerance"});
+  const double above = frame.above.empty() ? 0 : style.lettering.width(frame.above, h);
+  callout.size = {std::max(right, above), height_of(frame) * h};
+  return callout;
+}
+
+double height_of(const scene::DatumFeature&) { return frame_height; }
+
+Callout datum_frame(const scene::DatumFeature& datum, const DimensionStyle& style) {
+  const double h = style.text, height = frame_height * h;
+  const double width = std::max(height, style.lettering.width(datum.letter, h) + 2 * padding * h);
+  Callout callout;
+  callout.form = LeaderForm::datum;
+  callout.attach = h;
+  callout.size = {width, height};
+  callout.strokes.push_back(outline({{0, 0}, callout.size}));
+  callout.texts.push_back({datum.letter, {width / 2, h / 2}, h, 0, Align::middle, "tolerance"});
+  return callout;
+}
+
+// ISO 1302, annex A: the short arm is 1.4 h high, the long one 3 h or as high as its texts.
+double height_of(const scene::SurfaceTexture& texture) {
+  const double lines = static_cast<double>(texture.lines.size());
+  const double arm = std::max(least_arm, 2 * short_arm + std::max(lines - 1, 0.0) * line_step);
+  return arm + (texture.process.empty() ? 0 : above_frame + 1);
+}
+
+Callout texture_symbol(const scene::SurfaceTexture& texture, const DimensionStyle& style) {
+  const double h = style.text;
+  const double low = short_arm * h, half = low * slope;
+  const double high = height_of(texture) * h - (texture.process.empty() ? 0 : (above_frame + 1) * h);
+  const Vec2 tip(half, 0), left(0, low), right(2 * half, low), top = tip + high * Vec2(slope, 1);
+  Callout callout;
+  callout.form = LeaderForm::reference;
+  callout.strokes.emplace_back().points = {left, tip, top};
+  if (texture.removal == scene::MaterialRemoval::required) callout.strokes.push_back(line(left, right));
+  // A circle that touches both arms, and the height of the short one.
+  if (texture.removal == scene::MaterialRemoval::prohibited)
+    callout.strokes.push_back(circle_at({half, low * 2 / 3}, low / 3));
+  double width = top.x;
+  const double text_left = top.x + 0.2 * h;
+  double base = high - (above_frame + 1) * h;
+  for (const std::string& words : texture.lines) {
+    const std::string written = with_own_signs(words, style);
+    callout.texts.push_back({written, {text_left, base}, h, 0, Align::left, "texture"});
+    width = std::max(width, text_left + style.lettering.width(written, h));
+    base -= line_step * h;
+  }
+  if (!texture.process.empty()) {
+    callout.texts.push_back({texture.process, {text_left, high + above_frame * h}, h, 0, Align::left, "texture"});
+    width = std::max(width, text_left + style.lettering.width(texture.process, h));
+  }
+  if (width > top.x) callout.strokes.front().points.push_back({width, high});
+  if (texture.others) width = add_others(callout, width, style);
+  callout.size = {width, height_of(texture) * h};
+  return callout;
+}
+
+}  // namespace epura::sheet
