@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/portable_math.hpp"
 
 namespace epura::drawing {
 
@@ -71,7 +72,7 @@ std::optional<Rings> rings_of(const std::vector<Piece>& pieces) {
 }
 
 // The boundary of the common area of a line and an area: the parts of either boundary inside the other. Nothing if a
-// corner of one lies so close to a side of the other that rounding contradicts itself.
+// corner of one lies on a side of the other, up to rounding.
 std::optional<Rings> common_area(const ClosedLine& line, const Rings& rings) {
   std::vector<Piece> pieces;
   std::vector<std::vector<std::pair<double, Vec2>>> on_line(line.corners().size());
@@ -79,7 +80,9 @@ std::optional<Rings> common_area(const ClosedLine& line, const Rings& rings) {
     if (ring.empty()) continue;
     const bool begins_inside = line.contains(ring[0]);
     bool inside = begins_inside;
+    bool is_doubtful = false;
     visit_sides({ring}, [&](const Vec2& from, const Vec2& to) {
+      is_doubtful = is_doubtful || line.touches(from, to);
       std::vector<Vec2> places;
       for (const ClosedLine::Crossing& crossing : line.crossings(from, to)) {
         places.push_back(crossing.at);
@@ -87,7 +90,7 @@ std::optional<Rings> common_area(const ClosedLine& line, const Rings& rings) {
       }
       add_pieces(pieces, {from, to}, places, inside);
     });
-    if (inside != begins_inside) return std::nullopt;
+    if (is_doubtful || inside != begins_inside) return std::nullopt;
   }
   bool begins_inside = false;
   visit_sides(rings, [&](const Vec2& a, const Vec2& b) {
@@ -105,6 +108,15 @@ std::optional<Rings> common_area(const ClosedLine& line, const Rings& rings) {
   return rings_of(pieces);
 }
 
+constexpr double touching = 1e-9;  // mm; about the rounding of positions on a sheet
+
+bool is_on(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 along = b - a;
+  const double square = glm::dot(along, along);
+  const double t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
+  return glm::distance(p, a + t * along) <= touching;
+}
+
 // The part of a line in a triangle; nothing if it only touches it.
 std::optional<std::array<double, 2>> part_in(const std::array<Vec2, 3>& triangle, const Vec2& from, const Vec2& to) {
   const double orientation = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]) < 0 ? -1 : 1;
@@ -119,14 +131,14 @@ std::optional<std::array<double, 2>> part_in(const std::array<Vec2, 3>& triangle
   return part[0] < part[1] ? std::optional(part) : std::nullopt;
 }
 
-// The union of intervals between 0 and 1. Rounding separates neighbouring triangles by less than `touching`.
+// The union of intervals between 0 and 1. Rounding separates neighbouring triangles by less than `gap`.
 std::vector<std::array<double, 2>> joined(std::vector<std::array<double, 2>> parts) {
-  constexpr double touching = 1e-6;
+  constexpr double gap = 1e-6;
   std::sort(parts.begin(), parts.end());
   std::vector<std::array<double, 2>> all;
   for (const std::array<double, 2>& part : parts) {
-    if (all.empty() || part[0] > all.back()[1] + touching) all.push_back({part[0] <= touching ? 0 : part[0], part[1]});
-    all.back()[1] = std::max(all.back()[1], part[1] >= 1 - touching ? 1 : part[1]);
+    if (all.empty() || part[0] > all.back()[1] + gap) all.push_back({part[0] <= gap ? 0 : part[0], part[1]});
+    all.back()[1] = std::max(all.back()[1], part[1] >= 1 - gap ? 1 : part[1]);
   }
   return all;
 }
@@ -210,6 +222,18 @@ std::vector<ClosedLine::Crossing> ClosedLine::crossings(const Vec2& from, const 
   return found;
 }
 
+bool ClosedLine::touches(const Vec2& from, const Vec2& to) const {
+  const Vec2 low = glm::min(from, to) - touching, high = glm::max(from, to) + touching;
+  if (high.x < min_.x || low.x > max_.x) return false;
+  bool found = false;
+  visit_between(low.y, high.y, [&](int i) {
+    const auto [a, b] = side(static_cast<std::size_t>(i));
+    if (std::max(a.x, b.x) < low.x || std::min(a.x, b.x) > high.x) return;
+    found = found || is_on(a, from, to) || is_on(from, a, b) || is_on(to, a, b);
+  });
+  return found;
+}
+
 std::vector<std::array<double, 2>> ClosedLine::parts(const Vec2& from, const Vec2& to, bool inside) const {
   std::vector<std::array<double, 2>> found;
   std::vector<double> places{0};
@@ -228,11 +252,11 @@ std::vector<std::array<double, 2>> ClosedLine::parts(const Vec2& from, const Vec
 
 std::vector<std::vector<Vec2>> ClosedLine::area(const std::vector<std::vector<Vec2>>& rings) const {
   if (auto common = common_area(*this, rings)) return std::move(*common);
-  // Far below what a drawing shows, and far above the rounding of positions.
-  constexpr double aside = 1e-8;
+  constexpr double aside = 1e-8;  // mm; far below what a drawing shows, and above the rounding of positions
   for (int attempt = 1; attempt <= 8; ++attempt) {
+    const Vec2 shift = aside * attempt * Vec2(portable_cos(attempt), portable_sin(attempt));
     std::vector<Vec2> moved = corners_;
-    for (Vec2& p : moved) p += attempt * aside * Vec2(1, 0.618);
+    for (Vec2& p : moved) p += shift;
     if (auto common = common_area(ClosedLine(std::move(moved)), rings)) return std::move(*common);
   }
   check(false, "some small displacement separates the corners of two areas");

@@ -31,10 +31,15 @@ class ClosedLine {
   /// Ascending along the given line.
   [[nodiscard]] std::vector<Crossing> crossings(const Vec2& from, const Vec2& to) const;
 
+  /// Whether an end of a given line lies on a side, or a corner on the line, up to rounding: then crossings may
+  /// contradict each other.
+  [[nodiscard]] bool touches(const Vec2& from, const Vec2& to) const;
+
   /// Returns the parts of a straight line inside or outside, as parameters in ascending order from 0 to 1.
   [[nodiscard]] std::vector<std::array<double, 2>> parts(const Vec2& from, const Vec2& to, bool inside) const;
 
-  /// Returns the part of an area (even-odd rule) that is inside, exactly up to rounding.
+  /// Returns the part of an area (even-odd rule) that is inside. Where corners lie on sides, the line is displaced by
+  /// less than 1e-7 mm.
   [[nodiscard]] std::vector<std::vector<Vec2>> area(const std::vector<std::vector<Vec2>>& rings) const;
 
   using Triangles = std::span<const std::array<Vec2, 3>>;

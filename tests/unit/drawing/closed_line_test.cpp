@@ -115,8 +115,8 @@ TEST(ClosedLine, IsCoveredByTriangles) {
   const auto lines = corner().covered(lower);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_DOUBLE_EQ(length_of(lines[0]), 2 + 5 + 5 + 10 + 7);
-  EXPECT_EQ(lines[0].front(), Vec2(5, 7));
-  EXPECT_EQ(lines[0].back(), Vec2(0, 7));
+  EXPECT_EQ(lines[0].front(), Vec2(0, 7));
+  EXPECT_EQ(lines[0].back(), Vec2(5, 7));
   const std::vector<Triangle> notch{{Vec2(4, -1), {6, -1}, {6, 1}}, {Vec2(4, -1), {6, 1}, {4, 1}}};
   const auto parts = corner().covered(lower, notch);
   ASSERT_EQ(parts.size(), 2U);
