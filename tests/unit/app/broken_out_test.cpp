@@ -189,6 +189,34 @@ TEST_F(BrokenOut, LeaveNoTraceBesideWhatIsCut) {
   EXPECT_FALSE(contains(read_file(folder / "x.svg"), "-front-limit\" "));
 }
 
+// A bar through the first hole that stays whole: neither hatched nor crossed by the line.
+TEST_F(BrokenOut, LeaveBodiesWhole) {
+  std::string bar = "o bar\n";
+  for (const int z : {-4, 20})
+    for (const int y : {4, 16})
+      for (const int x : {14, 26})
+        bar += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+  bar += "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 2 4 8 6\nf 4 3 7 8\nf 3 1 5 7\n";
+  folder.file("bar.obj", bar);
+  const std::string scene =
+      "[[model]]\nfile = 'bar.obj'\n" + front + "[[broken_out]]\npoint = [20, 10, 8]\nradius = 9\n";
+  const auto length_on_bar = [&](const Json& json) {
+    const double min = at(json, 14, 0).x, max = at(json, 26, 0).x;
+    double sum = 0;
+    for (const Json& line : json["broken_out"].items.at(0)["lines"].items) {
+      const Ring points = ring_of(line);
+      for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        if (const double x = (points[i].x + points[i + 1].x) / 2; x > min + 1e-6 && x < max - 1e-6)
+          sum += glm::distance(points[i], points[i + 1]);
+    }
+    return sum;
+  };
+  EXPECT_GT(length_on_bar(view(scene)), 2 * 2 * 12);
+  const Json whole = view("[[style]]\nmatch = 'bar'\ncut = false\n" + scene);
+  EXPECT_EQ(length_on_bar(whole), 0);
+  for (const Json& face : whole["cut_faces"].items) EXPECT_EQ(face["model"].number(), 0);
+}
+
 TEST_F(BrokenOut, AreSeenInDetailsAndInterruptedViews) {
   const Json detail = view(front + around_hole +
                                "[[detail]]\nname = 'X'\ncentre = [8, 0, 8]\nradius = 5\n[[view]]\ndetail = 'X'\n"
