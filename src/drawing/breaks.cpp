@@ -138,6 +138,7 @@ ViewDrawing part_of(const ViewDrawing& whole, const KeptPart& part) {
   drawing.segments = whole.segments;
   drawing.crossings = whole.crossings;
   drawing.cut_faces = whole.cut_faces;
+  drawing.broken_out = whole.broken_out;
   clip_to(drawing, boundary_of(part, whole));
   for (Segment& segment : drawing.segments) {
     segment.from += part.shift;
@@ -146,21 +147,10 @@ ViewDrawing part_of(const ViewDrawing& whole, const KeptPart& part) {
   for (CutFace& face : drawing.cut_faces)
     for (std::vector<Vec2>& ring : face.rings)
       for (Vec2& p : ring) p += part.shift;
+  for (BrokenOut& broken_out : drawing.broken_out)
+    for (std::vector<Vec2>& line : broken_out.lines)
+      for (Vec2& p : line) p += part.shift;
   return drawing;
-}
-
-template <class Item>
-void append(std::vector<Item>& all, std::vector<Item>& more) {
-  std::move(more.begin(), more.end(), std::back_inserter(all));
-}
-
-void append_part(ViewDrawing& all, ViewDrawing part) {
-  const auto crossings = static_cast<int>(all.crossings.size());
-  for (Segment& segment : part.segments)
-    if (segment.crossing >= 0) segment.crossing += crossings;
-  append(all.segments, part.segments);
-  append(all.crossings, part.crossings);
-  append(all.cut_faces, part.cut_faces);
 }
 
 }  // namespace
@@ -253,9 +243,15 @@ void break_drawing(ViewDrawing& drawing, const Breaks& breaks, const Progress& p
   drawing.limits = limits_of(drawing, breaks);
   ViewDrawing all;
   std::vector<PaperTriangle> before_cuts;
+  std::vector<BrokenOut> broken_out = drawing.broken_out;
+  for (BrokenOut& one : broken_out) one.lines.clear();
   for (const KeptPart& part : kept_parts(breaks)) {
     progress.expect_time();
-    append_part(all, part_of(drawing, part));
+    ViewDrawing kept = part_of(drawing, part);
+    for (std::size_t i = 0; i < broken_out.size(); ++i)
+      broken_out[i].lines.insert(broken_out[i].lines.end(), kept.broken_out[i].lines.begin(),
+                                 kept.broken_out[i].lines.end());
+    append_part(all, std::move(kept));
     for (const PaperTriangle& triangle : drawing.before_cuts) add_part(before_cuts, triangle, part);
   }
   std::vector<std::array<Vec2, 2>> traces;
@@ -266,6 +262,7 @@ void break_drawing(ViewDrawing& drawing, const Breaks& breaks, const Progress& p
   drawing.crossings = std::move(all.crossings);
   drawing.cut_faces = std::move(all.cut_faces);
   drawing.before_cuts = std::move(before_cuts);
+  drawing.broken_out = std::move(broken_out);
   drawing.chains = chain_segments(drawing.segments, straight_mm, drawing.coincident, progress);
   drawing.min = breaks.moved(drawing.min);
   drawing.max = breaks.moved(drawing.max);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawing/clip_drawing.hpp"
 
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -21,34 +22,90 @@ std::array<Point, 2> part_of(const Point& from, const Point& to, const std::arra
   return {at(part[0]), at(part[1])};
 }
 
-void clip_segments(ViewDrawing& drawing, const Boundary& boundary) {
+using Parts = std::vector<std::array<double, 2>>;
+
+// Keeps the parts of each line that `parts_of` returns, as parameters.
+template <class PartsOf>
+void clip_segments(ViewDrawing& drawing, const PartsOf& parts_of) {
   std::vector<Segment> segments;
   std::vector<CrossingSegment> crossings;
-  for (Segment segment : drawing.segments) {
-    const auto part = part_inside(boundary, segment.from, segment.to);
-    if (!part || ((*part)[1] - (*part)[0]) * glm::distance(segment.from, segment.to) < least_mm) continue;
-    const auto [from, to] = part_of(segment.from, segment.to, *part);
-    segment.from = from;
-    segment.to = to;
-    if (!is_link(segment)) segment.t = part_of(segment.t[0], segment.t[1], *part);
-    if (segment.crossing >= 0) {
-      CrossingSegment crossing = drawing.crossings[static_cast<std::size_t>(segment.crossing)];
-      crossing.world = part_of(crossing.world[0], crossing.world[1], *part);
-      segment.crossing = static_cast<int>(crossings.size());
-      crossings.push_back(crossing);
+  for (const Segment& whole : drawing.segments)
+    for (const std::array<double, 2>& part : parts_of(whole.from, whole.to)) {
+      if ((part[1] - part[0]) * glm::distance(whole.from, whole.to) < least_mm) continue;
+      Segment segment = whole;
+      const auto [from, to] = part_of(whole.from, whole.to, part);
+      segment.from = from;
+      segment.to = to;
+      if (!is_link(segment)) segment.t = part_of(whole.t[0], whole.t[1], part);
+      if (segment.crossing >= 0) {
+        CrossingSegment crossing = drawing.crossings[static_cast<std::size_t>(segment.crossing)];
+        crossing.world = part_of(crossing.world[0], crossing.world[1], part);
+        segment.crossing = static_cast<int>(crossings.size());
+        crossings.push_back(crossing);
+      }
+      segments.push_back(segment);
     }
-    segments.push_back(segment);
-  }
   drawing.segments = std::move(segments);
   drawing.crossings = std::move(crossings);
+}
+
+// What remains of the lines that bound broken-out sections.
+template <class PartsOf>
+void clip_bounds(BrokenOut& broken_out, const PartsOf& parts_of) {
+  std::vector<std::vector<Vec2>> remaining;
+  for (const std::vector<Vec2>& line : broken_out.lines) {
+    bool goes_on = false;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+      for (const std::array<double, 2>& part : parts_of(line[i], line[i + 1])) {
+        const auto [from, to] = part_of(line[i], line[i + 1], part);
+        if (!goes_on || part[0] > 0) remaining.push_back({from});
+        remaining.back().push_back(to);
+        goes_on = part[1] == 1;
+      }
+  }
+  broken_out.lines = std::move(remaining);
+}
+
+template <class Item>
+void append(std::vector<Item>& all, std::vector<Item>& more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+void drop_empty_faces(ViewDrawing& drawing) {
+  std::erase_if(drawing.cut_faces, [](const CutFace& face) { return face.rings.empty(); });
 }
 
 }  // namespace
 
 void clip_to(ViewDrawing& drawing, const Boundary& boundary) {
-  clip_segments(drawing, boundary);
+  const auto parts_of = [&](const Vec2& from, const Vec2& to) {
+    const auto part = part_inside(boundary, from, to);
+    return part ? Parts{*part} : Parts();
+  };
+  clip_segments(drawing, parts_of);
+  for (BrokenOut& broken_out : drawing.broken_out) clip_bounds(broken_out, parts_of);
   for (CutFace& face : drawing.cut_faces) face.rings = area_inside(boundary, face.rings);
-  std::erase_if(drawing.cut_faces, [](const CutFace& face) { return face.rings.empty(); });
+  drop_empty_faces(drawing);
+}
+
+void clip_to(ViewDrawing& drawing, const ClosedLine& line) {
+  clip_segments(drawing, [&](const Vec2& from, const Vec2& to) { return line.parts(from, to, true); });
+  for (CutFace& face : drawing.cut_faces) face.rings = line.area(face.rings);
+  drop_empty_faces(drawing);
+}
+
+void clip_lines_outside(ViewDrawing& drawing, const ClosedLine& line) {
+  clip_segments(drawing, [&](const Vec2& from, const Vec2& to) { return line.parts(from, to, false); });
+}
+
+void append_part(ViewDrawing& drawing, ViewDrawing part) {
+  const auto crossings = static_cast<int>(drawing.crossings.size());
+  for (Segment& segment : part.segments)
+    if (segment.crossing >= 0) segment.crossing += crossings;
+  append(drawing.segments, part.segments);
+  append(drawing.crossings, part.crossings);
+  append(drawing.cut_faces, part.cut_faces);
+  append(drawing.before_cuts, part.before_cuts);
 }
 
 void clip_drawing(ViewDrawing& drawing, const DetailFrame& detail, const Progress& progress) {

@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Detail views: the part of a drawing inside a boundary.
+// The part of a drawing inside a boundary, as in detail views, or inside or outside a closed line.
 #pragma once
 
 #include "base/progress.hpp"
+#include "drawing/closed_line.hpp"
 #include "drawing/drawing.hpp"
 
 namespace epura::drawing {
 
 /// Cuts the lines and cut faces of a parallel view off at a boundary, exactly.
 void clip_to(ViewDrawing& drawing, const Boundary& boundary);
+
+/// Leaves what lies inside a closed line, exactly.
+void clip_to(ViewDrawing& drawing, const ClosedLine& line);
+
+/// Leaves the lines outside a closed line, exactly; cut faces remain.
+void clip_lines_outside(ViewDrawing& drawing, const ClosedLine& line);
+
+/// Appends the lines, cut faces and what is before them.
+void append_part(ViewDrawing& drawing, ViewDrawing part);
 
 /// Cuts the lines and cut faces of a parallel view off at the boundary of its detail, exactly, and chains the lines
 /// anew, without curves. The box of its ink becomes that of the boundary. Throws OutOfTime.

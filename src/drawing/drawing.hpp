@@ -72,6 +72,12 @@ struct DetailFrame {
   Boundary boundary;   ///< in the detail view
 };
 
+/// A broken-out section: inside a closed line, the view shows the models cut. ISO 128-3.
+struct BrokenOut {
+  std::vector<Vec2> ring;                ///< the closed line; before breaks.moved
+  std::vector<std::vector<Vec2>> lines;  ///< what is drawn of it: where something is removed
+};
+
 /// Triangles on paper.
 using PaperTriangle = std::array<Vec2, 3>;
 
@@ -89,6 +95,7 @@ struct ViewDrawing {
   std::vector<PaperTriangle> before_cuts;     ///< parts of bodies that the cutting plane leaves whole, in front of it
   Vec2 min{0, 0}, max{0, 0};                  ///< box of the ink
   std::optional<DetailFrame> detail{};        ///< only of a detail view
+  std::vector<BrokenOut> broken_out{};        ///< areas that do not overlap
   Breaks breaks{};                            ///< parts left out; all else is where it is after the move
   std::vector<Limit> limits{};                ///< where parts are left out
   std::vector<std::array<Vec2, 2>> traces{};  ///< of bodies moved apart: visible lines from their places

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "drawing/closed_line.hpp"
 #include "drawing/ink.hpp"
 #include "explain/reason.hpp"
 
@@ -78,6 +79,9 @@ struct Storyteller {
     visibility::Spans inked = cut_off(line, limits.min);
     if (visibility::covers(inked, limits.min, line.length - limits.min))
       return drawn_view.drawing.detail ? "    no ink: outside the detail\n" : "    no ink: left out by a break\n";
+    add_broken_out(inked, line, limits.min);
+    if (visibility::covers(inked, limits.min, line.length - limits.min))
+      return "    no ink: inside a broken-out section\n";
     std::vector<std::string> others, near;
     for (const drawing::Segment& segment : drawn_view.drawing.segments) {
       const bool own = segment.visible == span.visible && is_own(segment);
@@ -115,6 +119,14 @@ struct Storyteller {
     if (first > 0) visibility::add_span(outside, {0, first * line.length + slack});
     if (last < 1) visibility::add_span(outside, {last * line.length - slack, line.length});
     return outside;
+  }
+
+  // Adds the parts of a line of the whole models that broken-out sections do not show.
+  void add_broken_out(visibility::Spans& outside, const drawing::Ruler& line, double slack) const {
+    for (const drawing::BrokenOut& one : drawn_view.drawing.broken_out)
+      for (const auto& [from, to] :
+           drawing::ClosedLine(one.ring).parts(line.from, line.from + line.length * line.along, true))
+        visibility::add_span(outside, {from * line.length - slack, to * line.length + slack});
   }
 
   [[nodiscard]] visibility::Spans left_out(const drawing::Ruler& line, double slack) const {

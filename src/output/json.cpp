@@ -162,6 +162,13 @@ std::string cut_face_of(const drawing::CutFace& face) {
          ", \"rings\": " + json_list(face.rings, ring_of) + "}";
 }
 
+std::string broken_out_of(const drawing::BrokenOut& one) {
+  const auto line_of = [](const std::vector<Vec2>& line) {
+    return json_list(line, [](const Vec2& p) { return point(p); });
+  };
+  return "{\"ring\": " + line_of(one.ring) + ", \"lines\": " + json_list(one.lines, line_of) + "}";
+}
+
 void append_view(std::string& text, const drawing::ViewDrawing& drawing, double main_scale, const Progress& progress) {
   const projection::Projection& projection = drawing.projection;
   const auto vanishing_point = [](const std::optional<Vec2>& p) { return p ? point(*p) : "null"; };
@@ -177,6 +184,8 @@ void append_view(std::string& text, const drawing::ViewDrawing& drawing, double 
           ",\n   \"segments\": ";
   append_segments(text, drawing, progress);
   append_curves(text, drawing);
+  if (!drawing.broken_out.empty())
+    text += ",\n   \"broken_out\": " + json_lines(drawing.broken_out, broken_out_of, "\n    ");
   if (!drawing.cut_faces.empty())
     text += ",\n   \"cut_faces\": " + json_lines(drawing.cut_faces, cut_face_of, "\n    ");
   text += '}';

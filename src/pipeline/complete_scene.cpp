@@ -9,6 +9,7 @@
 #include "pipeline/annotations.hpp"
 #include "pipeline/choose.hpp"
 #include "scene/arrow_views.hpp"
+#include "scene/broken_outs.hpp"
 #include "scene/details.hpp"
 #include "scene/exploded_world.hpp"
 #include "scene/scene_file.hpp"
@@ -62,6 +63,7 @@ void complete_scene(scene::SceneDescription& scene) {
   scene::expect_projections(scene);
   scene::name_views(scene.views);
   scene::complete_details(scene);
+  scene::complete_broken_outs(scene);
   scene::complete_letters(scene);
   scene::expect_sound_moves(scene);
   int sheets = 1;

@@ -70,8 +70,7 @@ void Run::note(const ViewResult& result) {
     report.tessellation->on_paper =
         std::max(report.tessellation->on_paper, report.tessellation->error * result.drawing.scale);
   if (!result.verification) return;
-  const auto wrong = [](const report::Verification& found) { return found.wrong + found.outline.wrong(); };
-  if (!report.verification || wrong(*report.verification) < wrong(*result.verification))
+  if (!report.verification || report.verification->errors() < result.verification->errors())
     report.verification = result.verification;
 }
 
@@ -177,7 +176,9 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   report::Partial partial;
   const Budget budget{progress, progress, partial};
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    const ViewInput input{world(i), section(i), views.plans[i].options, plan.places[i], shown(i).traces};
+    const std::vector<BrokenOutSection> broken_out =
+        cut_broken_outs(world(i), scene, views.descriptions[i], seen[i].projection, messages);
+    const ViewInput input{world(i), section(i), views.plans[i].options, plan.places[i], shown(i).traces, broken_out};
     // Of a detail, this is said of the view that it enlarges.
     if (input.section != nullptr && !input.options.detail)
       warn_if_unseen(messages, *input.section, seen[i], views.plans[i].options.name);

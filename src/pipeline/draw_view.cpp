@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "drawing/broken_out.hpp"
 #include "drawing/clip_drawing.hpp"
 #include "drawing/cut_faces.hpp"
 #include "drawing/symmetry.hpp"
@@ -143,6 +144,7 @@ class ViewRun {
     auto verification =
         budget_.or_nothing([&](const Progress& progress) { return verified(lines.drawing, paper, progress); });
     if (options_.verify) watch_.lap("verify");
+    for (const BrokenOutSection& one : input_.broken_out) break_out(lines, one, verification);
     if (options_.detail) show_detail(lines);
     const double unsymmetric = options_.breaks.any() ? break_view(lines) : 0;
     auto features = budget_.or_nothing([&](const Progress& progress) {
@@ -173,6 +175,8 @@ class ViewRun {
   DrawnLines draw_lines(const view::PaperMap& paper);
   template <class Change>
   void change(DrawnLines& lines, const Change& change_drawing);
+  void break_out(DrawnLines& lines, const BrokenOutSection& one, std::optional<report::Verification>& verification);
+  drawing::ViewDrawing cut_view(const BrokenOutSection& one, std::optional<report::Verification>& verification);
   void show_detail(DrawnLines& lines);
   double break_view(DrawnLines& lines);
   std::vector<std::array<Vec2, 2>> traces(const view::PaperMap& paper, const Progress& progress);
@@ -301,7 +305,7 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   const auto make = [&](const Progress& progress) {
     DrawnLines lines;
     lines.drawing = drawn_on(paper, drawn_, progress);
-    if (options_.arcs && !options_.detail && !options_.breaks.any())
+    if (options_.arcs && !options_.detail && !options_.breaks.any() && input_.broken_out.empty())
       lines.curves = drawing::find_curves(lines.drawing.chains, *options_.arcs, progress);
     return lines;
   };
@@ -333,6 +337,44 @@ void ViewRun::change(DrawnLines& lines, const Change& change_drawing) {
     return lines.drawing.chains.size() <= few_lines;
   };
   lines = make_in_time(budget_.run, budget_.last(), make, leave_out);
+}
+
+// The view of the cut models, in the same place. It has no lines if there is no time for them.
+drawing::ViewDrawing ViewRun::cut_view(const BrokenOutSection& one, std::optional<report::Verification>& verification) {
+  const scene::World& world = one.section.cut.world;
+  ViewOptions options = options_;
+  options.detail.reset();
+  options.breaks = {};
+  options.arcs.reset();
+  options.centre_lines = false;
+  for (std::vector<sheet::BodyStyle>& of_model : options.styles.of_model)
+    for (sheet::BodyStyle& style : of_model) style.hidden = HiddenLines::none;
+  const auto clipping = options.leave_out.clip ? view::Clipping::where_needed : view::Clipping::everywhere;
+  try {
+    ViewResult cut = ViewRun({world, &one.section, options, input_.place},
+                             view::project_scene(world, view_.projection, options.limits, clipping),
+                             {budget_.run, budget_.lines}, watch_)
+                         .run();
+    plan_.insert(plan_.end(), cut.plan.begin(), cut.plan.end());
+    partial_.add(cut.partial);
+    if (cut.verification && (!verification || verification->errors() < cut.verification->errors()))
+      verification = cut.verification;
+    return std::move(cut.drawing);
+  } catch (const OutOfTime& cut) {
+    partial_.add_stage(cut.stage);
+    return {};
+  }
+}
+
+void ViewRun::break_out(DrawnLines& lines, const BrokenOutSection& one,
+                        std::optional<report::Verification>& verification) {
+  const drawing::ClosedLine line = line_on_page(one.description, lines.drawing);
+  const drawing::ViewDrawing section = cut_view(one, verification);
+  const std::vector<drawing::PaperTriangle> removed =
+      removed_on_paper(input_.world, one.section, lines.drawing.world_to_page);
+  change(lines, [&](drawing::ViewDrawing& drawing, const Progress& progress) {
+    drawing::break_out(drawing, section, line, removed, progress);
+  });
 }
 
 void ViewRun::show_detail(DrawnLines& lines) {

@@ -14,6 +14,7 @@
 #include "drawing/drawing.hpp"
 #include "drawing/make_drawing.hpp"
 #include "edges/find_edges.hpp"
+#include "pipeline/broken_outs.hpp"
 #include "pipeline/budget.hpp"
 #include "pipeline/sections.hpp"
 #include "pipeline/shortcuts.hpp"
@@ -102,6 +103,7 @@ struct ViewInput {
   const ViewOptions& options;
   PlaceOnPage place;
   std::span<const scene::Trace> traces{};  ///< of moved bodies
+  std::span<const BrokenOutSection> broken_out{};
 };
 
 /// Throws OutOfTime if time is over before there is a line to show; otherwise omissions are noted in the result.

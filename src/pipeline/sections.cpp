@@ -50,6 +50,13 @@ void warn_about(const Messages& messages, const CutSection& section) {
 
 }  // namespace
 
+CutSection cut_section(const scene::World& world, const scene::CuttingSurface& surface, const Messages& messages,
+                       const Progress& progress) {
+  CutSection section{surface, scene::cut_world(world, surface, progress)};
+  warn_about(messages, section);
+  return section;
+}
+
 CutSections cut_sections(const scene::World& world, const scene::SceneDescription& scene, const Messages& messages,
                          const Progress& progress) {
   progress.begin("cutting sections", scene.sections.size());
@@ -58,10 +65,7 @@ CutSections cut_sections(const scene::World& world, const scene::SceneDescriptio
     const std::string& name = *description.name;
     const auto shows = [&](const scene::ViewDescription& view) { return view.section.value == name; };
     if (std::none_of(scene.views.begin(), scene.views.end(), shows)) continue;
-    const scene::CuttingSurface surface = scene::make_cutting_surface(description);
-    const CutSection& section =
-        sections.try_emplace(name, CutSection{surface, scene::cut_world(world, surface, progress)}).first->second;
-    warn_about(messages, section);
+    sections.try_emplace(name, cut_section(world, scene::make_cutting_surface(description), messages, progress));
     progress.advance(1);
   }
   return sections;

@@ -16,6 +16,10 @@ struct CutSection {
   scene::CutWorld cut;
 };
 
+/// Warns of open outlines. Throws Error{input} if the surface cuts nothing, and OutOfTime.
+CutSection cut_section(const scene::World& world, const scene::CuttingSurface& surface, const Messages& messages,
+                       const Progress& progress = {});
+
 /// Sections shown by some view, by name.
 using CutSections = std::map<std::string, CutSection>;
 /// Throws Error{input} for sections that cut nothing, and OutOfTime.

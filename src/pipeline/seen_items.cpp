@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <string>
 
+#include "drawing/closed_line.hpp"
+
 namespace epura::pipeline {
 
 namespace {
@@ -197,6 +199,13 @@ void find_on_lines(std::vector<std::optional<SeenPoint>>& seen, const drawing::V
   }
 }
 
+// Inside these lines, the faces of the whole models are not seen.
+std::vector<drawing::ClosedLine> cut_out(const drawing::ViewDrawing& drawing) {
+  std::vector<drawing::ClosedLine> lines;
+  for (const drawing::BrokenOut& one : drawing.broken_out) lines.emplace_back(one.ring);
+  return lines;
+}
+
 }  // namespace
 
 std::vector<std::optional<SeenPoint>> seen_items(const scene::World& world, const drawing::ViewDrawing& drawing,
@@ -211,11 +220,15 @@ std::vector<std::optional<SeenPoint>> seen_items(const scene::World& world, cons
   mark_borders(distances, grid, nearest);
   distances.spread();
   std::vector<std::optional<SeenPoint>> seen(items.size());
+  const std::vector<drawing::ClosedLine> cut = cut_out(drawing);
+  const auto is_cut = [&](const Vec2& p) {
+    return std::any_of(cut.begin(), cut.end(), [&](const drawing::ClosedLine& line) { return line.contains(p); });
+  };
   for (int y = grid.rows - 1; y >= 0; --y)
     for (int x = 0; x < grid.columns; ++x) {
       const int item = nearest.at(x, y);
       const double free = distances.at(x, y);
-      if (item < 0 || free < least || !drawing.breaks.keeps(grid.at(x, y))) continue;
+      if (item < 0 || free < least || !drawing.breaks.keeps(grid.at(x, y)) || is_cut(grid.at(x, y))) continue;
       if (!seen[item] || free > seen[item]->free * (1 + 1e-9))
         seen[item] = SeenPoint{drawing.breaks.moved(grid.at(x, y)), free};
     }

@@ -66,6 +66,10 @@ void warn_about(const Messages& messages, const ViewResult& result) {
   if (result.max_error)
     messages.print(result.drawing.name + ": hidden lines by the exact method; no span longer than " +
                    format_rounded(*result.max_error, 3) + " mm is wrong\n");
+  for (const drawing::BrokenOut& one : result.drawing.broken_out)
+    if (one.lines.empty() && result.drawing.cut_faces.empty() && !result.drawing.detail)
+      messages.warn("a broken-out section of view '" + result.drawing.name +
+                    "' removes nothing inside its line\n  hint: move its point, or its line");
   constexpr double negligible = 1;  // mm
   if (result.unsymmetric > negligible)
     messages.warn("view '" + result.drawing.name + "' is not symmetric: what it leaves out differs in " +

@@ -77,7 +77,8 @@ struct Verification {
   std::vector<Mismatch> worst;  ///< longest spans first, at most ten
   OutlineCheck outline;
 
-  [[nodiscard]] bool is_right() const { return wrong == 0 && outline.wrong() == 0; }
+  [[nodiscard]] int errors() const { return wrong + outline.wrong(); }
+  [[nodiscard]] bool is_right() const { return errors() == 0; }
 };
 
 }  // namespace epura::report

@@ -108,6 +108,15 @@ struct SectionDescription {
   Located<bool> beyond{};             ///< true by default; false: only cut faces, without what is behind them
 };
 
+/// A broken-out section: inside a closed line of a view, the models are cut by a plane parallel to the picture.
+/// ISO 128-3.
+struct BrokenOutDescription {
+  LocatedText view{};                    ///< name of the view; by default the first view that shows no detail
+  Located<Vec3> point{};                 ///< of the world, on the plane
+  Located<double> radius{};              ///< of a closed line around the point, in the unit of the world
+  Located<std::vector<Vec3>> outline{};  ///< instead: points of the world through which the line runs in the view
+};
+
 /// A part of a view, to be shown by another view at a larger scale: a circle or an upright rectangle in its plane.
 /// ISO 128-3.
 struct DetailDescription {
@@ -240,6 +249,7 @@ struct SceneDescription {
   std::vector<StyleDescription> styles;
   std::vector<SectionDescription> sections;
   std::vector<DetailDescription> details;
+  std::vector<BrokenOutDescription> broken_outs;
   std::vector<ExplodeDescription> explosions;
   std::vector<DimensionDescription> dimensions;
   std::vector<CalloutDescription> callouts{};  ///< in the order of the scene

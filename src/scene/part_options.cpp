@@ -156,6 +156,22 @@ Options<DetailDescription> detail_options() {
   };
 }
 
+Options<BrokenOutDescription> broken_out_options() {
+  using BrokenOut = BrokenOutDescription;
+  return {
+      option<BrokenOut>({.key = "view", .help = "name of the view", .usual = "first view"}, &BrokenOut::view,
+                        any_text()),
+      option<BrokenOut>(
+          {.key = "point", .help = "point on the cutting plane, which is parallel to the picture", .required = true},
+          &BrokenOut::point, triple_of_numbers("")),
+      option<BrokenOut>({.key = "radius", .help = "radius of the freehand line around the point"}, &BrokenOut::radius,
+                        positive_number()),
+      option<BrokenOut>(
+          {.key = "outline", .help = "instead of the radius: points around which the freehand line runs in the view"},
+          &BrokenOut::outline, list_of_triples()),
+  };
+}
+
 Options<ExplodeDescription> explode_options() {
   using Explode = ExplodeDescription;
   return {

@@ -61,7 +61,9 @@ void add_symbol(std::vector<Stroke>& strokes, const Vec2& end, const Vec2& outwa
 }  // namespace
 
 std::optional<Layer> limit_lines(const drawing::ViewDrawing& view, const LineWidths& widths) {
-  if (view.limits.empty()) return std::nullopt;
+  const auto is_drawn = [](const drawing::BrokenOut& one) { return !one.lines.empty(); };
+  if (view.limits.empty() && std::none_of(view.broken_out.begin(), view.broken_out.end(), is_drawn))
+    return std::nullopt;
   Layer layer = empty_layer(view.name, scene::SheetLine::limit, widths);
   for (const drawing::Limit& limit : view.limits) {
     if (!limit.symmetric) {
@@ -72,6 +74,12 @@ std::optional<Layer> limit_lines(const drawing::ViewDrawing& view, const LineWid
     if (!limit.meets[0]) add_symbol(layer.strokes, ends.from, -ends.along);
     if (!limit.meets[1]) add_symbol(layer.strokes, ends.to, ends.along);
   }
+  for (const drawing::BrokenOut& broken_out : view.broken_out)
+    for (const std::vector<Vec2>& line : broken_out.lines) {
+      Stroke& stroke = layer.strokes.emplace_back(Stroke{line});
+      stroke.closed = line.front() == line.back();
+      if (stroke.closed) stroke.points.pop_back();
+    }
   return layer;
 }
 

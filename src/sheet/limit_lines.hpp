@@ -11,8 +11,8 @@
 namespace epura::sheet {
 
 /// Layer VIEW/limit: break lines with zigzags (type 01.1.19) past the outline, and the graphical symbol for symmetry,
-/// two short parallel lines at either end of a line of symmetry. All are narrow and continuous. Nothing if the view is
-/// complete.
+/// two short parallel lines at either end of a line of symmetry; freehand lines (type 01.1) around broken-out sections.
+/// All are narrow and continuous. Nothing if the view is complete.
 std::optional<Layer> limit_lines(const drawing::ViewDrawing& view, const LineWidths& widths);
 
 /// Adds the lines of symmetry of half views: long-dashed dotted narrow lines (04.1), which replace centre lines of the

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Freehand lines: continuous lines with small irregular waves (type 01.1, ISO 128-2, ISO 128-3).
+#pragma once
+
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace epura::drawing {
+
+/// Returns a closed freehand line along a smooth curve through points, mm on paper, three or more that do not lie on
+/// one line. It is never farther than `freehand_wave` from that curve.
+std::vector<Vec2> freehand_around(const std::vector<Vec2>& points);
+
+/// Returns points on a circle, close enough for a smooth curve through them.
+std::vector<Vec2> points_on_circle(const Vec2& centre, double radius);
+
+/// mm; half the height of the waves.
+inline constexpr double freehand_wave = 0.7;
+
+}  // namespace epura::drawing

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/broken_outs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.hpp"
+#include "drawing/cut_faces.hpp"
+#include "drawing/freehand.hpp"
+#include "edges/crossing_candidates.hpp"
+#include "scene/details.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+// Twice the signed area.
+double area_of(const std::vector<Vec2>& ring) {
+  double area = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
+    area += a.x * b.y - a.y * b.x;
+  }
+  return area;
+}
+
+}  // namespace
+
+std::vector<BrokenOutSection> cut_broken_outs(const scene::World& world, const scene::SceneDescription& scene,
+                                              const scene::ViewDescription& view,
+                                              const projection::Projection& projection, const Messages& messages) {
+  std::string name = *view.name;
+  if (view.detail.given()) name = *scene::find_detail(scene, *view.detail)->view;
+  std::vector<BrokenOutSection> sections;
+  for (const scene::BrokenOutDescription& one : scene.broken_outs) {
+    if (*one.view != name) continue;
+    if (projection.central)
+      throw Error(ErrorKind::input, one.view.where,
+                  "view '" + name + "' is a perspective, which has no broken-out section", "break out a parallel view");
+    scene::SectionDescription plane;
+    plane.name = {"'" + name + "' (broken out)", one.point.where};
+    plane.point = *one.point;
+    plane.normal = projection.n;
+    sections.push_back({one, cut_section(world, scene::make_cutting_surface(plane), messages)});
+  }
+  return sections;
+}
+
+drawing::ClosedLine line_on_page(const scene::BrokenOutDescription& description, const drawing::ViewDrawing& drawing) {
+  std::vector<Vec2> points;
+  if (description.radius.given())
+    points = drawing::points_on_circle(drawing::position_on_page(drawing, *description.point),
+                                       drawing.scale * *description.radius);
+  else
+    for (const Vec3& p : *description.outline) points.push_back(drawing::position_on_page(drawing, p));
+  const std::string& where = description.radius.given() ? description.radius.where : description.outline.where;
+  constexpr double least = 0.5;  // mm²; a line around less is a dot
+  if (!(std::abs(area_of(points)) > 2 * least))
+    throw Error(ErrorKind::input, where, "the broken-out section has no area in view '" + *description.view + "'",
+                "give points around the area to be cut, or a larger radius or scale");
+  drawing::ClosedLine line(drawing::freehand_around(points));
+  for (const drawing::BrokenOut& other : drawing.broken_out)
+    if (overlap(line, drawing::ClosedLine(other.ring)))
+      throw Error(ErrorKind::input, where,
+                  "the broken-out section overlaps another one in view '" + *description.view + "'",
+                  "separate them, or cut the view by a [[section]] with a path");
+  return line;
+}
+
+std::vector<drawing::PaperTriangle> removed_on_paper(const scene::World& world, const CutSection& section,
+                                                     const Mat4& world_to_page) {
+  return drawing::before_cuts_on_paper(world, {edges::all_triangles(world)}, section.surface, world_to_page);
+}
+
+}  // namespace epura::pipeline
