@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
@@ -9,8 +10,11 @@ namespace epura {
 
 namespace {
 
+// what() ends at the first NUL, of which texts of the user may have some.
 std::string sentence_of(const std::string& where, const std::string& what) {
-  return where.empty() ? what : where + ": " + what;
+  std::string sentence = where.empty() ? what : where + ": " + what;
+  std::replace(sentence.begin(), sentence.end(), '\0', ' ');
+  return sentence;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace epura::features {
 /// An edge of the part between two of its faces.
 struct DeclaredEdge {
   double angle;  ///< degrees between the faces; NaN: take the angle between facets
-  bool is_tangent;
+  int is_tangent;
   int end;  ///< end of its vertices in DeclaredPart::edge_vertices
 };
 

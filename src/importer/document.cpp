@@ -23,6 +23,10 @@ bool are_ends(const std::vector<int>& ends, std::size_t count) {
 
 bool is_colour(int colour) { return no_colour <= colour && colour <= 0xffffff; }
 
+bool is_kind(const features::PartSurface& face) {
+  return static_cast<std::size_t>(face.kind) < features::surface_kind_names.size();
+}
+
 bool is_sound(const Shape& shape) {
   std::vector<int> edge_ends;
   for (const features::DeclaredEdge& edge : shape.edges) edge_ends.push_back(edge.end);
@@ -31,6 +35,7 @@ bool is_sound(const Shape& shape) {
          shape.body_of_polygon.size() == shape.polygon_ends.size() &&
          shape.body_colours.size() == shape.body_names.size() && is_colour(shape.colour) &&
          std::all_of(shape.body_colours.begin(), shape.body_colours.end(), is_colour) &&
+         std::all_of(shape.faces.begin(), shape.faces.end(), is_kind) &&
          are_within(shape.face_of_polygon, -1, shape.faces.size()) &&
          are_within(shape.body_of_polygon, -1, shape.body_names.size()) &&
          are_within(shape.edge_vertices, 0, shape.points.size()) && are_ends(edge_ends, shape.edge_vertices.size()) &&

@@ -17,6 +17,8 @@ namespace epura::importer {
 /// Colours are 0xrrggbb.
 inline constexpr int no_colour = -1;
 
+// What comes from another process has no bool and no enumeration that is not checked: any bytes may come.
+
 struct Shape {
   std::string name{};
   mesh::Points points{};

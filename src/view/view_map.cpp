@@ -41,6 +41,7 @@ ViewMap parallel_map(const projection::Projection& p, ViewMap map) {
 // A reference point well in front of the centre: the middle of the scene, or, if that lies beside or behind the viewer,
 // a point straight ahead at a distance of the scene's size.
 Vec3 reference_point(const projection::Projection& p, const Box& scene) {
+  if (scene.empty()) return p.point;
   const Vec3 middle = scene.centre();
   const double ahead = glm::dot(p.n, p.projector - middle);
   const double size = std::max(largest_component(scene.size()), largest_component(p.projector - middle) * 0x1p-20);

@@ -72,15 +72,21 @@ SideCrossing place_crossing(const view::ProjectedScene& view, const PageEdge& ed
   const double length2 = glm::dot(side, side);
   const auto on_side = [&](double t) { return glm::dot(p + t * along - position(u), side); };  // times length2
 
-  const double computed = cross(position(u) - p, side) / cross(along, side);
+  const double turn = cross(along, side);
+  const double computed = cross(position(u) - p, side) / turn;
   const double s = on_side(computed);
-  const auto is_near_side = [&] {
-    if (s >= 0 && s <= length2) return true;
-    const double slack = 2 * view.cell * std::sqrt(length2);
-    return s >= -slack && s <= length2 + slack;
-  };
-  const bool confirmed = decided.confirms(computed) && is_near_side();
-  const double t = placed(confirmed ? computed : decided.t(), decided.numerator, decided.denominator);
+  const double cell = view.cell * std::sqrt(length2);
+  const auto is_within = [&](double cells) { return s >= -cells * cell && s <= length2 + cells * cell; };
+  constexpr double cells = 2, least_turn = 64;
+  const bool agrees = decided.confirms(computed);
+  const bool confirmed = agrees && is_within(cells);
+  const auto place = [&](double t) { return placed(t, decided.numerator, decided.denominator); };
+  // Rounding turns the line of a short edge, so that far beyond the edge it hits a side which the edge's own line
+  // misses. The plane of the triangle goes on there.
+  const bool is_turned = agrees && !confirmed && std::abs(turn) > least_turn * cell;
+  if (is_turned && is_within(cells * std::abs(computed)) && place(computed) == computed)
+    return {computed, s / length2, crossed.u, crossed.v};
+  const double t = place(confirmed ? computed : decided.t());
   return {t, std::clamp((t == computed ? s : on_side(t)) / length2, 0.0, 1.0), crossed.u, crossed.v};
 }
 

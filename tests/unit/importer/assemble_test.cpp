@@ -117,7 +117,7 @@ TEST(DeclaredPart, TangentEdgesAreWithinTheLimitOrDeclared) {
   importer::Shape shape = cylinder(5, 20, 48);
   shape.edges[0].angle = 4.9;
   shape.edges[1].angle = 20;
-  shape.edges[1].is_tangent = true;
+  shape.edges[1].is_tangent = 1;
   const Read r = read({.shapes = {shape}});
   for (const features::PartBorder& border : r.part.borders) EXPECT_EQ(border.kind, features::BorderKind::tangent);
 }
