@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.hpp"
 #include "drawing/boundary.hpp"
 #include "drawing/chains.hpp"
 #include "drawing/clip_drawing.hpp"
@@ -45,6 +46,7 @@ std::vector<Interval> kept_along(const std::vector<LeftOut>& strips, double gap)
   std::vector<Interval> kept;
   double begin = -HUGE_VAL, shift = 0;
   for (const LeftOut& strip : strips) {
+    check(strip.from >= begin && strip.to >= strip.from, "strips that are left out are in order");
     if (!std::isinf(strip.from)) kept.push_back({begin, strip.from, shift});
     if (strip.is_between()) shift += gap - (strip.to - strip.from);
     begin = strip.to;
@@ -127,6 +129,7 @@ std::vector<Limit> limits_of(const ViewDrawing& drawing, const Breaks& breaks) {
         limit.meets = {other && *other == part.min[across], other && *other == part.max[across]};
         limit.from[across] += limit.meets[0] ? part.min[across] : (*extent)[0];
         limit.to[across] += limit.meets[1] ? part.max[across] : (*extent)[1];
+        check(limit.from[across] <= limit.to[across] + 2 * same_place, "a limit goes forwards");
         limits.push_back(limit);
       }
   return limits;
@@ -215,6 +218,8 @@ std::vector<std::array<double, 2>> kept_of_line(const Breaks& breaks, const Vec2
   for (const KeptPart& part : kept_parts(breaks))
     if (const auto inside = inside_part(part, from, to)) kept.push_back(*inside);
   std::sort(kept.begin(), kept.end());
+  for (const auto& [begin, end] : kept)
+    check(begin >= 0 && begin <= end && end <= 1, "a part that is kept lies on its line");
   return kept;
 }
 

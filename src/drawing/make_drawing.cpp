@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "drawing/chains.hpp"
 #include "drawing/continue_contours.hpp"
@@ -45,6 +46,7 @@ std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::
                     static_cast<int>(e),
                     {from, to}};
       });
+      check(piece == pieces.data() + first[e + 1], "every piece of an edge has its place");
     }
   });
   return pieces;
@@ -122,6 +124,9 @@ void add_segments(const visibility::ResolvedView& lines, const std::vector<Piece
     for (std::size_t i = begin; i < end; ++i) {
       Segment& segment = drawing.segments[i];
       segment = segment_of(lines, pieces[i], crossing[i]);
+      constexpr double rounding = 1e-9;
+      check(std::min(segment.t[0], segment.t[1]) >= -rounding && std::max(segment.t[0], segment.t[1]) <= 1 + rounding,
+            "the parameters of a line are from 0 to 1");
       if (segment.crossing < 0) continue;
       const edges::FeatureEdge& edge = drawn.edges[pieces[i].edge];
       drawing.crossings[segment.crossing] = edge.crossing < 0
@@ -185,6 +190,7 @@ double parameter_in_space(const view::ProjectedScene& view, const edges::Feature
   const double wq = view.vertices[edge.vertex[1]].w;
   // First the position on the clipped edge in space, then on the edge of the model.
   const double part = s * wp / (s * wp + (1 - s) * wq);
+  check(part >= 0 && part <= 1, "a point of an edge lies between its ends");
   return edge.t[0] + part * (edge.t[1] - edge.t[0]);
 }
 
@@ -224,6 +230,9 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   for (const Segment& s : drawing.segments) {
     low = glm::min(low, glm::min(s.from, s.to));
     max = glm::max(max, glm::max(s.from, s.to));
+    check(s.from.x >= low.x && s.to.x >= low.x && s.from.y >= low.y && s.to.y >= low.y && s.from.x <= max.x &&
+              s.to.x <= max.x && s.from.y <= max.y && s.to.y <= max.y,
+          "the box of a drawing contains its lines");
   }
   if (!drawing.segments.empty()) {
     drawing.min = low;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
 
@@ -160,6 +161,7 @@ std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, cons
   const double height = letter_widths * widths.narrow;
   const auto trace = trace_of(parent, surface, height);
   if (!trace) return std::nullopt;
+  check(trace->corners.size() == trace->legs.size() + 1, "a cutting plane goes from corner to corner");
   Layer layer = empty_layer(parent.name, scene::SheetLine::cutting_plane, widths);
   const std::size_t last = trace->corners.size() - 1;
   for (std::size_t leg = 0; leg < last; ++leg) {

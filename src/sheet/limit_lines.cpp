@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/error.hpp"
 #include "sheet/dash.hpp"
 #include "sheet/furniture.hpp"
 
@@ -36,6 +37,7 @@ Stroke zigzag_line(const drawing::Limit& limit, double width) {
   const auto [from, to, along] = ends_of(limit, past_outline);
   const Vec2 across(-along.y, along.x);
   const double length = glm::distance(from, to);
+  check(length > 0, "a break line has a length");
   const int count = 1 + static_cast<int>(length / zigzag_every);
   const double half = zigzag_along * width / 2, quarter = zigzag_along * width / 4, high = zigzag_across * width / 2;
   Stroke stroke{{from}};

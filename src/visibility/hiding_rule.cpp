@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "base/error.hpp"
+
 namespace epura::visibility {
 
 namespace {
@@ -101,6 +103,7 @@ std::array<CrossedSide, 2> crossed_sides(const view::ProjectedScene& view, const
     const auto [u, v] = std::minmax(triangle.vertex[i], triangle.vertex[j]);
     sides[count++] = {u, v, cross_on_grid(view, edge, u, v)};
   }
+  check(count == 2, "a line crosses two sides of a triangle");
   return sides;
 }
 
@@ -179,6 +182,7 @@ std::optional<Overlap> overlap_of(const view::ProjectedScene& view, const PageEd
   if (!sides) return std::nullopt;
   auto in = place_crossing(view, edge, (*sides)[0]), out = place_crossing(view, edge, (*sides)[1]);
   if (in.t > out.t) std::swap(in, out);
+  check(in.t <= out.t, "a line enters a triangle before it leaves it");
   const double from = std::max(in.t, 0.0), to = std::min(out.t, 1.0);
   if (!(from < to)) return std::nullopt;
   return Overlap{from, to, in, out};
