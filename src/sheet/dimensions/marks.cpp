@@ -123,10 +123,10 @@ void set_text(PlacedDimension& dimension, const DimensionText& text, const TextP
     dimension.texts = {
         {text.line(), at.middle + at.rise * left_of(at.read), style.text, degrees, Align::middle, "dimension"}};
   const double height = style.height(text);
-  check(height > 0 && style.width(text) >= 0, "a text has a size");
   dimension.text_box = {at.middle + (at.rise + height / 2) * left_of(at.read),
                         at.read,
                         {style.width(text) / 2 + air * style.text, height / 2 + air * style.text}};
+  check(dimension.text_box.half.x > 0 && dimension.text_box.half.y > 0, "a text has a size");
 }
 
 }  // namespace epura::sheet

@@ -46,6 +46,8 @@ void expect_covered(Polygon polygon, double twice_the_area) {
 TEST(Triangulate, ACornerOnTheBorderOfAnEarStopsIt) {
   // (2, 2) lies on the diagonal of the ear at (4, 0), far from its ends along the outline.
   expect_covered({{0, 0}, {4, 0}, {4, 4}, {1, 4}, {2, 2}, {0, 2}}, 26);
+  // Without that ear, and without any other, a corner would be cut that covers the outside.
+  expect_covered({{0, 0}, {4, 0}, {4, 4}, {1, 4}, {2, 2}, {0, 2}, {-2, 2}, {-2, -1}}, 36);
 }
 
 TEST(Triangulate, AStaircaseIsCovered) {
