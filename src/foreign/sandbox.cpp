@@ -41,18 +41,57 @@ constexpr std::uint64_t rights_of_files = LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_
                                           LANDLOCK_ACCESS_FS_WRITE_FILE | truncate_file | use_device;
 
 /// What libraries of the system read at any time.
-constexpr std::array of_system{"/usr",       "/lib",         "/lib64",        "/etc/fonts",
-                               "/etc/ld.so.cache", "/etc/localtime", "/proc/self",    "/proc/cpuinfo",
-                               "/proc/meminfo",    "/sys/devices/system/cpu", "/sys/devices/system/node", "/dev/urandom"};
+constexpr std::array of_system{"/usr",
+                               "/lib",
+                               "/lib64",
+                               "/etc/fonts",
+                               "/etc/ld.so.cache",
+                               "/etc/localtime",
+                               "/proc/self",
+                               "/proc/cpuinfo",
+                               "/proc/meminfo",
+                               "/sys/devices/system/cpu",
+                               "/sys/devices/system/node",
+                               "/dev/urandom"};
 
 /// Sockets of both ends exist before: those of socketpair() are no way out.
-constexpr std::array denied_calls{
-    "socket",       "ptrace",      "process_vm_readv",  "process_vm_writev", "process_madvise",   "pidfd_getfd",
-    "mount",        "umount2",     "pivot_root",        "chroot",            "unshare",           "setns",
-    "fsopen",       "fsmount",     "open_tree",         "move_mount",        "mount_setattr",     "bpf",
-    "keyctl",       "add_key",     "request_key",       "io_uring_setup",    "io_uring_enter",    "io_uring_register",
-    "userfaultfd",  "kexec_load",  "kexec_file_load",   "init_module",       "finit_module",      "delete_module",
-    "open_by_handle_at", "name_to_handle_at", "perf_event_open", "quotactl", "swapon", "swapoff", "reboot"};
+constexpr std::array denied_calls{"socket",
+                                  "ptrace",
+                                  "process_vm_readv",
+                                  "process_vm_writev",
+                                  "process_madvise",
+                                  "pidfd_getfd",
+                                  "mount",
+                                  "umount2",
+                                  "pivot_root",
+                                  "chroot",
+                                  "unshare",
+                                  "setns",
+                                  "fsopen",
+                                  "fsmount",
+                                  "open_tree",
+                                  "move_mount",
+                                  "mount_setattr",
+                                  "bpf",
+                                  "keyctl",
+                                  "add_key",
+                                  "request_key",
+                                  "io_uring_setup",
+                                  "io_uring_enter",
+                                  "io_uring_register",
+                                  "userfaultfd",
+                                  "kexec_load",
+                                  "kexec_file_load",
+                                  "init_module",
+                                  "finit_module",
+                                  "delete_module",
+                                  "open_by_handle_at",
+                                  "name_to_handle_at",
+                                  "perf_event_open",
+                                  "quotactl",
+                                  "swapon",
+                                  "swapoff",
+                                  "reboot"};
 
 /// The version of Landlock; 0 if the kernel has none.
 int landlock_version() {

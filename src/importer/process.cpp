@@ -82,8 +82,8 @@ class Server {
     std::string name;
     unpack(question), unpack(name);
     const epura_importer& importer = named(name);
-    return foreign::send_message(
-        socket_, question == Question::recognise ? answer_to_recognise(unpack, importer) : answer_to_read(unpack, importer));
+    return foreign::send_message(socket_, question == Question::recognise ? answer_to_recognise(unpack, importer)
+                                                                          : answer_to_read(unpack, importer));
   }
 
  private:

@@ -114,7 +114,7 @@ ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, 
   std::optional<NamelessFile> file;
   if (source.bytes != nullptr) file.emplace(*source.bytes);
   const Reading reading{
-      .path = file ? file->path() : source.path,
+      .path = file ? fs::path(file->path()) : source.path,
       .name = source.name,
       .values = foreign::flattened(
           foreign::values_of(importer.table.parameters, parameters, importer.table.name, "importer")),

@@ -157,8 +157,8 @@ std::vector<ProjectionEntry> PluginProcess::start() {
 
 }  // namespace
 
-std::vector<ProjectionEntry> read_plugin_apart(const std::filesystem::path& path, Afterwards afterwards,
-                                               double seconds, Confinement confinement) {
+std::vector<ProjectionEntry> read_plugin_apart(const std::filesystem::path& path, Afterwards afterwards, double seconds,
+                                               Confinement confinement) {
   const auto process = std::make_shared<PluginProcess>(path, seconds, confinement);
   std::vector<ProjectionEntry> entries = process->table();
   if (afterwards == Afterwards::rests) process->rest();

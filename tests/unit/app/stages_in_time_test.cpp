@@ -143,8 +143,8 @@ class StageBesideLines : public testing::TestWithParam<const char*> {};
 TEST_P(StageBesideLines, IsLeftOut) {
   const Folder folder;
   const std::string json = (folder / "x.json").string(), pdf = (folder / "x.pdf").string();
-  const Drawn run = draw_struck_at(GetParam(), {(root() / "samples/bracket.toml").string(), "-o", json, "-o",
-                                                pdf, "--centre-lines", "--verify", "--dump", "edges"});
+  const Drawn run = draw_struck_at(GetParam(), {(root() / "samples/bracket.toml").string(), "-o", json, "-o", pdf,
+                                                "--centre-lines", "--verify", "--dump", "edges"});
   EXPECT_EQ(run.error, "");
   ASSERT_FALSE(run.stages.empty());
   EXPECT_EQ(run.stages.front(), GetParam());
