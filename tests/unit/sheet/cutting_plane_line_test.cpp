@@ -136,6 +136,27 @@ TEST(CuttingPlaneLine, IsNotWhereStepsAreSeenFromTheFront) {
   EXPECT_FALSE(sheet::sees_edge_on(orthographic({1, 0, 0}, {0, 0, 1}), steps));
 }
 
+TEST(CuttingPlaneLine, ReplacesCentreLines) {
+  const drawing::ViewDrawing parent = from_top();
+  const auto marks = sheet::cutting_plane_line(parent, plane_at({0, 30, 0}, {0, -1, 0}), widths);
+  ASSERT_TRUE(marks);
+  const Vec2 middle = (parent.min + parent.max) / 2.0;
+  sheet::Layer centre = sheet::empty_layer("top", scene::SheetLine::centre, widths);
+  const auto add = [&](const Vec2& from, const Vec2& to) { centre.strokes.push_back({{middle + from, middle + to}}); };
+  add({-5, 0}, {5, 0});
+  add({0, -5}, {0, 5});
+  add({-5, 1}, {5, 1});
+  add({0, 0}, {60, 0});
+  const std::vector<sheet::Stroke> before = centre.strokes;
+  sheet::give_way(centre, *marks, widths);
+  ASSERT_EQ(centre.strokes.size(), 3U);
+  EXPECT_EQ(centre.strokes[0].points, before[1].points);
+  EXPECT_EQ(centre.strokes[1].points, before[2].points);
+  // The end of the wide line: 0.8 + 1.4 letter heights past the ink.
+  EXPECT_NEAR(centre.strokes[2].points[0].x, parent.max.x + 2.2 * 5, 1e-9);
+  EXPECT_EQ(centre.strokes[2].points[1], before[3].points[1]);
+}
+
 TEST(DividingLine, ReplacesCentreLinesOfAHalfSection) {
   drawing::ViewDrawing front =
       draw(world_of(box({0, 0, 0}, {40, 20, 10})), orthographic({0, -1, 0}, {0, 0, 1})).drawing;
