@@ -21,7 +21,8 @@ class AlignedSections : public testing::Test {
   Folder folder;
 
   Outcome draw(const std::string& scene, std::vector<std::string> options = {}) {
-    options.insert(options.begin(), {"draw", folder.file("scene.toml", scene), "-o", "x.json", "-o", "x.svg"});
+    options.insert(options.begin(),
+                   {"draw", "--allow-outside", folder.file("scene.toml", scene), "-o", "x.json", "-o", "x.svg"});
     return epura(options, folder / "");
   }
   Json drawing(const std::string& scene, const std::vector<std::string>& options = {}) {
