@@ -91,7 +91,9 @@ void clip_to(ViewDrawing& drawing, const Boundary& boundary) {
 }
 
 void clip_to(ViewDrawing& drawing, const ClosedLine& line) {
-  clip_segments(drawing, [&](const Vec2& from, const Vec2& to) { return line.parts(from, to, true); });
+  const auto parts_of = [&](const Vec2& from, const Vec2& to) { return line.parts(from, to, true); };
+  clip_segments(drawing, parts_of);
+  for (BrokenOut& broken_out : drawing.broken_out) clip_bounds(broken_out, parts_of);
   for (CutFace& face : drawing.cut_faces) face.rings = line.area(face.rings);
   drop_empty_faces(drawing);
 }

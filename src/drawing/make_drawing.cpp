@@ -92,7 +92,7 @@ CrossingSegment cut_segment(const scene::World& world, const edges::FeatureEdge&
   const Vec3& p = world.points[first + cut.vertex[0]];
   const Vec3& q = world.points[first + cut.vertex[1]];
   // The triangles of the cut face come last.
-  return {{{{edge.model, mesh.polygon[mesh.triangles_of(cut).front()]}, {-1, -1}}},
+  return {{{{world.number_in_scene(edge.model), mesh.polygon[mesh.triangles_of(cut).front()]}, {-1, -1}}},
           {p + t[0] * (q - p), p + t[1] * (q - p)}};
 }
 
@@ -102,10 +102,21 @@ CrossingSegment crossing_segment(const scene::World& world, const edges::FaceCro
   for (int i = 0; i < 2; ++i) {
     const int model = world.model_of_triangle(crossing.triangles[i]);
     const mesh::Mesh& mesh = *world.models[model].mesh;
-    segment.faces[i] = {model, mesh.polygon[crossing.triangles[i] - world.first_triangle[model]]};
+    segment.faces[i] = {world.number_in_scene(model),
+                        mesh.polygon[crossing.triangles[i] - world.first_triangle[model]]};
     segment.world[i] = crossing.ends[0] + t[i] * (crossing.ends[1] - crossing.ends[0]);
   }
   return segment;
+}
+
+// Empty if the models have the same numbers as in the scene.
+std::vector<int> numbers_in_scene(const scene::World& world) {
+  std::vector<int> numbers;
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
+    numbers.push_back(world.number_in_scene(model));
+  const bool is_scene = std::all_of(world.models.begin(), world.models.end(),
+                                    [](const scene::Placed& placed) { return placed.copy_of < 0; });
+  return is_scene ? std::vector<int>() : numbers;
 }
 
 void add_segments(const visibility::ResolvedView& lines, const std::vector<Piece>& pieces, ViewDrawing& drawing,
@@ -206,6 +217,7 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   drawing.name = options.name;
   drawing.projection = view.projection;
   drawing.world_to_page = view::world_to_page(view, paper);
+  drawing.numbers_in_scene = numbers_in_scene(lines.world);
   drawing.vanishing_points = view::vanishing_points_on_page(view, paper);
 
   const Coincidence limits = coincidence_on_paper(view, paper);

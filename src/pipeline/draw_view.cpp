@@ -147,6 +147,7 @@ class ViewRun {
     for (const BrokenOutSection& one : input_.broken_out) break_out(lines, one, verification);
     if (options_.detail) show_detail(lines);
     const double unsymmetric = options_.breaks.any() ? break_view(lines) : 0;
+    add_revolved(lines.drawing, options_.revolved);
     auto features = budget_.or_nothing([&](const Progress& progress) {
       return options_.centre_lines ? scene::find_centred_features(input_.world, options_.edges.crease_angle, progress)
                                    : scene::CentredFeatures();
@@ -313,6 +314,7 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   DrawnLines lines = make_in_time(budget_.lines, budget_.last(), make, leave_out);
   if (const CutSection* section = input_.section) {
     lines.drawing.cut_faces = drawing::cut_faces_on_paper(section->cut.faces, section->surface.plane, view_, paper);
+    for (drawing::CutFace& face : lines.drawing.cut_faces) face.model = input_.world.number_in_scene(face.model);
     lines.drawing.before_cuts =
         drawing::before_cuts_on_paper(input_.world, section->cut.uncut, section->surface, lines.drawing.world_to_page);
   }
@@ -345,6 +347,7 @@ drawing::ViewDrawing ViewRun::cut_view(const BrokenOutSection& one, std::optiona
   ViewOptions options = options_;
   options.detail.reset();
   options.breaks = {};
+  options.revolved.clear();
   options.arcs.reset();
   options.centre_lines = false;
   for (std::vector<sheet::BodyStyle>& of_model : options.styles.of_model)

@@ -157,6 +157,7 @@ Options<SceneWords> scene_keys() {
       parts_key("section", section_options(), in_description(&SceneDescription::sections)),
       parts_key("detail", detail_options(), in_description(&SceneDescription::details)),
       parts_key("broken_out", broken_out_options(), in_description(&SceneDescription::broken_outs)),
+      parts_key("revolved", revolved_options(), in_description(&SceneDescription::revolved)),
       parts_key("explode", explode_options(), in_description(&SceneDescription::explosions)),
       parts_key("view", view_options(), in_description(&SceneDescription::views)),
       parts_key("dimension", dimension_options(), std::mem_fn(&SceneWords::dimensions)),
@@ -208,6 +209,7 @@ std::string describe_scene_keys() {
   append_rows(table, "`[[section]]`", section_options());
   append_rows(table, "`[[detail]]`", detail_options());
   append_rows(table, "`[[broken_out]]`", broken_out_options());
+  append_rows(table, "`[[revolved]]`", revolved_options());
   append_rows(table, "`[[explode]]`", explode_options());
   append_rows(table, "`[[dimension]]`", dimension_options());
   append_rows(table, "`[[note]]`", note_options());

@@ -32,7 +32,7 @@ void add_origin(Stroke& stroke, const drawing::ViewDrawing& drawing, EdgeKind ki
     const drawing::Segment& segment = drawing.segments[static_cast<std::size_t>(index)];
     if (segment.edge[0] < 0) continue;
     const auto [low, high] = std::minmax(segment.edge[0], segment.edge[1]);
-    const ModelEdge edge{segment.model, {low, high}};
+    const ModelEdge edge{drawing.number_in_scene(segment.model), {low, high}};
     if (stroke.edges.empty() || edge != stroke.edges.back()) stroke.edges.push_back(edge);
   }
 }

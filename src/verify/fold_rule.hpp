@@ -35,6 +35,9 @@ class FoldRule {
   };
   [[nodiscard]] Sheets sheets_at(const std::array<int, 2>& edge) const;
 
+  /// Whether a cut has left only some of the triangles that meet in an edge of the file.
+  [[nodiscard]] bool ends_at_cut(const Sheets& sheets) const;
+
   /// For two triangles on either side of an edge that meet there or are separated by needles only.
   [[nodiscard]] Need fold(const std::array<int, 2>& edge, int first, int second) const;
   /// For two triangles that cross without a common edge.
