@@ -8,6 +8,7 @@
 
 #include "explain/find_subjects.hpp"
 #include "pipeline/shortcuts.hpp"
+#include "projection/catalogue.hpp"
 #include "scene/choices.hpp"
 
 namespace epura::pipeline {
@@ -30,7 +31,8 @@ struct epura::scene::Words<epura::pipeline::Visibility> {
 namespace epura::pipeline {
 
 struct RunOptions {
-  std::vector<std::filesystem::path> plugin_path;  ///< more folders with projection plugins
+  std::vector<std::filesystem::path> plugin_path;        ///< more folders with projection plugins
+  std::vector<projection::ProjectionEntry> projections;  ///< of the calling program, by name before those of plugins
   Visibility visibility = Visibility::exact;
   std::optional<double> max_error;  ///< mm; no longer span may be shown wrongly
   std::optional<double> contact;    ///< world length
