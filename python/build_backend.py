@@ -81,10 +81,13 @@ def _install(stage: Path, settings: Dict[str, Any]) -> None:
     if not (stage / "epura" / "__init__.py").exists():
         raise SystemExit("epura: the module was not built: install pybind11-dev and python3-dev, then try again")
     shutil.rmtree(stage / "epura" / "share", ignore_errors=True)
+    # Wheels have no links: libraries get the names by which they are loaded.
+    for link in [path for path in stage.rglob("*.so*") if path.is_symlink()]:
+        link.resolve().replace(link)
 
 
 def _write_wheel(stage: Path, wheel: Path, info: str) -> None:
-    """A zip file with a record of its files. Links become files, which wheels do not have."""
+    """A zip file with a record of its files."""
     record: List[str] = []
     with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
         for path in sorted(stage.rglob("*")):
@@ -92,7 +95,7 @@ def _write_wheel(stage: Path, wheel: Path, info: str) -> None:
                 continue
             name, data = path.relative_to(stage).as_posix(), path.read_bytes()
             entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
-            entry.external_attr = (0o755 if os.access(path, os.X_OK) else 0o644) << 16
+            entry.external_attr = (0o100755 if os.access(path, os.X_OK) else 0o100644) << 16
             entry.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(entry, data)
             digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()

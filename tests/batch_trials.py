@@ -180,7 +180,8 @@ def try_names(epura):
         file.write(block(1))
     listed = b"\0".join([*(os.fsencode(f"names/{name}.obj") for name in names), raw])
     for what, sources, given in (("in a folder", ["names"], b""), ("in a list", ["-"], listed)):
-        for drawn in ((len(names) + 1, 0, 0), (0, len(names) + 1, 0)):
+        # A name that is not UTF-8 is drawn each time: JSON has no text for it.
+        for drawn in ((len(names) + 1, 0, 0), (1, len(names), 0)):
             ran = subprocess.run(command(epura, f"out {what}", sources) + ["--report", "r.html", "--junit", "r.xml"],
                                  input=given, capture_output=True)
             check(f"names {what}", ran.returncode == 0 and counted(ran.stdout.decode()) == drawn,

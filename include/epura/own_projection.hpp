@@ -14,10 +14,10 @@ namespace epura {
 
 /// A row of the table in which a projection declares its parameters.
 struct OwnParameter {
-  std::string name;                  ///< lower case, digits and '-'
-  std::vector<double> initial{0};    ///< the default of each component; NaN: determined by the projection
-  std::vector<std::string> choices;  ///< then the value is an index in this list
-  std::string unit{};                ///< "deg", "1", "model units" ...
+  std::string name;                    ///< lower case, digits and '-'
+  std::vector<double> initial{0};      ///< the default of each component; NaN: determined by the projection
+  std::vector<std::string> choices{};  ///< then the value is an index in this list
+  std::string unit{};                  ///< "deg", "1", "model units" ...
   std::string help{};
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
 };

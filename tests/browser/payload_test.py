@@ -136,6 +136,7 @@ def scene_of(payload, model):
     return f"""
 [sheet]
 size = "A1"
+scale = "1:1"
 [title_block]
 {fields}
 [title_block.free]
@@ -224,7 +225,7 @@ def draw(payload, number):
     with open("scene.toml", "w", encoding="utf-8") as file:
         file.write(scene_of(payload, model))
     names = [f"{number}.html", f"{number}.svg"]
-    ran = subprocess.run([EPURA, "draw", "scene.toml", "-o", names[0], "-o", names[1], "--svg-text", "text", "--why", "1-2"],
+    ran = subprocess.run([EPURA, "draw", "scene.toml", "-o", names[0], "-o", names[1], "--svg-text", "text", "--why", "1-3"],
                          capture_output=True, text=True)
     check(f"{payload!r} is drawn", ran.returncode == 0, ran.stderr)
     test_inline(payload)
