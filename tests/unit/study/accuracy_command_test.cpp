@@ -52,7 +52,7 @@ TEST_F(Accuracy, EveryFormatHasTheSameNumbers) {
   const std::string page = read("a.html");
   for (const auto& row : csv)
     for (const std::string& cell : row)
-      if (!cell.empty()) EXPECT_NE(page.find(">" + cell + "</text>"), std::string::npos) << cell;
+      EXPECT_TRUE(cell.empty() || page.find(">" + cell + "</text>") != std::string::npos) << cell;
   const std::string json = read("a.json");
   for (std::size_t row = 1; row < csv.size(); ++row)
     for (std::size_t i = 4; i < csv[row].size(); ++i)
