@@ -29,6 +29,8 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+# The module for Python needs the library, which is in another of these packages.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/lib)
 
 set(CPACK_DEBIAN_EPURA_PACKAGE_NAME epura)
 set(CPACK_DEBIAN_EPURA_PACKAGE_SECTION graphics)
@@ -80,6 +82,10 @@ set(CPACK_DEBIAN_PYTHON_DESCRIPTION
 "Drawings of arrays, files and objects of other libraries; lines as arrays of
 numpy, pictures in notebooks, projections written in Python, and drawings in
 tests of pytest.")
+
+# Compile the modules for whoever cannot write there, and leave nothing behind.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    "${CMAKE_CURRENT_SOURCE_DIR}/cmake/debian/python/postinst;${CMAKE_CURRENT_SOURCE_DIR}/cmake/debian/python/prerm")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libepura-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
