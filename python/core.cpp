@@ -78,6 +78,7 @@ epura::Settings settings_of(const py::dict& values) {
   take("verify", settings.verify);
   take("time_limit", settings.time_limit);
   take("threads", settings.threads);
+  take("allow_outside", settings.allow_outside);
   std::vector<std::string> folders;
   take("plugin_path", folders);
   settings.plugin_path = {folders.begin(), folders.end()};

@@ -98,7 +98,8 @@ def draw(
     verify: Optional[int] = None,
     time_limit: Optional[float] = None,
     threads: int = 0,
-    plugin_path: Sequence[str] = (),
+    plugin_path: Sequence[Union[str, "os.PathLike[str]"]] = (),
+    allow_outside: bool = False,
     projections: Sequence[Any] = (),
     progress: Union[bool, Callable[[str, float], None], None] = None,
 ) -> Drawing:
@@ -111,14 +112,15 @@ def draw(
     Of every drawing: `contact`: distance below which faces touch; `wireframe`: no hidden lines are removed;
     `centre_lines` of circular features; `arcs`: tolerance in mm within which arcs are recognised; `verify`: points at
     which the drawing is tested; `time_limit`: seconds; `threads`: 0 for all cores; `plugin_path`: more folders with
-    plugins; `projections`: classes that views use by name (epura.projection). `progress` is called with the name of a
-    stage and its completed fraction; True shows a bar, if tqdm is installed.
+    plugins; `allow_outside`: scene files and models may name files outside their folders; `projections`: classes that
+    views use by name (epura.projection). `progress` is called with the name of a stage and its completed fraction;
+    True shows a bar, if tqdm is installed.
 
     Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt. Raises InputError, PluginError or TimeError.
     """
     of_one = {"projection": projection, "parameters": parameters, "views": views, "hidden": hidden, "size": size,
               "scale": scale, "title": title, "sheet": sheet}
-    settings: Dict[str, Any] = {"wireframe": wireframe, "centre_lines": centre_lines, "threads": threads,
+    settings: Dict[str, Any] = {"wireframe": wireframe, "centre_lines": centre_lines, "threads": threads, "allow_outside": allow_outside,
                                 "plugin_path": [os.fspath(folder) for folder in plugin_path]}
     settings.update({key: value for key, value in (("contact", contact), ("arcs", arcs), ("verify", verify),
                                                    ("time_limit", time_limit)) if value is not None})

@@ -2,8 +2,9 @@
 """Scenes against scene files with the same words."""
 import datetime
 import json
-import subprocess
 import os
+import shutil
+import subprocess
 
 import numpy as np
 import pytest
@@ -12,10 +13,10 @@ import epura
 from shapes import FACES, SAMPLES, VERTICES
 
 FLANGE = SAMPLES / "models" / "flange.obj"
-FILE = f"""
+FILE = """
 views = ["front"]
 [[model]]
-file = "{FLANGE}"
+file = "flange.obj"
 name = "flange"
 [[style]]
 match = "flange"
@@ -25,7 +26,7 @@ projection = "top"
 name = "cut"
 section = "A"
 [[view]]
-projection = {{name = "cabinet", angle = 30}}
+projection = {name = "cabinet", angle = 30}
 edges = ["contour", "crease"]
 [[section]]
 name = "A"
@@ -67,10 +68,19 @@ def scene():
 def test_a_scene_is_its_file(tmp_path):
     file = tmp_path / "scene.toml"
     file.write_text(FILE)
+    shutil.copy(FLANGE, tmp_path)
     assert epura.draw(scene()).to_svg() == epura.draw(file).to_svg()
     by_program = tmp_path / "program.svg"
     subprocess.run([os.environ["EPURA_PROGRAM"], "draw", file, "-o", by_program], check=True, capture_output=True)
     assert by_program.read_text() == epura.draw(scene()).to_svg()
+
+
+def test_scene_files_name_files_below_them(tmp_path):
+    file = tmp_path / "scene.toml"
+    file.write_text(f"[[model]]\nfile = '{FLANGE}'\n")
+    with pytest.raises(epura.InputError):
+        epura.draw(file)
+    assert len(epura.draw(file, allow_outside=True).views) == 1
 
 
 def test_dictionaries_say_the_same():
