@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "library/own_projections.hpp"
 
 namespace epura {
 
@@ -317,6 +318,7 @@ scene::SceneDescription describe_scene(const Scene& scene) {
 pipeline::RunOptions run_options_of(const Settings& settings) {
   pipeline::RunOptions options;
   options.plugin_path = settings.plugin_path;
+  options.projections = entries_of(settings.projections);
   options.allow_outside = settings.allow_outside;
   if (settings.wireframe) options.visibility = pipeline::Visibility::none;
   if (settings.contact) options.contact = checked(*settings.contact, "settings.contact", 0);

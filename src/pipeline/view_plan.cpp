@@ -75,8 +75,8 @@ std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const 
   std::map<std::string, projection::ProjectionEntry> found;  // views with the same projection share a process
   const auto find = [&](const std::string& name) {
     const auto known = found.find(name);
-    return known != found.end() ? known->second
-                                : found.emplace(name, projection::find_projection(name, folders)).first->second;
+    if (known != found.end()) return known->second;
+    return found.emplace(name, projection::find_projection(name, folders, options.projections)).first->second;
   };
   std::vector<PlannedView> plans;
   for (const scene::ViewDescription& view : scene.views) {
