@@ -62,7 +62,7 @@ Figure axes_figure(const PicturePlane& plane, const std::array<Vec2, 3>& images)
   if (!is_orthographic(plane)) {
     const double slope = std::asin(glm::dot(glm::normalize(plane.projector), plane.n)) * 180 / std::numbers::pi;
     key.points.push_back(
-        {{"projectors " + format_rounded(slope, 3) + "° to the picture"}, {0, -arm - 2}, {0, 0}, false, true});
+        {{"projectors " + format_rounded(slope, 3) + "° to the picture"}, {arm / 2, -11}, {arm / 2, -11}, false, true});
   }
   return key;
 }
@@ -134,11 +134,11 @@ Figure axonometry_figure(const PicturePlane& plane, double factor, std::span<con
   for (const Request& request : requests) {
     if (request.item.kind == ConstructionKind::axes) {
       add(axes_figure(plane, images));
-      add_term(figure, "x y z", "axes with their ratios and their angles to the horizontal");
+      add_term(figure, "x y z", "axes: ratios, angles to the horizontal");
     }
     if (request.item.kind == ConstructionKind::ellipses) {
       add(ellipses_figure(plane, images));
-      add_term(figure, "a:b", "axes of the ellipse of a circle of diameter 1");
+      add_term(figure, "a:b", "axes of the ellipse of a circle, diameter 1");
     }
     if (request.item.kind == ConstructionKind::trace_triangle) {
       add(trace_figure(plane, images, request));

@@ -31,10 +31,11 @@ Vec3 space_of(const Epura& epura, const EpuraPoint& p) {
   return {p.elevation.x, epura.ground - p.plan.y, p.elevation.y - epura.ground};
 }
 
+// Outwards: position, depth and height are left-handed.
 Vec3 normal_of(const std::vector<Vec3>& ring) {
   Vec3 normal(0);
   for (std::size_t i = 0; i < ring.size(); ++i)
-    normal += glm::cross(ring[i] - ring[0], ring[(i + 1) % ring.size()] - ring[0]);
+    normal -= glm::cross(ring[i] - ring[0], ring[(i + 1) % ring.size()] - ring[0]);
   return glm::normalize(normal);
 }
 
@@ -115,8 +116,10 @@ class Drafter {
   void add_true_shape(const Request& request);
   void add_piercing(const Request& request);
   void add_section(const Request& request);
+  Symbol step(const std::string& meaning);
   void add_step(const Vec2& at, const std::string& meaning);
-  void add_text(const std::string& text, const Vec2& at);
+  void add_line(const Vec2& from, const Vec2& to, const Symbol& symbol = {});
+  void add_arc(const Vec2& centre, const Vec2& from, const Vec2& to, const Symbol& symbol);
   [[nodiscard]] Vec2 plan_of(const Vec3& p) const { return {p.x, epura_.ground - p.y}; }
   [[nodiscard]] Vec2 elevation_of(const Vec3& p) const { return {p.x, epura_.ground + p.z}; }
 
@@ -183,8 +186,8 @@ void Drafter::add_ground_line() {
   figure_.lines.push_back({{left, y}, {right, y}});
   figure_.lines.push_back({{left, y - below}, {left + length, y - below}});
   figure_.lines.push_back({{right - length, y - below}, {right, y - below}});
-  figure_.points.push_back({{"L"}, {left, y}, {left, y}, false, true});
-  figure_.points.push_back({{"T"}, {right, y}, {right, y}, false, true});
+  figure_.points.push_back({{"L"}, {left, y}, {right, y}, false, true});
+  figure_.points.push_back({{"T"}, {right, y}, {left, y}, false, true});
   add_term(figure_, "LT", "ground line: where the horizontal and the vertical plane meet");
   add_term(figure_, "A1 A2", "plan and elevation of the point A");
 }
@@ -225,14 +228,27 @@ void Drafter::add_labels(bool plan) {
   }
 }
 
-void Drafter::add_text(const std::string& text, const Vec2& at) {
-  figure_.points.push_back({{text}, at, at, false, true});
+// The number of the next step.
+Symbol Drafter::step(const std::string& meaning) {
+  const std::string number = "(" + std::to_string(++steps_) + ")";
+  figure_.terms.push_back({number, meaning});
+  return {number};
 }
 
 void Drafter::add_step(const Vec2& at, const std::string& meaning) {
-  const std::string number = "(" + std::to_string(++steps_) + ")";
-  add_text(number, at);
-  figure_.terms.push_back({number, meaning});
+  figure_.points.push_back({step(meaning), at, at, false, true});
+}
+
+void Drafter::add_line(const Vec2& from, const Vec2& to, const Symbol& symbol) {
+  figure_.lines.push_back({from, to, Extent::segment, symbol});
+}
+
+// The shorter arc between two radii of equal length.
+void Drafter::add_arc(const Vec2& centre, const Vec2& from, const Vec2& to, const Symbol& symbol) {
+  const Vec2 p = from - centre, q = to - centre;
+  const double radius = glm::length(p), a = portable_atan2(p.y, p.x);
+  const double b = a + std::remainder(portable_atan2(q.y, q.x) - a, 2 * std::numbers::pi);
+  figure_.curves.push_back({centre, {radius, 0}, {0, radius}, std::min(a, b), std::max(a, b), symbol});
 }
 
 // The edge AB turns about the vertical through A until it is parallel to the vertical plane.
@@ -240,28 +256,20 @@ void Drafter::add_true_length(const Request& request) {
   const std::string a_name = name_of(request.elements[0]), b_name = name_of(request.elements[1]);
   const Vec3 a = space_of(epura_, epura_point(epura_, request.elements[0]));
   const Vec3 b = space_of(epura_, epura_point(epura_, request.elements[1]));
-  const std::string length = format_rounded(glm::length(request.elements[1] - request.elements[0]), 6);
   const double radius = glm::length(plan_of(b) - plan_of(a));
-  const bool to_the_right = b.x >= a.x;
-  const Vec3 turned(a.x + (to_the_right ? radius : -radius), a.y, b.z);
+  const Vec3 turned(a.x + (b.x >= a.x ? radius : -radius), a.y, b.z);
   if (std::abs(b.y - a.y) > same_point) {
-    const Vec2 arm = plan_of(b) - plan_of(a);
-    const double to = to_the_right ? 0 : std::numbers::pi;
-    const double from = to + std::remainder(portable_atan2(arm.y, arm.x) - to, 2 * std::numbers::pi);
-    figure_.curves.push_back({plan_of(a), {radius, 0}, {0, radius}, std::min(from, to), std::max(from, to)});
-    const double middle = (from + to) / 2;
-    add_step(plan_of(a) + radius * Vec2(portable_cos(middle), portable_sin(middle)),
-             a_name + b_name + " turned about the vertical through " + a_name + " until it is parallel to LT");
-    figure_.lines.push_back({plan_of(turned), elevation_of(turned)});
-    add_step((plan_of(turned) + elevation_of(turned)) / 2.0, "correspondence line of " + b_name + "′");
-    figure_.lines.push_back({elevation_of(b), elevation_of(turned)});
-    add_step((elevation_of(b) + elevation_of(turned)) / 2.0, b_name + "′ is as high as " + b_name);
-    figure_.lines.push_back({elevation_of(a), elevation_of(turned)});
-    figure_.lines.push_back({plan_of(a), plan_of(turned)});
-    figure_.points.push_back({{b_name + "′", "1"}, plan_of(turned), plan_of(turned), true, true});
-    figure_.points.push_back({{b_name + "′", "2"}, elevation_of(turned), elevation_of(turned), true, true});
+    const std::string turned_name = b_name + "'";
+    add_line(plan_of(a), plan_of(turned));
+    add_arc(plan_of(a), plan_of(b), plan_of(turned),
+            step(a_name + b_name + " turned about the vertical through " + a_name + " until it is parallel to LT"));
+    add_line(plan_of(turned), elevation_of(turned), step("correspondence line of " + turned_name));
+    add_line(elevation_of(b), elevation_of(turned), step(turned_name + " is as high as " + b_name));
+    figure_.points.push_back({{turned_name, "1"}, plan_of(turned), plan_of(turned), true, true});
+    figure_.points.push_back({{turned_name, "2"}, elevation_of(turned), elevation_of(turned), true, true});
   }
-  add_text("TL " + length, (elevation_of(a) + elevation_of(turned)) / 2.0);
+  const std::string length = format_rounded(glm::length(request.elements[1] - request.elements[0]), 6);
+  add_line(elevation_of(a), elevation_of(turned), {"TL " + length});
   add_term(figure_, "TL", "true length");
 }
 
@@ -274,12 +282,13 @@ void Drafter::add_traces(const Request& request) {
   const std::string name = greek[static_cast<std::size_t>(planes_++) % greek.size()];
   const auto add = [&](double across, double sign, const std::string& index) {
     if (std::hypot(n.x, across) <= flat) return;
-    // The point nearest to the face's middle on LT, or for traces parallel to LT any point of them.
+    // From the point on LT where both meet; traces parallel to LT from any point of them.
     const bool meets = std::abs(n.x) > flat;
     const Vec2 from = meets ? Vec2(c / n.x, epura_.ground) : Vec2(epura_.ends.x, epura_.ground + sign * c / across);
     Vec2 along(meets ? -across / n.x : 1, meets ? sign : 0);
     if (meets && std::abs(across) <= flat) along = Vec2(0, sign);
     figure_.lines.push_back({from, from + glm::normalize(along), meets ? Extent::ray : Extent::line, {name, index}});
+    if (meets) add_point(figure_, {{name}, from, {(epura_.ends.x + epura_.ends.y) / 2, epura_.ground}});
   };
   add(n.y, -1, "1");
   add(n.z, 1, "2");
@@ -307,30 +316,25 @@ void Drafter::add_true_shape(const Request& request) {
     if (reach(i) > reach(farthest)) farthest = i;
   }
   constexpr double past = 8;
-  figure_.lines.push_back({turned.hinge + (low - past) * turned.along, turned.hinge + (high + past) * turned.along});
+  add_line(turned.hinge + (low - past) * turned.along, turned.hinge + (high + past) * turned.along);
   add_step(turned.hinge + (high + past) * turned.along,
            "hinge: the horizontal line of " + face + " through its lowest corner");
+  const auto foot_of = [&](std::size_t i) {
+    return turned.hinge + glm::dot(turned.shape[i] - turned.hinge, turned.along) * turned.along;
+  };
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 foot = turned.hinge + glm::dot(turned.shape[i] - turned.hinge, turned.along) * turned.along;
-    if (glm::length(foot - turned.shape[i]) > same_point) figure_.lines.push_back({foot, turned.shape[i]});
-    if (glm::length(plan_of(ring[i]) - turned.shape[i]) > same_point)
-      figure_.points.push_back({{"(" + names[i] + ")"}, turned.shape[i], foot, true, true});
-    figure_.lines.push_back({turned.shape[i], turned.shape[(i + 1) % ring.size()]});
+    const bool moves = glm::length(plan_of(ring[i]) - turned.shape[i]) > same_point;
+    if (moves) figure_.points.push_back({{"(" + names[i] + ")"}, turned.shape[i], foot_of(i), true, true});
+    add_line(turned.shape[i], turned.shape[(i + 1) % ring.size()]);
+    if (moves) add_line(plan_of(ring[i]), turned.shape[i]);
   }
   // The true distance from the hinge is the hypotenuse over the distance in plan and the height.
   const double lowest =
       std::min_element(ring.begin(), ring.end(), [](const Vec3& a, const Vec3& b) { return a.z < b.z; })->z;
-  const Vec2 foot = turned.hinge + glm::dot(turned.shape[farthest] - turned.hinge, turned.along) * turned.along;
   const Vec2 corner = plan_of(ring[farthest]), top = corner + (ring[farthest].z - lowest) * turned.along;
-  figure_.lines.push_back({corner, top});
-  figure_.lines.push_back({foot, top});
-  add_step((corner + top) / 2.0, "height of " + names[farthest] + " above the hinge, laid off from its plan");
-  const Vec2 from = top - foot, to = turned.shape[farthest] - foot;
-  const double a = portable_atan2(from.y, from.x),
-               b = a + std::remainder(portable_atan2(to.y, to.x) - a, 2 * std::numbers::pi);
-  const double radius = glm::length(to), middle = (a + b) / 2;
-  figure_.curves.push_back({foot, {radius, 0}, {0, radius}, std::min(a, b), std::max(a, b)});
-  add_step(foot + radius * Vec2(portable_cos(middle), portable_sin(middle)), "true distance from the hinge");
+  add_line(corner, top, step("height of " + names[farthest] + " above the hinge, laid off from its plan"));
+  add_line(foot_of(farthest), top);
+  add_arc(foot_of(farthest), top, turned.shape[farthest], step("true distance from the hinge"));
   Vec2 centre(0, 0);
   for (const Vec2& p : turned.shape) centre += p / static_cast<double>(turned.shape.size());
   add_step(centre, face + " in true shape");
@@ -358,17 +362,16 @@ void Drafter::add_piercing(const Request& request) {
     refuse(request, "is a line that meets no face", "choose an edge whose line passes through the models");
   const auto [first, last] = std::minmax_element(at.begin(), at.end());
   const Vec3 from = ends[0] + std::min(*first, 0.0) * along, to = ends[0] + std::max(*last, 1.0) * along;
-  figure_.lines.push_back({elevation_of(from), elevation_of(to)});
-  figure_.lines.push_back({plan_of(from), plan_of(to)});
-  add_step(plan_of((from + to) / 2.0), "plan of " + line + ", the trace of a vertical plane through it");
+  add_line(plan_of(from), plan_of(to), step("plan of " + line + ", the trace of a vertical plane through it"));
+  add_line(elevation_of(from), elevation_of(to));
   add_step(elevation_of((cuts.front()[0] + cuts.front()[1]) / 2.0), "lines in which this plane cuts the faces");
   std::sort(at.begin(), at.end());
   std::string names;
   for (const double t : at) {
     const Vec3 p = ends[0] + t * along;
-    names = name_of(EpuraPoint{plan_of(p), elevation_of(p)});
-    add_step(elevation_of(p), line + " meets one of them in " + names);
+    names += (names.empty() ? "" : ", ") + name_of(EpuraPoint{plan_of(p), elevation_of(p)});
   }
+  figure_.terms.push_back({names, "where they meet " + line});
 }
 
 // Where the plane of a face cuts the other faces.

@@ -458,7 +458,6 @@ void add_legend(AnnotationLayers& result, sheet::Neighbours& around, const Sheet
   sheet::ConstructionRoom room{around.paper->grown(-5), around.boxes};
   for (std::size_t i = 0; i < views.size(); ++i) {
     const construction::Figure& figure = views[i].drawing.construction;
-    room.views.push_back(&views[i].drawing);
     room.taken.push_back(sheet::turned_box({views[i].drawing.min, views[i].drawing.max}));
     if (figure.empty()) continue;
     wanted = wanted || figure.legend;
@@ -469,7 +468,9 @@ void add_legend(AnnotationLayers& result, sheet::Neighbours& around, const Sheet
         table.rows.push_back(row);
   }
   if (!wanted || layer == nullptr || table.rows.empty()) return;
-  const sheet::TableDrawing drawing(std::move(table), 1, style);
+  sheet::DimensionStyle small = style;
+  small.text = 2.5;
+  const sheet::TableDrawing drawing(std::move(table), 1, small);
   const auto corner = sheet::clear_position(room, drawing.size());
   if (!corner) {
     result.warnings.emplace_back(

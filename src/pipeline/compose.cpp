@@ -205,8 +205,7 @@ void construct(const SheetInput& input, std::vector<ViewResult>& results) {
                                   (plan.max.y + elevation.min.y) / 2,
                                   {std::min(plan.min.x, elevation.min.x), std::max(plan.max.x, elevation.max.x)}};
   const std::array descriptions{&views.descriptions[views.epura->elevation], &views.descriptions[views.epura->plan]};
-  const std::array<const drawing::ViewDrawing*, 2> drawings{&elevation, &plan};
-  elevation.construction = figure_of_epura(input.world, descriptions, epura, drawings);
+  elevation.construction = figure_of_epura(input.world, descriptions, epura);
 }
 
 }  // namespace

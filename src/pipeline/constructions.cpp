@@ -191,31 +191,45 @@ const Vec3& point_of(const scene::World& world, int model, int vertex) {
   return world.points[static_cast<std::size_t>(world.first_vertex[static_cast<std::size_t>(model)] + vertex)];
 }
 
-// Where three lines meet, or two at a sharp angle: the corners of flat faces, not the vertices of round edges.
-std::vector<Vec3> corners_of(const scene::World& world, std::span<const drawing::ViewDrawing* const> drawings) {
+// Whether the triangles at an edge meet in an angle, or it is the border of a surface or a line.
+bool is_sharp(const scene::World& world, std::size_t model, const mesh::MeshEdge& edge) {
+  constexpr double flattest = 0.8660254037844386;  // cosine of 30 degrees
+  if (edge.diagonal) return false;
+  if (edge.count != 2 || edge.wire) return true;
+  std::array<Vec3, 2> normals{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const int own = world.models[model].mesh->triangles_of(edge)[i];
+    const auto& corners = world.triangles[static_cast<std::size_t>(world.first_triangle[model] + own)];
+    const auto point = [&](std::size_t k) { return world.points[static_cast<std::size_t>(corners[k])]; };
+    normals[i] = glm::normalize(glm::cross(point(1) - point(0), point(2) - point(0)));
+  }
+  return glm::dot(normals[0], normals[1]) < flattest;
+}
+
+// Where three sharp edges meet, or two at an angle: the corners of flat faces, not the vertices of round edges.
+std::vector<Vec3> corners_of(const scene::World& world) {
   constexpr double least_turn = 0.7;  // sine of 45 degrees
-  std::map<std::array<int, 2>, std::set<int>> neighbours;
-  for (const drawing::ViewDrawing* drawing : drawings)
-    for (const drawing::Segment& segment : drawing->segments) {
-      if (segment.edge[0] < 0 || segment.kind == EdgeKind::tangent || segment.kind == EdgeKind::smooth) continue;
-      neighbours[{segment.model, segment.edge[0]}].insert(segment.edge[1]);
-      neighbours[{segment.model, segment.edge[1]}].insert(segment.edge[0]);
-    }
   std::vector<Vec3> corners;
-  for (const auto& [name, others] : neighbours) {
-    const Vec3 at = point_of(world, name[0], name[1]);
-    std::vector<Vec3> directions;
-    for (const int other : others) directions.push_back(glm::normalize(point_of(world, name[0], other) - at));
-    const bool is_sharp = directions.size() == 2 && glm::length(glm::cross(directions[0], directions[1])) > least_turn;
-    if (directions.size() > 2 || is_sharp) corners.push_back(at);
+  for (std::size_t model = 0; model < world.models.size(); ++model) {
+    std::map<int, std::vector<Vec3>> directions;
+    for (const mesh::MeshEdge& edge : world.models[model].mesh->edges) {
+      if (!is_sharp(world, model, edge)) continue;
+      const auto [a, b] = edge.vertex;
+      const Vec3 along = point_of(world, static_cast<int>(model), b) - point_of(world, static_cast<int>(model), a);
+      if (!(glm::length(along) > 0)) continue;
+      directions[a].push_back(glm::normalize(along));
+      directions[b].push_back(-glm::normalize(along));
+    }
+    for (const auto& [vertex, all] : directions)
+      if (all.size() > 2 || (all.size() == 2 && glm::length(glm::cross(all[0], all[1])) > least_turn))
+        corners.push_back(point_of(world, static_cast<int>(model), vertex));
   }
   return corners;
 }
 
 // The faces only if an intersection needs them.
-construction::EpuraModels models_of(const scene::World& world, std::span<const Request> requests,
-                                    std::span<const drawing::ViewDrawing* const> drawings) {
-  construction::EpuraModels models{corners_of(world, drawings), {}};
+construction::EpuraModels models_of(const scene::World& world, std::span<const Request> requests) {
+  construction::EpuraModels models{corners_of(world), {}};
   const auto cuts = [](const Request& request) {
     return request.item.kind == ConstructionKind::piercing || request.item.kind == ConstructionKind::section;
   };
@@ -343,8 +357,8 @@ std::array<projection::Window, 2> epura_boxes(const scene::World& world, const S
     ink = sheet::united(ink, {shifts[i] + scale * boxes[i].min, shifts[i] + scale * boxes[i].max});
   const std::array descriptions{&views.descriptions[places[0]], &views.descriptions[places[1]]};
   const construction::Figure figure =
-      figure_of_epura(world, descriptions, {planes[1], planes[0], 0, {ink.min.x, ink.max.x}}, {});
-  const sheet::Rectangle whole = sheet::box_of(figure, ink, 10 * usual_size);
+      figure_of_epura(world, descriptions, {planes[1], planes[0], 0, {ink.min.x, ink.max.x}});
+  const sheet::Rectangle whole = sheet::box_of(figure, ink, 2 * usual_size);
   for (const std::size_t i : {0, 1}) {
     const sheet::Rectangle own{(whole.min - shifts[i]) / scale, (whole.max - shifts[i]) / scale};
     boxes[i].min = {own.min.x, i == 0 ? boxes[i].min.y : own.min.y};
@@ -355,8 +369,7 @@ std::array<projection::Window, 2> epura_boxes(const scene::World& world, const S
 
 // Without other requests, all corners are named, if there are not too many.
 construction::Figure figure_of_epura(const scene::World& world, std::span<const scene::ViewDescription* const> views,
-                                     const construction::Epura& epura,
-                                     std::span<const drawing::ViewDrawing* const> drawings) {
+                                     const construction::Epura& epura) {
   std::vector<Request> requests;
   bool legend = false;
   for (const scene::ViewDescription* view : views) {
@@ -369,7 +382,7 @@ construction::Figure figure_of_epura(const scene::World& world, std::span<const 
   const auto is_epura = [](const Request& r) { return scene::row_of(r.item.kind).family != ConstructionFamily::any; };
   if (std::none_of(requests.begin(), requests.end(), is_epura))
     requests.push_back({{ConstructionKind::corners, "corners"}, {}, {}, true});
-  construction::Figure figure = construction::epura_figure(epura, requests, models_of(world, requests, drawings));
+  construction::Figure figure = construction::epura_figure(epura, requests, models_of(world, requests));
   figure.legend = legend;
   return figure;
 }

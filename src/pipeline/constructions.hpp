@@ -44,7 +44,6 @@ std::array<projection::Window, 2> epura_boxes(const scene::World& world, const S
 
 /// The figure of an épura whose ground line ends at `ends`.
 construction::Figure figure_of_epura(const scene::World& world, std::span<const scene::ViewDescription* const> views,
-                                     const construction::Epura& epura,
-                                     std::span<const drawing::ViewDrawing* const> drawings);
+                                     const construction::Epura& epura);
 
 }  // namespace epura::pipeline

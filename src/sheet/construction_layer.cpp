@@ -71,6 +71,15 @@ std::vector<double> angles_of(const construction::Curve& curve) {
   return angles;
 }
 
+// To a symbol that is so far from its point that another might be meant.
+std::optional<std::array<Vec2, 2>> leader_to(const Vec2& at, const Rectangle& symbol, double from) {
+  constexpr double near = 4, gap = 0.6;  // mm
+  const Vec2 end = glm::clamp(at, symbol.min - gap, symbol.max + gap);
+  const double length = glm::length(end - at);
+  if (length <= near) return std::nullopt;
+  return std::array<Vec2, 2>{at + (end - at) * (from / length), end};
+}
+
 /// Draws a figure into a layer, lines first, then symbols where they touch least.
 class Draughtsman {
  public:
@@ -92,14 +101,16 @@ class Draughtsman {
   void mark(const Vec2& at);
   void point_to(const construction::Point& point);
   [[nodiscard]] std::size_t touched_by(const Rectangle& box) const;
-  [[nodiscard]] Place best_place(const Lettered& symbol, const Vec2& at, double from) const;
-  void letter(const Lettered& symbol, const std::vector<Vec2>& anchors, double from);
+  [[nodiscard]] std::size_t letters_under(const std::optional<std::array<Vec2, 2>>& leader) const;
+  [[nodiscard]] Place best_place(const Lettered& symbol, const Vec2& at, const Vec2& outwards, double from) const;
+  void letter(const Lettered& symbol, const std::vector<Vec2>& anchors, double from, const Vec2& outwards = {0, 0});
   [[nodiscard]] Vec2 exit_towards(const construction::Point& point) const;
 
   Layer& layer_;
   const ConstructionRoom& room_;
   const DimensionStyle& style_;
   std::vector<TurnedBox> taken_;
+  std::vector<TurnedBox> letters_{};
   std::vector<Vec2> arrow_tips_{};
 };
 
@@ -168,9 +179,17 @@ std::size_t Draughtsman::touched_by(const Rectangle& box) const {
   return touched + (room_.area.holds(box) ? 0 : outside);
 }
 
-// Around a point, near it first; `from` is kept free.
-Draughtsman::Place Draughtsman::best_place(const Lettered& symbol, const Vec2& at, double from) const {
-  constexpr std::array<double, 7> steps{0.8, 2, 3.5, 5, 7, 9, 12};
+std::size_t Draughtsman::letters_under(const std::optional<std::array<Vec2, 2>>& leader) const {
+  if (!leader) return 0;
+  const TurnedBox line = line_box((*leader)[0], (*leader)[1]);
+  return static_cast<std::size_t>(std::count_if(letters_.begin(), letters_.end(),
+                                                [&line](const TurnedBox& other) { return overlap(line, other); }));
+}
+
+// Around a point, near it first, and first outwards if that is a direction; `from` is kept free.
+Draughtsman::Place Draughtsman::best_place(const Lettered& symbol, const Vec2& at, const Vec2& outwards,
+                                           double from) const {
+  constexpr std::array<double, 9> steps{0.8, 2, 3.5, 5, 7, 9, 12, 16, 20};
   constexpr std::array<std::array<double, 2>, 12> sides{{{1, 1},
                                                          {-1, 1},
                                                          {1, -1},
@@ -183,13 +202,17 @@ Draughtsman::Place Draughtsman::best_place(const Lettered& symbol, const Vec2& a
                                                          {-0.5, 1},
                                                          {0.5, -1},
                                                          {-0.5, -1}}};
+  std::vector<Vec2> directions;
+  if (outwards != Vec2(0, 0)) directions.push_back(outwards);
+  for (const auto& [x, y] : sides) directions.emplace_back(x, y);
   const Vec2 half = Vec2(symbol.size.x, symbol.size.y + symbol.drop) / 2.0;
   Place best{at, ~std::size_t{0}};
   for (const double step : steps)
-    for (const auto& [x, y] : sides) {
-      const Vec2 reach = half + (from + step) * (x != 0 && y != 0 ? std::numbers::sqrt2 / 2 : 1.0);
-      const Vec2 centre = at + Vec2(x, y) * reach;
-      const std::size_t touched = touched_by({centre - half, centre + half});
+    for (const Vec2& side : directions) {
+      const Vec2 reach = half + (from + step) * (side.x != 0 && side.y != 0 ? std::numbers::sqrt2 / 2 : 1.0);
+      const Vec2 centre = at + side * reach;
+      const Rectangle box{centre - half, centre + half};
+      const std::size_t touched = touched_by(box) + letters_under(leader_to(at, box, from));
       if (touched < best.touched) best = {centre - half + Vec2(0, symbol.drop), touched};
       if (touched == 0) return best;
     }
@@ -197,16 +220,23 @@ Draughtsman::Place Draughtsman::best_place(const Lettered& symbol, const Vec2& a
 }
 
 // At the anchor where the symbol touches least.
-void Draughtsman::letter(const Lettered& symbol, const std::vector<Vec2>& anchors, double from) {
+void Draughtsman::letter(const Lettered& symbol, const std::vector<Vec2>& anchors, double from, const Vec2& outwards) {
   Place best{{0, 0}, ~std::size_t{0}};
+  Vec2 at(0, 0);
   for (const Vec2& anchor : anchors) {
-    const Place place = best_place(symbol, anchor, from);
-    if (place.touched < best.touched) best = place;
+    const Place place = best_place(symbol, anchor, outwards, from);
+    if (place.touched < best.touched) {
+      best = place;
+      at = anchor;
+    }
     if (best.touched == 0) break;
   }
+  if (const auto leader = leader_to(at, {best.corner - Vec2(0, symbol.drop), best.corner + symbol.size}, from))
+    add_line((*leader)[0], (*leader)[1]);
   for (Text text : symbol.texts) {
     text.at += best.corner;
     taken_.push_back(box_of(text, style_.lettering));
+    letters_.push_back(taken_.back());
     layer_.texts.push_back(std::move(text));
   }
 }
@@ -232,37 +262,46 @@ void Draughtsman::point_to(const construction::Point& point) {
     taken_.push_back(line_box(tail, tip));
   }
   const std::string far = distance_text(glm::length(point.at - tip));
-  letter(lettered(point.symbol, point.also, far, style_), {(tip + tail) / 2.0, tail}, 1);
+  letter(lettered(point.symbol, point.also, far, style_), {(tip + tail) / 2.0, tail}, 0);
 }
 
 void Draughtsman::draw(const Figure& figure) {
   const auto is_inside = [this](const Vec2& p) { return room_.area.holds({p, p}); };
   std::vector<std::pair<const construction::Line*, std::array<Vec2, 2>>> named;
+  std::vector<const construction::Line*> missed;  // beyond the room
   for (const construction::Line& one : figure.lines) {
     const auto part = clipped(one, room_.area);
-    if (!part) continue;
-    add_line((*part)[0], (*part)[1]);
-    if (!one.symbol.empty()) named.emplace_back(&one, *part);
+    if (part) add_line((*part)[0], (*part)[1]);
+    if (!one.symbol.empty() && part) named.emplace_back(&one, *part);
+    if (!one.symbol.empty() && !part && one.extent == Extent::line) missed.push_back(&one);
   }
   for (const construction::Curve& curve : figure.curves) draw_curve(curve);
+  for (const construction::Line* one : missed) {
+    const Vec2 middle = room_.area.centre(), along = glm::normalize(one->to - one->from);
+    point_to({one->symbol, one->from + glm::dot(middle - one->from, along) * along, middle});
+  }
   for (const construction::Point& point : figure.points)
     if (point.marked && is_inside(point.at)) mark(point.at);
   for (const construction::Point& point : figure.points) {
     if (is_inside(point.at))
-      letter(lettered(point.symbol, point.also, "", style_), {point.at}, point.marked ? mark_radius : 0);
+      letter(lettered(point.symbol, point.also, "", style_), {point.at}, point.marked ? mark_radius : 0,
+             point.marked || point.guide == point.at ? Vec2(0, 0) : glm::normalize(point.at - point.guide));
     else if (!point.on_sheet)
       point_to(point);
   }
   for (const auto& [one, part] : named) {
+    // Endless lines are lettered near their ends.
+    constexpr std::array ends{0.03, 0.97, 0.1, 0.9, 0.2, 0.8, 0.3, 0.7, 0.5};
+    constexpr std::array middle{0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9};
     std::vector<Vec2> anchors;
-    for (const double t : {0.03, 0.97, 0.1, 0.9, 0.2, 0.8, 0.3, 0.7, 0.5})
+    for (const double t : one->extent == Extent::segment ? middle : ends)
       anchors.push_back(part[0] + t * (part[1] - part[0]));
     letter(lettered(one->symbol, {}, "", style_), anchors, 0);
   }
   for (const construction::Curve& curve : figure.curves) {
     if (curve.symbol.empty()) continue;
     std::vector<Vec2> anchors;
-    for (const double t : {0.125, 0.375, 0.875, 0.625, 0.05, 0.2, 0.3, 0.45, 0.55, 0.7, 0.8, 0.95})
+    for (const double t : {0.5, 0.125, 0.375, 0.875, 0.625, 0.05, 0.2, 0.3, 0.45, 0.55, 0.7, 0.8, 0.95})
       if (const Vec2 p = on_curve(curve, curve.from + t * (curve.to - curve.from)); is_inside(p)) anchors.push_back(p);
     letter(lettered(curve.symbol, {}, "", style_), anchors, 0);
   }

@@ -114,7 +114,7 @@ TEST_F(Constructions, EpurasShowTrueLengthsAndShapes) {
   const Outcome run =
       draw({"--views", "epura", "--construction", "true-length:4-8,true-shape:5,traces:5", "--scale", "2:1"});
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_NEAR(glm::length(at("A_2") - at("B′_2")), 2 * std::sqrt(41), 1e-9);
+  EXPECT_NEAR(glm::length(at("A_2") - at("B'_2")), 2 * std::sqrt(41), 1e-9);
   EXPECT_NE(svg().find(">TL 6.40312<"), std::string::npos);
 }
 
