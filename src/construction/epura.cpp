@@ -343,20 +343,23 @@ void Drafter::add_true_shape(const Request& request) {
 // The vertical plane through the line cuts the faces in lines, which meet it in elevation.
 void Drafter::add_piercing(const Request& request) {
   const std::vector<Vec3> ends = in_space(epura_, request.elements);
-  const std::string line = name_of(request.elements[0]) + name_of(request.elements[1]);
+  std::string line;
+  for (const Vec3& end : request.elements) line += name_of(end);
   const Vec3 along = ends[1] - ends[0];
   const double level = std::hypot(along.x, along.y);
   const Vec3 normal = level > same_point ? Vec3(along.y, -along.x, 0) / level : Vec3(0, 1, 0);
   const std::vector<Cut> cuts = cuts_of(epura_, models_.faces, normal, glm::dot(normal, ends[0]));
   // Along the line, in units of its length.
   std::vector<double> at;
+  std::optional<Vec2> on_cut;
   for (const Cut& cut : cuts) {
     const Vec3 cross = glm::cross(normal, along);  // in the plane, across the line
     const double a = glm::dot(cut[0] - ends[0], cross), b = glm::dot(cut[1] - ends[0], cross);
     if ((a > 0) == (b > 0) || a == b) continue;
     const Vec3 point = cut[0] + (cut[1] - cut[0]) * (a / (a - b));
     at.push_back(glm::dot(point - ends[0], along) / glm::dot(along, along));
-    figure_.lines.push_back({elevation_of(cut[0]), elevation_of(cut[1])});
+    add_line(elevation_of(cut[0]), elevation_of(cut[1]));
+    if (!on_cut) on_cut = elevation_of((cut[0] + 3.0 * cut[1]) / 4.0);
   }
   if (at.empty())
     refuse(request, "is a line that meets no face", "choose an edge whose line passes through the models");
@@ -364,7 +367,7 @@ void Drafter::add_piercing(const Request& request) {
   const Vec3 from = ends[0] + std::min(*first, 0.0) * along, to = ends[0] + std::max(*last, 1.0) * along;
   add_line(plan_of(from), plan_of(to), step("plan of " + line + ", the trace of a vertical plane through it"));
   add_line(elevation_of(from), elevation_of(to));
-  add_step(elevation_of((cuts.front()[0] + cuts.front()[1]) / 2.0), "lines in which this plane cuts the faces");
+  add_step(*on_cut, "lines in which this plane cuts the faces");
   std::sort(at.begin(), at.end());
   std::string names;
   for (const double t : at) {
