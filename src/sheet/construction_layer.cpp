@@ -383,6 +383,8 @@ std::optional<Vec2> clear_position(const ConstructionRoom& room, const Vec2& siz
 }
 
 std::string distance_text(double millimetres) {
+  // Up to three digits and zeros; scientific where nobody counts zeros.
+  if (millimetres >= 1e9 && millimetres < 1e15) return format_fixed(std::round(millimetres / 1e9) * 1e3, 0) + " km";
   if (millimetres >= 1e6) return format_rounded(millimetres / 1e6, 3) + " km";
   if (millimetres >= 1e3) return format_rounded(millimetres / 1e3, 3) + " m";
   return format_rounded(millimetres, 3) + " mm";
