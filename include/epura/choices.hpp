@@ -50,6 +50,13 @@ enum class Orientation { landscape, portrait };
 /// Arrangement of the views: ISO 5456-2 (first angle) or ASME Y14.3 (third angle).
 enum class ProjectionAngle { first, third };
 
+/// How the principal views of a sheet stand: as ISO 5456-2 says, or as plan and elevation of an épura about one ground
+/// line.
+enum class SheetLayout { standard, monge };
+
+/// What a sheet has room for: the views, or also the points of their constructions.
+enum class SheetFit { model, construction };
+
 /// Frame of a sheet: `plain` frames the drawing area, `full` adds centring marks, grid references, trimming marks and
 /// the title block (ISO 5457, ISO 7200). `automatic`: full for several views, or if a title block field other than the
 /// title is given; otherwise none.

@@ -82,6 +82,7 @@ struct View {
   double join_within = 0.1;  ///< mm on paper; closer parallel lines are drawn as one, 0: draw all
   LayersBy layers = LayersBy::role;
   std::optional<double> near{}, far{};        ///< depths; omit what is nearer or farther
+  std::vector<std::string> construction{};    ///< "horizon", "vp:1,1,0" ...: see docs/formats.md
   std::optional<double> scale{};              ///< mm on paper per unit; by default the sheet's
   std::optional<std::array<double, 2>> at{};  ///< centre of its ink, mm from the lower left corner; default: automatic
   int sheet = 1;                              ///< number of the sheet, from 1
@@ -164,6 +165,8 @@ struct SheetOptions {
   Orientation orientation = Orientation::landscape;
   std::optional<Scale> scale{};  ///< by default fit, or standard with a full frame
   ProjectionAngle angle = ProjectionAngle::first;
+  SheetLayout layout = SheetLayout::standard;
+  SheetFit fit = SheetFit::model;
   FrameKind frame = FrameKind::automatic;
   Unit dimension_unit = Unit::mm;  ///< of the lengths in dimensions
   DecimalSign decimal_sign = DecimalSign::point;

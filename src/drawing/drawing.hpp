@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "construction/figure.hpp"
 #include "drawing/boundary.hpp"
 #include "drawing/breaks.hpp"
 #include "edges/edge_kind.hpp"
@@ -107,6 +108,7 @@ struct ViewDrawing {
   Breaks breaks{};                            ///< parts left out; all else is where it is after the move
   std::vector<Limit> limits{};                ///< where parts are left out
   std::vector<std::array<Vec2, 2>> traces{};  ///< of bodies moved apart: visible lines from their places
+  construction::Figure construction{};        ///< of the projection; in the elevation, that of an épura
   double contours_moved = 0;  ///< mm; greatest distance at which contours of curved faces are drawn from edges of the
                               ///< mesh
   double coincident = 0;      ///< mm; lines this close coincide, and their ends meet

@@ -153,6 +153,11 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   description.layers = {view.layers, where + ".layers"};
   description.near = located(view.near, where + ".near");
   description.far = located(view.far, where + ".far");
+  if (!view.construction.empty()) {
+    description.construction = {scene::ConstructionChoice(), where + ".construction"};
+    for (const std::string& one : view.construction)
+      description.construction.value->push_back(scene::parse_construction(one, where + ".construction"));
+  }
   if (view.scale) {
     if (!(checked(*view.scale, where + ".scale") > 0))
       throw Error(ErrorKind::input, where + ".scale", "is not above 0");
@@ -282,6 +287,8 @@ scene::SheetDescription describe(const SheetOptions& sheet, const std::string& w
   description.orientation = {sheet.orientation, where + ".orientation"};
   if (sheet.scale) description.scale = {scale_of(*sheet.scale, where + ".scale"), where + ".scale"};
   description.angle = {sheet.angle, where + ".angle"};
+  description.layout = {sheet.layout, where + ".layout"};
+  description.fit = {sheet.fit, where + ".fit"};
   description.frame = {sheet.frame, where + ".frame"};
   description.dimension_unit = {sheet.dimension_unit, where + ".dimension_unit"};
   description.decimal_sign = {sheet.decimal_sign, where + ".decimal_sign"};

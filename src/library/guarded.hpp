@@ -6,9 +6,9 @@
 
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 
-#include "base/broken.hpp"
 #include "base/error.hpp"
 #include "base/progress.hpp"
 
@@ -27,7 +27,7 @@ auto guarded(const Work& work) {
     throw Failure(Failure::Kind::stopped, "settings.stop", "the call was stopped", "");
   } catch (const std::bad_alloc&) {
     throw Failure(Failure::Kind::input, "", "not enough memory for this model", "");
-  } catch (const Broken& error) {
+  } catch (const std::logic_error& error) {
     throw Failure(Failure::Kind::broken, "", std::string("internal error: this does not hold: ") + error.what(),
                   "the fault is in epura " EPURA_VERSION
                   ", not in the input; to report it, send the scene with its models");

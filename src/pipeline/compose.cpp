@@ -2,6 +2,7 @@
 #include "pipeline/compose.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "drawing/thin.hpp"
 #include "pipeline/annotation_layers.hpp"
+#include "pipeline/constructions.hpp"
 #include "pipeline/details.hpp"
 #include "sheet/captions.hpp"
 #include "sheet/centre_lines.hpp"
@@ -184,6 +186,28 @@ void keep_curves(std::vector<drawing::Chain>& chains) {
   chains.shrink_to_fit();
 }
 
+// On paper, when the views are drawn. An épura has its figure in the elevation.
+void construct(const SheetInput& input, std::vector<ViewResult>& results) {
+  const SheetOfViews& views = input.views;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const bool in_epura = views.epura && (i == views.epura->elevation || i == views.epura->plan);
+    if (!in_epura && views.descriptions[i].construction.given() && !results[i].drawing.detail)
+      results[i].drawing.construction = figure_on_paper(input.world, views.descriptions[i], results[i].drawing);
+  }
+  if (!views.epura) return;
+  drawing::ViewDrawing& elevation = results[views.epura->elevation].drawing;
+  const drawing::ViewDrawing& plan = results[views.epura->plan].drawing;
+  const auto plane = [](const drawing::ViewDrawing& drawing) {
+    return construction::picture_plane(drawing.projection, drawing.world_to_page, drawing.scale);
+  };
+  const construction::Epura epura{plane(plan),
+                                  plane(elevation),
+                                  (plan.max.y + elevation.min.y) / 2,
+                                  {std::min(plan.min.x, elevation.min.x), std::max(plan.max.x, elevation.max.x)}};
+  const std::array descriptions{&views.descriptions[views.epura->elevation], &views.descriptions[views.epura->plan]};
+  elevation.construction = figure_of_epura(input.world, descriptions, epura);
+}
+
 }  // namespace
 
 FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results, const Budget& budget) {
@@ -201,10 +225,12 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
                          std::move(around.warnings),
                          paper};
   const sheet::LineWidths widths = sheet::line_widths(paper);
+  construct(input, results);
   AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
   auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(input, results, widths, p); });
   hatching.resize(results.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
+    append(finished.sheet.layers, std::move(beside.constructions[i]));
     append(finished.sheet.layers, std::move(hatching[i]));
     std::vector<sheet::Layer> lines =
         line_layers(results[i].drawing, widths, input.views.plans[i].options.styles, budget);

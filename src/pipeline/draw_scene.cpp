@@ -12,6 +12,7 @@
 #include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
 #include "pipeline/compose.hpp"
+#include "pipeline/constructions.hpp"
 #include "pipeline/details.hpp"
 #include "pipeline/line_facts.hpp"
 #include "pipeline/lint.hpp"
@@ -167,6 +168,8 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
     views.plans[i].options.styles = styles_of(scene, views.descriptions[i], world(i), seen[i].projection);
   }
   find_breaks(views, seen, world);
+  views.epura = epura_views(scene.sheets[static_cast<std::size_t>(views.sheet)], views, seen);
+  expect_constructions(views, seen);
   if (scene.parts_list && scene.parts_list->sheet.value_or(1) == views.sheet + 1)
     views.items = scene::find_items(whole, scene.models);
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());

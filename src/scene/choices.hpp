@@ -88,6 +88,16 @@ struct Words<Orientation> {
 };
 
 template <>
+struct Words<SheetLayout> {
+  static constexpr std::array list{"standard", "monge"};
+};
+
+template <>
+struct Words<SheetFit> {
+  static constexpr std::array list{"model", "construction"};
+};
+
+template <>
 struct Words<ProjectionAngle> {
   static constexpr std::array list{"first", "third"};
 };

@@ -15,6 +15,7 @@
 #include "base/vec.hpp"
 #include "mesh/soup.hpp"
 #include "scene/choices.hpp"
+#include "scene/construction_choice.hpp"
 #include "scene/geometric_tolerances.hpp"
 #include "scene/surface_texture.hpp"
 
@@ -94,9 +95,10 @@ struct ViewDescription {
   Located<double> least_crease;       ///< mm on paper
   Located<double> join_within;        ///< mm on paper
   Located<LayersBy> layers;
-  Located<double> near, far;  ///< depths, in units of the world
-  Located<Vec2> at;           ///< centre of its ink, mm from the lower left corner of the sheet
-  Located<int> sheet;         ///< number of its sheet, from 1; by default the first
+  Located<double> near, far;                 ///< depths, in units of the world
+  Located<ConstructionChoice> construction;  ///< not of details
+  Located<Vec2> at;                          ///< centre of its ink, mm from the lower left corner of the sheet
+  Located<int> sheet;                        ///< number of its sheet, from 1; by default the first
 };
 
 /// A plane that cuts the models; or parallel planes with steps between them; or planes that meet in axes, which are
@@ -236,6 +238,8 @@ struct SheetDescription {
   Located<Orientation> orientation;
   Located<ScaleChoice> scale;
   Located<ProjectionAngle> angle;
+  Located<SheetLayout> layout;
+  Located<SheetFit> fit;
   Located<FrameKind> frame;
   Located<int> decimals;              ///< of dimensions, at most; by the size of the models by default
   Located<Unit> dimension_unit;       ///< of the lengths in dimensions

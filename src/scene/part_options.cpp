@@ -256,6 +256,11 @@ Options<ViewDescription> line_options() {
                     .help = "role: a layer for each role of lines; body: also for each body, by its name",
                     .usual = "role"},
                    &View::layers, choice<LayersBy>().shown_as("KIND")),
+      option<View>({.key = "construction",
+                    .flag = "--construction",
+                    .help = "show how the projection is made, e.g. horizon,vp,to-vp or axes,ellipses; vp:1,1,0 and "
+                            "to-vp:0-1 are for one direction or edge; all: what the projection has"},
+                   &View::construction, construction_choice()),
       option<View>({.key = "near", .flag = "--near", .help = "omit what is nearer to the viewer than this depth"},
                    &View::near, any_number("")),
       option<View>({.key = "far", .flag = "--far", .help = "omit what is farther from the viewer than this depth"},
@@ -492,7 +497,10 @@ Options<PartsListDescription> parts_list_options() {
   };
 }
 
-Options<SheetDescription> sheet_options() {
+namespace {
+
+// Paper, and where the views stand on it.
+Options<SheetDescription> layout_options() {
   using Sheet = SheetDescription;
   return {
       option<Sheet>(
@@ -521,6 +529,27 @@ Options<SheetDescription> sheet_options() {
                      .switches = {{"--first-angle", "first", "arrange views as in ISO 5456-2 (default)"},
                                   {"--third-angle", "third", "arrange views as in ASME Y14.3"}}},
                     &Sheet::angle, choice<ProjectionAngle>()),
+      option<Sheet>(
+          {.key = "layout",
+           .flag = "--layout",
+           .help = "monge: plan and elevation about one ground line, as in an épura; the same as --views epura",
+           .usual = "standard"},
+          &Sheet::layout, choice<SheetLayout>()),
+      option<Sheet>({.key = "fit",
+                     .flag = "--fit",
+                     .help = "what the sheet has room for; construction: also points of constructions, unless they "
+                             "are farther than ten times the size of the view",
+                     .usual = "model"},
+                    &Sheet::fit, choice<SheetFit>().shown_as("WHAT")),
+  };
+}
+
+}  // namespace
+
+Options<SheetDescription> sheet_options() {
+  using Sheet = SheetDescription;
+  Options<SheetDescription> all = layout_options();
+  const Options<SheetDescription> others = {
       option<Sheet>({.key = "frame",
                      .flag = "--frame",
                      .help = "frame of the sheet; full adds centring marks, grid and title block; auto: full for "
@@ -550,6 +579,8 @@ Options<SheetDescription> sheet_options() {
                      .usual = "osifont"},
                     &Sheet::font, any_text().shown_as("FONT")),
   };
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
 }
 
 void set_field(TitleBlockFields& fields, const std::string& name, const LocatedText& text) {
