@@ -286,6 +286,38 @@ TEST(RecogniseFaces, FreeFormsAreOneFace) {
   EXPECT_EQ(count(faces, features::BorderKind::sharp), 12);
 }
 
+TEST(RecogniseFaces, CurvesOfVaryingCurvatureAreNotRowsOfArcs) {
+  constexpr int columns = 90, rows = 3;
+  std::mt19937 random(1);
+  Part part;
+  std::vector<std::vector<int>> grid;
+  for (int i = 0; i <= columns; ++i) {
+    grid.emplace_back();
+    for (int j = 0; j <= rows; ++j) {
+      const bool inside = i > 0 && i < columns && j > 0 && j < rows;
+      const double shift = inside ? 0.3 * (double(random()) / double(std::mt19937::max()) - 0.5) : 0;
+      const double x = 100 * (i + shift) / columns;
+      grid[i].push_back(part.add({x, 20.0 * j / rows, 6 * std::sin(0.06 * x) + 3 * std::sin(0.17 * x)}));
+    }
+  }
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) {
+      part.faces.push_back({grid[i][j], grid[i + 1][j], grid[i + 1][j + 1]});
+      part.faces.push_back({grid[i][j], grid[i + 1][j + 1], grid[i][j + 1]});
+    }
+  std::vector<int> rim;
+  for (int i = 0; i < columns; ++i) rim.push_back(grid[i][0]);
+  for (int j = 0; j < rows; ++j) rim.push_back(grid[columns][j]);
+  for (int i = columns; i > 0; --i) rim.push_back(grid[i][rows]);
+  for (int j = rows; j > 0; --j) rim.push_back(grid[0][j]);
+  close_below(part, rim, -30);
+  const features::PartFaces faces = recognise(part.round_to_float());
+  EXPECT_EQ(count(faces, features::SurfaceKind::free_form), 1);
+  EXPECT_EQ(count(faces, features::SurfaceKind::cylinder), 0);
+  EXPECT_EQ(faces.faces.size(), 6U);
+  EXPECT_EQ(count(faces, features::BorderKind::sharp), 12);
+}
+
 TEST(RecogniseFaces, TrianglesThatTiltAlongTheBorderOfAFreeForm) {
   Part part = coarsely_bordered([](double x, double y) { return 0.1 * x * x - 0.07 * y * y + 0.01 * x * x * x; });
   // 7 vertices in the first row, 13 in each of the others.
