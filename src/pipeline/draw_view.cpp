@@ -16,6 +16,7 @@
 #include "pipeline/details.hpp"
 #include "verify/outline.hpp"
 #include "verify/verify.hpp"
+#include "visibility/folds.hpp"
 #include "visibility/height_field.hpp"
 
 namespace epura::pipeline {
@@ -169,6 +170,7 @@ class ViewRun {
   Candidates find_candidates_in_time() const;
   void find_edges();
   void hide();
+  void hide_folds();
   visibility::HiddenSpans hidden_in_time();
   bool keep_longest(const std::string& stage);
   drawing::ViewDrawing drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges,
@@ -290,8 +292,17 @@ void ViewRun::hide() {
   if (!hidden_.undecided.empty()) partial_.add_stage("hiding lines");
   partial_.undecided += count_of(hidden_.undecided.size());
   visibility::keep_decided(drawn_, hidden_);
+  if (step.run) hide_folds();
   step.items_out = count_of(hidden_.spans.size());
   plan_.push_back(std::move(step));
+}
+
+// Without time for it, contours of facets that are turned over are drawn, too.
+void ViewRun::hide_folds() {
+  try {
+    visibility::hide_folds(input_.world, view_, drawn_, hidden_, budget_.lines);
+  } catch (const OutOfTime&) {
+  }
 }
 
 drawing::ViewDrawing ViewRun::drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges,

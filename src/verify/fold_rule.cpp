@@ -197,6 +197,17 @@ bool FoldRule::ends_at_cut(const Sheets& sheets) const {
   return whole != nullptr && whole->count > sheets.edge->count;
 }
 
+bool FoldRule::are_one_face(const std::array<int, 2>& edge, int triangle) const {
+  const int model = world_.model_of_triangle(triangle);
+  const scene::Placed& placed = world_.models[model];
+  const Sheets sheets = sheets_at(edge);
+  if (placed.part == nullptr || placed.mesh->uncut != nullptr || sheets.model != model) return false;
+  const auto face = [&](int t) { return placed.part->face_of_triangle[t - world_.first_triangle[model]]; };
+  return std::ranges::all_of(sheets.bodies, [&](const std::vector<int>& body) {
+    return std::ranges::all_of(body, [&](int t) { return face(t) == face(triangle); });
+  });
+}
+
 Need FoldRule::outline(const std::array<int, 2>& edge) const {
   const Sheets sheets = sheets_at(edge);
   if (sheets.edge == nullptr || sheets.edge->cut == mesh::CutEdge::inside) return Need::possible;

@@ -45,6 +45,9 @@ class FoldRule {
   /// For an edge at which a surface ends in front of what lies behind it.
   [[nodiscard]] Need outline(const std::array<int, 2>& edge) const;
 
+  /// Whether a triangle and those that meet in an edge are all of one face of a part.
+  [[nodiscard]] bool are_one_face(const std::array<int, 2>& edge, int triangle) const;
+
   /// How low a triangle is: certainly without a plane, perhaps without one, or hardly visible.
   enum class Needle { surely, perhaps, hardly_seen };
   [[nodiscard]] bool is_needle(int triangle, Needle needle) const;
