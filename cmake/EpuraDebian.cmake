@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Debian packages, by CPack: epura (program, projections), epura-study, importers, the library, and what is needed to build
-# against epura.
+# Debian packages, by CPack: epura (program, projections), epura-study, importers, the library, the module for Python, and
+# what is needed to build against epura.
 #   cmake --preset deb && cmake --build --preset deb && (cd build/deb && cpack)
 set(EPURA_MAINTAINER "The authors of epura <authors@epura.invalid>" CACHE STRING "field Maintainer of Debian packages")
 
@@ -14,6 +14,9 @@ foreach(importer gltf 3mf opencascade)
     list(APPEND components ${importer})
   endif()
 endforeach()
+if(TARGET epura_python)
+  list(APPEND components python)
+endif()
 set(CPACK_COMPONENTS_ALL ${components})
 set(CPACK_PACKAGE_NAME epura)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -26,6 +29,8 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+# The module for Python needs the library, which is in another of these packages.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/lib)
 
 set(CPACK_DEBIAN_EPURA_PACKAGE_NAME epura)
 set(CPACK_DEBIAN_EPURA_PACKAGE_SECTION graphics)
@@ -67,6 +72,20 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "epura ${same_version}, fonts-osifont")
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
 "What the program epura does, for other programs: the library.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-epura)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "epura ${same_version}, ${library} ${same_version}, python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-tqdm, python3-pytest")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION
+"Drawings of arrays, files and objects of other libraries; lines as arrays of
+numpy, pictures in notebooks, projections written in Python, and drawings in
+tests of pytest.")
+
+# Compile the modules for whoever cannot write there, and leave nothing behind.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    "${CMAKE_CURRENT_SOURCE_DIR}/cmake/debian/python/postinst;${CMAKE_CURRENT_SOURCE_DIR}/cmake/debian/python/prerm")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libepura-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

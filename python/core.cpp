@@ -1,139 +1,103 @@
 // SPDX-License-Identifier: Apache-2.0
-// epura._core: the library for Python. Dictionaries of plain values in, drawings out; epura/__init__.py is what users
-// see. Names of members are those of include/epura/scene.hpp.
-#include <pybind11/functional.h>
+// epura._core: the library for Python. Scenes in the words of scene files in, drawings out; epura/__init__.py is what
+// users see.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <chrono>
-#include <condition_variable>
 #include <cstddef>
 #include <epura/epura.hpp>
 #include <exception>
-#include <mutex>
-#include <optional>
-#include <thread>
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include "job.hpp"
 
 namespace py = pybind11;
 
 namespace {
 
-using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Faces = py::array_t<int, py::array::c_style | py::array::forcecast>;
+using epura::python::Job;
+using Points = py::array_t<double, py::array::c_style>;
+using Faces = py::array_t<int, py::array::c_style>;
 
-epura::Polygons polygons_of(const Points& points, const py::list& face_arrays) {
-  epura::Polygons polygons;
-  const auto p = points.unchecked<2>();
-  polygons.points.reserve(static_cast<std::size_t>(p.shape(0)));
-  for (py::ssize_t i = 0; i < p.shape(0); ++i) polygons.points.push_back({p(i, 0), p(i, 1), p(i, 2)});
-  for (const py::handle& group : face_arrays) {
-    const auto faces = py::cast<Faces>(group);
-    const auto f = faces.unchecked<2>();
-    for (py::ssize_t i = 0; i < f.shape(0); ++i) polygons.faces.emplace_back(f.data(i, 0), f.data(i, 0) + f.shape(1));
-  }
-  return polygons;
-}
-
-epura::Model model_of(const py::dict& values) {
-  epura::Model model;
-  if (values.contains("file")) model.file = py::cast<std::string>(values["file"]);
-  if (values.contains("points"))
-    model.polygons = polygons_of(py::cast<Points>(values["points"]), py::cast<py::list>(values["faces"]));
-  if (values.contains("name")) model.name = py::cast<std::string>(values["name"]);
-  return model;
-}
-
-epura::View view_of(const py::dict& values) {
-  epura::View view;
-  view.projection = py::cast<std::string>(values["projection"]);
-  for (const auto& [name, value] : py::cast<py::dict>(values["parameters"]))
-    view.parameters.emplace_back(py::cast<std::string>(name), py::cast<epura::ParameterValue>(value));
-  if (values.contains("hidden")) view.hidden = static_cast<epura::HiddenLines>(py::cast<int>(values["hidden"]));
-  return view;
-}
-
-epura::SheetOptions sheet_of(const py::dict& values) {
-  epura::SheetOptions sheet;
-  if (values.contains("size")) sheet.size = py::cast<std::string>(values["size"]);
-  if (values.contains("scale")) sheet.scale = py::cast<double>(values["scale"]);
-  if (values.contains("title")) sheet.title_block.emplace_back("title", py::cast<std::string>(values["title"]));
-  return sheet;
-}
-
-// What the drawing thread tells the thread that waits for it.
-struct Watch {
-  std::mutex mutex;
-  std::condition_variable changed;
-  std::string stage;
-  double done = 0;
-  bool news = false, ended = false;
-};
-
-void tell_news(Watch& watch, std::unique_lock<std::mutex>& lock, const py::object& progress) {
-  const std::string stage = watch.stage;
-  const double done = watch.done;
-  const bool news = std::exchange(watch.news, false);
-  lock.unlock();
-  {
-    const py::gil_scoped_acquire gil;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (news && !progress.is_none()) progress(stage, done);
-  }
-  lock.lock();
-}
-
-// Draws in a thread of its own: only the calling one may run the handlers of signals, and Ctrl-C must stop the drawing.
-epura::Drawing draw_watched(const epura::Scene& scene, epura::Settings settings, const py::object& progress) {
-  Watch watch;
-  std::stop_source stop;
-  std::optional<epura::Drawing> drawing;
-  std::exception_ptr error;
-  settings.stop = stop.get_token();
-  settings.progress = [&](const std::string& stage, double done) {
-    const std::lock_guard lock(watch.mutex);
-    watch.stage = stage;
-    watch.done = done;
-    watch.news = true;
+// A node of epura/_values.py: (key, place, content), where a list is a list of nodes and a table a tuple of them.
+epura::SceneValue value_of(const py::handle& node) {
+  const auto parts = py::cast<py::tuple>(node);
+  epura::SceneValue value{py::cast<std::string>(parts[0]), py::cast<std::string>(parts[1]), {}};
+  const py::object content = parts[2];
+  const auto nodes = [&] {
+    std::vector<epura::SceneValue> values;
+    for (const py::handle& one : content) values.push_back(value_of(one));
+    return values;
   };
-  const py::gil_scoped_release release;
-  std::thread worker([&] {
-    try {
-      drawing = epura::draw(scene, settings);
-    } catch (...) {
-      error = std::current_exception();
-    }
-    const std::lock_guard lock(watch.mutex);
-    watch.ended = true;
-    watch.changed.notify_one();
-  });
-  try {
-    std::unique_lock lock(watch.mutex);
-    while (!watch.changed.wait_for(lock, std::chrono::milliseconds(50), [&] { return watch.ended; }))
-      tell_news(watch, lock, progress);
-  } catch (...) {
-    stop.request_stop();
-    worker.join();
-    throw;
-  }
-  worker.join();
-  if (error) std::rethrow_exception(error);
-  return *drawing;
+  if (py::isinstance<py::bool_>(content))
+    value.content = py::cast<bool>(content);
+  else if (py::isinstance<py::float_>(content))
+    value.content = py::cast<double>(content);
+  else if (py::isinstance<py::list>(content))
+    value.content = epura::SceneList{nodes()};
+  else if (py::isinstance<py::tuple>(content))
+    value.content = epura::SceneTable{nodes()};
+  else
+    value.content = py::cast<std::string>(content);
+  return value;
 }
 
-epura::Drawing draw(const py::list& models, const py::list& views, const py::dict& sheet, const py::dict& options,
-                    const py::object& progress) {
-  epura::Scene scene;
-  for (const py::handle& model : models) scene.models.push_back(model_of(py::cast<py::dict>(model)));
-  for (const py::handle& view : views) scene.views.push_back(view_of(py::cast<py::dict>(view)));
-  if (!sheet.empty()) scene.sheets.push_back(sheet_of(sheet));
+// Borrows the arrays, which must be as epura/_models.py makes them.
+epura::ModelSource source_of(const py::dict& values) {
+  epura::ModelSource source;
+  source.model = py::cast<int>(values["model"]);
+  if (values.contains("bytes")) {
+    source.bytes = py::cast<std::string>(values["bytes"]);
+    return source;
+  }
+  const auto points = py::cast<Points>(values["points"]);
+  static_assert(sizeof(std::array<double, 3>) == 3 * sizeof(double));
+  source.points = {reinterpret_cast<const std::array<double, 3>*>(points.data()),
+                   static_cast<std::size_t>(points.shape(0))};
+  source.single_precision = py::cast<bool>(values["single_precision"]);
+  for (const py::handle& group : py::cast<py::list>(values["faces"])) {
+    const auto faces = py::cast<Faces>(group);
+    source.faces.push_back({{faces.data(), static_cast<std::size_t>(faces.size())}, static_cast<int>(faces.shape(1))});
+  }
+  return source;
+}
+
+epura::Settings settings_of(const py::dict& values) {
   epura::Settings settings;
-  if (options.contains("centre_lines")) settings.centre_lines = py::cast<bool>(options["centre_lines"]);
-  if (options.contains("arcs")) settings.arcs = py::cast<double>(options["arcs"]);
-  if (options.contains("time_limit")) settings.time_limit = py::cast<double>(options["time_limit"]);
-  if (options.contains("threads")) settings.threads = py::cast<int>(options["threads"]);
-  return draw_watched(scene, settings, progress);
+  const auto take = [&values]<class Value>(const char* name, Value& member) {
+    if (values.contains(name)) member = py::cast<Value>(values[name]);
+  };
+  take("contact", settings.contact);
+  take("wireframe", settings.wireframe);
+  take("arcs", settings.arcs);
+  take("centre_lines", settings.centre_lines);
+  take("verify", settings.verify);
+  take("time_limit", settings.time_limit);
+  take("threads", settings.threads);
+  take("allow_outside", settings.allow_outside);
+  std::vector<std::string> folders;
+  take("plugin_path", folders);
+  settings.plugin_path = {folders.begin(), folders.end()};
+  return settings;
+}
+
+std::unique_ptr<Job> begin(const py::object& scene, const py::list& sources, const py::dict& settings,
+                           const py::list& projections) {
+  std::vector<epura::ModelSource> models;
+  for (const py::handle& source : sources) models.push_back(source_of(py::cast<py::dict>(source)));
+  const auto draw = [value = value_of(scene), models = std::move(models)](const epura::Settings& all) {
+    return epura::draw(value, models, all);
+  };
+  return std::make_unique<Job>(draw, settings_of(settings), projections, py::make_tuple(sources, projections));
+}
+
+std::unique_ptr<Job> begin_file(const std::string& file, const py::dict& settings, const py::list& projections) {
+  const auto draw = [file](const epura::Settings& all) { return epura::draw_file(file, all); };
+  return std::make_unique<Job>(draw, settings_of(settings), projections, py::make_tuple(projections));
 }
 
 // One member of all lines as an array that borrows them: the drawing, which is immutable, lives as long as the array.
@@ -172,11 +136,46 @@ py::tuple view_facts(const epura::Drawing& drawing, std::size_t number) {
   return py::make_tuple(view.name, view.projection, view.sheet, view.scale, view.world_to_page);
 }
 
+py::list arcs_of(const epura::Drawing& drawing, std::size_t number) {
+  py::list arcs;
+  for (const epura::Arc& arc : drawing.views().at(number).arcs)
+    arcs.append(py::make_tuple(arc.centre, arc.u, arc.v, arc.from, arc.to, static_cast<int>(arc.kind), arc.visible));
+  return arcs;
+}
+
+// The strokes of all layers as arrays: (name, width, list of (n, 2)).
+py::list layers_of(const epura::Drawing& drawing, int sheet) {
+  py::list layers;
+  for (const epura::SheetLayer& layer : drawing.layers(sheet)) {
+    py::list strokes;
+    for (const auto& stroke : layer.strokes)
+      strokes.append(py::array_t<double>({static_cast<py::ssize_t>(stroke.size()), py::ssize_t{2}},
+                                         stroke.empty() ? nullptr : stroke.front().data()));
+    layers.append(py::make_tuple(layer.name, layer.width, strokes));
+  }
+  return layers;
+}
+
 // Released while bytes are made.
 template <class Encode>
-std::string encoded(const Encode& encode) {
+auto unlocked(const Encode& encode) {
   const py::gil_scoped_release release;
   return encode();
+}
+
+py::tuple compare(const std::string& before_name, const std::string& before, const std::string& after_name,
+                  const std::string& after, double tolerance) {
+  const epura::Comparison found = unlocked([&] {
+    return epura::compare_drawings({before_name, before}, {after_name, after}, tolerance);
+  });
+  return py::make_tuple(found.is_same, found.words, found.json, found.page);
+}
+
+std::vector<std::string> save(const epura::Drawing& drawing, const std::string& file) {
+  const py::gil_scoped_release release;
+  std::vector<std::string> written;
+  for (const auto& path : epura::write(drawing, file)) written.push_back(path.string());
+  return written;
 }
 
 void translate(std::exception_ptr pointer) {
@@ -195,23 +194,29 @@ void translate(std::exception_ptr pointer) {
 PYBIND11_MODULE(_core, module) {
   py::register_exception_translator(translate);
   module.def("version", &epura::version);
-  module.def("draw", &draw);
+  module.def("begin", &begin);
+  module.def("begin_file", &begin_file);
+  module.def("compare", &compare);
+  py::class_<Job>(module, "Job")
+      .def("wait", &Job::wait)
+      .def("news", &Job::news)
+      .def("stop", &Job::stop)
+      .def("result", &Job::result);
   py::class_<epura::Drawing>(module, "Drawing")
       .def_property_readonly("sheets", &epura::Drawing::sheets)
       .def_property_readonly("warnings", &epura::Drawing::warnings)
       .def_property_readonly("cut_stages", &epura::Drawing::cut_stages)
+      .def_property_readonly("is_wrong", &epura::Drawing::is_wrong)
       .def("view_count", [](const epura::Drawing& drawing) { return drawing.views().size(); })
       .def("view_facts", &view_facts)
       .def("lines", &lines_of)
-      .def("to_svg", [](const epura::Drawing& d, int s) { return encoded([&] { return epura::to_svg(d, s); }); })
-      .def("to_json", [](const epura::Drawing& d, int s) { return encoded([&] { return epura::to_json(d, s); }); })
-      .def("to_pdf", [](const epura::Drawing& d) { return py::bytes(encoded([&] { return epura::to_pdf(d); })); })
+      .def("arcs", &arcs_of)
+      .def("layers", &layers_of)
+      .def("to_svg", [](const epura::Drawing& d, int s) { return unlocked([&] { return epura::to_svg(d, s); }); })
+      .def("to_json", [](const epura::Drawing& d, int s) { return unlocked([&] { return epura::to_json(d, s); }); })
+      .def("to_dxf", [](const epura::Drawing& d, int s) { return unlocked([&] { return epura::to_dxf(d, s); }); })
+      .def("to_pdf", [](const epura::Drawing& d) { return py::bytes(unlocked([&] { return epura::to_pdf(d); })); })
       .def("to_png", [](const epura::Drawing& d, int s,
-                        double dpi) { return py::bytes(encoded([&] { return epura::to_png(d, s, dpi); })); })
-      .def("save", [](const epura::Drawing& drawing, const std::string& file) {
-        const py::gil_scoped_release release;
-        std::vector<std::string> written;
-        for (const auto& path : epura::write(drawing, file)) written.push_back(path.string());
-        return written;
-      });
+                        double dpi) { return py::bytes(unlocked([&] { return epura::to_png(d, s, dpi); })); })
+      .def("save", &save);
 }

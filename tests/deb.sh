@@ -84,7 +84,18 @@ inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/libepura*.de
   { cat "$scratch/log" >&2; fail "the library cannot be installed"; }
 inside ldconfig -p | grep "libepura.so" >/dev/null || fail "the library is not found"
 
-inside apt-get -q purge --yes epura epura-study epura-opencascade epura-gltf epura-3mf libepura-dev >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; fail "stays"; }
+inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/python3-epura_*.deb' >"$scratch/log" 2>&1 ||
+  { cat "$scratch/log" >&2; fail "the module for Python cannot be installed"; }
+inside python3 -c 'import epura, importlib.metadata as known
+drawing = epura.draw("/tmp/bracket.obj", views=["front", "top", "isometric"], title="Bracket")
+drawing.save("/tmp/module.svg")
+assert epura.compare("/tmp/module.svg", drawing)
+assert len(epura.draw("/tmp/triangle.gltf").views[0].segments) == 3
+assert known.version("epura") == epura.__version__
+assert [point.value for point in known.entry_points(group="pytest11") if point.name == "epura"] == ["pytest_epura"]
+' || fail "the module for Python does not work"
+
+inside apt-get -q purge --yes python3-epura epura epura-study epura-opencascade epura-gltf epura-3mf libepura-dev >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; fail "stays"; }
 left=$(traces)
 [ -z "$left" ] || fail "leaves behind: $left"
 echo "deb: $(cd $build && echo *.deb): installed, used and removed"

@@ -42,6 +42,9 @@ struct EdgeKinds {
 /// The part of a symmetric view that is drawn: a half, or a quarter.
 enum class HalfView { left, right, top, bottom, top_left, top_right, bottom_left, bottom_right };
 
+/// The lines at which interrupted and partial views end: continuous with zigzags, or freehand (ISO 128-2).
+enum class BreakLine { zigzag, freehand };
+
 enum class Orientation { landscape, portrait };
 
 /// Arrangement of the views: ISO 5456-2 (first angle) or ASME Y14.3 (third angle).

@@ -8,7 +8,9 @@
 #pragma once
 
 #include <array>
+#include <epura/own_projection.hpp>
 #include <epura/scene.hpp>
+#include <epura/scene_value.hpp>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -28,7 +30,7 @@ namespace epura {
 class EPURA_PUBLIC Failure : public std::runtime_error {
  public:
   /// Values are the exit codes of the program. `time`: `time_limit` left nothing to show; `stopped`: by Settings::stop.
-  enum class Kind { input = 2, plugin = 3, output = 4, time = 5, stopped = 130 };
+  enum class Kind { input = 2, plugin = 3, output = 4, time = 5, broken = 70, stopped = 130 };
 
   Failure(Kind kind, std::string place, const std::string& message, std::string hint)
       : std::runtime_error(message), kind_(kind), place_(std::move(place)), hint_(std::move(hint)) {}
@@ -54,6 +56,7 @@ struct Settings {
   std::optional<double> time_limit{};  ///< seconds; draws the longest edges first
   int threads = 0;                     ///< 0: all cores. For concurrent calls, the lowest number applies
   std::vector<std::filesystem::path> plugin_path{};  ///< additional folders with projection plugins
+  std::vector<OwnProjection> projections{};          ///< of this program, which views use by their names
   bool allow_outside = false;  ///< scene files and models may name files that do not lie below their folders
   /// Called when a stage begins and as it proceeds, with its name and the completed fraction, 0 to 1 (0 if unknown).
   /// May be called from any thread, but never concurrently.
@@ -126,6 +129,10 @@ class EPURA_PUBLIC Drawing {
 /// call. Throws Failure and std::bad_alloc.
 [[nodiscard]] EPURA_PUBLIC Drawing draw(const Scene& scene, const Settings& settings = {});
 
+/// Draws a scene that is given in the words of scene files; relative paths start at the current folder.
+[[nodiscard]] EPURA_PUBLIC Drawing draw(const SceneValue& scene, const std::vector<ModelSource>& sources,
+                                        const Settings& settings = {});
+
 /// Draws a scene file (TOML, docs/formats.md), or a model in an isometric view.
 [[nodiscard]] EPURA_PUBLIC Drawing draw_file(const std::filesystem::path& file, const Settings& settings = {});
 
@@ -149,6 +156,25 @@ struct SvgOptions {
 /// Writes a file in the format of its extension; several sheets become x-1.svg, x-2.svg if the format has no pages.
 /// Returns the paths of the files. Throws Failure; an existing file is then kept.
 EPURA_PUBLIC std::vector<std::filesystem::path> write(const Drawing& drawing, const std::filesystem::path& file);
+
+/// A drawing made by epura, as the bytes of a file: .svg, .pdf or .json.
+struct DrawingFile {
+  std::string name;  ///< its extension says what the bytes are
+  std::string bytes;
+};
+
+/// The visible differences between two drawings.
+struct Comparison {
+  bool is_same = true;
+  std::string words;  ///< one line for each difference, and a last line with their number
+  std::string json;   ///< the same for programs (docs/formats.md)
+  std::string page;   ///< HTML that shows the differences, if there are some
+};
+
+/// Compares two drawings as `epura compare` does: lines within `tolerance` mm of each other count as equal. Throws
+/// Failure for files that epura did not write.
+[[nodiscard]] EPURA_PUBLIC Comparison compare_drawings(const DrawingFile& before, const DrawingFile& after,
+                                                       double tolerance = 0.001);
 
 /// "0.1.0"
 EPURA_PUBLIC const char* version() noexcept;

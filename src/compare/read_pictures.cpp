@@ -30,10 +30,14 @@ bool is_drawing(const std::filesystem::path& path) {
   return extension == ".json" || extension == ".svg" || extension == ".pdf";
 }
 
-PictureFile read_pictures(const std::filesystem::path& path) {
+void expect_drawing(const std::filesystem::path& path) {
   if (!is_drawing(path))
     throw Error(ErrorKind::input, path.string(), "is not a drawing that can be compared",
                 "epura compares its .json, .svg and .pdf files");
+}
+
+PictureFile read_pictures(const std::filesystem::path& path) {
+  expect_drawing(path);
   return pictures_of(read_file(path), path);
 }
 

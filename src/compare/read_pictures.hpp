@@ -20,6 +20,9 @@ struct PictureFile {
 /// Whether a file is a readable drawing, by its extension.
 bool is_drawing(const std::filesystem::path& path);
 
+/// Throws Error{input} for other files.
+void expect_drawing(const std::filesystem::path& path);
+
 /// Reads drawing JSON, SVG or PDF written by epura, by extension. Throws Error{input} for everything else.
 PictureFile read_pictures(const std::filesystem::path& path);
 

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "library/own_projections.hpp"
 
 namespace epura {
 
@@ -169,6 +170,7 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   description.detail = located(view.detail, where + ".detail");
   if (view.automatic_breaks || !view.breaks.empty())
     description.breaks = {break_choice(view, where + ".breaks"), where + ".breaks"};
+  if (view.break_line != BreakLine::zigzag) description.break_line = {view.break_line, where + ".break_line"};
   description.half = located(view.half, where + ".half");
   if (description.detail.given()) description.projection.value.reset();
   return description;
@@ -202,11 +204,18 @@ scene::SectionDescription describe(const Section& section, const std::string& wh
   scene::SectionDescription description{
       {section.name, where}, vector_of(section.point, where + ".point"), vector_of(section.normal, where + ".normal")};
   if (!section.beyond) description.beyond = {false, where + ".beyond"};
+  if (section.aligned) description.aligned = {true, where + ".aligned"};
   if (section.path.empty()) return description;
   std::vector<Vec3> path;
   for (const auto& corner : section.path) path.push_back(vector_of(corner, where + ".path"));
   description.path = {std::move(path), where + ".path"};
   return description;
+}
+
+scene::RevolvedDescription describe(const Revolved& revolved, const std::string& where) {
+  return {located(revolved.view, where + ".view"),
+          {vector_of(revolved.point, where + ".point"), where + ".point"},
+          {vector_of(revolved.normal, where + ".normal"), where + ".normal"}};
 }
 
 scene::DetailDescription describe(const Detail& detail, const std::string& where) {
@@ -305,6 +314,7 @@ scene::SceneDescription describe_scene(const Scene& scene) {
   describe_all(description.views, scene.views, "views");
   describe_all(description.styles, scene.styles, "styles");
   describe_all(description.sections, scene.sections, "sections");
+  describe_all(description.revolved, scene.revolved, "revolved");
   describe_all(description.details, scene.details, "details");
   describe_all(description.explosions, scene.explosions, "explosions");
   describe_all(description.dimensions, scene.dimensions, "dimensions");
@@ -315,6 +325,7 @@ scene::SceneDescription describe_scene(const Scene& scene) {
 pipeline::RunOptions run_options_of(const Settings& settings) {
   pipeline::RunOptions options;
   options.plugin_path = settings.plugin_path;
+  options.projections = entries_of(settings.projections);
   options.allow_outside = settings.allow_outside;
   if (settings.wireframe) options.visibility = pipeline::Visibility::none;
   if (settings.contact) options.contact = checked(*settings.contact, "settings.contact", 0);
@@ -337,8 +348,8 @@ DrawnView drawn_view(const drawing::ViewDrawing& drawing, int sheet) {
       view.world_to_page[static_cast<std::size_t>(4 * row + column)] = drawing.world_to_page[column][row];
   view.lines.reserve(drawing.segments.size());
   for (const drawing::Segment& segment : drawing.segments)
-    view.lines.push_back({pair_of(segment.from), pair_of(segment.to), segment.kind, segment.visible, segment.model,
-                          segment.body, segment.edge, segment.t});
+    view.lines.push_back({pair_of(segment.from), pair_of(segment.to), segment.kind, segment.visible,
+                          drawing.number_in_scene(segment.model), segment.body, segment.edge, segment.t});
   for (const drawing::Chain& chain : drawing.chains)
     for (const drawing::CurvePart& curve : chain.curves)
       view.arcs.push_back(

@@ -7,7 +7,12 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "compare/comparison.hpp"
+#include "compare/html_report.hpp"
+#include "compare/read_pictures.hpp"
 #include "library/convert.hpp"
+#include "library/describe_value.hpp"
+#include "library/guarded.hpp"
 #include "pipeline/complete_scene.hpp"
 #include "pipeline/draw_scene.hpp"
 #include "pipeline/targets.hpp"
@@ -25,21 +30,6 @@ class Drawing::Content {
 };
 
 namespace {
-
-// Converts exceptions to the one type that the library throws.
-template <class Work>
-auto guarded(const Work& work) {
-  try {
-    return work();
-  } catch (const Error& error) {
-    throw Failure(static_cast<Failure::Kind>(error.kind()), error.where(), error.what(), error.hint());
-  } catch (const OutOfTime& cut) {
-    throw Failure(Failure::Kind::time, "settings.time_limit",
-                  "time ran out at '" + cut.stage + "', before there was anything to show", "allow more time");
-  } catch (const Stopped&) {
-    throw Failure(Failure::Kind::stopped, "settings.stop", "the call was stopped", "");
-  }
-}
 
 Drawing draw_described(scene::SceneDescription scene, const Settings& settings) {
   pipeline::complete_scene(scene);
@@ -92,6 +82,10 @@ std::vector<SheetLayer> Drawing::layers(int sheet) const {
 
 Drawing draw(const Scene& scene, const Settings& settings) {
   return guarded([&] { return draw_described(describe_scene(scene), settings); });
+}
+
+Drawing draw(const SceneValue& scene, const std::vector<ModelSource>& sources, const Settings& settings) {
+  return guarded([&] { return draw_described(describe_scene(scene, sources), settings); });
 }
 
 Drawing draw_file(const std::filesystem::path& file, const Settings& settings) {
@@ -155,6 +149,23 @@ std::vector<std::filesystem::path> write(const Drawing& drawing, const std::file
       written.emplace_back(bytes.path);
     }
     return written;
+  });
+}
+
+Comparison compare_drawings(const DrawingFile& before, const DrawingFile& after, double tolerance) {
+  return guarded([&] {
+    for (const DrawingFile* file : {&before, &after}) compare::expect_drawing(file->name);
+    if (!(tolerance > 0)) throw Error(ErrorKind::input, "tolerance", "is not above 0");
+    const compare::PictureFile one = compare::pictures_of(before.bytes, before.name);
+    const compare::PictureFile other = compare::pictures_of(after.bytes, after.name);
+    const compare::Comparison found = compare::compare(one, other, tolerance);
+    Comparison result;
+    result.is_same = found.differences.empty();
+    result.words = compare::format_comparison(found, tolerance);
+    result.json = compare::to_json(found, tolerance, before.name, after.name);
+    if (!result.is_same)
+      result.page = compare::overlay_page(before.name + " | " + after.name, result.words, one, other, found);
+    return result;
   });
 }
 

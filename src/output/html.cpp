@@ -11,6 +11,4 @@ std::string html_text(std::string_view text) {
   return html;
 }
 
-std::string inline_svg(const sheet::Sheet& sheet, const VectorOptions& options) { return svg_element(sheet, options); }
-
 }  // namespace epura::output

@@ -67,7 +67,7 @@ void append_segment(std::string& text, const drawing::ViewDrawing& drawing, cons
   append_numbers(text += ", \"to\": ", coordinates(segment.to));
   text += segment.visible ? ", \"visible\": true" : ", \"visible\": false";
   text.append(", \"kind\": \"").append(edges::name_of(segment.kind));
-  append(text += "\", \"model\": ", segment.model);
+  append(text += "\", \"model\": ", drawing.number_in_scene(segment.model));
   if (segment.body >= 0) append(text += ", \"body\": ", segment.body);
   if (segment.edge[0] >= 0) {
     append_numbers(text += ", \"edge\": ", segment.edge);

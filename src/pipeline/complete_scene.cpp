@@ -12,6 +12,7 @@
 #include "scene/broken_outs.hpp"
 #include "scene/details.hpp"
 #include "scene/exploded_world.hpp"
+#include "scene/revolved.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/view_names.hpp"
 
@@ -86,6 +87,7 @@ void complete_scene(scene::SceneDescription& scene) {
   scene::name_views(scene.views);
   scene::complete_details(scene);
   scene::complete_broken_outs(scene);
+  scene::complete_revolved(scene);
   scene::complete_letters(scene);
   scene::expect_sound_moves(scene);
   int sheets = 1;

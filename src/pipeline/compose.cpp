@@ -235,13 +235,20 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
     std::vector<sheet::Layer> lines =
         line_layers(results[i].drawing, widths, input.views.plans[i].options.styles, budget);
     append(finished.sheet.layers, budget.or_nothing([&](const Progress& progress) {
-      return centre_layers(results[i], input.views.plans[i].options, widths, lines, progress);
+      std::vector<sheet::Layer> centre =
+          centre_layers(results[i], input.views.plans[i].options, widths, lines, progress);
+      for (const scene::CuttingSurface& plane : input.annotations[i].planes)
+        if (const auto marks = sheet::cutting_plane_line(results[i].drawing, plane, widths))
+          for (sheet::Layer& layer : centre) sheet::give_way(layer, *marks, widths);
+      return centre;
     }));
     if (auto traces = sheet::trace_lines(results[i].drawing, widths))
       finished.sheet.layers.push_back(std::move(*traces));
     append(finished.sheet.layers, std::move(lines));
     if (auto limits = sheet::limit_lines(results[i].drawing, widths))
       finished.sheet.layers.push_back(std::move(*limits));
+    if (auto revolved = sheet::revolved_lines(results[i].drawing, widths))
+      finished.sheet.layers.push_back(std::move(*revolved));
     // If there is no time to write everything, chains determine which segments belong together.
     if (!budget.run.is_limited()) keep_curves(results[i].drawing.chains);
     finished.drawings.push_back(std::move(results[i].drawing));

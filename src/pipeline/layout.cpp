@@ -76,7 +76,7 @@ struct Views {
   std::vector<Vec2> gaps;     ///< lengths of the gaps in interrupted views, mm
 };
 
-// The box of all ink, with the boundaries of details that the view marks.
+// The box of all ink, with the boundaries of details that the view marks and revolved sections.
 projection::Window whole_box(const ViewOptions& options, const Annotations& annotations,
                              const view::ProjectedScene& view, const scene::World& world) {
   projection::Window whole = box_to_place(options, view, world);
@@ -85,6 +85,10 @@ projection::Window whole_box(const ViewOptions& options, const Annotations& anno
     const sheet::Rectangle box = boundary_box(detail, view);
     whole = {glm::min(whole.min, box.min), glm::max(whole.max, box.max)};
   }
+  const Mat4 to_plane = view::world_to_page(view, view::make_paper_map(view, 1, {0, 0}));
+  for (const RevolvedSection& section : options.revolved)
+    for (const std::vector<Vec2>& ring : turned_face(section, view.projection, to_plane).rings)
+      for (const Vec2& p : ring) whole = {glm::min(whole.min, p), glm::max(whole.max, p)};
   return whole;
 }
 

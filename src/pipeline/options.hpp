@@ -8,6 +8,7 @@
 
 #include "explain/find_subjects.hpp"
 #include "pipeline/shortcuts.hpp"
+#include "projection/catalogue.hpp"
 #include "scene/choices.hpp"
 
 namespace epura::pipeline {
@@ -37,7 +38,8 @@ struct epura::scene::Words<epura::pipeline::Sandbox> {
 namespace epura::pipeline {
 
 struct RunOptions {
-  std::vector<std::filesystem::path> plugin_path;  ///< more folders with projection plugins
+  std::vector<std::filesystem::path> plugin_path;        ///< more folders with projection plugins
+  std::vector<projection::ProjectionEntry> projections;  ///< of the calling program, by name before those of plugins
   Sandbox sandbox = Sandbox::automatic;
   bool allow_outside = false;  ///< scene files and models may name files outside their folders
   Visibility visibility = Visibility::exact;

@@ -75,8 +75,8 @@ std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const 
   std::map<std::string, projection::ProjectionEntry> found;  // views with the same projection share a process
   const auto find = [&](const std::string& name) {
     const auto known = found.find(name);
-    return known != found.end() ? known->second
-                                : found.emplace(name, projection::find_projection(name, folders)).first->second;
+    if (known != found.end()) return known->second;
+    return found.emplace(name, projection::find_projection(name, folders, options.projections)).first->second;
   };
   std::vector<PlannedView> plans;
   for (const scene::ViewDescription& view : scene.views) {
@@ -99,7 +99,8 @@ sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::V
   const LayersBy layers = view.layers.value_or(LayersBy::role);
   sheet::BodyStyles styles;
   for (std::size_t i = 0; i < world.models.size(); ++i) {
-    const scene::ModelDescription& model = scene.models[i];
+    const scene::ModelDescription& model =
+        scene.models[static_cast<std::size_t>(world.number_in_scene(static_cast<int>(i)))];
     const scene::Placed& placed = world.models[i];
     sheet::BodyStyle usual;
     usual.line = model.line.value_or(usual.line);

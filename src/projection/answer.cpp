@@ -25,7 +25,7 @@ Vec3 unit_vector(const Vec3& v) {
 }  // namespace
 
 /// Limits and window are preset, so that a simple projection need not mention them.
-PluginAnswer call_plugin(const epura_projection& definition, const std::vector<double>& values, const Box& scene) {
+PluginAnswer call_function(const MakeView& make, const std::vector<double>& values, const Box& scene) {
   const Box box = scene.empty() ? Box{Vec3(0), Vec3(0)} : scene;
   const epura_scene known{sizeof(epura_scene), {box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
   PluginAnswer answer{};
@@ -34,14 +34,23 @@ PluginAnswer call_plugin(const epura_projection& definition, const std::vector<d
   answer.view.front = HUGE_VAL;
   answer.view.back = -HUGE_VAL;
   const KeptArithmetic arithmetic;
-  try {
-    if (const char* sentence = definition.project(values.data(), &known, &answer.view)) answer.refusal = sentence;
-  } catch (...) {
-    throw Error(ErrorKind::plugin, "", "threw an exception across the C interface");
-  }
+  answer.refusal = make(values, known, answer.view);
   if (arithmetic.is_changed())
     throw Error(ErrorKind::plugin, "", "leaves another rounding mode, or flushes subnormal numbers to zero");
   return answer;
+}
+
+PluginAnswer call_plugin(const epura_projection& definition, const std::vector<double>& values, const Box& scene) {
+  const auto make = [&](const std::vector<double>& numbers, const epura_scene& box,
+                        epura_view& view) -> std::optional<std::string> {
+    try {
+      const char* sentence = definition.project(numbers.data(), &box, &view);
+      return sentence == nullptr ? std::nullopt : std::optional<std::string>(sentence);
+    } catch (...) {
+      throw Error(ErrorKind::plugin, "", "threw an exception across the C interface");
+    }
+  };
+  return call_function(make, values, scene);
 }
 
 PluginAnswer ask_plugin(const ProjectionEntry& entry, const ParameterValues& values, const Box& scene) {

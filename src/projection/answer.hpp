@@ -4,6 +4,7 @@
 
 #include <epura/projection_abi.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,13 @@ struct PluginAnswer {
   epura_view view;
   std::optional<std::string> refusal;  ///< the sentence with which the plugin rejects the values; then `view` is empty
 };
+
+/// A function that makes a view of values, or returns why it rejects them. The view is preset.
+using MakeView =
+    std::function<std::optional<std::string>(const std::vector<double>& values, const epura_scene&, epura_view&)>;
+
+/// Calls a function of this process. Changed floating-point arithmetic is an error.
+PluginAnswer call_function(const MakeView& make, const std::vector<double>& values, const Box& scene);
 
 /// Calls the plugin directly: an AskProjection for libraries that this process has loaded. Exceptions that leave the
 /// plugin and changed floating-point arithmetic are errors.

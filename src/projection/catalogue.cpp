@@ -91,7 +91,9 @@ std::vector<fs::path> plugin_folders(const std::vector<fs::path>& extra) {
 
 Catalogue load_catalogue(const std::vector<fs::path>& folders) { return load_all(folders, {}); }
 
-ProjectionEntry find_projection(std::string_view name, const std::vector<fs::path>& folders) {
+ProjectionEntry find_projection(std::string_view name, const std::vector<fs::path>& folders,
+                                const std::vector<ProjectionEntry>& own) {
+  if (auto entry = entry_named(name, own)) return *std::move(entry);
   std::vector<BadPlugin> bad;
   // A name with a slash must not lead out of the folders.
   for (const fs::path& folder : foreign::is_plugin_name(name) ? folders : std::vector<fs::path>{}) {
@@ -100,9 +102,10 @@ ProjectionEntry find_projection(std::string_view name, const std::vector<fs::pat
     if (!fs::is_regular_file(library, error)) continue;
     if (auto entry = entry_named(name, read_or_note(library, Afterwards::waits, bad))) return *std::move(entry);
   }
-  if (const std::string_view full = full_name(name); full != name) return find_projection(full, folders);
-  const Catalogue catalogue = load_all(folders, std::move(bad));
+  if (const std::string_view full = full_name(name); full != name) return find_projection(full, folders, own);
+  Catalogue catalogue = load_all(folders, std::move(bad));
   if (auto entry = entry_named(name, catalogue.entries)) return *std::move(entry);
+  catalogue.entries.insert(catalogue.entries.end(), own.begin(), own.end());
   throw_unknown(name, catalogue);
 }
 

@@ -55,8 +55,9 @@ Catalogue load_catalogue(const std::vector<std::filesystem::path>& folders);
 /// Finds one projection, reading as few plugins as possible: NAME.so first, then the others until it is found. "iso"
 /// means isometric and "perspective" two-point, unless there is a NAME.so of that name. Throws Error{plugin} if there
 /// is no such projection, with the fault of NAME.so if it exists; otherwise with "did you mean" and the bad plugins
-/// that might have contained it.
-ProjectionEntry find_projection(std::string_view name, const std::vector<std::filesystem::path>& folders);
+/// that might have contained it. `own` are projections of the calling program, which come before all plugins.
+ProjectionEntry find_projection(std::string_view name, const std::vector<std::filesystem::path>& folders,
+                                const std::vector<ProjectionEntry>& own = {});
 
 /// Checks the values against the table, calls the plugin and checks its answer. `scene` is the bounding box of
 /// everything. Throws Error{input} for invalid values, and for values to which the answer is not a projection;

@@ -135,6 +135,10 @@ Options<SectionDescription> section_options() {
                        .help = "instead of the point: corners of the cutting-plane line, whose legs are perpendicular "
                                "to the normal, or steps parallel to it; a half section begins or ends with a step"},
                       &Section::path, list_of_triples()),
+      option<Section>(
+          {.key = "aligned",
+           .help = "`true` makes all legs of the path cutting planes, at any angle, and turns them into one"},
+          &Section::aligned, truth()),
       option<Section>({.key = "beyond",
                        .help = "`false` draws only cut faces, without what is behind them, as in removed sections"},
                       &Section::beyond, truth()),
@@ -169,6 +173,21 @@ Options<BrokenOutDescription> broken_out_options() {
       option<BrokenOut>(
           {.key = "outline", .help = "instead of the radius: points around which the freehand line runs in the view"},
           &BrokenOut::outline, list_of_triples()),
+  };
+}
+
+Options<RevolvedDescription> revolved_options() {
+  using Revolved = RevolvedDescription;
+  return {
+      option<Revolved>({.key = "view", .help = "name of the view on which it is drawn", .usual = "first view"},
+                       &Revolved::view, any_text()),
+      option<Revolved>({.key = "point", .help = "point inside the cut face", .required = true}, &Revolved::point,
+                       triple_of_numbers("")),
+      option<Revolved>({.key = "normal",
+                        .help = "normal of the cutting plane, such as the direction of a bar or a spoke; it is seen in "
+                                "true length",
+                        .required = true},
+                       &Revolved::normal, direction()),
   };
 }
 
@@ -275,6 +294,8 @@ Options<ViewDescription> view_options() {
                     .help = "leave parts of long views out, between two places on an axis of the world: x:40:160; "
                             "x:40: up to the end; auto: long stretches of constant section"},
                    &View::breaks, break_choice()),
+      option<View>({.key = "break_line", .help = "line at which the view is broken", .usual = "zigzag"},
+                   &View::break_line, choice<BreakLine>()),
       option<View>({.key = "half", .help = "the half or quarter of a symmetric view that is drawn"}, &View::half,
                    choice<HalfView>()),
       option<View>({.key = "from", .help = "instead of a projection: direction from the models towards the viewer"},

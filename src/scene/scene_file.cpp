@@ -198,11 +198,11 @@ void find_files(SceneDescription& scene, const fs::path& folder, FilesOutside ou
 
 }  // namespace
 
-SceneDescription read_scene_file(const fs::path& path, FilesOutside outside) {
-  SceneWords words = read_scene_words(read_toml(path));
+SceneDescription scene_of(const TomlValue& root) {
+  SceneWords words = read_scene_words(root);
   SceneDescription& scene = words.description;
   if (scene.models.empty())
-    refuse(path.string(), "names no model", "a scene file needs at least:  [[model]]  file = \"part.obj\"");
+    refuse(root.where, "names no model", "a scene file needs at least:  [[model]]  file = \"part.obj\"");
   if (scene.sheets.empty()) scene.sheets.push_back(words.every_sheet);
   complete_directions(scene);
   expect_projections(scene);
@@ -214,6 +214,11 @@ SceneDescription read_scene_file(const fs::path& path, FilesOutside outside) {
   for (const TableDescription& table : scene.tables) expect_cells(table);
   for (const CalloutWords& callout : words.callouts) scene.callouts.push_back(callout_of(callout, subjects));
   if (scene.parts_list && !subjects.views.empty()) refuse_unknown(scene.parts_list->view, subjects.views, "view");
+  return scene;
+}
+
+SceneDescription read_scene_file(const fs::path& path, FilesOutside outside) {
+  SceneDescription scene = scene_of(read_toml(path));
   find_files(scene, path.parent_path(), outside);
   return scene;
 }

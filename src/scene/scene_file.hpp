@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "scene/description.hpp"
+#include "scene/toml_tree.hpp"
 
 namespace epura::scene {
 
@@ -15,6 +16,9 @@ enum class FilesOutside { refused, allowed };
 /// scene file. There may be no views; all views have names. Throws Error{input}, with line, column and hint, for files
 /// that cannot be read, unknown keys, invalid values, and names that refer to nothing or are not unique.
 SceneDescription read_scene_file(const std::filesystem::path& path, FilesOutside outside = FilesOutside::refused);
+
+/// The same for the root table of a file, or of a program that has the same keys. Paths stay as they are.
+SceneDescription scene_of(const TomlValue& root);
 
 /// Throws Error{input} for two models, sections or views with one name, and for views that refer to sections or sheets
 /// that do not exist.

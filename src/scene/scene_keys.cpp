@@ -157,6 +157,7 @@ Options<SceneWords> scene_keys() {
       parts_key("section", section_options(), in_description(&SceneDescription::sections)),
       parts_key("detail", detail_options(), in_description(&SceneDescription::details)),
       parts_key("broken_out", broken_out_options(), in_description(&SceneDescription::broken_outs)),
+      parts_key("revolved", revolved_options(), in_description(&SceneDescription::revolved)),
       parts_key("explode", explode_options(), in_description(&SceneDescription::explosions)),
       parts_key("view", view_options(), in_description(&SceneDescription::views)),
       parts_key("dimension", dimension_options(), std::mem_fn(&SceneWords::dimensions)),
@@ -179,8 +180,7 @@ std::string in_code(const std::vector<std::string>& words) {
   return words_as_text(quoted);
 }
 
-template <class Part>
-void append_rows(std::string& table, const std::string& section, const Options<Part>& keys) {
+void append_rows(std::string& table, const std::string& section, const std::vector<OptionInfo>& keys) {
   for (const OptionInfo& key : keys) {
     if (key.help.empty()) continue;
     const std::string value = !key.form.is_closed ? key.form.name
@@ -191,7 +191,36 @@ void append_rows(std::string& table, const std::string& section, const Options<P
   }
 }
 
+template <class Part>
+std::vector<OptionInfo> infos_of(const Options<Part>& keys) {
+  return {keys.begin(), keys.end()};
+}
+
 }  // namespace
+
+std::vector<SceneSection> scene_sections() {
+  return {
+      {"model", infos_of(model_options()), true},
+      {"style", infos_of(style_options()), true},
+      {"view", infos_of(view_options()), true},
+      {"section", infos_of(section_options()), true},
+      {"detail", infos_of(detail_options()), true},
+      {"broken_out", infos_of(broken_out_options()), true},
+      {"revolved", infos_of(revolved_options()), true},
+      {"explode", infos_of(explode_options()), true},
+      {"dimension", infos_of(dimension_options()), true},
+      {"note", infos_of(note_options()), true},
+      {"tolerance_frame", infos_of(tolerance_frame_options()), true},
+      {"datum", infos_of(datum_options()), true},
+      {"surface_texture", infos_of(texture_options()), true},
+      {"table", infos_of(table_options()), true},
+      {"revision", infos_of(revision_options()), true},
+      {"parts_list", infos_of(parts_list_options()), false},
+      {"all_sheets", infos_of(sheet_options()), false},
+      {"sheet", infos_of(sheet_keys()), true},
+      {"title_block", infos_of(title_block_keys()), false},
+  };
+}
 
 SceneWords read_scene_words(const TomlValue& file) {
   SceneWords words;
@@ -201,25 +230,16 @@ SceneWords read_scene_words(const TomlValue& file) {
 
 std::string describe_scene_keys() {
   std::string table = "| section | key | value | default | meaning |\n|---|---|---|---|---|\n";
-  append_rows(table, "", scene_keys());
-  append_rows(table, "`[[model]]`", model_options());
-  append_rows(table, "`[[style]]`", style_options());
-  append_rows(table, "`[[view]]`", view_options());
-  append_rows(table, "`[[section]]`", section_options());
-  append_rows(table, "`[[detail]]`", detail_options());
-  append_rows(table, "`[[broken_out]]`", broken_out_options());
-  append_rows(table, "`[[explode]]`", explode_options());
-  append_rows(table, "`[[dimension]]`", dimension_options());
-  append_rows(table, "`[[note]]`", note_options());
-  append_rows(table, "`[[tolerance_frame]]`", tolerance_frame_options());
-  append_rows(table, "`[[datum]]`", datum_options());
-  append_rows(table, "`[[surface_texture]]`", texture_options());
-  append_rows(table, "`[[table]]`", table_options());
-  append_rows(table, "`[[revision]]`", revision_options());
-  append_rows(table, "`[parts_list]`", parts_list_options());
-  append_rows(table, "`[all_sheets]`, `[[sheet]]`", sheet_options());
-  append_rows(table, "`[[sheet]]`", own_sheet_keys());
-  append_rows(table, "`[title_block]`", title_block_keys());
+  append_rows(table, "", infos_of(scene_keys()));
+  for (const SceneSection& section : scene_sections()) {
+    // Sheets have the keys of all sheets, and some of their own.
+    if (section.name == "all_sheets")
+      append_rows(table, "`[all_sheets]`, `[[sheet]]`", section.keys);
+    else if (section.name == "sheet")
+      append_rows(table, "`[[sheet]]`", infos_of(own_sheet_keys()));
+    else
+      append_rows(table, section.is_list ? "`[[" + section.name + "]]`" : "`[" + section.name + "]`", section.keys);
+  }
   return table;
 }
 

@@ -22,6 +22,16 @@ struct SceneWords {
 /// Throws Error{input} for unknown keys, missing keys and invalid values.
 SceneWords read_scene_words(const TomlValue& file);
 
+/// A section of scene files.
+struct SceneSection {
+  std::string name;  ///< "model"
+  std::vector<OptionInfo> keys;
+  bool is_list;  ///< [[model]], of which there may be several
+};
+
+/// All sections, in the order of the documentation.
+std::vector<SceneSection> scene_sections();
+
 /// Returns a table in Markdown with the keys of all sections: section, key, value, default, meaning.
 std::string describe_scene_keys();
 

@@ -104,6 +104,17 @@ Vec3 read_direction(const TomlValue& value) {
   return vector;
 }
 
+// Three rows of an affine matrix for column vectors; the last row of four is 0, 0, 0, 1.
+Mat4 read_matrix(const TomlValue& value) {
+  std::vector<Vec4> read;
+  for (const TomlValue& row : content_of<TomlList>(value).values) read.push_back(read_vector<Vec4>(row));
+  const Vec4 last(0, 0, 0, 1);
+  if (read.size() == 3) read.push_back(last);
+  if (read.size() != 4) refuse(value, "has " + std::to_string(read.size()) + " rows, 3 or 4 are wanted");
+  if (read[3] != last) refuse(value, "has a last row other than 0, 0, 0, 1", "models are moved by affine matrices");
+  return rows(read[0], read[1], read[2], read[3]);
+}
+
 // Returns the value of a projection's parameter as it is written on the command line.
 std::string read_parameter(const TomlValue& value) {
   if (const auto* flag = std::get_if<bool>(&value.content)) return *flag ? "true" : "false";
@@ -327,7 +338,10 @@ ValueKind<std::vector<Vec3>> list_of_triples() {
 ValueKind<Vec3> direction() { return {{"[x, y, z]", "X,Y,Z"}, read_direction}; }
 
 ValueKind<Mat4> transform_steps() {
-  return {{"text", "STEPS"}, [](const TomlValue& value) { return parsed(value, parse_transform); }};
+  return {{"text, or rows of a matrix", "STEPS"}, [](const TomlValue& value) {
+            if (std::holds_alternative<TomlList>(value.content)) return read_matrix(value);
+            return parsed(value, parse_transform);
+          }};
 }
 
 ValueKind<ColourChoice> colour() {
@@ -343,7 +357,11 @@ ValueKind<ColourChoice> colour() {
 
 ValueKind<ScaleChoice> scale_choice() {
   const std::vector<std::string> usual{"fit", "auto", "1:1", "1:2", "1:5", "1:10", "2:1", "5:1", "10:1"};
-  return {{"text", "SCALE", usual}, [](const TomlValue& value) { return parse_scale(read_text(value), value.where); }};
+  const auto read = [](const TomlValue& value) {
+    const bool is_number = std::holds_alternative<double>(value.content);
+    return parse_scale(is_number ? format_number(read_number(value)) : read_text(value), value.where);
+  };
+  return {{"text or number", "SCALE", usual}, read};
 }
 
 ValueKind<PaperChoice> paper_choice() {

@@ -131,12 +131,78 @@ FIELDS = ("title supplementary_title owner number date creator approver document
 
 def scene_of(payload, model):
     """Every text of a scene that comes into a drawing."""
-    return "\n".join(["[sheet]", "size = \"A3\"", "[title_block]"] + [f"{key} = {quoted(payload)}" for key in FIELDS] +
-                     ["[title_block.free]", f"{quoted(payload)} = {quoted(payload)}", "[[model]]",
-                      f"file = {quoted(model)}", f"name = {quoted(payload)}", "[[view]]", "projection = \"front\"",
-                      f"name = {quoted(payload)}", f"label = {quoted(payload)}", "[[dimension]]",
-                      "type = \"linear\"", "direction = \"horizontal\"", f"from = [{quoted(payload)}, 1]",
-                      f"to = [{quoted(payload)}, 2]", f"text = {quoted(payload)}"])
+    word = quoted(payload)
+    fields = "\n".join(f"{key} = {word}" for key in FIELDS)
+    return f"""
+[sheet]
+size = "A1"
+scale = "1:1"
+[title_block]
+{fields}
+[title_block.free]
+{word} = {word}
+[[model]]
+file = {quoted(model)}
+name = {word}
+[[style]]
+match = "*"
+material = {word}
+[[section]]
+name = {word}
+point = [10, 10, 10]
+[[detail]]
+name = {word}
+view = {quoted("cut " + payload)}
+centre = [10, 10, 10]
+radius = 5
+[[view]]
+projection = "front"
+name = {word}
+label = {word}
+[[view]]
+projection = "front"
+name = {quoted("cut " + payload)}
+section = {word}
+[[view]]
+detail = {word}
+name = {quoted("detail " + payload)}
+scale = "5:1"
+[[dimension]]
+type = "linear"
+direction = "horizontal"
+from = [{word}, 1]
+to = [{word}, 2]
+text = {word}
+view = {word}
+[[note]]
+text = [{word}, {word}]
+to = [{word}, 4]
+view = {word}
+[[note]]
+text = {word}
+[[tolerance_frame]]
+characteristic = "flatness"
+zone = "0.1"
+text = {word}
+to = [{word}, 5]
+view = {word}
+[[surface_texture]]
+text = {word}
+process = {word}
+to = [{word}, 6]
+view = {word}
+[[table]]
+title = {word}
+header = [{word}, "b"]
+rows = [[{word}, {word}]]
+[[revision]]
+revision = {word}
+text = {word}
+date = {word}
+author = {word}
+[parts_list]
+view = {word}
+"""
 
 
 def model_of(payload):
@@ -159,7 +225,7 @@ def draw(payload, number):
     with open("scene.toml", "w", encoding="utf-8") as file:
         file.write(scene_of(payload, model))
     names = [f"{number}.html", f"{number}.svg"]
-    ran = subprocess.run([EPURA, "draw", "scene.toml", "-o", names[0], "-o", names[1], "--svg-text", "text"],
+    ran = subprocess.run([EPURA, "draw", "scene.toml", "-o", names[0], "-o", names[1], "--svg-text", "text", "--why", "1-3"],
                          capture_output=True, text=True)
     check(f"{payload!r} is drawn", ran.returncode == 0, ran.stderr)
     test_inline(payload)

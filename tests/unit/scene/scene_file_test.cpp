@@ -54,6 +54,24 @@ TEST(SceneFile, ValuesKnowTheirPlace) {
   EXPECT_EQ(read.unit.where, path + ":3:11");
 }
 
+TEST(SceneFile, TransformsMayBeMatrices) {
+  const auto transform = [](const std::string& rows) {
+    return scene_of("[[model]]\nfile = 'a.obj'\ntransform = " + rows).models.at(0).transform;
+  };
+  const Mat4 wanted = scene::parse_transform("scale:1,2,3 translate:4,5,6");
+  EXPECT_EQ(*transform("[[1, 0, 0, 4], [0, 2, 0, 5], [0, 0, 3, 6]]"), wanted);
+  EXPECT_EQ(*transform("[[1, 0, 0, 4], [0, 2, 0, 5], [0, 0, 3, 6], [0, 0, 0, 1]]"), wanted);
+  EXPECT_THROW(transform("[[1, 0, 0, 4], [0, 2, 0, 5], [0, 0, 3, 6], [0, 0, 1, 1]]"), Error);
+  EXPECT_THROW(transform("[[1, 0, 0, 4], [0, 2, 0, 5]]"), Error);
+  EXPECT_THROW(transform("[[1, 0, 0], [0, 2, 0], [0, 0, 3]]"), Error);
+}
+
+TEST(SceneFile, ScalesMayBeNumbers) {
+  EXPECT_EQ(*scene_of(model + "[[sheet]]\nscale = 0.5").sheets.at(0).scale, scene::ScaleChoice{0.5});
+  EXPECT_EQ(*scene_of(model + view + "scale = 2").views.at(0).scale, scene::ScaleChoice{2.0});
+  EXPECT_THROW(scene_of(model + "[[sheet]]\nscale = 0"), Error);
+}
+
 TEST(SceneFile, ModelsAreFoundFromItsFolder) {
   const Folder folder;
   const std::string path = folder.file("scene.toml", "model = [{file = 'sub/a.obj'}, {file = '/b.stl'}]");

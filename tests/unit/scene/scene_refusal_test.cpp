@@ -88,7 +88,7 @@ TEST(SceneRefusal, ValuesOfAnotherKind) {
                           {view + "at = [3, 'x']", "5:10: 'at' is a text, a number is wanted", ""},
                           {view + "at = [3]", "5:6: 'at' has 1 elements, 2 numbers are wanted", ""},
                           {view + "edges = 7", "5:9: 'edges' is a number, a list is wanted", ""},
-                          {view + "scale = 2", "5:9: 'scale' is a number, a text is wanted", quotes},
+                          {view + "scale = true", "5:9: 'scale' is true or false, a text is wanted", quotes},
                           {model + "[title_block]\ndate = 10:20:00", "4:8: 'date' is a time, a text is wanted", quotes},
                           {model + "[title_block]\nmass = 2.5", "4:8: 'mass' is a number, a text is wanted", quotes},
                           {model + "[title_block]\nfree = 'x'", "4:8: 'free' is a text, a table is wanted", ""},

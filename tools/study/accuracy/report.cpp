@@ -6,8 +6,9 @@
 #include <span>
 
 #include "base/text.hpp"
-#include "output/html.hpp"
+#include "output/write.hpp"
 #include "study/accuracy/tables.hpp"
+#include "study/report_page.hpp"
 
 namespace epura::study {
 
@@ -15,25 +16,6 @@ namespace {
 
 constexpr double guaranteed_part = 1e-6;  // docs/numerics.md
 constexpr double picture_dpi = 120;
-
-constexpr const char* head = R"(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<title>epura: error against run time</title>
-<style>
-body{font-family:sans-serif;margin:2em;color:#111;background:#fff}
-svg{max-width:60em;width:100%;height:auto;display:block}
-.wide{overflow-x:auto}
-table{border-collapse:collapse;font-size:80%}
-th,td{border:1px solid #bbb;padding:.15em .5em;text-align:left;white-space:nowrap}
-td.n{text-align:right;font-variant-numeric:tabular-nums}
-dt{font-weight:bold}
-</style>
-</head>
-<body>
-<h1>Error against run time</h1>
-)";
 
 Table table_of_maps(const std::vector<MapMeasurement>& maps) {
   Table table{{{"map", "matrix of the projection", false},
@@ -51,31 +33,32 @@ Table table_of_maps(const std::vector<MapMeasurement>& maps) {
 
 std::string facts_of(const ViewMeasurements& view) {
   const long long judged = view.methods.empty() ? 0 : view.methods.front().errors.judged;
-  return "<p>" + std::to_string(view.triangles) + " triangles, " + std::to_string(view.edges) +
-         " drawn edges, of which " + std::to_string(judged) + " were compared with the truth; the drawing is " +
-         format_rounded(view.size, 4) + " mm long.</p>\n";
+  return view.scene + ", " + view.view + ": " + std::to_string(view.triangles) + " triangles, " +
+         std::to_string(view.edges) + " drawn edges, of which " + std::to_string(judged) +
+         " were compared with the truth; the drawing is " + format_rounded(view.size, 4) + " mm long.\n";
 }
 
 std::string meanings(const Table& table) {
-  std::string text = "<h2>Columns</h2>\n<dl>\n";
+  std::string text;
   for (const Table::Column& column : table.columns)
-    if (!column.meaning.empty())
-      text += "<dt>" + output::html_text(column.name) + "</dt><dd>" + output::html_text(column.meaning) + "</dd>\n";
-  return text + "</dl>\n";
+    if (!column.meaning.empty()) text += "\n" + column.name + ": " + column.meaning;
+  return text + "\n";
 }
 
+// Each diagram above its table.
 std::string to_html(const AccuracyReport& report) {
-  std::string text = head;
+  std::vector<sheet::Sheet> sheets;
+  std::string notes;
   for (std::size_t i = 0; i < report.views.size(); ++i) {
     const ViewMeasurements& view = report.views[i];
-    text += "<h2>" + output::html_text(view.scene) + ", " + output::html_text(view.view) + "</h2>\n" + facts_of(view);
-    text += output::inline_svg(to_sheet(diagram_of(view, i)), {}) + "<div class=\"wide\">" +
-            to_html(table_of(std::span(&view, 1))) + "</div>\n";
+    sheets.push_back(stacked(to_sheet(diagram_of(view, i)),
+                             to_sheet(table_of(std::span(&view, 1)), view.scene + ", " + view.view, Columns::all)));
+    notes += facts_of(view);
   }
   if (!report.maps.empty())
-    text += "<h2>Projection maps</h2>\n" + output::inline_svg(to_sheet(diagram_of(report.maps)), {}) +
-            "<details><summary>table</summary>\n" + to_html(table_of_maps(report.maps)) + "</details>\n";
-  return text + meanings(table_of(report.views)) + "</body>\n</html>\n";
+    sheets.push_back(stacked(to_sheet(diagram_of(report.maps)),
+                             to_sheet(table_of_maps(report.maps), "Projection maps", Columns::all)));
+  return report_page("Error against run time", sheets, notes + meanings(table_of(report.views)));
 }
 
 std::string to_json(const AccuracyReport& report) {
@@ -96,7 +79,7 @@ std::string to_pdf(const AccuracyReport& report) {
   for (std::size_t i = 0; i < report.views.size(); ++i) {
     const ViewMeasurements& view = report.views[i];
     sheets.push_back(to_sheet(diagram_of(view, i)));
-    sheets.push_back(to_sheet(table_of(std::span(&view, 1)), view.scene + ", " + view.view));
+    sheets.push_back(to_sheet(table_of(std::span(&view, 1)), view.scene + ", " + view.view, Columns::printed));
   }
   if (!report.maps.empty()) sheets.push_back(to_sheet(diagram_of(report.maps)));
   output::Pages pages;

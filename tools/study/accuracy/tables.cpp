@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/accuracy/tables.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/text.hpp"
-#include "base/utf8.hpp"
-#include "output/html.hpp"
 
 namespace epura::study {
 
@@ -80,30 +79,6 @@ std::vector<std::string> row_of(const ViewMeasurements& view, const Measurement&
           one.on_front ? "1" : "0"};
 }
 
-std::string quoted_csv(const std::string& cell) {
-  if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
-  std::string text = "\"";
-  for (const char c : cell) text += c == '"' ? "\"\"" : std::string(1, c);
-  return text + "\"";
-}
-
-std::string quoted_json(const std::string& cell) {
-  std::string text = "\"";
-  for (const char c : valid_utf8(cell)) {
-    if (c == '"' || c == '\\') text += '\\';
-    text += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return text + "\"";
-}
-
-// The cells, each formatted by `write`, with separators between them.
-template <class Write>
-std::string joined(const std::vector<std::string>& cells, const std::string& between, const Write& write) {
-  std::string text;
-  for (std::size_t i = 0; i < cells.size(); ++i) text += (i == 0 ? "" : between) + write(i);
-  return text;
-}
-
 }  // namespace
 
 Table table_of(std::span<const ViewMeasurements> views) {
@@ -111,68 +86,6 @@ Table table_of(std::span<const ViewMeasurements> views) {
   for (const ViewMeasurements& view : views)
     for (const Measurement& one : view.methods) table.rows.push_back(row_of(view, one));
   return table;
-}
-
-std::string to_csv(const Table& table) {
-  std::vector<std::string> names;
-  for (const Table::Column& column : table.columns) names.push_back(column.name);
-  const auto line = [](const std::vector<std::string>& cells) {
-    return joined(cells, ",", [&](std::size_t i) { return quoted_csv(cells[i]); }) + "\r\n";
-  };
-  std::string text = line(names);
-  for (const auto& row : table.rows) text += line(row);
-  return text;
-}
-
-std::string to_json_list(const Table& table) {
-  std::string text;
-  for (const auto& row : table.rows) {
-    text += text.empty() ? "\n  {" : ",\n  {";
-    text += joined(row, ", ", [&](std::size_t i) {
-      const bool number = table.columns[i].number;
-      const std::string value = !number ? quoted_json(row[i]) : row[i].empty() || row[i] == "inf" ? "null" : row[i];
-      return "\"" + table.columns[i].name + "\": " + value;
-    });
-    text += "}";
-  }
-  return "[" + text + "]";
-}
-
-sheet::Sheet to_sheet(const Table& table, const std::string& title) {
-  constexpr double margin = 10, text_column = 26, number_column = 17.5, row_height = 5, letters = 1.8;
-  sheet::Layer layer{"table", {"plot-text", 0.25}, {}, {}, {}};
-  const double height = 2 * margin + 12 + row_height * static_cast<double>(table.rows.size() + 1);
-  double x = margin;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const Table::Column& column = table.columns[i];
-    if (!column.printed) continue;
-    const double step = column.number ? number_column : text_column;
-    const double at = column.number ? x + step - 2 : x;
-    const sheet::Align align = column.number ? sheet::Align::right : sheet::Align::left;
-    double y = height - margin - 12;
-    layer.texts.push_back({column.name, {at, y}, letters, 0, align, "head"});
-    for (const auto& row : table.rows)
-      layer.texts.push_back({row[i], {at, y -= row_height}, letters, 0, align, "cell"});
-    x += step;
-  }
-  layer.texts.push_back({title, {margin, height - margin - 3.5}, 3.5, 0, sheet::Align::left, "title"});
-  return {x + margin, height, title, {std::move(layer)}};
-}
-
-std::string to_html(const Table& table) {
-  std::string text = "<table>\n<thead><tr>";
-  for (const Table::Column& column : table.columns)
-    text += "<th title=\"" + output::html_text(column.meaning) + "\">" + output::html_text(column.name) + "</th>";
-  text += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : table.rows)
-    text +=
-        "<tr>" +
-        joined(row, "",
-               [&](std::size_t i) {
-                 return (table.columns[i].number ? "<td class=\"n\">" : "<td>") + output::html_text(row[i]) + "</td>";
-               }) +
-        "</tr>\n";
-  return text + "</tbody>\n</table>\n";
 }
 
 }  // namespace epura::study

@@ -1,72 +1,72 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/text.hpp"
-#include "output/html.hpp"
+#include "study/report_page.hpp"
 #include "study/stability/write.hpp"
+#include "study/table.hpp"
 
 namespace epura::stability {
 
 namespace {
 
-constexpr std::string_view head = R"(<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><title>Stability</title><style>
-body{font:14px sans-serif;max-width:70em;margin:2em auto}
-table{border-collapse:collapse}td,th{padding:1px 8px;text-align:left;border-bottom:1px solid #ddd}
-.broken{color:#b00}.limited{color:#a60}section svg{width:100%;max-width:560px;height:auto}
-</style></head><body>
-<h1>Stability</h1>
-<p>Every case is drawn at every step by three arithmetics: 32-bit floats (dotted), one composed matrix in doubles
-(dashed) and epura's own map (continuous). Errors are parts of the drawing's size; a cross marks what is not right, the
-line with dots the error that is allowed.</p>
-)";
+using study::Columns;
+using study::Table;
 
-std::string cell(std::string_view text) { return "<td>" + output::html_text(text) + "</td>"; }
+const std::string notes =
+    "Every case is drawn at every step by three arithmetics: 32-bit floats (dotted), one composed matrix in doubles "
+    "(dashed) and epura's own map (continuous). Errors are parts of the drawing's size; a cross marks what is not "
+    "right, the line with dots the error that is allowed.\n\nThe first sheet has the first step at which each "
+    "arithmetic is not right, of steps from mild to extreme; - where all are right.\n";
 
-std::string verdict_cell(const std::string& text, Verdict verdict) {
-  return "<td class=\"" + std::string(name_of(verdict)) + "\">" + output::html_text(text) + "</td>";
-}
-
-std::string summary(const Report& report) {
-  std::string text = "<table><tr><th>case<th><th>breaks at: float32<th>double<th>epura<th>epura is</tr>\n";
+Table summary(const Report& report) {
+  Table table{
+      {{"case", "", false}, {"what", "", false}, {"float32", ""}, {"double", ""}, {"epura", ""}, {"epura is", ""}}, {}};
   for (const CaseReport& one : report) {
-    text += "<tr><td><a href=\"#" + one.id + "\">" + one.id + "</a></td>" + cell(one.what);
+    std::vector<std::string>& row = table.rows.emplace_back(std::vector<std::string>{one.id, one.what});
     for (std::size_t a = 0; a < arithmetics; ++a) {
       const auto step = one.breaks_at(static_cast<Arithmetic>(a));
-      text += cell(step ? format_rounded(*step, 3) : "-");
+      row.push_back(step ? format_rounded(*step, 3) : "-");
     }
-    const Verdict verdict = one.verdict(Arithmetic::own);
-    text += verdict_cell(std::string(name_of(verdict)), verdict) + "</tr>\n";
+    row.emplace_back(name_of(one.verdict(Arithmetic::own)));
   }
-  return text + "</table>\n";
+  return table;
 }
 
-std::string row_of(const Row& row, std::size_t a) {
+std::vector<std::string> row_of(const Row& row, std::size_t a) {
   const Outcome& outcome = row.outcomes[a];
-  std::string text = "<tr>" + cell(a == 0 ? format_rounded(row.step, 4) : "") + cell(arithmetic_names[a]);
+  std::vector<std::string> cells{format_rounded(row.step, 4), std::string(arithmetic_names[a])};
   if (const Quantity* q = outcome.worst())
-    text += cell(q->name) + cell(format_rounded(q->expected, 9)) + cell(format_rounded(q->got, 9)) +
-            cell(format_rounded(q->error(), 3)) + cell(format_rounded(q->allowed, 3));
+    cells.insert(cells.end(), {q->name, format_rounded(q->expected, 9), format_rounded(q->got, 9),
+                               format_rounded(q->error(), 3), format_rounded(q->allowed, 3)});
   else
-    text += "<td colspan=\"5\">" + output::html_text(outcome.failure) + "</td>";
-  return text + verdict_cell(std::string(name_of(outcome.verdict())), outcome.verdict()) + "</tr>\n";
+    cells.insert(cells.end(), {outcome.failure, "", "", "", ""});
+  cells.emplace_back(name_of(outcome.verdict()));
+  return cells;
 }
 
-std::string section_of(const CaseReport& one) {
-  std::string text =
-      "<section id=\"" + one.id + "\"><h2>" + one.id + " " + output::html_text(one.what) + "</h2>\n" +
-      output::inline_svg(to_sheet(one), {.plain = true, .decimals = 2, .text = SvgText::text}) +
-      "<details><summary>by " + output::html_text(one.parameter) +
-      "</summary><table><tr><th>step<th><th>worst quantity<th>expected<th>got<th>error<th>allowed<th></tr>\n";
+Table table_of(const CaseReport& one) {
+  Table table{{{"step", ""},
+               {"arithmetic", "", false},
+               {"worst quantity", "", false},
+               {"expected", ""},
+               {"got", ""},
+               {"error", ""},
+               {"allowed", ""},
+               {"verdict", "", false}},
+              {}};
   for (const Row& row : one.rows)
-    for (std::size_t a = 0; a < arithmetics; ++a) text += row_of(row, a);
-  return text + "</table></details></section>\n";
+    for (std::size_t a = 0; a < arithmetics; ++a) table.rows.push_back(row_of(row, a));
+  return table;
 }
 
 }  // namespace
 
 std::string to_html(const Report& report) {
-  std::string text = std::string(head) + summary(report);
-  for (const CaseReport& one : report) text += section_of(one);
-  return text + "</body></html>\n";
+  std::vector<sheet::Sheet> sheets{to_sheet(summary(report), "Stability", Columns::all)};
+  for (const CaseReport& one : report) {
+    sheets.push_back(study::stacked(to_sheet(one), to_sheet(table_of(one), "by " + one.parameter, Columns::all)));
+    sheets.back().title = one.id + " " + one.what;
+  }
+  return study::report_page("Stability", sheets, notes);
 }
 
 }  // namespace epura::stability
