@@ -380,7 +380,8 @@ ValueKind<EdgeKinds> edge_kinds() {
 
 ValueKind<ConstructionChoice> construction_choice() {
   ValueForm form{"list of texts", "KINDS", {}};
-  for (const ConstructionRow& row : construction_rows) form.words.emplace_back(row.word);
+  for (const ConstructionRow& row : construction_rows)
+    form.words.push_back(std::string(row.word) + (row.required ? ":" : ""));
   form.is_list = true;
   return {std::move(form), read_constructions};
 }
