@@ -15,8 +15,13 @@ if(NOT EPURA_SANITIZE)
 endif()
 add_test(NAME accuracy_page_is_fresh COMMAND ${CMAKE_CURRENT_LIST_DIR}/accuracy.sh $<TARGET_FILE:epura>)
 add_test(NAME manual_is_sound COMMAND ${CMAKE_CURRENT_LIST_DIR}/manual.sh $<TARGET_FILE:epura>)
-# In a browser, where there is one (package chromium).
 find_package(Python3 COMPONENTS Interpreter REQUIRED)
+if(TARGET epura-faults)
+  add_test(NAME faults COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/faults/run --sample --jobs 2
+           $<TARGET_FILE:epura> $<TARGET_FILE:epura-faults>)
+  set_tests_properties(faults PROPERTIES TIMEOUT 600)
+endif()
+# In a browser, where there is one (package chromium).
 foreach(test page payload element)
   add_test(NAME ${test}_in_browser COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/browser/${test}_test.py
            $<TARGET_FILE:epura> ${CMAKE_BINARY_DIR}/share/epura/epura-drawing.js)

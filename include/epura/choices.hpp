@@ -42,10 +42,20 @@ struct EdgeKinds {
 /// The part of a symmetric view that is drawn: a half, or a quarter.
 enum class HalfView { left, right, top, bottom, top_left, top_right, bottom_left, bottom_right };
 
+/// The lines at which interrupted and partial views end: continuous with zigzags, or freehand (ISO 128-2).
+enum class BreakLine { zigzag, freehand };
+
 enum class Orientation { landscape, portrait };
 
 /// Arrangement of the views: ISO 5456-2 (first angle) or ASME Y14.3 (third angle).
 enum class ProjectionAngle { first, third };
+
+/// How the principal views of a sheet stand: as ISO 5456-2 says, or as plan and elevation of an épura about one ground
+/// line.
+enum class SheetLayout { standard, monge };
+
+/// What a sheet has room for: the views, or also the points of their constructions.
+enum class SheetFit { model, construction };
 
 /// Frame of a sheet: `plain` frames the drawing area, `full` adds centring marks, grid references, trimming marks and
 /// the title block (ISO 5457, ISO 7200). `automatic`: full for several views, or if a title block field other than the

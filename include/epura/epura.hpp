@@ -30,7 +30,7 @@ namespace epura {
 class EPURA_PUBLIC Failure : public std::runtime_error {
  public:
   /// Values are the exit codes of the program. `time`: `time_limit` left nothing to show; `stopped`: by Settings::stop.
-  enum class Kind { input = 2, plugin = 3, output = 4, time = 5, stopped = 130 };
+  enum class Kind { input = 2, plugin = 3, output = 4, time = 5, broken = 70, stopped = 130 };
 
   Failure(Kind kind, std::string place, const std::string& message, std::string hint)
       : std::runtime_error(message), kind_(kind), place_(std::move(place)), hint_(std::move(hint)) {}

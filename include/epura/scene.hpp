@@ -82,12 +82,14 @@ struct View {
   double join_within = 0.1;  ///< mm on paper; closer parallel lines are drawn as one, 0: draw all
   LayersBy layers = LayersBy::role;
   std::optional<double> near{}, far{};        ///< depths; omit what is nearer or farther
+  std::vector<std::string> construction{};    ///< "horizon", "vp:1,1,0" ...: see docs/formats.md
   std::optional<double> scale{};              ///< mm on paper per unit; by default the sheet's
   std::optional<std::array<double, 2>> at{};  ///< centre of its ink, mm from the lower left corner; default: automatic
   int sheet = 1;                              ///< number of the sheet, from 1
   std::string section{};                      ///< name of the section shown
   std::vector<Break> breaks{};                ///< interrupted and partial views
   bool automatic_breaks = false;              ///< leave out long stretches of constant section
+  BreakLine break_line = BreakLine::zigzag;   ///< at which interrupted and partial views end
   std::optional<HalfView> half{};             ///< the part of a symmetric view that is drawn
   std::string label{};   ///< text above the view; by default "A-A" for section A, "X" and the scale for detail X
   std::string detail{};  ///< name of the detail shown; then the view has the projection, the parameters and the section
@@ -102,6 +104,14 @@ struct Section {
   std::vector<std::array<double, 3>> path{};  ///< instead of the point: corners of the cutting-plane line, whose legs
                                               ///< are perpendicular to the normal, or steps parallel to it
   bool beyond = true;                         ///< false: only cut faces, without what is behind them (removed sections)
+  bool aligned = false;                       ///< the legs of the path are planes, which are turned into one
+};
+
+/// A revolved section: the cut face around a point of a plane that the view sees edge-on, turned into the picture.
+struct Revolved {
+  std::string view{};  ///< name of the view on which it is drawn; by default the first one
+  std::array<double, 3> point{0, 0, 0};
+  std::array<double, 3> normal{0, 0, 1};
 };
 
 /// A part of a parallel view, which another view shows at a larger scale: a circle with this radius in its plane, or
@@ -155,6 +165,8 @@ struct SheetOptions {
   Orientation orientation = Orientation::landscape;
   std::optional<Scale> scale{};  ///< by default fit, or standard with a full frame
   ProjectionAngle angle = ProjectionAngle::first;
+  SheetLayout layout = SheetLayout::standard;
+  SheetFit fit = SheetFit::model;
   FrameKind frame = FrameKind::automatic;
   Unit dimension_unit = Unit::mm;  ///< of the lengths in dimensions
   DecimalSign decimal_sign = DecimalSign::point;
@@ -168,6 +180,7 @@ struct Scene {
   std::vector<Style> styles{};
   std::vector<View> views{};  ///< none: one isometric view
   std::vector<Section> sections{};
+  std::vector<Revolved> revolved{};
   std::vector<Detail> details{};
   std::vector<Explode> explosions{};
   std::vector<Dimension> dimensions{};

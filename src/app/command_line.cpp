@@ -2,13 +2,20 @@
 #include "app/command_line.hpp"
 
 #include <malloc.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
+#include <stdexcept>
+#include <string_view>
 
+#include "base/broken.hpp"
 #include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
 #include "base/utf8.hpp"
 
 namespace epura {
@@ -26,6 +33,72 @@ std::string footer_of(const ProgramTexts& texts) {
 int answer(const std::string& text) {
   std::fputs(text.c_str(), stdout);
   return 0;
+}
+
+std::string for_shell(std::string_view word) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=:,+@%";
+  if (!word.empty() && word.find_first_not_of(plain) == word.npos) return std::string(word);
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
+  return quoted + "'";
+}
+
+// As the system knows it.
+std::string own_command() {
+  std::string words = read_file("/proc/self/cmdline");
+  if (!words.empty()) words.pop_back();  // a NUL follows each word
+  std::string command;
+  for (const std::string_view word : split(words, '\0')) command += (command.empty() ? "" : " ") + for_shell(word);
+  return command;
+}
+
+void tell_broken(const char* sentence) {
+  std::fprintf(stderr, "epura: internal error: this does not hold: %s\n", sentence);
+  std::fputs(
+      "  hint: the fault is in epura, not in the input; to report it, send the models, the version and the command:\n",
+      stderr);
+  std::fputs("    epura " EPURA_VERSION "\n", stderr);
+  std::fprintf(stderr, "    %s\n", printable(own_command()).c_str());
+}
+
+void tell_no_memory() { std::fputs("epura: not enough memory for this model\n", stderr); }
+
+// Prints the exception that is being handled. Returns the exit code.
+int tell_exception() {
+  try {
+    throw;
+  } catch (const Error& error) {
+    std::fprintf(stderr, "epura: %s\n", printable(error.what()).c_str());
+    if (!error.hint().empty()) std::fprintf(stderr, "  hint: %s\n", printable(error.hint()).c_str());
+    return static_cast<int>(error.kind());
+  } catch (const std::bad_alloc&) {
+    tell_no_memory();
+    return static_cast<int>(ErrorKind::input);
+  } catch (const std::length_error&) {  // more than there can be
+    tell_no_memory();
+    return static_cast<int>(ErrorKind::input);
+  } catch (const std::runtime_error& error) {
+    std::fprintf(stderr, "epura: %s\n", printable(error.what()).c_str());
+    return static_cast<int>(ErrorKind::input);
+  } catch (const std::exception& error) {
+    tell_broken(error.what());
+  } catch (...) {
+    tell_broken("every exception is caught where it is expected");
+  }
+  return broken_exit_code;
+}
+
+// Where an exception cannot go on: at the end of a thread, or out of a function that promises to throw none.
+[[noreturn]] void end_by_exception() {
+  if (std::current_exception() != nullptr) ::_exit(tell_exception());
+  // There is none, or there was no memory for it.
+  void* const volatile some = std::malloc(1 << 16);
+  if (some == nullptr) {
+    tell_no_memory();
+    ::_exit(static_cast<int>(ErrorKind::input));
+  }
+  tell_broken("threads end before what they work on");
+  ::_exit(broken_exit_code);
 }
 
 }  // namespace
@@ -57,21 +130,14 @@ int run_program(const std::function<int()>& run) {
   mallopt(M_ARENA_MAX, 1);
   // A file at the limit of its size then fails like one on a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
+  std::set_terminate(end_by_exception);
   try {
     const int code = run();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       throw Error(ErrorKind::output, "standard output", "cannot be written");
     return code;
-  } catch (const Error& error) {
-    std::fprintf(stderr, "epura: %s\n", printable(error.what()).c_str());
-    if (!error.hint().empty()) std::fprintf(stderr, "  hint: %s\n", printable(error.hint()).c_str());
-    return static_cast<int>(error.kind());
-  } catch (const std::bad_alloc&) {
-    std::fputs("epura: not enough memory for this model\n", stderr);
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "epura: %s\n", error.what());
-    return 2;
+  } catch (...) {
+    return tell_exception();
   }
 }
 

@@ -133,7 +133,10 @@ void Console::erase_line() {
 // Nothing needs to be unwound: memory is freed with the process, and outputs appear only when they are complete.
 void Console::cancel() {
   signalfd_siginfo signal{};
-  check(::read(signals_, &signal, sizeof signal) == sizeof signal, "a signal can be read");
+  ssize_t got = 0;
+  do got = ::read(signals_, &signal, sizeof signal);
+  while (got < 0 && errno == EINTR);
+  if (got != sizeof signal) signal.ssi_signo = SIGINT;
   std::unique_lock files(board_.ending(), patience);
   print("epura: cancelled\n");
   ::_exit(128 + static_cast<int>(signal.ssi_signo));

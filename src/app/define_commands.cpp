@@ -5,6 +5,7 @@
 #include "app/commands.hpp"
 #include "app/define_answers.hpp"
 #include "app/draw_options.hpp"
+#include "base/broken.hpp"
 
 namespace epura {
 
@@ -26,6 +27,7 @@ const ProgramTexts& program_texts() {
                      {3, "plugin error"},
                      {4, "cannot write"},
                      {partial_exit_code, "partial drawing, or no drawing in time (--time-limit)"},
+                     {broken_exit_code, "epura itself is wrong"},
                      {130, "cancelled"}},
       .environment = {{"EPURA_PLUGIN_PATH",
                        "Folders with plugins, separated by colons. They are searched after those of "

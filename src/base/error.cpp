@@ -2,9 +2,9 @@
 #include "base/error.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <utility>
+
+#include "base/broken.hpp"
 
 namespace epura {
 
@@ -23,9 +23,8 @@ Error::Error(ErrorKind kind, std::string where, std::string what, std::string hi
     : std::runtime_error(sentence_of(where, what)), trouble_(kind), where_(std::move(where)), hint_(std::move(hint)) {}
 
 void check(bool condition, const char* sentence) {
-  if (condition) return;
-  std::fprintf(stderr, "epura: internal error: %s\n", sentence);
-  std::abort();
+  if (!condition) [[unlikely]]
+    throw Broken(sentence);
 }
 
 }  // namespace epura

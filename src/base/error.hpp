@@ -25,7 +25,7 @@ class Error : public std::runtime_error {
   std::string hint_;
 };
 
-/// For programming errors: prints the sentence and aborts, in every build type.
+/// For programming errors: throws Broken (base/broken.hpp) with the sentence, in every build type.
 void check(bool condition, const char* sentence);
 
 }  // namespace epura

@@ -81,36 +81,51 @@ mode_t mode_for(const fs::path& target) {
   return ::stat(target.c_str(), &old) == 0 ? old.st_mode & 0777 : 0666 & ~mask;
 }
 
-// Closes a complete file and moves it to the target, or removes it.
-bool put_in_place(Descriptor& file, const std::string& name, const fs::path& target) {
-  if (file.close() && ::rename(name.c_str(), target.c_str()) == 0) return true;
+// Keeps errno.
+void remove(const std::string& name) {
   const int number = errno;
   ::unlink(name.c_str());
   errno = number;
+}
+
+// Moves a complete file to the target, or removes it.
+bool put_in_place(const std::string& name, const fs::path& target) {
+  if (::rename(name.c_str(), target.c_str()) == 0) return true;
+  remove(name);
   return false;
+}
+
+bool give_name(const Descriptor& file, const std::string& name) {
+  const std::string self = "/proc/self/fd/" + std::to_string(file.number());
+  return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
 }
 
 // Gives a nameless file a name next to the target; returns an empty name if that is impossible.
 std::string name_beside(const Descriptor& file, const fs::path& target) {
-  const std::string self = "/proc/self/fd/" + std::to_string(file.number());
   for (int attempt = 0; attempt < 100; ++attempt) {
     std::string name = target.string() + "." + std::to_string(::getpid() + attempt);
-    if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) return name;
+    if (give_name(file, name)) return name;
     if (errno != EEXIST) break;
   }
   return {};
 }
 
-// Uses a nameless file, which vanishes by itself whenever and however the process ends. Returns false if the file
-// system does not support that, or for errors that the other method will encounter, too.
+// Uses a nameless file, which vanishes by itself whenever and however the process ends; it has another name than the
+// target only while it takes the place of an old file. Returns false if the file system does not support that, or for
+// errors that the other method will encounter, too.
 bool replace_by_nameless(const fs::path& target, std::string_view bytes, Progress progress) {
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   Descriptor file(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
   if (file.number() < 0 || !write_all(file.number(), bytes) || ::fchmod(file.number(), mode_for(target)) != 0)
     return false;
+  // Closing tells of errors of the disk, which must be known before the file has a name.
+  const Descriptor same(::fcntl(file.number(), F_DUPFD_CLOEXEC, 0));
+  if (same.number() < 0 || !file.close()) return false;
   const auto lock = progress.undisturbed();
-  const std::string name = name_beside(file, target);
-  return !name.empty() && put_in_place(file, name, target);
+  if (give_name(same, target.string())) return true;
+  if (errno != EEXIST) return false;
+  const std::string name = name_beside(same, target);
+  return !name.empty() && put_in_place(name, target);
 }
 
 bool replace_by_named(const fs::path& target, std::string_view bytes, Progress progress) {
@@ -118,11 +133,9 @@ bool replace_by_named(const fs::path& target, std::string_view bytes, Progress p
   std::string name = target.string() + ".XXXXXX";
   Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
   if (file.number() < 0) return false;
-  if (write_all(file.number(), bytes) && ::fchmod(file.number(), mode_for(target)) == 0)
-    return put_in_place(file, name, target);
-  const int number = errno;
-  ::unlink(name.c_str());
-  errno = number;
+  if (write_all(file.number(), bytes) && ::fchmod(file.number(), mode_for(target)) == 0 && file.close())
+    return put_in_place(name, target);
+  remove(name);
   return false;
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/circle_fit.hpp"
 #include "base/curve_runs.hpp"
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
 #include "drawing/conic_fit.hpp"
@@ -104,6 +105,7 @@ std::optional<Fit> Line::along(const Ellipse& ellipse, bool circle, const std::v
     rises.push_back(rise_over(ellipse, previous, step));
     previous = angle;
   }
+  check(!rises.empty(), "an arc has corners");
   fit.rise = *std::max_element(rises.begin(), rises.end());
   // Corners of a curve are evenly spaced, in angle or by their chords' deviation. An ellipse also passes through the
   // corners of a small fillet and the far ends of the straight lines beside it.
@@ -189,9 +191,12 @@ CurveReport find_in(Chain& chain, double tolerance) {
   }
   CurveReport report;
   for (const CurveRun<Fit>& run : runs) {
+    check(run.first < run.last && run.curve.deviation <= tolerance, "corners of an arc lie on it");
     chain.curves.push_back(part_of(chain, run, tolerance));
     report += {run.curve.circle ? 1 : 0, run.curve.circle ? 0 : 1, run.curve.deviation, run.curve.rise};
   }
+  for (std::size_t i = 1; i < chain.curves.size(); ++i)
+    check(chain.curves[i - 1].last <= chain.curves[i].first, "the arcs of a line are in order");
   return report;
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 
 namespace epura::drawing {
@@ -149,6 +150,7 @@ std::optional<std::array<double, 2>> part_inside(const Boundary& boundary, const
     cut(circle_crossings(f, d, boundary.half.x));
   else
     for (const int axis : {0, 1}) cut(side_crossings(f[axis], d[axis], boundary.half[axis]));
+  check(!(part[0] < part[1]) || (part[0] >= 0 && part[1] <= 1), "what is inside is a part of the line");
   return part[0] < part[1] ? std::optional(part) : std::nullopt;
 }
 
@@ -182,6 +184,8 @@ std::vector<AngleRange> circle_inside(const Boundary& boundary, const Vec2& cent
     parts.front().from = parts.back().from - whole;
     parts.pop_back();
   }
+  for (const AngleRange& part : parts)
+    check(part.from < part.to && part.to - part.from <= whole * (1 + 1e-9), "an arc is a part of its circle");
   return parts;
 }
 

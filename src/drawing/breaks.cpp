@@ -7,10 +7,13 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.hpp"
 #include "drawing/boundary.hpp"
 #include "drawing/chains.hpp"
 #include "drawing/clip_drawing.hpp"
+#include "drawing/closed_line.hpp"
 #include "drawing/drawing.hpp"
+#include "drawing/freehand.hpp"
 #include "drawing/make_drawing.hpp"
 
 namespace epura::drawing {
@@ -20,6 +23,7 @@ namespace {
 constexpr double same_place = 1e-9;  // mm
 // Points this close to a limit are drawn. Lengths in mm, or in the unit of the world before there is a scale.
 constexpr double beside = 1e-6;
+constexpr double on_freehand = 0.01;  // mm; more than its chords are off its waves
 
 struct Interval {
   double min, max, shift;
@@ -45,6 +49,7 @@ std::vector<Interval> kept_along(const std::vector<LeftOut>& strips, double gap)
   std::vector<Interval> kept;
   double begin = -HUGE_VAL, shift = 0;
   for (const LeftOut& strip : strips) {
+    check(strip.from >= begin && strip.to >= strip.from, "strips that are left out are in order");
     if (!std::isinf(strip.from)) kept.push_back({begin, strip.from, shift});
     if (strip.is_between()) shift += gap - (strip.to - strip.from);
     begin = strip.to;
@@ -111,12 +116,16 @@ bool is_symmetric(const Breaks& breaks, int axis, double at) {
                      [&](const LeftOut& strip) { return strip.symmetric && (strip.from == at || strip.to == at); });
 }
 
-std::vector<Limit> limits_of(const ViewDrawing& drawing, const Breaks& breaks) {
+bool is_freehand(const Breaks& breaks, int axis, double at) {
+  return breaks.freehand && !std::isinf(at) && !is_symmetric(breaks, axis, at);
+}
+
+std::vector<Limit> straight_limits(const ViewDrawing& drawing, const Breaks& breaks) {
   std::vector<Limit> limits;
   for (const KeptPart& part : kept_parts(breaks))
     for (const int axis : {0, 1})
       for (const double at : {part.min[axis], part.max[axis]}) {
-        if (std::isinf(at)) continue;
+        if (std::isinf(at) || is_freehand(breaks, axis, at)) continue;
         const auto extent = extent_at(drawing, axis, at, part);
         if (!extent) continue;
         Limit limit{part.shift, part.shift, is_symmetric(breaks, axis, at)};
@@ -127,19 +136,73 @@ std::vector<Limit> limits_of(const ViewDrawing& drawing, const Breaks& breaks) {
         limit.meets = {other && *other == part.min[across], other && *other == part.max[across]};
         limit.from[across] += limit.meets[0] ? part.min[across] : (*extent)[0];
         limit.to[across] += limit.meets[1] ? part.max[across] : (*extent)[1];
+        check(limit.from[across] <= limit.to[across] + 2 * same_place, "a limit goes forwards");
         limits.push_back(limit);
       }
   return limits;
 }
 
+// The line around a part that has freehand lines perpendicular to one axis.
+ClosedLine line_around(const KeptPart& part, const Breaks& breaks, int axis, const ViewDrawing& drawing) {
+  const int across = 1 - axis;
+  const Boundary box = boundary_of(part, drawing);
+  const auto side = [&](double at, double place, double from, double to) {
+    Vec2 begin, end;
+    begin[axis] = end[axis] = place;
+    begin[across] = from;
+    end[across] = to;
+    return is_freehand(breaks, axis, at) ? freehand_along(across, begin, end) : std::vector{begin, end};
+  };
+  const Vec2 min = box.centre - box.half, max = box.centre + box.half;
+  std::vector<Vec2> corners = side(part.min[axis], min[axis], min[across], max[across]);
+  const std::vector<Vec2> back = side(part.max[axis], max[axis], max[across], min[across]);
+  corners.insert(corners.end(), back.begin(), back.end());
+  return ClosedLine(std::move(corners));
+}
+
+// The freehand lines of a part between the outermost visible lines that end at them.
+void add_freehand_limits(std::vector<Limit>& limits, const ViewDrawing& drawing, const Breaks& breaks, int axis,
+                         const KeptPart& part) {
+  const int across = 1 - axis;
+  for (const double at : {part.min[axis], part.max[axis]}) {
+    if (!is_freehand(breaks, axis, at)) continue;
+    std::array<double, 2> extent{HUGE_VAL, -HUGE_VAL};
+    for (const Segment& segment : drawing.segments)
+      for (const Vec2& p : {segment.from, segment.to})
+        if (segment.visible && std::abs(p[axis] - at - freehand_offset(p[across])) <= on_freehand)
+          extent = {std::min(extent[0], p[across]), std::max(extent[1], p[across])};
+    if (!(extent[0] < extent[1])) continue;
+    Limit limit{part.shift, part.shift, false};
+    const std::optional<double> mirror = breaks.mirror(across);
+    limit.meets = {mirror && *mirror == part.min[across], mirror && *mirror == part.max[across]};
+    limit.from[axis] = limit.to[axis] = at;
+    limit.from[across] = limit.meets[0] ? part.min[across] : extent[0];
+    limit.to[across] = limit.meets[1] ? part.max[across] : extent[1];
+    for (const Vec2& p : freehand_along(across, limit.from, limit.to)) limit.freehand.push_back(p + part.shift);
+    limit.from += part.shift;
+    limit.to += part.shift;
+    limits.push_back(std::move(limit));
+  }
+}
+
+void clip_to_part(ViewDrawing& drawing, const ViewDrawing& whole, const KeptPart& part, const Breaks& breaks,
+                  std::vector<Limit>& limits) {
+  for (const int axis : {0, 1}) {
+    if (!is_freehand(breaks, axis, part.min[axis]) && !is_freehand(breaks, axis, part.max[axis])) continue;
+    clip_to(drawing, line_around(part, breaks, axis, whole));
+    return add_freehand_limits(limits, drawing, breaks, axis, part);
+  }
+  clip_to(drawing, boundary_of(part, whole));
+}
+
 // A view cut to one part, and moved.
-ViewDrawing part_of(const ViewDrawing& whole, const KeptPart& part) {
+ViewDrawing part_of(const ViewDrawing& whole, const KeptPart& part, const Breaks& breaks, std::vector<Limit>& limits) {
   ViewDrawing drawing;
   drawing.segments = whole.segments;
   drawing.crossings = whole.crossings;
   drawing.cut_faces = whole.cut_faces;
   drawing.broken_out = whole.broken_out;
-  clip_to(drawing, boundary_of(part, whole));
+  clip_to_part(drawing, whole, part, breaks, limits);
   for (Segment& segment : drawing.segments) {
     segment.from += part.shift;
     segment.to += part.shift;
@@ -215,6 +278,8 @@ std::vector<std::array<double, 2>> kept_of_line(const Breaks& breaks, const Vec2
   for (const KeptPart& part : kept_parts(breaks))
     if (const auto inside = inside_part(part, from, to)) kept.push_back(*inside);
   std::sort(kept.begin(), kept.end());
+  for (const auto& [begin, end] : kept)
+    check(begin >= 0 && begin <= end && end <= 1, "a part that is kept lies on its line");
   return kept;
 }
 
@@ -240,19 +305,25 @@ Vec2 position_on_page(const ViewDrawing& drawing, const Vec3& point) {
 
 void break_drawing(ViewDrawing& drawing, const Breaks& breaks, const Progress& progress) {
   progress.begin("breaking the view", drawing.segments.size());
-  drawing.limits = limits_of(drawing, breaks);
+  std::vector<Limit> limits = straight_limits(drawing, breaks);
   ViewDrawing all;
   std::vector<PaperTriangle> before_cuts;
   std::vector<BrokenOut> broken_out = drawing.broken_out;
   for (BrokenOut& one : broken_out) one.lines.clear();
   for (const KeptPart& part : kept_parts(breaks)) {
     progress.expect_time();
-    ViewDrawing kept = part_of(drawing, part);
+    ViewDrawing kept = part_of(drawing, part, breaks, limits);
     for (std::size_t i = 0; i < broken_out.size(); ++i)
       broken_out[i].lines.insert(broken_out[i].lines.end(), kept.broken_out[i].lines.begin(),
                                  kept.broken_out[i].lines.end());
     append_part(all, std::move(kept));
-    for (const PaperTriangle& triangle : drawing.before_cuts) add_part(before_cuts, triangle, part);
+    // What hides hatching may reach over freehand lines, where no hatching is.
+    KeptPart wide = part;
+    for (const int axis : {0, 1}) {
+      if (is_freehand(breaks, axis, part.min[axis])) wide.min[axis] -= freehand_wave;
+      if (is_freehand(breaks, axis, part.max[axis])) wide.max[axis] += freehand_wave;
+    }
+    for (const PaperTriangle& triangle : drawing.before_cuts) add_part(before_cuts, triangle, wide);
   }
   std::vector<std::array<Vec2, 2>> traces;
   for (const auto& [from, to] : drawing.traces)
@@ -267,6 +338,7 @@ void break_drawing(ViewDrawing& drawing, const Breaks& breaks, const Progress& p
   drawing.min = breaks.moved(drawing.min);
   drawing.max = breaks.moved(drawing.max);
   drawing.breaks = breaks;
+  drawing.limits = std::move(limits);
 }
 
 }  // namespace epura::drawing

@@ -27,7 +27,8 @@ struct LeftOut {
 /// on paper, positions as if the whole view were drawn.
 struct Breaks {
   std::array<std::vector<LeftOut>, 2> along{};
-  double gap = 0;  ///< between the remaining parts once they are moved together
+  double gap = 0;         ///< between the remaining parts once they are moved together
+  bool freehand = false;  ///< whether the remaining parts end at freehand lines
 
   [[nodiscard]] bool any() const { return !along[0].empty() || !along[1].empty(); }
   /// Whether a point is drawn.
@@ -70,11 +71,12 @@ Vec2 position_on_page(const ViewDrawing& drawing, const Vec3& point);
 struct Limit {
   Vec2 from, to;
   bool symmetric;
-  std::array<bool, 2> meets{};  ///< by end: whether it is at a line of symmetry
+  std::array<bool, 2> meets{};   ///< by end: whether it is at a line of symmetry
+  std::vector<Vec2> freehand{};  ///< the line, if it is a freehand one
 };
 
-/// Leaves parts of a parallel view out, exactly, moves the others together, and chains the lines anew, without curves.
-/// The view must not show a detail. Throws OutOfTime.
+/// Leaves parts of a parallel view out, exactly, up to straight or freehand lines, moves the others together, and
+/// chains the lines anew, without curves. The view must not show a detail. Throws OutOfTime.
 void break_drawing(ViewDrawing& drawing, const Breaks& breaks, const Progress& progress = {});
 
 }  // namespace epura::drawing

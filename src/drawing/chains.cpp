@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "base/error.hpp"
 #include "drawing/partners.hpp"
 
 namespace epura::drawing {
@@ -27,8 +28,11 @@ std::vector<End> find_partners(const std::vector<Segment>& segments, double touc
     return std::array{style, static_cast<double>(s.model), static_cast<double>(s.body)};
   };
   const auto kind_of = [&](End end) { return segments[line_of(end)].kind; };
-  return drawing::find_partners(LineEnds{static_cast<int>(segments.size()), place_of, look_of, kind_of}, touching,
-                                progress);
+  std::vector<End> partner = drawing::find_partners(
+      LineEnds{static_cast<int>(segments.size()), place_of, look_of, kind_of}, touching, progress);
+  for (End end = 0; end < static_cast<End>(partner.size()); ++end)
+    check(partner[end] == no_end || partner[partner[end]] == end, "ends of lines are joined in pairs");
+  return partner;
 }
 
 // Leaves out corners at which the line runs straight on. The offsets of the corners left out since the last one kept
@@ -100,7 +104,12 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
     Chain chain = follow(segments, partner, start, used);
     pace.left(left -= chain.segments.size());
     chain.closed = closed && chain.segments.size() > 2;
-    if (chain.closed) chain.points.pop_back();
+    check(chain.points.size() == chain.segments.size() + 1, "a chain has a line between any two of its points");
+    if (chain.closed) {
+      check(glm::distance(chain.points.front(), chain.points.back()) <= 4 * touching + 0x1p-28,
+            "a closed chain closes");
+      chain.points.pop_back();
+    }
     straighten(chain.points, chain.closed, tolerance);
     chains.push_back(std::move(chain));
   };
@@ -109,6 +118,7 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
   // The remaining segments form rings.
   for (End end = 0; end < static_cast<End>(partner.size()); end += 2)
     if (!used[line_of(end)]) add(end, true);
+  check(left == 0, "every line is in one chain");
   return chains;
 }
 

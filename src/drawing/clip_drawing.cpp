@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "drawing/chains.hpp"
 #include "drawing/make_drawing.hpp"
 
@@ -32,6 +33,7 @@ void clip_segments(ViewDrawing& drawing, const PartsOf& parts_of) {
   for (const Segment& whole : drawing.segments)
     for (const std::array<double, 2>& part : parts_of(whole.from, whole.to)) {
       if ((part[1] - part[0]) * glm::distance(whole.from, whole.to) < least_mm) continue;
+      check(part[0] >= 0 && part[0] <= part[1] && part[1] <= 1, "what is inside is a part of the line");
       Segment segment = whole;
       const auto [from, to] = part_of(whole.from, whole.to, part);
       segment.from = from;
@@ -89,7 +91,9 @@ void clip_to(ViewDrawing& drawing, const Boundary& boundary) {
 }
 
 void clip_to(ViewDrawing& drawing, const ClosedLine& line) {
-  clip_segments(drawing, [&](const Vec2& from, const Vec2& to) { return line.parts(from, to, true); });
+  const auto parts_of = [&](const Vec2& from, const Vec2& to) { return line.parts(from, to, true); };
+  clip_segments(drawing, parts_of);
+  for (BrokenOut& broken_out : drawing.broken_out) clip_bounds(broken_out, parts_of);
   for (CutFace& face : drawing.cut_faces) face.rings = line.area(face.rings);
   drop_empty_faces(drawing);
 }
@@ -104,6 +108,8 @@ void append_part(ViewDrawing& drawing, ViewDrawing part) {
     if (segment.crossing >= 0) segment.crossing += crossings;
   append(drawing.segments, part.segments);
   append(drawing.crossings, part.crossings);
+  for (const Segment& segment : drawing.segments)
+    check(segment.crossing < static_cast<int>(drawing.crossings.size()), "a line has its crossing");
   append(drawing.cut_faces, part.cut_faces);
   append(drawing.before_cuts, part.before_cuts);
 }
@@ -113,6 +119,12 @@ void clip_drawing(ViewDrawing& drawing, const DetailFrame& detail, const Progres
   progress.begin("clipping the detail", drawing.segments.size());
   clip_to(drawing, boundary);
   drawing.chains = chain_segments(drawing.segments, straight_mm, drawing.coincident, progress);
+  constexpr double slack = 1e-6;
+  const Boundary grown{boundary.centre, boundary.half + slack, false};
+  for (const Segment& segment : drawing.segments)
+    check(glm::all(glm::lessThanEqual(glm::abs(segment.from - grown.centre), grown.half)) &&
+              glm::all(glm::lessThanEqual(glm::abs(segment.to - grown.centre), grown.half)),
+          "a detail contains its lines");
   drawing.min = boundary.centre - boundary.half;
   drawing.max = boundary.centre + boundary.half;
   drawing.detail = detail;

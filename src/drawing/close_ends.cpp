@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 
 namespace epura::drawing {
@@ -66,6 +67,7 @@ class EndCloser {
       part.to -= last.cut / length;
       if (!((part.to - part.from) * length > limits_.touching)) return;
     }
+    check(part.from <= part.to, "what is left of a line goes forwards");
     const auto [from, to] = ends_of(part);
     if (from != to) pieces.push_back(drawn(part, from, to));
   }
@@ -141,6 +143,7 @@ class EndCloser {
     // The point of the other line that is nearest to this one.
     const double part = a.y == b.y ? 0 : std::clamp(a.y / (a.y - b.y), 0.0, 1.0);
     const Vec2 meeting = a + part * (b - a);
+    check(part >= 0 && part <= 1, "a line ends on the line that is drawn instead");
     const double along = meeting.x - line.length;
     if (std::abs(meeting.y) > limits_.touching || std::abs(along) > limits_.along) return std::nullopt;
     return along;

@@ -216,6 +216,7 @@ std::vector<ClosedLine::Crossing> ClosedLine::crossings(const Vec2& from, const 
     const double at_from = cross(b - a, from - a), at_to = cross(b - a, to - a);
     if ((at_a > 0) == (at_b > 0) || (at_from > 0) == (at_to > 0)) return;
     const double t = at_from / (at_from - at_to);
+    check(t >= 0 && t <= 1, "a line crosses another between its ends");
     found.push_back({t, i, at_a / (at_a - at_b), from + t * along});
   });
   std::stable_sort(found.begin(), found.end(), [](const Crossing& a, const Crossing& b) { return a.t < b.t; });
@@ -247,6 +248,7 @@ std::vector<std::array<double, 2>> ClosedLine::parts(const Vec2& from, const Vec
     else
       found.push_back({places[i], places[i + 1]});
   }
+  for (const auto& [begin, end] : found) check(begin >= 0 && begin < end && end <= 1, "a part lies on its line");
   return found;
 }
 

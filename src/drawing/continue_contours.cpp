@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/error.hpp"
 #include "drawing/polylines.hpp"
 
 namespace epura::drawing {
@@ -176,6 +177,7 @@ class Continuation {
     const End entered = cut.members[begin->member];
     Piece& piece = pieces_[line_of(entered)];
     const auto side = static_cast<std::size_t>(entered % 2);
+    check(begin->part >= 0 && begin->part <= 1, "a contour is cut between its ends");
     const Vec2 at = place(entered) + begin->part * (place(other(entered)) - place(entered));
     piece.s[side] += begin->part * (piece.s[1 - side] - piece.s[side]);
     (side == 0 ? piece.from : piece.to) = at;
@@ -221,6 +223,7 @@ std::vector<Piece> continue_contours(std::vector<Piece> pieces, const std::vecto
     else
       result.push_back(pieces[i]);
   }
+  check(next == numbers.size(), "every contour is continued or not");
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "drawing/piece_tree.hpp"
 #include "drawing/strands.hpp"
@@ -76,6 +77,7 @@ class CoverSearch {
     const bool is_large = strands.size() > alone;
     strands = Strands();  // so that memory hardly ever holds strands twice
     Strands &one = parts->first, &other = parts->second;
+    check(one.size() + other.size() > 0, "a cell that is divided has lines");
     const std::size_t first = work * one.size() / (one.size() + other.size());
     if (!is_large) {
       add_covers(std::move(one), first, found);
@@ -179,6 +181,8 @@ std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double toleranc
   parallel_sort(covers.begin(), covers.end());
   // At the border between cells, a pair is found in both.
   covers.erase(std::unique(covers.begin(), covers.end()), covers.end());
+  check(covers.empty() || (covers.front().piece >= 0 && covers.back().piece < static_cast<int>(pieces.size())),
+        "covers are of lines");
   return covers;
 }
 

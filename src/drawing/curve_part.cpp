@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 
 namespace epura::drawing {
@@ -36,6 +37,8 @@ std::vector<double> corner_angles(const CurvePart& curve, const std::vector<Vec2
     angles.push_back(angles.back() + std::remainder(step, 2 * std::numbers::pi));
   }
   angles.push_back(curve.to);
+  check(angles.size() == static_cast<std::size_t>(curve.last - curve.first + 1),
+        "every corner of a curve has an angle");
   return angles;
 }
 
@@ -90,6 +93,8 @@ std::vector<double> distances_along(const std::vector<Vec2>& points, bool closed
     for (std::size_t i = 1; i < angles.size(); ++i) add(length_of_curve(curve, angles[i - 1], angles[i]));
   }
   lines_to(closed ? count : count - 1);
+  check(distances.size() == points.size() + (closed ? 1 : 0) || points.empty(), "every point has a distance");
+  check(distances.back() >= 0, "a length is not negative");
   return distances;
 }
 

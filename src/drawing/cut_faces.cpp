@@ -47,7 +47,7 @@ std::vector<PaperTriangle> before_cuts_on_paper(const scene::World& world, const
   };
   for (std::size_t r = 0; r < uncut.size(); ++r)
     for (const int triangle : uncut[r])
-      if (surface.regions[r].plane) add(triangle, *surface.regions[r].plane);
+      if (surface.regions[r].plane) add(triangle, turned_plane(surface.regions[r]));
   return triangles;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "construction/figure.hpp"
 #include "drawing/boundary.hpp"
 #include "drawing/breaks.hpp"
 #include "edges/edge_kind.hpp"
@@ -23,7 +24,7 @@ struct Segment {
   Vec2 from, to;
   bool visible;
   EdgeKind kind;
-  int model;
+  int model;                ///< of the world that the view shows
   std::array<int, 2> edge;  ///< vertex numbers in the file; {-1, -1} for a line that is not an edge of a file
   int crossing;             ///< for such a line: its index in ViewDrawing::crossings; otherwise -1
   std::array<double, 2> t;  ///< 3D parameters along the edge, `from` at t[0]
@@ -34,8 +35,8 @@ constexpr bool is_link(const Segment& segment) { return segment.t[0] == segment.
 
 /// Where a line comes from that is not an edge of a file, in addition to its segment.
 struct CrossingSegment {
-  /// (model, face) of both faces that cross; for a cut, those of the face that is cut, and {-1, -1} for the cutting
-  /// plane.
+  /// (model in the scene, face) of both faces that cross; for a cut, those of the face that is cut, and {-1, -1} for
+  /// the cutting plane.
   std::array<std::array<int, 2>, 2> faces;
   std::array<Vec3, 2> world;  ///< ends in world coordinates
 };
@@ -61,7 +62,7 @@ struct Chain {
 
 /// A face made by a cutting plane, to be hatched.
 struct CutFace {
-  int model, body;                       ///< body numbers are those of the model's file
+  int model, body;                       ///< in the scene; body numbers are those of the model's file
   std::vector<std::vector<Vec2>> rings;  ///< outlines on paper, even-odd; the first point is not repeated
 };
 
@@ -78,6 +79,12 @@ struct BrokenOut {
   std::vector<std::vector<Vec2>> lines;  ///< what is drawn of it: where something is removed
 };
 
+/// A revolved section on a view: the outlines of a cut face turned into the picture. ISO 128-3.
+struct RevolvedFace {
+  std::vector<std::vector<Vec2>> rings;
+  std::array<Vec2, 2> axis;  ///< the part inside the outlines of the line about which it is turned
+};
+
 /// Triangles on paper.
 using PaperTriangle = std::array<Vec2, 3>;
 
@@ -88,6 +95,7 @@ struct ViewDrawing {
   Mat4 world_to_page;  ///< page = (row0/row3, row1/row3) in mm, before breaks.moved; row2/row3 grows towards
                        ///< the viewer
   std::array<std::optional<Vec2>, 3> vanishing_points;  ///< of the world axes, on the page
+  std::vector<int> numbers_in_scene{};  ///< of the models of segments, if they differ (World::number_in_scene)
   std::vector<Segment> segments;
   std::vector<CrossingSegment> crossings;  ///< for the segments that are not edges of a file, in their order
   std::vector<Chain> chains;
@@ -96,13 +104,19 @@ struct ViewDrawing {
   Vec2 min{0, 0}, max{0, 0};                  ///< box of the ink
   std::optional<DetailFrame> detail{};        ///< only of a detail view
   std::vector<BrokenOut> broken_out{};        ///< areas that do not overlap
+  std::vector<RevolvedFace> revolved{};       ///< where they are after the move; `cut_faces` has them, too
   Breaks breaks{};                            ///< parts left out; all else is where it is after the move
   std::vector<Limit> limits{};                ///< where parts are left out
   std::vector<std::array<Vec2, 2>> traces{};  ///< of bodies moved apart: visible lines from their places
+  construction::Figure construction{};        ///< of the projection; in the elevation, that of an épura
   double contours_moved = 0;  ///< mm; greatest distance at which contours of curved faces are drawn from edges of the
                               ///< mesh
   double coincident = 0;      ///< mm; lines this close coincide, and their ends meet
   double joined_within = 0;   ///< mm; omitted lines have ink of at least the same strength within this distance
+
+  [[nodiscard]] int number_in_scene(int model) const {
+    return numbers_in_scene.empty() ? model : numbers_in_scene[static_cast<std::size_t>(model)];
+  }
 };
 
 }  // namespace epura::drawing

@@ -74,6 +74,23 @@ std::vector<Vec2> freehand_around(const std::vector<Vec2>& points) {
   return line;
 }
 
+double freehand_offset(double place) {
+  const double turn = 2 * std::numbers::pi * place;
+  return freehand_wave * (share_of_long * portable_sin(turn / long_wave) +
+                          (1 - share_of_long) * portable_sin(turn / short_wave + phase));
+}
+
+std::vector<Vec2> freehand_along(int along, const Vec2& from, const Vec2& to) {
+  const int count = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / step)));
+  std::vector<Vec2> line;
+  for (int i = 0; i <= count; ++i) {
+    Vec2 p = i == count ? to : from + static_cast<double>(i) / count * (to - from);
+    p[1 - along] += freehand_offset(p[along]);
+    line.push_back(p);
+  }
+  return line;
+}
+
 std::vector<Vec2> points_on_circle(const Vec2& centre, double radius) {
   constexpr int count = 24;
   std::vector<Vec2> points;

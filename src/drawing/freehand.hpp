@@ -12,6 +12,13 @@ namespace epura::drawing {
 /// one line. It is never farther than `freehand_wave` from that curve.
 std::vector<Vec2> freehand_around(const std::vector<Vec2>& points);
 
+/// Returns a freehand line along a straight one that is parallel to an axis: `along` 0 for x, 1 for y. Waves of lines
+/// over the same places of that axis are the same.
+std::vector<Vec2> freehand_along(int along, const Vec2& from, const Vec2& to);
+
+/// How far such lines are off at a place on their axis, in the positive direction of the other one.
+double freehand_offset(double place);
+
 /// Returns points on a circle, close enough for a smooth curve through them.
 std::vector<Vec2> points_on_circle(const Vec2& centre, double radius);
 

@@ -9,12 +9,19 @@
 #include <tuple>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/same_key.hpp"
 #include "drawing/covers.hpp"
 
 namespace epura::drawing {
 
 namespace {
+
+double ink_of(const std::vector<Piece>& pieces) {
+  double ink = 0;
+  for (const Piece& piece : pieces) ink += length_of(piece);
+  return ink;
+}
 
 // The ends in an order that does not depend on the drawing direction.
 std::array<double, 4> place(const Piece& p) {
@@ -55,6 +62,7 @@ Piece part_of(const Piece& piece, double from, double to) {
 void append_rest(const Piece& piece, std::span<const Cover> covers, double min, std::deque<Piece>& rest) {
   double from = 0;
   for (const Cover& part : covers) {
+    check(part.from >= 0 && part.from < part.to, "a cover is a part of its line");
     if (part.from - from >= min) rest.push_back(part_of(piece, from, part.from));
     from = std::max(from, part.to);
   }
@@ -88,6 +96,7 @@ std::array<double, 2> covered_part(const Ruler& line, Vec2 a, Vec2 b, double tol
   if (to - from < min) return {0, 0};
   const auto offset = [&](double x) { return std::abs(a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x))); };
   if (offset(from) > tolerance || offset(to) > tolerance) return {0, 0};
+  check(from >= 0 && from <= to && to <= line.length, "a covered part lies on its line");
   return {from, to};
 }
 
@@ -98,6 +107,7 @@ std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double toleranc
   drop_copies(pieces, progress);
   const std::vector<Cover> covers = find_covers(pieces, tolerance, min, progress);
   if (covers.empty()) return pieces;
+  const double ink = ink_of(pieces);
 
   // In place, since there may be no memory for a second list: results that do not fit in front of the remaining pieces
   // wait.
@@ -111,6 +121,8 @@ std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double toleranc
   }
   pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(kept), pieces.end());
   pieces.insert(pieces.end(), waiting.begin(), waiting.end());
+  check(next == covers.size(), "every cover is of a line");
+  check(ink_of(pieces) <= ink * (1 + 1e-9), "of lines that coincide, no more ink is left than there was");
   return pieces;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "drawing/chains.hpp"
 #include "drawing/continue_contours.hpp"
@@ -45,6 +46,7 @@ std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::
                     static_cast<int>(e),
                     {from, to}};
       });
+      check(piece == pieces.data() + first[e + 1], "every piece of an edge has its place");
     }
   });
   return pieces;
@@ -90,7 +92,7 @@ CrossingSegment cut_segment(const scene::World& world, const edges::FeatureEdge&
   const Vec3& p = world.points[first + cut.vertex[0]];
   const Vec3& q = world.points[first + cut.vertex[1]];
   // The triangles of the cut face come last.
-  return {{{{edge.model, mesh.polygon[mesh.triangles_of(cut).front()]}, {-1, -1}}},
+  return {{{{world.number_in_scene(edge.model), mesh.polygon[mesh.triangles_of(cut).front()]}, {-1, -1}}},
           {p + t[0] * (q - p), p + t[1] * (q - p)}};
 }
 
@@ -100,10 +102,21 @@ CrossingSegment crossing_segment(const scene::World& world, const edges::FaceCro
   for (int i = 0; i < 2; ++i) {
     const int model = world.model_of_triangle(crossing.triangles[i]);
     const mesh::Mesh& mesh = *world.models[model].mesh;
-    segment.faces[i] = {model, mesh.polygon[crossing.triangles[i] - world.first_triangle[model]]};
+    segment.faces[i] = {world.number_in_scene(model),
+                        mesh.polygon[crossing.triangles[i] - world.first_triangle[model]]};
     segment.world[i] = crossing.ends[0] + t[i] * (crossing.ends[1] - crossing.ends[0]);
   }
   return segment;
+}
+
+// Empty if the models have the same numbers as in the scene.
+std::vector<int> numbers_in_scene(const scene::World& world) {
+  std::vector<int> numbers;
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
+    numbers.push_back(world.number_in_scene(model));
+  const bool is_scene = std::all_of(world.models.begin(), world.models.end(),
+                                    [](const scene::Placed& placed) { return placed.copy_of < 0; });
+  return is_scene ? std::vector<int>() : numbers;
 }
 
 void add_segments(const visibility::ResolvedView& lines, const std::vector<Piece>& pieces, ViewDrawing& drawing,
@@ -122,6 +135,9 @@ void add_segments(const visibility::ResolvedView& lines, const std::vector<Piece
     for (std::size_t i = begin; i < end; ++i) {
       Segment& segment = drawing.segments[i];
       segment = segment_of(lines, pieces[i], crossing[i]);
+      constexpr double rounding = 1e-9;
+      check(std::min(segment.t[0], segment.t[1]) >= -rounding && std::max(segment.t[0], segment.t[1]) <= 1 + rounding,
+            "the parameters of a line are from 0 to 1");
       if (segment.crossing < 0) continue;
       const edges::FeatureEdge& edge = drawn.edges[pieces[i].edge];
       drawing.crossings[segment.crossing] = edge.crossing < 0
@@ -185,6 +201,7 @@ double parameter_in_space(const view::ProjectedScene& view, const edges::Feature
   const double wq = view.vertices[edge.vertex[1]].w;
   // First the position on the clipped edge in space, then on the edge of the model.
   const double part = s * wp / (s * wp + (1 - s) * wq);
+  check(part >= 0 && part <= 1, "a point of an edge lies between its ends");
   return edge.t[0] + part * (edge.t[1] - edge.t[0]);
 }
 
@@ -200,6 +217,7 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   drawing.name = options.name;
   drawing.projection = view.projection;
   drawing.world_to_page = view::world_to_page(view, paper);
+  drawing.numbers_in_scene = numbers_in_scene(lines.world);
   drawing.vanishing_points = view::vanishing_points_on_page(view, paper);
 
   const Coincidence limits = coincidence_on_paper(view, paper);
@@ -224,6 +242,9 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   for (const Segment& s : drawing.segments) {
     low = glm::min(low, glm::min(s.from, s.to));
     max = glm::max(max, glm::max(s.from, s.to));
+    check(s.from.x >= low.x && s.to.x >= low.x && s.from.y >= low.y && s.to.y >= low.y && s.from.x <= max.x &&
+              s.to.x <= max.x && s.from.y <= max.y && s.to.y <= max.y,
+          "the box of a drawing contains its lines");
   }
   if (!drawing.segments.empty()) {
     drawing.min = low;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/parallel.hpp"
 #include "search/bounds_tree.hpp"
@@ -88,7 +89,9 @@ class Meeting {
   [[nodiscard]] std::optional<double> parameter_of(const MovedContour& contour, const Vec2& place) const {
     const auto& [from, to] = contour.in_mesh;
     if (from == to || distance_to_segment(place, from, to) > tolerance_) return std::nullopt;
-    return nearest_parameter(place, from, to);
+    const double parameter = nearest_parameter(place, from, to);
+    check(parameter >= 0 && parameter <= 1, "a contour is met between its ends");
+    return parameter;
   }
 
   // Whether a contour ends there, inside its edge.

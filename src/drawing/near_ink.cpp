@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "drawing/close_ends.hpp"
 #include "drawing/near_glance.hpp"
@@ -30,6 +31,7 @@ std::vector<InkPart> joined_parts(std::vector<InkPart> parts, const std::vector<
     else
       parts[kept++] = part;
   parts.resize(kept);
+  for (const InkPart& part : parts) check(part.from <= part.to, "a part of a line goes forwards");
   return parts;
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/error.hpp"
 #include "drawing/beside.hpp"
 
 namespace epura::drawing {
@@ -77,6 +78,7 @@ void NearSearch::add(std::size_t line) {
       add_run(span);
       at = span[1];
     }
+    check(at >= polyline_[member].from, "near parts are in order");
     if (polyline_[member].to > at) add_apart({member, at, polyline_[member].to});
   }
   end_gap(!runs_.empty());
@@ -213,6 +215,7 @@ void NearSearch::settle(bool is_closed) {
   for (const Run& run : runs_) {
     const std::array<bool, 2> on = goes_on(run, is_closed);
     const Run part = between_contacts(run, on);
+    check(part[0] >= run[0] && part[1] <= run[1], "what is taken away was near");
     if ((on[0] || on[1]) && !(part[1] - part[0] >= shortest_run * limits_.distance)) {
       keep(run);
       continue;
@@ -236,6 +239,7 @@ void NearSearch::take_away(const std::vector<Run>& runs) {
     taken_.last.push_back(taken_.by.size());
   };
   for (const Run& run : runs) polyline_.visit_stretches(run, take);
+  check(taken_.last.size() == taken_.parts.all().size(), "all ink that is taken has ink instead");
 }
 
 }  // namespace epura::drawing

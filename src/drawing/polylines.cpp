@@ -6,6 +6,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/error.hpp"
+
 namespace epura::drawing {
 
 Polylines::Polylines(const std::vector<Piece>& pieces, const std::vector<signed char>& strength,
@@ -25,6 +27,7 @@ Polylines::Polylines(const std::vector<Piece>& pieces, const std::vector<signed 
       line.length += length_of(pieces[line_of(at)]);
     }
     line.count = members_.size() - line.first;
+    check(line.count > 0 && line.length >= 0, "a polyline has pieces");
     lines_.push_back(line);
   };
   const auto is_left = [&](End end) { return strength[line_of(end)] >= 0 && used[line_of(end)] == 0; };

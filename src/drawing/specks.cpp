@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/error.hpp"
 #include "drawing/kept_ink.hpp"
 #include "drawing/polylines.hpp"
 
@@ -68,6 +69,7 @@ std::vector<Piece> drop_specks(std::vector<Piece> pieces, const std::vector<sign
   std::size_t kept = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i)
     if (!(lies_on[i][0] && lies_on[i][1])) pieces[kept++] = pieces[i];
+  check(kept <= pieces.size() && kept > 0, "a speck lies on lines that stay");
   pieces.resize(kept);
   return pieces;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "drawing/curve_part.hpp"
 
 namespace epura::drawing {
@@ -55,7 +56,10 @@ std::size_t keep_longest_chains(ViewDrawing& drawing, std::size_t count) {
     for (const int segment : chain.segments) keep_segment[static_cast<std::size_t>(segment)] = 1;
   const std::vector<int> number = keep_segments(drawing, keep_segment);
   for (Chain& chain : drawing.chains)
-    for (int& segment : chain.segments) segment = number[static_cast<std::size_t>(segment)];
+    for (int& segment : chain.segments) {
+      segment = number[static_cast<std::size_t>(segment)];
+      check(segment >= 0, "lines of chains that are kept are kept");
+    }
   return before - drawing.segments.size();
 }
 

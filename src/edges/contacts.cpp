@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/groups.hpp"
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
@@ -66,6 +67,7 @@ class PlacedFaces {
     const Groups<int> triangles(placed.part->faces.size(), [&](const auto& visit) {
       for (std::size_t t = 0; t < faces.size(); ++t) visit(static_cast<std::size_t>(faces[t]), static_cast<int>(t));
     });
+    check(triangles.size() == placed.part->faces.size(), "every face has its triangles");
     model = {scene::faces_of_triangles(placed), triangles, glm::inverse(placed.to_world), *scale};
   }
 
@@ -153,6 +155,7 @@ void judge_faces(const ContactJudge& judge, const std::vector<FaceCrossing>& cro
     pair.all += length_of(crossings[i]);
     if (contacts[i] == Contact::contact) pair.touching += length_of(crossings[i]);
   }
+  for (const auto& [two, pair] : pairs) check(pair.touching <= pair.all, "a part is not longer than the whole");
   for (auto& [two, pair] : pairs) pair.touch = judge.touch(two).value_or(2 * pair.touching > pair.all);
   for (std::size_t i = 0; i < crossings.size(); ++i)
     if (faces[i]) contacts[i] = pairs[*faces[i]].touch ? Contact::contact : Contact::none;

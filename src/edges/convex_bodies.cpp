@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 
 namespace epura::edges {
@@ -223,11 +224,13 @@ BodyTable bodies_of(const scene::World& world, std::span<const Vec3> points) {
       bodies.of_triangle.push_back(number);
     }
   }
+  check(bodies.of_triangle.size() == world.triangles.size(), "every triangle is of a body");
   return bodies;
 }
 
 void keep_convex(const scene::World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact,
                  std::vector<char>& candidates) {
+  check(candidates.size() == bodies.box.size(), "every body is marked or not");
   ConvexityTest(world, points, bodies, contact).run(candidates);
 }
 

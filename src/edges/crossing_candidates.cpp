@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/same_key.hpp"
 #include "edges/convex_bodies.hpp"
@@ -37,6 +38,7 @@ std::vector<int> unlike_bodies(const std::vector<Box>& boxes, std::vector<char>&
       isolated[body] = isolated[unlike.back()] = 0;
   }
   std::sort(unlike.begin(), unlike.end());
+  check(unlike.size() <= there.size() && unlike.empty() == there.empty(), "of equal boxes one is left");
   return unlike;
 }
 
@@ -78,6 +80,7 @@ void drop_third_copies(const scene::World& world, const Progress& progress, std:
   if (world.models.size() < 3) return;  // no mesh has a triangle twice
   const std::vector<char> is_third = mark_third_copies(
       static_cast<int>(triangles.size()), [&](int i) { return corners_of(world, triangles[i]); }, progress);
+  check(is_third.size() == triangles.size(), "every triangle is a copy or not");
   std::size_t kept = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i)
     if (is_third[i] == 0) triangles[kept++] = triangles[i];
@@ -105,6 +108,7 @@ std::vector<int> crossing_candidates(const scene::World& world, double normalisa
   for (std::size_t t = 0; t < may_cross.size(); ++t)
     if (may_cross[t] != 0) candidates.push_back(static_cast<int>(t));
   drop_third_copies(world, progress, candidates);
+  check(candidates.empty() || candidates.back() < static_cast<int>(world.triangles.size()), "candidates are triangles");
   return candidates;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 
 namespace epura::edges {
@@ -38,6 +39,7 @@ int EdgeSurroundings::apex(const std::array<int, 2>& edge, int triangle) const {
       apex = v;
     }
   }
+  check(apex >= 0, "a triangle has a corner beside each edge");
   return apex;
 }
 
@@ -81,6 +83,7 @@ double turn_of_surface(const EdgeSurroundings& around, int triangle, double crea
     if (edge == nullptr || edge->count != 2) continue;
     const auto both = mesh.triangles_of(*edge);
     const double fold = fold_angle(around, side, both[0], both[1]);
+    check(fold >= 0 && fold <= 180, "a fold has 0 to 180 degrees");
     if (fold < crease_angle) turn = std::max(turn, fold);
   }
   return turn;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "base/disjoint_sets.hpp"
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
 #include "edges/slivers.hpp"
@@ -28,6 +29,7 @@ std::vector<Vec3> mean_normals(const EdgeSurroundings& around) {
   if (std::none_of(mesh.edges.begin(), mesh.edges.end(), [](const mesh::MeshEdge& e) { return e.diagonal; })) return {};
   std::vector<Vec3> sums(static_cast<std::size_t>(*std::max_element(mesh.polygon.begin(), mesh.polygon.end())) + 1);
   for (std::size_t t = 0; t < mesh.polygon.size(); ++t) {
+    check(mesh.polygon[t] >= 0, "every triangle is of a polygon of the file");
     const std::array<int, 3> c = around.corners(static_cast<int>(t));
     const Vec3 a = around.point(c[0]);
     sums[mesh.polygon[t]] += glm::cross(around.point(c[1]) - a, around.point(c[2]) - a);
@@ -314,6 +316,7 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
                     part,
                     page_resolution(around.world, view) / view.cell};
   const auto& edges = around.world.models[around.model].mesh->edges;
+  check(is_tangent.empty() || is_tangent.size() == around.mesh().edges.size(), "every edge is tangent or not");
   std::vector<std::optional<EdgeKind>> kinds(edges.size());
   parallel_for(edges.size(), 4096, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) kinds[e] = judge.kind_of(edges[e]);

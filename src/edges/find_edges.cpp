@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.hpp"
 #include "edges/contacts.hpp"
 #include "edges/crossing_candidates.hpp"
 #include "edges/dihedral.hpp"
@@ -46,6 +47,7 @@ void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, 
   const Slivers& slivers = uncut == nullptr ? of_whole : of_pieces;
   const auto& edges = world.models[model].mesh->edges;
   const int first = world.first_vertex[model];
+  check(kinds.size() == edges.size(), "every edge of a mesh is judged");
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!kinds[e]) continue;
     const auto part = view::clip_edge(view, first + edges[e].vertex[0], first + edges[e].vertex[1]);
@@ -63,6 +65,7 @@ void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, 
 void drop_contacts(const scene::World& world, double normalisation, double crease_angle, FeatureEdges& drawn,
                    const Progress& progress) {
   const std::vector<Contact> contacts = judge_contacts(world, normalisation, crease_angle, drawn.crossings, progress);
+  check(contacts.size() == drawn.crossings.size(), "every crossing is judged");
   const auto unjudged = std::count(contacts.begin(), contacts.end(), Contact::unjudged);
   if (unjudged > 0) drawn.searched *= 1 - static_cast<double>(unjudged) / static_cast<double>(contacts.size());
   std::vector<FaceCrossing> real;
@@ -82,6 +85,25 @@ void add_intersections(const scene::World& world, view::ProjectedScene& view, Fe
   }
 }
 
+void check_sound(const FeatureEdges& drawn, const view::ProjectedScene& view) {
+  const auto vertices = static_cast<int>(view.vertices.size()), crossings = static_cast<int>(drawn.crossings.size());
+  const auto is_vertex = [&](int v) { return v >= 0 && v < vertices; };
+  constexpr double rounding = 1e-9;
+  const auto is_part = [](double t) { return t >= -rounding && t <= 1 + rounding; };
+  int model = 0;
+  for (const FeatureEdge& edge : drawn.edges) {
+    check(is_vertex(edge.vertex[0]) && is_vertex(edge.vertex[1]), "an edge ends at vertices of the view");
+    check(edge.shown[0] < vertices && edge.shown[1] < vertices, "an edge is shown at vertices of the view");
+    check(is_part(edge.t[0]) && is_part(edge.t[1]), "the parameters of an edge are from 0 to 1");
+    check(edge.mesh_edge >= 0 ? edge.crossing == -1 : edge.crossing >= 0 && edge.crossing < crossings,
+          "an edge belongs to a mesh or to a crossing");
+    check(edge.model >= model || edge.crossing >= 0, "edges are in the order of their models");
+    if (edge.crossing < 0) model = edge.model;
+  }
+  check(is_part(drawn.searched), "the searched part of the crossings is from 0 to 1");
+  check(drawn.moved >= 0, "a distance is not negative");
+}
+
 }  // namespace
 
 FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
@@ -98,7 +120,10 @@ FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene&
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
     add_mesh_edges({world, model, view.map.normalisation}, view, options, drawn, progress);
   smooth_contours(world, view, options, drawn);
-  if (!options.intersection) return drawn;
+  if (!options.intersection) {
+    check_sound(drawn, view);
+    return drawn;
+  }
   const double normalisation = view.map.normalisation;
   auto [crossings, searched] = find_intersections(world, normalisation, view.contact.in_space, candidates,
                                                   progress.with_part_of_the_time(part_for_search));
@@ -106,6 +131,7 @@ FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene&
   drawn.searched = searched;
   drop_contacts(world, normalisation, options.crease_angle, drawn, progress.with_part_of_the_time(part_for_search));
   add_intersections(world, view, drawn);
+  check_sound(drawn, view);
   return drawn;
 }
 

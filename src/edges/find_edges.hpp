@@ -30,7 +30,7 @@ struct FeatureEdge {
   int mesh_edge;                     ///< number in its model; -1 for an intersection line
   int crossing;                      ///< index in FeatureEdges::crossings of an intersection line; otherwise -1
   std::array<int, 2> shown{-1, -1};  ///< vertices of the view at which its ends are drawn; -1: not moved
-  bool by_chance = false;            ///< a contour of facets where their surface has none; not drawn where it is hidden
+  bool by_chance = false;            ///< a contour of facets where their surface has none: drawn as an outline only
 };
 
 /// The triangles of a model that meet in an edge next to slivers: those at the edge and those beyond the slivers.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/error.hpp"
 
 namespace epura::edges {
 
@@ -120,7 +121,9 @@ class FlatFaces {
 std::vector<int> flat_faces(const scene::World& world, std::span<const Vec3> points, double contact,
                             const std::vector<int>& triangles) {
   if (triangles.size() < least_triangles) return {};
-  return FlatFaces(world, points, contact, triangles).find();
+  std::vector<int> faces = FlatFaces(world, points, contact, triangles).find();
+  check(faces.empty() || faces.size() == triangles.size(), "every triangle is of a flat face or not");
+  return faces;
 }
 
 }  // namespace epura::edges

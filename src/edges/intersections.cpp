@@ -140,6 +140,7 @@ class Crossings {
       if (signs[i] == 0) met[count++] = point(c[i]);
       if (signs[i] * signs[j] < 0) met[count++] = meet(plane, c[i], c[j]);
     }
+    check(count == 2, "the outline of a triangle crosses a plane twice");
     return Piece{{met[0], met[1]}};
   }
 
@@ -171,7 +172,7 @@ class Crossings {
     const auto at = [&](const Vec3& p) { return glm::dot(p, along); };
     const Vec3 from = at(one.ends[0]) >= at(two.ends[0]) ? one.ends[0] : two.ends[0];
     const Vec3 to = at(one.ends[1]) <= at(two.ends[1]) ? one.ends[1] : two.ends[1];
-    if (at(to) - at(from) <= contact_) return std::nullopt;
+    if (!(at(to) - at(from) > contact_)) return std::nullopt;
     return Piece{{from, to}};
   }
 
@@ -235,6 +236,10 @@ FaceCrossings find_intersections(const scene::World& world, double normalisation
   FaceCrossings all{{}, static_cast<double>(finished) / static_cast<double>(tasks.size())};
   for (const auto& part : found) all.found.insert(all.found.end(), part.begin(), part.end());
   parallel_sort(all.found.begin(), all.found.end());
+  for (const FaceCrossing& crossing : all.found) {
+    check(crossing.triangles[0] < crossing.triangles[1], "two triangles cross");
+    check(crossing.angle >= 0 && crossing.angle <= 90, "planes cross at an angle from 0 to 90 degrees");
+  }
   return all;
 }
 

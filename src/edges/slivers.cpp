@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 
 namespace epura::edges {
@@ -75,6 +76,7 @@ std::optional<int> other_side(const EdgeSurroundings& around, const std::array<i
 // The exit from a triangle that was entered through `entry`: the side on which `place` lies.
 Exit exit_at(const EdgeSurroundings& around, const std::array<int, 2>& entry, int triangle, const Vec3& place) {
   const std::array<int, 2> side = side_at(around, around.corners(triangle), entry, place);
+  check(side != entry, "a triangle is left through another side");
   return {side, other_side(around, side, triangle)};
 }
 
@@ -174,7 +176,9 @@ Exit Slivers::way_out(const std::array<int, 2>& edge, int triangle) const {
 double page_resolution(const scene::World& world, const view::ProjectedScene& view) {
   // Both ends of a line and the point compared with it were rounded to the grid.
   constexpr double grid = 2;
-  return std::max(grid * view.cell, world.rounding * view.map.normalisation * view.map.unit);
+  const double resolution = std::max(grid * view.cell, world.rounding * view.map.normalisation * view.map.unit);
+  check(resolution > 0, "a page has a resolution");
+  return resolution;
 }
 
 }  // namespace epura::edges

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/groups.hpp"
 #include "base/nearest.hpp"
 #include "base/parallel.hpp"
@@ -145,6 +146,7 @@ class ModelContours {
       const std::size_t j = (i + 1) % 3;
       if ((facing[i] < 0) == (facing[j] < 0)) continue;
       const double t = facing[i] / (facing[i] - facing[j]);
+      check(t >= 0 && t <= 1, "a contour crosses a side between its ends");
       met[count++] = mesh_.point(corners[i]) + t * (mesh_.point(corners[j]) - mesh_.point(corners[i]));
     }
     return count == 2 ? std::optional(std::array{met[0], met[1]}) : std::nullopt;
@@ -178,6 +180,8 @@ class MovedEnds {
     const std::vector<int> fixed = ends_of_others(model, edges);
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    check(vertices.front() >= first && vertices.back() < static_cast<int>(view_.vertices.size()),
+          "whole contours end at vertices of their model");
     std::vector<std::optional<Vec3>> places(vertices.size());
     parallel_for(vertices.size(), 256, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) places[i] = contours.moved(vertices[i] - first);

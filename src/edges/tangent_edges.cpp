@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 
 namespace epura::edges {
@@ -33,6 +34,7 @@ std::vector<double> folds_of(const EdgeSurroundings& around, const mesh::Mesh& m
       if (edge.count != 2) continue;
       const auto triangles = mesh.triangles_of(edge);
       folds[e] = edge.diagonal ? 0 : fold_angle(around, ends_of(around, edge), triangles[0], triangles[1]);
+      check(folds[e] >= 0 && folds[e] <= 180, "a fold has 0 to 180 degrees");
     }
   });
   return folds;
@@ -66,7 +68,9 @@ class Facets {
       const auto triangles = mesh.triangles_of(mesh.edges[e]);
       facets.join(triangles[0], triangles[1]);
     }
-    return std::move(facets).roots();
+    std::vector<int> roots = std::move(facets).roots();
+    check(roots.size() == mesh.polygon.size(), "every triangle is of a facet");
+    return roots;
   }
 
   std::vector<int> facet_;  // by triangle

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "drawing/closed_line.hpp"
+#include "drawing/freehand.hpp"
 #include "drawing/ink.hpp"
 #include "explain/reason.hpp"
 
@@ -112,7 +113,8 @@ struct Storyteller {
   [[nodiscard]] visibility::Spans cut_off(const drawing::Ruler& line, double slack) const {
     visibility::Spans outside;
     const auto& detail = drawn_view.drawing.detail;
-    if (!detail) return left_out(line, slack);
+    const bool is_freehand = drawn_view.drawing.breaks.freehand;
+    if (!detail) return left_out(line, is_freehand ? slack + drawing::freehand_wave : slack);
     const auto part = drawing::part_inside(detail->boundary, line.from, line.from + line.length * line.along);
     if (!part) return {{0, line.length}};
     const auto [first, last] = *part;
@@ -157,8 +159,8 @@ struct Storyteller {
       const auto& [face, other] = faces_of(segment);
       return kind + " " + name_of(face) + (other[0] < 0 ? "" : "x" + name_of(other));
     }
-    return kind + " " + std::to_string(segment.model) + ":" + std::to_string(segment.edge[0]) + "-" +
-           std::to_string(segment.edge[1]);
+    return kind + " " + std::to_string(drawn_view.drawing.number_in_scene(segment.model)) + ":" +
+           std::to_string(segment.edge[0]) + "-" + std::to_string(segment.edge[1]);
   }
 };
 

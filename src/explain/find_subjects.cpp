@@ -73,7 +73,8 @@ std::string edges_at(const mesh::Mesh& mesh, int vertex) {
 }
 
 const mesh::Mesh& checked_model(const scene::World& world, int model) {
-  const int count = static_cast<int>(world.models.size());
+  const auto is_whole = [](const scene::Placed& placed) { return placed.copy_of < 0; };
+  const auto count = static_cast<int>(std::count_if(world.models.begin(), world.models.end(), is_whole));
   if (model >= count)
     throw Error(ErrorKind::input, option, "there is no model " + std::to_string(model),
                 count == 1 ? "the only model is 0" : "models are numbered from 0 to " + std::to_string(count - 1));
@@ -86,17 +87,25 @@ std::vector<Subject> find(const ExplainInput& drawn_view, const ByVertices& want
     if (vertex >= mesh.report.vertices)
       throw Error(ErrorKind::input, option, mesh.report.name + " has no vertex " + std::to_string(vertex),
                   "its vertices are numbered from 0 to " + std::to_string(mesh.report.vertices - 1));
-  const auto edge = std::find_if(mesh.edges.begin(), mesh.edges.end(), [&](const mesh::MeshEdge& e) {
-    const mesh::EdgeOrigin origin = mesh.origin_of(e);
-    return origin.in_file && origin.vertex == wanted.vertex;
-  });
-  if (edge == mesh.edges.end())
+  // An aligned section may show an edge in several planes.
+  std::vector<Subject> subjects;
+  for (int model = 0; model < static_cast<int>(drawn_view.world.models.size()); ++model) {
+    if (drawn_view.world.number_in_scene(model) != wanted.model) continue;
+    const mesh::Mesh& shown = *drawn_view.world.models[static_cast<std::size_t>(model)].mesh;
+    const auto edge = std::find_if(shown.edges.begin(), shown.edges.end(), [&](const mesh::MeshEdge& e) {
+      const mesh::EdgeOrigin origin = shown.origin_of(e);
+      return origin.in_file && origin.vertex == wanted.vertex;
+    });
+    if (edge == shown.edges.end()) continue;
+    const int number = static_cast<int>(edge - shown.edges.begin());
+    subjects.push_back({model, number, drawn_number(drawn_view.drawn, model, number)});
+  }
+  if (subjects.empty())
     throw Error(ErrorKind::input, option,
                 "no edge of " + mesh.report.name + " connects vertices " + std::to_string(wanted.vertex[0]) + " and " +
                     std::to_string(wanted.vertex[1]),
                 edges_at(mesh, wanted.vertex[0]) + "; " + edges_at(mesh, wanted.vertex[1]));
-  const int number = static_cast<int>(edge - mesh.edges.begin());
-  return {{wanted.model, number, drawn_number(drawn_view.drawn, wanted.model, number)}};
+  return subjects;
 }
 
 std::vector<Subject> find(const ExplainInput& drawn_view, const ByFaces& wanted) {

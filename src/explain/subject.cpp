@@ -10,7 +10,7 @@ namespace epura::explain {
 
 FaceName face_of(const scene::World& world, int triangle) {
   const int model = world.model_of_triangle(triangle);
-  return {model, world.models[model].mesh->polygon[triangle - world.first_triangle[model]]};
+  return {world.number_in_scene(model), world.models[model].mesh->polygon[triangle - world.first_triangle[model]]};
 }
 
 std::vector<FaceName> faces_at(const ExplainInput& drawn_view, const Subject& subject) {
@@ -23,7 +23,7 @@ std::vector<FaceName> faces_at(const ExplainInput& drawn_view, const Subject& su
   }
   const mesh::Mesh& mesh = *world.models[subject.model].mesh;
   for (const int triangle : mesh.triangles_of(mesh.edges[subject.mesh_edge]))
-    faces.push_back({subject.model, mesh.polygon[triangle]});
+    faces.push_back({world.number_in_scene(subject.model), mesh.polygon[triangle]});
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;
@@ -40,7 +40,8 @@ std::string name_of(const ExplainInput& drawn_view, const Subject& subject) {
   const mesh::EdgeOrigin origin = mesh.origin_of(mesh.edges[subject.mesh_edge]);
   if (!origin.in_file) return name_of(faces_at(drawn_view, subject).front());
   const auto [a, b] = origin.vertex;
-  return std::to_string(subject.model) + ":" + std::to_string(a) + "-" + std::to_string(b);
+  return std::to_string(drawn_view.world.number_in_scene(subject.model)) + ":" + std::to_string(a) + "-" +
+         std::to_string(b);
 }
 
 std::string names_of(const std::vector<FaceName>& faces) {

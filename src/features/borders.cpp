@@ -119,13 +119,14 @@ class BorderFinder {
     double doubt;  ///< degrees
   };
 
-  [[nodiscard]] Normal normal_at(int triangle, int vertex, bool by_vertices) const {
+  // `half_turn` is that of the triangle's facet, of free forms only.
+  [[nodiscard]] Normal normal_at(int triangle, int vertex, bool by_vertices, double half_turn) const {
     const int facet = facets_.facet_of[triangle];
     const PartSurface& surface = regions_[region_of_[facet]].surface;
     const Vec3& facing = facets_.facets[facet].normal;
     if (surface.kind == SurfaceKind::free_form) {
       const auto free = by_vertices ? free_normals_.at(facet, vertex) : std::nullopt;
-      return free ? Normal{free->direction, free->doubt * degrees} : Normal{facing, half_turn_of(facet)};
+      return free ? Normal{free->direction, free->doubt * degrees} : Normal{facing, half_turn};
     }
     const Vec3 normal = normal_near(surface, facets_.points[vertex]);
     if (normal == Vec3(0)) return {facing, 0};
@@ -147,21 +148,25 @@ class BorderFinder {
   // Facets of a free form tilt, and the vertices of a narrow face determine its normals poorly. Either only increases
   // the angle, so the smaller result is right.
   [[nodiscard]] double angle_at(const mesh::MeshEdge& edge, std::span<const int> triangles) const {
-    const double angle = angle_at(edge, triangles, false);
     const auto is_free = [&](int t) {
       return regions_[region_of_[facets_.facet_of[t]]].surface.kind == SurfaceKind::free_form;
     };
+    const auto half_turn = [&](int t) { return is_free(t) ? half_turn_of(facets_.facet_of[t]) : 0; };
+    const std::array<double, 2> half_turns{half_turn(triangles[0]), half_turn(triangles[1])};
+    const double angle = angle_at(edge, triangles, false, half_turns);
     if (angle <= tangent_angle_ || (!is_free(triangles[0]) && !is_free(triangles[1]))) return angle;
-    return std::min(angle, angle_at(edge, triangles, true));
+    return std::min(angle, angle_at(edge, triangles, true, half_turns));
   }
 
   // The angle in degrees between the faces on both sides, at the better end of the edge: at a corner, a third face may
   // interfere.
-  [[nodiscard]] double angle_at(const mesh::MeshEdge& edge, std::span<const int> triangles, bool by_vertices) const {
+  [[nodiscard]] double angle_at(const mesh::MeshEdge& edge, std::span<const int> triangles, bool by_vertices,
+                                const std::array<double, 2>& half_turns) const {
     const int side = side_between(triangles[0], triangles[1]);
     double angle = 180;
     for (const int v : edge.vertex) {
-      const Normal one = normal_at(triangles[0], v, by_vertices), two = normal_at(triangles[1], v, by_vertices);
+      const Normal one = normal_at(triangles[0], v, by_vertices, half_turns[0]);
+      const Normal two = normal_at(triangles[1], v, by_vertices, half_turns[1]);
       double cosine = glm::dot(one.direction, two.direction);
       // The fold tells whether the triangles are oriented alike.
       const double facing = glm::dot(facets_.facets[facets_.facet_of[triangles[0]]].normal,

@@ -270,12 +270,15 @@ bool is_one_face(const Facets& facets, const Region& one, const Region& two) {
 }
 
 /// Finds strips of cylinders and cones that are rows of a free form's tessellation: they lie beside facets of a free
-/// form, or several lie side by side.
+/// form, or several lie side by side. So are regions of cylinders and cones of which vertices lie off the surface by
+/// more than rounding, beside facets of a free form or other such regions along their generators: over a short way, any
+/// curve is nearly an arc.
 class Rows {
  public:
   Rows(const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions)
       : facets_(facets), region_of_(region_of), strips_(regions.size()), is_row_(regions.size()) {
     for (std::size_t r = 0; r < regions.size(); ++r) strips_[r] = strip_of(regions[r], static_cast<int>(r));
+    for (std::size_t r = 0; r < regions.size(); ++r) flanks_.push_back(flanks_of(regions[r], static_cast<int>(r)));
   }
 
   std::vector<char> find() {
@@ -284,7 +287,8 @@ class Rows {
     for (bool changed = true; changed;) {
       changed = false;
       for (std::size_t r = 0; r < strips_.size(); ++r)
-        if (is_row_[r] == 0 && lies_beside_free_form(strips_[r])) is_row_[r] = changed = true;
+        if (is_row_[r] == 0 && (lies_beside_free_form(strips_[r]) || continues_in_free_form(flanks_[r])))
+          is_row_[r] = changed = true;
     }
     return is_row_;
   }
@@ -304,6 +308,42 @@ class Rows {
     double across = 0;  ///< total length of all long sides
   };
 
+  /// The sides of an inexact region along its generators; any other region has none here.
+  struct Flanks {
+    std::vector<LongSide> smooth;
+    double length = 0;  ///< of all of them
+  };
+
+  [[nodiscard]] Flanks flanks_of(const Region& region, int number) const {
+    const SurfaceKind kind = region.surface.kind;
+    if (kind != SurfaceKind::cylinder && kind != SurfaceKind::cone) return {};
+    if (region.residual <= facets_.tolerance / 2 || sweep_of(region) > most_sweep) return {};
+    Flanks flanks;
+    for (const int f : region.facets)
+      facets_.for_sides(f, [&](int t, int side, int other) {
+        if (region_of_[other] == number || !runs_along(region.surface, t, side)) return;
+        const double length = facets_.length_of(t, side), fold = facets_.fold_at(t, side);
+        flanks.length += length;
+        if (fold < most_smooth) flanks.smooth.push_back({other, length, fold, is_convex(f, other)});
+      });
+    return flanks;
+  }
+
+  [[nodiscard]] double sweep_of(const Region& region) const {
+    std::vector<Vec3> points;
+    for (const int f : region.facets)
+      for (const int v : facets_.vertices_of(f)) points.push_back(facets_.points[v]);
+    return reach_of(region.surface, points, allowance_of(facets_, region.sagitta)).sweep;
+  }
+
+  [[nodiscard]] bool continues_in_free_form(const Flanks& flanks) const {
+    double free = 0;
+    for (const LongSide& side : flanks.smooth)
+      if (is_free(side.beyond) || (region_of_[side.beyond] >= 0 && !flanks_[region_of_[side.beyond]].smooth.empty()))
+        free += side.length;
+    return free > 0.25 * flanks.length;
+  }
+
   [[nodiscard]] Strip strip_of(const Region& region, int number) const {
     const SurfaceKind kind = region.surface.kind;
     if (kind != SurfaceKind::cylinder && kind != SurfaceKind::cone) return {};
@@ -320,16 +360,20 @@ class Rows {
   }
 
   void add_side(Strip& strip, const PartSurface& surface, int triangle, int side) const {
-    const auto [a, b] = facets_.ends_of(triangle, side);
-    const Vec3 along = b - a;
-    const double length = glm::length(along);
-    if (std::abs(glm::dot(along, generator(surface, a))) > 0.7 * length) return;
+    if (runs_along(surface, triangle, side)) return;
+    const double length = facets_.length_of(triangle, side);
     strip.across += length;
     const int other = facets_.facet_of[facets_.sides[triangle][side].neighbour];
     const double ratio = facets_.facets[other].width / facets_.facets[facets_.facet_of[triangle]].width;
     const double fold = facets_.fold_at(triangle, side);
     if (ratio > 1 / row_ratio && ratio < row_ratio && fold > least_fold && fold < most_smooth)
       strip.sides.push_back({other, length, fold, is_convex(facets_.facet_of[triangle], other)});
+  }
+
+  // Whether a side runs along the generators rather than across them.
+  [[nodiscard]] bool runs_along(const PartSurface& surface, int triangle, int side) const {
+    const auto [a, b] = facets_.ends_of(triangle, side);
+    return std::abs(glm::dot(b - a, generator(surface, a))) > 0.7 * glm::distance(a, b);
   }
 
   [[nodiscard]] bool is_convex(int facet, int other) const {
@@ -345,13 +389,14 @@ class Rows {
 
   [[nodiscard]] bool lies_beside_free_form(const Strip& strip) const {
     double free = 0;
-    for (const LongSide& side : strip.sides) {
-      const int region = region_of_[side.beyond];
-      const bool is_free =
-          region < 0 ? !facets_.facets[side.beyond].is_plane && !facets_.is_sliver(side.beyond) : is_row_[region] != 0;
-      if (is_free) free += side.length;
-    }
+    for (const LongSide& side : strip.sides)
+      if (is_free(side.beyond)) free += side.length;
     return free > 0.25 * strip.across;
+  }
+
+  [[nodiscard]] bool is_free(int facet) const {
+    const int region = region_of_[facet];
+    return region < 0 ? !facets_.facets[facet].is_plane && !facets_.is_sliver(facet) : is_row_[region] != 0;
   }
 
   // Adjacent strips with folds of similar size. Designers make two or three in a row, but not this many.
@@ -381,12 +426,15 @@ class Rows {
       if (members[sets.root(static_cast<int>(r))] >= least_rows) is_row_[r] = 1;
   }
 
+  // Degrees. Fillets, which may be inexact, turn farther.
+  static constexpr double most_sweep = 50;
   static constexpr double row_ratio = 3;
   static constexpr double least_fold = 0.0087;  // 1 degree
 
   const Facets& facets_;
   const std::vector<int>& region_of_;
   std::vector<Strip> strips_;
+  std::vector<Flanks> flanks_;
   std::vector<char> is_row_;
 };
 

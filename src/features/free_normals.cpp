@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "features/least_squares.hpp"
 
@@ -36,12 +37,14 @@ FreeNormals::FreeNormals(const Facets& facets, const std::vector<int>& region_of
 FreeNormals::Patch FreeNormals::patch_around(int facet, int vertex) const {
   Patch patch{{}, {vertex}};
   auto& [facets, vertices] = patch;
-  std::vector<int> next{vertex};
+  facets.reserve(most_facets);
+  vertices.reserve(most_facets);
+  std::vector<int> next{vertex}, from;
   const auto is_in = [](const std::vector<int>& all, int i) {
     return std::find(all.begin(), all.end(), i) != all.end();
   };
   for (int ring = 0; ring < 3 && vertices.size() < enough_vertices; ++ring) {
-    const std::vector<int> from = std::move(next);
+    std::swap(from, next);
     next.clear();
     for (const int v : from)
       for (const int f : at_vertex_[static_cast<std::size_t>(v)]) {
@@ -74,20 +77,22 @@ std::optional<FreeNormals::Normal> FreeNormals::at(int facet, int vertex) const 
   const auto across = square_to(guess);
   double size = 0;
   for (const int v : vertices) size = std::max(size, glm::distance(facets_.points[v], origin));
-  const auto seen = [&](int v) {
+  std::vector<Vec3> seen;
+  seen.reserve(vertices.size());
+  for (const int v : vertices) {
     const Vec3 from = (facets_.points[v] - origin) / size;
-    return Vec3(glm::dot(from, across[0]), glm::dot(from, across[1]), glm::dot(from, guess));
-  };
+    seen.emplace_back(glm::dot(from, across[0]), glm::dot(from, across[1]), glm::dot(from, guess));
+  }
   NormalEquations<5> equations;
-  for (const int v : vertices) equations.add(terms_of(seen(v).x, seen(v).y), seen(v).z);
+  for (const Vec3& p : seen) equations.add(terms_of(p.x, p.y), p.z);
   const auto found = equations.solve(0);
   if (!found) return std::nullopt;
   double sum = 0;
-  for (const int v : vertices) {
-    const auto terms = terms_of(seen(v).x, seen(v).y);
+  for (const Vec3& p : seen) {
+    const auto terms = terms_of(p.x, p.y);
     double height = 0;
     for (std::size_t i = 0; i < terms.size(); ++i) height += (*found)[i] * terms[i];
-    sum += (seen(v).z - height) * (seen(v).z - height);
+    sum += (p.z - height) * (p.z - height);
   }
   const Vec3 direction = glm::normalize(guess - (*found)[0] * across[0] - (*found)[1] * across[1]);
   if (!finite(direction) || glm::dot(direction, guess) < least_agreement) return std::nullopt;

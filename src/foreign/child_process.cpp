@@ -45,6 +45,12 @@ pid_t spawn(const std::filesystem::path& program, const std::vector<std::string>
   return failure == 0 ? child : -1;
 }
 
+// Without exit handlers. An exception must not go on to where the other process waits for the answers of this one.
+[[noreturn]] void serve_and_exit(const std::function<void(int socket)>& serve, int socket) noexcept {
+  serve(socket);
+  ::_exit(0);
+}
+
 }  // namespace
 
 template <class Start>
@@ -71,8 +77,7 @@ void ChildProcess::fork(const std::function<void(int socket)>& serve) {
     const pid_t child = ::fork();
     if (child != 0) return child;
     ::close(ends[0]);
-    serve(ends[1]);
-    ::_exit(0);  // without running exit handlers
+    serve_and_exit(serve, ends[1]);
   });
 }
 

@@ -16,6 +16,8 @@ int main(int argc, char** argv) {
   }
   constexpr int socket = 3;
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  // Libraries without memory throw where nothing expects it. The program that started this one says which file it was.
+  std::set_terminate([] { ::_exit(1); });
   try {
     epura::importer::serve(argv[1], socket);
   } catch (const std::exception& error) {

@@ -153,6 +153,11 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   description.layers = {view.layers, where + ".layers"};
   description.near = located(view.near, where + ".near");
   description.far = located(view.far, where + ".far");
+  if (!view.construction.empty()) {
+    description.construction = {scene::ConstructionChoice(), where + ".construction"};
+    for (const std::string& one : view.construction)
+      description.construction.value->push_back(scene::parse_construction(one, where + ".construction"));
+  }
   if (view.scale) {
     if (!(checked(*view.scale, where + ".scale") > 0))
       throw Error(ErrorKind::input, where + ".scale", "is not above 0");
@@ -165,6 +170,7 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   description.detail = located(view.detail, where + ".detail");
   if (view.automatic_breaks || !view.breaks.empty())
     description.breaks = {break_choice(view, where + ".breaks"), where + ".breaks"};
+  if (view.break_line != BreakLine::zigzag) description.break_line = {view.break_line, where + ".break_line"};
   description.half = located(view.half, where + ".half");
   if (description.detail.given()) description.projection.value.reset();
   return description;
@@ -198,11 +204,18 @@ scene::SectionDescription describe(const Section& section, const std::string& wh
   scene::SectionDescription description{
       {section.name, where}, vector_of(section.point, where + ".point"), vector_of(section.normal, where + ".normal")};
   if (!section.beyond) description.beyond = {false, where + ".beyond"};
+  if (section.aligned) description.aligned = {true, where + ".aligned"};
   if (section.path.empty()) return description;
   std::vector<Vec3> path;
   for (const auto& corner : section.path) path.push_back(vector_of(corner, where + ".path"));
   description.path = {std::move(path), where + ".path"};
   return description;
+}
+
+scene::RevolvedDescription describe(const Revolved& revolved, const std::string& where) {
+  return {located(revolved.view, where + ".view"),
+          {vector_of(revolved.point, where + ".point"), where + ".point"},
+          {vector_of(revolved.normal, where + ".normal"), where + ".normal"}};
 }
 
 scene::DetailDescription describe(const Detail& detail, const std::string& where) {
@@ -274,6 +287,8 @@ scene::SheetDescription describe(const SheetOptions& sheet, const std::string& w
   description.orientation = {sheet.orientation, where + ".orientation"};
   if (sheet.scale) description.scale = {scale_of(*sheet.scale, where + ".scale"), where + ".scale"};
   description.angle = {sheet.angle, where + ".angle"};
+  description.layout = {sheet.layout, where + ".layout"};
+  description.fit = {sheet.fit, where + ".fit"};
   description.frame = {sheet.frame, where + ".frame"};
   description.dimension_unit = {sheet.dimension_unit, where + ".dimension_unit"};
   description.decimal_sign = {sheet.decimal_sign, where + ".decimal_sign"};
@@ -299,6 +314,7 @@ scene::SceneDescription describe_scene(const Scene& scene) {
   describe_all(description.views, scene.views, "views");
   describe_all(description.styles, scene.styles, "styles");
   describe_all(description.sections, scene.sections, "sections");
+  describe_all(description.revolved, scene.revolved, "revolved");
   describe_all(description.details, scene.details, "details");
   describe_all(description.explosions, scene.explosions, "explosions");
   describe_all(description.dimensions, scene.dimensions, "dimensions");
@@ -332,8 +348,8 @@ DrawnView drawn_view(const drawing::ViewDrawing& drawing, int sheet) {
       view.world_to_page[static_cast<std::size_t>(4 * row + column)] = drawing.world_to_page[column][row];
   view.lines.reserve(drawing.segments.size());
   for (const drawing::Segment& segment : drawing.segments)
-    view.lines.push_back({pair_of(segment.from), pair_of(segment.to), segment.kind, segment.visible, segment.model,
-                          segment.body, segment.edge, segment.t});
+    view.lines.push_back({pair_of(segment.from), pair_of(segment.to), segment.kind, segment.visible,
+                          drawing.number_in_scene(segment.model), segment.body, segment.edge, segment.t});
   for (const drawing::Chain& chain : drawing.chains)
     for (const drawing::CurvePart& curve : chain.curves)
       view.arcs.push_back(

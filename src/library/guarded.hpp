@@ -4,6 +4,11 @@
 
 #include <epura/epura.hpp>
 
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+
 #include "base/error.hpp"
 #include "base/progress.hpp"
 
@@ -20,6 +25,14 @@ auto guarded(const Work& work) {
                   "time ran out at '" + cut.stage + "', before there was anything to show", "allow more time");
   } catch (const Stopped&) {
     throw Failure(Failure::Kind::stopped, "settings.stop", "the call was stopped", "");
+  } catch (const std::bad_alloc&) {
+    throw Failure(Failure::Kind::input, "", "not enough memory for this model", "");
+  } catch (const std::logic_error& error) {
+    throw Failure(Failure::Kind::broken, "", std::string("internal error: this does not hold: ") + error.what(),
+                  "the fault is in epura " EPURA_VERSION
+                  ", not in the input; to report it, send the scene with its models");
+  } catch (const std::exception& error) {
+    throw Failure(Failure::Kind::input, "", error.what(), "");
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <new>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -27,8 +28,10 @@ struct OpenFont {
   FT_Face face = nullptr;
 
   OpenFont(const std::filesystem::path& file, int number) {
-    check(FT_Init_FreeType(&library) == 0, "FreeType begins");
-    check(FT_New_Face(library, file.c_str(), number, &face) == 0, "the font that gave widths can be opened again");
+    if (FT_Init_FreeType(&library) != 0) throw std::bad_alloc();  // nothing else can fail
+    if (FT_New_Face(library, file.c_str(), number, &face) == 0) return;
+    FT_Done_FreeType(library);
+    throw Error(ErrorKind::input, file.string(), "the lettering font cannot be opened again");
   }
   OpenFont(const OpenFont&) = delete;
   OpenFont& operator=(const OpenFont&) = delete;

@@ -67,7 +67,7 @@ void append_segment(std::string& text, const drawing::ViewDrawing& drawing, cons
   append_numbers(text += ", \"to\": ", coordinates(segment.to));
   text += segment.visible ? ", \"visible\": true" : ", \"visible\": false";
   text.append(", \"kind\": \"").append(edges::name_of(segment.kind));
-  append(text += "\", \"model\": ", segment.model);
+  append(text += "\", \"model\": ", drawing.number_in_scene(segment.model));
   if (segment.body >= 0) append(text += ", \"body\": ", segment.body);
   if (segment.edge[0] >= 0) {
     append_numbers(text += ", \"edge\": ", segment.edge);
@@ -169,6 +169,34 @@ std::string broken_out_of(const drawing::BrokenOut& one) {
   return "{\"ring\": " + line_of(one.ring) + ", \"lines\": " + json_list(one.lines, line_of) + "}";
 }
 
+std::string symbol_of(const construction::Symbol& symbol) { return json_string(symbol.text()); }
+
+std::string point_of_construction(const construction::Point& one) {
+  return "{\"symbol\": " + symbol_of(one.symbol) + ", \"at\": " + point(one.at) +
+         (one.also.empty() ? "" : ", \"also\": " + json_list(one.also, symbol_of)) + "}";
+}
+
+std::string line_of_construction(const construction::Line& line) {
+  constexpr std::array extents{"segment", "ray", "line"};
+  return "{\"from\": " + point(line.from) + ", \"to\": " + point(line.to) + ", \"extent\": \"" +
+         extents[static_cast<std::size_t>(line.extent)] + "\"" +
+         (line.symbol.empty() ? "" : ", \"symbol\": " + symbol_of(line.symbol)) + "}";
+}
+
+std::string curve_of_construction(const construction::Curve& curve) {
+  return "{\"centre\": " + point(curve.centre) + ", \"u\": " + point(curve.u) + ", \"v\": " + point(curve.v) +
+         ", \"angles\": " + numbers(std::array{curve.from, curve.to}) +
+         (curve.symbol.empty() ? "" : ", \"symbol\": " + symbol_of(curve.symbol)) + "}";
+}
+
+// On paper, whether it is on the sheet or beyond; "figures" stand beside the view, in positions of their own.
+std::string construction_of(const construction::Figure& figure) {
+  return "{\"points\": " + json_lines(figure.points, point_of_construction, "\n     ") +
+         ",\n    \"lines\": " + json_lines(figure.lines, line_of_construction, "\n     ") +
+         ",\n    \"curves\": " + json_lines(figure.curves, curve_of_construction, "\n     ") +
+         (figure.keys.empty() ? "" : ",\n    \"figures\": " + json_list(figure.keys, construction_of)) + "}";
+}
+
 void append_view(std::string& text, const drawing::ViewDrawing& drawing, double main_scale, const Progress& progress) {
   const projection::Projection& projection = drawing.projection;
   const auto vanishing_point = [](const std::optional<Vec2>& p) { return p ? point(*p) : "null"; };
@@ -188,6 +216,7 @@ void append_view(std::string& text, const drawing::ViewDrawing& drawing, double 
     text += ",\n   \"broken_out\": " + json_lines(drawing.broken_out, broken_out_of, "\n    ");
   if (!drawing.cut_faces.empty())
     text += ",\n   \"cut_faces\": " + json_lines(drawing.cut_faces, cut_face_of, "\n    ");
+  if (!drawing.construction.empty()) text += ",\n   \"construction\": " + construction_of(drawing.construction);
   text += '}';
 }
 

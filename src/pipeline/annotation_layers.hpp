@@ -16,6 +16,7 @@ namespace epura::pipeline {
 
 struct AnnotationLayers {
   std::vector<sheet::Layer> layers;  ///< dimensions of each view that has any, then the marks of sections
+  std::vector<std::vector<sheet::Layer>> constructions;  ///< by view, to be painted first
   std::vector<std::string> warnings;
   std::vector<report::Finding> findings;
 };

@@ -37,10 +37,37 @@ std::vector<sheet::NamedProjection> views_to_measure(std::span<const scene::View
                                                      std::span<const view::ProjectedScene> seen) {
   std::vector<sheet::NamedProjection> whole, cut;
   for (std::size_t i = 0; i < seen.size(); ++i)
-    if (!views[i].detail.given() && !plans[i].options.exploded)
+    if (!views[i].detail.given() && !plans[i].options.exploded && !plans[i].options.turned)
       (views[i].section.given() ? cut : whole).push_back({*views[i].name, seen[i].projection});
   whole.insert(whole.end(), cut.begin(), cut.end());
   return whole;
+}
+
+// Where a view shows a point of the models.
+Vec3 shown_at(const Vec3& point, const scene::World& world, const ViewOptions& options, const std::string& where) {
+  if (!options.turned) return point;
+  constexpr double on_plane = 1e-3;  // of the size: points are given with few decimals
+  if (const auto turned = scene::turned_point(*options.turned, point, on_plane * glm::length(world.box.size())))
+    return *turned;
+  throw Error(ErrorKind::input, where,
+              "view '" + options.name + "' shows an aligned section, which leaves this point of the models out",
+              "choose a point on one of its planes, or behind it");
+}
+
+// A dimension as a view shows it, whose parts may be turned. Throws Error{input} for exploded views.
+scene::DimensionDescription shown_dimension(scene::DimensionDescription dimension, const scene::World& world,
+                                            const ViewOptions& options) {
+  if (options.exploded)
+    throw Error(ErrorKind::input, dimension.where, "view '" + options.name + "' is exploded and has no dimensions",
+                "dimension a view of the whole assembly");
+  if (!options.turned) return dimension;
+  if (dimension.type.value == DimensionType::radius || dimension.type.value == DimensionType::diameter)
+    throw Error(ErrorKind::input, dimension.where,
+                "view '" + options.name + "' shows an aligned section, in which circles of the models are turned",
+                "give the diameter as a linear dimension between two points, with text = \"⌀<>\"");
+  for (scene::Anchor& anchor : dimension.anchors)
+    anchor = shown_at(sheet::position_of(world, anchor, dimension.where), world, options, dimension.where);
+  return dimension;
 }
 
 void add_dimensions(std::vector<Annotations>& annotations, const scene::World& world,
@@ -54,10 +81,9 @@ void add_dimensions(std::vector<Annotations>& annotations, const scene::World& w
   };
   const auto add = [&](const scene::DimensionDescription& dimension) {
     const auto view = here(view_of(dimension, scene));
-    if (view != views.end() && sheet.plans[std::size_t(view - views.begin())].options.exploded)
-      throw Error(ErrorKind::input, dimension.where, "view '" + *view->name + "' is exploded and has no dimensions",
-                  "dimension a view of the whole assembly");
-    if (view != views.end()) annotations[std::size_t(view - views.begin())].dimensions.push_back(dimension);
+    if (view == views.end()) return;
+    const auto number = std::size_t(view - views.begin());
+    annotations[number].dimensions.push_back(shown_dimension(dimension, world, sheet.plans[number].options));
   };
   const auto is_outside = [&](const scene::DimensionDescription& dimension) {
     const auto view = std::size_t(here(view_of(dimension, scene)) - views.begin());
@@ -117,12 +143,14 @@ void add_callouts(std::vector<Annotations>& annotations, const scene::World& wor
     for (std::size_t i = 0; i < annotations.size(); ++i) {
       if (*sheet.descriptions[i].name != name) continue;
       const auto* anchor = std::get_if<scene::Anchor>(&*callout.to);
-      if (anchor != nullptr && sheet.plans[i].options.exploded)
+      const ViewOptions& options = sheet.plans[i].options;
+      if (anchor != nullptr && options.exploded)
         throw Error(ErrorKind::input, callout.to.where,
                     "view '" + name + "' is exploded, where points of the models have moved",
                     "write where the leader ends on the sheet: to = {page = [x, y]}");
       if (anchor != nullptr)
-        annotations[i].callouts.push_back({callout, sheet::position_of(world, *anchor, callout.to.where)});
+        annotations[i].callouts.push_back({callout, shown_at(sheet::position_of(world, *anchor, callout.to.where),
+                                                             world, options, callout.to.where)});
       else
         annotations[i].callouts.push_back({callout, std::get<Vec2>(*callout.to)});
     }

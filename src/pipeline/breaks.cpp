@@ -148,6 +148,17 @@ Vec3 point_of(const scene::Anchor& anchor, const scene::World& world) {
   return world.points[static_cast<std::size_t>(world.first_vertex[(*vertex)[0]] + (*vertex)[1])];
 }
 
+// Freehand lines do not meet.
+void expect_one_axis(const Breaks& breaks, const scene::ViewDescription& view) {
+  const auto is_broken = [](const std::vector<LeftOut>& strips) {
+    return std::any_of(strips.begin(), strips.end(), [](const LeftOut& strip) { return !strip.symmetric; });
+  };
+  if (is_broken(breaks.along[0]) && is_broken(breaks.along[1]))
+    refuse(view.break_line.where,
+           "view '" + *view.name + "' is broken in two directions, where freehand lines would meet",
+           "omit 'break_line', or breaks along one axis of the view");
+}
+
 Breaks breaks_of(const scene::ViewDescription& view, const Plane& plane) {
   Breaks breaks;
   if (view.breaks.given()) {
@@ -168,6 +179,8 @@ Breaks breaks_of(const scene::ViewDescription& view, const Plane& plane) {
     add_half(breaks, plane, *view.half);
   }
   for (std::vector<LeftOut>& strips : breaks.along) put_in_order(strips);
+  if (view.break_line.value_or(BreakLine::zigzag) == BreakLine::freehand) expect_one_axis(breaks, view);
+  breaks.freehand = view.break_line.value_or(BreakLine::zigzag) == BreakLine::freehand;
   return breaks;
 }
 

@@ -13,8 +13,8 @@
 
 namespace epura::pipeline {
 
-/// mm on paper between the parts of an interrupted view.
-inline constexpr double break_gap = 4;
+/// mm on paper between the parts of an interrupted view: more than the zigzags on both sides of it take, on all sheets.
+inline constexpr double break_gap = 6;
 
 /// What a view leaves out, in units and from the origin of view::drawn_box, without gaps. `auto` shortens stretches
 /// that have a constant section and are more than three times as long as the view is wide across; on either side, as

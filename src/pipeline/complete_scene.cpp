@@ -12,6 +12,7 @@
 #include "scene/broken_outs.hpp"
 #include "scene/details.hpp"
 #include "scene/exploded_world.hpp"
+#include "scene/revolved.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/view_names.hpp"
 
@@ -40,6 +41,27 @@ void take_option(scene::ViewDescription& view, const std::string& option, scene:
   std::erase_if(assignments, [&option](const auto& assignment) { return assignment.first == option; });
 }
 
+// "epura": plan and elevation on a sheet with that layout. Returns the sheets that are to have it, with the place of
+// the word.
+std::vector<std::pair<int, std::string>> expand_epuras(std::vector<scene::ViewDescription>& views) {
+  std::vector<std::pair<int, std::string>> sheets;
+  std::vector<scene::ViewDescription> expanded;
+  for (const scene::ViewDescription& view : views) {
+    if (!view.projection.given() || view.projection->name != "epura") {
+      expanded.push_back(view);
+      continue;
+    }
+    sheets.emplace_back(view.sheet.value_or(1), view.projection.where);
+    for (const char* name : {"front", "top"}) {
+      expanded.push_back(view);
+      expanded.back().projection.value->name = name;
+      expanded.back().name = {};
+    }
+  }
+  views = std::move(expanded);
+  return sheets;
+}
+
 }  // namespace
 
 void complete_scene(scene::SceneDescription& scene) {
@@ -51,6 +73,7 @@ void complete_scene(scene::SceneDescription& scene) {
     throw Error(ErrorKind::input, importer::standard_input, "standard input is one model, and is given twice");
   if (scene.views.empty())
     scene.views.emplace_back().projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
+  const auto epuras = expand_epuras(scene.views);
   for (scene::ViewDescription& view : scene.views) {
     take_option(view, "hidden", view.hidden);
     take_option(view, "half", view.half);
@@ -64,11 +87,15 @@ void complete_scene(scene::SceneDescription& scene) {
   scene::name_views(scene.views);
   scene::complete_details(scene);
   scene::complete_broken_outs(scene);
+  scene::complete_revolved(scene);
   scene::complete_letters(scene);
   scene::expect_sound_moves(scene);
   int sheets = 1;
   for (const scene::ViewDescription& view : scene.views) sheets = std::max(sheets, view.sheet.value_or(1));
   if (scene.sheets.empty()) scene.sheets.resize(static_cast<std::size_t>(sheets));
+  for (const auto& [sheet, where] : epuras)
+    if (sheet <= static_cast<int>(scene.sheets.size()))
+      scene.sheets[static_cast<std::size_t>(sheet) - 1].layout = {SheetLayout::monge, where};
   scene::expect_sound_names(scene);
   expect_views_of_annotations(scene);
 }

@@ -2,6 +2,7 @@
 #include "pipeline/compose.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "drawing/thin.hpp"
 #include "pipeline/annotation_layers.hpp"
+#include "pipeline/constructions.hpp"
 #include "pipeline/details.hpp"
 #include "sheet/captions.hpp"
 #include "sheet/centre_lines.hpp"
@@ -184,6 +186,28 @@ void keep_curves(std::vector<drawing::Chain>& chains) {
   chains.shrink_to_fit();
 }
 
+// On paper, when the views are drawn. An épura has its figure in the elevation.
+void construct(const SheetInput& input, std::vector<ViewResult>& results) {
+  const SheetOfViews& views = input.views;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const bool in_epura = views.epura && (i == views.epura->elevation || i == views.epura->plan);
+    if (!in_epura && views.descriptions[i].construction.given() && !results[i].drawing.detail)
+      results[i].drawing.construction = figure_on_paper(input.world, views.descriptions[i], results[i].drawing);
+  }
+  if (!views.epura) return;
+  drawing::ViewDrawing& elevation = results[views.epura->elevation].drawing;
+  const drawing::ViewDrawing& plan = results[views.epura->plan].drawing;
+  const auto plane = [](const drawing::ViewDrawing& drawing) {
+    return construction::picture_plane(drawing.projection, drawing.world_to_page, drawing.scale);
+  };
+  const construction::Epura epura{plane(plan),
+                                  plane(elevation),
+                                  (plan.max.y + elevation.min.y) / 2,
+                                  {std::min(plan.min.x, elevation.min.x), std::max(plan.max.x, elevation.max.x)}};
+  const std::array descriptions{&views.descriptions[views.epura->elevation], &views.descriptions[views.epura->plan]};
+  elevation.construction = figure_of_epura(input.world, descriptions, epura);
+}
+
 }  // namespace
 
 FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results, const Budget& budget) {
@@ -201,21 +225,30 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
                          std::move(around.warnings),
                          paper};
   const sheet::LineWidths widths = sheet::line_widths(paper);
+  construct(input, results);
   AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
   auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(input, results, widths, p); });
   hatching.resize(results.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
+    append(finished.sheet.layers, std::move(beside.constructions[i]));
     append(finished.sheet.layers, std::move(hatching[i]));
     std::vector<sheet::Layer> lines =
         line_layers(results[i].drawing, widths, input.views.plans[i].options.styles, budget);
     append(finished.sheet.layers, budget.or_nothing([&](const Progress& progress) {
-      return centre_layers(results[i], input.views.plans[i].options, widths, lines, progress);
+      std::vector<sheet::Layer> centre =
+          centre_layers(results[i], input.views.plans[i].options, widths, lines, progress);
+      for (const scene::CuttingSurface& plane : input.annotations[i].planes)
+        if (const auto marks = sheet::cutting_plane_line(results[i].drawing, plane, widths))
+          for (sheet::Layer& layer : centre) sheet::give_way(layer, *marks, widths);
+      return centre;
     }));
     if (auto traces = sheet::trace_lines(results[i].drawing, widths))
       finished.sheet.layers.push_back(std::move(*traces));
     append(finished.sheet.layers, std::move(lines));
     if (auto limits = sheet::limit_lines(results[i].drawing, widths))
       finished.sheet.layers.push_back(std::move(*limits));
+    if (auto revolved = sheet::revolved_lines(results[i].drawing, widths))
+      finished.sheet.layers.push_back(std::move(*revolved));
     // If there is no time to write everything, chains determine which segments belong together.
     if (!budget.run.is_limited()) keep_curves(results[i].drawing.chains);
     finished.drawings.push_back(std::move(results[i].drawing));

@@ -12,6 +12,7 @@
 #include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
 #include "pipeline/compose.hpp"
+#include "pipeline/constructions.hpp"
 #include "pipeline/details.hpp"
 #include "pipeline/line_facts.hpp"
 #include "pipeline/lint.hpp"
@@ -95,7 +96,7 @@ void warn_about(const Messages& messages, const SheetPlan& plan) {
                               : "\n  hint: use a larger sheet, or fewer views"));
 }
 
-// The cut world has no faces along steps, which a section must not show.
+// The cut world has no faces along steps and where turned parts end, which a section must not show.
 void expect_steps_edge_on(const CutSection& section, const view::ProjectedScene& seen,
                           const scene::ViewDescription& view) {
   constexpr double edge_on = 1e-9;  // radians
@@ -103,8 +104,11 @@ void expect_steps_edge_on(const CutSection& section, const view::ProjectedScene&
   const bool is_edge_on =
       !projection.central && std::abs(glm::dot(glm::normalize(projection.projector), section.surface.along)) <= edge_on;
   if (section.surface.is_plane() || is_edge_on) return;
+  const std::string name = section.surface.plane.name;
   throw Error(ErrorKind::input, view.section.where,
-              "view '" + *view.name + "' does not look along the steps of section " + section.surface.plane.name,
+              "view '" + *view.name + "' does not " +
+                  (section.surface.aligned ? "show the planes of aligned section " + name + " side by side"
+                                           : "look along the steps of section " + name),
               "choose a projection that looks against the normal of the section");
 }
 
@@ -159,9 +163,13 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (section(i) != nullptr) expect_steps_edge_on(*section(i), seen[i], views.descriptions[i]);
     views.plans[i].options.exploded = !worlds.is_main(views.descriptions[i]);
+    if (section(i) != nullptr && section(i)->surface.aligned) views.plans[i].options.turned = section(i)->surface;
+    views.plans[i].options.revolved = cut_revolved(shown(i).world, scene, views.descriptions[i], seen[i].projection);
     views.plans[i].options.styles = styles_of(scene, views.descriptions[i], world(i), seen[i].projection);
   }
   find_breaks(views, seen, world);
+  views.epura = epura_views(scene.sheets[static_cast<std::size_t>(views.sheet)], views, seen);
+  expect_constructions(views, seen);
   if (scene.parts_list && scene.parts_list->sheet.value_or(1) == views.sheet + 1)
     views.items = scene::find_items(whole, scene.models);
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());

@@ -16,6 +16,7 @@
 #include "pipeline/details.hpp"
 #include "verify/outline.hpp"
 #include "verify/verify.hpp"
+#include "visibility/folds.hpp"
 #include "visibility/height_field.hpp"
 
 namespace epura::pipeline {
@@ -147,6 +148,7 @@ class ViewRun {
     for (const BrokenOutSection& one : input_.broken_out) break_out(lines, one, verification);
     if (options_.detail) show_detail(lines);
     const double unsymmetric = options_.breaks.any() ? break_view(lines) : 0;
+    add_revolved(lines.drawing, options_.revolved);
     auto features = budget_.or_nothing([&](const Progress& progress) {
       return options_.centre_lines ? scene::find_centred_features(input_.world, options_.edges.crease_angle, progress)
                                    : scene::CentredFeatures();
@@ -168,6 +170,7 @@ class ViewRun {
   Candidates find_candidates_in_time() const;
   void find_edges();
   void hide();
+  void hide_folds();
   visibility::HiddenSpans hidden_in_time();
   bool keep_longest(const std::string& stage);
   drawing::ViewDrawing drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges,
@@ -289,8 +292,17 @@ void ViewRun::hide() {
   if (!hidden_.undecided.empty()) partial_.add_stage("hiding lines");
   partial_.undecided += count_of(hidden_.undecided.size());
   visibility::keep_decided(drawn_, hidden_);
+  if (step.run) hide_folds();
   step.items_out = count_of(hidden_.spans.size());
   plan_.push_back(std::move(step));
+}
+
+// Without time for it, contours of facets that are turned over are drawn, too.
+void ViewRun::hide_folds() {
+  try {
+    visibility::hide_folds(input_.world, view_, drawn_, hidden_, budget_.lines);
+  } catch (const OutOfTime&) {
+  }
 }
 
 drawing::ViewDrawing ViewRun::drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges,
@@ -313,6 +325,7 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   DrawnLines lines = make_in_time(budget_.lines, budget_.last(), make, leave_out);
   if (const CutSection* section = input_.section) {
     lines.drawing.cut_faces = drawing::cut_faces_on_paper(section->cut.faces, section->surface.plane, view_, paper);
+    for (drawing::CutFace& face : lines.drawing.cut_faces) face.model = input_.world.number_in_scene(face.model);
     lines.drawing.before_cuts =
         drawing::before_cuts_on_paper(input_.world, section->cut.uncut, section->surface, lines.drawing.world_to_page);
   }
@@ -345,6 +358,7 @@ drawing::ViewDrawing ViewRun::cut_view(const BrokenOutSection& one, std::optiona
   ViewOptions options = options_;
   options.detail.reset();
   options.breaks = {};
+  options.revolved.clear();
   options.arcs.reset();
   options.centre_lines = false;
   for (std::vector<sheet::BodyStyle>& of_model : options.styles.of_model)

@@ -16,6 +16,7 @@
 #include "edges/find_edges.hpp"
 #include "pipeline/broken_outs.hpp"
 #include "pipeline/budget.hpp"
+#include "pipeline/revolved.hpp"
 #include "pipeline/sections.hpp"
 #include "pipeline/shortcuts.hpp"
 #include "report/report.hpp"
@@ -35,15 +36,17 @@ struct ViewOptions {
   std::string name;
   view::ViewLimits limits;
   edges::EdgeOptions edges;
-  bool wireframe = false;           ///< nothing is hidden
-  bool exploded = false;            ///< bodies are not where dimensions find them
-  std::optional<double> max_error;  ///< mm; no longer span may be shown wrongly
+  bool wireframe = false;                         ///< nothing is hidden
+  bool exploded = false;                          ///< bodies are not where dimensions find them
+  std::optional<scene::CuttingSurface> turned{};  ///< of an aligned section, whose parts are elsewhere, too
+  std::optional<double> max_error;                ///< mm; no longer span may be shown wrongly
   sheet::BodyStyles styles;
   std::optional<int> verify;   ///< number of random points
   std::optional<double> arcs;  ///< tolerance in mm for recognising circles and ellipses
   bool centre_lines = false;
   std::optional<scene::DetailDescription> detail{};  ///< shown by the view
-  drawing::Breaks breaks{};                          ///< left out, in units and from the origin of view::drawn_box
+  std::vector<RevolvedSection> revolved{};
+  drawing::Breaks breaks{};  ///< left out, in units and from the origin of view::drawn_box
   double join_within = 0.1;  ///< mm on paper; lines this close along each other are merged, 0: all are drawn
   double least_crease = 0;   ///< mm on paper; shorter creases that meet no other line are left out
   Shortcuts leave_out{};

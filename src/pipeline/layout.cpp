@@ -10,9 +10,11 @@
 #include "base/text.hpp"
 #include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
+#include "pipeline/constructions.hpp"
 #include "pipeline/details.hpp"
 #include "sheet/arrangement.hpp"
 #include "sheet/balloons.hpp"
+#include "sheet/construction_layer.hpp"
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/detail_marks.hpp"
 #include "sheet/dimensions/overall.hpp"
@@ -74,7 +76,7 @@ struct Views {
   std::vector<Vec2> gaps;     ///< lengths of the gaps in interrupted views, mm
 };
 
-// The box of all ink, with the boundaries of details that the view marks.
+// The box of all ink, with the boundaries of details that the view marks and revolved sections.
 projection::Window whole_box(const ViewOptions& options, const Annotations& annotations,
                              const view::ProjectedScene& view, const scene::World& world) {
   projection::Window whole = box_to_place(options, view, world);
@@ -83,6 +85,10 @@ projection::Window whole_box(const ViewOptions& options, const Annotations& anno
     const sheet::Rectangle box = boundary_box(detail, view);
     whole = {glm::min(whole.min, box.min), glm::max(whole.max, box.max)};
   }
+  const Mat4 to_plane = view::world_to_page(view, view::make_paper_map(view, 1, {0, 0}));
+  for (const RevolvedSection& section : options.revolved)
+    for (const std::vector<Vec2>& ring : turned_face(section, view.projection, to_plane).rings)
+      for (const Vec2& p : ring) whole = {glm::min(whole.min, p), glm::max(whole.max, p)};
   return whole;
 }
 
@@ -95,7 +101,32 @@ struct LayoutOptions {
   sheet::LineWidths widths{};
   std::optional<sheet::PartsList> list{};
   std::optional<sheet::RevisionList> revisions{};
+  SheetFit fit = SheetFit::model;
 };
+
+// The box and the room of a view with its constructions. Points that are much farther than the view is large are not on
+// the sheet.
+void make_room_for_constructions(sheet::ViewToPlace& view, projection::Window& box, const construction::Figure& figure,
+                                 SheetFit fit) {
+  constexpr double farthest = 10;  // sizes of the view
+  constexpr Vec2 symbols{14, 8};   // mm
+  view.before.x += sheet::construction_room(figure);
+  if (fit != SheetFit::construction) return;
+  const sheet::Rectangle ink{box.min, box.max};
+  const sheet::Rectangle whole = sheet::box_of(figure, ink, farthest * glm::length(ink.size()));
+  box = {whole.min, whole.max};
+  view.before += symbols;
+  view.after += symbols;
+}
+
+// Between plan and elevation for the ground line, beside them for its ends.
+void make_room_for_ground_line(sheet::ViewToPlace& view, bool is_elevation) {
+  constexpr double ends = 6, symbols = 9;  // mm
+  view.before.x += ends;
+  view.after.x += ends;
+  view.before.y += is_elevation ? symbols : symbols / 2;
+  view.after.y += is_elevation ? symbols / 2 : symbols;
+}
 
 Views views_to_place(const scene::World& world, const SheetOfViews& sheet, std::span<const view::ProjectedScene> views,
                      const std::vector<Annotations>& annotations, const LayoutOptions& layout) {
@@ -105,18 +136,27 @@ Views views_to_place(const scene::World& world, const SheetOfViews& sheet, std::
     const Vec2 origin = views.size() > 1 ? common_point(world, views[i]) : Vec2(0, 0);
     const ViewOptions& options = sheet.plans[i].options;
     const drawing::Breaks& breaks = options.breaks;
-    const projection::Window box = whole_box(options, annotations[i], views[i], world);
+    projection::Window box = whole_box(options, annotations[i], views[i], world);
     const Vec2 moved = breaks.moved(origin);
-    sheet::ViewToPlace view{sheet::view_place(views[i].projection),
-                            {breaks.moved(box.min) - moved, breaks.moved(box.max) - moved}};
+    sheet::ViewToPlace view{sheet::view_place(views[i].projection), {}};
+    const sheet::Room room = room_around(annotations[i], views[i].projection, layout.widths);
+    view.before = room.before;
+    view.after = room.after;
+    const bool in_epura = sheet.epura && (i == sheet.epura->elevation || i == sheet.epura->plan);
+    if (in_epura) {
+      make_room_for_ground_line(view, i == sheet.epura->elevation);
+      const projection::Window whole = epura_boxes(world, sheet, views)[i == sheet.epura->elevation ? 0 : 1];
+      box = {glm::min(box.min, whole.min), glm::max(box.max, whole.max)};
+    } else if (sheet.descriptions[i].construction.given() && !options.detail)
+      make_room_for_constructions(view, box, figure_in_plane(world, sheet.descriptions[i], views[i]), layout.fit);
+    view.box = {breaks.moved(box.min) - moved, breaks.moved(box.max) - moved};
     view.scale = sheet.descriptions[i].scale.value_or({}).fixed;
     view.at = sheet.descriptions[i].at.value;
-    const sheet::Room room = room_around(annotations[i], views[i].projection, layout.widths);
     const drawing::Breaks on_paper = drawing::mapped(breaks, 1, Vec2(0), break_gap);
     const Vec2 gaps(on_paper.gaps(0), on_paper.gaps(1));
     const Vec2 limits(breaks.any() ? sheet::limit_room(layout.widths) : 0);
-    view.before = glm::max(room.before, limits) + gaps / 2.0;
-    view.after = glm::max(room.after, limits) + gaps / 2.0;
+    view.before = glm::max(view.before, limits) + gaps / 2.0;
+    view.after = glm::max(view.after, limits) + gaps / 2.0;
     if (const auto parent = parent_of(sheet, i)) {
       const double side = layout.angle == ProjectionAngle::first ? 1 : -1;
       view.beside = {{*parent, side * sight_on_page(views[*parent].projection, views[i].projection.n)}};
@@ -262,6 +302,7 @@ LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfView
   options.frame = frame_of(sheet, views, options.list || options.revisions);
   options.portrait = sheet.orientation.value_or(Orientation::landscape) == Orientation::portrait;
   options.angle = sheet.angle.value_or(ProjectionAngle::first);
+  options.fit = sheet.fit.value_or(SheetFit::model);
   options.scale =
       sheet.scale.value_or({.fixed = {}, .standard = options.frame == FrameKind::full || is_sized_by_scale(sheet)});
   if (options.frame == FrameKind::full) options.title_block = title_block_of(scene, number);

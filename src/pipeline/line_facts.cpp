@@ -32,7 +32,11 @@ struct PagePoint {
 /// Finds edges of the models of a view.
 class EdgeFinder {
  public:
-  EdgeFinder(const drawing::ViewDrawing& drawing, const scene::World& world) : drawing_(drawing), world_(world) {}
+  EdgeFinder(const drawing::ViewDrawing& drawing, const scene::World& world)
+      : drawing_(drawing), world_(world), shown_(world.models.size()) {
+    for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
+      shown_[static_cast<std::size_t>(world.number_in_scene(model))].push_back(model);
+  }
 
   // In the world, also if a cut has left the vertex out.
   [[nodiscard]] Vec3 point(int model, int vertex) const {
@@ -67,23 +71,24 @@ class EdgeFinder {
  private:
   const drawing::ViewDrawing& drawing_;
   const scene::World& world_;
+  std::vector<std::vector<int>> shown_;  ///< models of the world, by number in the scene
 };
 
 std::optional<double> EdgeFinder::depth(const Vec2& drawn, std::span<const sheet::ModelEdge> edges) const {
   const Vec2 p = drawing_.breaks.restored(drawn);
   std::optional<double> found;
   double least = on_edge + drawing_.contours_moved;
-  for (const sheet::ModelEdge& edge : edges) {
-    const auto [from, to] = ends(edge);
-    const PagePoint a = on_page(from), b = on_page(to);
-    const Vec2 along = b.at - a.at;
-    const double square = glm::dot(along, along);
-    const double t = square > 0 ? std::clamp(glm::dot(p - a.at, along) / square, 0.0, 1.0) : 0;
-    const double distance = glm::distance(p, a.at + t * along);
-    if (!(distance < least)) continue;
-    least = distance;
-    found = a.depth + t * (b.depth - a.depth);
-  }
+  for (const sheet::ModelEdge& edge : edges)
+    for (const int model : shown_[static_cast<std::size_t>(edge.model)]) {
+      const PagePoint a = on_page(point(model, edge.vertex[0])), b = on_page(point(model, edge.vertex[1]));
+      const Vec2 along = b.at - a.at;
+      const double square = glm::dot(along, along);
+      const double t = square > 0 ? std::clamp(glm::dot(p - a.at, along) / square, 0.0, 1.0) : 0;
+      const double distance = glm::distance(p, a.at + t * along);
+      if (!(distance < least)) continue;
+      least = distance;
+      found = a.depth + t * (b.depth - a.depth);
+    }
   return found;
 }
 

@@ -122,7 +122,8 @@ class ItemOfBody {
 
   [[nodiscard]] int of_triangle(int model, int triangle) const {
     const auto body = static_cast<std::size_t>(world_.models[model].mesh->body[triangle]);
-    return body < items_[model].size() ? items_[model][body] : -1;
+    const std::vector<int>& items = items_[static_cast<std::size_t>(world_.number_in_scene(model))];
+    return body < items.size() ? items[body] : -1;
   }
 
   // Of the body to which a line belongs.

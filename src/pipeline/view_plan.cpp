@@ -99,7 +99,8 @@ sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::V
   const LayersBy layers = view.layers.value_or(LayersBy::role);
   sheet::BodyStyles styles;
   for (std::size_t i = 0; i < world.models.size(); ++i) {
-    const scene::ModelDescription& model = scene.models[i];
+    const scene::ModelDescription& model =
+        scene.models[static_cast<std::size_t>(world.number_in_scene(static_cast<int>(i)))];
     const scene::Placed& placed = world.models[i];
     sheet::BodyStyle usual;
     usual.line = model.line.value_or(usual.line);

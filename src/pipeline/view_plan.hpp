@@ -22,12 +22,18 @@ struct PlannedView {
 /// Throws Error{input}, or Error{plugin} for projections that do not exist.
 std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options);
 
+/// The views that are the plan and the elevation of an épura, by their numbers on the sheet.
+struct EpuraViews {
+  std::size_t elevation, plan;
+};
+
 /// A sheet, and the scene's views on it.
 struct SheetOfViews {
   int sheet;
   std::vector<scene::ViewDescription> descriptions;
   std::vector<PlannedView> plans;
-  std::vector<scene::Item> items{};  ///< of its parts list; empty: it has none
+  std::vector<scene::Item> items{};   ///< of its parts list; empty: it has none
+  std::optional<EpuraViews> epura{};  ///< if they have that layout
 };
 
 /// In the order of the sheets; a sheet may have no views.

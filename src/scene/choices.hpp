@@ -72,6 +72,11 @@ inline constexpr std::array<std::pair<EdgeKind, bool EdgeKinds::*>, 7> chosen_ed
      {EdgeKind::smooth, &EdgeKinds::smooth}}};
 
 template <>
+struct Words<BreakLine> {
+  static constexpr std::array list{"zigzag", "freehand"};
+};
+
+template <>
 struct Words<HalfView> {
   static constexpr std::array list{"left",     "right",     "top",         "bottom",
                                    "top-left", "top-right", "bottom-left", "bottom-right"};
@@ -80,6 +85,16 @@ struct Words<HalfView> {
 template <>
 struct Words<Orientation> {
   static constexpr std::array list{"landscape", "portrait"};
+};
+
+template <>
+struct Words<SheetLayout> {
+  static constexpr std::array list{"standard", "monge"};
+};
+
+template <>
+struct Words<SheetFit> {
+  static constexpr std::array list{"model", "construction"};
 };
 
 template <>

@@ -398,7 +398,7 @@ struct Remainder {
   }
 
   CutWorld finish(const CuttingPlane& plane, const Box& box) {
-    if (result.world.triangles.empty() && result.world.wires.empty())
+    if (beyond && result.world.triangles.empty() && result.world.wires.empty())
       refuse(plane, "the cutting plane removes everything", box);
     if (!cuts) refuse(plane, "the plane cuts nothing", box);
     return std::move(result);
@@ -423,12 +423,13 @@ CutWorld cut_by_plane(const World& world, const CuttingSurface& surface, const P
   return remainder.finish(plane, world.box);
 }
 
-/// A stepped surface and the world split for it.
+/// A stepped surface and the world split for it. Of its regions, the first `count` are cut, and nothing remains of the
+/// others.
 class SteppedCut {
  public:
-  SteppedCut(const World& world, const CuttingSurface& surface)
+  SteppedCut(const World& world, const CuttingSurface& surface, std::size_t count)
       : surface_(surface), split_(split_world(world, surface)) {
-    for (std::size_t r = 0; r < surface.regions.size(); ++r) {
+    for (std::size_t r = 0; r < count; ++r) {
       // Where everything is kept, a plane in front of everything removes nothing.
       const CuttingPlane plane = surface.regions[r].plane.value_or(in_front_of(world.box));
       sides_.push_back(find_sides(split_.world, plane));
@@ -442,7 +443,8 @@ class SteppedCut {
     const World& world = split_.world;
     const int first = world.first_triangle[model], first_vertex = world.first_vertex[model];
     const std::vector<bool> whole = whole_bodies(world.models[model], [&](int triangle, int vertex) {
-      return -sides_[split_.region_of_triangle[first + triangle]].of[first_vertex + vertex];
+      const auto region = static_cast<std::size_t>(split_.region_of_triangle[first + triangle]);
+      return region < sides_.size() ? -sides_[region].of[first_vertex + vertex] : 0;
     });
     std::optional<ModelCut> all;
     std::vector<std::vector<int>> uncut;
@@ -476,14 +478,99 @@ class SteppedCut {
   std::vector<RegionOfCut> regions_;
 };
 
+Remainder cut_by_steps(const World& world, const CuttingSurface& surface, std::size_t count, const Progress& progress) {
+  const SteppedCut stepped(world, surface, count);
+  Remainder remainder(world, surface);
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) stepped.cut(model, remainder, progress);
+  return remainder;
+}
+
+// A surface whose first region is one of an aligned section; the others are what is beside it.
+CuttingSurface surface_of(const CuttingSurface& aligned, const CutRegion& region) {
+  CuttingSurface surface = plane_surface(*region.plane);
+  surface.beyond = aligned.beyond;
+  surface.regions = {region};
+  for (const CutBorder& border : region.borders)
+    surface.regions.push_back({std::nullopt, {{border.point, -border.normal}}});
+  return surface;
+}
+
+[[noreturn]] void refuse_leg(const CutRegion& region, const World& world) {
+  const Box& box = world.box;
+  const auto range = [&](int axis) {
+    return format_rounded(box.min[axis], 6) + " to " + format_rounded(box.max[axis], 6);
+  };
+  const Vec3& from = region.plane->point;
+  throw Error(ErrorKind::input, region.plane->where,
+              "the plane of the aligned section that begins at " + format_rounded(from.x, 6) + ", " +
+                  format_rounded(from.y, 6) + ", " + format_rounded(from.z, 6) + " cuts nothing",
+              "the models reach from " + range(0) + " along x, " + range(1) + " along y and " + range(2) +
+                  " along z: move the corners of the path");
+}
+
+// Appends what remains in a region of an aligned section, turned.
+void append_turned(CutWorld& all, CutWorld part, const Mat4& turn, bool is_first) {
+  World& world = all.world;
+  const int first_model = static_cast<int>(world.models.size());
+  const int first_vertex = world.first_vertex.back(), first_triangle = world.first_triangle.back();
+  const auto shift = [first_vertex](auto& vertices) {
+    for (int& v : vertices) v += first_vertex;
+  };
+  for (Vec3& p : part.world.points) p = Vec3(turn * Vec4(p, 1));
+  for (auto& triangle : part.world.triangles) {
+    for (const int v : triangle) world.box.add(part.world.points[v]);
+    shift(triangle);
+  }
+  for (auto& wire : part.world.wires) {
+    for (const int v : wire) world.box.add(part.world.points[v]);
+    shift(wire);
+  }
+  for (std::size_t m = 0; m < part.world.models.size(); ++m) {
+    Placed& placed = part.world.models[m];
+    placed.to_world = turn * placed.to_world;
+    if (!is_first) placed.copy_of = static_cast<int>(m);
+    world.models.push_back(std::move(placed));
+    world.first_vertex.push_back(first_vertex + part.world.first_vertex[m + 1]);
+    world.first_triangle.push_back(first_triangle + part.world.first_triangle[m + 1]);
+  }
+  for (WorldCutFace& face : part.faces) {
+    face.model += first_model;
+    for (auto& ring : face.rings) shift(ring);
+  }
+  for (int& triangle : part.uncut[0]) triangle += first_triangle;
+  for (OpenOutline& open : part.open) open.model += first_model;
+  for (BridgedGaps& gaps : part.bridged) gaps.model += first_model;
+  const auto add = [](auto& list, auto& more) { list.insert(list.end(), more.begin(), more.end()); };
+  add(world.points, part.world.points);
+  add(world.triangles, part.world.triangles);
+  add(world.wires, part.world.wires);
+  add(all.faces, part.faces);
+  add(all.open, part.open);
+  add(all.bridged, part.bridged);
+  all.uncut.push_back(std::move(part.uncut[0]));
+}
+
+CutWorld cut_aligned(const World& world, const CuttingSurface& surface, const Progress& progress) {
+  CutWorld all;
+  all.world.first_vertex = {0};
+  all.world.first_triangle = {0};
+  all.world.box = world.box;
+  all.world.rounding = world.rounding;
+  all.world.one_rounding = world.one_rounding;
+  for (const CutRegion& region : surface.regions) {
+    Remainder remainder = cut_by_steps(world, surface_of(surface, region), 1, progress);
+    if (!remainder.cuts) refuse_leg(region, world);
+    append_turned(all, std::move(remainder.result), region.turn, all.world.models.empty());
+  }
+  return all;
+}
+
 }  // namespace
 
 CutWorld cut_world(const World& world, const CuttingSurface& surface, const Progress& progress) {
+  if (surface.aligned) return cut_aligned(world, surface, progress);
   if (surface.is_plane()) return cut_by_plane(world, surface, progress);
-  const SteppedCut stepped(world, surface);
-  Remainder remainder(world, surface);
-  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) stepped.cut(model, remainder, progress);
-  return remainder.finish(surface.plane, world.box);
+  return cut_by_steps(world, surface, surface.regions.size(), progress).finish(surface.plane, world.box);
 }
 
 }  // namespace epura::scene

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts a world by a plane or a stepped surface. The remainder is again a world, closed by cut faces, so that later
-// stages need no special treatment of cuts.
+// Cuts a world by a plane or a stepped surface, or by planes whose remainders are then turned into one. The remainder
+// is again a world, closed by cut faces, so that later stages need no special treatment of cuts.
 //
 // Each vertex has a sign for its side of the plane: a vertex within rounding of the plane is on it, for all of its
 // triangles. Decisions based only on these signs are consistent between neighbours, and each edge is cut once for all
@@ -39,7 +39,8 @@ struct BridgedGaps {
 
 struct CutWorld {
   /// Vertices of the files keep their numbers, and are followed by those that the plane creates; likewise triangles of
-  /// cut faces and their polygons come last. The box is that of the uncut world.
+  /// cut faces and their polygons come last. The box is that of the uncut world. Of an aligned section, the world has
+  /// all models once for each plane (Placed::copy_of), in the order of the path, and the box that of turned parts, too.
   World world;
   std::vector<WorldCutFace> faces;   ///< sorted by model and body
   std::vector<OpenOutline> open;     ///< likewise

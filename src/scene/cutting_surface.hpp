@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface along which a section cuts: a plane, or several parallel planes joined by steps.
+// The surface along which a section cuts: a plane; several parallel planes joined by steps; or planes that meet in
+// axes.
 #pragma once
 
 #include <optional>
@@ -24,9 +25,15 @@ int side_of(const CutBorder& border, const Vec3& point, double slack);
 struct CutRegion {
   std::optional<CuttingPlane> plane;  ///< nothing: everything is kept
   std::vector<CutBorder> borders;
+  Mat4 turn{1.0};  ///< of what remains in it, into the plane of the view; the identity unless the section is aligned
 };
 
-/// Steps between planes are parallel to the viewing direction. They leave no line in the section (ISO 128-3).
+/// The plane of a region where the view shows it.
+CuttingPlane turned_plane(const CutRegion& region);
+
+/// Steps between planes are parallel to the viewing direction. They leave no line in the section (ISO 128-3), nor do
+/// the axes in which the planes of an aligned section meet. The regions of these are what is perpendicular to their
+/// planes; they may overlap, and are beside each other once they are turned.
 struct CuttingSurface {
   CuttingPlane plane;              ///< of the first region that has one
   std::vector<CutRegion> regions;  ///< one without borders if the surface is a plane; otherwise they fill space
@@ -34,16 +41,22 @@ struct CuttingSurface {
   std::vector<Vec3> path{};        ///< corners of the trace, ends included; empty without steps
   bool beyond = true;              ///< false: only cut faces remain
   std::vector<Vec3> divides{};     ///< points of steps between a region that is cut and one that is kept whole
+  bool aligned = false;  ///< planes that are not parallel, each turned about the axis in which it meets the next
 
   [[nodiscard]] bool is_plane() const { return regions.size() == 1; }
 };
+
+/// Where the view of an aligned section shows a point of the models: turned with the nearest plane behind which it is.
+/// Nothing if the section leaves it out. `slack` is the distance up to which points are on a plane.
+std::optional<Vec3> turned_point(const CuttingSurface& surface, const Vec3& point, double slack);
 
 /// A surface of one plane.
 CuttingSurface plane_surface(const CuttingPlane& plane);
 
 /// The surface of a section's plane or path. A path is a polyline in a plane parallel to the normal; each of its legs
 /// is perpendicular to the normal, a cutting plane, or parallel to it, a step. The first and last plane reach to
-/// infinity; next to a path that begins or ends with a step, everything is kept (half sections). Throws Error{input}.
+/// infinity; next to a path that begins or ends with a step, everything is kept (half sections). In an aligned section,
+/// each leg is a cutting plane; those that are not perpendicular to the normal are turned. Throws Error{input}.
 CuttingSurface make_cutting_surface(const SectionDescription& section);
 
 }  // namespace epura::scene

@@ -15,6 +15,7 @@
 #include "base/vec.hpp"
 #include "mesh/soup.hpp"
 #include "scene/choices.hpp"
+#include "scene/construction_choice.hpp"
 #include "scene/geometric_tolerances.hpp"
 #include "scene/surface_texture.hpp"
 
@@ -84,6 +85,7 @@ struct ViewDescription {
   LocatedText section;                ///< name of the section shown
   LocatedText detail;                 ///< name of the detail shown
   Located<BreakChoice> breaks;        ///< parts that are left out
+  Located<BreakLine> break_line;      ///< zigzag by default
   Located<HalfView> half;             ///< the part drawn of a symmetric view
   Located<Vec3> from;                 ///< instead of a projection: from the models towards the viewer
   LocatedText of;                     ///< name of the view beside which it is, with an arrow and a letter
@@ -93,19 +95,28 @@ struct ViewDescription {
   Located<double> least_crease;       ///< mm on paper
   Located<double> join_within;        ///< mm on paper
   Located<LayersBy> layers;
-  Located<double> near, far;  ///< depths, in units of the world
-  Located<Vec2> at;           ///< centre of its ink, mm from the lower left corner of the sheet
-  Located<int> sheet;         ///< number of its sheet, from 1; by default the first
+  Located<double> near, far;                 ///< depths, in units of the world
+  Located<ConstructionChoice> construction;  ///< not of details
+  Located<Vec2> at;                          ///< centre of its ink, mm from the lower left corner of the sheet
+  Located<int> sheet;                        ///< number of its sheet, from 1; by default the first
 };
 
-/// A plane that cuts the models, or parallel planes with steps between them. The side to which the normal points is
-/// removed.
+/// A plane that cuts the models; or parallel planes with steps between them; or planes that meet in axes, which are
+/// turned into one. The side to which the normal points is removed.
 struct SectionDescription {
   LocatedText name;  ///< "A"
   Vec3 point{0.0};
   Vec3 normal{0.0, -1.0, 0.0};
   Located<std::vector<Vec3>> path{};  ///< corners of the cutting-plane line, instead of a point
+  Located<bool> aligned{};            ///< true: the planes of the path are turned into one; false by default
   Located<bool> beyond{};             ///< true by default; false: only cut faces, without what is behind them
+};
+
+/// A revolved section: the cut face at a point, turned into the picture and drawn on a view, in its place. ISO 128-3.
+struct RevolvedDescription {
+  LocatedText view{};      ///< name of the view; by default the first view that shows no detail
+  Located<Vec3> point{};   ///< of the world, inside the cut face
+  Located<Vec3> normal{};  ///< of the cutting plane, which the view sees edge-on
 };
 
 /// A broken-out section: inside a closed line of a view, the models are cut by a plane parallel to the picture.
@@ -227,6 +238,8 @@ struct SheetDescription {
   Located<Orientation> orientation;
   Located<ScaleChoice> scale;
   Located<ProjectionAngle> angle;
+  Located<SheetLayout> layout;
+  Located<SheetFit> fit;
   Located<FrameKind> frame;
   Located<int> decimals;              ///< of dimensions, at most; by the size of the models by default
   Located<Unit> dimension_unit;       ///< of the lengths in dimensions
@@ -250,6 +263,7 @@ struct SceneDescription {
   std::vector<SectionDescription> sections;
   std::vector<DetailDescription> details;
   std::vector<BrokenOutDescription> broken_outs;
+  std::vector<RevolvedDescription> revolved{};
   std::vector<ExplodeDescription> explosions;
   std::vector<DimensionDescription> dimensions;
   std::vector<CalloutDescription> callouts{};  ///< in the order of the scene

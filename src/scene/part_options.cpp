@@ -135,6 +135,10 @@ Options<SectionDescription> section_options() {
                        .help = "instead of the point: corners of the cutting-plane line, whose legs are perpendicular "
                                "to the normal, or steps parallel to it; a half section begins or ends with a step"},
                       &Section::path, list_of_triples()),
+      option<Section>(
+          {.key = "aligned",
+           .help = "`true` makes all legs of the path cutting planes, at any angle, and turns them into one"},
+          &Section::aligned, truth()),
       option<Section>({.key = "beyond",
                        .help = "`false` draws only cut faces, without what is behind them, as in removed sections"},
                       &Section::beyond, truth()),
@@ -169,6 +173,21 @@ Options<BrokenOutDescription> broken_out_options() {
       option<BrokenOut>(
           {.key = "outline", .help = "instead of the radius: points around which the freehand line runs in the view"},
           &BrokenOut::outline, list_of_triples()),
+  };
+}
+
+Options<RevolvedDescription> revolved_options() {
+  using Revolved = RevolvedDescription;
+  return {
+      option<Revolved>({.key = "view", .help = "name of the view on which it is drawn", .usual = "first view"},
+                       &Revolved::view, any_text()),
+      option<Revolved>({.key = "point", .help = "point inside the cut face", .required = true}, &Revolved::point,
+                       triple_of_numbers("")),
+      option<Revolved>({.key = "normal",
+                        .help = "normal of the cutting plane, such as the direction of a bar or a spoke; it is seen in "
+                                "true length",
+                        .required = true},
+                       &Revolved::normal, direction()),
   };
 }
 
@@ -237,6 +256,11 @@ Options<ViewDescription> line_options() {
                     .help = "role: a layer for each role of lines; body: also for each body, by its name",
                     .usual = "role"},
                    &View::layers, choice<LayersBy>().shown_as("KIND")),
+      option<View>({.key = "construction",
+                    .flag = "--construction",
+                    .help = "show how the projection is made, e.g. horizon,vp,to-vp or axes,ellipses; vp:1,1,0 and "
+                            "to-vp:0-1 are for one direction or edge; all: what the projection has"},
+                   &View::construction, construction_choice()),
       option<View>({.key = "near", .flag = "--near", .help = "omit what is nearer to the viewer than this depth"},
                    &View::near, any_number("")),
       option<View>({.key = "far", .flag = "--far", .help = "omit what is farther from the viewer than this depth"},
@@ -270,6 +294,8 @@ Options<ViewDescription> view_options() {
                     .help = "leave parts of long views out, between two places on an axis of the world: x:40:160; "
                             "x:40: up to the end; auto: long stretches of constant section"},
                    &View::breaks, break_choice()),
+      option<View>({.key = "break_line", .help = "line at which the view is broken", .usual = "zigzag"},
+                   &View::break_line, choice<BreakLine>()),
       option<View>({.key = "half", .help = "the half or quarter of a symmetric view that is drawn"}, &View::half,
                    choice<HalfView>()),
       option<View>({.key = "from", .help = "instead of a projection: direction from the models towards the viewer"},
@@ -471,7 +497,10 @@ Options<PartsListDescription> parts_list_options() {
   };
 }
 
-Options<SheetDescription> sheet_options() {
+namespace {
+
+// Paper, and where the views stand on it.
+Options<SheetDescription> layout_options() {
   using Sheet = SheetDescription;
   return {
       option<Sheet>(
@@ -500,6 +529,27 @@ Options<SheetDescription> sheet_options() {
                      .switches = {{"--first-angle", "first", "arrange views as in ISO 5456-2 (default)"},
                                   {"--third-angle", "third", "arrange views as in ASME Y14.3"}}},
                     &Sheet::angle, choice<ProjectionAngle>()),
+      option<Sheet>(
+          {.key = "layout",
+           .flag = "--layout",
+           .help = "monge: plan and elevation about one ground line, as in an épura; the same as --views epura",
+           .usual = "standard"},
+          &Sheet::layout, choice<SheetLayout>()),
+      option<Sheet>({.key = "fit",
+                     .flag = "--fit",
+                     .help = "what the sheet has room for; construction: also points of constructions, unless they "
+                             "are farther than ten times the size of the view",
+                     .usual = "model"},
+                    &Sheet::fit, choice<SheetFit>().shown_as("WHAT")),
+  };
+}
+
+}  // namespace
+
+Options<SheetDescription> sheet_options() {
+  using Sheet = SheetDescription;
+  Options<SheetDescription> all = layout_options();
+  const Options<SheetDescription> others = {
       option<Sheet>({.key = "frame",
                      .flag = "--frame",
                      .help = "frame of the sheet; full adds centring marks, grid and title block; auto: full for "
@@ -529,6 +579,8 @@ Options<SheetDescription> sheet_options() {
                      .usual = "osifont"},
                     &Sheet::font, any_text().shown_as("FONT")),
   };
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
 }
 
 void set_field(TitleBlockFields& fields, const std::string& name, const LocatedText& text) {

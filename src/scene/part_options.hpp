@@ -33,6 +33,7 @@ Options<StyleDescription> style_options();
 Options<SectionDescription> section_options();
 Options<DetailDescription> detail_options();
 Options<BrokenOutDescription> broken_out_options();
+Options<RevolvedDescription> revolved_options();
 Options<ExplodeDescription> explode_options();
 Options<ViewDescription> view_options();
 Options<DimensionWords> dimension_options();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 
 #include "base/portable_math.hpp"
 
@@ -75,6 +76,25 @@ std::vector<Remains> remains_of_faces(const World& world, int model, const Place
   return remains;
 }
 
+// The rest of a face that the other planes of an aligned section show about the same axis, degrees.
+double sweep_in_copies(const World& world, int model, const RoundFace& round) {
+  double degrees = 0;
+  for (int other = 0; other < static_cast<int>(world.models.size()); ++other) {
+    if (other == model || world.number_in_scene(other) != world.number_in_scene(model)) continue;
+    const std::optional<PlacedPart> part = place_part(world.models[other]);
+    if (!part) continue;
+    const features::PartSurface &here = round.face.surface, &there = part->faces[round.number].surface;
+    const Vec3 apart = glm::cross(there.origin - here.origin, here.axis);
+    constexpr double same = 1e-6;
+    if (glm::length(apart) > same * round.reach || glm::length(glm::cross(here.axis, there.axis)) > same) continue;
+    std::vector<Vec3> points;
+    const std::vector<Remains> remains = remains_of_faces(world, other, *part);
+    for (const int v : remains[round.number].vertices) points.push_back(world.points[v]);
+    degrees += sweep_of(there, points).degrees;
+  }
+  return degrees;
+}
+
 }  // namespace
 
 double RoundFace::radius_at(double height) const {
@@ -106,7 +126,7 @@ std::vector<RoundFace> find_round_faces(const World& world, int model, const Pla
     }
     if (surface.kind != SurfaceKind::sphere && (found.cut || !found.is_whole())) {
       const Sweep sweep = sweep_of(surface, points);
-      if (found.cut) found.sweep_left = std::min(sweep.degrees, face.sweep);
+      if (found.cut) found.sweep_left = std::min(sweep.degrees + sweep_in_copies(world, model, found), face.sweep);
       found.middle = sweep.middle;
     }
     round.push_back(found);

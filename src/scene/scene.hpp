@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Placed {
   Mat4 to_world{1.0};
   std::shared_ptr<const features::PartFaces> part{};  ///< of the uncut mesh; null if no faces are recognised
   std::vector<StyleDescription> styles{};             ///< by body of the mesh; empty if none matches a body
+  int copy_of = -1;  ///< the model of the scene of which this is a turned part, in aligned sections; -1: itself
 };
 
 /// All models with common numbering: vertex v of model m has the number first_vertex[m] + v; likewise for triangles.
@@ -34,6 +36,11 @@ struct World {
   Vec3 one_rounding{0};  ///< the same for a single rounding of each coordinate, along the axes of the world
 
   [[nodiscard]] int model_of_triangle(int triangle) const;
+  /// The number in the scene of a model of this world.
+  [[nodiscard]] int number_in_scene(int model) const {
+    const int copied = models[static_cast<std::size_t>(model)].copy_of;
+    return copied < 0 ? model : copied;
+  }
 };
 
 /// Adds the wires of a model whose vertices are numbered from `first_vertex`.

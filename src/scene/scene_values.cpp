@@ -170,6 +170,14 @@ EdgeKinds read_edge_kinds(const TomlValue& value) {
   return chosen;
 }
 
+ConstructionChoice read_constructions(const TomlValue& value) {
+  std::vector<std::string> words;
+  for (const LocatedText& one : each_word(value)) words.push_back(*one);
+  ConstructionChoice choice;
+  for (const std::string& word : join_directions(words)) choice.push_back(parse_construction(word, value.where));
+  return choice;
+}
+
 BreakChoice read_break(const TomlValue& value) {
   BreakChoice choice;
   choice.is_optional = value.is_option;
@@ -368,6 +376,13 @@ ValueKind<EdgeKinds> edge_kinds() {
   ValueForm form{"list of texts", "KINDS", words_of_edge_kinds()};
   form.is_closed = form.is_list = true;
   return {std::move(form), read_edge_kinds};
+}
+
+ValueKind<ConstructionChoice> construction_choice() {
+  ValueForm form{"list of texts", "KINDS", {}};
+  for (const ConstructionRow& row : construction_rows) form.words.emplace_back(row.word);
+  form.is_list = true;
+  return {std::move(form), read_constructions};
 }
 
 ValueKind<BreakChoice> break_choice() { return {{"`auto`, or list of texts", "PLACES", {"auto"}}, read_break}; }

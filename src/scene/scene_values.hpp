@@ -86,10 +86,11 @@ ValueKind<ColourChoice> colour();   ///< "#c00", "#cc0000" or "file"
 ValueKind<ScaleChoice> scale_choice();
 ValueKind<PaperChoice> paper_choice();
 ValueKind<EdgeKinds> edge_kinds();
-ValueKind<BreakChoice> break_choice();             ///< "auto", or a list of places
-ValueKind<AnchorWords> anchor();                   ///< [model, vertex] or {point = [x, y, z]}
-ValueKind<LeaderWords> leader_target();            ///< an anchor, or {page = [x, y]}
-ValueKind<std::vector<std::string>> text_lines();  ///< a list of texts, or a text with line breaks
+ValueKind<ConstructionChoice> construction_choice();  ///< a list of constructions
+ValueKind<BreakChoice> break_choice();                ///< "auto", or a list of places
+ValueKind<AnchorWords> anchor();                      ///< [model, vertex] or {point = [x, y, z]}
+ValueKind<LeaderWords> leader_target();               ///< an anchor, or {page = [x, y]}
+ValueKind<std::vector<std::string>> text_lines();     ///< a list of texts, or a text with line breaks
 
 ValueKind<std::vector<std::string>> list_of_texts();               ///< single lines, which may be empty
 ValueKind<std::vector<std::vector<std::string>>> rows_of_texts();  ///< one row or more, of such lists

@@ -7,6 +7,7 @@
 #include <functional>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "sheet/arranger.hpp"
 #include "sheet/standard_scale.hpp"
@@ -40,6 +41,7 @@ std::optional<double> largest_that(double max, bool standard, const std::functio
     const double middle = (fitting + too_large) / 2;
     (fits(middle) ? fitting : too_large) = middle;
   }
+  check(fitting > 0 && fitting <= max * (1 + rounding), "a scale that fits is not larger than the largest");
   return fitting;
 }
 
@@ -237,8 +239,16 @@ Arrangement arrange(std::span<const ViewToPlace> views, const scene::ScaleChoice
     question.choice = {std::exchange(single.front().scale, std::nullopt)};
     question.views = single;
   }
-  if (stands_alone(question)) return alone(question);
-  return room.paper.width == 0 ? on_cut_paper(question) : on_paper(question);
+  const Arrangement arrangement = stands_alone(question)  ? alone(question)
+                                  : room.paper.width == 0 ? on_cut_paper(question)
+                                                          : on_paper(question);
+  check(arrangement.views.size() == views.size(), "every view has a place");
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const ViewSpot& spot = arrangement.views[i];
+    check(spot.view == i && spot.scale > 0, "every view has a scale");
+    check(spot.box.min.x <= spot.box.max.x && spot.box.min.y <= spot.box.max.y, "the place of a view has a size");
+  }
+  return arrangement;
 }
 
 }  // namespace epura::sheet

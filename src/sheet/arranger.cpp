@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/error.hpp"
 #include "sheet/free_rectangles.hpp"
 #include "sheet/standard_scale.hpp"
 
@@ -23,11 +24,6 @@ void append(std::vector<ViewSpot>& spots, const std::vector<ViewSpot>& more) {
 }
 
 bool is_principal(ViewPlace place) { return place < ViewPlace::pictorial; }
-
-// Whether other views can be placed beside it.
-bool stands_firm(const ViewToPlace& view) {
-  return !view.beside && (view.at || (is_principal(view.place) && !view.scale));
-}
 
 // Column and row in the layout around the front view.
 std::array<int, 2> cross_place(ViewPlace place, ProjectionAngle angle) {
@@ -66,19 +62,28 @@ Arranger::Arranger(std::span<const ViewToPlace> views, ProjectionAngle angle, Ar
 // Without principal and other views, pictorial views are treated as other views.
 void Arranger::sort_out() {
   std::array<bool, 6> there{};
-  for (std::size_t i = 0; i < views_.size(); ++i) {
+  std::vector<char> stands_firm(views_.size(), 0);  // others can be placed beside it
+  const auto add = [&](std::size_t i) {
     const ViewToPlace& view = views_[i];
     const bool principal = is_principal(view.place) && !view.scale;
-    if (view.at)
-      given_.push_back(i);
-    else if (room_.aligns && view.beside && stands_firm(views_[view.beside->first]))
-      beside_.push_back(i);
-    else if (principal && !std::exchange(there[static_cast<std::size_t>(view.place)], true))
-      principal_.push_back(i);
-    else
-      (view.place == ViewPlace::pictorial ? pictorial_ : other_).push_back(i);
-  }
+    std::vector<std::size_t>& group = view.at                                                               ? given_
+                                      : room_.aligns && view.beside && stands_firm[view.beside->first] != 0 ? beside_
+                                      : principal && !std::exchange(there[static_cast<std::size_t>(view.place)], true)
+                                          ? principal_
+                                      : view.place == ViewPlace::pictorial ? pictorial_
+                                                                           : other_;
+    group.push_back(i);
+    if (!view.beside && (&group == &given_ || &group == &principal_)) stands_firm[i] = 1;
+  };
+  for (std::size_t i = 0; i < views_.size(); ++i)
+    if (!views_[i].beside) add(i);
+  for (std::size_t i = 0; i < views_.size(); ++i)
+    if (views_[i].beside) add(i);
+  for (std::vector<std::size_t>* group : {&given_, &principal_, &other_, &pictorial_})
+    std::sort(group->begin(), group->end());
   if (principal_.empty() && other_.empty()) other_.swap(pictorial_);
+  check(given_.size() + principal_.size() + beside_.size() + other_.size() + pictorial_.size() == views_.size(),
+        "every view is in one group");
 }
 
 ViewCell Arranger::principal_cell(std::size_t view) const {
@@ -240,6 +245,7 @@ std::optional<std::vector<ViewSpot>> Arranger::arranged(double scale, double sha
   if (!principal_.empty() && !add(principal_spots(scale, taken))) return std::nullopt;
   if (!add(grid_spots(others_, scale, taken)) || !add(pictorial_spots(scale, share, taken))) return std::nullopt;
   std::sort(all.begin(), all.end(), [](const ViewSpot& a, const ViewSpot& b) { return a.view < b.view; });
+  check(all.size() == views_.size(), "every view has a place");
   return all;
 }
 
@@ -279,7 +285,10 @@ std::vector<ViewSpot> Arranger::balanced(std::vector<ViewSpot> spots) const {
         const auto [back, forth] = play(spots, *group, axis);
         Vec2 move(0, 0);
         move[axis] = (forth - back) / 2;
-        for (const std::size_t view : *group) spots[view] = moved(spots[view], move);
+        for (const std::size_t view : *group) {
+          check(spots[view].view == view, "views are in order");
+          spots[view] = moved(spots[view], move);
+        }
       }
   return spots;
 }

@@ -10,6 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.hpp"
+
 namespace epura::sheet {
 
 namespace {
@@ -197,6 +199,7 @@ std::vector<std::string> place_balloons(Layer& layer, std::span<const BalloonTar
     if (placed.size() == targets.size()) break;
   }
   std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) { return a.target < b.target; });
+  check(placed.size() <= targets.size(), "every part has one balloon");
   std::vector<std::string> left_out;
   for (std::size_t i = 0, next = 0; i < targets.size(); ++i) {
     if (next < placed.size() && placed[next].target == i)

@@ -15,6 +15,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
 
@@ -218,6 +219,7 @@ std::vector<Piece> merged(const std::vector<Piece>& pieces) {
       const bool same_middle = std::abs(last.from + last.to - piece.from - piece.to) <= 2 * same_place;
       last.centred = last.centred && same_middle;
       last.to = std::max(last.to, piece.to);
+      check(last.from <= piece.from, "pieces of a line are in order");
     }
   }
   return result;
@@ -255,6 +257,7 @@ class Covers {
         part.to = std::min(pieces_[i].to, low);
         part.centred = part.from == pieces_[i].from && part.to == pieces_[i].to && piece.centred;
         if (part.to - part.from >= shortest_piece) left.push_back(part);
+        check(high >= low, "what covers a line has a length");
         piece.from = std::max(piece.from, high);
       }
     }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/parallel.hpp"
 #include "search/choose_grid.hpp"
@@ -98,6 +99,7 @@ std::vector<double> Crossings::along(std::size_t chain, double apart) const {
     travelled += glm::distance(from, to);
   });
   std::sort(found.begin(), found.end());
+  check(found.empty() || (found.front() >= 0 && found.back() <= travelled * (1 + 1e-9)), "lines cross on the line");
   double last = -HUGE_VAL;
   std::erase_if(found, [&](double at) {
     if (at - last < apart) return true;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
 
@@ -23,9 +24,11 @@ constexpr double arrow_length = 2, head_length = 0.7;
 constexpr double head_half_angle = 15;  // degrees
 constexpr double letter_gap = 0.3;
 constexpr double wide_turn = 0.7;
-constexpr double edge_on = 1e-9;     // radians
-constexpr double past_dividing = 3;  // mm; ISO 128-2: centre lines end past the outline
-constexpr double same_line = 0.05;   // mm
+constexpr double most_outer_corner = 3;  // half widths of the line
+constexpr double edge_on = 1e-9;         // radians
+constexpr double past_dividing = 3;      // mm; ISO 128-2: centre lines end past the outline
+constexpr double same_line = 0.05;       // mm
+constexpr double shortest_rest = 1;      // mm, of a centre line
 
 // In the world: along the plane, and perpendicular to the projectors.
 Vec3 along_trace(const projection::Projection& projection, const scene::CuttingPlane& plane) {
@@ -51,8 +54,28 @@ Extent extent_of(const drawing::ViewDrawing& view, const Vec2& point, const Vec2
 struct Trace {
   std::vector<Vec2> corners;  ///< ends past the ink
   std::vector<Vec2> legs;     ///< unit vectors from corner to corner
-  Vec2 seen;                  ///< viewing direction of the section: perpendicular to the planes
+  std::array<Vec2, 2> seen;   ///< viewing directions of the section at both ends: perpendicular to the planes
 };
+
+// How far the ink of a view is along a ray.
+std::optional<double> reach_along(const drawing::ViewDrawing& view, const Vec2& point, const Vec2& along) {
+  const Vec2 across(-along.y, along.x);
+  std::optional<double> reach;
+  for (const drawing::Segment& segment : view.segments) {
+    const double a = glm::dot(segment.from - point, across), b = glm::dot(segment.to - point, across);
+    if ((a > same_line && b > same_line) || (a < -same_line && b < -same_line)) continue;
+    const double part = std::abs(a - b) > same_line ? std::clamp(a / (a - b), 0.0, 1.0) : 0;
+    const double at = glm::dot(segment.from + part * (segment.to - segment.from) - point, along);
+    if (at > 0) reach = std::max(reach.value_or(0), at);
+  }
+  return reach;
+}
+
+// The viewing direction at a plane: perpendicular to its line on the page, away from what is removed.
+Vec2 sight_at(const Mat4& map, const scene::CuttingPlane& plane, const Vec2& along) {
+  const Vec2 seen(-along.y, along.x);
+  return glm::dot(seen, Vec2(map * Vec4(plane.normal, 0))) > 0 ? -seen : seen;
+}
 
 std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const scene::CuttingSurface& surface, double height) {
   if (!sees_edge_on(parent.projection, surface)) return std::nullopt;
@@ -61,8 +84,8 @@ std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const scene::C
   const auto direction = [&](const Vec3& v) { return Vec2(map * Vec4(v, 0)); };
   const double past = (past_outline + wide_end) * height;
   const Vec2 along = glm::normalize(direction(along_trace(parent.projection, plane)));
-  Trace trace{{}, {}, {-along.y, along.x}};
-  if (glm::dot(trace.seen, direction(plane.normal)) > 0) trace.seen = -trace.seen;
+  const Vec2 seen = sight_at(map, plane, along);
+  Trace trace{{}, {}, {seen, seen}};
   if (surface.is_plane()) {
     const Vec2 point = drawing::position_on_page(parent, plane.point);
     const Extent ink = extent_of(parent, point, along);
@@ -75,8 +98,14 @@ std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const scene::C
   const std::size_t last = trace.corners.size() - 1;
   for (const auto& [end, next] : {std::pair(std::size_t{0}, std::size_t{1}), std::pair(last, last - 1)}) {
     const Vec2 outwards = glm::normalize(trace.corners[end] - trace.corners[next]);
-    const Extent ink = extent_of(parent, trace.corners[next], outwards);
+    Extent ink = extent_of(parent, trace.corners[next], outwards);
     if (!(ink.from <= ink.to)) return std::nullopt;
+    if (surface.aligned) {
+      // An inclined line past all of the ink would be too long.
+      ink.to = reach_along(parent, trace.corners[next], outwards).value_or(ink.to);
+      trace.seen[end == 0 ? 0 : 1] =
+          sight_at(map, *(end == 0 ? surface.regions.front() : surface.regions.back()).plane, outwards);
+    }
     trace.corners[end] = trace.corners[next] + (std::max(ink.to, wide_turn * height) + past) * outwards;
   }
   for (std::size_t leg = 0; leg < last; ++leg)
@@ -119,11 +148,39 @@ void add_end(Layer& layer, const Vec2& end, const Vec2& outwards, const Vec2& se
 // Adds the wide parts of the legs next to a corner, which overlap in it.
 void add_turn(Layer& layer, const Trace& trace, std::size_t corner, const LineWidths& widths, double wide) {
   const Vec2& at = trace.corners[corner];
+  const Vec2 &in = trace.legs[corner - 1], &out = trace.legs[corner];
+  // Up to the outer corner, unless that is far away: the tangent of half the turn.
+  const double tangent = std::abs(in.x * out.y - in.y * out.x) / (1 + glm::dot(in, out));
+  const double outer = std::min(tangent, most_outer_corner) * widths.wide / 2;
   for (const Vec2& other : {trace.corners[corner - 1], trace.corners[corner + 1]}) {
     const Vec2 along = glm::normalize(other - at);
     const double length = std::min(wide, glm::distance(other, at) / 2);
-    layer.fills.push_back(wide_line(at - widths.wide / 2 * along, at + length * along, widths.wide));
+    layer.fills.push_back(wide_line(at - outer * along, at + length * along, widths.wide));
   }
+}
+
+// The parts of a line of two points that none of others covers, as lengths along it.
+std::vector<std::array<double, 2>> rest_of(const Stroke& stroke, const std::vector<std::array<Vec2, 2>>& others) {
+  const Vec2& start = stroke.points.front();
+  const double length = glm::distance(start, stroke.points.back());
+  std::vector<std::array<double, 2>> covers;
+  for (const auto& [from, to] : others) {
+    const Vec2 along = (stroke.points.back() - start) / length, across(-along.y, along.x);
+    const auto is_beside = [&](const Vec2& p) { return std::abs(glm::dot(p - start, across)) > same_line; };
+    if (is_beside(from) || is_beside(to)) continue;
+    const double one = glm::dot(from - start, along), other = glm::dot(to - start, along);
+    const double low = std::min(one, other), high = std::max(one, other);
+    if (high > 0 && low < length) covers.push_back({std::max(low, 0.0), std::min(high, length)});
+  }
+  std::sort(covers.begin(), covers.end());
+  std::vector<std::array<double, 2>> rest;
+  double covered = 0;
+  for (const auto& [low, high] : covers) {
+    if (low > covered) rest.push_back({covered, low});
+    covered = std::max(covered, high);
+  }
+  if (covered < length) rest.push_back({covered, length});
+  return rest;
 }
 
 void add_leg(Layer& layer, const Vec2& from, const Vec2& to, const LineWidths& widths) {
@@ -149,6 +206,14 @@ Vec2 cutting_plane_room(const projection::Projection& projection, const scene::C
     return glm::abs(glm::normalize(Vec2(glm::dot(image, projection.u), glm::dot(image, projection.v))));
   };
   const double height = letter_widths * widths.narrow;
+  if (surface.aligned) {
+    Vec2 most(0, 0);
+    for (const scene::CutRegion* end : {&surface.regions.front(), &surface.regions.back()})
+      most = glm::max(most, (past_outline + wide_end / 2 + letter_gap + 1) * height *
+                                    on_view(along_trace(projection, *end->plane)) +
+                                arrow_length * height * on_view(end->plane->normal));
+    return most;
+  }
   const Vec2 room =
       (past_outline + wide_end / 2 + letter_gap + 1) * height * on_view(along_trace(projection, surface.plane));
   if (surface.divides.empty()) return room;
@@ -160,6 +225,7 @@ std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, cons
   const double height = letter_widths * widths.narrow;
   const auto trace = trace_of(parent, surface, height);
   if (!trace) return std::nullopt;
+  check(trace->corners.size() == trace->legs.size() + 1, "a cutting plane goes from corner to corner");
   Layer layer = empty_layer(parent.name, scene::SheetLine::cutting_plane, widths);
   const std::size_t last = trace->corners.size() - 1;
   for (std::size_t leg = 0; leg < last; ++leg) {
@@ -171,9 +237,37 @@ std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, cons
     if (glm::dot(to - from, along) > 0) add_leg(layer, from, to, widths);
   }
   for (std::size_t corner = 1; corner < last; ++corner) add_turn(layer, *trace, corner, widths, wide_turn * height);
-  add_end(layer, trace->corners[0], -trace->legs[0], trace->seen, widths, surface.plane.name);
-  add_end(layer, trace->corners[last], trace->legs[last - 1], trace->seen, widths, surface.plane.name);
+  add_end(layer, trace->corners[0], -trace->legs[0], trace->seen[0], widths, surface.plane.name);
+  add_end(layer, trace->corners[last], trace->legs[last - 1], trace->seen[1], widths, surface.plane.name);
   return layer;
+}
+
+void give_way(Layer& centre, const Layer& cutting_plane, const LineWidths& widths) {
+  std::vector<std::array<Vec2, 2>> lines;
+  for (const Stroke& leg : cutting_plane.strokes)
+    if (leg.dashes.dots > 0) lines.push_back({leg.points.front(), leg.points.back()});
+  for (const Fill& wide : cutting_plane.fills)
+    if (const std::vector<Vec2>& box = wide.rings.front(); box.size() == 4)
+      lines.push_back({(box[0] + box[1]) / 2.0, (box[2] + box[3]) / 2.0});
+  std::vector<Stroke> remaining;
+  for (Stroke& stroke : centre.strokes) {
+    const bool is_straight = stroke.points.size() == 2 && stroke.points[0] != stroke.points[1];
+    const std::vector<std::array<double, 2>> rest =
+        is_straight ? rest_of(stroke, lines) : std::vector<std::array<double, 2>>();
+    if (!is_straight ||
+        (rest.size() == 1 && rest[0] == std::array{0.0, glm::distance(stroke.points[0], stroke.points[1])})) {
+      remaining.push_back(std::move(stroke));
+      continue;
+    }
+    const Vec2 from = stroke.points.front(), along = glm::normalize(stroke.points.back() - from);
+    for (const auto& [begin, end] : rest)
+      if (end - begin > shortest_rest) {
+        Stroke piece{{from + begin * along, from + end * along}};
+        piece.dashes = fit_open(end - begin, widths.narrow, scene::long_dash_dot);
+        remaining.push_back(std::move(piece));
+      }
+  }
+  centre.strokes = std::move(remaining);
 }
 
 void add_dividing_lines(Layer& centre, const drawing::ViewDrawing& view, const scene::CuttingSurface& surface,

@@ -20,10 +20,13 @@ Vec2 cutting_plane_room(const projection::Projection& projection, const scene::C
 
 /// Layer "VIEW/cutting-plane": a narrow long-dashed dotted line (ISO 128-2, type 04.1) across the ink of `parent`, with
 /// wide turns and wide ends (04.2) past its outline, arrows that point to them in the viewing direction of the section,
-/// and its name next to them. An end along a step has no arrow. Nothing if the view does not see the surface edge-on,
-/// and in central projections.
+/// and its name next to them: at the ends of aligned sections, perpendicular to the plane there. An end along a step
+/// has no arrow. Nothing if the view does not see the surface edge-on, and in central projections.
 std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, const scene::CuttingSurface& surface,
                                         const LineWidths& widths);
+
+/// Removes the parts of centre lines that lie on a cutting-plane line, which is of the same type.
+void give_way(Layer& centre, const Layer& cutting_plane, const LineWidths& widths);
 
 /// Adds the lines that divide a view of `surface` where it ends at a step, as half sections do: long-dashed dotted
 /// narrow lines (04.1) past the ink of the view. They replace centre lines of the layer in the same places.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.hpp"
 #include "drawing/curve_part.hpp"
 
 namespace epura::sheet {
@@ -81,6 +82,12 @@ std::vector<double> pattern_for(double length, double width, bool closed, std::s
       pattern.insert(pattern.end(), {gap, (room - (dashes + 1) * gap) / dashes});
     pattern.insert(pattern.end(), {gap, inked[i][1] - inked[i][0] + grow});
   }
+  double sum = 0;
+  for (const double part : pattern) {
+    check(part >= 0, "dashes and gaps have a length");
+    sum += part;
+  }
+  check(std::abs(sum - length) <= 1e-9 * length, "dashes and gaps are as long as their line");
   pattern.push_back(gap);  // beyond the end: writers need pairs
   return pattern;
 }
@@ -90,7 +97,9 @@ Dashes fit_multiple(double length, double width, const scene::DashType& type, do
   if (!(length >= type.shortest() * width)) return {};
   const double rest = type.rest() * width;
   const double periods = of * std::round((length - type.dash * width) / (of * (type.dash * width + rest)));
-  return {(length - rest * periods) / (periods + 1), type.gap * width, type.dot * width, type.dots};
+  const double dash = (length - rest * periods) / (periods + 1);
+  check(dash > 0, "a line long enough for dashes has dashes");
+  return {dash, type.gap * width, type.dot * width, type.dots};
 }
 
 }  // namespace
@@ -107,6 +116,7 @@ Dashes fit_closed(double length, double width, const scene::DashType& type) {
   if (!(length >= type.shortest() * width)) return {};
   const double rest = type.rest() * width;
   const double periods = std::round(length / (type.dash * width + rest));
+  check(periods >= 1 && length / periods > rest, "a closed line long enough for dashes has dashes");
   return {length / periods - rest, type.gap * width, type.dot * width, type.dots};
 }
 
@@ -142,6 +152,7 @@ std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed
     runs.push_back({begin, i, false});
     begin = i;
   }
+  check(runs.empty() || (runs.front().first == first && runs.back().last == last), "runs between corners are the line");
   return runs;
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/utf8.hpp"
 
 namespace epura::sheet {
@@ -55,6 +56,7 @@ std::size_t fitting_bytes(std::string_view text, std::string_view end, double wi
 std::pair<std::string, bool> cut_to(std::string_view text, double width, double height, const Lettering& lettering) {
   if (lettering.width(text, height) <= width) return {std::string(text), false};
   std::string_view kept = text.substr(0, fitting_bytes(text, ellipsis, width, height, lettering));
+  check(kept.size() <= text.size(), "a text that is cut is not longer");
   while (kept.ends_with(' ')) kept.remove_suffix(1);
   return {std::string(kept) + std::string(ellipsis), true};
 }

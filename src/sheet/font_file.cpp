@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <mutex>
+#include <new>
 #include <unordered_map>
 #include <utility>
 
-#include "base/error.hpp"
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
@@ -116,7 +116,7 @@ struct FontFile::Open {
 
 FontFile::FontFile(std::filesystem::path path, int number, std::string family)
     : file(std::move(path)), face(number), name(std::move(family)), open_(std::make_unique<Open>()) {
-  check(FT_Init_FreeType(&open_->library) == 0, "FreeType begins");
+  if (FT_Init_FreeType(&open_->library) != 0) throw std::bad_alloc();  // nothing else can fail
   if (FT_New_Face(open_->library, file.c_str(), number, &open_->face) != 0) open_->face = nullptr;
   if (!is_open()) return;
   constexpr double usual_capital = 0.7;

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
+
 namespace epura::sheet {
 
 namespace {
@@ -30,6 +32,7 @@ std::vector<double> field_ends(double length, double min, double max) {
   std::vector<double> ends = {min};
   for (int i = 1 - fields; i < fields; ++i) ends.push_back(length / 2 + i * field_length);
   ends.push_back(max);
+  check(std::is_sorted(ends.begin(), ends.end()), "the fields of a frame are in order");
   return ends;
 }
 

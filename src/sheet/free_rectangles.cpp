@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/error.hpp"
+
 namespace epura::sheet {
 
 namespace {
@@ -42,6 +44,7 @@ std::vector<Rectangle> free_rectangles(const Rectangle& room, std::span<const Re
     }
     free = kept;
   }
+  for (const Rectangle& r : free) check(room.holds(r), "what is free lies in the room");
   return free;
 }
 

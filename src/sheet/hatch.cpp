@@ -70,6 +70,7 @@ void add_line(const std::vector<Ring>& rings, const Vec2& along, double offset, 
     if ((before <= 0) == (behind <= 0)) return;
     crossings.push_back(glm::dot(along, a) + before / (before - behind) * glm::dot(along, b - a));
   });
+  check(crossings.size() % 2 == 0, "a line leaves a face as often as it enters it");
   std::sort(crossings.begin(), crossings.end());
   for (std::size_t begin = 0, end = 1; end < crossings.size(); begin = end + 1, end += 2) {
     // Faces on both sides of a step meet without a line between them.
@@ -156,6 +157,7 @@ std::vector<Line> lines_of(const drawing::CutFace& face, const Family& family, c
     min = std::min(min, glm::dot(n, a));
     max = std::max(max, glm::dot(n, a));
   });
+  check(family.spacing > 0, "lines of a hatching have a distance");
   const double first = std::ceil((min - family.start) / family.spacing);
   const double count = std::floor((max - family.start) / family.spacing) - first + 1;
   std::vector<std::vector<Line>> found(count > 0 ? static_cast<std::size_t>(count) : 0);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "sheet/chain_lines.hpp"
 
@@ -59,6 +60,7 @@ double InkDensity::along(const drawing::Chain& chain) const {
     all += length;
     inked += length * static_cast<double>(ink_[cell]) / nanometres;
   });
+  check(inked >= 0, "ink has a length");
   return all > 0 ? inked / (all * grid_.side.x * grid_.side.y) : 0;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "scene/line_roles.hpp"
 #include "sheet/dimensions/boxes.hpp"
 #include "sheet/view_labels.hpp"
@@ -103,6 +104,7 @@ Vec2 move_of(const Text& label, const Sheet& sheet, const Rectangle& area, const
   const Obstacles obstacles = obstacles_in(sheet, Rectangle{box.min - reach, box.max + reach}, label, lettering);
   auto move = free_move(box, obstacles, area, true);
   if (!move) move = free_move(box, obstacles, area, false);
+  check(!move || move->y >= 0, "a label goes up");
   return move.value_or(Vec2(0, 0));
 }
 

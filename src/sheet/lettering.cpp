@@ -126,6 +126,7 @@ double Lettering::width(std::string_view text, double height) const {
   if (covers(text)) {
     for (const char32_t character : characters(written(text)))
       units += font_->glyph(font_->index_of(character)).advance;
+    check(units >= 0, "a line of letters has a width");
     return units * (height / font_->capital());
   }
   double width = 0;

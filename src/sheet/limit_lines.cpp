@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/error.hpp"
 #include "sheet/dash.hpp"
 #include "sheet/furniture.hpp"
 
@@ -32,15 +33,45 @@ Ends ends_of(const drawing::Limit& limit, double past) {
   return {limit.from - (limit.meets[0] ? 0 : past) * along, limit.to + (limit.meets[1] ? 0 : past) * along, along};
 }
 
-Stroke zigzag_line(const drawing::Limit& limit, double width) {
+/// A part of an axis of the page.
+struct Range {
+  double from, to;
+};
+
+int axis_of(const drawing::Limit& limit) {
+  return std::abs(limit.to.x - limit.from.x) > std::abs(limit.to.y - limit.from.y) ? 0 : 1;
+}
+
+// Zigzags beside each other are at the same places of their lines: so they are parallel, and do not touch.
+Range common_range(const std::vector<drawing::Limit>& limits, const drawing::Limit& limit) {
+  const int axis = axis_of(limit);
+  const auto range_of = [axis](const drawing::Limit& one) {
+    const Ends ends = ends_of(one, past_outline);
+    return Range{std::min(ends.from[axis], ends.to[axis]), std::max(ends.from[axis], ends.to[axis])};
+  };
+  Range common = range_of(limit);
+  for (const drawing::Limit& other : limits) {
+    if (other.symmetric || axis_of(other) != axis) continue;
+    const Range range = range_of(other);
+    if (range.to <= common.from || range.from >= common.to) continue;
+    common = {std::max(common.from, range.from), std::min(common.to, range.to)};
+  }
+  return common;
+}
+
+Stroke zigzag_line(const drawing::Limit& limit, const Range& range, double width) {
   const auto [from, to, along] = ends_of(limit, past_outline);
   const Vec2 across(-along.y, along.x);
-  const double length = glm::distance(from, to);
+  const int axis = axis_of(limit);
+  const double length = range.to - range.from;
+  check(length > 0, "a break line has a length");
+  Vec2 begin = from;
+  begin[axis] = along[axis] > 0 ? range.from : range.to;
   const int count = 1 + static_cast<int>(length / zigzag_every);
   const double half = zigzag_along * width / 2, quarter = zigzag_along * width / 4, high = zigzag_across * width / 2;
   Stroke stroke{{from}};
   for (int i = 0; i < count; ++i) {
-    const Vec2 middle = from + (i + off_axis) * length / count * along;
+    const Vec2 middle = begin + (i + off_axis) * length / count * along;
     stroke.points.push_back(middle - half * along);
     stroke.points.push_back(middle - quarter * along + high * across);
     stroke.points.push_back(middle + quarter * along - high * across);
@@ -66,8 +97,12 @@ std::optional<Layer> limit_lines(const drawing::ViewDrawing& view, const LineWid
     return std::nullopt;
   Layer layer = empty_layer(view.name, scene::SheetLine::limit, widths);
   for (const drawing::Limit& limit : view.limits) {
+    if (!limit.freehand.empty()) {
+      layer.strokes.push_back({limit.freehand});
+      continue;
+    }
     if (!limit.symmetric) {
-      layer.strokes.push_back(zigzag_line(limit, widths.narrow));
+      layer.strokes.push_back(zigzag_line(limit, common_range(view.limits, limit), widths.narrow));
       continue;
     }
     const Ends ends = ends_of(limit, 0);
@@ -96,6 +131,20 @@ void add_symmetry_lines(Layer& centre, const drawing::ViewDrawing& view, const L
     axis.dashes = fit_open(glm::distance(from, to), widths.narrow, scene::long_dash_dot);
     centre.strokes.push_back(axis);
   }
+}
+
+std::optional<Layer> revolved_lines(const drawing::ViewDrawing& view, const LineWidths& widths) {
+  if (view.revolved.empty()) return std::nullopt;
+  Layer layer = empty_layer(view.name, scene::SheetLine::revolved, widths);
+  for (const drawing::RevolvedFace& face : view.revolved) {
+    for (const std::vector<Vec2>& ring : face.rings) layer.strokes.emplace_back(Stroke{ring}).closed = true;
+    const auto& [from, to] = face.axis;
+    const Vec2 past = past_outline * glm::normalize(to - from);
+    Stroke axis{{from - past, to + past}};
+    axis.dashes = fit_open(glm::distance(axis.points[0], axis.points[1]), widths.narrow, scene::long_dash_dot);
+    layer.strokes.push_back(std::move(axis));
+  }
+  return layer;
 }
 
 std::optional<Layer> trace_lines(const drawing::ViewDrawing& view, const LineWidths& widths) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/error.hpp"
 #include "sheet/fit_text.hpp"
 #include "sheet/furniture.hpp"
 
@@ -64,6 +65,8 @@ std::vector<std::string> draw_list(Layer& layer, std::vector<ListColumn> columns
   for (const ListColumn& column : columns) rest -= column.width;
   for (ListColumn& column : columns)
     if (column.width == 0) column.width = rest;
+  for (const ListColumn& column : columns)
+    check(column.texts.size() == columns.front().texts.size(), "the columns of a list are equally long");
   draw_lines(layer, columns, box);
   const std::size_t first = layer.texts.size();
   std::vector<std::string> warnings;

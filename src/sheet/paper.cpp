@@ -122,6 +122,7 @@ Placement place_ink(const Vec2& min, const Vec2& max, std::optional<double> scal
     page.height = size.y + 2 * page.above();
   }
   const Vec2 middle = Vec2(page.left, page.above()) + area(page) / 2.0;
+  check(page.width >= 0 && page.height >= 0, "paper has a size");
   placement.shift = middle - (min / 2.0 + max / 2.0) * placement.scale;
   // A fitted drawing may exceed the margin by a rounding error.
   const Vec2 slack = area(page) * (1 + 1e-9) - size;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "base/error.hpp"
 #include "sheet/line_styles.hpp"
 #include "sheet/list_table.hpp"
 
@@ -17,6 +18,8 @@ BlockBoxes block_boxes(const SheetFurniture& furniture) {
   };
   if (furniture.parts_list) add(boxes.parts_list, furniture.parts_list->items.size());
   if (furniture.revisions) add(boxes.revisions, furniture.revisions->rows.size());
+  for (const std::optional<Rectangle>& box : {boxes.title_block, boxes.parts_list, boxes.revisions})
+    check(!box || (boxes.all && boxes.all->holds(*box, 1e-9)), "the block contains its lists");
   return boxes;
 }
 

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/error.hpp"
+
 namespace epura::sheet {
 
 namespace {
@@ -50,6 +52,7 @@ Vec2 TableDrawing::size() const {
 // Texts are in reading order, for programs that extract them. `edges` are the sides of the cells.
 void TableDrawing::draw_row(Layer& layer, const std::vector<std::string>& cells, const std::vector<double>& edges,
                             double top) const {
+  check(cells.size() < edges.size(), "every cell of a table has a column");
   const double height = row_height * style_.text;
   add_line(layer, {edges.front(), top}, {edges.back(), top});
   for (std::size_t i = 0; i < cells.size(); ++i) {

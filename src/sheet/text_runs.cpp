@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <new>
 
 #include "base/error.hpp"
 
@@ -51,7 +52,7 @@ std::vector<Level> levels_of(const std::u32string& line) {
   FriBidiParType direction = FRIBIDI_PAR_ON;  // that of the first letter
   const Level highest =
       fribidi_get_par_embedding_levels_ex(types.data(), brackets.data(), size, &direction, levels.data());
-  check(highest != 0 || line.empty(), "there is memory for the directions of a line");
+  if (highest == 0 && !line.empty()) throw std::bad_alloc();  // nothing else can fail
   return levels;
 }
 
@@ -131,6 +132,7 @@ std::vector<TextRun> text_runs(const std::u32string& line, const ChooseFont& cho
     runs.back().characters += item.character;
     before = &item;
   }
+  check(runs.size() == levels.size(), "every run of letters has a direction");
   sort_as_on_paper(runs, levels);
   return runs;
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "scene/title_fields.hpp"
 #include "sheet/captions.hpp"
@@ -216,6 +217,7 @@ DrawnTitleBlock draw_title_block(const TitleBlock& block, const Paper& paper, co
   const std::vector<Field> fields = free_fields(block);
   const auto rows = static_cast<std::size_t>((box->size().y - standard_height) / row + 0.5);
   const std::vector<Cell> free = free_cells(fields, rows);
+  check(free.size() <= fields.size(), "every field has one cell");
   Writer writer(block, *box, lettering);
   for (const Cell& cell : standard_cells()) writer.draw(cell);
   writer.draw_symbol();

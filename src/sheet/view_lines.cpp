@@ -32,7 +32,7 @@ void add_origin(Stroke& stroke, const drawing::ViewDrawing& drawing, EdgeKind ki
     const drawing::Segment& segment = drawing.segments[static_cast<std::size_t>(index)];
     if (segment.edge[0] < 0) continue;
     const auto [low, high] = std::minmax(segment.edge[0], segment.edge[1]);
-    const ModelEdge edge{segment.model, {low, high}};
+    const ModelEdge edge{drawing.number_in_scene(segment.model), {low, high}};
     if (stroke.edges.empty() || edge != stroke.edges.back()) stroke.edges.push_back(edge);
   }
 }
@@ -77,6 +77,7 @@ std::vector<double> onto_curves(std::vector<double> places, const drawing::Chain
     const double step = straight[i + 1] - straight[i];
     const double part = step > 0 ? (place - straight[i]) / step : 0;
     place = distances[i] + part * (distances[i + 1] - distances[i]);
+    check(place >= 0, "a place on a line is not before it");
   }
   return places;
 }
@@ -102,7 +103,9 @@ Stroke DashedChain::stroke(const DashRun& run) const {
   for (int i = run.first; i <= run.last - (run.closed ? 1 : 0); ++i)
     stroke.points.push_back(chain.points[static_cast<std::size_t>(i) % chain.points.size()]);
   stroke.curves = drawing::curves_between(chain.curves, chain.points, run.first, run.last);
+  check(stroke.points.size() >= 2, "a line has two ends");
   const double start = distance(run.first), length = distance(run.last) - start;
+  check(length >= 0, "a part of a line goes forwards");
   FittedDashes fitted =
       fit_crossings(length, width, stroke.closed, crossings_of_run(crossings, start, length, distances.back()));
   stroke.dashes = fitted.dashes;
@@ -148,6 +151,7 @@ void shorten(Stroke& stroke, double by) {
     by -= glm::distance(points[end], points[end - 1]);
   stroke.curves = drawing::curves_between(stroke.curves, points, 0, static_cast<int>(end) - 1);
   points.resize(end + 1);
+  check(end >= 1 && by >= 0, "a line is shorter than what it ends before");
   const Vec2 step = points[end - 1] - points[end];
   points[end] += step * (by / glm::length(step));
 }
@@ -303,6 +307,8 @@ Strokes strokes_of(const drawing::ViewDrawing& drawing, const LineWidths& widths
                                               strokes.keys.begin());
     plans[i].first = std::exchange(all[plans[i].layer], all[plans[i].layer] + plans[i].strokes);
   }
+  for (const ChainPlan& plan : plans)
+    check(plan.first + plan.strokes <= all[plan.layer] || plan.strokes == 0, "every line has its place in a layer");
   for (const std::size_t number : all) strokes.of_layer.emplace_back(number);
   parallel_for(count, chains_a_part, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

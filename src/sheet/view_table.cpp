@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/error.hpp"
+
 namespace epura::sheet {
 
 ViewTable::ViewTable(std::vector<ViewCell> cells, double gap) : cells_(std::move(cells)), gap_(gap) {
@@ -32,6 +34,7 @@ void ViewTable::sum_up(Lines& lines, double gap) {
   int used = 0;
   for (const Band& band : lines.bands) {
     if (!band.used) continue;
+    check(band.max >= band.min, "a row contains its views");
     lines.scaled += band.max - band.min;
     lines.fixed += band.before + band.after + (used++ > 0 ? gap : 0);
   }
@@ -66,6 +69,7 @@ std::vector<ViewSpot> ViewTable::spots(double scale, const Vec2& corner) const {
   for (const ViewCell& cell : cells_) {
     const Vec2 anchor = corner + Vec2(x[std::size_t(cell.column)], y[std::size_t(cell.row)]);
     const double own = cell.scale.value_or(scale);
+    check(own > 0, "a view has a scale");
     spots.push_back({cell.view,
                      own,
                      anchor - own * cell.anchor,

@@ -189,10 +189,30 @@ Need FoldRule::crossing(int first, int second, double contact) const {
   return goes_through(first, second, n2) && goes_through(second, first, n1) ? Need::asked : Need::possible;
 }
 
+bool FoldRule::ends_at_cut(const Sheets& sheets) const {
+  const mesh::Mesh& mesh = *world_.models[static_cast<std::size_t>(sheets.model)].mesh;
+  if (mesh.uncut == nullptr) return false;
+  const mesh::EdgeOrigin origin = mesh.origin_of(*sheets.edge);
+  const mesh::MeshEdge* whole = origin.in_file ? mesh.uncut->edge_between(origin.vertex) : nullptr;
+  return whole != nullptr && whole->count > sheets.edge->count;
+}
+
+bool FoldRule::are_one_face(const std::array<int, 2>& edge, int triangle) const {
+  const int model = world_.model_of_triangle(triangle);
+  const scene::Placed& placed = world_.models[model];
+  const Sheets sheets = sheets_at(edge);
+  if (placed.part == nullptr || placed.mesh->uncut != nullptr || sheets.model != model) return false;
+  const auto face = [&](int t) { return placed.part->face_of_triangle[t - world_.first_triangle[model]]; };
+  return std::ranges::all_of(sheets.bodies, [&](const std::vector<int>& body) {
+    return std::ranges::all_of(body, [&](int t) { return face(t) == face(triangle); });
+  });
+}
+
 Need FoldRule::outline(const std::array<int, 2>& edge) const {
   const Sheets sheets = sheets_at(edge);
   if (sheets.edge == nullptr || sheets.edge->cut == mesh::CutEdge::inside) return Need::possible;
   if (sheets.edge->cut == mesh::CutEdge::outline) return Need::asked;
+  if (ends_at_cut(sheets)) return Need::possible;
   const bool asked = std::ranges::any_of(sheets.bodies, [&](const std::vector<int>& body) {
     return body.size() == 1 ? options_.boundary : body.size() == 2 ? options_.contour : options_.crease;
   });

@@ -35,12 +35,18 @@ class FoldRule {
   };
   [[nodiscard]] Sheets sheets_at(const std::array<int, 2>& edge) const;
 
+  /// Whether a cut has left only some of the triangles that meet in an edge of the file.
+  [[nodiscard]] bool ends_at_cut(const Sheets& sheets) const;
+
   /// For two triangles on either side of an edge that meet there or are separated by needles only.
   [[nodiscard]] Need fold(const std::array<int, 2>& edge, int first, int second) const;
   /// For two triangles that cross without a common edge.
   [[nodiscard]] Need crossing(int first, int second, double contact) const;
   /// For an edge at which a surface ends in front of what lies behind it.
   [[nodiscard]] Need outline(const std::array<int, 2>& edge) const;
+
+  /// Whether a triangle and those that meet in an edge are all of one face of a part.
+  [[nodiscard]] bool are_one_face(const std::array<int, 2>& edge, int triangle) const;
 
   /// How low a triangle is: certainly without a plane, perhaps without one, or hardly visible.
   enum class Needle { surely, perhaps, hardly_seen };

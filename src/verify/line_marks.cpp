@@ -118,6 +118,7 @@ Need LineMarks::need_at(int crossing) const {
   if (sheets.edge->wire && rule_.options().wire) return Need::asked;
   if (sheets.edge->cut == mesh::CutEdge::inside) return Need::none;
   if (sheets.edge->cut == mesh::CutEdge::outline) return Need::asked;
+  if (rule_.ends_at_cut(sheets)) return Need::possible;
   Need strongest = Need::none;
   for (const std::vector<int>& body : sheets.bodies) {
     Need need = body.size() == 1         ? rule_.options().boundary ? Need::asked : Need::none
@@ -151,6 +152,23 @@ bool LineMarks::continues(int crossing, int piece) const {
   return false;
 }
 
+// Whether a face of a part goes on behind its own facets, no farther than these are deep: as near the end of a contour,
+// or where a tessellation turns facets over.
+bool LineMarks::is_fold_of_face(int crossing, int back, double step) const {
+  const std::array<int, 2>& edge = slice_.crossings[crossing].edge;
+  if (back < 0 || !rule_.are_one_face(edge, slice_.pieces[back].triangle)) return false;
+  double nearest = -HUGE_VAL, farthest = HUGE_VAL;
+  for (const std::vector<int>& body : rule_.sheets_at(edge).bodies)
+    for (const int triangle : body)
+      for (const int v : scene_.world.triangles[triangle]) {
+        if (!scene_.is_before_viewer(v)) return false;
+        const double depth = scene_.depth_of(scene_.local[v]);
+        nearest = std::max(nearest, depth);
+        farthest = std::min(farthest, depth);
+      }
+  return step <= nearest - farthest;
+}
+
 bool LineMarks::is_vague(const Change& change) const {
   return (change.left >= 0 && scene_.is_vague(slice_.pieces[change.left].triangle)) ||
          (change.right >= 0 && scene_.is_vague(slice_.pieces[change.right].triangle));
@@ -171,7 +189,9 @@ void LineMarks::add_marks(const Change& change, std::vector<LineMark>& marks) co
   const double rounding = edge_on * limits_.quantum * (slope(front) + slope(back));
   const int end = crossing_at(front, change.u);
   if (step > clear_step * limits_.contact + rounding) {
-    if (end >= 0 && !continues(end, back) && rule_.outline(slice_.crossings[end].edge) == Need::asked) mark(end, true);
+    if (end >= 0 && !continues(end, back) && !is_fold_of_face(end, back, step) &&
+        rule_.outline(slice_.crossings[end].edge) == Need::asked)
+      mark(end, true);
   } else if (end == goes_on && crossing_at(back, change.u) == goes_on) {
     const double contact = clear_step * limits_.contact / scene_.page;
     if (rule_.crossing(triangle(front), triangle(back), contact) == Need::asked) mark(-1, false);

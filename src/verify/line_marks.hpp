@@ -64,6 +64,7 @@ class LineMarks {
   [[nodiscard]] Need need_at(int crossing) const;
   [[nodiscard]] bool continues(int crossing, int piece) const;
   [[nodiscard]] int crossing_at(int piece, double u) const;
+  [[nodiscard]] bool is_fold_of_face(int crossing, int back, double step) const;
   [[nodiscard]] bool is_break(const Change& change) const;
   [[nodiscard]] bool is_hidden_by(const SeenPart& part, double u, double depth) const;
   [[nodiscard]] bool is_seen(double u, double depth) const;

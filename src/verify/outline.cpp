@@ -287,20 +287,20 @@ class Outline {
     report::OutlineFault fault{
         names[static_cast<std::size_t>(suspect.kind)], suspect.place + scene_.origin, suspect.length, -1, {-1, -1}, {}};
     if (suspect.segment >= 0) {
-      fault.model = input_.drawing.segments[suspect.segment].model;
+      fault.model = input_.world.number_in_scene(input_.drawing.segments[suspect.segment].model);
       fault.edge = input_.drawing.segments[suspect.segment].edge;
       return fault;
     }
     for (const int triangle : suspect.triangles) {
       if (triangle < 0) continue;
       const int model = input_.world.model_of_triangle(triangle);
-      fault.facets.push_back(
-          {model, input_.world.models[model].mesh->polygon[triangle - input_.world.first_triangle[model]]});
-      fault.model = model;
+      fault.facets.push_back({input_.world.number_in_scene(model),
+                              input_.world.models[model].mesh->polygon[triangle - input_.world.first_triangle[model]]});
+      fault.model = input_.world.number_in_scene(model);
     }
     if (const auto sheets = suspect.edge[0] >= 0 ? rule_.sheets_at(suspect.edge) : FoldRule::Sheets{}; sheets.edge) {
-      fault.model = sheets.model;
-      const mesh::EdgeOrigin origin = input_.world.models[fault.model].mesh->origin_of(*sheets.edge);
+      fault.model = input_.world.number_in_scene(sheets.model);
+      const mesh::EdgeOrigin origin = input_.world.models[sheets.model].mesh->origin_of(*sheets.edge);
       if (origin.in_file) fault.edge = origin.vertex;
     }
     return fault;

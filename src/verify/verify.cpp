@@ -190,7 +190,8 @@ class Verifier {
 
   [[nodiscard]] report::FacetName facet_name(int triangle) const {
     const int model = input_.world.model_of_triangle(triangle);
-    return {model, input_.world.models[model].mesh->polygon[triangle - input_.world.first_triangle[model]]};
+    return {input_.world.number_in_scene(model),
+            input_.world.models[model].mesh->polygon[triangle - input_.world.first_triangle[model]]};
   }
 
   // The outline of a cut is identified by the face that was cut.
@@ -200,14 +201,15 @@ class Verifier {
     if (origin.in_file)
       offence.edge = origin.vertex;
     else
-      offence.facets.push_back({edge.model, mesh.polygon[mesh.triangles_of(mesh.edges[edge.mesh_edge]).front()]});
+      offence.facets.push_back({input_.world.number_in_scene(edge.model),
+                                mesh.polygon[mesh.triangles_of(mesh.edges[edge.mesh_edge]).front()]});
   }
 
   [[nodiscard]] report::Mismatch offence_of(std::size_t sample) const {
     const TestedSpan& span = span_of(sample);
     const edges::FeatureEdge& edge = input_.drawn.edges[span.edge];
     report::Mismatch offence{span.visible ? "drawn visible" : "drawn hidden",
-                             edge.model,
+                             input_.world.number_in_scene(edge.model),
                              {-1, -1},
                              {},
                              probe_of(sample).t,

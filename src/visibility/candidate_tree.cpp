@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/error.hpp"
+
 namespace epura::visibility {
 
 namespace {
@@ -104,6 +106,9 @@ void CandidateTree::make_piles(const view::ProjectedScene& view, std::vector<int
     things_.push_back(~static_cast<int>(piles_.size()));
     piles_.emplace_back(view, std::move(alike));
   }
+  std::size_t entered = things_.size() - piles_.size();
+  for (const Pile& pile : piles_) entered += pile.triangles().size();
+  check(entered == triangles.size(), "every triangle is in the tree once");
 }
 
 void CandidateTree::choose_directions(const view::ProjectedScene& view, const std::vector<int>& triangles) {
@@ -125,6 +130,7 @@ void CandidateTree::choose_directions(const view::ProjectedScene& view, const st
     const Vec3& d = directions_[i];
     const double cells = i < height ? slack_cells : depth_cells;
     slack_[i] = cells * view.cell * std::hypot(d.x, d.y) + depth_rounding * d.z * deepest;
+    check(slack_[i] >= 0, "bounds are widened");
   }
 }
 
@@ -134,6 +140,7 @@ CandidateTree::Bounds CandidateTree::before(const view::ProjectedScene& view, co
   for (std::size_t i = 0; i < directions; ++i) {
     const auto [low, high] = std::minmax({glm::dot(directions_[i], places[0]), glm::dot(directions_[i], places[1])});
     bounds[i] = {low - slack_[i], i < height ? high + slack_[i] : HUGE_VAL};
+    check(bounds[i][0] <= bounds[i][1], "bounds contain a part of an edge");
   }
   if (!hub_)
     bounds[turn] = all_around;

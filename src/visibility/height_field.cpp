@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/error.hpp"
+
 namespace epura::visibility {
 
 namespace {
@@ -132,6 +134,7 @@ class Sheet {
       if (line.back() != border.from) return false;
       outlines += runs_left(line) ? 1 : 0;
     }
+    check(next.empty(), "every border is on one line");
     return outlines == 1;
   }
 

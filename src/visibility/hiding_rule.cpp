@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "base/error.hpp"
+
 namespace epura::visibility {
 
 namespace {
@@ -179,6 +181,7 @@ std::optional<Overlap> overlap_of(const view::ProjectedScene& view, const PageEd
   if (!sides) return std::nullopt;
   auto in = place_crossing(view, edge, (*sides)[0]), out = place_crossing(view, edge, (*sides)[1]);
   if (in.t > out.t) std::swap(in, out);
+  check(in.t <= out.t, "a line enters a triangle before it leaves it");
   const double from = std::max(in.t, 0.0), to = std::min(out.t, 1.0);
   if (!(from < to)) return std::nullopt;
   return Overlap{from, to, in, out};

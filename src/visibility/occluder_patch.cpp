@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "base/error.hpp"
+
 namespace epura::visibility {
 
 namespace {
@@ -63,6 +65,7 @@ void OccluderPatch::close(int sheet, const view::ViewTriangle& triangle, int sid
   --other.open;
   if (&own == &other) return;
   other.open += own.open;
+  check(other.open >= 0, "a side that is closed was open");
   other.depth = std::min(other.depth, own.depth);
   own.parent = other.parent;
 }

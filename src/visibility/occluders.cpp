@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "search/triangle_cells.hpp"
 #include "visibility/occluder_patch.hpp"
@@ -121,6 +122,7 @@ search::PageBox OccluderGrid::box_of(const std::vector<Piece>& pieces) const {
       box = {glm::min(box.min, at), glm::max(box.max, at)};
     }
   if (pieces.empty()) return {Vec2(0), Vec2(0)};
+  check(box.min.x <= box.max.x && box.min.y <= box.max.y, "a box contains its edges");
   return box;
 }
 
@@ -132,6 +134,8 @@ OccluderGrid::Level OccluderGrid::make_level(const Content& content, int depth) 
   CellLoad load = find_load(content, level);
   find_candidates(content, load, level);
   if (cover_by_sheets(load, level)) load = find_load(content, level);
+  check(level.candidates.size() == load.pieces.size() && level.cover.size() == load.pieces.size(),
+        "every cell has a cover and candidates");
   for (int cell = 0; cell < level.grid.count(); ++cell) level.pairs += pairs_in(level, load, cell);
   const int idle = level.pairs > worthwhile * content.pairs ? content.idle + 1 : 0;
   relieve_full_cells(content, load, idle, depth, level);
@@ -158,6 +162,7 @@ search::CellGrid OccluderGrid::grid_for(const Content& content, int depth) const
   search::GridLimits limits = depth == 0 ? page_limits : cell_limits;
   limits.cells = std::min(limits.cells, static_cast<double>(content.triangles.size()) / triangles_of_cell);
   limits.side = 8 * margin();
+  check(limits.side > 0, "cells have a size");
   return search::choose_grid(page, lines, areas, limits);
 }
 
@@ -285,6 +290,7 @@ std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Co
     parts.push_back(std::move(part));
   }
   if (parts.empty()) return parts;
+  check(level.full.size() == static_cast<std::size_t>(grid.count()), "every cell is full or not");
   for (const Piece& piece : content.pieces) {
     progress_.expect_time();
     const PageEdge line = sightline(piece);

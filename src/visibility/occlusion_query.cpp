@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
+
 namespace epura::visibility {
 
 OcclusionQuery::OcclusionQuery(const view::ProjectedScene& view, const OccluderGrid& occluders, const PageEdge& line,
@@ -14,6 +16,7 @@ OcclusionQuery::OcclusionQuery(const view::ProjectedScene& view, const OccluderG
 }
 
 void OcclusionQuery::hide(const CellSegment& stretch) {
+  check(stretch.from <= stretch.to, "a part of an edge goes forwards");
   if (covers(spans_, stretch.from, stretch.to)) return;
   const auto [farthest, nearest] = occluders_.depths(line_, stretch.from, stretch.to);
   if (nearest < stretch.cover) return add_span(spans_, {stretch.from, stretch.to});
@@ -27,6 +30,7 @@ void OcclusionQuery::hide(const CellSegment& stretch) {
 
 Spans OcclusionQuery::spans() && {
   absorb_slivers(spans_, least_span(view_, line_));
+  check(spans_.empty() || (spans_.front()[0] >= 0 && spans_.back()[1] <= 1), "what is hidden lies on the edge");
   return std::move(spans_);
 }
 
@@ -45,6 +49,7 @@ bool OcclusionQuery::hide_by(const Pile& pile) {
 bool OcclusionQuery::hide_by_exact(const Pile& pile) {
   const auto overlap = overlap_of(view_, line_, view_.triangles[pile.triangles().front()]);
   if (!overlap) return false;
+  check(overlap->from < overlap->to, "an overlap has a length");
   bool any = false;
   const auto go_on = [&](int triangle) {
     any = hide_by(triangle) || any;

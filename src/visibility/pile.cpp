@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
+
 namespace epura::visibility {
 
 namespace {
@@ -33,6 +35,7 @@ Pile::Pile(const view::ProjectedScene& view, std::vector<int> triangles) : trian
   };
   std::sort(triangles_.begin(), triangles_.end(),
             [&](int a, int b) { return std::pair(-nearest(a), a) < std::pair(-nearest(b), b); });
+  check(!triangles_.empty(), "a pile has triangles");
   corners_ = sorted_corners(view, triangles_.front());
   for (const int triangle : triangles_)
     for (const int corner : sorted_corners(view, triangle)) around_.emplace_back(corner, triangle);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
+
 namespace epura::visibility {
 
 namespace {
@@ -20,6 +22,7 @@ double turn_between(const Vec2& from, const Vec2& to) { return std::atan2(cross(
 Turn turn_from(double begin, double end, double widened) {
   begin -= widened;
   end += widened;
+  check(begin <= end, "a turn is counterclockwise");
   if (!(end - begin < 2 * std::numbers::pi)) return all_around;
   if (begin < -std::numbers::pi) return {begin + 2 * std::numbers::pi, end + 2 * std::numbers::pi};
   if (begin > std::numbers::pi) return {begin - 2 * std::numbers::pi, end - 2 * std::numbers::pi};

@@ -3,9 +3,25 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
+
 namespace epura::visibility {
 
+namespace {
+
+bool is_ascending(const Spans& spans) {
+  double at = 0;
+  for (const auto& [from, to] : spans) {
+    if (!(from >= at && to >= from)) return false;
+    at = to;
+  }
+  return at <= 1;
+}
+
+}  // namespace
+
 void add_span(Spans& spans, const std::array<double, 2>& span) {
+  check(span[0] <= span[1], "a span goes forwards");
   auto begin = std::lower_bound(spans.begin(), spans.end(), span[0], [](const auto& s, double t) { return s[1] < t; });
   auto end = begin;
   std::array<double, 2> whole = span;
@@ -36,6 +52,7 @@ std::optional<std::array<double, 2>> open_part(const Spans& spans, double from, 
     const bool closes = end - begin < min && (held || holds);
     const std::array part{std::max(begin, from), std::min(end, to)};
     if (!closes && part[0] < part[1]) open = {open ? (*open)[0] : part[0], part[1]};
+    check(end >= begin, "the spans of an edge are ordered");
     if (last) break;
     held = holds;
     begin = (*next++)[1];
@@ -63,6 +80,7 @@ void absorb_slivers(Spans& spans, double min) {
   if (spans.empty()) return;
   if (spans.front()[0] < min) spans.front()[0] = 0;
   if (1 - spans.back()[1] < min) spans.back()[1] = 1;
+  check(is_ascending(spans), "the spans of an edge are ordered and on it");
 }
 
 }  // namespace epura::visibility

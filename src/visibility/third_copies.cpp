@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "base/error.hpp"
 #include "base/same_key.hpp"
 
 namespace epura::visibility {
@@ -34,6 +35,7 @@ ThirdCopies::ThirdCopies(const scene::World& world, const view::ProjectedScene& 
   if (world.models.size() < 3) return;  // no mesh has a triangle twice
   is_third_ = mark_third_copies(
       static_cast<int>(view.triangles.size()), [&](int t) { return key_of(view, t); }, progress);
+  check(is_third_.size() == view.triangles.size(), "every triangle is a copy or not");
   if (std::find(is_third_.begin(), is_third_.end(), 1) == is_third_.end()) return;
   at_ = Groups<int>(view.vertices.size(), [&](const auto& add) {
     for (std::size_t t = 0; t < is_third_.size(); ++t)

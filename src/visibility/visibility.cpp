@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "visibility/occluders.hpp"
 #include "visibility/occlusion_query.hpp"
@@ -65,9 +66,11 @@ void put_in_order(const std::vector<Spans>& found, const std::vector<int>& order
     for (std::size_t i = part * chunk; i < std::min((part + 1) * chunk, order.size()); ++i) {
       const auto e = static_cast<std::size_t>(order[i]);
       const auto end = from + static_cast<std::ptrdiff_t>(hidden.first[e + 1] - hidden.first[e]);
+      check(end <= found[part].end(), "every span is of one edge");
       std::copy(from, end, hidden.spans.begin() + static_cast<std::ptrdiff_t>(hidden.first[e]));
       from = end;
     }
+    check(from == found[part].end(), "every span is of one edge");
   }
 }
 
@@ -121,6 +124,7 @@ Spans hidden_by_all(const view::ProjectedScene& view, const PageEdge& line, cons
 OwnTriangles::OwnTriangles(const scene::World& world, const edges::FeatureEdges& drawn,
                            const edges::FeatureEdge& edge) {
   if (edge.crossing >= 0) {
+    check(edge.crossing < static_cast<int>(drawn.crossings.size()), "an intersection line has its crossing");
     numbers_ = drawn.crossings[edge.crossing].triangles;
     return;
   }
@@ -164,6 +168,7 @@ void keep_decided(edges::FeatureEdges& drawn, HiddenSpans& hidden) {
     for (std::size_t i = hidden.first[e]; i < hidden.first[e + 1]; ++i) hidden.spans[spans++] = hidden.spans[i];
     hidden.first[++kept] = spans;
   }
+  check(kept + hidden.undecided.size() == drawn.edges.size(), "every edge is decided or not");
   drawn.edges.resize(kept);
   hidden.first.resize(kept + 1);
   hidden.spans.resize(spans);
@@ -175,6 +180,7 @@ std::vector<int> all_but_longest(const view::ProjectedScene& view, const std::ve
   std::vector<int> order = longest_first(view, edges);
   order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(std::min(count, order.size())));
   std::sort(order.begin(), order.end());
+  check(order.size() == edges.size() - std::min(count, edges.size()), "all edges but some are left");
   return order;
 }
 

@@ -130,16 +130,23 @@ ManifestWriter::~ManifestWriter() { ::close(descriptor_); }
 
 void ManifestWriter::append(const std::string& output, const JobRecord& record) {
   const std::string line = line_of(output, record);
-  // One write, so that readers see whole lines.
-  if (::write(descriptor_, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
-    fail(file_, std::string("cannot be written: ") + std::strerror(errno));
+  // One write, so that readers see whole lines; more only where the system takes a part.
+  for (std::string_view rest = line; !rest.empty();) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) fail(file_, std::string("cannot be written: ") + std::strerror(errno));
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
   constexpr std::chrono::seconds at_risk(1);
   if (Clock::now() - synced_ > at_risk) sync();
 }
 
 void ManifestWriter::sync() {
   synced_ = Clock::now();
-  if (::fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS)
+  int synced = 0;
+  do synced = ::fdatasync(descriptor_);
+  while (synced != 0 && errno == EINTR);
+  if (synced != 0 && errno != EINVAL && errno != EROFS)
     fail(file_, std::string("cannot be written: ") + std::strerror(errno));
 }
 

@@ -18,6 +18,7 @@
 #include "app/confinement.hpp"
 #include "app/describe.hpp"
 #include "app/draw_files.hpp"
+#include "base/broken.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
@@ -239,6 +240,9 @@ JobResult do_job(const BatchPlan& plan, std::size_t number) {
     const std::string limit = plan.job_memory ? "takes more than " + format_number(*plan.job_memory) + " MB"
                                               : std::string("not enough memory for this model");
     add_error(result.record, Error(ErrorKind::input, job.name, limit));
+  } catch (const Broken& error) {
+    result.record.code = broken_exit_code;
+    result.record.messages.push_back(one_line(std::string("internal error: this does not hold: ") + error.what()));
   } catch (const std::exception& error) {
     add_error(result.record, Error(ErrorKind::input, job.name, error.what()));
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "sheet/dimensions/forms.hpp"
 
@@ -82,6 +83,7 @@ void set_text_at(PlacedDimension& dimension, const DimensionText& text, const Di
 PlacedDimension arc_dimension(const MeasuredAngle& angle, const DimensionText& text, double radius, int place,
                               const DimensionStyle& style) {
   const auto [corner, first, sweep] = sector_of(angle);
+  check(radius >= 0, "the arc of an angle has a radius");
   const double turn = sweep < 0 ? -1 : 1;
   const bool outward = radius * std::abs(sweep) >= arrows_inside * style.arrow();
   const auto angle_of = [&](double length) { return std::min(length / radius, farthest_past) * turn; };

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
+
 namespace epura::sheet {
 
 namespace {
@@ -34,6 +36,7 @@ void BoxIndex::add(std::span<const TurnedBox> boxes) {
     }
     const auto [min, max] = around(box);
     visit_cells(cell_at(min), cell_at(max), [&](const Cell& cell) { cells_[cell].push_back(entries_.size()); });
+    check(min.x <= max.x && min.y <= max.y, "a rectangle contains its box");
     entries_.push_back({box, min, max, 1});
   }
 }

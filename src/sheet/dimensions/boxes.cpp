@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 
 namespace epura::sheet {
@@ -28,6 +29,7 @@ Vec2 upright_half(const TurnedBox& box) { return {half_shadow(box, {1, 0}), half
 
 Rectangle around(const TurnedBox& box) {
   const Vec2 half = upright_half(box);
+  check(half.x >= 0 && half.y >= 0, "a box has a size");
   return {box.centre - half, box.centre + half};
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/error.hpp"
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/straight.hpp"
 
@@ -22,6 +23,7 @@ PlacedDimension leader(const MeasuredCircle& circle, const DimensionText& text, 
                        const DimensionStyle& style) {
   const Vec2 tip = circle.centre + circle.radius * direction;
   const Vec2 elbow = tip + length * direction;
+  check(circle.radius >= 0, "a circle has a radius");
   const Vec2 outward = length < 0 ? -direction : direction;
   const double width = style.width(text) + 2 * style.above();
   const Vec2 shoulder = elbow + Vec2(outward.x < 0 ? -width : width, 0);

@@ -54,6 +54,32 @@ struct Surroundings {
   }
 };
 
+bool is_on_line(const Vec2& p, const Vec2& on, const Vec2& direction) {
+  constexpr double slack = 1e-6;
+  return std::abs(glm::dot(p - on, left_of(direction))) <= slack * (1 + glm::length(p - on)) * glm::length(direction);
+}
+
+// Whether an arrow ends at what the dimension measures.
+bool ends_at(const MeasuredLength& length, const Vec2& tip) {
+  const auto is_end = [&](const Vec2& end) { return is_on_line(tip, end, length.extension); };
+  return is_end(length.from) || is_end(length.to) ||
+         (length.opposite && (is_end((*length.opposite)[0]) || is_end((*length.opposite)[1])));
+}
+
+bool ends_at(const MeasuredAngle& angle, const Vec2& tip) {
+  return is_on_line(tip, angle.corner, angle.legs[0]) || is_on_line(tip, angle.corner, angle.legs[1]);
+}
+
+bool ends_at(const MeasuredCircle& circle, const Vec2& tip) {
+  return std::abs(glm::distance(tip, circle.centre) - circle.radius) <= 1e-6 * (1 + circle.radius);
+}
+
+template <class Form>
+void check_ends(const Form& form, const PlacedDimension& dimension) {
+  for (const Fill& arrow : dimension.arrows)
+    check(ends_at(form, arrow.rings.front().front()), "a dimension ends at what it measures");
+}
+
 PlacedDimension best_of(std::vector<DimensionPlacement> placements, const Surroundings& surroundings) {
   std::stable_sort(placements.begin(), placements.end(),
                    [](const DimensionPlacement& a, const DimensionPlacement& b) { return a.cost < b.cost; });
@@ -93,6 +119,7 @@ std::vector<std::optional<PlacedDimension>> place(const std::vector<MeasuredDime
     if (progress.is_out_of_time()) break;
     const auto placements = [&](const auto& form) { return placements_of(form, dimensions[i], drawing, style); };
     placed[i] = best_of(std::visit(placements, dimensions[i].form), surroundings);
+    std::visit([&](const auto& form) { check_ends(form, *placed[i]); }, dimensions[i].form);
     surroundings.add(*placed[i]);
     progress.advance(1);
   }

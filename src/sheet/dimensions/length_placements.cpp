@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/straight.hpp"
 
@@ -48,6 +49,7 @@ Reach reach_of_ink(const MeasuredLength& length, const drawing::ViewDrawing& dra
     reach.add(a.y + s0 * (b.y - a.y));
     reach.add(a.y + s1 * (b.y - a.y));
   }
+  check(reach.min <= 0 && reach.max >= 0, "ink reaches to both sides of the line that is measured from");
   return reach;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 
 namespace epura::sheet {
@@ -125,6 +126,7 @@ void set_text(PlacedDimension& dimension, const DimensionText& text, const TextP
   dimension.text_box = {at.middle + (at.rise + height / 2) * left_of(at.read),
                         at.read,
                         {style.width(text) / 2 + air * style.text, height / 2 + air * style.text}};
+  check(dimension.text_box.half.x > 0 && dimension.text_box.half.y > 0, "a text has a size");
 }
 
 }  // namespace epura::sheet

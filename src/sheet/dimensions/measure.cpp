@@ -298,6 +298,7 @@ MeasuredDimension measure(const drawing::ViewDrawing& drawing, const AnchoredDim
     refuse(dimension, "the view '" + drawing.name + "' is a perspective, which shows no true lengths",
            "measure in an orthographic view");
   const Sight sight{drawing, notation};
+  check(sight.millimetres() > 0, "a parallel view has a scale");
   switch (dimension.type) {
     case DimensionType::linear:
       return linear(dimension, sight);

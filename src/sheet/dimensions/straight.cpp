@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/error.hpp"
+
 namespace epura::sheet {
 
 namespace {
@@ -85,6 +87,7 @@ PlacedDimension straight_dimension(const MeasuredLength& length, const Dimension
   if (!low_open) add_extension_line(dimension, low, base.low, style);
   if (!high_open) add_extension_line(dimension, high, base.high, style);
 
+  check(base.span >= 0, "a length is not negative");
   const Layout layout = layout_of(base, style.width(text), fits_inside(length, text, style), place, style);
   const Vec2 begin = base.low + layout.line.begin * read, end = base.low + layout.line.end * read;
   add_line(dimension, begin, end);

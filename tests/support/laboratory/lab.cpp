@@ -5,6 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "visibility/folds.hpp"
+
 namespace epura::laboratory {
 
 projection::Projection orthographic(const Vec3& towards_viewer, const Vec3& up) {
@@ -50,6 +52,7 @@ Result Lab::draw(scene::World world, const Camera& camera, const edges::EdgeOpti
   r.condition = view::condition_of(camera.projection, r.world.box);
   r.drawn = edges::find_feature_edges(r.world, r.view, options);
   r.hidden = visibility::find_hidden(r.world, r.view, r.drawn);
+  visibility::hide_folds(r.world, r.view, r.drawn, r.hidden);
   r.drawing = drawing::make_drawing({r.world, r.view, r.drawn, r.hidden}, {1, Vec2(0)}, {"study", true});
   return r;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "../output/json_reader.hpp"
 #include "base/text.hpp"
@@ -74,7 +75,7 @@ struct Case {
   Vec3 at_from, at_to;  // points of the world on the planes
 };
 
-// At 1:1, the parts have the lines of the whole view, and what is left out is gone but for the gap of 4 mm.
+// At 1:1, the parts have the lines of the whole view, and what is left out is gone but for the gap of 6 mm.
 TEST_F(Breaks, KeepTheLinesOnBothSidesAndMoveThemTogether) {
   const std::array cases{Case{"shaft.obj", "'front'", "x", 0, 70.25, 110.5, {70.25, 0, 0}, {110.5, 0, 0}},
                          Case{"bracket.obj", "'front'", "x", 0, 20.5, 60, {20.5, 0, 0}, {60, 0, 0}},
@@ -96,21 +97,49 @@ TEST_F(Breaks, KeepTheLinesOnBothSidesAndMoveThemTogether) {
     EXPECT_EQ(part["along"].text, axis == 0 ? "x" : "y");
     EXPECT_NEAR(part["from"].number(), low, 1e-9);
     EXPECT_NEAR(part["to"].number(), high, 1e-9);
-    EXPECT_EQ(broken["breaks"]["gap"].number(), 4);
+    EXPECT_EQ(broken["breaks"]["gap"].number(), 6);
     const double tiny = 1e-6;
     const auto before = lengths(whole, axis, -1e9, from + tiny), after = lengths(whole, axis, to - tiny, 1e9);
-    const auto left = lengths(broken, axis, -1e9, low + tiny), right = lengths(broken, axis, low + 4 - tiny, 1e9);
+    const auto left = lengths(broken, axis, -1e9, low + tiny), right = lengths(broken, axis, low + 6 - tiny, 1e9);
     for (const std::size_t visible : {0U, 1U}) {
       EXPECT_NEAR(left[visible], before[visible], 1e-4) << one.model << one.projection;
       EXPECT_NEAR(right[visible], after[visible], 1e-4) << one.model << one.projection;
     }
     EXPECT_GT(left[1] * right[1], 0);
-    const auto between = lengths(broken, axis, low + tiny, low + 4 - tiny);
+    const auto between = lengths(broken, axis, low + tiny, low + 6 - tiny);
     EXPECT_EQ(between[0] + between[1], 0);
   }
 }
 
 // The parameters of a line still give its place on the edge of the model.
+// Both sides have the same waves, so lines along the axis lose what is between the places, no more and no less.
+TEST_F(Breaks, MayEndAtFreehandLines) {
+  const auto lengths_by_height = [](const Json& view) {
+    std::map<double, double> lengths;
+    const double middle = on_page(view, {0, 0, 0}).y;
+    for (const Json& segment : view["segments"].items) {
+      const Vec2 p = point_of(segment["from"]), q = point_of(segment["to"]);
+      if (segment["visible"].type == 't' && std::abs(p.y - q.y) < 1e-9)
+        lengths[std::round((p.y - middle) * 1e6) / 1e6] += glm::distance(p, q);
+    }
+    return lengths;
+  };
+  const std::string scene = scene_of("shaft.obj", "'front'\nbreak_line = 'freehand'\nhidden = 'none'\n");
+  const auto whole = lengths_by_height(view(scene)), broken = lengths_by_height(view(scene + "break = 'x:80:100'\n"));
+  ASSERT_EQ(whole.size(), broken.size());
+  int shorter = 0;
+  for (const auto& [height, length] : whole) {
+    const double lost = length - broken.at(height);
+    EXPECT_TRUE(std::abs(lost) < 1e-6 || std::abs(lost - 20) < 1e-6) << height << ": " << lost;
+    shorter += lost > 1 ? 1 : 0;
+  }
+  EXPECT_GE(shorter, 2);
+  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "-limit\" inkscape:groupmode"));
+  EXPECT_TRUE(
+      contains(error(scene_of("shaft.obj", "'front'\nbreak = ['x:80:100', 'z:0:5']\nbreak_line = 'freehand'\n")),
+               "view 'front' is broken in two directions, where freehand lines would meet"));
+}
+
 TEST_F(Breaks, KeepTheParametersOfTheirLines) {
   const Json broken = view("[[section]]\nname = 'A'\npoint = [40, 0, 0]\nnormal = [-1, 0, 0]\n" +
                            scene_of("bracket.obj", "'left'\nsection = 'A'\nbreak = 'z:15:55'\n"));
@@ -122,7 +151,7 @@ TEST_F(Breaks, KeepTheParametersOfTheirLines) {
       const auto& p = segment["world"].items[end].items;
       Vec2 page = on_page(broken, {p[0].number(), p[1].number(), p[2].number()});
       EXPECT_TRUE(p[2].number() <= 15 + 1e-9 || p[2].number() >= 55 - 1e-9);
-      if (p[2].number() > 30) page.y += 4 - 40;
+      if (p[2].number() > 30) page.y += 6 - 40;
       EXPECT_LT(glm::distance(page, point_of(segment[end == 0 ? "from" : "to"])), 1e-6);
     }
     ++cut;
@@ -132,7 +161,7 @@ TEST_F(Breaks, KeepTheParametersOfTheirLines) {
     for (const Json& ring : face["rings"].items)
       for (const Json& p : ring.items) {
         const double y = point_of(p).y;
-        EXPECT_TRUE(y <= low + 1e-9 || y >= low + 4 - 1e-9);
+        EXPECT_TRUE(y <= low + 1e-9 || y >= low + 6 - 1e-9);
       }
   EXPECT_GE(broken["cut_faces"].items.size(), 2U);
 }

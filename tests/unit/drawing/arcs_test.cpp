@@ -151,6 +151,38 @@ TEST(Arcs, ASlotHasTwo) {
   }
 }
 
+// Along a circle and back, between its own corners.
+TEST(Arcs, EndWhereALineTurnsBack) {
+  const drawing::Ellipse e = ellipse({0, 0}, 30, 30);
+  std::vector<Vec2> points = points_of(e, 0, pi, 18);
+  const std::vector<Vec2> back = points_of(e, pi - pi / 36, pi / 2 - pi / 36, 9);
+  points.insert(points.end(), back.begin(), back.end());
+  drawing::Chain chain = chain_of(points, false);
+  find(chain);
+  ASSERT_FALSE(chain.curves.empty());
+  EXPECT_EQ(chain.curves[0].first, 0);
+  EXPECT_EQ(chain.curves[0].last, 18);
+  EXPECT_NEAR(chain.curves[0].to - chain.curves[0].from, pi, 1e-9);
+}
+
+// Noise that an ellipse fits a little better.
+TEST(Arcs, OfACircleStayCirclesDespiteNoise) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> noise(-0.3 * tolerance, 0.3 * tolerance);
+  for (int round = 0; round < 100; ++round) {
+    std::vector<Vec2> points;
+    for (int i = 0; i <= 30; ++i) {
+      const double angle = 2 * pi * i / 30, radius = 40 + noise(random);
+      points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    points.back() = points.front();
+    drawing::Chain chain = chain_of(points, true);
+    const drawing::CurveReport report = find(chain);
+    EXPECT_EQ(report.circles, 1);
+    EXPECT_EQ(report.ellipses, 0);
+  }
+}
+
 TEST(Arcs, EndsOnChordsAreMovedOntoTheCurve) {
   const drawing::Ellipse e = ellipse({0, 0}, 50, 20, 0.5);
   std::vector<Vec2> points = points_of(e, 0, pi, 20);

@@ -60,6 +60,17 @@ TEST(Ink, AmongEqualsTheStrongerKindThenTheLongerThenTheEarlierEdgeStays) {
   EXPECT_EQ(by_edge[0].edge, 3);
 }
 
+// Copies too short for an overlap to count.
+TEST(Ink, OfShortCopiesOneStays) {
+  const std::vector<drawing::Piece> kept =
+      drawing::resolve_coincident({piece({0, 0}, {min / 2, 0}, false, 0), piece({min / 2, 0}, {0, 0}, true, 1),
+                                   piece({0, 0}, {min / 2, 0}, true, 2)},
+                                  tolerance, min);
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_TRUE(kept[0].visible);
+  EXPECT_EQ(kept[0].edge, 1);
+}
+
 TEST(Ink, AHiddenLineKeepsWhatNoVisibleOneCovers) {
   // Covered from 3 to 5 of 10, and by a slanted direction, given backwards.
   const Vec2 along = Vec2(3, 4) / 5.0;

@@ -260,28 +260,29 @@ TEST(RecogniseFaces, NothingInAScan) {
 TEST(RecogniseFaces, FreeFormsAreOneFace) {
   // A bulged lid on a box: its walls are planes, its top is no quadric.
   constexpr int n = 24;
-  Part part;
-  std::vector<std::vector<int>> grid(n + 1);
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= n; ++j) {
-      const double x = 2.0 * i / n - 1, y = 2.0 * j / n - 1;
-      grid[i].push_back(
-          part.add({10 * x, 10 * y, 8 + 2 * std::cos(x * pi / 2) * std::cos(y * pi / 2) * (1 + 0.3 * x)}));
-    }
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      part.faces.push_back({grid[i][j], grid[i + 1][j], grid[i + 1][j + 1]});
-      part.faces.push_back({grid[i][j], grid[i + 1][j + 1], grid[i][j + 1]});
-    }
-  std::vector<int> rim;
-  for (int i = 0; i < n; ++i) rim.push_back(grid[i][0]);
-  for (int i = 0; i < n; ++i) rim.push_back(grid[n][i]);
-  for (int i = n; i > 0; --i) rim.push_back(grid[i][n]);
-  for (int i = n; i > 0; --i) rim.push_back(grid[0][i]);
-  close_below(part, rim, 0);
-  const features::PartFaces faces = recognise(part);
+  const auto lid = [](int i, int j) {
+    const double x = 2.0 * i / n - 1, y = 2.0 * j / n - 1;
+    return Vec3(10 * x, 10 * y, 8 + 2 * std::cos(x * pi / 2) * std::cos(y * pi / 2) * (1 + 0.3 * x));
+  };
+  const features::PartFaces faces = recognise(closed_sheet(n, n, lid, 0));
   EXPECT_EQ(count(faces, features::SurfaceKind::free_form), 1);
   EXPECT_EQ(count(faces, features::SurfaceKind::plane), 5);
+  EXPECT_EQ(faces.faces.size(), 6U);
+  EXPECT_EQ(count(faces, features::BorderKind::sharp), 12);
+}
+
+TEST(RecogniseFaces, CurvesOfVaryingCurvatureAreNotRowsOfArcs) {
+  constexpr int columns = 90, rows = 3;
+  std::mt19937 random(1);
+  const auto wave = [&random](int i, int j) {
+    const bool inside = i > 0 && i < columns && j > 0 && j < rows;
+    const double shift = inside ? 0.3 * (double(random()) / double(std::mt19937::max()) - 0.5) : 0;
+    const double x = 100 * (i + shift) / columns;
+    return Vec3(x, 20.0 * j / rows, 6 * std::sin(0.06 * x) + 3 * std::sin(0.17 * x));
+  };
+  const features::PartFaces faces = recognise(closed_sheet(columns, rows, wave, -30).round_to_float());
+  EXPECT_EQ(count(faces, features::SurfaceKind::free_form), 1);
+  EXPECT_EQ(count(faces, features::SurfaceKind::cylinder), 0);
   EXPECT_EQ(faces.faces.size(), 6U);
   EXPECT_EQ(count(faces, features::BorderKind::sharp), 12);
 }

@@ -200,6 +200,27 @@ inline void close_below(Part& part, const std::vector<int>& rim, double floor) {
   part.faces.push_back({foot.rbegin(), foot.rend()});
 }
 
+/// A sheet of triangles between the points (i, j), i up to `columns` and j up to `rows`, with walls and a floor below
+/// it.
+inline Part closed_sheet(int columns, int rows, const std::function<Vec3(int, int)>& point, double floor) {
+  Part part;
+  std::vector<std::vector<int>> grid(columns + 1);
+  for (int i = 0; i <= columns; ++i)
+    for (int j = 0; j <= rows; ++j) grid[i].push_back(part.add(point(i, j)));
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) {
+      part.faces.push_back({grid[i][j], grid[i + 1][j], grid[i + 1][j + 1]});
+      part.faces.push_back({grid[i][j], grid[i + 1][j + 1], grid[i][j + 1]});
+    }
+  std::vector<int> rim;
+  for (int i = 0; i < columns; ++i) rim.push_back(grid[i][0]);
+  for (int j = 0; j < rows; ++j) rim.push_back(grid[columns][j]);
+  for (int i = columns; i > 0; --i) rim.push_back(grid[i][rows]);
+  for (int j = rows; j > 0; --j) rim.push_back(grid[0][j]);
+  close_below(part, rim, floor);
+  return part;
+}
+
 inline int count(const features::PartFaces& part, features::SurfaceKind kind) {
   int count = 0;
   for (const features::PartFace& face : part.faces) count += face.surface.kind == kind ? 1 : 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts by parallel planes with steps between them: offset and half sections.
+// Cuts by parallel planes with steps between them: offset and half sections; and by planes that meet at an angle:
+// aligned sections.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,8 +34,9 @@ double area(const scene::World& world, int triangle) {
 
 double cut_area(const scene::World& whole, const scene::CutWorld& cut) {
   double sum = 0;
-  for (std::size_t m = 0; m < whole.models.size(); ++m) {
-    const std::vector<int>& polygons = whole.models[m].mesh->polygon;
+  for (std::size_t m = 0; m < cut.world.models.size(); ++m) {
+    const auto number = static_cast<std::size_t>(cut.world.number_in_scene(static_cast<int>(m)));
+    const std::vector<int>& polygons = whole.models[number].mesh->polygon;
     const int last = *std::max_element(polygons.begin(), polygons.end());
     const mesh::Mesh& mesh = *cut.world.models[m].mesh;
     for (std::size_t t = 0; t < mesh.polygon.size(); ++t)
@@ -206,6 +208,140 @@ TEST(SteppedCut, RefusesSurfacesThatMiss) {
   };
   refused(7, 8, "removes everything");
   refused(-7, -8, "cuts nothing");
+}
+
+scene::CuttingSurface aligned(const std::vector<Vec3>& path, const Vec3& normal = {0, -1, 0}) {
+  scene::SectionDescription section{{"A", "a.toml:3:1"}, Vec3(0), normal, {path, "a.toml:4:8"}};
+  section.aligned = {true, "a.toml:5:1"};
+  return scene::make_cutting_surface(section);
+}
+
+// At an angle in the plane z = 0.
+Vec3 at(double degrees, double radius) {
+  return {radius * std::cos(degrees * pi / 180), radius * std::sin(degrees * pi / 180), 0};
+}
+
+// Distances along the picture, and heights over it, of all corners of cut faces.
+void expect_in_picture(const scene::CutWorld& cut, double least, double most) {
+  double left = 0, right = 0;
+  for (const scene::WorldCutFace& face : cut.faces)
+    for (const auto& ring : face.rings)
+      for (const int v : ring) {
+        const Vec3& p = cut.world.points[v];
+        EXPECT_NEAR(p.y, 0, 1e-14);
+        EXPECT_GE(std::abs(p.x), least - 1e-12);
+        left = std::min(left, p.x);
+        right = std::max(right, p.x);
+      }
+  EXPECT_NEAR(left, -most, 1e-12);
+  EXPECT_NEAR(right, most, 1e-12);
+}
+
+// Whatever their angle, the planes of a ring show what a plane through its axis shows.
+TEST(AlignedCut, OfARingShowsItsSectionTwice) {
+  const scene::World world = world_of(ring(48));
+  for (const double angle : {-75.0, -60.0, -7.5, 30.0, 60.0, 90.0, 120.0}) {
+    const scene::CutWorld cut = scene::cut_world(world, aligned({at(180, 5), Vec3(0), at(angle, 5)}));
+    ASSERT_EQ(cut.world.models.size(), 2U);
+    EXPECT_EQ(cut.world.number_in_scene(1), 0);
+    EXPECT_TRUE(cut.open.empty());
+    EXPECT_NEAR(cut_area(world, cut), 2, 1e-12) << angle;
+    EXPECT_NEAR(outline_length(cut), 4, 1e-12) << angle;  // of the first plane
+    expect_in_picture(cut, 2, 3);
+  }
+}
+
+// Each plane keeps what is perpendicular to it and behind it: of a ring, a quarter.
+TEST(AlignedCut, KeepsWhatIsBehindEachPlane) {
+  const scene::World world = world_of(ring(48));
+  const double quarter = surface_area(world) / 4;
+  for (const double angle : {-45.0, 60.0}) {
+    const scene::CutWorld cut = scene::cut_world(world, aligned({at(180, 5), Vec3(0), at(angle, 5)}));
+    EXPECT_NEAR(surface_area(cut.world) - cut_area(world, cut), 2 * quarter, 1e-12);
+    for (const auto& triangle : cut.world.triangles)
+      for (const int v : triangle) EXPECT_GE(cut.world.points[v].y, -1e-12);
+  }
+}
+
+// The area is the sum of those of the planes, also where these differ.
+TEST(AlignedCut, AreasOfPlanesAddUp) {
+  const scene::World world = world_of(box({-3, -3, 0}, {5, 4, 2}));
+  for (const auto& [angle, length] : {std::pair(90.0, 4.0), {-90.0, 3.0}, {45.0, 4 * std::sqrt(2.0)}}) {
+    const scene::CutWorld cut = scene::cut_world(world, aligned({at(180, 9), Vec3(0), at(angle, 9)}));
+    EXPECT_NEAR(cut_area(world, cut), 2 * (3 + length), 1e-12) << angle;
+    double right = 0;
+    for (const scene::WorldCutFace& face : cut.faces)
+      for (const auto& outline : face.rings)
+        for (const int v : outline) right = std::max(right, cut.world.points[v].x);
+    EXPECT_NEAR(right, length, 1e-12);
+  }
+}
+
+// Three planes: the outer ones are turned about the corners next to the middle one, which stays.
+TEST(AlignedCut, OfThreePlanesIsAsLongAsThePath) {
+  const scene::World world = world_of(box({-2, -9, 0}, {6, 9, 2}));
+  const scene::CutWorld cut = scene::cut_world(world, aligned({{-2, -3, 0}, {0, 0, 0}, {4, 0, 0}, {6, 3, 0}}));
+  ASSERT_EQ(cut.world.models.size(), 3U);
+  const double inclined = std::hypot(2.0, 3.0);
+  EXPECT_NEAR(cut_area(world, cut), 2 * (4 + 2 * inclined), 1e-12);
+  double left = 0, right = 0;
+  for (const scene::WorldCutFace& face : cut.faces)
+    for (const auto& outline : face.rings)
+      for (const int v : outline) {
+        left = std::min(left, cut.world.points[v].x);
+        right = std::max(right, cut.world.points[v].x);
+        EXPECT_NEAR(cut.world.points[v].y, 0, 1e-12);
+      }
+  EXPECT_NEAR(left, -inclined, 1e-12);
+  EXPECT_NEAR(right, 4 + inclined, 1e-12);
+}
+
+// If no plane is perpendicular to the normal, all are turned about their first corner.
+TEST(AlignedCut, MayTurnAllPlanes) {
+  const scene::World world = world_of(ring(48));
+  const scene::CutWorld cut = scene::cut_world(world, aligned({at(210, 5), Vec3(0), at(-30, 5)}));
+  EXPECT_NEAR(cut_area(world, cut), 2, 1e-12);
+  expect_in_picture(cut, 2, 3);
+}
+
+TEST(AlignedCut, MayLeaveCutFacesOnly) {
+  const scene::World world = world_of(ring(48));
+  scene::CuttingSurface section = aligned({at(180, 5), Vec3(0), at(60, 5)});
+  section.beyond = false;
+  EXPECT_NEAR(surface_area(scene::cut_world(world, section).world), 2, 1e-12);
+}
+
+// With its hint on a second line.
+template <class Action>
+std::string text_of_error(Action action) {
+  const Error error = error_of(action);
+  return std::string(error.what()) + "\n" + error.hint();
+}
+
+TEST(AlignedCut, RefusesPathsThatAreNone) {
+  const auto error = [](const std::vector<Vec3>& path) { return text_of_error([&] { aligned(path); }); };
+  EXPECT_EQ(error({{-5, 0, 0}, {5, 0, 0}}),
+            "a.toml:4:8: the path of the aligned section has no corner, so there is no axis to turn a plane about\n"
+            "give a corner in which two planes meet, such as a point of the axis of a round part, or omit 'aligned'");
+  EXPECT_EQ(error({{-5, 0, 0}, {0, 0, 0}, {-3, 0, 0}}),
+            "a.toml:4:8: the path goes back on itself at point 2 of the path\ngive its points in one direction");
+  EXPECT_EQ(error({{-5, 0, 0}, {0, 0, 0}, {0, 4, 0}, {-9, 4, 0}, {-9, -1, 0}}),
+            "a.toml:4:8: the path crosses itself\nits first and last plane reach to infinity, and must not meet");
+  EXPECT_EQ(error({{-5, 0, 0}, {0, 0, 0}, {0, 0, 0}}),
+            "a.toml:4:8: point 3 of the path is the same as the one before it\nremove it");
+  scene::SectionDescription without{{"A", "a.toml:3:1"}};
+  without.aligned = {true, "a.toml:5:1"};
+  EXPECT_EQ(text_of_error([&] { scene::make_cutting_surface(without); }),
+            "a.toml:5:1: an aligned section has no path\n"
+            "give the corners of the cutting-plane line: an end, a point of the axis, the other end");
+}
+
+TEST(AlignedCut, RefusesPlanesThatMiss) {
+  const scene::World world = world_of(box({0, 0, 0}, {10, 6, 4}));
+  const scene::CuttingSurface section = aligned({{-5, 3, 0}, {12, 3, 0}, {14, 5, 0}});
+  EXPECT_EQ(text_of_error([&] { scene::cut_world(world, section); }),
+            "a.toml:3:1: the plane of the aligned section that begins at 12, 3, 0 cuts nothing\n"
+            "the models reach from 0 to 10 along x, 0 to 6 along y and 0 to 4 along z: move the corners of the path");
 }
 
 }  // namespace

@@ -72,6 +72,18 @@ TEST(Arrangement, FirstAngleShowsFromAboveBelowAndFromTheLeftAtTheRight) {
   expect_tidy(made, a3());
 }
 
+// The second front view is one of the others, beside which there is no fixed place.
+TEST(Arrangement, AViewBesideOneOfTwoFrontViewsHasAPlace) {
+  for (const std::size_t parent : {0U, 1U}) {
+    auto views = views_of_box({front, front, other});
+    views[2].beside.emplace(parent, Vec2(1, 0));
+    const sheet::Arrangement made = sheet::arrange(views, {}, ProjectionAngle::first, a3());
+    ASSERT_EQ(made.views.size(), 3U);
+    EXPECT_TRUE(made.inside);
+    expect_tidy(made, a3());
+  }
+}
+
 TEST(Arrangement, ThirdAngleShowsFromAboveAboveAndFromTheLeftAtTheLeft) {
   const auto views = views_of_box({front, back, left, right, top, bottom});
   const sheet::Arrangement made = sheet::arrange(views, {}, ProjectionAngle::third, a3());

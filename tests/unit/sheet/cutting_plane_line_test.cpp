@@ -101,10 +101,60 @@ TEST(CuttingPlaneLine, OfAHalfSectionHasOneArrow) {
   EXPECT_LE(parent.min.y - below.at.y, sheet::cutting_plane_room(parent.projection, half, widths).y);
 }
 
+// Its ends are past the ink on their lines, with arrows perpendicular to these.
+TEST(CuttingPlaneLine, OfAnAlignedSectionHasArrowsAcrossItsPlanes) {
+  const drawing::ViewDrawing parent = from_top();
+  scene::SectionDescription section{{"B", "a.toml"}, Vec3(0), Vec3(0, -1, 0)};
+  section.path = {std::vector<Vec3>{{0, 30, 0}, {30, 30, 0}, {40, 40, 0}}, "a.toml"};
+  section.aligned = {true, "a.toml"};
+  const scene::CuttingSurface surface = scene::make_cutting_surface(section);
+  const auto layer = sheet::cutting_plane_line(parent, surface, widths);
+  ASSERT_TRUE(layer);
+  // A chain for each leg, and two arrows; two ends with heads, a turn of two legs.
+  ASSERT_EQ(layer->strokes.size(), 4U);
+  EXPECT_EQ(layer->fills.size(), 6U);
+  const auto direction = [&](std::size_t stroke) {
+    return glm::normalize(layer->strokes[stroke].points[1] - layer->strokes[stroke].points[0]);
+  };
+  const Vec2 diagonal = glm::normalize(Vec2(1, 1));
+  EXPECT_LT(glm::distance(direction(1), diagonal), 1e-12);
+  EXPECT_LT(glm::distance(direction(2), Vec2(0, 1)), 1e-12);
+  EXPECT_LT(glm::distance(direction(3), Vec2(-diagonal.x, diagonal.y)), 1e-12);
+  const auto past = [&](std::size_t stroke, const Vec2& end, const Vec2& outwards) {
+    return glm::dot(layer->strokes[stroke].points[1] - end, outwards);
+  };
+  const Vec2 middle = (parent.min + parent.max) / 2.0;
+  EXPECT_NEAR(past(3, middle + Vec2(10, 10), diagonal), past(2, middle - Vec2(20, 0), Vec2(-1, 0)), 1e-9);
+  ASSERT_EQ(layer->texts.size(), 2U);
+  const Vec2 room = sheet::cutting_plane_room(parent.projection, surface, widths);
+  EXPECT_LT(layer->texts[1].at.y + layer->texts[1].height - parent.max.y, room.y);
+}
+
 TEST(CuttingPlaneLine, IsNotWhereStepsAreSeenFromTheFront) {
   const scene::CuttingSurface steps = stepped({{0, 25, 0}, {30, 25, 0}, {30, 35, 0}, {60, 35, 0}});
   EXPECT_TRUE(sheet::sees_edge_on(from_above(), steps));
   EXPECT_FALSE(sheet::sees_edge_on(orthographic({1, 0, 0}, {0, 0, 1}), steps));
+}
+
+TEST(CuttingPlaneLine, ReplacesCentreLines) {
+  const drawing::ViewDrawing parent = from_top();
+  const auto marks = sheet::cutting_plane_line(parent, plane_at({0, 30, 0}, {0, -1, 0}), widths);
+  ASSERT_TRUE(marks);
+  const Vec2 middle = (parent.min + parent.max) / 2.0;
+  sheet::Layer centre = sheet::empty_layer("top", scene::SheetLine::centre, widths);
+  const auto add = [&](const Vec2& from, const Vec2& to) { centre.strokes.push_back({{middle + from, middle + to}}); };
+  add({-5, 0}, {5, 0});
+  add({0, -5}, {0, 5});
+  add({-5, 1}, {5, 1});
+  add({0, 0}, {60, 0});
+  const std::vector<sheet::Stroke> before = centre.strokes;
+  sheet::give_way(centre, *marks, widths);
+  ASSERT_EQ(centre.strokes.size(), 3U);
+  EXPECT_EQ(centre.strokes[0].points, before[1].points);
+  EXPECT_EQ(centre.strokes[1].points, before[2].points);
+  // The end of the wide line: 0.8 + 1.4 letter heights past the ink.
+  EXPECT_NEAR(centre.strokes[2].points[0].x, parent.max.x + 2.2 * 5, 1e-9);
+  EXPECT_EQ(centre.strokes[2].points[1], before[3].points[1]);
 }
 
 TEST(DividingLine, ReplacesCentreLinesOfAHalfSection) {

@@ -137,6 +137,21 @@ TEST(Hatch, OfTouchingPartsDiffersAndOfOnePartIsTheSame) {
   EXPECT_EQ(of_both[1].spacing, hatching[1].spacing);
 }
 
+// Whichever comes first: a corner of one near a side of the other, and one part inside the other.
+TEST(Hatch, OfTouchingPartsDiffersFromBothSides) {
+  const Ring square = rectangle(0, 0, 40, 40);
+  for (const Ring& other :
+       {Ring{{40.5, 20}, {70, 10}, {70, 30}}, Ring{{20, -0.5}, {30, -30}, {10, -30}}, rectangle(10, 10, 30, 30)})
+    for (const bool first : {false, true}) {
+      const auto hatching = choose(drawing_of({{0, first ? 0 : 1, {square}}, {0, first ? 1 : 0, {other}}}));
+      ASSERT_EQ(hatching.size(), 2U);
+      EXPECT_NE(hatching[0].angle, hatching[1].angle);
+    }
+  const Ring apart{{41, 20}, {70, 10}, {70, 30}};
+  const auto hatching = choose(drawing_of({{0, 0, {square}}, {0, 1, {apart}}}));
+  EXPECT_EQ(hatching[0].angle, hatching[1].angle);
+}
+
 TEST(Hatch, HasThePatternOfTheStyle) {
   const double lines = 1600 / 2.0;  // area by pitch
   EXPECT_NEAR(ink(hatched_square(HatchPattern::general)) / lines, 1, 0.02);

@@ -104,6 +104,22 @@ TEST(Verify, AShiftedEndIsFound) {
       }
 }
 
+// A sheet above a plate by a little more than contact hides it; how much is too little to say is left open.
+TEST(Verify, ContactIsDoubtful) {
+  constexpr double contact = 0.01;
+  const view::ViewLimits limits{.contact = contact};
+  for (const double above : {0.8, 1.2, 1.9}) {
+    const double z = above * contact;
+    const Shape sheet{{{-1, -1, z}, {2, -1, z}, {2, 2, z}, {-1, 2, z}}, {{0, 1, 2, 3}}, {}};
+    const Shape plate{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}, {}};
+    const Result r = draw(world_of(std::vector<Shape>{sheet, plate}), from_above(), {}, limits);
+    EXPECT_EQ(r.hidden.spans.size(), above > 1 ? 4U : 0U) << above;
+    const report::Verification found = verified(r, limits);
+    EXPECT_EQ(found.wrong, 0) << above << '\n' << report::format_verification(found);
+    EXPECT_NEAR(found.undecided, 1.0 / 4, 0.02) << above;  // a plate of 4, a sheet of 12
+  }
+}
+
 // Drawn without the body in front, tested with it.
 TEST(Verify, AForgottenOccluderIsFound) {
   const Shape back = box({0, 0, 0}, {1, 1, 1}), front = box({0.2, -2, 0.3}, {0.6, -1, 0.5});

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "construction/figure.hpp"
+
+#include <algorithm>
+
+#include "base/portable_math.hpp"
+
+namespace epura::construction {
+
+void add_point(Figure& figure, Point point) {
+  const auto is_same = [&point](const Point& other) { return other.symbol == point.symbol; };
+  if (std::none_of(figure.points.begin(), figure.points.end(), is_same)) figure.points.push_back(std::move(point));
+}
+
+void add_term(Figure& figure, const std::string& symbol, const std::string& meaning) {
+  const Term term{symbol, meaning};
+  if (std::find(figure.terms.begin(), figure.terms.end(), term) == figure.terms.end()) figure.terms.push_back(term);
+}
+
+// |cos(t) p + sin(t) q|^2 is extreme where tan(2 t) = 2 p.q / (p.p - q.q).
+Curve ellipse_of(const Vec2& centre, const Vec2& p, const Vec2& q) {
+  const double t = 0.5 * portable_atan2(2 * glm::dot(p, q), glm::dot(p, p) - glm::dot(q, q));
+  const double c = portable_cos(t), s = portable_sin(t);
+  return {centre, c * p + s * q, c * q - s * p};
+}
+
+}  // namespace epura::construction

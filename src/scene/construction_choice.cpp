@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/construction_choice.hpp"
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+
+namespace epura::scene {
+
+namespace {
+
+std::optional<int> parse_number_of_element(std::string_view text) {
+  const auto number = parse_integer(text);
+  if (!number || *number < 0 || *number > INT_MAX) return std::nullopt;
+  return static_cast<int>(*number);
+}
+
+std::optional<Vec3> parse_direction(std::string_view text) {
+  const auto numbers = parse_numbers(text);
+  if (!numbers || numbers->size() != 3) return std::nullopt;
+  const Vec3 direction((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+  const double size = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+  if (!finite(direction) || !(size > 0)) return std::nullopt;
+  return direction;
+}
+
+// [MODEL:]NUMBER, or [MODEL:]NUMBER-NUMBER for an edge.
+bool read_element(ConstructionItem& item, std::string_view text, bool is_edge) {
+  const auto parts = split(text, ':');
+  const auto model = parse_number_of_element(parts.size() == 2 ? parts[0] : "0");
+  const auto numbers = split(parts.back(), '-');
+  if (parts.size() > 2 || !model || numbers.size() != (is_edge ? 2 : 1)) return false;
+  const auto first = parse_number_of_element(numbers.front()), last = parse_number_of_element(numbers.back());
+  if (!first || !last || (is_edge && *first == *last)) return false;
+  item.model = *model;
+  item.numbers = {std::min(*first, *last), std::max(*first, *last)};
+  return item.has_element = true;
+}
+
+bool read_argument(ConstructionItem& item, std::string_view text) {
+  switch (row_of(item.kind).argument) {
+    case ConstructionArgument::none:
+      return false;
+    case ConstructionArgument::direction:
+      item.direction = parse_direction(text);
+      return item.direction.has_value();
+    case ConstructionArgument::degrees:
+      item.degrees = parse_number(text);
+      return item.degrees && *item.degrees > 0 && *item.degrees < 180;
+    case ConstructionArgument::edge:
+      return read_element(item, text, true);
+    case ConstructionArgument::vertex:
+    case ConstructionArgument::face:
+      return read_element(item, text, false);
+  }
+  return false;
+}
+
+std::string form_of(const ConstructionRow& row) {
+  const std::string word = row.word;
+  switch (row.argument) {
+    case ConstructionArgument::none:
+      return word + " alone";
+    case ConstructionArgument::direction:
+      return word + ", or with a direction such as " + word + ":1,1,0";
+    case ConstructionArgument::degrees:
+      return word + ", or with an angle below 180 degrees such as " + word + ":60";
+    case ConstructionArgument::edge:
+      return (row.required ? "" : word + ", or ") + word + ":[MODEL:]VERTEX-VERTEX as in JSON, such as " + word +
+             ":0-1";
+    case ConstructionArgument::vertex:
+      return word + ":[MODEL:]VERTEX as in JSON, such as " + word + ":0";
+    case ConstructionArgument::face:
+      return word + ":[MODEL:]FACE as in JSON, such as " + word + ":0";
+  }
+  return word;
+}
+
+}  // namespace
+
+ConstructionItem parse_construction(std::string_view text, const std::string& where) {
+  const std::size_t colon = text.find(':');
+  const std::string word = to_lower(text.substr(0, colon));
+  const auto* row = std::find_if(construction_rows.begin(), construction_rows.end(),
+                                 [&word](const ConstructionRow& one) { return word == one.word; });
+  if (row == construction_rows.end()) {
+    std::vector<std::string> words;
+    for (const ConstructionRow& one : construction_rows) words.emplace_back(one.word);
+    throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a construction",
+                did_you_mean(word, words));
+  }
+  ConstructionItem item{row->kind, std::string(text)};
+  const bool sound = colon == std::string_view::npos ? !row->required : read_argument(item, text.substr(colon + 1));
+  if (!sound)
+    throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a construction", "write " + form_of(*row));
+  return item;
+}
+
+std::vector<std::string> join_directions(const std::vector<std::string>& words) {
+  std::vector<std::string> joined;
+  int missing = 0;
+  for (const std::string& word : words) {
+    if (missing > 0 && parse_number(word)) {
+      joined.back() += "," + word;
+      --missing;
+      continue;
+    }
+    joined.push_back(word);
+    const std::size_t colon = word.find(':');
+    const bool begins = colon != std::string::npos && word.find(',') == std::string::npos &&
+                        std::any_of(construction_rows.begin(), construction_rows.end(), [&](const auto& row) {
+                          return row.argument == ConstructionArgument::direction && word.substr(0, colon) == row.word;
+                        });
+    missing = begins ? 2 : 0;
+  }
+  return joined;
+}
+
+}  // namespace epura::scene

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// What rounding in a file may tear apart is joined; what is small and genuine stays.
+#include "mesh/cracks.hpp"
+
+#include <gtest/gtest.h>
+
+namespace epura::test {
+namespace {
+
+// Loose triangles: each begins at a given point, and its other corners are far away from all others.
+struct Loose {
+  mesh::Points points;
+  std::vector<int> corners, polygon;
+
+  void add(std::array<double, 3> a, std::array<double, 3> b, std::array<double, 3> c) {
+    for (const auto& p : {a, b, c}) {
+      corners.push_back(static_cast<int>(points.size()));
+      points.push_back(p);
+    }
+    polygon.push_back(static_cast<int>(polygon.size()));
+  }
+  void add(std::array<double, 3> a) {
+    const double far = 20 * static_cast<double>(polygon.size() + 1);
+    add(a, {a[0], a[1] + far, 0}, {a[0], a[1] + far, far});
+  }
+  // The largest coordinate decides how far apart two places may be that are one.
+  [[nodiscard]] mesh::Mending mended(double tolerance) const {
+    double largest = 0;
+    for (const auto& p : points)
+      for (const double x : p) largest = std::max(largest, std::abs(x));
+    const auto table = mesh::make_edge_table(corners, polygon, static_cast<int>(points.size()));
+    return mesh::mend_cracks(points, corners, table, tolerance / (4 * largest));
+  }
+};
+
+TEST(Cracks, AreJoinedWithinTheTolerance) {
+  Loose triangles;
+  triangles.add({0, 0, 0});
+  triangles.add({0.9, 0, 0});
+  triangles.add({7, 0, 0});
+  const mesh::Mending mending = triangles.mended(1);
+  EXPECT_EQ(mending.joined, 1);
+  EXPECT_EQ(mending.representative.at(3), 0);
+  EXPECT_EQ(mending.representative.at(6), 6);
+  EXPECT_DOUBLE_EQ(mending.distance, 0.9);
+}
+
+// A step of a quarter of a small edge is a part of the model.
+TEST(Cracks, BesideSmallEdgesAreNone) {
+  Loose triangles;
+  triangles.add({0, 0, 0}, {1, 0, 0}, {0.5, -45, 0});
+  triangles.add({-0.5, 0, 0});
+  EXPECT_TRUE(triangles.mended(1).representative.empty());
+  Loose nearer;
+  nearer.add({0, 0, 0}, {1, 0, 0}, {0.5, -45, 0});
+  nearer.add({-0.2, 0, 0});
+  EXPECT_EQ(nearer.mended(1).joined, 1);
+}
+
+// From one end of an edge to the other, each step is a crack, but the edge stays.
+TEST(Cracks, DoNotTakeAnEdgeAway) {
+  Loose triangles;
+  triangles.add({0, 0, 0}, {4, 0, 0}, {2, -70, 0});
+  for (const double x : {0.9, 1.8, 2.7, 3.5}) triangles.add({x, 0, 0});
+  const mesh::Mending mending = triangles.mended(1);
+  ASSERT_FALSE(mending.representative.empty());
+  EXPECT_NE(mending.representative[0], mending.representative[1]);
+  EXPECT_EQ(mending.joined, 4);
+}
+
+TEST(Cracks, AreOnlyAtOpenEdges) {
+  // Two triangles that share their vertices: the edge between them is not open, its ends are.
+  Loose triangles;
+  triangles.add({0, 0, 0}, {0, 50, 0}, {40, 25, 0});
+  triangles.points.push_back({-40, 25, 0});
+  triangles.corners.insert(triangles.corners.end(), {0, 3, 1});
+  triangles.polygon.push_back(1);
+  EXPECT_TRUE(triangles.mended(1).representative.empty());
+}
+
+}  // namespace
+}  // namespace epura::test

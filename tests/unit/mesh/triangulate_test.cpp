@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh/triangulate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/vec.hpp"
+
+namespace epura::test {
+namespace {
+
+using Polygon = std::vector<std::array<double, 2>>;
+
+// Twice the signed areas of the triangles of a polygon in a plane.
+std::vector<double> areas(const Polygon& polygon) {
+  mesh::Points points;
+  for (const auto& [x, y] : polygon) points.push_back({x, y, 0});
+  mesh::Faces faces;
+  faces.corners.resize(points.size());
+  std::iota(faces.corners.begin(), faces.corners.end(), 0);
+  faces.ends = {static_cast<int>(points.size())};
+  faces.number = {0};
+  const mesh::Faces triangles = mesh::triangulate(faces, points);
+  std::vector<double> found;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto ring = triangles.ring(t);
+    const auto &a = points[ring[0]], &b = points[ring[1]], &c = points[ring[2]];
+    found.push_back((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+  }
+  return found;
+}
+
+// Nothing is covered twice and nothing outside: no triangle is turned, and their areas are that of the polygon.
+void expect_covered(Polygon polygon, double twice_the_area) {
+  for (std::size_t first = 0; first < polygon.size(); ++first) {
+    std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
+    const std::vector<double> found = areas(polygon);
+    EXPECT_EQ(found.size(), polygon.size() - 2);
+    EXPECT_GE(*std::min_element(found.begin(), found.end()), 0) << "from corner " << first;
+    EXPECT_EQ(std::accumulate(found.begin(), found.end(), 0.0), twice_the_area) << "from corner " << first;
+  }
+}
+
+TEST(Triangulate, ACornerOnTheBorderOfAnEarStopsIt) {
+  // (2, 2) lies on the diagonal of the ear at (4, 0), far from its ends along the outline.
+  expect_covered({{0, 0}, {4, 0}, {4, 4}, {1, 4}, {2, 2}, {0, 2}}, 26);
+  // Without that ear, and without any other, a corner would be cut that covers the outside.
+  expect_covered({{0, 0}, {4, 0}, {4, 4}, {1, 4}, {2, 2}, {0, 2}, {-2, 2}, {-2, -1}}, 36);
+}
+
+TEST(Triangulate, AStaircaseIsCovered) {
+  Polygon stairs{{0, 0}, {5, 0}};
+  for (int i = 0; i < 5; ++i) stairs.insert(stairs.end(), {{5.0 - i, i + 1.0}, {4.0 - i, i + 1.0}});
+  expect_covered(stairs, 30);
+}
+
+TEST(Triangulate, ACombIsCovered) {
+  Polygon comb{{0, 0}, {6, 0}};
+  for (int i = 0; i < 3; ++i) comb.insert(comb.end(), {{6 - 2.0 * i, 4}, {5 - 2.0 * i, 1}});
+  comb.back() = {0, 4};
+  const double twice = [&] {
+    double sum = 0;
+    for (std::size_t i = 0; i < comb.size(); ++i) {
+      const auto &a = comb[i], &b = comb[(i + 1) % comb.size()];
+      sum += a[0] * b[1] - a[1] * b[0];
+    }
+    return sum;
+  }();
+  expect_covered(comb, twice);
+}
+
+}  // namespace
+}  // namespace epura::test
