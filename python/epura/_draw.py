@@ -25,12 +25,14 @@ _stopped: Set[_core.Job] = set()
 
 def _forget_ended() -> None:
     """Destroys them, which waits for their ends."""
-    _stopped.difference_update([job for job in _stopped if job.wait(0)])
+    for job in list(_stopped):
+        if job.wait(0):
+            _stopped.discard(job)
 
 
 @atexit.register
 def _await_stopped() -> None:
-    for job in _stopped:
+    for job in list(_stopped):
         job.wait(3600)
 
 
@@ -42,7 +44,7 @@ class _Bar:
         self._bar: Any = None
 
     def __call__(self, stage: str, done: float) -> None:
-        if self._bar is None or self._bar.desc != f"{stage}: ":
+        if self._bar is None or self._bar.desc != stage:
             self.close()
             self._bar = self._tqdm(total=100, desc=stage, leave=False, bar_format="{desc}: {percentage:3.0f}%|{bar}|")
         self._bar.update(round(100 * done) - self._bar.n)

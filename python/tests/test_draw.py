@@ -148,7 +148,13 @@ def test_ctrl_c_is_fast_at_any_moment(moment):
 def test_progress_is_a_bar(capsys):
     pytest.importorskip("tqdm")
     epura.draw(*grid(200), progress=True)
-    assert "%|" in capsys.readouterr().err
+    shown = re.findall(r"([\w ]+): +(\d+)%\|", capsys.readouterr().err)
+    assert shown
+    stages = [stage for stage, _ in shown]
+    # One bar for each stage, which grows.
+    for stage in set(stages):
+        parts = [int(part) for name, part in shown if name == stage]
+        assert parts == sorted(parts) and parts.count(0) <= 1
 
 
 def test_blocks_of_the_page_run(tmp_path, monkeypatch):
