@@ -106,14 +106,20 @@ Options<TitleBlockFields> title_block_options() {
   for (const TitleField& field : title_fields()) {
     std::string flag = "--" + field.name;
     std::replace(flag.begin(), flag.end(), '_', '-');
-    options.push_back({{.key = field.name, .flag = flag, .form = kind.form, .help = field.help},
-                       [name = field.name, read = kind.read](TitleBlockFields& fields, const TomlValue& value) {
-                         set_field(fields, name, {read(value), value.where});
-                       },
-                       [name = field.name](TitleBlockFields& fields, const TitleBlockFields& others) {
-                         for (const auto& [other, text] : others)
-                           if (other == name) set_field(fields, name, text);
-                       }});
+    // Member by member: where memory ends, GCC 12 frees the members of an aggregate twice.
+    Option<TitleBlockFields> option;
+    option.key = field.name;
+    option.flag = flag;
+    option.form = kind.form;
+    option.help = field.help;
+    option.read = [name = field.name, read = kind.read](TitleBlockFields& fields, const TomlValue& value) {
+      set_field(fields, name, {read(value), value.where});
+    };
+    option.overrule = [name = field.name](TitleBlockFields& fields, const TitleBlockFields& others) {
+      for (const auto& [other, text] : others)
+        if (other == name) set_field(fields, name, text);
+    };
+    options.push_back(std::move(option));
   }
   return options;
 }
