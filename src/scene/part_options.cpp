@@ -40,6 +40,9 @@ ValueKind<double> positive_number() {
   return {{"number above 0", "D"}, read};
 }
 
+// Relative paths start at the scene file, or at the current folder on the command line.
+ValueKind<std::string> file_of_sheet() { return any_text().shown_as("FILE").completed_by(Completion::files); }
+
 ValueKind<Vec2> positive_pair() {
   const auto read = [](const TomlValue& value) {
     const Vec2 pair = pair_of_numbers("").read(value);
@@ -471,9 +474,33 @@ Options<PartsListDescription> parts_list_options() {
   };
 }
 
-Options<SheetDescription> sheet_options() {
+namespace {
+
+// Files that others drew or wrote.
+Options<SheetDescription> sheet_files() {
   using Sheet = SheetDescription;
   return {
+      option<Sheet>({.key = "template",
+                     .flag = "--template",
+                     .help = "SVG file with a frame and title block of your own, with texts that are fields; it also "
+                             "gives the size of the sheet",
+                     .usual = "frame of ISO 5457, title block of ISO 7200"},
+                    &Sheet::form, file_of_sheet()),
+      option<Sheet>({.key = "logo", .flag = "--logo", .help = "SVG or PNG file, drawn in the title block"},
+                    &Sheet::logo, file_of_sheet()),
+      option<Sheet>({.key = "style",
+                     .flag = "--style",
+                     .help = "TOML file with colours, widths and dashes of lines by their role",
+                     .usual = "ISO 128-2, black"},
+                    &Sheet::style, file_of_sheet()),
+  };
+}
+
+}  // namespace
+
+Options<SheetDescription> sheet_options() {
+  using Sheet = SheetDescription;
+  Options<Sheet> all = {
       option<Sheet>(
           {.key = "size",
            .flag = "--sheet",
@@ -529,6 +556,9 @@ Options<SheetDescription> sheet_options() {
                      .usual = "osifont"},
                     &Sheet::font, any_text().shown_as("FONT")),
   };
+  const Options<Sheet> files = sheet_files();
+  all.insert(all.end(), files.begin(), files.end());
+  return all;
 }
 
 void set_field(TitleBlockFields& fields, const std::string& name, const LocatedText& text) {

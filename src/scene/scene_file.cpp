@@ -179,8 +179,11 @@ void expect_cells(const TableDescription& table) {
 // Resolves paths relative to the folder of the scene file.
 void find_files(SceneDescription& scene, const fs::path& folder) {
   for (ModelDescription& model : scene.models) model.file.value = (folder / *model.file).string();
-  for (SheetDescription& sheet : scene.sheets)
+  for (SheetDescription& sheet : scene.sheets) {
     if (sheet.font.given() && names_font_file(*sheet.font)) sheet.font.value = (folder / *sheet.font).string();
+    for (LocatedText* file : {&sheet.form, &sheet.logo, &sheet.style})
+      if (file->given()) file->value = (folder / **file).string();
+  }
 }
 
 }  // namespace

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+
+#include "base/portable_math.hpp"
 
 namespace epura::sheet {
 
@@ -66,6 +69,15 @@ Layout layout_of(const Base& base, double width, bool inside, int place, const D
   return layout;
 }
 
+double degrees_of(const Vec2& direction) { return portable_atan2(direction.y, direction.x) * 180 / std::numbers::pi; }
+
+DimensionObject object_of(const MeasuredLength& length, const std::array<Vec2, 2>& ends, const Base& base) {
+  DimensionObject object{DimensionShape::linear, {ends[0], ends[1], base.high}, degrees_of(base.read)};
+  const Vec2 leaning = reading_direction(length.extension);
+  if (std::abs(glm::dot(leaning, base.read)) > 1e-9) object.oblique = degrees_of(leaning);
+  return object;
+}
+
 }  // namespace
 
 bool fits_inside(const MeasuredLength& length, const DimensionText& text, const DimensionStyle& style) {
@@ -84,6 +96,8 @@ PlacedDimension straight_dimension(const MeasuredLength& length, const Dimension
   const Base base{foot_of(length, low, distance), foot_of(length, high, distance), read, span_of(length)};
   if (!low_open) add_extension_line(dimension, low, base.low, style);
   if (!high_open) add_extension_line(dimension, high, base.high, style);
+
+  if (!length.open) dimension.object = object_of(length, {low, high}, base);
 
   const Layout layout = layout_of(base, style.width(text), fits_inside(length, text, style), place, style);
   const Vec2 begin = base.low + layout.line.begin * read, end = base.low + layout.line.end * read;
