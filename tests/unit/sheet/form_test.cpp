@@ -72,8 +72,9 @@ TEST_F(Forms, LongValuesEndBeforeTheNextLine) {
   const auto drawn =
       sheet::draw_form(*form(), {{{"title", "A rather long title of a flange"}, {"number", "N"}}}, lettering_);
   for (const sheet::Text& text : texts_of(drawn))
-    if (text.text != "N" && text.role == "title")
+    if (text.role == "title") {
       EXPECT_LT(text.at.x + lettering_.width(text.text, text.height), 227) << text.text;
+    }
 }
 
 TEST_F(Forms, ValuesWithoutAFieldAreNamed) {
