@@ -13,14 +13,14 @@
 namespace epura::test {
 namespace {
 
-const std::string scenes = std::string(EPURA_TEST_SAMPLES) + "/scenes/";
+const std::string frames = std::string(EPURA_TEST_SAMPLES) + "/frames/";
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(Templates, GiveTheSizeAndTheFields) {
   const Folder folder;
-  const Outcome run = epura({"draw", sample("flange.obj"), "--views", "front,top", "--template", scenes + "frame.svg",
-                             "--logo", scenes + "logo.svg", "--title", "Flange", "--number", "DRW-1", "-o", "x.svg"},
+  const Outcome run = epura({"draw", sample("flange.obj"), "--views", "front,top", "--template", frames + "frame.svg",
+                             "--logo", frames + "logo.svg", "--title", "Flange", "--number", "DRW-1", "-o", "x.svg"},
                             folder / "");
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string svg = read_file(folder / "x.svg");
@@ -48,9 +48,9 @@ TEST(Templates, WhatDoesNotFitTogetherIsRefused) {
   EXPECT_TRUE(has(refusal({"--template", "plain.svg"}), "has no field"));
   EXPECT_TRUE(has(refusal({"--template", "clone.svg"}), "clone.svg:3"));
   EXPECT_TRUE(has(refusal({"--template", "none.svg"}), "none.svg"));
-  EXPECT_TRUE(has(refusal({"--template", scenes + "frame.svg", "--sheet", "A4"}), "is for A3, not A4"));
-  EXPECT_TRUE(has(refusal({"--template", scenes + "frame.svg", "--frame", "none"}), "--frame"));
-  EXPECT_TRUE(has(refusal({"--logo", scenes + "logo.svg", "--frame", "none"}), "title block"));
+  EXPECT_TRUE(has(refusal({"--template", frames + "frame.svg", "--sheet", "A4"}), "is for A3, not A4"));
+  EXPECT_TRUE(has(refusal({"--template", frames + "frame.svg", "--frame", "none"}), "--frame"));
+  EXPECT_TRUE(has(refusal({"--logo", frames + "logo.svg", "--frame", "none"}), "title block"));
   EXPECT_TRUE(has(refusal({"--logo", sample("flange.obj")}), "neither an SVG nor a PNG"));
 }
 
