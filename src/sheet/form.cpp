@@ -158,9 +158,10 @@ void add_field(LayerMaker& layers, DrawnForm& drawn, const svg::Words& words, co
   const double height = words.size / lettering.em(), room = room_of(words, height, form.art);
   if (value.empty()) return;
   FittedText fitted{{value}, height, false};
-  if (words.name == "number")
+  const bool fits = lettering.width(value, height) <= room;
+  if (!fits && words.name == "number")
     fitted = fit_whole_text(value, {room, 2.2 * height}, height, lettering);
-  else if (std::isfinite(room))
+  else if (!fits)
     fitted = fit_text(value, std::max(room, 1.0), height, lettering);
   if (fitted.cut) drawn.warnings.push_back("the title block has no room for all of the text of '" + words.name + "'");
   const double angle = words.angle * std::numbers::pi / 180;
