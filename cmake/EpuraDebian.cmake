@@ -96,4 +96,7 @@ foreach(component IN LISTS components)
   install(FILES ${licences} ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog.gz
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME} COMPONENT ${component})
 endforeach()
+include(EpuraSbom)
+epura_write_sbom(${CMAKE_CURRENT_BINARY_DIR}/debian/epura.spdx.json)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/debian/epura.spdx.json DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/epura)
 include(CPack)

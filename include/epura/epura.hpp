@@ -54,6 +54,7 @@ struct Settings {
   std::optional<double> time_limit{};  ///< seconds; draws the longest edges first
   int threads = 0;                     ///< 0: all cores. For concurrent calls, the lowest number applies
   std::vector<std::filesystem::path> plugin_path{};  ///< additional folders with projection plugins
+  bool allow_outside = false;  ///< scene files and models may name files that do not lie below their folders
   /// Called when a stage begins and as it proceeds, with its name and the completed fraction, 0 to 1 (0 if unknown).
   /// May be called from any thread, but never concurrently.
   std::function<void(const std::string& stage, double done)> progress{};

@@ -26,7 +26,8 @@ int print_checks(const projection::ProjectionEntry& entry) {
 
 std::vector<projection::ProjectionEntry> entries_of(const CheckPluginOptions& options) {
   try {
-    return projection::read_plugin_apart(options.file, projection::Afterwards::waits, options.time_limit);
+    return projection::read_plugin_apart(options.file, projection::Afterwards::waits, options.time_limit,
+                                         projection::Confinement::sandbox);
   } catch (const Error& error) {
     throw Error(ErrorKind::plugin, options.file.string(), error.what(), "see docs/plugins.md for the requirements");
   }

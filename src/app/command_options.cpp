@@ -40,6 +40,7 @@ scene::Options<CompareOptions> compare_options() {
       scene::option<Compare>({.flag = "--json", .help = "differences as JSON; - for standard output"}, &Compare::json,
                              file_name("FILE")),
       plugin_path_option<Compare>(&Compare::plugin_path),
+      allow_outside_option<Compare>(&Compare::allow_outside),
   };
 }
 

@@ -31,6 +31,7 @@ scene::SceneDescription described(const std::string& file, const CompareOptions&
   DrawOptions draw;
   draw.models = {file};
   draw.views = options.views;
+  draw.run.allow_outside = options.allow_outside;
   return describe(draw);
 }
 
@@ -39,6 +40,7 @@ Drawn draw_scene(const scene::SceneDescription& scene, const std::string& file, 
                  const pipeline::Messages& messages) {
   pipeline::RunOptions run;
   run.plugin_path = options.plugin_path;
+  run.allow_outside = options.allow_outside;
   run.keeps_drawings = true;
   pipeline::Stopwatch watch;
   pipeline::DrawnScene drawn = pipeline::draw_scene(scene, run, {messages, {}, watch});

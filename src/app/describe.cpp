@@ -49,7 +49,8 @@ scene::SceneDescription described_by_file(const DrawOptions& options) {
     throw Error(ErrorKind::input, file,
                 "--transform, --unit, --up and --surfaces apply only to models on the command line",
                 "set them in [[model]] of the scene file");
-  scene::SceneDescription scene = scene::read_scene_file(file);
+  scene::SceneDescription scene = scene::read_scene_file(
+      file, options.run.allow_outside ? scene::FilesOutside::allowed : scene::FilesOutside::refused);
   std::vector<scene::ViewDescription> views = views_of(options);
   if (!views.empty() && !scene.views.empty())
     throw Error(ErrorKind::input, file, "already defines views",

@@ -8,6 +8,7 @@
 #include "app/batch/jobs.hpp"
 #include "app/batch/placeholders.hpp"
 #include "app/commands.hpp"
+#include "app/confinement.hpp"
 #include "app/console.hpp"
 #include "app/draw_files.hpp"
 
@@ -22,6 +23,7 @@ namespace {
 
 // Messages go to standard error, since the drawing may go to standard output.
 int draw_once(const DrawOptions& options) {
+  confine_if_asked(options);
   ProgressBoard board;
   Console console(board, shows_progress(options.progress), options.run.time_limit);
   const pipeline::Messages messages = messages_to(console);

@@ -111,6 +111,7 @@ scene::Options<Draw> file_options() {
       scene::option<Draw>({.flag = "--format", .help = "format of '-'", .nature = scene::Nature::file}, &Draw::format,
                           scene::any_text().shown_as("NAME").such_as(output::format_names())),
       plugin_path_option<Draw>(run(&pipeline::RunOptions::plugin_path)),
+      allow_outside_option<Draw>(run(&pipeline::RunOptions::allow_outside)),
       scene::option<Draw>(
           {.flag = "--transform",
            .help =
@@ -228,6 +229,12 @@ scene::Options<Draw> run_options() {
                            .usual = "all"},
                           run(&pipeline::RunOptions::plan), certificate_names()),
       progress_option(&Draw::progress),
+      scene::option<Draw>(
+          {.flag = "--sandbox",
+           .help = "auto: what reads models of strangers can open nothing else, if the kernel can see to "
+                   "it; on: nor can the program; off: no process is confined",
+           .usual = "auto"},
+          run(&pipeline::RunOptions::sandbox), scene::choice<pipeline::Sandbox>().shown_as("WHEN")),
       scene::option<Draw>(
           {.flag = "--time-limit",
            .help = "time limit in seconds; draws the longest edges first and marks an incomplete drawing PARTIAL"},

@@ -40,6 +40,14 @@ scene::Option<Command> plugin_path_option(Member folders) {
           }};
 }
 
+template <class Command, class Member>
+scene::Option<Command> allow_outside_option(Member allowed) {
+  return scene::option<Command>({.flag = "--allow-outside",
+                                 .help = "let scene files and models name files that do not lie below their folders",
+                                 .nature = scene::Nature::code},
+                                allowed, scene::truth());
+}
+
 template <class Command>
 scene::Option<Command> projections_option(const std::string& help,
                                           std::vector<scene::Located<scene::ProjectionRequest>> Command::*requests) {

@@ -113,6 +113,7 @@ struct CompareOptions {
   std::string before, after;                                    ///< drawings, models or scene files
   std::vector<scene::Located<scene::ProjectionRequest>> views;  ///< views of models
   std::vector<std::filesystem::path> plugin_path;
+  bool allow_outside = false;
   double tolerance = 0.001;   ///< mm
   std::string json, overlay;  ///< files to write; empty: none
 };

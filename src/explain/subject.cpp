@@ -53,10 +53,10 @@ std::string names_of(const std::vector<FaceName>& faces) {
 std::string owner_of(const scene::World& world, const FaceName& face) {
   const mesh::Mesh& mesh = *world.models[face[0]].mesh;
   const auto triangle = std::find(mesh.polygon.begin(), mesh.polygon.end(), face[1]) - mesh.polygon.begin();
-  if (mesh.report.body_names.empty() || triangle == static_cast<std::ptrdiff_t>(mesh.polygon.size()))
-    return mesh.report.name;
+  const std::string file = one_line(mesh.report.name);
+  if (mesh.report.body_names.empty() || triangle == static_cast<std::ptrdiff_t>(mesh.polygon.size())) return file;
   const std::string& body = mesh.report.body_names[mesh.body[triangle]];
-  return body.empty() ? mesh.report.name : "'" + one_line(body) + "' in " + mesh.report.name;
+  return body.empty() ? file : "'" + one_line(body) + "' in " + file;
 }
 
 std::string owner_of(const ExplainInput& drawn_view, const Subject& subject) {

@@ -6,18 +6,43 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/error.hpp"
 #include "base/shared_library.hpp"
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 
 namespace epura::foreign {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr const char* variable = "EPURA_PLUGIN_PATH";
+
+// A relative one would mean another folder in every directory, some of which others can write to.
+fs::path absolute(std::string_view folder) {
+  if (!folder.starts_with('/'))
+    throw Error(ErrorKind::plugin, variable, "'" + one_line(folder) + "' is not an absolute path",
+                "give " + fs::absolute(folder).string() + ", or use --plugin-path");
+  return folder;
+}
+
+// Whoever can write there can make this program run any code.
+void expect_private(const fs::path& folder) {
+  std::error_code missing;
+  const fs::file_status status = fs::status(folder, missing);
+  if (!missing && fs::is_directory(status) && (status.permissions() & fs::perms::others_write) != fs::perms::none)
+    throw Error(ErrorKind::plugin, folder.string(), "everyone can put plugins into this folder", "chmod o-w it");
+}
+
+}  // namespace
+
 std::vector<fs::path> plugin_folders(const std::vector<fs::path>& extra, const std::string& own) {
   std::vector<fs::path> folders = extra;
-  if (const char* path = std::getenv("EPURA_PLUGIN_PATH"))
+  if (const char* path = std::getenv(variable))
     for (const std::string_view folder : split(path, ':'))
-      if (!folder.empty()) folders.emplace_back(folder);
+      if (!folder.empty()) folders.push_back(absolute(folder));
+  for (const fs::path& folder : folders) expect_private(folder);
   if (const fs::path here = own_folder(); !here.empty()) folders.push_back(here / own);
   return folders;
 }

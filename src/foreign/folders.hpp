@@ -15,8 +15,9 @@ struct BadPlugin {
 };
 
 /// Returns the folders in which plugins are searched for, in order of precedence: `extra`, then $EPURA_PLUGIN_PATH
-/// (folders separated by colons), then the folder `own` of those that came with this program. Never contains the
-/// current folder unless it is named.
+/// (absolute paths of folders, separated by colons), then the folder `own` of those that came with this program. Never
+/// contains the current folder unless `extra` names it. Throws Error{plugin} for relative paths in the variable, and
+/// for folders before `own` that everyone can write to.
 std::vector<std::filesystem::path> plugin_folders(const std::vector<std::filesystem::path>& extra,
                                                   const std::string& own);
 

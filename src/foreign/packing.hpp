@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstring>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -26,6 +27,7 @@ class Packer {
     (*this)(text.size());
     bytes_ += text;
   }
+  void operator()(const std::filesystem::path& path) { (*this)(path.native()); }
   template <class Item>
   void operator()(const std::vector<Item>& items) {
     (*this)(items.size());
@@ -52,6 +54,7 @@ class Unpacker {
   }
   /// The text is made safe for display.
   void operator()(std::string& text) { text = one_line(take(count(1))); }
+  void operator()(std::filesystem::path& path) { path = take(count(1)); }
   template <class Item>
   void operator()(std::vector<Item>& items) {
     items.resize(count(Flat<Item> ? sizeof(Item) : sizeof(std::size_t)));

@@ -139,8 +139,13 @@ class Checker {
     ProgressBoard board;
     const Progress progress(board, seconds_);
     return importer_.read(
-        {.path = file.string(), .name = file.string(), .values = values_, .relative_tolerance = 1e-4}, [](double) {},
-        progress);
+        {.path = file,
+         .name = file.string(),
+         .values = values_,
+         .relative_tolerance = 1e-4,
+         .is_confined = 1,
+         .readable = readable_for(file, false)},
+        [](double) {}, progress);
   }
 
   static bool are_same(const Document& a, const Document& b) {

@@ -25,11 +25,14 @@ struct ImporterTable {
 
 /// A file to read; the fields correspond to epura_source.
 struct Reading {
-  std::string path;
+  std::filesystem::path path;
   std::string name;  ///< by which errors call it
   std::vector<double> values;
   double tolerance = 0, relative_tolerance = 0;  ///< 0: no bound
   int threads = 1;
+  int is_confined = 0;  ///< the process opens no other files any more
+  /// What it opens if it is confined; nothing if the path leads to a file in memory.
+  std::vector<std::filesystem::path> readable{};
 };
 
 struct LoadedImporter {

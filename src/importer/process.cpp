@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importer/process.hpp"
 
+#include <fcntl.h>
+
 #include <chrono>
 #include <csignal>
 #include <mutex>
@@ -12,6 +14,7 @@
 #include "base/shared_library.hpp"
 #include "foreign/child_process.hpp"
 #include "foreign/messages.hpp"
+#include "foreign/sandbox.hpp"
 
 namespace epura::importer {
 
@@ -38,7 +41,7 @@ void pack_table(Pack& pack, Value& table) {
 template <class Pack, class Value>
 void pack_reading(Pack& pack, Value& reading) {
   pack(reading.path), pack(reading.values), pack(reading.tolerance), pack(reading.relative_tolerance);
-  pack(reading.threads);
+  pack(reading.threads), pack(reading.is_confined), pack(reading.readable);
 }
 
 void pack_tables(Packer& pack, const std::vector<LoadedImporter>& importers) {
@@ -60,58 +63,86 @@ std::vector<ImporterTable> unpack_tables(Unpacker& unpack) {
   return tables;
 }
 
-// The following functions run in the process of the library.
+// The following code runs in the process of the library.
 
-const epura_importer& importer_named(const std::vector<LoadedImporter>& importers, const std::string& name) {
-  for (const LoadedImporter& importer : importers)
-    if (importer.table.name == name) return *importer.definition;
-  throw Error(ErrorKind::plugin, "", "no longer exists");
-}
+class Server {
+ public:
+  Server(std::filesystem::path library, int socket) : library_(std::move(library)), socket_(socket) {}
 
-Packer answer_to_recognise(Unpacker& question, const epura_importer& importer) {
-  std::vector<unsigned char> first_bytes;
-  question(first_bytes);
-  return foreign::message_or_reason(
-      [&](Packer& answer) { answer(int{importer.recognises(first_bytes.data(), first_bytes.size()) != 0}); });
-}
-
-Packer answer_to_read(Unpacker& question, const epura_importer& importer, int socket) {
-  Reading reading;
-  pack_reading(question, reading);
-  const auto tell = [&](double done) {
-    Packer message;
-    message(Answer::progress), message(done);
-    foreign::send_message(socket, message);
-  };
-  Packer answer;
-  try {
-    const Document document = read_by(importer, reading, tell);
-    answer(Answer::document);
-    pack_document(answer, document);
-  } catch (const Error& error) {
-    answer(Answer::refusal), answer(error.kind()), answer(std::string(error.what()));
+  bool load() {
+    return foreign::send_message(socket_, foreign::message_or_reason([&](Packer& message) {
+                                   importers_ = load_importers(library_);
+                                   pack_tables(message, importers_);
+                                 }));
   }
-  return answer;
-}
 
-}  // namespace
-
-void serve(const std::filesystem::path& library, int socket) {
-  std::vector<LoadedImporter> importers;
-  bool goes_on = foreign::send_message(socket, foreign::message_or_reason([&](Packer& message) {
-                                         importers = load_importers(library);
-                                         pack_tables(message, importers);
-                                       }));
-  for (foreign::Incoming incoming; goes_on && incoming.receive(socket, {}, most_bytes) == foreign::Received::all;) {
-    const std::string words = incoming.take();
+  bool answer(const std::string& words) {
     Unpacker unpack(words);
     Question question{};
     std::string name;
     unpack(question), unpack(name);
-    const epura_importer& importer = importer_named(importers, name);
-    goes_on = foreign::send_message(socket, question == Question::recognise ? answer_to_recognise(unpack, importer)
-                                                                            : answer_to_read(unpack, importer, socket));
+    const epura_importer& importer = named(name);
+    return foreign::send_message(socket_, question == Question::recognise ? answer_to_recognise(unpack, importer)
+                                                                          : answer_to_read(unpack, importer));
   }
+
+ private:
+  [[nodiscard]] const epura_importer& named(const std::string& name) const {
+    for (const LoadedImporter& importer : importers_)
+      if (importer.table.name == name) return *importer.definition;
+    throw Error(ErrorKind::plugin, "", "no longer exists");
+  }
+
+  static Packer answer_to_recognise(Unpacker& question, const epura_importer& importer) {
+    std::vector<unsigned char> first_bytes;
+    question(first_bytes);
+    return foreign::message_or_reason(
+        [&](Packer& answer) { answer(int{importer.recognises(first_bytes.data(), first_bytes.size()) != 0}); });
+  }
+
+  Packer answer_to_read(Unpacker& question, const epura_importer& importer) {
+    Reading reading;
+    pack_reading(question, reading);
+    const auto tell = [&](double done) {
+      Packer message;
+      message(Answer::progress), message(done);
+      foreign::send_message(socket_, message);
+    };
+    Packer answer;
+    try {
+      if (reading.is_confined != 0) confine(reading);
+      const Document document = read_by(importer, reading, tell);
+      answer(Answer::document);
+      pack_document(answer, document);
+    } catch (const Error& error) {
+      answer(Answer::refusal), answer(error.kind()), answer(std::string(error.what()));
+    }
+    return answer;
+  }
+
+  void confine(Reading& reading) {
+    if (std::exchange(is_confined_, true)) return;
+    // A confined process opens no descriptors of another one.
+    if (reading.readable.empty())
+      reading.path = "/proc/self/fd/" + std::to_string(::open(reading.path.c_str(), O_RDONLY | O_CLOEXEC));
+    foreign::Permissions permissions{reading.readable, {}, {}};
+    permissions.readable.push_back(library_.parent_path());
+    foreign::enter_sandbox(permissions);
+  }
+
+  const std::filesystem::path library_;
+  const int socket_;
+  std::vector<LoadedImporter> importers_;
+  bool is_confined_ = false;
+};
+
+}  // namespace
+
+void serve(const std::filesystem::path& library, int socket) {
+  Server server(library, socket);
+  bool goes_on = server.load();
+  for (foreign::Incoming incoming; goes_on && incoming.receive(socket, {}, most_bytes) == foreign::Received::all;)
+    goes_on = server.answer(incoming.take());
 }
 
 // The following code runs in the main program.
@@ -122,8 +153,8 @@ class Process {
 
   std::vector<ImporterTable> start(double seconds) {
     const std::lock_guard lock(mutex_);
-    process_.run(own_folder() / "epura-importer", {library_.string()});
-    return process_.receive_loaded(seconds, most_bytes, unpack_tables);
+    seconds_ = seconds;
+    return start();
   }
 
   bool recognises(const std::string& name, std::string_view first_bytes) {
@@ -143,6 +174,7 @@ class Process {
   Document read(const std::string& name, const Reading& reading, const std::function<void(double)>& tell,
                 const Progress& progress) {
     const std::lock_guard lock(mutex_);
+    if (reading.is_confined != 0) expect_confinable(reading.readable);
     Packer question;
     question(Question::read), question(name), pack_reading(question, reading);
     process_.send(question);
@@ -166,6 +198,17 @@ class Process {
   }
 
  private:
+  std::vector<ImporterTable> start() {
+    process_.run(own_folder() / "epura-importer", {library_.string()});
+    return process_.receive_loaded(seconds_, most_bytes, unpack_tables);
+  }
+
+  // A process that is confined for one file is confined for ever.
+  void expect_confinable(const std::vector<std::filesystem::path>& readable) {
+    if (confined_to_ && (readable.empty() || *confined_to_ != readable)) start();
+    confined_to_ = readable;
+  }
+
   static Document checked(Document document) {
     expect_sound(document);
     return document;
@@ -184,8 +227,15 @@ class Process {
 
   const std::filesystem::path library_;
   std::mutex mutex_;
+  double seconds_ = loading_seconds;
+  std::optional<std::vector<std::filesystem::path>> confined_to_;
   foreign::ChildProcess process_;
 };
+
+std::vector<std::filesystem::path> readable_for(const std::filesystem::path& file, bool allow_outside) {
+  if (allow_outside) return {"/"};
+  return {std::filesystem::absolute(file).parent_path(), file};
+}
 
 bool ImporterEntry::recognises(std::string_view first_bytes) const {
   try {

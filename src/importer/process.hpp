@@ -34,6 +34,10 @@ struct ImporterEntry {
                               const Progress& progress) const;
 };
 
+/// Returns what a process may open that is confined for a file: what lies below its folder, and what the file itself,
+/// if it is a link, stands for; or everything.
+std::vector<std::filesystem::path> readable_for(const std::filesystem::path& file, bool allow_outside);
+
 /// Returns the importers of a library; nothing for a library of projections. Throws Error{plugin} without its path.
 std::vector<ImporterEntry> importers_of(const std::filesystem::path& library, double seconds = loading_seconds);
 

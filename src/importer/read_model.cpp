@@ -114,13 +114,15 @@ ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, 
   std::optional<NamelessFile> file;
   if (source.bytes != nullptr) file.emplace(*source.bytes);
   const Reading reading{
-      .path = file ? file->path() : source.path.string(),
+      .path = file ? fs::path(file->path()) : source.path,
       .name = source.name,
       .values = foreign::flattened(
           foreign::values_of(importer.table.parameters, parameters, importer.table.name, "importer")),
       .tolerance = options.tolerance,
       .relative_tolerance = options.relative_tolerance,
-      .threads = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency())};
+      .threads = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency()),
+      .is_confined = options.is_confined ? 1 : 0,
+      .readable = file ? std::vector<fs::path>() : readable_for(source.path, options.allow_outside)};
   std::error_code unknown;
   const std::uintmax_t bytes = fs::file_size(reading.path, unknown);
   Advance advance(progress, unknown ? 0 : bytes);

@@ -21,6 +21,8 @@ struct ReadOptions {
   double tolerance = 0;              ///< greatest deviation of facets from curved surfaces, mm; 0: no bound
   double relative_tolerance = 1e-4;  ///< the same as a fraction of the diagonal of the model's box; 0: no bound
   int threads = 0;                   ///< greatest number for an importer; 0: all cores
+  bool is_confined = true;           ///< importers open nothing but what is below the folder of their file
+  bool allow_outside = false;        ///< they may read any file
 };
 
 struct ReadModel {

@@ -311,6 +311,7 @@ scene::SceneDescription describe_scene(const Scene& scene) {
 pipeline::RunOptions run_options_of(const Settings& settings) {
   pipeline::RunOptions options;
   options.plugin_path = settings.plugin_path;
+  options.allow_outside = settings.allow_outside;
   if (settings.wireframe) options.visibility = pipeline::Visibility::none;
   if (settings.contact) options.contact = checked(*settings.contact, "settings.contact", 0);
   if (settings.arcs) options.arcs = checked(*settings.arcs, "settings.arcs", 1e-6, 1);

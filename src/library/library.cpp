@@ -97,7 +97,8 @@ Drawing draw(const Scene& scene, const Settings& settings) {
 
 Drawing draw_file(const std::filesystem::path& file, const Settings& settings) {
   return guarded([&] {
-    if (file.extension() == ".toml") return draw_described(scene::read_scene_file(file), settings);
+    const auto outside = settings.allow_outside ? scene::FilesOutside::allowed : scene::FilesOutside::refused;
+    if (file.extension() == ".toml") return draw_described(scene::read_scene_file(file, outside), settings);
     return draw_described(describe_scene({.models = {{.file = file.string()}}}), settings);
   });
 }

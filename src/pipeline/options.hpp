@@ -15,6 +15,9 @@ namespace epura::pipeline {
 enum class DumpTable { edges, spans };
 /// Which lines count as hidden: `none` is a wireframe.
 enum class Visibility { exact, none };
+/// Which processes open nothing but what they were given: those of importers and workers, if the kernel can confine
+/// them (foreign/sandbox.hpp); `on`: this process, too.
+enum class Sandbox { automatic, on, off };
 
 }  // namespace epura::pipeline
 
@@ -26,11 +29,17 @@ template <>
 struct epura::scene::Words<epura::pipeline::Visibility> {
   static constexpr std::array list{"exact", "none"};
 };
+template <>
+struct epura::scene::Words<epura::pipeline::Sandbox> {
+  static constexpr std::array list{"auto", "on", "off"};
+};
 
 namespace epura::pipeline {
 
 struct RunOptions {
   std::vector<std::filesystem::path> plugin_path;  ///< more folders with projection plugins
+  Sandbox sandbox = Sandbox::automatic;
+  bool allow_outside = false;  ///< scene files and models may name files outside their folders
   Visibility visibility = Visibility::exact;
   std::optional<double> max_error;  ///< mm; no longer span may be shown wrongly
   std::optional<double> contact;    ///< world length

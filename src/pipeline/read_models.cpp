@@ -141,7 +141,11 @@ void warn_about(const Messages& messages, const mesh::MeshReport& report, bool s
 importer::ReadOptions read_options(const scene::SceneDescription& scene, const RunOptions& options) {
   constexpr double usual_error = 0.02;  // mm on paper
   const double error = options.max_error.value_or(usual_error);
-  importer::ReadOptions read{.plugin_path = options.plugin_path, .relative_tolerance = 0, .threads = options.threads};
+  importer::ReadOptions read{.plugin_path = options.plugin_path,
+                             .relative_tolerance = 0,
+                             .threads = options.threads,
+                             .is_confined = options.sandbox != Sandbox::off,
+                             .allow_outside = options.allow_outside};
   for (const scene::ViewDescription& view : scene.views) {
     const auto number = static_cast<std::size_t>(view.sheet.value_or(1)) - 1;
     const scene::SheetDescription& sheet = scene.sheets[std::min(number, scene.sheets.size() - 1)];

@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "foreign/child_process.hpp"
 #include "foreign/messages.hpp"
+#include "foreign/sandbox.hpp"
 #include "projection/answer.hpp"
 #include "projection/loader.hpp"
 
@@ -96,10 +97,12 @@ void take_precautions() {
   for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::signal(crash, SIG_DFL);
 }
 
-void serve(const std::filesystem::path& path, int socket) noexcept {
+void serve(const std::filesystem::path& path, Confinement confinement, int socket) noexcept {
   take_precautions();
   std::vector<ProjectionEntry> entries;
   bool goes_on = foreign::send_message(socket, foreign::message_or_reason([&](Packer& message) {
+                                         if (confinement == Confinement::sandbox)
+                                           foreign::enter_sandbox({{path.parent_path()}, {}, {}});
                                          entries = read_plugin(path);
                                          pack_table(message, entries);
                                        }));
@@ -114,7 +117,8 @@ void serve(const std::filesystem::path& path, int socket) noexcept {
 /// The plugin's process as seen by the program.
 class PluginProcess {
  public:
-  PluginProcess(std::filesystem::path path, double seconds) : path_(std::move(path)), seconds_(seconds) {}
+  PluginProcess(std::filesystem::path path, double seconds, Confinement confinement)
+      : path_(std::move(path)), seconds_(seconds), confinement_(confinement) {}
 
   std::vector<ProjectionEntry> table() {
     const std::lock_guard lock(mutex_);
@@ -141,20 +145,21 @@ class PluginProcess {
 
   const std::filesystem::path path_;
   const double seconds_;
+  const Confinement confinement_;
   std::mutex mutex_;
   foreign::ChildProcess process_;
 };
 
 std::vector<ProjectionEntry> PluginProcess::start() {
-  process_.fork([this](int socket) { serve(path_, socket); });
+  process_.fork([this](int socket) { serve(path_, confinement_, socket); });
   return process_.receive_loaded(seconds_, most_bytes, unpack_table);
 }
 
 }  // namespace
 
-std::vector<ProjectionEntry> read_plugin_apart(const std::filesystem::path& path, Afterwards afterwards,
-                                               double seconds) {
-  const auto process = std::make_shared<PluginProcess>(path, seconds);
+std::vector<ProjectionEntry> read_plugin_apart(const std::filesystem::path& path, Afterwards afterwards, double seconds,
+                                               Confinement confinement) {
+  const auto process = std::make_shared<PluginProcess>(path, seconds, confinement);
   std::vector<ProjectionEntry> entries = process->table();
   if (afterwards == Afterwards::rests) process->rest();
   for (ProjectionEntry& entry : entries) {

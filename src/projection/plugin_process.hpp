@@ -17,9 +17,13 @@ inline constexpr double plugin_seconds = 10;
 /// question: a list of many plugins needs no process for each.
 enum class Afterwards { waits, rests };
 
+/// Whether the process can open nothing but the library's folder (foreign/sandbox.hpp).
+enum class Confinement { none, sandbox };
+
 /// Returns what the library contains, as `read_plugin` does. The process ends with the entries. Throws Error{plugin}
 /// without the path: what is wrong with the library, or what it did.
 std::vector<ProjectionEntry> read_plugin_apart(const std::filesystem::path& path, Afterwards afterwards,
-                                               double seconds = plugin_seconds);
+                                               double seconds = plugin_seconds,
+                                               Confinement confinement = Confinement::none);
 
 }  // namespace epura::projection

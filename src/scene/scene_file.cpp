@@ -176,19 +176,32 @@ void expect_cells(const TableDescription& table) {
     refuse(table.corner.where, "the table has a position and a corner", "omit 'corner', or 'at'");
 }
 
+// Links count as what they lead to: a scene file and a link can come from one stranger.
+bool lies_below(const fs::path& file, const fs::path& folder) {
+  const fs::path whole = fs::weakly_canonical(file), above = fs::weakly_canonical(folder.empty() ? "." : folder);
+  return std::mismatch(above.begin(), above.end(), whole.begin(), whole.end()).first == above.end();
+}
+
 // Resolves paths relative to the folder of the scene file.
-void find_files(SceneDescription& scene, const fs::path& folder) {
-  for (ModelDescription& model : scene.models) model.file.value = (folder / *model.file).string();
+void find_files(SceneDescription& scene, const fs::path& folder, FilesOutside outside) {
+  const auto find = [&](LocatedText& file) {
+    const fs::path path = folder / *file;
+    if (outside == FilesOutside::refused && !lies_below(path, folder))
+      refuse(file.where, "'" + *file + "' lies outside the folder of the scene file",
+             "--allow-outside allows it, if you trust the scene file");
+    file.value = path.string();
+  };
+  for (ModelDescription& model : scene.models) find(model.file);
   for (SheetDescription& sheet : scene.sheets) {
-    if (sheet.font.given() && names_font_file(*sheet.font)) sheet.font.value = (folder / *sheet.font).string();
+    if (sheet.font.given() && names_font_file(*sheet.font)) find(sheet.font);
     for (LocatedText* file : {&sheet.form, &sheet.logo, &sheet.style})
-      if (file->given()) file->value = (folder / **file).string();
+      if (file->given()) find(*file);
   }
 }
 
 }  // namespace
 
-SceneDescription read_scene_file(const fs::path& path) {
+SceneDescription read_scene_file(const fs::path& path, FilesOutside outside) {
   SceneWords words = read_scene_words(read_toml(path));
   SceneDescription& scene = words.description;
   if (scene.models.empty())
@@ -204,7 +217,7 @@ SceneDescription read_scene_file(const fs::path& path) {
   for (const TableDescription& table : scene.tables) expect_cells(table);
   for (const CalloutWords& callout : words.callouts) scene.callouts.push_back(callout_of(callout, subjects));
   if (scene.parts_list && !subjects.views.empty()) refuse_unknown(scene.parts_list->view, subjects.views, "view");
-  find_files(scene, path.parent_path());
+  find_files(scene, path.parent_path(), outside);
   return scene;
 }
 

@@ -8,10 +8,13 @@
 
 namespace epura::scene {
 
+/// Whether a scene file may name files that do not lie below its folder.
+enum class FilesOutside { refused, allowed };
+
 /// Returns the content of the file, with at least one model and one sheet; paths of models are resolved relative to the
 /// scene file. There may be no views; all views have names. Throws Error{input}, with line, column and hint, for files
 /// that cannot be read, unknown keys, invalid values, and names that refer to nothing or are not unique.
-SceneDescription read_scene_file(const std::filesystem::path& path);
+SceneDescription read_scene_file(const std::filesystem::path& path, FilesOutside outside = FilesOutside::refused);
 
 /// Throws Error{input} for two models, sections or views with one name, and for views that refer to sections or sheets
 /// that do not exist.

@@ -28,7 +28,7 @@ inline std::vector<std::string> golden_cases() {
 
 /// "draw" and the arguments of a case.
 inline std::vector<std::string> golden_arguments(const std::string& name) {
-  std::vector<std::string> words{"draw", "tests/golden/" + name + "/scene.toml"};
+  std::vector<std::string> words{"draw", "--allow-outside", "tests/golden/" + name + "/scene.toml"};
   const std::filesystem::path options = golden_folder(name) / "options";
   std::istringstream text(std::filesystem::exists(options) ? read_file(options) : std::string());
   for (std::string word; text >> word;) words.push_back(word);

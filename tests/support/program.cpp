@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -74,9 +75,10 @@ std::string Running::err() const { return read_file(err_); }
 
 Outcome Running::wait() {
   int status = 0;
-  if (::waitpid(std::exchange(child_, 0), &status, 0) < 0) throw std::runtime_error("cannot wait for a run");
+  rusage used{};
+  if (::wait4(std::exchange(child_, 0), &status, 0, &used) < 0) throw std::runtime_error("cannot wait for a run");
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, keeps_out_ ? read_file(out_) : std::string(), err()};
+  return {code, keeps_out_ ? read_file(out_) : std::string(), err(), static_cast<double>(used.ru_maxrss) * 1024 / 1e6};
 }
 
 Outcome epura(const std::vector<std::string>& arguments, const std::filesystem::path& folder,

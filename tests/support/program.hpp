@@ -15,6 +15,7 @@ namespace epura::test {
 struct Outcome {
   int code;  ///< exit code; 128 + number if it was ended by a signal
   std::string out, err;
+  double megabytes = 0;  ///< the largest memory of the process, and of those that it waited for
 };
 
 /// A process that runs in parallel to the test.

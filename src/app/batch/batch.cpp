@@ -85,6 +85,16 @@ int merge(const BatchOptions& options) {
   return counts.failed == 0 ? 0 : found_wrong_exit_code;
 }
 
+// Now, since a confined process can write only into folders that exist. What cannot be created is told with its job.
+void create_folders_of(const std::vector<Job>& jobs, const std::vector<std::size_t>& numbers) {
+  for (const std::size_t number : numbers) {
+    try {
+      create_folders(jobs[number].outputs);
+    } catch (const Error&) {
+    }
+  }
+}
+
 int workers_of(const BatchOptions& options) {
   return options.workers > 0 ? options.workers : static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
 }
@@ -111,6 +121,7 @@ int batch(const BatchOptions& options) {
       plan.records[output] = std::move(record);
   }
 
+  create_folders_of(plan.jobs, numbers);
   ProgressBoard board;
   Console console(board, shows_progress(options.progress));
   board.begin("drawing", numbers.size());

@@ -140,7 +140,8 @@ scene::Options<DrawOptions> job_options() {
     const bool is_for_files = option.flag == "models" || option.flag == "-o,--output";
     return option.flag == "--format" ||
            (option.nature == scene::Nature::run && !is_for_files && option.flag != "--threads" &&
-            option.flag != "--time-limit" && option.flag != "--verify" && option.flag != "--verify-samples");
+            option.flag != "--time-limit" && option.flag != "--sandbox" && option.flag != "--verify" &&
+            option.flag != "--verify-samples");
   });
   return options;
 }

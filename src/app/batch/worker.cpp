@@ -15,6 +15,7 @@
 
 #include "app/batch/content_hash.hpp"
 #include "app/commands.hpp"
+#include "app/confinement.hpp"
 #include "app/describe.hpp"
 #include "app/draw_files.hpp"
 #include "base/error.hpp"
@@ -126,15 +127,6 @@ const JobRecord* earlier_record(const BatchPlan& plan, const Job& job) {
   return found != plan.records.end() ? &found->second : nullptr;
 }
 
-void create_folders(const std::vector<std::string>& outputs) {
-  for (const std::string& output : outputs) {
-    const fs::path folder = fs::path(output).parent_path();
-    std::error_code error;
-    if (!folder.empty()) fs::create_directories(folder, error);
-    if (error) throw Error(ErrorKind::output, folder.string(), "cannot be created: " + error.message());
-  }
-}
-
 void draw(const DrawOptions& options, JobRecord& record) {
   create_folders(options.outputs);
   ProgressBoard board;
@@ -180,7 +172,41 @@ void add_libraries(std::string& text, const std::vector<fs::path>& folders) {
       text += '\0' + library.string() + '\0' + hash_of_file(library);
 }
 
+/// Returns why it cannot be done; empty if it is.
+std::string confine_to_jobs(const BatchPlan& plan) {
+  NamedFiles files;
+  for (const Job& job : plan.jobs) {
+    files.inputs.insert(files.inputs.end(), job.models.begin(), job.models.end());
+    files.outputs.insert(files.outputs.end(), job.outputs.begin(), job.outputs.end());
+    std::error_code missing;
+    for (const LaterOption& setting : job.settings)
+      if (const std::string* value = std::get_if<std::string>(&setting.value.content))
+        if (fs::exists(*value, missing)) files.inputs.push_back(*value);
+  }
+  try {
+    foreign::enter_sandbox(permissions_for(files, plan.common.run, plan.common.sheet));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+JobResult refused(const BatchPlan& plan, std::size_t number, const std::string& reason) {
+  JobResult result{number, false, {.name = plan.jobs[number].name}};
+  add_error(result.record, Error(ErrorKind::plugin, result.record.name, reason, "--sandbox off does without"));
+  return result;
+}
+
 }  // namespace
+
+void create_folders(const std::vector<std::string>& outputs) {
+  for (const std::string& output : outputs) {
+    const fs::path folder = fs::path(output).parent_path();
+    std::error_code error;
+    if (!folder.empty()) fs::create_directories(folder, error);
+    if (error) throw Error(ErrorKind::output, folder.string(), "cannot be created: " + error.message());
+  }
+}
 
 std::string basis_of(const BatchOptions& options) {
   std::string text = EPURA_VERSION;
@@ -224,12 +250,15 @@ JobResult do_job(const BatchPlan& plan, std::size_t number) {
 void serve_jobs(int socket, const BatchPlan& plan) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (plan.job_memory) limit_memory(*plan.job_memory);
+  const std::string reason = plan.common.run.sandbox == pipeline::Sandbox::off ? "" : confine_to_jobs(plan);
   foreign::Incoming incoming;
   while (incoming.receive(socket, std::nullopt, most_bytes) == foreign::Received::all) {
     std::size_t number = 0;
     const std::string message = incoming.take();
     foreign::Unpacker{message}(number);
-    if (number >= plan.jobs.size() || !foreign::send_message(socket, packed(do_job(plan, number)))) return;
+    if (number >= plan.jobs.size()) return;
+    const JobResult result = reason.empty() ? do_job(plan, number) : refused(plan, number, reason);
+    if (!foreign::send_message(socket, packed(result))) return;
     ::malloc_trim(0);
   }
 }

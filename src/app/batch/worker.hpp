@@ -30,11 +30,15 @@ struct JobResult {
   JobRecord record;
 };
 
-/// Draws the jobs whose numbers arrive at a socket, and sends results, until the socket is closed.
+/// Draws the jobs whose numbers arrive at a socket, and sends results, until the socket is closed. The process can open
+/// only the folders of jobs, unless `--sandbox off`; those of outputs exist.
 void serve_jobs(int socket, const BatchPlan& plan);
 
 /// The code of a job whose process ended before the job.
 inline constexpr int crashed_exit_code = 70;
+
+/// Creates the folders of outputs. Throws Error{output}.
+void create_folders(const std::vector<std::string>& outputs);
 
 /// Draws a job in this process.
 JobResult do_job(const BatchPlan& plan, std::size_t job);

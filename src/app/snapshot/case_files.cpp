@@ -54,7 +54,8 @@ std::vector<fs::path> files_of(const SnapshotCase& one) {
   std::vector<fs::path> files;
   for (const char* name : {"scene.toml", "options", "expected.json", "expected.svg", "expected.pdf"})
     files.push_back(one.folder / name);
-  for (const scene::ModelDescription& model : scene::read_scene_file(files.front()).models)
+  for (const scene::ModelDescription& model :
+       scene::read_scene_file(files.front(), scene::FilesOutside::allowed).models)
     files.emplace_back(*model.file);
   return files;
 }

@@ -21,8 +21,8 @@ class ArrowViews : public testing::Test {
 
   Outcome draw(const std::string& views, std::vector<std::string> options = {}) {
     const std::string scene = "[[model]]\nfile = '" + sample("bracket.obj") + "'\n" + views;
-    options.insert(options.begin(),
-                   {"draw", folder.file("scene.toml", scene), "-o", "x.json", "-o", "x.svg", "--svg-text", "text"});
+    options.insert(options.begin(), {"draw", "--allow-outside", folder.file("scene.toml", scene), "-o", "x.json", "-o",
+                                     "x.svg", "--svg-text", "text"});
     return epura(options, folder / "");
   }
   Json drawing() const { return JsonReader(read_file(folder / "x.json")).read(); }

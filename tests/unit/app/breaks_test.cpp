@@ -21,7 +21,8 @@ class Breaks : public testing::Test {
   Folder folder;
 
   Outcome draw(const std::string& scene, std::vector<std::string> options = {}) {
-    options.insert(options.begin(), {"draw", folder.file("scene.toml", scene), "-o", "x.json", "-o", "x.svg"});
+    options.insert(options.begin(),
+                   {"draw", "--allow-outside", folder.file("scene.toml", scene), "-o", "x.json", "-o", "x.svg"});
     return epura(options, folder / "");
   }
   Json drawing() const { return JsonReader(read_file(folder / "x.json")).read(); }

@@ -74,9 +74,9 @@ TEST(CompareCommand, DrawsScenes) {
   drawn.folder.file("wider.obj", wider_bracket());
   drawn.folder.file("one.toml", "[[model]]\nfile = \"" + sample("bracket.obj") + "\"\n");
   drawn.folder.file("two.toml", "[[model]]\nfile = \"wider.obj\"\n");
-  EXPECT_EQ(drawn.compare({"one.toml", "one.toml"}).code, 0);
-  EXPECT_EQ(drawn.compare({"one.toml", "two.toml"}).code, 1);
-  const Outcome missing = drawn.compare({"one.toml", "three.toml"});
+  EXPECT_EQ(drawn.compare({"one.toml", "one.toml", "--allow-outside"}).code, 0);
+  EXPECT_EQ(drawn.compare({"one.toml", "two.toml", "--allow-outside"}).code, 1);
+  const Outcome missing = drawn.compare({"one.toml", "three.toml", "--allow-outside"});
   EXPECT_EQ(missing.code, 2);
   EXPECT_TRUE(contains(missing.err, "three.toml: cannot read")) << missing.err;
 }

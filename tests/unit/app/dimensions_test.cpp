@@ -30,7 +30,7 @@ class DimensionsOfProgram : public testing::Test {
   Folder folder;
 
   std::string drawn(Words arguments) {
-    arguments.insert(arguments.begin(), "draw");
+    arguments.insert(arguments.begin(), {"draw", "--allow-outside"});
     arguments.insert(arguments.end(), {"-o", "x.svg"});
     const Outcome run = epura(arguments, folder / "");
     EXPECT_EQ(run.code, 0) << run.err;
@@ -38,7 +38,7 @@ class DimensionsOfProgram : public testing::Test {
     return read_file(folder / "x.svg");
   }
   std::string refused(Words arguments) {
-    arguments.insert(arguments.begin(), "draw");
+    arguments.insert(arguments.begin(), {"draw", "--allow-outside"});
     arguments.insert(arguments.end(), {"-o", "x.svg"});
     const Outcome run = epura(arguments, folder / "");
     EXPECT_EQ(run.code, 2) << run.err;

@@ -19,7 +19,7 @@ class Sheets : public testing::Test {
   Folder folder;
 
   Outcome draw(const std::string& scene, const std::vector<std::string>& outputs) {
-    std::vector<std::string> arguments{"draw", folder.file("scene.toml", scene)};
+    std::vector<std::string> arguments{"draw", "--allow-outside", folder.file("scene.toml", scene)};
     for (const std::string& output : outputs) arguments.insert(arguments.end(), {"-o", output});
     return epura(arguments, folder / "");
   }
@@ -67,7 +67,8 @@ TEST_F(Sheets, DimensionsStandOutsideTheMarksOfSections) {
                             "[[view]]\nprojection = 'front'\n[[view]]\nprojection = 'left'\nsection = 'A'\n"
                             "[[dimension]]\ntype = 'overall'\ndirection = 'width'\nview = 'front'\n";
   folder.file("scene.toml", scene);
-  const Outcome run = epura({"draw", "scene.toml", "--svg-text", "text", "-o", "x.svg"}, folder / "");
+  const Outcome run =
+      epura({"draw", "--allow-outside", "scene.toml", "--svg-text", "text", "-o", "x.svg"}, folder / "");
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string svg = read_file(folder / "x.svg");
   const std::vector<double> width = heights_of(svg, "front-dimensions"), marks = heights_of(svg, "front-cutting-plane");
@@ -98,7 +99,7 @@ TEST_F(Sheets, PaintTheLinesOfAViewInOneOrder) {
           "line = 'visible'\n[sheet]\nsize = 'A3'\n[[section]]\nname = 'A'\npoint = [40, 0, 0]\nnormal = [-1, 0, 0]\n"
           "[[view]]\nprojection = 'front'\nedges = ['contour', 'crease', 'tangent']\n"
           "[[view]]\nprojection = 'left'\nsection = 'A'\n[[dimension]]\ntype = 'overall'\n");
-  const Outcome run = epura({"draw", "scene.toml", "--centre-lines", "-o", "x.svg"}, folder / "");
+  const Outcome run = epura({"draw", "--allow-outside", "scene.toml", "--centre-lines", "-o", "x.svg"}, folder / "");
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string svg = read_file(folder / "x.svg");
   static const std::regex group("inkscape:label=\"([^\"]+)\"( class)?");
@@ -125,7 +126,8 @@ TEST_F(Sheets, HaveIdsOfTheirOwn) {
   folder.file("scene.toml", model() +
                                 "[[sheet]]\n[[sheet]]\n[[view]]\nprojection = 'front'\n"
                                 "[[view]]\nprojection = 'front'\nsheet = 2\n");
-  ASSERT_EQ(epura({"draw", "scene.toml", "--id-prefix", "part", "-o", "x.svg"}, folder / "").code, 0);
+  ASSERT_EQ(epura({"draw", "--allow-outside", "scene.toml", "--id-prefix", "part", "-o", "x.svg"}, folder / "").code,
+            0);
   for (const std::string number : {"1", "2"})
     EXPECT_TRUE(contains(read_file(folder / ("x-" + number + ".svg")), "<svg id=\"part-" + number + "\""));
 }
@@ -154,7 +156,7 @@ TEST(SheetsOfViews, SectionsSeenFromTheSideThatIsKeptAreReported) {
     folder.file("s.toml", "[[model]]\nfile = \"" + sample("bracket.obj") +
                               "\"\n[[section]]\nname = \"A\"\npoint = [40, 0, 0]\nnormal = " + normal +
                               "\n[[view]]\nprojection = \"left\"\nsection = \"A\"\n");
-    return epura({"draw", "s.toml", "-o", "x.svg"}, folder / "").err;
+    return epura({"draw", "--allow-outside", "s.toml", "-o", "x.svg"}, folder / "").err;
   };
   EXPECT_EQ(said("[-1, 0, 0]"), "");
   EXPECT_TRUE(contains(said("[1, 0, 0]"), "view 'left' looks at section A from the side that is kept"))
@@ -162,7 +164,7 @@ TEST(SheetsOfViews, SectionsSeenFromTheSideThatIsKeptAreReported) {
   folder.file("s.toml", "[[model]]\nfile = \"" + sample("bracket.obj") +
                             "\"\n[[section]]\nname = \"A\"\npoint = [400, 0, 0]\nnormal = [1, 0, 0]\n"
                             "[[view]]\nprojection = \"right\"\nsection = \"A\"\n");
-  const Outcome beside = epura({"draw", "s.toml", "-o", "x.svg"}, folder / "");
+  const Outcome beside = epura({"draw", "--allow-outside", "s.toml", "-o", "x.svg"}, folder / "");
   EXPECT_EQ(beside.code, 2);
   EXPECT_TRUE(contains(beside.err, "along its normal, the models reach from -400 to -320 of its point")) << beside.err;
 }

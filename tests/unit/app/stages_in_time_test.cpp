@@ -76,7 +76,7 @@ TEST_P(BeforeAnyLine, NothingIsWrittenAndTheStageIsNamed) {
   const Folder folder;
   const std::string old = folder.file("x.svg", "old");
   const Drawn run = draw_struck_at(
-      GetParam(), {(root() / "samples/scenes/bracket.toml").string(), "-o", old, "-o", (folder / "x.json").string()});
+      GetParam(), {(root() / "samples/bracket.toml").string(), "-o", old, "-o", (folder / "x.json").string()});
   EXPECT_EQ(run.kind, ErrorKind::time);
   EXPECT_TRUE(contains(run.error, "'" + std::string(GetParam()) + "'")) << run.error;
   EXPECT_TRUE(contains(run.error, "nothing was written")) << run.error;
@@ -143,8 +143,8 @@ class StageBesideLines : public testing::TestWithParam<const char*> {};
 TEST_P(StageBesideLines, IsLeftOut) {
   const Folder folder;
   const std::string json = (folder / "x.json").string(), pdf = (folder / "x.pdf").string();
-  const Drawn run = draw_struck_at(GetParam(), {(root() / "samples/scenes/bracket.toml").string(), "-o", json, "-o",
-                                                pdf, "--centre-lines", "--verify", "--dump", "edges"});
+  const Drawn run = draw_struck_at(GetParam(), {(root() / "samples/bracket.toml").string(), "-o", json, "-o", pdf,
+                                                "--centre-lines", "--verify", "--dump", "edges"});
   EXPECT_EQ(run.error, "");
   ASSERT_FALSE(run.stages.empty());
   EXPECT_EQ(run.stages.front(), GetParam());

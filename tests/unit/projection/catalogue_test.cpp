@@ -231,6 +231,15 @@ TEST(plugin_folders, are_those_given_then_the_environment_then_beside_the_progra
   EXPECT_TRUE(folders[3].string().ends_with("epura/projections"));
 }
 
+TEST(plugin_folders, of_the_environment_are_absolute) {
+  setenv("EPURA_PLUGIN_PATH", "/a:here", 1);
+  const Error error = error_of([] { projection::plugin_folders({}); });
+  unsetenv("EPURA_PLUGIN_PATH");
+  EXPECT_EQ(error.kind(), ErrorKind::plugin);
+  EXPECT_STREQ(error.what(), "EPURA_PLUGIN_PATH: 'here' is not an absolute path");
+  EXPECT_EQ(error.hint(), "give " + (fs::current_path() / "here").string() + ", or use --plugin-path");
+}
+
 TEST(parse_request, takes_names_and_assignments_apart) {
   const scene::ProjectionRequest request = scene::parse_request("look-at:eye=4,-9,5:ref=0,0,0");
   EXPECT_EQ(request.name, "look-at");

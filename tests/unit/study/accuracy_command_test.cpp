@@ -110,8 +110,8 @@ TEST_F(Accuracy, SaysWhatIsWrong) {
 }
 
 TEST_F(Accuracy, ScenesWithSeveralViewsHaveARowForEach) {
-  const Outcome outcome = epura({"study", "accuracy", EPURA_TEST_SAMPLES "/scenes/bracket.toml", "--visibility",
-                                 "exact", "--runs", "1", "--truth", "1", "-o", "a.csv"},
+  const Outcome outcome = epura({"study", "accuracy", EPURA_TEST_SAMPLES "/bracket.toml", "--visibility", "exact",
+                                 "--runs", "1", "--truth", "1", "-o", "a.csv"},
                                 folder_ / "");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_GT(rows_of_csv(read("a.csv")).size(), 3U);
