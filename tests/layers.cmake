@@ -5,7 +5,7 @@
 # followed by what tests and tools stand on (tests/support) and by those of tools/: src knows nothing of them.
 cmake_minimum_required(VERSION 3.25)
 
-set(order base search foreign mesh features importer scene projection view construction edges visibility drawing report sheet output verify explain
+set(order base search svg foreign mesh features importer scene projection view construction edges visibility drawing report sheet output verify explain
     compare pipeline library app laboratory oracle study)
 
 set(libraries OpenMesh utf8 tbb gmp dlfcn.h cairo pugixml rapidjson qpdf CLI toml\\+\\+ ft2build.h)
@@ -15,7 +15,7 @@ set(folders_utf8 base)
 set(folders_gmp verify)
 set(folders_dlfcn.h base)
 set(folders_cairo output)
-set(folders_pugixml compare)
+set(folders_pugixml svg compare)
 set(folders_rapidjson compare)
 set(folders_qpdf output)
 set(folders_CLI app)

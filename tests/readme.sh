@@ -16,7 +16,7 @@ complain() {
 
 cp -r "$root/include" "$root/cmake" "$scratch"
 mkdir "$scratch/samples"
-cp -r "$root/samples/models" "$root/samples/step" "$root/samples/bracket.toml" "$root/samples/plugin" "$scratch/samples"
+cp -r "$root/samples/models" "$root/samples/step" "$root/samples/frames" "$root/samples/bracket.toml" "$root/samples/plugin" "$scratch/samples"
 for page in README.md docs/recipes.md docs/scale.md; do
   awk -v out="$scratch/$(basename $page)-" '/^```sh$/ { inside = 1; ++n; next } /^```$/ { inside = 0 }
                                             inside { print > (out n ".sh") }' "$root/$page"

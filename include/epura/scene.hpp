@@ -171,6 +171,10 @@ struct SheetOptions {
   Unit dimension_unit = Unit::mm;  ///< of the lengths in dimensions
   DecimalSign decimal_sign = DecimalSign::point;
   std::string font{};  ///< of the lettering: an installed family, or a .ttf or .otf file; empty: osifont
+  std::string
+      sheet_template{};  ///< SVG file with frame and title block, which gives the size; empty: those of the standards
+  std::string logo{};    ///< SVG or PNG file for the title block; empty: none
+  std::string style{};   ///< TOML file with colours, widths and dashes of lines by role; empty: ISO 128-2
   /// Title block fields by the names in docs/formats.md ("title", "owner", "number", "date" ...) or any other name.
   std::vector<std::pair<std::string, std::string>> title_block{};
 };

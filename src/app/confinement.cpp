@@ -59,7 +59,7 @@ std::set<fs::path> folders_of(const std::vector<std::string>& files) {
 }  // namespace
 
 foreign::Permissions permissions_for(const NamedFiles& files, const pipeline::RunOptions& options,
-                                     const scene::LocatedText& font) {
+                                     const scene::SheetDescription& sheet) {
   std::vector<std::string> inputs;
   for (const std::string& input : files.inputs) inputs.push_back(importer::parse_model_request(input).path);
   const std::set<fs::path> sources = folders_of(inputs), targets = folders_of(files.outputs);
@@ -78,7 +78,9 @@ foreign::Permissions permissions_for(const NamedFiles& files, const pipeline::Ru
   add(importer::importer_folders(options.plugin_path));
   add(font_folders());
   permissions.readable.push_back(own_folder());
-  if (font.given() && scene::names_font_file(*font)) permissions.readable.emplace_back(*font);
+  if (sheet.font.given() && scene::names_font_file(*sheet.font)) permissions.readable.emplace_back(*sheet.font);
+  for (const scene::LocatedText* file : {&sheet.form, &sheet.logo, &sheet.style})
+    if (file->given()) permissions.readable.emplace_back(**file);
   if (options.allow_outside) permissions.readable.emplace_back("/");
   return permissions;
 }
@@ -87,7 +89,7 @@ void confine_if_asked(const DrawOptions& options) {
   if (options.run.sandbox != pipeline::Sandbox::on) return;
   if (const std::string reason = foreign::reason_for_no_sandbox(); !reason.empty())
     throw Error(ErrorKind::input, "--sandbox on", reason, "--sandbox auto confines what this computer can confine");
-  foreign::enter_sandbox(permissions_for({options.models, options.outputs}, options.run, options.sheet.font));
+  foreign::enter_sandbox(permissions_for({options.models, options.outputs}, options.run, options.sheet));
 }
 
 }  // namespace epura

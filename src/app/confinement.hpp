@@ -17,9 +17,10 @@ struct NamedFiles {
 };
 
 /// Returns what a process needs to draw: to read what lies below the folders of its inputs (everything, with
-/// `allow_outside`), of plugins and of fonts, to write into the folders of its outputs, and to start importers.
+/// `allow_outside`), of plugins and of fonts, and the files that options of the sheet name, to write into the folders
+/// of its outputs, and to start importers.
 foreign::Permissions permissions_for(const NamedFiles& files, const pipeline::RunOptions& options,
-                                     const scene::LocatedText& font);
+                                     const scene::SheetDescription& sheet);
 
 /// Confines this process if `--sandbox on` asks for it. Called before the first thread. Throws Error{input} where the
 /// kernel cannot do it.

@@ -118,6 +118,7 @@ scene::SceneDescription describe(const DrawOptions& options) {
     scene::overrule(sheet, options.sheet, scene::sheet_options());
     scene::overrule(sheet.title_block, options.sheet.title_block, scene::title_block_options());
   }
+  pipeline::complete_sheets(scene);
   return scene;
 }
 

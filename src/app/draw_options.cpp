@@ -66,6 +66,20 @@ scene::ValueKind<std::string> id_prefix() {
           }};
 }
 
+scene::ValueKind<output::DxfEntities> dxf_entities() {
+  const std::vector<std::string> words = {"dimensions", "hatches"};
+  scene::ValueForm form{"list of texts", "KINDS", words};
+  form.is_list = form.is_closed = true;
+  return {std::move(form), [words](const scene::TomlValue& value) {
+            output::DxfEntities entities;
+            for (const scene::LocatedText& word : scene::each_word(value)) {
+              const scene::TomlValue one = scene::value_of_option(value.where, *word);
+              (scene::read_word(one, words) == 0 ? entities.dimensions : entities.hatches) = true;
+            }
+            return entities;
+          }};
+}
+
 scene::ValueKind<pipeline::Shortcuts> certificate_names() {
   scene::ValueForm form{"list of texts", "NAMES", {"all", "none"}};
   for (const auto& [name, member] : pipeline::shortcut_names()) form.words.push_back(name);
@@ -174,6 +188,9 @@ scene::Options<Draw> format_options() {
                           vector(&output::VectorOptions::id_prefix), id_prefix()),
       scene::option<Draw>({.flag = "--dxf-blocks", .help = "make each view a block in DXF"},
                           vector(&output::VectorOptions::dxf_blocks), scene::truth()),
+      scene::option<Draw>(
+          {.flag = "--dxf-entities", .help = "what is an entity of its own in DXF, instead of lines, arrows and texts"},
+          vector(&output::VectorOptions::dxf_entities), dxf_entities()),
       scene::option<Draw>({.flag = "--dpi", .help = "resolution of PNG in dots per inch", .usual = "300"},
                           vector(&output::VectorOptions::dpi), scene::number_between(1, 1200, "").shown_as("N")),
   };

@@ -13,7 +13,7 @@ namespace epura::compare {
 
 namespace {
 
-constexpr std::size_t always_room = 250'000, most_looks = 200, most_views = 2000;
+constexpr std::size_t most_looks = 200, most_views = 2000;
 
 // Views may be outside their sheet.
 constexpr double farthest = 10 * scene::longest_side;
@@ -25,16 +25,6 @@ constexpr const char* is_it_ours = "is it a drawing of epura?";
 }
 
 }  // namespace
-
-PieceRoom::PieceRoom(std::size_t bytes, std::string where)
-    : where_(std::move(where)), most_(always_room + bytes / 2), left_(most_) {}
-
-void PieceRoom::take(std::size_t pieces) {
-  if (pieces > left_)
-    refuse(where_, "stands for more than " + std::to_string(most_) + " pieces of lines",
-           "a drawing of this file size has fewer");
-  left_ -= pieces;
-}
 
 void PictureMaker::expect_on_paper(const Vec2& place) const {
   if (!(std::abs(place.x) <= farthest && std::abs(place.y) <= farthest))

@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assembles a picture from the content of a file, and rejects content that no drawing has: a few bytes can stand for
-// curves of millions of pieces, or for positions outside any paper.
+// Assembles a picture from the content of a file, and rejects content that no drawing has, such as positions
+// outside any paper.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <utility>
 
 #include "compare/picture.hpp"
 
 namespace epura::compare {
-
-/// How many more pieces of lines a file may contain. A line takes at least two bytes, but a piece of a curve takes
-/// fewer.
-class PieceRoom {
- public:
-  /// Allows 250 000, and one for every two bytes. `where` names the file in errors.
-  PieceRoom(std::size_t bytes, std::string where);
-
-  /// Throws Error{input} if there are too many.
-  void take(std::size_t pieces);
-
- private:
-  std::string where_;
-  std::size_t most_, left_;
-};
 
 /// Throws Error{input} for more than 200 looks or 2000 views, and for positions and lengths that are not numbers or
 /// beyond all paper.

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "compare/affine_map.hpp"
-#include "compare/flatten.hpp"
 #include "compare/pdf_operations.hpp"
 #include "compare/picture_maker.hpp"
 #include "compare/read_pictures.hpp"
 #include "output/pdf/library.hpp"
 #include "scene/line_roles.hpp"
+#include "svg/affine_map.hpp"
+#include "svg/flatten.hpp"
 
 namespace epura::compare {
 
@@ -23,7 +23,7 @@ constexpr double millimetres_per_point = 25.4 / 72;
 constexpr std::size_t most_states = 100;  // maximum number of saved graphics states
 
 struct PenState {
-  AffineMap map{};
+  svg::AffineMap map{};
   double width = 1;
   bool dashed = false;
 };
@@ -44,7 +44,7 @@ bool has_dashes(std::string_view content) {
 
 class PdfReader {
  public:
-  PdfReader(output::PdfContent page, const std::string& where, PieceRoom& room)
+  PdfReader(output::PdfContent page, const std::string& where, svg::PieceRoom& room)
       : page_(std::move(page)), where_(where), room_(room), picture_(where) {
     picture_.set_size(Vec2(page_.width, page_.height) * millimetres_per_point);
   }
@@ -114,7 +114,7 @@ class PdfReader {
     });
   }
 
-  void extend_path(const PdfOperation& operation, const AffineMap& map) {
+  void extend_path(const PdfOperation& operation, const svg::AffineMap& map) {
     const std::vector<double>& n = operation.numbers;
     const auto point = [&](std::size_t i) { return map({n[i], n[i + 1]}); };
     const std::string_view name = operation.name;
@@ -131,7 +131,7 @@ class PdfReader {
       room_.take(1);
       path_.back().points.push_back(point(0));
     } else if (name == "c" && n.size() == 6) {
-      append_cubic(path_.back().points, {path_.back().points.back(), point(0), point(2), point(4)}, room_);
+      svg::append_cubic(path_.back().points, {path_.back().points.back(), point(0), point(2), point(4)}, room_);
     } else if (name == "h") {
       path_.back().closed = true;
     }
@@ -157,7 +157,7 @@ class PdfReader {
 
   output::PdfContent page_;
   const std::string& where_;
-  PieceRoom& room_;
+  svg::PieceRoom& room_;
   PictureMaker picture_;
   std::vector<SubPath> path_{};
   int view_ = 0;
@@ -170,7 +170,7 @@ class PdfReader {
 
 std::vector<Picture> pictures_of_pdf(const std::string& bytes, const std::string& where) {
   std::vector<Picture> pictures;
-  PieceRoom room(2 * bytes.size(), where);  // they are packed
+  svg::PieceRoom room(2 * bytes.size(), where);  // they are packed
   for (output::PdfContent& page : output::pdf_library().read_contents(bytes, where))
     pictures.push_back(PdfReader(std::move(page), where, room).read());
   return pictures;

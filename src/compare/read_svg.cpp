@@ -12,10 +12,10 @@
 #include "base/text.hpp"
 #include "compare/picture_maker.hpp"
 #include "compare/read_pictures.hpp"
-#include "compare/svg_path.hpp"
-#include "compare/svg_style.hpp"
 #include "scene/line_roles.hpp"
 #include "sheet/lettering.hpp"
+#include "svg/path.hpp"
+#include "svg/style.hpp"
 
 namespace epura::compare {
 
@@ -27,8 +27,8 @@ constexpr std::size_t longest_model = 20;     // digits of its number
 
 // The properties that a group passes on to its content.
 struct Context {
-  SvgStyle style{};
-  AffineMap map{};
+  svg::Style style{};
+  svg::AffineMap map{};
   std::string view{};   // label of the outermost layer
   std::string layer{};  // label or class of the innermost layer: the name of its lines
   bool visible = true;
@@ -59,14 +59,14 @@ class SvgReader {
     const pugi::xml_node svg = document.child("svg");
     if (!svg) refuse("is not an SVG file");
     const Vec2 size(millimetres(svg.attribute("width").value()), millimetres(svg.attribute("height").value()));
-    const std::vector<double> box = svg_numbers(svg.attribute("viewBox").value());
+    const std::vector<double> box = svg::numbers_in(svg.attribute("viewBox").value());
     if (!(size.x > 0 && size.y > 0) || box.size() != 4 || !(box[2] > 0 && box[3] > 0))
       refuse("has no size in millimetres");
     picture_.set_size(size);
     Context all;
     all.map = {{size.x / box[2], 0}, {0, size.y / box[3]}, {0, 0}};
     all.map.shift = -Vec2(box[0], box[1]) * Vec2(all.map.along.x, all.map.across.y);
-    for (const pugi::xml_node style : svg.children("style")) rules_.merge(read_svg_rules(style.text().get()));
+    for (const pugi::xml_node style : svg.children("style")) rules_.merge(svg::read_rules(style.text().get()));
     all.style = style_of(svg, {}, rules_);
     for (const pugi::xml_node child : svg.children()) read_element(child, all);
     return picture_.finish();
@@ -78,8 +78,8 @@ class SvgReader {
   }
 
   void read_element(const pugi::xml_node& element, const Context& parent) {
-    static const std::set<std::string_view> without_ink = {"title", "desc", "metadata",
-                                                           "style", "defs", "sodipodi:namedview"};
+    static const std::set<std::string_view> without_ink = {"title", "desc",  "metadata",          "style",
+                                                           "defs",  "image", "sodipodi:namedview"};  // no pictures
     const std::string_view name = element.name();
     if (element.type() != pugi::node_element || without_ink.contains(name)) return;
     if (name != "g" && name != "path" && name != "text") refuse("has the element '" + std::string(name) + "'");
@@ -97,7 +97,7 @@ class SvgReader {
     if (++context.depth > deepest) refuse("has too many nested groups");
     context.style = style_of(element, parent.style, rules_);
     if (const pugi::xml_attribute transform = element.attribute("transform")) {
-      const auto map = read_svg_transform(transform.value());
+      const auto map = svg::read_transform(transform.value());
       if (!map) refuse("has an unsupported transform: '" + std::string(transform.value()) + "'");
       context.map = parent.map.after(*map);
     }
@@ -117,14 +117,14 @@ class SvgReader {
     return {at.x, picture_.size().y - at.y};
   }
 
-  [[nodiscard]] SvgPath path_of(const pugi::xml_node& element, PieceRoom& room) const {
-    auto path = read_svg_path(element.attribute("d").value(), room);
+  [[nodiscard]] svg::Path path_of(const pugi::xml_node& element, svg::PieceRoom& room) const {
+    auto path = svg::read_path(element.attribute("d").value(), room);
     if (!path) refuse("has an unsupported path: id '" + std::string(element.attribute("id").value()) + "'");
     return std::move(*path);
   }
 
   void read_path(const pugi::xml_node& element, const Context& context) {
-    const SvgPath path = path_of(element, room_);
+    const svg::Path path = path_of(element, room_);
     const std::string_view stroke = context.style.of("stroke"), fill = context.style.of("fill");
     const int view = picture_.view(context.view);
     if (fill != "none") add_lines(path, context, {.look = area_look(context), .view = view, .are_areas = true});
@@ -132,7 +132,7 @@ class SvgReader {
     const int look = line_look(context);
     const std::vector<std::string> edges = edges_of(element, context);
     std::size_t pieces = 0;
-    for (const SvgLine& line : path.lines) pieces += line.points.size() - (line.closed ? 0 : 1);
+    for (const svg::Line& line : path.lines) pieces += line.points.size() - (line.closed ? 0 : 1);
     // One edge for each piece of the path, or all edges for all pieces.
     const bool one_each = edges.size() == pieces;
     std::string all;
@@ -159,8 +159,8 @@ class SvgReader {
     bool one_origin_each = false;  ///< the first piece has `origin`, the next one the next number
   };
 
-  void add_lines(const SvgPath& path, const Context& context, LineMarks marks) {
-    for (const SvgLine& line : path.lines) {
+  void add_lines(const svg::Path& path, const Context& context, LineMarks marks) {
+    for (const svg::Line& line : path.lines) {
       const std::size_t count = line.points.size();
       for (std::size_t i = 0; i + (line.closed || marks.are_areas ? 0 : 1) < count; ++i) {
         const Vec2 from = on_page(context, line.points[i]), to = on_page(context, line.points[(i + 1) % count]);
@@ -177,18 +177,19 @@ class SvgReader {
     const auto units = width.empty() ? 1 : parse_number(width);
     if (!units) refuse("has an unsupported line width: '" + std::string(width) + "'");
     look.width = scale * *units;
-    for (const double length : svg_numbers(context.style.of("stroke-dasharray"))) look.dashes.push_back(scale * length);
+    for (const double length : svg::numbers_in(context.style.of("stroke-dasharray")))
+      look.dashes.push_back(scale * length);
     // The first dash is the adjusted one.
     if (context.style.has_fitted_dashes && look.dashes.size() > 1)
       look.dashes[0] = scene::type_with_dots(static_cast<int>(look.dashes.size()) / 2 - 1).dash * look.width;
-    look.colour = svg_colour(context.style.of("stroke"));
+    look.colour = svg::colour_of(context.style.of("stroke"));
     room_.take(look.dashes.size());
     return picture_.look(look);
   }
 
   int area_look(const Context& context) {
     PictureLook look{context.layer + " area", true, true};
-    look.colour = svg_colour(context.style.of("fill"));
+    look.colour = svg::colour_of(context.style.of("fill"));
     return picture_.look(look);
   }
 
@@ -203,10 +204,10 @@ class SvgReader {
 
   void read_outlines(const pugi::xml_node& group, const Context& context, const std::string& words) {
     std::vector<Vec2> outline;
-    PieceRoom room = room_;  // a copy, because only their box is kept
+    svg::PieceRoom room = room_;  // a copy, because only their box is kept
     for (const pugi::xml_node path : group.children("path")) {
-      const SvgPath read = path_of(path, room);
-      for (const SvgLine& line : read.lines) outline.insert(outline.end(), line.points.begin(), line.points.end());
+      const svg::Path read = path_of(path, room);
+      for (const svg::Line& line : read.lines) outline.insert(outline.end(), line.points.begin(), line.points.end());
       outline.insert(outline.end(), read.controls.begin(), read.controls.end());
     }
     add_text(words, context, outline);
@@ -235,9 +236,9 @@ class SvgReader {
 
   std::string_view bytes_;
   const std::string& where_;
-  SvgRules rules_{};
+  svg::Rules rules_{};
   std::optional<sheet::Lettering> lettering_{};
-  PieceRoom room_;
+  svg::PieceRoom room_;
   PictureMaker picture_;
 };
 

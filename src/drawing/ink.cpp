@@ -75,6 +75,9 @@ void append_rest(const Piece& piece, std::span<const Cover> covers, double min, 
 bool outranks(const Piece& a, const Piece& b) {
   if (a.drawn != b.drawn) return a.drawn;
   if (a.visible != b.visible) return a.visible;
+  // The outline of a cut face stays whole where an edge behind it coincides with it.
+  const bool cut = a.kind == EdgeKind::section;
+  if (cut != (b.kind == EdgeKind::section)) return cut;
   if (a.kind != b.kind) return a.kind < b.kind;
   // Compared as floats, so that rounding does not decide.
   const auto length = [](const Piece& p) { return static_cast<float>(length_of(p)); };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where lines coincide on paper, one of them is drawn, if a style draws any: visible before hidden (ISO 128), then the
-// stronger kind, then the longer line. Nothing in this depends on the order of edges, except between lines that are
-// equal in all of it.
+// outline of a cut face, then the stronger kind, then the longer line. Nothing in this depends on the order of edges,
+// except between lines that are equal in all of it.
 #pragma once
 
 #include <array>

@@ -293,6 +293,9 @@ scene::SheetDescription describe(const SheetOptions& sheet, const std::string& w
   description.dimension_unit = {sheet.dimension_unit, where + ".dimension_unit"};
   description.decimal_sign = {sheet.decimal_sign, where + ".decimal_sign"};
   description.font = located(sheet.font, where + ".font");
+  description.form = located(sheet.sheet_template, where + ".sheet_template");
+  description.logo = located(sheet.logo, where + ".logo");
+  description.style = located(sheet.style, where + ".style");
   for (const auto& [name, text] : sheet.title_block)
     description.title_block.emplace_back(name, scene::LocatedText{text, where + ".title_block"});
   return description;

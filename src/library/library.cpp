@@ -33,6 +33,7 @@ namespace {
 
 Drawing draw_described(scene::SceneDescription scene, const Settings& settings) {
   pipeline::complete_scene(scene);
+  pipeline::complete_sheets(scene);
   auto content = std::make_shared<Drawing::Content>();
   content->inputs = pipeline::inputs_of(scene);
   const pipeline::Messages messages{[&](const std::string& sentence) { content->warnings.push_back(sentence); },

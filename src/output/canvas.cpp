@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <exception>
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
@@ -101,6 +103,44 @@ void add_path(const Pen& pen, const Canvas& canvas, const sheet::Stroke& stroke)
   if (!stroke.points.empty()) line(stroke.points.front());
   sheet::walk_stroke(stroke, line, curve);
   if (stroke.closed) cairo_close_path(cairo);
+}
+
+namespace {
+
+// For Cairo's streams.
+struct BytesToRead {
+  const std::string& bytes;
+  std::size_t at = 0;
+};
+
+cairo_status_t next_bytes(void* from, unsigned char* data, unsigned length) {
+  auto& reader = *static_cast<BytesToRead*>(from);
+  if (reader.bytes.size() - reader.at < length) return CAIRO_STATUS_READ_ERROR;
+  std::memcpy(data, reader.bytes.data() + reader.at, length);
+  reader.at += length;
+  return CAIRO_STATUS_SUCCESS;
+}
+
+}  // namespace
+
+void draw_pictures(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer) {
+  cairo_t* cairo = pen.get();
+  for (const sheet::Picture& picture : layer.pictures) {
+    BytesToRead reader{*picture.png};
+    const CairoSurface image(cairo_image_surface_create_from_png_stream(next_bytes, &reader));
+    if (const cairo_status_t status = cairo_surface_status(image.get()); status != CAIRO_STATUS_SUCCESS)
+      throw Error(ErrorKind::input, picture.name,
+                  "is a damaged PNG file: " + std::string(cairo_status_to_string(status)));
+    const Vec2 corner = canvas.to_surface({picture.min.x, picture.max.y});
+    const Vec2 size = (picture.max - picture.min) * canvas.units;
+    cairo_save(cairo);
+    cairo_translate(cairo, corner.x, corner.y);
+    cairo_scale(cairo, size.x / cairo_image_surface_get_width(image.get()),
+                size.y / cairo_image_surface_get_height(image.get()));
+    cairo_set_source_surface(cairo, image.get(), 0, 0);
+    cairo_paint(cairo);
+    cairo_restore(cairo);
+  }
 }
 
 void draw(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const Progress& progress) {

@@ -51,6 +51,9 @@ void begin_vector_file(const Pen& pen, const Canvas& canvas);
 /// Applies to everything drawn from now on.
 void set_colour(const Pen& pen, const Colour& colour);
 
+/// Draws the pictures of a layer.
+void draw_pictures(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer);
+
 /// Adds a stroke to the current path as a separate subpath.
 void add_path(const Pen& pen, const Canvas& canvas, const sheet::Stroke& stroke);
 

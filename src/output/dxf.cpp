@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // DXF: the shapes, fills and texts of a sheet as entities in millimetres.
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <string_view>
+#include <string>
+#include <type_traits>
 #include <variant>
+#include <vector>
 
-#include "base/error.hpp"
+#include "output/dxf_entities.hpp"
 #include "output/dxf_shapes.hpp"
 #include "output/dxf_tables.hpp"
 #include "output/dxf_writer.hpp"
@@ -17,20 +20,11 @@ namespace {
 
 constexpr double degrees = 180 / 3.14159265358979323846;
 
-/// The owner of an entity, its layer and its line type.
-struct Place {
-  int owner;
-  const std::string& layer;
-  bool dashed;      ///< whether the layer has a dashed line type
-  bool continuous;  ///< whether this line is continuous, regardless of its layer
+struct LayerInFile {
+  const sheet::Layer& layer;
+  std::string name;
+  std::vector<std::string> blocks;  ///< with the ink of its dimensions
 };
-
-void begin_entity(DxfWriter& dxf, const Place& place, std::string_view type, std::string_view entity_class) {
-  dxf.begin(type, place.owner, "AcDbEntity");
-  dxf.add(8, place.layer);
-  if (place.dashed && place.continuous) dxf.add(6, "CONTINUOUS");
-  dxf.add(100, entity_class);
-}
 
 void add_shape(DxfWriter& dxf, const Place& place, const BulgedLine& line) {
   const auto& corners = line.corners;
@@ -73,30 +67,6 @@ void add_shape(DxfWriter& dxf, const Place& place, const EllipseArc& arc) {
   dxf.add(42, arc.whole() ? 360 / degrees : arc.to);
 }
 
-// One hatch, with rings filled by the even-odd rule.
-void add_fill(DxfWriter& dxf, const Place& place, const sheet::Fill& fill) {
-  begin_entity(dxf, place, "HATCH", "AcDbHatch");
-  dxf.add(10, Vec2(0, 0));
-  dxf.add(30, 0);
-  dxf.add(210, Vec2(0, 0));
-  dxf.add(230, 1);
-  dxf.add(2, "SOLID");
-  dxf.add(70, 1);
-  dxf.add(71, 0);
-  dxf.add(91, static_cast<int>(fill.rings.size()));
-  for (const auto& ring : fill.rings) {
-    dxf.add(92, 3);  // a polyline, and external
-    dxf.add(72, 0);  // without bulges
-    dxf.add(73, 1);  // closed
-    dxf.add(93, static_cast<int>(ring.size()));
-    for (const Vec2& p : ring) dxf.add(10, p);
-    dxf.add(97, 0);
-  }
-  dxf.add(75, 0);  // even-odd
-  dxf.add(76, 1);
-  dxf.add(98, 0);
-}
-
 void add_text(DxfWriter& dxf, const Place& place, const sheet::Text& text) {
   begin_entity(dxf, place, "TEXT", "AcDbText");
   dxf.add(10, text.at);
@@ -109,20 +79,64 @@ void add_text(DxfWriter& dxf, const Place& place, const sheet::Text& text) {
   dxf.add(100, "AcDbText");
 }
 
-void add_layer(DxfWriter& dxf, int owner, const std::string& name, const sheet::Layer& layer,
+void add_stroke(DxfWriter& dxf, int owner, const LayerInFile& layer, const sheet::Stroke& stroke) {
+  if (stroke.points.size() < 2) return;
+  const bool continuous = !(stroke.dashes.dash > 0) && stroke.pattern.empty();
+  const Place place{owner, layer.name, layer.layer.style.dashes.dash > 0, continuous};
+  for (const DxfShape& shape : dxf_shapes(stroke))
+    std::visit([&](const auto& kind) { add_shape(dxf, place, kind); }, shape);
+}
+
+void add_fill(DxfWriter& dxf, int owner, const LayerInFile& layer, const sheet::Fill& fill) {
+  if (!fill.rings.empty()) add_solid(dxf, {owner, layer.name, false, true}, fill);
+}
+
+// The ink of a layer outside its objects, and these.
+void add_layer(DxfWriter& dxf, int owner, const LayerInFile& layer, const DxfEntities& wanted,
                const Progress& progress) {
-  const bool dashed = layer.style.dashes.dash > 0;
-  for (const sheet::Fill& fill : layer.fills)
-    if (!fill.rings.empty()) add_fill(dxf, {owner, name, false, true}, fill);
-  for (const sheet::Stroke& stroke : layer.strokes) {
-    progress.expect_time();
-    progress.advance(1);
-    if (stroke.points.size() < 2) continue;
-    const Place place{owner, name, dashed, !(stroke.dashes.dash > 0) && stroke.pattern.empty()};
-    for (const DxfShape& shape : dxf_shapes(stroke))
-      std::visit([&](const auto& kind) { add_shape(dxf, place, kind); }, shape);
-  }
-  for (const sheet::Text& text : layer.texts) add_text(dxf, {owner, name, false, true}, text);
+  const auto& dimensions = layer.layer.dimensions;
+  const auto& hatched = layer.layer.hatched;
+  const auto each_outside = [&](const auto& ink, const auto& of_dimension, const auto& add) {
+    std::size_t dimension = wanted.dimensions ? 0 : dimensions.size(), hatch = wanted.hatches ? 0 : hatched.size();
+    constexpr bool are_strokes = std::is_same_v<std::decay_t<decltype(ink[0])>, sheet::Stroke>;
+    for (std::size_t i = 0; i < ink.size(); ++i) {
+      while (dimension < dimensions.size() && of_dimension(dimensions[dimension]).end <= i) ++dimension;
+      while (hatch < hatched.size() && hatched[hatch].strokes.end <= i) ++hatch;
+      const bool in_dimension = dimension < dimensions.size() && of_dimension(dimensions[dimension]).begin <= i;
+      const bool in_hatch = are_strokes && hatch < hatched.size() && hatched[hatch].strokes.begin <= i;
+      if (!in_dimension && !in_hatch) add(ink[i]);
+    }
+  };
+  each_outside(
+      layer.layer.fills, [](const auto& one) { return one.fills; },
+      [&](const sheet::Fill& fill) { add_fill(dxf, owner, layer, fill); });
+  if (wanted.hatches)
+    for (const sheet::HatchedFace& face : hatched) add_hatch(dxf, {owner, layer.name, false, true}, face);
+  each_outside(
+      layer.layer.strokes, [](const auto& one) { return one.strokes; },
+      [&](const sheet::Stroke& stroke) {
+        progress.expect_time();
+        progress.advance(1);
+        add_stroke(dxf, owner, layer, stroke);
+      });
+  each_outside(
+      layer.layer.texts, [](const auto& one) { return one.texts; },
+      [&](const sheet::Text& text) {
+        add_text(dxf, {owner, layer.name, false, true}, text);
+      });
+  if (wanted.dimensions)
+    for (std::size_t i = 0; i < dimensions.size(); ++i)
+      add_dimension(dxf, {owner, layer.name, false, true}, dimensions[i], layer.blocks[i]);
+}
+
+// What a dimension looks like, for programs that do not draw dimensions themselves.
+void add_ink_of(DxfWriter& dxf, int owner, const LayerInFile& layer, const sheet::DimensionObject& dimension) {
+  for (std::size_t i = dimension.fills.begin; i < dimension.fills.end; ++i)
+    add_fill(dxf, owner, layer, layer.layer.fills[i]);
+  for (std::size_t i = dimension.strokes.begin; i < dimension.strokes.end; ++i)
+    add_stroke(dxf, owner, layer, layer.layer.strokes[i]);
+  for (std::size_t i = dimension.texts.begin; i < dimension.texts.end; ++i)
+    add_text(dxf, {owner, layer.name, false, true}, layer.layer.texts[i]);
 }
 
 void add_insert(DxfWriter& dxf, int model_space, const DxfBlock& block) {
@@ -132,50 +146,74 @@ void add_insert(DxfWriter& dxf, int model_space, const DxfBlock& block) {
   dxf.add(10, block.base);
 }
 
-/// The views that become blocks, and the index of the one that each layer belongs to; -1: none.
+/// The blocks of the file: views, and then what dimensions look like.
 struct Blocks {
-  std::vector<DxfBlock> blocks;
-  std::vector<int> of_layer;
+  std::vector<DxfBlock> blocks{};
+  std::size_t views = 0;
+  std::vector<int> of_layer{};                             ///< the view that is a block; -1: none
+  std::vector<std::array<std::size_t, 2>> of_dimension{};  ///< layer and number in it, for each block after the views
 };
 
-Blocks blocks_of(const sheet::Sheet& sheet, bool wanted) {
+Blocks blocks_of(const sheet::Sheet& sheet, const VectorOptions& options) {
   Blocks result;
   result.of_layer.assign(sheet.layers.size(), -1);
-  if (!wanted) return result;
-  std::vector<std::string> names;
-  for (const sheet::ViewFrame& view : sheet.views) names.push_back(view.name);
-  const std::vector<std::string> in_file = dxf_names(names, {});
-  for (std::size_t v = 0; v < sheet.views.size(); ++v) {
-    result.blocks.push_back({in_file[v], (sheet.views[v].min + sheet.views[v].max) * 0.5});
-    for (std::size_t i = 0; i < sheet.layers.size(); ++i)
-      if (result.of_layer[i] < 0 && sheet.layers[i].name.starts_with(names[v] + "/"))
-        result.of_layer[i] = static_cast<int>(v);
+  if (options.dxf_blocks) {
+    std::vector<std::string> names;
+    for (const sheet::ViewFrame& view : sheet.views) names.push_back(view.name);
+    const std::vector<std::string> in_file = dxf_names(names, {});
+    for (std::size_t v = 0; v < sheet.views.size(); ++v) {
+      result.blocks.push_back({in_file[v], (sheet.views[v].min + sheet.views[v].max) * 0.5});
+      for (std::size_t i = 0; i < sheet.layers.size(); ++i)
+        if (result.of_layer[i] < 0 && sheet.layers[i].name.starts_with(names[v] + "/"))
+          result.of_layer[i] = static_cast<int>(v);
+    }
   }
+  result.views = result.blocks.size();
+  if (!options.dxf_entities.dimensions) return result;
+  for (std::size_t i = 0; i < sheet.layers.size(); ++i)
+    for (std::size_t k = 0; k < sheet.layers[i].dimensions.size(); ++k) {
+      result.of_dimension.push_back({i, k});
+      result.blocks.push_back({"*D" + std::to_string(result.of_dimension.size()), Vec2(0), true});
+    }
   return result;
+}
+
+std::vector<LayerInFile> layers_of(const sheet::Sheet& sheet, const Blocks& blocks) {
+  std::vector<std::string> names;
+  for (const sheet::Layer& layer : sheet.layers) names.push_back(layer.name);
+  names = dxf_names(names, {"0"});
+  std::vector<LayerInFile> layers;
+  for (std::size_t i = 0; i < names.size(); ++i) layers.push_back({sheet.layers[i], names[i], {}});
+  for (std::size_t k = 0; k < blocks.of_dimension.size(); ++k)
+    layers[blocks.of_dimension[k][0]].blocks.push_back(blocks.blocks[blocks.views + k].name);
+  return layers;
 }
 
 }  // namespace
 
 std::string to_dxf(const sheet::Sheet& sheet, const VectorOptions& options, const Progress& progress) {
-  std::vector<std::string> names;
-  for (const sheet::Layer& layer : sheet.layers) names.push_back(layer.name);
-  names = dxf_names(names, {"0"});
-  const Blocks blocks = blocks_of(sheet, options.dxf_blocks);
+  const Blocks blocks = blocks_of(sheet, options);
+  const std::vector<LayerInFile> layers = layers_of(sheet, blocks);
   DxfWriter dxf;
-  const auto add_layers_of = [&](int block, int owner) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (blocks.of_layer[i] == block) add_layer(dxf, owner, names[i], sheet.layers[i], progress);
+  const auto add_layers_of = [&](int view, int owner) {
+    for (std::size_t i = 0; i < layers.size(); ++i)
+      if (blocks.of_layer[i] == view) add_layer(dxf, owner, layers[i], options.dxf_entities, progress);
   };
-  const int model_space = add_dxf_tables(dxf, sheet, names, blocks.blocks, [&](std::size_t block, int owner) {
-    add_layers_of(static_cast<int>(block), owner);
-  });
+  const auto add_block = [&](std::size_t block, int owner) {
+    if (block < blocks.views) return add_layers_of(static_cast<int>(block), owner);
+    const auto [layer, number] = blocks.of_dimension[block - blocks.views];
+    add_ink_of(dxf, owner, layers[layer], sheet.layers[layer].dimensions[number]);
+  };
+  std::vector<std::string> names;
+  for (const LayerInFile& layer : layers) names.push_back(layer.name);
+  const int model_space = add_dxf_tables(dxf, sheet, names, blocks.blocks, add_block);
   dxf.add(0, "SECTION");
   dxf.add(2, "ENTITIES");
-  for (const DxfBlock& block : blocks.blocks) add_insert(dxf, model_space, block);
+  for (std::size_t view = 0; view < blocks.views; ++view) add_insert(dxf, model_space, blocks.blocks[view]);
   add_layers_of(-1, model_space);
   dxf.add(0, "ENDSEC");
   add_dxf_objects(dxf);
-  return dxf_header(sheet, dxf.handles()) + dxf.take();
+  return dxf_header(sheet, blocks.blocks, dxf.handles()) + dxf.take();
 }
 
 }  // namespace epura::output

@@ -151,8 +151,9 @@ int colour_number(const Colour& colour) {
     const int red = one.red - colour.red, green = one.green - colour.green, blue = one.blue - colour.blue;
     return red * red + green * green + blue * blue;
   };
+  constexpr int last = 254;  // 255 is white, which some programs print black
   int best = 10;
-  for (int number = 10; number <= 255; ++number)
+  for (int number = 10; number <= last; ++number)
     if (distance(number) < distance(best)) best = number;
   return best;
 }
@@ -176,9 +177,11 @@ void add_layers(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std
   });
 }
 
-void add_text_styles(DxfWriter& dxf, const std::string& file) {
+// Returns the handle of the style of the sheet.
+int add_text_styles(DxfWriter& dxf, const std::string& file) {
+  int handle = 0;
   const auto add = [&](int table, std::string_view name, std::string_view font) {
-    begin_entry(dxf, "STYLE", table, "AcDbTextStyleTableRecord", name);
+    handle = begin_entry(dxf, "STYLE", table, "AcDbTextStyleTableRecord", name);
     dxf.add(40, 0);  // each text has its own height
     dxf.add(41, 1);
     dxf.add(50, 0);
@@ -190,6 +193,54 @@ void add_text_styles(DxfWriter& dxf, const std::string& file) {
   add_table(dxf, "STYLE", 2, [&](int table) {
     add(table, "STANDARD", "txt");
     add(table, dxf_text_style, file.empty() ? "osifont.ttf" : dxf_text(file));
+  });
+  return handle;
+}
+
+// A dimension whose sizes are those of all, if dimensions are entities.
+const sheet::DimensionObject* dimension_in(const sheet::Sheet& sheet, const std::vector<DxfBlock>& blocks) {
+  const auto is_dimension = [](const DxfBlock& block) { return block.is_dimension; };
+  if (std::none_of(blocks.begin(), blocks.end(), is_dimension)) return nullptr;
+  for (const sheet::Layer& layer : sheet.layers)
+    if (!layer.dimensions.empty()) return &layer.dimensions.front();
+  return nullptr;
+}
+
+/// A variable of dimension styles.
+struct DimensionVariable {
+  const char* name;  ///< in the header
+  int code;          ///< in the table
+  double value;
+  bool is_length = true;
+};
+
+std::vector<DimensionVariable> dimension_variables(const sheet::DimensionObject& dimension) {
+  return {{"$DIMSCALE", 40, 1},
+          {"$DIMASZ", 41, dimension.arrow},
+          {"$DIMEXO", 42, dimension.gap},
+          {"$DIMEXE", 44, dimension.overshoot},
+          {"$DIMTXT", 140, dimension.text_height},
+          {"$DIMGAP", 147, dimension.above},
+          {"$DIMTIH", 73, 0, false},  // texts along the dimension line
+          {"$DIMTOH", 74, 0, false},
+          {"$DIMTAD", 77, 1, false}};  // and above it
+}
+
+// Lengths are real numbers, choices whole ones.
+void add_variable(DxfWriter& dxf, int code, const DimensionVariable& variable) {
+  if (variable.is_length)
+    dxf.add(code, variable.value);
+  else
+    dxf.add(code, static_cast<int>(variable.value));
+}
+
+void add_dimension_styles(DxfWriter& dxf, const sheet::DimensionObject* dimension, int text_style) {
+  add_table(dxf, "DIMSTYLE", 1, [&](int table) {
+    begin_entry(dxf, "DIMSTYLE", table, "AcDbDimStyleTableRecord", dxf_dimension_style);
+    if (dimension == nullptr) return;
+    for (const DimensionVariable& variable : dimension_variables(*dimension))
+      add_variable(dxf, variable.code, variable);
+    dxf.add_handle(340, text_style);
   });
 }
 
@@ -224,7 +275,8 @@ void add_blocks(DxfWriter& dxf, int model_space, const std::vector<DxfBlock>& bl
     dxf.add(8, "0");
     dxf.add(100, "AcDbBlockBegin");
     dxf.add(2, blocks[i].name);
-    dxf.add(70, 0);
+    constexpr int anonymous = 1;
+    dxf.add(70, blocks[i].is_dimension ? anonymous : 0);
     dxf.add(10, blocks[i].base);
     dxf.add(30, 0);
     dxf.add(3, blocks[i].name);
@@ -247,11 +299,10 @@ int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<
   add_viewports(dxf, sheet);
   add_line_types(dxf, types);
   add_layers(dxf, sheet, layers, types);
-  add_text_styles(dxf, sheet.font.file.filename().string());
+  const int text_style = add_text_styles(dxf, sheet.font.file.filename().string());
   for (const char* empty : {"VIEW", "UCS"}) add_table(dxf, empty, 0, [](int) {});
   add_table(dxf, "APPID", 1, [&](int table) { begin_entry(dxf, "APPID", table, "AcDbRegAppTableRecord", "ACAD"); });
-  add_table(dxf, "DIMSTYLE", 1,
-            [&](int table) { begin_entry(dxf, "DIMSTYLE", table, "AcDbDimStyleTableRecord", "STANDARD"); });
+  add_dimension_styles(dxf, dimension_in(sheet, blocks), text_style);
   const std::vector<DxfBlock> all = with_spaces(blocks);
   const std::size_t spaces = all.size() - blocks.size();
   const int model_space = add_block_records(dxf, all);
@@ -275,7 +326,7 @@ void add_dxf_objects(DxfWriter& dxf) {
   dxf.add(0, "EOF");
 }
 
-std::string dxf_header(const sheet::Sheet& sheet, int handles) {
+std::string dxf_header(const sheet::Sheet& sheet, const std::vector<DxfBlock>& blocks, int handles) {
   DxfWriter dxf;
   dxf.add(999, "epura");
   if (!sheet.title.empty()) dxf.add(999, dxf_text(sheet.title));
@@ -299,6 +350,11 @@ std::string dxf_header(const sheet::Sheet& sheet, int handles) {
   variable("$INSUNITS", 70, 4);     // millimetres
   variable("$LUNITS", 70, 2);       // decimal
   variable("$LWDISPLAY", 290, 1);
+  if (const sheet::DimensionObject* dimension = dimension_in(sheet, blocks))
+    for (const DimensionVariable& one : dimension_variables(*dimension)) {
+      dxf.add(9, one.name);
+      add_variable(dxf, one.is_length ? 40 : 70, one);
+    }
   dxf.add(9, "$HANDSEED");
   dxf.add_handle(5, handles + 1);
   dxf.add(0, "ENDSEC");

@@ -13,13 +13,18 @@
 
 namespace epura::output {
 
-/// Name of the text style with the font of the sheet.
-inline constexpr const char* dxf_text_style = "OSIFONT";
+/// Name of the text style with the font of the sheet. LibreCAD ignores the font, and letters texts in its own font of
+/// this name, which has most characters.
+inline constexpr const char* dxf_text_style = "UNICODE";
+
+/// Name of the style of dimensions, with the sizes that they have on the sheet.
+inline constexpr const char* dxf_dimension_style = "STANDARD";
 
 /// A block with entities: a part of the drawing that other programs move as a whole.
 struct DxfBlock {
-  std::string name;  ///< see dxf_names
-  Vec2 base;         ///< the point by which it is moved, mm
+  std::string name;           ///< see dxf_names
+  Vec2 base;                  ///< the point by which it is moved, mm
+  bool is_dimension = false;  ///< it has the ink of a dimension
 };
 
 /// Adds everything before the entities except the header, which is written last because it has the number of handles.
@@ -33,6 +38,6 @@ int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<
 void add_dxf_objects(DxfWriter& dxf);
 
 /// Comments with the title, and the header of a file with this number of handles: millimetres, line type scale 1.
-std::string dxf_header(const sheet::Sheet& sheet, int handles);
+std::string dxf_header(const sheet::Sheet& sheet, const std::vector<DxfBlock>& blocks, int handles);
 
 }  // namespace epura::output

@@ -31,10 +31,18 @@ std::string base64_of_hexadecimal(std::string_view digits) {
   return base64(bytes);
 }
 
-// Styles set by the script are not concerned; images are not permitted because there are none.
-std::string policy() {
+// Styles set by the script are not concerned; images are not permitted if there are none.
+std::string policy(bool has_pictures) {
   return "default-src 'none'; script-src 'sha256-" + base64_of_hexadecimal(page_script_hash) + "'; style-src 'sha256-" +
-         base64_of_hexadecimal(page_style_hash) + "'; base-uri 'none'; form-action 'none'";
+         base64_of_hexadecimal(page_style_hash) + "'" + (has_pictures ? "; img-src data:" : "") +
+         "; base-uri 'none'; form-action 'none'";
+}
+
+bool has_pictures(const FileContent& content) {
+  return std::any_of(content.sheets.begin(), content.sheets.end(), [](const SheetContent& one) {
+    return std::any_of(one.sheet.layers.begin(), one.sheet.layers.end(),
+                       [](const sheet::Layer& layer) { return !layer.pictures.empty(); });
+  });
 }
 
 // JSON inside <script>: no "<" may begin the end of the element or a comment.
@@ -117,7 +125,7 @@ std::string to_html(const FileContent& content, const Progress& progress) {
     const std::size_t close = rest.find("}}");
     const std::string_view name = rest.substr(2, close - 2);
     rest.remove_prefix(close + 2);
-    if (name == "policy") html += policy();
+    if (name == "policy") html += policy(has_pictures(content));
     if (name == "title") html += title_of(content);
     if (name == "answers") html += html_text(content.answers_name);
     if (name == "style") html += page_style;

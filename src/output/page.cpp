@@ -65,6 +65,7 @@ void draw_page(const CairoSurface& surface, const sheet::Sheet& sheet, const Pro
   const std::optional<sheet::Lettering> lettering = lettering_of(sheet);
   for (const sheet::Layer& layer : sheet.layers) {
     set_colour(pen, layer.style.colour);
+    draw_pictures(pen, canvas, layer);
     draw_fills(pen, canvas, layer);
     draw(pen, canvas, layer, progress);
     if (lettering) write_texts(pen, canvas, layer, *lettering);
@@ -127,6 +128,7 @@ std::string to_png(const sheet::Sheet& sheet, double dpi, const Progress& progre
     const std::optional<sheet::Lettering> lettering = lettering_of(sheet);
     for (const sheet::Layer& layer : sheet.layers) {
       set_colour(pen, layer.style.colour);
+      draw_pictures(pen, canvas, layer);
       draw_fills(pen, canvas, layer);
       draw(pen, canvas, layer, progress);
       if (lettering) fill_texts(pen, canvas, layer, *lettering);

@@ -36,6 +36,7 @@ std::string cairo_pdf(const Canvas& canvas, const sheet::Layer& layer, const std
     const Pen pen = make_pen(surface);
     begin_vector_file(pen, canvas);
     set_colour(pen, layer.style.colour);
+    draw_pictures(pen, canvas, layer);
     draw_fills(pen, canvas, layer);
     draw(pen, canvas, layer, progress);
     if (lettering) write_texts(pen, canvas, layer, *lettering);

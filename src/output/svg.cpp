@@ -57,6 +57,7 @@ class SheetHash {
   }
   void add(const sheet::Layer& layer) {
     add(layer.name);
+    for (const sheet::Picture& picture : layer.pictures) add(std::string_view(*picture.png));
     for (const sheet::Stroke& stroke : layer.strokes) add(stroke.points);
     for (const sheet::Fill& fill : layer.fills)
       for (const std::vector<Vec2>& ring : fill.rings) add(ring);
@@ -154,6 +155,7 @@ void LayerWriter::append(const sheet::Layer& layer, std::string_view name_in_vie
   append_look(layer.style);
   if (!document_.plain) append_origin(layer);
   svg_ += ">\n";
+  append_pictures(svg_, layer, document_);
   append_fills(svg_, layer, document_);
   append_lines(layer, progress);
   if (lettering_) append_texts(svg_, layer, document_, *lettering_);

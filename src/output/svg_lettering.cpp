@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "base/utf8.hpp"
+#include "output/base64.hpp"
 #include "output/glyphs.hpp"
 #include "output/svg_path_text.hpp"
 #include "output/xml_text.hpp"
@@ -148,6 +149,23 @@ void append_fills(std::string& svg, const sheet::Layer& layer, const SvgDocument
   svg += " fill-rule=\"evenodd\">\n";
   for (const sheet::Fill& fill : layer.fills) append_area(svg, fill, document.height);
   svg += "</g>\n";
+}
+
+void append_pictures(std::string& svg, const sheet::Layer& layer, const SvgDocument& document) {
+  for (const sheet::Picture& picture : layer.pictures) {
+    const auto add = [&svg](const char* name, double value) {
+      append_millimetres(svg.append(" ").append(name) += "=\"", value);
+      svg += '"';
+    };
+    svg += "<image preserveAspectRatio=\"none\"";
+    add("x", picture.min.x);
+    add("y", document.height - picture.max.y);
+    add("width", picture.max.x - picture.min.x);
+    add("height", picture.max.y - picture.min.y);
+    svg.append(" xmlns:xlink=\"http://www.w3.org/1999/xlink\" xlink:href=\"data:image/png;base64,")
+        .append(base64(*picture.png))
+        .append("\"/>\n");
+  }
 }
 
 void append_texts(std::string& svg, const sheet::Layer& layer, const SvgDocument& document,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Filled areas and texts of an SVG layer.
+// Pictures, filled areas and texts of an SVG layer.
 #pragma once
 
 #include <string>
@@ -13,6 +13,9 @@ namespace epura::output {
 
 /// A name in the form allowed for ids and classes.
 std::string identifier(std::string_view name);
+
+/// Appends the pictures, each with its bytes.
+void append_pictures(std::string& svg, const sheet::Layer& layer, const SvgDocument& document);
 
 /// Appends a line of text for each area, in a group.
 void append_fills(std::string& svg, const sheet::Layer& layer, const SvgDocument& document);

@@ -21,12 +21,18 @@ struct epura::scene::Words<epura::SvgText> {
 
 namespace epura::output {
 
+/// What is one entity in DXF, instead of single lines, fills and texts.
+struct DxfEntities {
+  bool dimensions = false, hatches = false;
+};
+
 struct VectorOptions {
   bool plain = false;  ///< omit the origin of lines
   double dpi = 300;    ///< PNG only
   int decimals = 4;    ///< of coordinates in millimetres, SVG only: no point is off by more than 0.0001 mm
   SvgText text = SvgText::outlines;
   bool dxf_blocks = false;  ///< DXF: each view is a block
+  DxfEntities dxf_entities{};
   bool is_inline = false;   ///< SVG as an element of an HTML page, as wide as what contains it
   std::string id_prefix{};  ///< of ids and classes in SVG; empty: derived from the content of the sheet
 };

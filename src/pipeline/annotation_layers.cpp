@@ -333,8 +333,8 @@ Vec2 position_of(scene::SheetCorner corner, const sheet::Rectangle& area) {
 // Tables of texts: where they are told, or in the free room nearest to a corner.
 void add_text_tables(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
                      std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
-  sheet::Layer layer =
-      sheet::empty_layer("sheet", scene::SheetLine::table, sheet::line_widths(input.plan.furniture.paper));
+  sheet::Layer layer = sheet::empty_layer("sheet", scene::SheetLine::table,
+                                          sheet::line_widths(input.plan.furniture.paper, input.plan.furniture.styles));
   const std::vector<scene::TableDescription> tables = tables_of_sheet(input);
   const auto add = [&](const scene::TableDescription& table, const Vec2& lower_left) {
     sheet::Layer own;
@@ -408,7 +408,7 @@ void add_free_callouts(AnnotationLayers& result, sheet::Neighbours& around, cons
 // The space that arrows, marks of sections and dimensions leave around the views.
 void add_balloons(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
                   std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
-  const sheet::LineWidths widths = sheet::line_widths(input.plan.furniture.paper);
+  const sheet::LineWidths widths = sheet::line_widths(input.plan.furniture.paper, input.plan.furniture.styles);
   for (std::size_t i = 0; i < input.balloons.size(); ++i) {
     if (input.balloons[i].empty()) continue;
     const drawing::ViewDrawing& drawing = views[i].drawing;
@@ -517,7 +517,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
                                    const std::vector<sheet::Text>& labels, const Budget& budget) {
   const sheet::SheetFurniture& furniture = input.plan.furniture;
   const sheet::Paper& paper = furniture.paper;
-  const sheet::LineWidths widths = sheet::line_widths(paper);
+  const sheet::LineWidths widths = sheet::line_widths(paper, furniture.styles);
   const sheet::Notation notation =
       notation_of(input.world, input.scene.sheets[static_cast<std::size_t>(input.views.sheet)]);
   AnnotationLayers result;

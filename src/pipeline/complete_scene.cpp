@@ -15,6 +15,8 @@
 #include "scene/revolved.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/view_names.hpp"
+#include "sheet/form.hpp"
+#include "sheet/paper.hpp"
 
 namespace epura::pipeline {
 
@@ -62,6 +64,23 @@ std::vector<std::pair<int, std::string>> expand_epuras(std::vector<scene::ViewDe
   return sheets;
 }
 
+// A form is drawn for one size of paper, which is that of its sheet.
+void take_size_of_form(scene::SheetDescription& sheet) {
+  if (!sheet.form.given()) return;
+  if (sheet.frame.given() && *sheet.frame != FrameKind::automatic && *sheet.frame != FrameKind::full)
+    throw Error(ErrorKind::input, sheet.frame.where, "a sheet with a template has the frame of that",
+                "omit the frame, or the template");
+  const Vec2 size = sheet::read_form(sheet.form)->art.size;
+  const scene::PaperChoice own = sheet::paper_of_size(size);
+  if (sheet.size.given() && sheet::size_name(*sheet.size) != sheet::size_name(own))
+    throw Error(
+        ErrorKind::input, sheet.size.where,
+        "the template " + *sheet.form + " is for " + sheet::size_name(own) + ", not " + sheet::size_name(*sheet.size),
+        "omit the size, or use a template of that size");
+  sheet.size = {own, sheet.form.where};
+  sheet.orientation = {size.y > size.x ? Orientation::portrait : Orientation::landscape, sheet.form.where};
+}
+
 }  // namespace
 
 void complete_scene(scene::SceneDescription& scene) {
@@ -98,6 +117,10 @@ void complete_scene(scene::SceneDescription& scene) {
       scene.sheets[static_cast<std::size_t>(sheet) - 1].layout = {SheetLayout::monge, where};
   scene::expect_sound_names(scene);
   expect_views_of_annotations(scene);
+}
+
+void complete_sheets(scene::SceneDescription& scene) {
+  for (scene::SheetDescription& sheet : scene.sheets) take_size_of_form(sheet);
 }
 
 }  // namespace epura::pipeline

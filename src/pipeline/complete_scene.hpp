@@ -10,4 +10,8 @@ namespace epura::pipeline {
 /// exist. Throws Error{input} for names that are unknown or ambiguous.
 void complete_scene(scene::SceneDescription& scene);
 
+/// Gives sheets with a template the size of that, once all their options are known. Throws Error{input} if they have
+/// another size or frame.
+void complete_sheets(scene::SceneDescription& scene);
+
 }  // namespace epura::pipeline

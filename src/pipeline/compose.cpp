@@ -73,9 +73,12 @@ std::optional<sheet::Text> unit_note(const SheetInput& input) {
   constexpr double height = 2.5, above = 2.5;
   const Unit unit = sheet_of(input).dimension_unit.value_or(Unit::mm);
   const std::string words(sheet::caption(scene::word_of(unit), field_of(sheet_of(input), "language")));
-  // On portrait A4, the block is as wide as the drawing area, whose frame the words must not touch.
-  const double from_frame = box->min.x > sheet::drawing_area(furniture.paper).min.x ? 0 : 1;
-  return sheet::Text{words, {box->min.x + from_frame, box->max.y + above}, height, 0, sheet::Align::left, "note"};
+  // On portrait A4, the block is as wide as the drawing area, whose frame the words must not touch; that of a form may
+  // be below it.
+  const sheet::Rectangle area = sheet::drawing_area(furniture.paper);
+  const double from_frame = box->min.x > area.min.x ? 0 : 1;
+  const Vec2 corner(std::max(box->min.x, area.min.x), std::max(box->max.y, area.min.y));
+  return sheet::Text{words, corner + Vec2(from_frame, above), height, 0, sheet::Align::left, "note"};
 }
 
 std::vector<sheet::ViewFrame> frames_of(const std::vector<ViewResult>& views) {
@@ -224,7 +227,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
                          {},
                          std::move(around.warnings),
                          paper};
-  const sheet::LineWidths widths = sheet::line_widths(paper);
+  const sheet::LineWidths widths = sheet::line_widths(paper, furniture.styles);
   construct(input, results);
   AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
   auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(input, results, widths, p); });
@@ -255,6 +258,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   }
   append(finished.sheet.layers, std::move(beside.layers));
   add_details(finished.sheet.layers, input, finished.drawings);
+  if (!widths.styles.empty()) sheet::restyle(finished.sheet.layers, widths);
   finished.findings = std::move(beside.findings);
   clear_labels(finished, furniture);
   std::move(beside.warnings.begin(), beside.warnings.end(), std::back_inserter(finished.warnings));

@@ -87,7 +87,7 @@ void warn_about_details(const Messages& messages, const SheetOfViews& views, con
 
 void add_details(std::vector<sheet::Layer>& layers, const SheetInput& input,
                  std::span<const drawing::ViewDrawing> drawings) {
-  const sheet::LineWidths widths = sheet::line_widths(input.plan.furniture.paper);
+  const sheet::LineWidths widths = sheet::line_widths(input.plan.furniture.paper, input.plan.furniture.styles);
   std::vector<sheet::Layer> details;
   for (const drawing::ViewDrawing& drawing : drawings) {
     if (!drawing.detail) continue;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -34,9 +35,10 @@ constexpr double usual_text_height = 3.5;
 
 // A title alone goes into the metadata of files.
 FrameKind frame_of(const scene::SheetDescription& sheet, std::size_t views, bool has_list) {
+  if (sheet.form.given()) return FrameKind::full;
   const bool has_fields = std::any_of(sheet.title_block.begin(), sheet.title_block.end(),
                                       [](const auto& field) { return field.first != "title"; });
-  const FrameKind usual = has_fields || views > 1 || has_list ? FrameKind::full : FrameKind::none;
+  const FrameKind usual = has_fields || sheet.logo.given() || views > 1 || has_list ? FrameKind::full : FrameKind::none;
   const FrameKind frame = sheet.frame.value_or(FrameKind::automatic);
   return frame == FrameKind::automatic ? usual : frame;
 }
@@ -102,6 +104,9 @@ struct LayoutOptions {
   std::optional<sheet::PartsList> list{};
   std::optional<sheet::RevisionList> revisions{};
   SheetFit fit = SheetFit::model;
+  std::shared_ptr<const sheet::Form> form{};
+  std::shared_ptr<const sheet::Logo> logo{};
+  std::vector<scene::RoleStyle> styles{};
 };
 
 // The box and the room of a view with its constructions. Points that are much farther than the view is large are not on
@@ -177,7 +182,8 @@ double clearance_of(FrameKind frame) {
 
 sheet::Arrangement arranged_on(const scene::PaperChoice& size, const LayoutOptions& options,
                                std::span<const sheet::ViewToPlace> views) {
-  const sheet::Paper paper = sheet::make_paper(size, options.portrait);
+  sheet::Paper paper = sheet::make_paper(size, options.portrait);
+  if (options.form) paper.area = options.form->drawing_area;
   sheet::DrawingRoom room{options.frame == FrameKind::none ? paper : sheet::with_frame_margins(paper)};
   room.clearance = clearance_of(options.frame);
   if (options.title_block) room.title_block = sheet::title_block_box(*options.title_block, room.paper);
@@ -290,6 +296,24 @@ void expect_room_for_lists(const SheetPlan& plan, const scene::SceneDescription&
            furniture.revisions->rows[0].revision.where, ", or omit old ones");
 }
 
+// Throws Error{input} for a logo without a place.
+void read_files(LayoutOptions& options, const scene::SheetDescription& sheet) {
+  if (sheet.form.given()) {
+    options.form = sheet::read_form(sheet.form);
+    options.title_block->place = options.form->title_block;
+  }
+  if (sheet.style.given()) options.styles = scene::read_role_styles(sheet.style);
+  if (!sheet.logo.given()) return;
+  if (!options.title_block)
+    throw Error(ErrorKind::input, sheet.logo.where, "the logo is in the title block, and there is none",
+                "use --frame full");
+  if (options.form && !options.form->logo)
+    throw Error(ErrorKind::input, sheet.logo.where, "the template " + *sheet.form + " has no place for a logo",
+                "give a rectangle the id or label 'logo'");
+  options.logo = sheet::read_logo(sheet.logo);
+  options.title_block->has_logo = true;
+}
+
 LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfViews& on_sheet) {
   const int number = on_sheet.sheet;
   const std::size_t views = on_sheet.plans.size();
@@ -306,6 +330,7 @@ LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfView
   options.scale =
       sheet.scale.value_or({.fixed = {}, .standard = options.frame == FrameKind::full || is_sized_by_scale(sheet)});
   if (options.frame == FrameKind::full) options.title_block = title_block_of(scene, number);
+  read_files(options, sheet);
   return options;
 }
 
@@ -331,7 +356,7 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.sheet)];
   scene::PaperChoice size = usual_size(description, views.size());
   expect_paper_for_lists(scene, options, size);
-  options.widths = sheet::line_widths(sheet::make_paper(size, false));
+  options.widths = sheet::line_widths(sheet::make_paper(size, false), options.styles);
   const Views placing = views_to_place(world, sheet, views, annotations, options);
   const sheet::Arrangement arrangement = arranged(description, options, placing.to_place, size);
   if (options.title_block) {
@@ -349,6 +374,9 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
                  arrangement.fitting};
   plan.furniture.parts_list = std::move(options.list);
   plan.furniture.revisions = std::move(options.revisions);
+  plan.furniture.form = std::move(options.form);
+  plan.furniture.logo = std::move(options.logo);
+  plan.furniture.styles = std::move(options.styles);
   expect_room_for_lists(plan, scene);
   if (description.font.given()) plan.furniture.font = sheet::find_font(*description.font, description.font.where);
   for (std::size_t i = 0; i < views.size(); ++i) {

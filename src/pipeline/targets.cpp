@@ -62,6 +62,9 @@ std::vector<std::string> inputs_of(const scene::SceneDescription& scene) {
   std::vector<std::string> files;
   for (const scene::ModelDescription& model : scene.models)
     if (model.file.given()) files.push_back(*model.file);
+  for (const scene::SheetDescription& sheet : scene.sheets)
+    for (const scene::LocatedText* file : {&sheet.form, &sheet.logo, &sheet.style})
+      if (file->given()) files.push_back(**file);
   return files;
 }
 

@@ -245,6 +245,9 @@ struct SheetDescription {
   Located<Unit> dimension_unit;       ///< of the lengths in dimensions
   Located<DecimalSign> decimal_sign;  ///< of the numbers on the sheet
   LocatedText font;                   ///< file or family of the lettering; by default osifont
+  LocatedText form;                   ///< SVG file with a frame and title block, instead of those of the standards
+  LocatedText logo;                   ///< SVG or PNG file, in the title block
+  LocatedText style;                  ///< file with colours, widths and dashes of lines
   TitleBlockFields title_block;
 };
 

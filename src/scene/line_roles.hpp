@@ -69,6 +69,8 @@ enum class SheetLine {
   symbol,
   table,
   parts_list,
+  form,
+  logo,
   partial
 };
 
@@ -112,6 +114,8 @@ inline constexpr std::array sheet_lines = {
     SheetLineRow{SheetLine::symbol, "symbol", "symbols", LineWidth::narrow},
     SheetLineRow{SheetLine::table, "table", "tables", LineWidth::grid},
     SheetLineRow{SheetLine::parts_list, "parts-list", "parts-list", LineWidth::grid},
+    SheetLineRow{SheetLine::form, "template", "template", LineWidth::grid},
+    SheetLineRow{SheetLine::logo, "logo", "logo", LineWidth::grid},
     SheetLineRow{SheetLine::partial, "partial", "partial", LineWidth::wide},
 };
 

@@ -39,6 +39,7 @@ ValueKind<double> positive_number() {
   return {{"number above 0", "D"}, read};
 }
 
+// Relative paths start at the scene file, or at the current folder on the command line.
 ValueKind<Vec2> positive_pair() {
   const auto read = [](const TomlValue& value) {
     const Vec2 pair = pair_of_numbers("").read(value);

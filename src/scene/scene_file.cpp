@@ -192,8 +192,11 @@ void find_files(SceneDescription& scene, const fs::path& folder, FilesOutside ou
     file.value = path.string();
   };
   for (ModelDescription& model : scene.models) find(model.file);
-  for (SheetDescription& sheet : scene.sheets)
+  for (SheetDescription& sheet : scene.sheets) {
     if (sheet.font.given() && names_font_file(*sheet.font)) find(sheet.font);
+    for (LocatedText* file : {&sheet.form, &sheet.logo, &sheet.style})
+      if (file->given()) find(*file);
+  }
 }
 
 }  // namespace

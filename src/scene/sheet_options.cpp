@@ -56,6 +56,28 @@ Options<SheetDescription> layout_options() {
   };
 }
 
+ValueKind<std::string> file_of_sheet() { return any_text().shown_as("FILE").completed_by(Completion::files); }
+
+// Files that others drew or wrote.
+Options<SheetDescription> sheet_files() {
+  using Sheet = SheetDescription;
+  return {
+      option<Sheet>({.key = "template",
+                     .flag = "--template",
+                     .help = "SVG file with a frame and title block of your own, with texts that are fields; it also "
+                             "gives the size of the sheet",
+                     .usual = "frame of ISO 5457, title block of ISO 7200"},
+                    &Sheet::form, file_of_sheet()),
+      option<Sheet>({.key = "logo", .flag = "--logo", .help = "SVG or PNG file, drawn in the title block"},
+                    &Sheet::logo, file_of_sheet()),
+      option<Sheet>({.key = "style",
+                     .flag = "--style",
+                     .help = "TOML file with colours, widths and dashes of lines by their role",
+                     .usual = "ISO 128-2, black"},
+                    &Sheet::style, file_of_sheet()),
+  };
+}
+
 }  // namespace
 
 Options<SheetDescription> sheet_options() {
@@ -92,6 +114,8 @@ Options<SheetDescription> sheet_options() {
                     &Sheet::font, any_text().shown_as("FONT")),
   };
   all.insert(all.end(), others.begin(), others.end());
+  const Options<SheetDescription> files = sheet_files();
+  all.insert(all.end(), files.begin(), files.end());
   return all;
 }
 

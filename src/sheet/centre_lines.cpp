@@ -478,8 +478,8 @@ std::vector<Stroke> round_strokes(const SeenCircle& circle, const drawing::ViewD
 
 Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<const Layer> drawn,
                    const Progress& progress) {
-  const double width = widths.narrow;
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::centre, widths);
+  const double width = layer.style.width;
   if (view.drawing.projection.central) return layer;
   const Marks marks = marks_of(view);
   std::vector<Piece> pieces = axes(marks.features);

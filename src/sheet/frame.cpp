@@ -126,6 +126,7 @@ void add_ansi_zones(Furniture& all, const Paper& paper, const AnsiSheet& sheet) 
 }  // namespace
 
 Paper with_frame_margins(const Paper& paper) {
+  if (paper.area) return paper;
   const Vec2 sides(std::max(paper.width, paper.height), std::min(paper.width, paper.height));
   if (sides.x < a5.x || sides.y < a5.y || ansi_sheet(paper) != nullptr) return paper;
   return {paper.width, paper.height, left_margin, other_margin};

@@ -16,6 +16,7 @@ inline constexpr double wide_line = 0.7, medium_line = 0.35, narrow_line = 0.18;
 
 struct Furniture {
   std::vector<Stroke> wide{}, medium{}, narrow{};
+  std::vector<Stroke> block{};  ///< of the title block: medium, too
   std::vector<Fill> fills{};
   std::vector<Text> texts{};
 };

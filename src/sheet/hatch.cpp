@@ -126,15 +126,7 @@ std::vector<Line> uncovered(const std::vector<Line>& lines, double degrees,
   return rest;
 }
 
-/// Parallel lines of a pattern.
-struct Family {
-  double angle;    ///< degrees
-  double spacing;  ///< mm
-  double start;    ///< distance of the first one from the origin of the sheet, mm
-  bool is_dashed = false;
-};
-
-std::vector<Family> families_of(HatchPattern pattern, const Hatching& hatching) {
+std::vector<HatchLines> families_of(HatchPattern pattern, const Hatching& hatching) {
   constexpr double pair = 0.3;  // distance between the lines of a pair, as a part of the spacing
   const double angle = hatching.angle, spacing = hatching.spacing;
   switch (pattern) {
@@ -150,7 +142,7 @@ std::vector<Family> families_of(HatchPattern pattern, const Hatching& hatching) 
 }
 
 // The lines of all faces of a part in a view belong to one family, counted from the origin of the sheet.
-std::vector<Line> lines_of(const drawing::CutFace& face, const Family& family, const Progress& progress) {
+std::vector<Line> lines_of(const drawing::CutFace& face, const HatchLines& family, const Progress& progress) {
   const Vec2 along = direction(family.angle), n(-along.y, along.x);
   double min = HUGE_VAL, max = -HUGE_VAL;
   visit_sides(face.rings, [&](const Vec2& a, const Vec2&) {
@@ -344,6 +336,37 @@ Hatching hatching_of(const Part& part, const HatchStyle& wish, const std::vector
   return {part.model, part.body, angle_of(*best), spacing_with(*best)};
 }
 
+bool are_same(const std::vector<Line>& one, const std::vector<Line>& two) {
+  return std::equal(one.begin(), one.end(), two.begin(), two.end(), [](const Line& a, const Line& b) {
+    return glm::distance(a[0], b[0]) < meeting && glm::distance(a[1], b[1]) < meeting;
+  });
+}
+
+// A face whose lines are drawn.
+struct FaceToHatch {
+  const std::vector<drawing::PaperTriangle>& before;  // hide it
+  const drawing::CutFace& face;
+  double width;
+  const Progress& progress;
+};
+
+// A face of which something is hidden is lines only: as a whole, it would be hatched everywhere.
+void draw_lines(Layer& layer, HatchedFace hatched, const FaceToHatch& what) {
+  bool is_whole = true;
+  hatched.strokes.begin = layer.strokes.size();
+  for (const HatchLines& family : hatched.lines) {
+    const std::vector<Line> lines = lines_of(what.face, family, what.progress);
+    const std::vector<Line> seen = uncovered(lines, family.angle, what.before);
+    is_whole = is_whole && are_same(seen, lines);
+    for (const Line& line : seen) {
+      Stroke& stroke = layer.strokes.emplace_back(Stroke{{line[0], line[1]}});
+      if (family.is_dashed) stroke.dashes = fit_open(glm::distance(line[0], line[1]), what.width);
+    }
+  }
+  hatched.strokes.end = layer.strokes.size();
+  if (is_whole && hatched.strokes.begin < hatched.strokes.end) layer.hatched.push_back(std::move(hatched));
+}
+
 }  // namespace
 
 std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* const> drawings, const HatchWish& wish,
@@ -385,13 +408,8 @@ Layer hatch_layer(const HatchedView& view, std::span<const Hatching> hatching, c
       layer.fills.push_back({face.rings});
       continue;
     }
-    for (const Family& family : families_of(pattern, *found)) {
-      const std::vector<Line> lines = lines_of(face, family, progress);
-      for (const Line& line : uncovered(lines, family.angle, view.drawing.before_cuts)) {
-        Stroke& stroke = layer.strokes.emplace_back(Stroke{{line[0], line[1]}});
-        if (family.is_dashed) stroke.dashes = fit_open(glm::distance(line[0], line[1]), widths.narrow);
-      }
-    }
+    draw_lines(layer, {{face.rings}, pattern, found->angle, found->spacing, families_of(pattern, *found), {}},
+               {view.drawing.before_cuts, face, widths.narrow, progress});
   }
   return layer;
 }

@@ -50,7 +50,7 @@ void draw_lines(Layer& layer, const std::vector<ListColumn>& columns, const Rect
 Rectangle list_box(const std::optional<Rectangle>& below, std::size_t rows, const Paper& paper) {
   const Rectangle area = drawing_area(paper);
   const double width = below ? below->size().x : std::min(full_width, area.size().x);
-  const Vec2 corner(area.max.x - width, below ? below->max.y : area.min.y);
+  const Vec2 corner(below ? below->min.x : area.max.x - width, below ? below->max.y : area.min.y);
   return {corner, corner + Vec2(width, row * static_cast<double>(rows + 1))};
 }
 

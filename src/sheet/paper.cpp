@@ -29,7 +29,7 @@ constexpr std::array<AnsiSheet, 5> ansi_sizes = {{ansi(11, 8.5, {0.25, 0.38}, 0,
                                                   ansi(22, 17, {0.5, 0.75}, 4, 4), ansi(34, 22, {1, 0.5}, 8, 4),
                                                   ansi(44, 34, {0.5, 1}, 8, 8)}};
 
-Vec2 area(const Paper& paper) { return {paper.width - paper.left - paper.other, paper.height - 2 * paper.above()}; }
+Vec2 area(const Paper& paper) { return drawing_area(paper).size(); }
 
 // The largest factor at which `ink` fits into `room`. A point fits at any factor and keeps its size.
 double fitting_scale(const Vec2& ink, const Vec2& room) {
@@ -61,6 +61,15 @@ Paper make_paper(const scene::PaperChoice& size, bool portrait) {
       break;
   }
   return {};
+}
+
+scene::PaperChoice paper_of_size(const Vec2& size) {
+  constexpr double same = 0.1;
+  const double longer = std::max(size.x, size.y), shorter = std::min(size.x, size.y);
+  for (std::size_t i = 0; i < a_sizes.size(); ++i)
+    if (std::abs(a_sizes[i][0] - longer) < same && std::abs(a_sizes[i][1] - shorter) < same)
+      return {scene::PaperChoice::Kind::iso, static_cast<int>(i), {0, 0}};
+  return {scene::PaperChoice::Kind::custom, 0, {size.x, size.y}};
 }
 
 const AnsiSheet* ansi_sheet(const Paper& paper) {
@@ -97,8 +106,9 @@ std::string paper_name(const Paper& paper) {
 }
 
 Rectangle drawing_area(const Paper& paper) {
+  if (paper.area) return *paper.area;
   const Vec2 corner(paper.left, paper.above());
-  return {corner, corner + area(paper)};
+  return {corner, corner + Vec2(paper.width - paper.left - paper.other, paper.height - 2 * paper.above())};
 }
 
 void check_drawing_size(const Vec2& size) {
@@ -121,7 +131,7 @@ Placement place_ink(const Vec2& min, const Vec2& max, std::optional<double> scal
     page.width = size.x + page.left + page.other;
     page.height = size.y + 2 * page.above();
   }
-  const Vec2 middle = Vec2(page.left, page.above()) + area(page) / 2.0;
+  const Vec2 middle = drawing_area(page).min + area(page) / 2.0;
   check(page.width >= 0 && page.height >= 0, "paper has a size");
   placement.shift = middle - (min / 2.0 + max / 2.0) * placement.scale;
   // A fitted drawing may exceed the margin by a rounding error.

@@ -16,8 +16,9 @@ namespace epura::sheet {
 /// Millimetres. Width 0: the paper is cut to the drawing.
 struct Paper {
   double width = 0, height = 0;
-  double left = 5, other = 5;    ///< margins: `other` on the right, and at the top and bottom without `ends`
-  std::optional<double> ends{};  ///< margin at the top and bottom if it differs
+  double left = 5, other = 5;       ///< margins: `other` on the right, and at the top and bottom without `ends`
+  std::optional<double> ends{};     ///< margin at the top and bottom if it differs
+  std::optional<Rectangle> area{};  ///< for drawings, instead of what is within the margins
 
   [[nodiscard]] double above() const { return ends.value_or(other); }  ///< and below
 };
@@ -31,6 +32,9 @@ struct AnsiSheet {
 
 /// The size A to E that this paper has, with its margins, or null.
 const AnsiSheet* ansi_sheet(const Paper& paper);
+
+/// The size of paper of this width and height: an A size if it is one within 0.1 mm, whatever its orientation.
+scene::PaperChoice paper_of_size(const Vec2& size);
 
 /// A to E as "A", "B" ...; A0 to A4 as "A0" ...; sizes of custom paper as "300x200"; otherwise "none".
 std::string size_name(const scene::PaperChoice& size);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +15,7 @@
 #include "base/colour.hpp"
 #include "base/vec.hpp"
 #include "drawing/drawing.hpp"
+#include "scene/choices.hpp"
 
 namespace epura::sheet {
 
@@ -82,12 +85,60 @@ struct Text {
   std::string role{};  ///< class in SVG: "title", "dimension", "label" ...
 };
 
+/// A run of the strokes, fills or texts of a layer: from `begin` up to, without, `end`.
+struct InkRange {
+  std::size_t begin = 0, end = 0;
+};
+
+/// Parallel lines of a hatching.
+struct HatchLines {
+  double angle;    ///< degrees counterclockwise
+  double spacing;  ///< mm
+  double start;    ///< distance of one of them from the origin of the sheet, to the left of their direction, mm
+  bool is_dashed = false;
+};
+
+/// A hatched face as one thing, for formats that have such things. Its ink are strokes of the layer.
+struct HatchedFace {
+  Fill face;
+  HatchPattern pattern;
+  double angle, spacing;  ///< of the pattern
+  std::vector<HatchLines> lines;
+  InkRange strokes;
+};
+
+enum class DimensionShape { linear, angular, diameter };
+
+/// A dimension as one thing, likewise. (Programs draw those on leaders by rules of their own, and lose the leader.)
+struct DimensionObject {
+  DimensionShape shape;
+  /// linear: the measured ends, and a point of the dimension line; angular: the vertex, the ends of the legs, and a
+  /// point of the arc; diameter: two opposite points.
+  std::vector<Vec2> points;
+  double angle = 0;    ///< linear: of the dimension line, degrees counterclockwise
+  double oblique = 0;  ///< linear: angle of the extension lines to the dimension line if it is not 90 degrees
+  std::string text{};
+  Vec2 text_middle{0, 0};
+  double text_height = 0, arrow = 0, gap = 0, overshoot = 0, above = 0;  ///< sizes of its parts, mm
+  InkRange strokes{}, fills{}, texts{};
+};
+
+/// A picture of pixels in an upright rectangle.
+struct Picture {
+  std::shared_ptr<const std::string> png;  ///< bytes of the file
+  std::string name;                        ///< of the file, for messages
+  Vec2 min, max;                           ///< mm
+};
+
 struct Layer {
   std::string name;  ///< "isometric/visible"
   LineStyle style;
   std::vector<Stroke> strokes;
   std::vector<Fill> fills{};
   std::vector<Text> texts{};
+  std::vector<HatchedFace> hatched{};         ///< in the order of their strokes
+  std::vector<DimensionObject> dimensions{};  ///< in the order of their ink
+  std::vector<Picture> pictures{};            ///< below all other ink of the layer
 };
 
 /// Position of a view, for bookmarks and descriptions.

@@ -52,6 +52,7 @@ std::vector<Cell> standard_cells() {
           {"size", 135, 4 * row, 20, row}};
 }
 constexpr double standard_height = 5 * row;
+constexpr double height_below_logo = 8;  // of the room for the owner
 constexpr double symbol_left = 155, symbol_height = 2.5;
 
 using Field = std::pair<std::string, std::string>;
@@ -99,15 +100,6 @@ std::vector<Cell> free_cells(const std::vector<Field>& fields, std::size_t rows)
   return cells;
 }
 
-std::string value_of(const TitleBlock& block, const std::string& name) {
-  for (const auto& [field, value] : block.fields)
-    if (field == name && !value.empty()) return value;
-  if (name == "scale") return block.scale;
-  if (name == "size") return block.size;
-  if (name == "sheet") return std::to_string(block.sheet) + "/" + std::to_string(block.sheets);
-  return {};
-}
-
 /// Draws cells, one after another.
 class Writer {
  public:
@@ -127,9 +119,11 @@ class Writer {
     write(fit_text(words, width, caption_height, lettering_), r.min.x + padding, r.max.y - padding - caption_height,
           "caption");
     std::vector<FittedText> texts = {cell.name == "number" ? whole_number(width, r.size().y - caption_space)
-                                                           : fitted(cell.name, width, cell.text_height)};
+                                                           : fitted(cell.name, width, height_in(cell))};
     if (cell.name == "title") texts.push_back(fitted("supplementary_title", width, value_height));
-    write_values(texts, {r.min, {r.max.x, r.max.y - caption_space}}, cell.name == "title" ? "title" : "field");
+    const bool below_logo = cell.name == "owner" && block_.has_logo;
+    const double top = below_logo ? r.min.y + height_below_logo : r.max.y - caption_space;
+    write_values(texts, {r.min, {r.max.x, top}}, cell.name == "title" ? "title" : "field");
   }
 
   void draw_symbol() {
@@ -162,6 +156,16 @@ class Writer {
     FittedText text = fit_text(value_of(block_, name), width, height, lettering_);
     if (text.cut) drawn_.warnings.push_back("the title block has no room for all of the text of '" + name + "'");
     return text;
+  }
+
+  // Marks above capitals, as of "Ž", would touch the caption above a text of the usual height.
+  [[nodiscard]] double height_in(const Cell& cell) const {
+    constexpr double smaller = 2.5, most = 1.11;  // mm; of the height of capitals
+    if (cell.height > row) return cell.text_height;
+    double top = 0;
+    for (const GlyphOutline& outline : lettering_.outlines(value_of(block_, cell.name), 1))
+      for (const GlyphOutline::Curve& curve : outline.curves) top = std::max(top, curve.end.y);
+    return top > most ? smaller : cell.text_height;
   }
 
   // A drawing is found by its number: all of it is written. ISO 7200.
@@ -201,7 +205,17 @@ class Writer {
 
 }  // namespace
 
+std::string value_of(const TitleBlock& block, const std::string& name) {
+  for (const auto& [field, value] : block.fields)
+    if (field == name && !value.empty()) return value;
+  if (name == "scale") return block.scale;
+  if (name == "size") return block.size;
+  if (name == "sheet") return std::to_string(block.sheet) + "/" + std::to_string(block.sheets);
+  return {};
+}
+
 std::optional<Rectangle> title_block_box(const TitleBlock& block, const Paper& paper) {
+  if (block.place) return block.place;
   const Rectangle area = drawing_area(paper);
   const double width = std::min(full_width, area.size().x), most_height = area.size().y / 2;
   if (width < least_width || standard_height > most_height) return std::nullopt;
@@ -209,6 +223,13 @@ std::optional<Rectangle> title_block_box(const TitleBlock& block, const Paper& p
   rows = std::min(rows, static_cast<std::size_t>((most_height - standard_height) / row));
   const Vec2 corner(area.max.x - width, area.min.y);
   return Rectangle{corner, corner + Vec2(width, block_height(rows))};
+}
+
+Rectangle logo_box(const Rectangle& title_block) {
+  const Cell owner = standard_cells().front();
+  const double width = owner.width * title_block.size().x / full_width;
+  const Vec2 corner = title_block.min + Vec2(padding, height_below_logo);
+  return {corner, title_block.min + Vec2(width - padding, owner.height - caption_space)};
 }
 
 DrawnTitleBlock draw_title_block(const TitleBlock& block, const Paper& paper, const Lettering& lettering) {

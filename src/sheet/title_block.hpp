@@ -22,7 +22,12 @@ struct TitleBlock {
   std::string size{};                         ///< "A3"
   int sheet = 1, sheets = 1;                  ///< sheet 1 of 1
   std::optional<ProjectionAngle> angle = {};  ///< nothing: no symbol
+  std::optional<Rectangle> place = {};        ///< of a form, which is drawn instead
+  bool has_logo = false;                      ///< room for it is kept above the owner
 };
+
+/// The value of a field; of scale, size and sheet, too. Empty if there is none.
+std::string value_of(const TitleBlock& block, const std::string& name);
 
 struct DrawnTitleBlock {
   Furniture ink;
@@ -33,6 +38,9 @@ struct DrawnTitleBlock {
 /// if that is narrower. Nothing if it would take up more than half of the area's height, or be less than 120 mm wide.
 /// It depends on the number of fields but not on their values, so it is known before the scale is.
 std::optional<Rectangle> title_block_box(const TitleBlock& block, const Paper& paper);
+
+/// The room for a logo in the cell of the owner of a title block in this rectangle.
+Rectangle logo_box(const Rectangle& title_block);
 
 /// Lines, captions and values. Long values are fitted by fit_text.
 DrawnTitleBlock draw_title_block(const TitleBlock& block, const Paper& paper, const Lettering& lettering);

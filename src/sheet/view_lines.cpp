@@ -216,8 +216,10 @@ struct ChainPlan {
 ChainPlan plan_of(const drawing::Chain& chain, const BodyStyle& look, const LineWidths& widths) {
   const scene::SheetLine line = line_of(chain.kind, chain.visible, look);
   if (!is_drawn(chain.kind, chain.visible, look)) return {line, false, 0};
-  if (line != scene::SheetLine::hidden || !is_dashed(chain, widths.narrow)) return {line, false, 1};
-  return {line, true, dash_runs(chain, widths.narrow).size()};
+  const scene::DashType type = dash_type(line, widths);
+  const double width = line_width(line, widths);
+  if (!type.is_broken() || type.dots > 0 || !is_dashed(chain, width)) return {line, false, 1};
+  return {line, true, dash_runs(chain, width).size()};
 }
 
 struct ChainsToDraw {
@@ -229,9 +231,10 @@ struct ChainsToDraw {
 void draw_chain(Stroke* strokes, const ChainPlan& plan, const ChainsToDraw& all, std::size_t number) {
   const auto& [drawing, widths, crossings] = all;
   const drawing::Chain& chain = drawing.chains[number];
-  if (plan.in_dashes) return draw_dashed(strokes, drawing, number, widths.narrow, crossings);
-  const scene::DashType& type = scene::row_of(plan.line).dashes;
-  *strokes = type.dots > 0 ? dotted(drawing, chain, line_style(plan.line, widths).width, type)
+  const double width = line_width(plan.line, widths);
+  if (plan.in_dashes) return draw_dashed(strokes, drawing, number, width, crossings);
+  const scene::DashType type = dash_type(plan.line, widths);
+  *strokes = type.dots > 0                            ? dotted(drawing, chain, width, type)
              : plan.line == scene::SheetLine::tangent ? tangent(drawing, chain, tangent_gap * widths.wide, crossings)
                                                       : continuous(drawing, chain);
 }
@@ -263,7 +266,7 @@ std::vector<std::size_t> crossed_chains(const drawing::ViewDrawing& drawing, con
     if (plans[i].in_dashes) with_dashes.push_back(i);
     if (plans[i].line == scene::SheetLine::tangent && plans[i].strokes > 0) chains.push_back(i);
   }
-  with_dashes = without_crowded(with_dashes, drawing, widths.narrow, progress);
+  with_dashes = without_crowded(with_dashes, drawing, line_width(scene::SheetLine::hidden, widths), progress);
   const auto middle = chains.insert(chains.end(), with_dashes.begin(), with_dashes.end());
   std::inplace_merge(chains.begin(), middle, chains.end());
   return chains;
@@ -339,7 +342,7 @@ Layer layer_of(const LayerKey& key, const drawing::ViewDrawing& drawing, const L
     layer.name += " " + name;
   }
   if (key.colour != Colour{}) layer.name += " " + hexadecimal(key.colour);
-  layer.style.colour = key.colour;
+  if (key.colour != Colour{}) layer.style.colour = key.colour;
   return layer;
 }
 

@@ -185,7 +185,7 @@ std::string confine_to_jobs(const BatchPlan& plan) {
         if (fs::exists(*value, missing)) files.inputs.push_back(*value);
   }
   try {
-    foreign::enter_sandbox(permissions_for(files, plan.common.run, plan.common.sheet.font));
+    foreign::enter_sandbox(permissions_for(files, plan.common.run, plan.common.sheet));
   } catch (const Error& error) {
     return error.what();
   }

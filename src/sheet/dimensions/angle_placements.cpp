@@ -103,6 +103,9 @@ PlacedDimension arc_dimension(const MeasuredAngle& angle, const DimensionText& t
   }
   set_text_at(dimension, text, {corner, radius}, turned_to(middle), style);
   dimension.zones.push_back(dimension.text_box);
+  dimension.object = DimensionObject{
+      DimensionShape::angular,
+      {corner, corner + angle.legs[0], corner + angle.legs[1], corner + radius * turned_to(first + sweep / 2)}};
   return dimension;
 }
 

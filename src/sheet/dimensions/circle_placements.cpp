@@ -50,9 +50,11 @@ void add_across(std::vector<DimensionPlacement>& placements, const MeasuredCircl
   const Vec2 along = turned_to(angle), spoke = circle.radius * along;
   const MeasuredLength length{circle.centre - spoke, circle.centre + spoke, along, left_of(along)};
   if (!fits_inside(length, text, style)) return;
-  for (int place = 0; place < text_places; ++place)
+  for (int place = 0; place < text_places; ++place) {
     placements.push_back(
         {straight_dimension(length, text, 0, place, style), cost_of_crossing_it + slope_cost(angle) + 0.1 * place});
+    placements.back().dimension.object = DimensionObject{DimensionShape::diameter, {length.to, length.from}};
+  }
 }
 
 // A text beside the circle, without a leader while it is near.

@@ -164,6 +164,31 @@ void expect_letters(const std::string& text, const AnchoredDimension& dimension,
                 "write the text without it");
 }
 
+template <class Ink>
+InkRange append(std::vector<Ink>& all, std::vector<Ink> more) {
+  const std::size_t begin = all.size();
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+  return {begin, all.size()};
+}
+
+void add_to(Layer& layer, PlacedDimension dimension, const std::string& text, const DimensionStyle& style) {
+  const InkRange strokes = append(layer.strokes, std::move(dimension.strokes));
+  const InkRange fills = append(layer.fills, std::move(dimension.arrows));
+  const InkRange texts = append(layer.texts, std::move(dimension.texts));
+  if (!dimension.object) return;
+  DimensionObject& object = layer.dimensions.emplace_back(std::move(*dimension.object));
+  object.text = text;
+  object.text_middle = dimension.text_box.centre;
+  object.text_height = style.text;
+  object.arrow = style.arrow();
+  object.gap = style.gap();
+  object.overshoot = style.overshoot();
+  object.above = style.above();
+  object.strokes = strokes;
+  object.fills = fills;
+  object.texts = texts;
+}
+
 }  // namespace
 
 PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours,
@@ -181,11 +206,9 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
   std::vector<std::optional<PlacedDimension>> placed = place(measured, view.drawing, style, neighbours, progress);
   std::vector<std::string> crossings = crossings_of(placed, measured, neighbours);
   std::size_t count = 0;
-  for (auto& dimension : placed) {
-    if (!dimension) continue;
-    std::move(dimension->strokes.begin(), dimension->strokes.end(), std::back_inserter(layer.strokes));
-    std::move(dimension->arrows.begin(), dimension->arrows.end(), std::back_inserter(layer.fills));
-    std::move(dimension->texts.begin(), dimension->texts.end(), std::back_inserter(layer.texts));
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    if (!placed[i]) continue;
+    add_to(layer, std::move(*placed[i]), measured[i].text.line(), style);
     ++count;
   }
   return {std::move(layer), count, std::move(crossings)};

@@ -2,6 +2,7 @@
 // The elements of dimensions on paper: lines, arrows, text. ISO 129-1.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,10 +39,11 @@ struct DimensionStyle {
 struct PlacedDimension {
   std::vector<Stroke> strokes;
   std::vector<Fill> arrows;
-  std::vector<Text> texts;       ///< its pieces
-  TurnedBox text_box;            ///< with a little space around it
-  std::vector<TurnedBox> zones;  ///< of the dimension line and the text, for their exclusive use
-  std::vector<TurnedBox> lines;  ///< extension lines and leaders, which may be crossed
+  std::vector<Text> texts;                  ///< its pieces
+  TurnedBox text_box;                       ///< with a little space around it
+  std::vector<TurnedBox> zones;             ///< of the dimension line and the text, for their exclusive use
+  std::vector<TurnedBox> lines;             ///< extension lines and leaders, which may be crossed
+  std::optional<DimensionObject> object{};  ///< its shape, points and angles, if it is one of those
 };
 
 inline Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }

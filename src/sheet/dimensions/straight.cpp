@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "base/error.hpp"
+#include "base/portable_math.hpp"
 
 namespace epura::sheet {
 
@@ -68,6 +70,15 @@ Layout layout_of(const Base& base, double width, bool inside, int place, const D
   return layout;
 }
 
+double degrees_of(const Vec2& direction) { return portable_atan2(direction.y, direction.x) * 180 / std::numbers::pi; }
+
+DimensionObject object_of(const MeasuredLength& length, const std::array<Vec2, 2>& ends, const Base& base) {
+  DimensionObject object{DimensionShape::linear, {ends[0], ends[1], base.high}, degrees_of(base.read)};
+  const Vec2 leaning = reading_direction(length.extension);
+  if (std::abs(glm::dot(leaning, base.read)) > 1e-9) object.oblique = degrees_of(leaning);
+  return object;
+}
+
 }  // namespace
 
 bool fits_inside(const MeasuredLength& length, const DimensionText& text, const DimensionStyle& style) {
@@ -88,6 +99,8 @@ PlacedDimension straight_dimension(const MeasuredLength& length, const Dimension
   if (!high_open) add_extension_line(dimension, high, base.high, style);
 
   check(base.span >= 0, "a length is not negative");
+  if (!length.open) dimension.object = object_of(length, {low, high}, base);
+
   const Layout layout = layout_of(base, style.width(text), fits_inside(length, text, style), place, style);
   const Vec2 begin = base.low + layout.line.begin * read, end = base.low + layout.line.end * read;
   add_line(dimension, begin, end);

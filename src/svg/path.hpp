@@ -7,23 +7,23 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "compare/picture_maker.hpp"
+#include "svg/piece_room.hpp"
 
-namespace epura::compare {
+namespace epura::svg {
 
 /// An unbroken line; a closed one does not repeat its first point.
-struct SvgLine {
+struct Line {
   std::vector<Vec2> points;
   bool closed = false;
 };
 
-struct SvgPath {
-  std::vector<SvgLine> lines{};  ///< curves as lines
+struct Path {
+  std::vector<Line> lines{};     ///< curves as lines
   std::vector<Vec2> controls{};  ///< control points of Bezier curves
 };
 
 /// The commands M L H V C Q A Z and m l h v c q a z, y down. Nothing if the text is not such a path. Throws
 /// Error{input} if it is too long.
-std::optional<SvgPath> read_svg_path(std::string_view data, PieceRoom& room);
+std::optional<Path> read_path(std::string_view data, PieceRoom& room);
 
-}  // namespace epura::compare
+}  // namespace epura::svg

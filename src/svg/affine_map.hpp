@@ -6,7 +6,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura::compare {
+namespace epura::svg {
 
 /// x' = along * x + across * y + shift. SVG 1.1, 7.4: matrix(along across shift); ISO 32000-1, 8.3.3: the same.
 struct AffineMap {
@@ -23,4 +23,4 @@ struct AffineMap {
   [[nodiscard]] double scale() const { return std::sqrt(std::abs(along.x * across.y - along.y * across.x)); }
 };
 
-}  // namespace epura::compare
+}  // namespace epura::svg

@@ -9,21 +9,31 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/affine_map.hpp"
+#include "svg/affine_map.hpp"
 
-namespace epura::compare {
+namespace epura::svg {
 
 /// Parses the attribute `transform`: matrix, translate, scale and rotate. Nothing for other text.
-std::optional<AffineMap> read_svg_transform(std::string_view text);
+std::optional<AffineMap> read_transform(std::string_view text);
 
-/// Rules for a single class, by class; others are ignored.
-using SvgRules = std::map<std::string, std::map<std::string, std::string, std::less<>>, std::less<>>;
+/// Values by property.
+using Declarations = std::map<std::string, std::string, std::less<>>;
 
-SvgRules read_svg_rules(std::string_view style_sheet);
+struct Rules {
+  std::map<std::string, Declarations, std::less<>> of{};  ///< by selector: an element, a class (".x") or an id ("#x")
+  std::vector<std::string> others{};                      ///< selectors of other forms, whose rules are not here
+
+  void merge(Rules more);
+};
+
+/// "stroke: #000; fill: none".
+Declarations read_declarations(std::string_view text);
+
+Rules read_rules(std::string_view style_sheet);
 
 /// Properties by name, including those of the parents.
-struct SvgStyle {
-  std::map<std::string, std::string, std::less<>> properties{};
+struct Style {
+  Declarations properties{};
 
   /// Empty if it is not set.
   [[nodiscard]] std::string_view of(std::string_view property) const;
@@ -34,12 +44,12 @@ struct SvgStyle {
 
 /// The style of an element whose parent has the given style. Attributes are overridden by rules, and these by `style`.
 /// An attribute stroke-dasharray inside dashed lines fits their dashes to a line, and leaves their style as it is.
-SvgStyle style_of(const pugi::xml_node& element, const SvgStyle& parent, const SvgRules& rules);
+Style style_of(const pugi::xml_node& element, const Style& parent, const Rules& rules);
 
 /// "#1f7a3d", also for the short form; black if the text is empty. Other words are returned unchanged.
-std::string svg_colour(std::string_view text);
+std::string colour_of(std::string_view text);
 
 /// Numbers separated by spaces or commas; empty for "none" and for text that is not a list of numbers.
-std::vector<double> svg_numbers(std::string_view text);
+std::vector<double> numbers_in(std::string_view text);
 
-}  // namespace epura::compare
+}  // namespace epura::svg

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/svg_style.hpp"
+#include "svg/style.hpp"
 
 #include <array>
 #include <charconv>
@@ -7,15 +7,17 @@
 #include <cstddef>
 #include <numbers>
 
+#include "base/portable_math.hpp"
 #include "base/text.hpp"
 
-namespace epura::compare {
+namespace epura::svg {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> drawn_properties = {
-    "stroke",     "fill",      "stroke-width", "stroke-dasharray", "display",
-    "visibility", "font-size", "text-anchor",  "font-family",      "opacity"};
+constexpr std::array<std::string_view, 20> drawn_properties = {
+    "stroke",      "fill",         "stroke-width", "stroke-dasharray", "display",        "visibility",  "font-size",
+    "text-anchor", "font-family",  "opacity",      "fill-opacity",     "stroke-opacity", "clip-path",   "mask",
+    "filter",      "marker-start", "marker-mid",   "marker-end",       "vector-effect",  "shape-inside"};
 
 constexpr std::string_view blanks = " \t\r\n";
 
@@ -25,13 +27,14 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
-void read_declarations(std::string_view text, std::map<std::string, std::string, std::less<>>& into) {
-  for (const std::string_view declaration : split(text, ';')) {
-    const std::size_t colon = declaration.find(':');
-    if (colon == std::string_view::npos) continue;
-    into.insert_or_assign(std::string(trimmed(declaration.substr(0, colon))),
-                          std::string(trimmed(declaration.substr(colon + 1))));
-  }
+void take_over(Declarations& all, const Declarations& more) {
+  for (const auto& [property, value] : more) all.insert_or_assign(property, value);
+}
+
+// "path", ".frame" or "#border".
+bool is_simple(std::string_view selector) {
+  return !selector.empty() && selector.find_first_of(" .>#:[*+~@", 1) == std::string_view::npos &&
+         std::string_view("*:[@").find(selector[0]) == std::string_view::npos;
 }
 
 std::optional<AffineMap> map_of(std::string_view name, const std::vector<double>& n) {
@@ -40,7 +43,7 @@ std::optional<AffineMap> map_of(std::string_view name, const std::vector<double>
     return AffineMap{{1, 0}, {0, 1}, {n[0], n.size() > 1 ? n[1] : 0}};
   if (name == "scale" && !n.empty() && n.size() <= 2) return AffineMap{{n[0], 0}, {0, n.back()}, {0, 0}};
   if (name == "rotate" && (n.size() == 1 || n.size() == 3)) {
-    const double angle = n[0] * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+    const double angle = n[0] * std::numbers::pi / 180, c = portable_cos(angle), s = portable_sin(angle);
     const AffineMap turn{{c, s}, {-s, c}, {0, 0}};
     const Vec2 centre = n.size() == 3 ? Vec2(n[1], n[2]) : Vec2(0, 0);
     return AffineMap{turn.along, turn.across, centre - turn(centre)};
@@ -50,12 +53,12 @@ std::optional<AffineMap> map_of(std::string_view name, const std::vector<double>
 
 }  // namespace
 
-std::optional<AffineMap> read_svg_transform(std::string_view text) {
+std::optional<AffineMap> read_transform(std::string_view text) {
   AffineMap whole;
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
     const std::size_t open = text.find('('), close = text.find(')');
     if (open == std::string_view::npos || close == std::string_view::npos || close < open) return std::nullopt;
-    const auto map = map_of(trimmed(text.substr(0, open)), svg_numbers(text.substr(open + 1, close - open - 1)));
+    const auto map = map_of(trimmed(text.substr(0, open)), numbers_in(text.substr(open + 1, close - open - 1)));
     if (!map) return std::nullopt;
     whole = whole.after(*map);
     text.remove_prefix(close + 1);
@@ -64,49 +67,70 @@ std::optional<AffineMap> read_svg_transform(std::string_view text) {
   return whole;
 }
 
-SvgRules read_svg_rules(std::string_view style_sheet) {
-  SvgRules rules;
+void Rules::merge(Rules more) {
+  for (const auto& [selector, declarations] : more.of) take_over(of[selector], declarations);
+  others.insert(others.end(), more.others.begin(), more.others.end());
+}
+
+Declarations read_declarations(std::string_view text) {
+  Declarations read;
+  for (const std::string_view declaration : split(text, ';')) {
+    const std::size_t colon = declaration.find(':');
+    if (colon == std::string_view::npos) continue;
+    read.insert_or_assign(std::string(trimmed(declaration.substr(0, colon))),
+                          std::string(trimmed(declaration.substr(colon + 1))));
+  }
+  return read;
+}
+
+Rules read_rules(std::string_view style_sheet) {
+  Rules rules;
   for (const std::string_view rule : split(style_sheet, '}')) {
     const std::size_t brace = rule.find('{');
     if (brace == std::string_view::npos) continue;
     for (const std::string_view part : split(rule.substr(0, brace), ',')) {
-      const std::string_view selector = trimmed(part);
-      const bool is_class = selector.starts_with('.') && selector.find_first_of(" .>#:[", 1) == std::string_view::npos;
-      if (is_class) read_declarations(rule.substr(brace + 1), rules[std::string(selector.substr(1))]);
+      const std::string selector(trimmed(part));
+      if (is_simple(selector))
+        take_over(rules.of[selector], read_declarations(rule.substr(brace + 1)));
+      else
+        rules.others.push_back(selector);
     }
   }
   return rules;
 }
 
-std::string_view SvgStyle::of(std::string_view property) const {
+std::string_view Style::of(std::string_view property) const {
   const auto found = properties.find(property);
   return found == properties.end() ? std::string_view() : std::string_view(found->second);
 }
 
-SvgStyle style_of(const pugi::xml_node& element, const SvgStyle& parent, const SvgRules& rules) {
-  SvgStyle style = parent;
+Style style_of(const pugi::xml_node& element, const Style& parent, const Rules& rules) {
+  Style style = parent;
   for (const std::string_view name : drawn_properties) {
     const pugi::xml_attribute attribute = element.attribute(name.data());
-    const bool fits_dashes = name == "stroke-dasharray" && !svg_numbers(parent.of(name)).empty();
+    const bool fits_dashes = name == "stroke-dasharray" && !numbers_in(parent.of(name)).empty();
     if (attribute && !fits_dashes) style.properties.insert_or_assign(std::string(name), attribute.value());
   }
-  for (const std::string_view name : split(element.attribute("class").value(), ' '))
-    if (const auto rule = rules.find(name); rule != rules.end())
-      for (const auto& [property, value] : rule->second) style.properties.insert_or_assign(property, value);
-  read_declarations(element.attribute("style").value(), style.properties);
+  const auto apply = [&](const std::string& selector) {
+    if (const auto rule = rules.of.find(selector); rule != rules.of.end()) take_over(style.properties, rule->second);
+  };
+  apply(element.name());
+  for (const std::string_view name : split(element.attribute("class").value(), ' ')) apply("." + std::string(name));
+  apply("#" + std::string(element.attribute("id").value()));
+  take_over(style.properties, read_declarations(element.attribute("style").value()));
   const pugi::xml_attribute dashes = element.attribute("stroke-dasharray");
   style.has_fitted_dashes = dashes && style.of("stroke-dasharray") == dashes.value();
   return style;
 }
 
-std::string svg_colour(std::string_view text) {
+std::string colour_of(std::string_view text) {
   const std::string colour = to_lower(text);
   if (colour.empty() || colour == "black") return "#000000";
   if (colour.size() != 4 || colour[0] != '#') return colour;
   return {'#', colour[1], colour[1], colour[2], colour[2], colour[3], colour[3]};
 }
 
-std::vector<double> svg_numbers(std::string_view text) {
+std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> numbers;
   while (true) {
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n,"), text.size()));
@@ -119,4 +143,4 @@ std::vector<double> svg_numbers(std::string_view text) {
   }
 }
 
-}  // namespace epura::compare
+}  // namespace epura::svg

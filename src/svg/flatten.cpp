@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/flatten.hpp"
+#include "svg/flatten.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace epura::compare {
+namespace epura::svg {
 
 int parts_of_curve(double sagitta) {
   constexpr double flatness = 1e-4;
@@ -25,4 +25,4 @@ void append_cubic(std::vector<Vec2>& points, const CubicCurve& curve, PieceRoom&
   points.push_back(to);
 }
 
-}  // namespace epura::compare
+}  // namespace epura::svg

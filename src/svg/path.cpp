@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/svg_path.hpp"
+#include "svg/path.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -9,9 +9,10 @@
 #include <numbers>
 #include <string_view>
 
-#include "compare/flatten.hpp"
+#include "base/portable_math.hpp"
+#include "svg/flatten.hpp"
 
-namespace epura::compare {
+namespace epura::svg {
 
 namespace {
 
@@ -19,7 +20,7 @@ class PathParser {
  public:
   PathParser(std::string_view data, PieceRoom& room) : data_(data), room_(room) {}
 
-  std::optional<SvgPath> parse() {
+  std::optional<Path> parse() {
     char command = 0;
     for (skip(); good_ && !data_.empty(); skip()) {
       if (std::isalpha(static_cast<unsigned char>(data_[0]))) {
@@ -96,7 +97,7 @@ class PathParser {
   }
 
   void close() {
-    SvgLine& last = path_.lines.back();
+    Line& last = path_.lines.back();
     last.closed = true;
     here_ = last.points.front();
     if (last.points.size() > 1 && last.points.back() == here_) last.points.pop_back();
@@ -127,7 +128,7 @@ class PathParser {
     const Vec2 from = here_, to = base + point();
     if (!good_ || from == to) return;
     if (radii.x == 0 || radii.y == 0) return line(to);
-    const Vec2 u(std::cos(turn), std::sin(turn)), v(-u.y, u.x);
+    const Vec2 u(portable_cos(turn), portable_sin(turn)), v(-u.y, u.x);
     const Vec2 half = (from - to) / 2.0;
     Vec2 p(glm::dot(half, u), glm::dot(half, v));
     const double reach = glm::dot(p / radii, p / radii);
@@ -136,14 +137,14 @@ class PathParser {
     const double rest = std::max(1 / glm::dot(q, q) - 1, 0.0);
     const Vec2 middle = (large == clockwise ? -1.0 : 1.0) * std::sqrt(rest) * Vec2(q.y, -q.x);
     const Vec2 centre = (from + to) / 2.0 + middle.x * radii.x * u + middle.y * radii.y * v;
-    const double begin = std::atan2(q.y - middle.y, q.x - middle.x);
-    double sweep = std::atan2(-q.y - middle.y, -q.x - middle.x) - begin;
+    const double begin = portable_atan2(q.y - middle.y, q.x - middle.x);
+    double sweep = portable_atan2(-q.y - middle.y, -q.x - middle.x) - begin;
     if (clockwise && sweep < 0) sweep += 2 * std::numbers::pi;
     if (!clockwise && sweep > 0) sweep -= 2 * std::numbers::pi;
     const int parts = parts_of_curve(std::max(radii.x, radii.y) * sweep * sweep / 8);
     for (int i = 1; i <= parts; ++i) {
       const double angle = begin + sweep * i / parts;
-      line(i == parts ? to : centre + radii.x * std::cos(angle) * u + radii.y * std::sin(angle) * v);
+      line(i == parts ? to : centre + radii.x * portable_cos(angle) * u + radii.y * portable_sin(angle) * v);
     }
   }
 
@@ -151,11 +152,11 @@ class PathParser {
   PieceRoom& room_;
   Vec2 here_{0, 0};
   bool good_ = true;
-  SvgPath path_{};
+  Path path_{};
 };
 
 }  // namespace
 
-std::optional<SvgPath> read_svg_path(std::string_view data, PieceRoom& room) { return PathParser(data, room).parse(); }
+std::optional<Path> read_path(std::string_view data, PieceRoom& room) { return PathParser(data, room).parse(); }
 
-}  // namespace epura::compare
+}  // namespace epura::svg

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "compare/picture_maker.hpp"
+#include "svg/piece_room.hpp"
 
-namespace epura::compare {
+namespace epura::svg {
 
 /// The number of equal parts into which to divide a curve so that they stay within 0.0001 mm of it. `sagitta` is the
 /// error of a single chord in mm; the error falls with the square of the number.
@@ -21,4 +21,4 @@ struct CubicCurve {
 /// Appends points of a curve, without its beginning. Throws Error{input} if there is no room for them.
 void append_cubic(std::vector<Vec2>& points, const CubicCurve& curve, PieceRoom& room);
 
-}  // namespace epura::compare
+}  // namespace epura::svg

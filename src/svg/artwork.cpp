@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "svg/artwork.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <pugixml.hpp>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/portable_math.hpp"
+#include "base/text.hpp"
+#include "svg/basic_shapes.hpp"
+#include "svg/style.hpp"
+
+namespace epura::svg {
+
+namespace {
+
+constexpr int deepest = 100;             // groups in groups
+constexpr double longest_side = 20'000;  // mm
+
+// Elements that show nothing.
+constexpr std::array<std::string_view, 7> silent = {
+    "title", "desc", "metadata", "defs", "style", "sodipodi:namedview", "inkscape:path-effect"};
+
+// Properties that would change what is seen, and the values that do not.
+struct Effect {
+  std::string_view property;
+  std::array<std::string_view, 3> none;
+  const char* hint;
+};
+constexpr std::array<Effect, 9> effects = {{
+    {"opacity", {"1", "1.0", "inherit"}, "use a colour instead of transparency"},
+    {"fill-opacity", {"1", "1.0", "0"}, "use a colour instead of transparency"},
+    {"stroke-opacity", {"1", "1.0", "0"}, "use a colour instead of transparency"},
+    {"clip-path", {"none", "none", "none"}, "in Inkscape: Object > Clip > Release, or Path > Intersection"},
+    {"mask", {"none", "none", "none"}, "in Inkscape: Object > Mask > Release"},
+    {"filter", {"none", "none", "none"}, "in Inkscape: Filters > Remove Filters"},
+    {"marker-start", {"none", "none", "none"}, "in Inkscape: Path > Stroke to Path"},
+    {"marker-end", {"none", "none", "none"}, "in Inkscape: Path > Stroke to Path"},
+    {"vector-effect", {"none", "none", "none"}, "widths of lines grow with their groups"},
+}};
+
+/// Elements with another hint than that they are not known.
+constexpr std::array<std::pair<std::string_view, const char*>, 7> hints = {{
+    {"use", "in Inkscape: Edit > Clone > Unlink Clone"},
+    {"image", "pictures of pixels cannot be drawn here; trace it, or give a PNG as --logo"},
+    {"script", "remove it"},
+    {"flowRoot", "in Inkscape: Text > Unflow, or Text > Convert to Text"},
+    {"foreignObject", "use a text"},
+    {"textPath", "in Inkscape: Text > Remove from Path"},
+    {"svg", "move what it has into the outer drawing"},
+}};
+
+// "Document type" and "document-type" are "document_type".
+std::string normal_name(std::string_view name) {
+  std::string normal = to_lower(name);
+  for (char& c : normal)
+    if (c == ' ' || c == '-') c = '_';
+  return normal;
+}
+
+/// What a group passes on to its content.
+struct Context {
+  Style style{};
+  AffineMap map{};
+  int depth = 0;
+};
+
+class Reader {
+ public:
+  Reader(std::string_view bytes, const std::string& where, std::span<const std::string_view> areas)
+      : bytes_(bytes), where_(where), wanted_(areas), room_(bytes.size(), where) {}
+
+  Artwork read() {
+    pugi::xml_document document;
+    const pugi::xml_parse_result result =
+        document.load_buffer(bytes_.data(), bytes_.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
+    if (!result)
+      throw Error(ErrorKind::input, line_at(result.offset), "is not valid XML: " + std::string(result.description()));
+    const pugi::xml_node svg = document.child("svg");
+    if (!svg) throw Error(ErrorKind::input, where_, "is not an SVG file");
+    Context all;
+    all.map = page_map(svg);
+    read_style_sheets(svg);
+    all.style = style_of(svg, {}, rules_);
+    for (const pugi::xml_node child : svg.children()) read_element(child, all);
+    return std::move(art_);
+  }
+
+ private:
+  [[nodiscard]] std::string line_at(std::ptrdiff_t offset) const {
+    const std::size_t end = std::min(bytes_.size(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
+    return where_ + ":" + std::to_string(1 + std::count(bytes_.begin(), bytes_.begin() + end, '\n'));
+  }
+
+  [[noreturn]] void refuse(const pugi::xml_node& at, const std::string& what, const std::string& hint = {}) const {
+    throw Error(ErrorKind::input, line_at(at.offset_debug()), what, hint);
+  }
+
+  [[nodiscard]] double length_in(const pugi::xml_node& node, const char* name, double usual = 0) const {
+    const pugi::xml_attribute attribute = node.attribute(name);
+    if (!attribute) return usual;
+    const auto length = length_of(attribute.value());
+    if (!length) refuse(node, "'" + std::string(name) + "' is no length: '" + attribute.value() + "'");
+    return *length;
+  }
+
+  // From user units, y down, to millimetres, y up.
+  AffineMap page_map(const pugi::xml_node& svg) {
+    constexpr double mm = 25.4 / 96;
+    const std::vector<double> box = numbers_in(svg.attribute("viewBox").value());
+    const bool has_box = box.size() == 4 && box[2] > 0 && box[3] > 0;
+    Vec2 units(length_in(svg, "width"), length_in(svg, "height"));
+    if (has_box && units == Vec2(0, 0)) units = {box[2], box[3]};
+    art_.size = units * mm;
+    if (!(art_.size.x > 0 && art_.size.y > 0 && std::max(art_.size.x, art_.size.y) <= longest_side))
+      refuse(svg, "the drawing has no size", "give the <svg> a width and a height, such as 297mm and 210mm");
+    const Vec2 scale = has_box ? art_.size / Vec2(box[2], box[3]) : Vec2(mm);
+    const Vec2 origin = has_box ? Vec2(box[0], box[1]) : Vec2(0);
+    return {{scale.x, 0}, {0, -scale.y}, {-origin.x * scale.x, art_.size.y + origin.y * scale.y}};
+  }
+
+  void read_style_sheets(const pugi::xml_node& node) {
+    for (const pugi::xml_node child : node.children()) {
+      const std::string_view name = child.name();
+      if (name == "defs" || name == "g") read_style_sheets(child);
+      if (name != "style") continue;
+      rules_.merge(read_rules(child.text().get()));
+      if (!rules_.others.empty())
+        refuse(child, "the style sheet has the selector '" + rules_.others.front() + "'",
+               "use elements, classes and ids alone, or attributes");
+    }
+  }
+
+  void read_element(const pugi::xml_node& element, const Context& parent) {
+    if (element.type() != pugi::node_element) return;
+    const std::string_view name = element.name();
+    if (std::find(silent.begin(), silent.end(), name) != silent.end()) return;
+    const Context context = inside(element, parent);
+    if (!context.style.is_shown()) return;
+    const std::size_t first = art_.items.size();
+    if (name == "g") {
+      for (const pugi::xml_node child : element.children()) read_element(child, context);
+    } else if (name == "text") {
+      read_text(element, context);
+    } else {
+      read_shape(element, context);
+    }
+    note_area(element, first);
+  }
+
+  [[nodiscard]] Context inside(const pugi::xml_node& element, const Context& parent) const {
+    Context context = parent;
+    if (++context.depth > deepest) refuse(element, "has too many groups in groups");
+    // Not inherited.
+    for (const Effect& effect : effects)
+      if (const auto found = context.style.properties.find(effect.property); found != context.style.properties.end())
+        context.style.properties.erase(found);
+    context.style = style_of(element, context.style, rules_);
+    for (const Effect& effect : effects) expect_no_effect(element, context.style, effect);
+    for (const pugi::xml_attribute attribute : element.attributes())
+      if (std::string_view(attribute.name()).starts_with("on")) refuse(element, "has a script", "remove it");
+    if (const pugi::xml_attribute transform = element.attribute("transform")) {
+      const auto map = read_transform(transform.value());
+      if (!map) refuse(element, "has an unknown transform: '" + std::string(transform.value()) + "'");
+      context.map = parent.map.after(*map);
+    }
+    return context;
+  }
+
+  void expect_no_effect(const pugi::xml_node& element, const Style& style, const Effect& effect) const {
+    const std::string_view value = style.of(effect.property);
+    if (!value.empty() && std::find(effect.none.begin(), effect.none.end(), value) == effect.none.end())
+      refuse(element, "has '" + std::string(effect.property) + ": " + std::string(value) + "', which is not drawn",
+             effect.hint);
+  }
+
+  [[nodiscard]] std::optional<Colour> paint(const pugi::xml_node& element, const Style& style, const char* property,
+                                            std::string_view usual) const {
+    std::string_view word = style.of(property);
+    if (word.empty()) word = usual;
+    if (word == "none" || style.of(std::string(property) + "-opacity") == "0") return std::nullopt;
+    const auto colour = named_colour(word);
+    if (!colour)
+      refuse(element, "has the " + std::string(property) + " '" + std::string(word) + "'",
+             "use a flat colour such as #003366");
+    return colour;
+  }
+
+  void read_shape(const pugi::xml_node& element, const Context& context) {
+    const auto data = path_of_shape(element, [&](const char* name) { return length_in(element, name); });
+    if (!data) {
+      const std::string name = element.name();
+      const auto* const hint =
+          std::find_if(hints.begin(), hints.end(), [&](const auto& one) { return one.first == name; });
+      refuse(element, "has the element <" + name + ">, which is not drawn",
+             hint != hints.end() ? hint->second : "use paths, rectangles, lines, circles, polygons and texts");
+    }
+    auto path = read_path(*data, room_);
+    if (!path)
+      refuse(element, "has a path that cannot be read: '" + data->substr(0, 40) + "'",
+             "use the commands M L H V C Q A Z");
+    Shape shape{std::move(path->lines)};
+    for (Line& line : shape.lines)
+      for (Vec2& p : line.points) p = context.map(p);
+    shape.fill = paint(element, context.style, "fill", "#000");
+    shape.stroke = paint(element, context.style, "stroke", "none");
+    read_stroke(element, context, shape);
+    if (!shape.lines.empty()) art_.items.emplace_back(std::move(shape));
+  }
+
+  void read_stroke(const pugi::xml_node& element, const Context& context, Shape& shape) const {
+    const std::string_view width = context.style.of("stroke-width"), dashes = context.style.of("stroke-dasharray");
+    const auto units = width.empty() ? 1 : length_of(width);
+    if (!units) refuse(element, "has the line width '" + std::string(width) + "'", "give a length, such as 0.7");
+    shape.width = *units * context.map.scale();
+    if (shape.width == 0) shape.stroke.reset();
+    if (dashes.empty() || dashes == "none") return;
+    for (const std::string_view word : split_lengths(dashes)) {
+      const auto length = length_of(word);
+      if (!length) refuse(element, "has the dashes '" + std::string(dashes) + "'", "give lengths, such as 3, 0.75");
+      shape.dashes.push_back(*length * context.map.scale());
+    }
+    if (shape.dashes.size() % 2 == 1) shape.dashes.insert(shape.dashes.end(), shape.dashes.begin(), shape.dashes.end());
+  }
+
+  [[nodiscard]] static std::string name_of(const pugi::xml_node& element) {
+    const pugi::xml_attribute label = element.attribute("inkscape:label");
+    return normal_name(label ? label.value() : element.attribute("id").value());
+  }
+
+  void note_area(const pugi::xml_node& element, std::size_t first) {
+    const std::string name = name_of(element);
+    if (std::find(wanted_.begin(), wanted_.end(), name) == wanted_.end()) return;
+    Area area{name, Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
+    for (std::size_t i = first; i < art_.items.size(); ++i)
+      if (const auto* shape = std::get_if<Shape>(&art_.items[i]))
+        for (const Line& line : shape->lines)
+          for (const Vec2& p : line.points) {
+            area.min = glm::min(area.min, p);
+            area.max = glm::max(area.max, p);
+          }
+    if (area.min.x < area.max.x && area.min.y < area.max.y) art_.areas.push_back(std::move(area));
+  }
+
+  // A text may have a <tspan> for each of its lines, each with a place of its own.
+  void read_text(const pugi::xml_node& element, const Context& context) {
+    read_words(element, context, element, name_of(element));
+  }
+
+  void read_words(const pugi::xml_node& node, const Context& context, const pugi::xml_node& text,
+                  const std::string& name) {
+    Words words;
+    for (const pugi::xml_node child : node.children()) {
+      if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) {
+        words.text += child.value();
+      } else if (std::string_view(child.name()) == "tspan") {
+        if (!child.attribute("x") && !child.attribute("y") && !child.first_element_by_path("tspan"))
+          words.text += child.text().get();
+        else
+          read_words(child, inside(child, context), text, name);
+      } else if (child.type() == pugi::node_element && std::string_view(child.name()) != "title") {
+        refuse(child, "a text has the element <" + std::string(child.name()) + ">", "use plain texts");
+      }
+    }
+    const bool is_blank = words.text.find_first_not_of(" \t\r\n") == std::string::npos;
+    const bool is_empty_field = is_blank && node == text && !node.child("tspan") && !name.empty();
+    if (!is_blank || is_empty_field) add_words(std::move(words), node, context, text, name);
+  }
+
+  void add_words(Words words, const pugi::xml_node& node, const Context& context, const pugi::xml_node& text,
+                 const std::string& name) {
+    const auto place = [&](const char* axis) { return length_in(node.attribute(axis) ? node : text, axis); };
+    const AffineMap& map = context.map;
+    const auto size = length_of(context.style.of("font-size"));
+    if (!size) refuse(node, "a text has no size in units", "give it a font-size, such as 3.5px");
+    const double along = glm::length(map.along), across = glm::length(map.across);
+    const double turned = map.along.x * map.across.y - map.along.y * map.across.x;
+    if (std::abs(turned + along * across) > 1e-6 * along * across || std::abs(along - across) > 0.01 * along)
+      refuse(node, "a text is mirrored or slanted", "only scale and turn it");
+    words.at = map({place("x"), place("y")});
+    words.size = *size * across;
+    words.angle = portable_atan2(map.along.y, map.along.x) * 180 / std::numbers::pi;
+    const std::string_view anchor = context.style.of("text-anchor");
+    words.anchor = anchor == "middle" ? TextAnchor::middle : anchor == "end" ? TextAnchor::end : TextAnchor::start;
+    words.colour = paint(node, context.style, "fill", "#000").value_or(Colour());
+    words.name = name;
+    words.where = line_at(text.offset_debug());
+    art_.items.emplace_back(std::move(words));
+  }
+
+  std::string_view bytes_;
+  const std::string& where_;
+  std::span<const std::string_view> wanted_;
+  Rules rules_{};
+  PieceRoom room_;
+  Artwork art_{};
+};
+
+}  // namespace
+
+Artwork read_artwork(std::string_view bytes, const std::string& where, std::span<const std::string_view> areas) {
+  return Reader(bytes, where, areas).read();
+}
+
+}  // namespace epura::svg
