@@ -3,7 +3,6 @@
 #pragma once
 
 #include <epura/epura.hpp>
-
 #include <exception>
 #include <new>
 #include <stdexcept>
