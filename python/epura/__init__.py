@@ -18,13 +18,13 @@ from ._draw import draw
 from ._drawing import KINDS, Arc, DrawnView, Drawing, Layer
 from ._errors import Error, InputError, OutputError, PluginError, TimeError
 from ._models import Model
-from ._parts import (BrokenOut, Datum, Detail, Dimension, Explode, Note, PartsList, Revision, Section, Sheet, Style,
+from ._parts import (BrokenOut, Datum, Detail, Dimension, Explode, Note, PartsList, Revision, Revolved, Section, Sheet, Style,
                      SurfaceTexture, Table, ToleranceFrame, View)
 from ._scene import Scene
 
 __all__ = [
     "Arc", "BrokenOut", "Comparison", "Datum", "Detail", "Dimension", "Drawing", "DrawnView", "Error", "Explode",
-    "InputError", "KINDS", "Layer", "Model", "Note", "OutputError", "PartsList", "PluginError", "Revision", "Scene",
+    "InputError", "KINDS", "Layer", "Model", "Note", "OutputError", "PartsList", "PluginError", "Revision", "Revolved", "Scene",
     "Section", "Sheet", "Style", "SurfaceTexture", "Table", "TimeError", "ToleranceFrame", "View", "compare", "draw",
     "projection",
 ]

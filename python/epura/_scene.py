@@ -11,7 +11,7 @@ from ._values import Node, fields_of, node
 from .projection import Projection, is_projection
 
 #: The lists of a scene whose key in scene files is not their name without s.
-_SINGULAR = {"explosions": "explode"}
+_SINGULAR = {"explosions": "explode", "revolved": "revolved"}
 
 
 @dataclass
@@ -29,6 +29,7 @@ class Scene:
     sections: Sequence[Any] = ()
     details: Sequence[Any] = ()
     broken_outs: Sequence[Any] = ()
+    revolved: Sequence[Any] = ()
     explosions: Sequence[Any] = ()
     dimensions: Sequence[Any] = ()
     notes: Sequence[Any] = ()
