@@ -67,7 +67,11 @@ enum class DecimalSign { point, comma };
 
 /// `automatic` stands for overall dimensions and those of all recognised features: holes, shafts, slots, steps,
 /// fillets.
-enum class DimensionType { linear, aligned, angular, radius, diameter, overall, automatic };
+enum class DimensionType { linear, aligned, angular, radius, diameter, arc, overall, automatic };
+
+/// How several lengths from one place are arranged (ISO 129-1): on lines of their own, one above another, from the
+/// first place; in one row, each from the place before; or on one line with arrows from a common origin.
+enum class DimensionArrangement { baseline, chain, ordinate };
 
 /// How automatic dimensions give holes: a note for equal ones and dimensions of their positions, or a label at each and
 /// a table of positions and sizes.
@@ -76,8 +80,20 @@ enum class HoleDimensions { notes, table };
 /// Linear dimensions: direction on paper. Overall dimensions: width, height and depth along x, z and y of the world.
 enum class DimensionDirection { horizontal, vertical, width, height, depth };
 
-/// Kind of edge that a line shows, in order of priority for coincident lines. `section` is the outline of a cut face.
-enum class EdgeKind : unsigned char { contour, boundary, crease, intersection, section, wire, tangent, smooth };
+/// Kind of edge that a line shows, in order of priority for coincident lines. `section` is the outline of a cut face,
+/// `thread` the root of a screw thread, `thread_end` the end of its useful length (ISO 6410-1).
+enum class EdgeKind : unsigned char {
+  contour,
+  boundary,
+  crease,
+  intersection,
+  section,
+  thread_end,
+  wire,
+  thread,
+  tangent,
+  smooth
+};
 
 /// Lettering in SVG: outlines look the same everywhere; text is searchable, but needs the font installed.
 enum class SvgText { outlines, text };

@@ -50,6 +50,8 @@ scene::Options<InfoOptions> info_options() {
       scene::option<Info>(
           {.flag = "models", .help = "model files, as of 'epura draw'", .required = true, .repeatable = true},
           &Info::models, file_name("MODEL...")),
+      scene::option<Info>({.flag = "--density", .help = "density of the bodies, for their mass"}, &Info::density,
+                          scene::number_between(1e-3, 1e5, "kg/m³").shown_as("D")),
       plugin_path_option<Info>(&Info::plugin_path),
       scene::option<Info>({.flag = "--json", .help = "the same as JSON; - for standard output"}, &Info::json,
                           file_name("FILE")),

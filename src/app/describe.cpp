@@ -45,9 +45,10 @@ scene::SceneDescription described_by_file(const DrawOptions& options) {
     throw Error(ErrorKind::input, file, "is a scene file and cannot be combined with other models",
                 "name the models in the scene file, or omit it");
   const scene::ModelDescription& model = options.model;
-  if (!options.transforms.empty() || model.unit.given() || model.up.given() || model.surfaces.given())
+  if (!options.transforms.empty() || model.unit.given() || model.up.given() || model.surfaces.given() ||
+      model.density.given())
     throw Error(ErrorKind::input, file,
-                "--transform, --unit, --up and --surfaces apply only to models on the command line",
+                "--transform, --unit, --up, --surfaces and --density apply only to models on the command line",
                 "set them in [[model]] of the scene file");
   scene::SceneDescription scene = scene::read_scene_file(
       file, options.run.allow_outside ? scene::FilesOutside::allowed : scene::FilesOutside::refused);
@@ -87,12 +88,14 @@ void add_details(scene::SceneDescription& scene, const std::vector<scene::Locate
   }
 }
 
-void add_dimensions(scene::SceneDescription& scene, const scene::Located<AutomaticDimensions>& option) {
+void add_dimensions(scene::SceneDescription& scene, const DrawOptions& options) {
+  const scene::Located<AutomaticDimensions>& option = options.dimensions;
   const bool overall = *option == AutomaticDimensions::overall;
   scene::DimensionDescription& dimension = scene.dimensions.emplace_back();
   dimension.where = option.where;
   dimension.type = {overall ? DimensionType::overall : DimensionType::automatic, option.where};
   if (*option == AutomaticDimensions::hole_table) dimension.holes = {HoleDimensions::table, option.where};
+  dimension.arrangement = options.arrangement;
 }
 
 }  // namespace
@@ -111,7 +114,10 @@ scene::SceneDescription describe(const DrawOptions& options) {
   if (options.section.given()) cut_by_option(scene, options.section);
   add_details(scene, options.details);
   if (options.explode.given()) scene.explosions.push_back({.where = options.explode.where, .factor = options.explode});
-  if (options.dimensions.given()) add_dimensions(scene, options.dimensions);
+  if (options.arrangement.given() &&
+      options.dimensions.value_or(AutomaticDimensions::overall) == AutomaticDimensions::overall)
+    throw Error(ErrorKind::input, options.arrangement.where, "needs automatic dimensions", "add --dimensions auto");
+  if (options.dimensions.given()) add_dimensions(scene, options);
   if (options.parts_list && !scene.parts_list) scene.parts_list = scene::PartsListDescription{"--parts-list"};
   pipeline::complete_scene(scene);
   for (scene::SheetDescription& sheet : scene.sheets) {

@@ -150,6 +150,11 @@ scene::Options<Draw> picture_options() {
            .help = "overall: add width, height and depth, each in the clearest view; auto: also sizes of features; "
                    "hole-table: like auto, with the holes in a table"},
           &Draw::dimensions, scene::choice<AutomaticDimensions>().shown_as("WHICH")),
+      scene::option<Draw>({.flag = "--arrangement",
+                           .help = "arrangement of the positions among automatic dimensions: parallel lines, a chain, "
+                                   "or one line with a common origin",
+                           .usual = "single dimensions, equal distances as one"},
+                          &Draw::arrangement, scene::choice<DimensionArrangement>().shown_as("KIND")),
       scene::option<Draw>({.flag = "--parts-list",
                            .help = "add a list of the parts above the title block, and their numbers in the views"},
                           &Draw::parts_list, scene::truth()),

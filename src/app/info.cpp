@@ -22,6 +22,8 @@
 #include "output/json_text.hpp"
 #include "pipeline/targets.hpp"
 #include "scene/choices.hpp"
+#include "scene/mass.hpp"
+#include "sheet/notation.hpp"
 
 namespace epura {
 
@@ -44,6 +46,8 @@ struct ModelInfo {
   bool is_declared = false;  ///< faces are declared by the file; otherwise recognised
   std::vector<features::Hole> holes;
   std::vector<importer::TreePart> tree;
+  std::vector<scene::Solid> solids;             ///< in millimetres if the unit is known, or else in that of the file
+  std::optional<scene::MassProperties> mass{};  ///< of all bodies, if they are closed
 
   [[nodiscard]] bool closed() const { return report.triangles > 0 && report.open_edges == 0; }
 };
@@ -96,16 +100,30 @@ std::optional<Unit> guess_unit(const Box& box, const features::PartFaces& part) 
   return largest >= 5 && largest <= 2e4 ? std::optional(Unit::mm) : std::nullopt;
 }
 
-ModelInfo info_of(const std::string& path, const std::vector<std::filesystem::path>& plugin_path) {
+// Bodies with millimetres as the unit of length if the file states its unit.
+void measure(ModelInfo& info, const mesh::Mesh& mesh, std::optional<double> density) {
+  const double scale = info.unit.value_or(1);
+  Mat4 to_millimetres(scale);
+  to_millimetres[3][3] = 1;
+  info.solids = scene::solids_of(mesh, to_millimetres);
+  const bool closed = std::all_of(info.solids.begin(), info.solids.end(),
+                                  [](const scene::Solid& solid) { return solid.fault.empty(); });
+  if (!closed || info.solids.empty()) return;
+  info.mass = scene::sum_of(info.solids, std::vector<double>(info.solids.size(), density.value_or(0)));
+}
+
+ModelInfo info_of(const std::string& path, const InfoOptions& options) {
   const importer::ModelRequest request = importer::parse_model_request(path);
-  const importer::ReadModel read = importer::read_model(request.path, request.parameters, {.plugin_path = plugin_path});
+  const importer::ReadModel read =
+      importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path});
   const mesh::Mesh& mesh = read.mesh;
-  ModelInfo info{mesh.report, box_of(mesh), read.unit, std::nullopt, {}, false, {}, read.tree};
+  ModelInfo info{mesh.report, box_of(mesh), read.unit, std::nullopt, {}, false, {}, read.tree, {}};
   info.part = read.part != nullptr ? *read.part : features::recognise_faces(mesh);
   info.is_declared = read.part != nullptr;
   info.report.name = request.path;
   info.holes = features::find_holes(mesh, info.part);
   if (!read.unit) info.guessed_unit = guess_unit(info.box, info.part);
+  measure(info, mesh, options.density);
   return info;
 }
 
@@ -189,6 +207,27 @@ std::string radii_text(const features::PartFaces& part, features::SurfaceKind ki
     text += (text.empty() ? "" : ", ") + radius.first;
     if (radius.second > 1) text += " (" + std::to_string(radius.second) + ")";
   }
+  return text;
+}
+
+// Volume, surface, centre of gravity and, with a density, mass; or why there is none.
+std::string mass_lines(const ModelInfo& info, const Rounded& rounded) {
+  constexpr int digits = 6;
+  if (info.solids.empty()) return {};
+  if (!info.mass) {
+    for (const scene::Solid& solid : info.solids)
+      if (!solid.fault.empty())
+        return line_of("volume",
+                       "none, as body " + std::to_string(solid.body) + " is not a closed solid: " + solid.fault);
+  }
+  const std::string unit = info.unit ? " mm" : "";
+  std::string text =
+      line_of("volume", format_rounded(info.mass->volume, digits) + (info.unit ? " mm³" : "") + ", surface " +
+                            format_rounded(info.mass->area, digits) + (info.unit ? " mm²" : ""));
+  text += line_of("centre", rounded(info.mass->centre) + unit + ", of gravity");
+  if (info.mass->mass)
+    text += line_of("mass", sheet::mass_text(*info.mass->mass, DecimalSign::point) +
+                                (info.unit ? "" : ", if the unit of the file is mm"));
   return text;
 }
 
@@ -300,6 +339,7 @@ std::string text_of(const ModelInfo& info) {
                               ? "not in the file; probably " + std::string(scene::word_of(*info.guessed_unit))
                               : "not in the file");
   text += line_of("bodies", bodies_text(info));
+  text += mass_lines(info, rounded);
   if (info.tree.size() > 1) {
     const std::vector<std::string> lines = tree_lines(info.tree);
     for (std::size_t i = 0; i < lines.size(); ++i) text += line_of(i == 0 ? "parts" : "", lines[i]);
@@ -364,6 +404,10 @@ std::string json_of(const ModelInfo& info) {
   text += number("bodies", report.bodies) + ", \"closed\": " + truth(info.closed()) +
           number("open_edges", report.open_edges) + number("non_manifold_edges", report.non_manifold_edges) +
           number("misoriented_edges", report.misoriented_edges);
+  if (info.mass)
+    text += ",\n   \"volume\": " + json_number(info.mass->volume) + ", \"area\": " + json_number(info.mass->area) +
+            ", \"mass\": " + (info.mass->mass ? json_number(*info.mass->mass) : "null") +
+            ", \"centre_of_gravity\": " + json_of(info.mass->centre);
   text += ",\n   \"body_names\": " + json_list(info.report.body_names, json_string);
   if (!report.body_colours.empty()) {
     const auto colour = [](const std::optional<Colour>& c) { return c ? json_string(hexadecimal(*c)) : "null"; };
@@ -387,7 +431,7 @@ std::string json_of(const ModelInfo& info) {
 int info(const InfoOptions& options) {
   if (!options.json.empty()) pipeline::refuse_overwriting({options.json}, options.models);
   std::vector<ModelInfo> models;
-  for (const std::string& model : options.models) models.push_back(info_of(model, options.plugin_path));
+  for (const std::string& model : options.models) models.push_back(info_of(model, options));
   if (!options.json.empty()) {
     const std::string list = json_list(
         models, [](const auto& m) { return json_of(m); }, ",\n  ");

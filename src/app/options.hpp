@@ -50,6 +50,7 @@ struct DrawOptions {
   std::vector<scene::Located<scene::DetailRequest>> details;
   scene::Located<double> explode;
   scene::Located<AutomaticDimensions> dimensions;
+  scene::Located<DimensionArrangement> arrangement{};
   bool parts_list = false;
   output::VectorOptions vector;
   pipeline::RunOptions run;
@@ -121,7 +122,8 @@ struct CompareOptions {
 struct InfoOptions {
   std::vector<std::string> models;
   std::vector<std::filesystem::path> plugin_path;
-  std::string json;  ///< file to write; empty: none
+  std::string json;               ///< file to write; empty: none
+  std::optional<double> density;  ///< kg/m³, of all bodies
 };
 
 struct SnapshotOptions {

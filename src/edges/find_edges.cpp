@@ -13,6 +13,7 @@
 #include "edges/feature_edges.hpp"
 #include "edges/slivers.hpp"
 #include "edges/smooth_contours.hpp"
+#include "edges/thread_lines.hpp"
 
 namespace epura::edges {
 
@@ -120,17 +121,16 @@ FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene&
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
     add_mesh_edges({world, model, view.map.normalisation}, view, options, drawn, progress);
   smooth_contours(world, view, options, drawn);
-  if (!options.intersection) {
-    check_sound(drawn, view);
-    return drawn;
+  if (options.intersection) {
+    const double normalisation = view.map.normalisation;
+    auto [crossings, searched] = find_intersections(world, normalisation, view.contact.in_space, candidates,
+                                                    progress.with_part_of_the_time(part_for_search));
+    drawn.crossings = std::move(crossings);
+    drawn.searched = searched;
+    drop_contacts(world, normalisation, options.crease_angle, drawn, progress.with_part_of_the_time(part_for_search));
+    add_intersections(world, view, drawn);
   }
-  const double normalisation = view.map.normalisation;
-  auto [crossings, searched] = find_intersections(world, normalisation, view.contact.in_space, candidates,
-                                                  progress.with_part_of_the_time(part_for_search));
-  drawn.crossings = std::move(crossings);
-  drawn.searched = searched;
-  drop_contacts(world, normalisation, options.crease_angle, drawn, progress.with_part_of_the_time(part_for_search));
-  add_intersections(world, view, drawn);
+  add_thread_lines(world, view, options.thread_depth, drawn);
   check_sound(drawn, view);
   return drawn;
 }

@@ -19,6 +19,7 @@ struct EdgeOptions {
   double crease_angle = 30;  ///< least angle between the triangles' normals at a crease of a mesh, degrees
   double weak_angle = 180;   ///< the same where the edge continues a crease; without effect from crease_angle on
   double part_angle = 5;     ///< the same for a border between recognised faces of a part, along all of it
+  double thread_depth = 0;   ///< least distance between the lines of crests and roots of threads, units of the world
 };
 
 /// A straight segment, to be split into visible and hidden spans.
@@ -27,8 +28,8 @@ struct FeatureEdge {
   std::array<double, 2> t;    ///< 3D parameters of its ends along the original edge (Mesh::origin_of)
   EdgeKind kind;
   int model;
-  int mesh_edge;                     ///< number in its model; -1 for an intersection line
-  int crossing;                      ///< index in FeatureEdges::crossings of an intersection line; otherwise -1
+  int mesh_edge;                     ///< number in its model; -1 for a line of an intersection or thread
+  int crossing;                      ///< index in FeatureEdges::crossings of such a line; otherwise -1
   std::array<int, 2> shown{-1, -1};  ///< vertices of the view at which its ends are drawn; -1: not moved
   bool by_chance = false;            ///< a contour of facets where their surface has none: drawn as an outline only
 };
@@ -40,9 +41,10 @@ struct MetAcrossSlivers {
 };
 
 struct FeatureEdges {
-  std::vector<FeatureEdge> edges;                ///< in order of model and mesh edge, then the intersection lines
+  std::vector<FeatureEdge>
+      edges;  ///< in order of model and mesh edge, then the intersection lines, then those of threads
   std::vector<MetAcrossSlivers> beside_slivers;  ///< for edges next to slivers, in order of model and mesh edge
-  std::vector<FaceCrossing> crossings;
+  std::vector<FaceCrossing> crossings;           ///< intersections; lines of threads, with one triangle twice
   double moved = 0;     ///< greatest distance between ink and the edges that it shows; view units
   double searched = 1;  ///< fraction of the search for crossings that was completed in time
 };

@@ -74,6 +74,8 @@ std::string fold_of(const ExplainInput& drawn_view, const Subject& subject, bool
 
 std::string reason_for(const ExplainInput& drawn_view, const Subject& subject, EdgeKind kind) {
   if (kind == EdgeKind::wire) return "the file has a line here that bounds no face";
+  if (kind == EdgeKind::thread) return "the roots of a screw thread are here (ISO 6410-1)";
+  if (kind == EdgeKind::thread_end) return "the useful length of a screw thread ends here (ISO 6410-1)";
   const std::string faces = names_of(faces_at(drawn_view, subject));
   switch (kind) {
     case EdgeKind::contour:

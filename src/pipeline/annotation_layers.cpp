@@ -19,6 +19,7 @@
 #include "sheet/dimensions/dimensions.hpp"
 #include "sheet/frame.hpp"
 #include "sheet/free_rectangles.hpp"
+#include "sheet/gravity_symbol.hpp"
 #include "sheet/sight_arrows.hpp"
 
 namespace epura::pipeline {
@@ -31,6 +32,23 @@ std::vector<scene::DimensionDescription> dimensions_of(const Annotations& annota
   if (!view.partial.stages.empty())
     std::erase_if(dimensions, [](const auto& one) { return one.type.value == DimensionType::overall; });
   return dimensions;
+}
+
+// Unless the view leaves this place out.
+void add_gravity(std::vector<sheet::Layer>& marks, const drawing::ViewDrawing& drawing, const Vec3& centre,
+                 const sheet::LineWidths& widths) {
+  constexpr double radius = 2;  // mm
+  const Vec4 mapped = drawing.world_to_page * Vec4(centre, 1);
+  const Vec2 whole = Vec2(mapped) / mapped.w;
+  if (!(mapped.w > 0) || !drawing.breaks.keeps(whole)) return;
+  if (drawing.detail) {
+    const auto& [middle, half, round] = drawing.detail->boundary;
+    const Vec2 off = glm::abs(whole - middle);
+    if (round ? glm::length(off) > half.x : off.x > half.x || off.y > half.y) return;
+  }
+  sheet::Layer layer = sheet::empty_layer(drawing.name, scene::SheetLine::symbol, widths);
+  sheet::add_gravity_symbol(layer, drawing.breaks.moved(whole), radius);
+  marks.push_back(std::move(layer));
 }
 
 // Sorted by the names of their sections.
@@ -49,6 +67,7 @@ std::vector<sheet::Layer> marks_of(std::span<const Annotations> annotations, std
     for (const ViewArrow& arrow : annotations[i].arrows)
       arrows.push_back({arrow.letter, arrow.sight, (drawing.min + drawing.max) / 2.0});
     if (!arrows.empty()) marks.push_back(sheet::sight_arrows(drawing, arrows, widths));
+    if (annotations[i].centre_of_gravity) add_gravity(marks, drawing, *annotations[i].centre_of_gravity, widths);
   }
   return marks;
 }
@@ -212,7 +231,7 @@ std::vector<scene::CalloutDescription> callouts_of_sheet(const SheetInput& input
       });
   std::vector<scene::CalloutDescription> callouts;
   for (const scene::CalloutDescription& one : input.scene.callouts) {
-    if (one.to.given() || one.sheet.value_or(1) != input.views.sheet + 1) continue;
+    if (one.to.given() || one.dimension.given() || one.sheet.value_or(1) != input.views.sheet + 1) continue;
     callouts.push_back(one);
     if (auto* texture = std::get_if<scene::SurfaceTexture>(&callouts.back().content)) texture->others = has_textures;
   }
@@ -279,14 +298,46 @@ void add_layers(AnnotationLayers& result, sheet::Neighbours& around, sheet::Call
     if (!layer->strokes.empty() || !layer->texts.empty()) result.layers.push_back(std::move(*layer));
 }
 
-// Notes and symbols with leaders, in layers of their own.
+// Datums and frames in line with dimension lines, which show that they mean an axis or median plane (ISO 5459). Where
+// arrows are outside, one makes room.
+std::vector<sheet::Callout> attach(sheet::PlacedLayer& placed, std::span<const scene::CalloutDescription> attached,
+                                   const sheet::DimensionStyle& style) {
+  std::vector<sheet::Callout> callouts;
+  std::vector<int> replaced;
+  for (const scene::CalloutDescription& one : attached) {
+    std::vector<sheet::DimensionEnd>& ends = placed.ends[*one.dimension];
+    std::stable_sort(ends.begin(), ends.end(),
+                     [](const auto& a, const auto& b) { return !a.arrow.has_value() && b.arrow.has_value(); });
+    if (ends.empty())
+      throw Error(ErrorKind::input, one.dimension.where,
+                  "dimension '" + *one.dimension + "' has no free end of a straight dimension line for " + name_of(one),
+                  "refer to a length, or to a diameter in a view across its axis, to which nothing else is attached");
+    const auto target = [](const sheet::DimensionEnd& end) {
+      return sheet::CalloutTarget{end.point, scene::LeaderEnd::arrow, end.outwards, true, true};
+    };
+    sheet::Callout& callout = callouts.emplace_back(drawn(one, style));
+    callout.target = target(ends.front());
+    if (ends.front().arrow) replaced.push_back(*ends.front().arrow);
+    if (ends.size() > 1 && !ends[1].arrow && attached.size() == 1) callout.other = target(ends[1]);
+    ends.erase(ends.begin());
+  }
+  std::sort(replaced.rbegin(), replaced.rend());
+  for (const int arrow : replaced) placed.layer.fills.erase(placed.layer.fills.begin() + arrow);
+  return callouts;
+}
+
+/// Callouts by view.
+using CalloutsOfViews = std::vector<std::vector<sheet::Callout>>;
+
+// Notes and symbols with leaders, in layers of their own; first those that are attached to dimensions.
 void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
-                  std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+                  std::span<const ViewResult> views, const sheet::DimensionStyle& style, CalloutsOfViews attached) {
   for (std::size_t i = 0; i < views.size(); ++i) {
-    std::vector<sheet::Callout> callouts;
+    std::vector<sheet::Callout> callouts = std::move(attached[i]);
+    const std::size_t before = callouts.size();
     for (const ViewCallout& callout : input.annotations[i].callouts) {
       callouts.push_back(drawn(callout.description, style));
-      callouts.back().target = input.targets[i][callouts.size() - 1];
+      callouts.back().target = input.targets[i][callouts.size() - before - 1];
     }
     if (callouts.empty()) continue;
     const drawing::ViewDrawing& drawing = views[i].drawing;
@@ -525,6 +576,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
   std::optional<sheet::Lettering> lettering;
   sheet::Neighbours around;
   std::vector<sheet::TurnedBox> reserved;
+  CalloutsOfViews attached(views.size());
   const auto style = [&] {
     return sheet::DimensionStyle{*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation};
   };
@@ -563,11 +615,12 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     if (!sheet::on_paper(layer, {paper.width, paper.height}))
       result.warnings.push_back("dimensions of the view '" + drawing.name +
                                 "' extend beyond the sheet\n  hint: use a smaller scale or a larger sheet");
+    if (placed.count == dimensions.size()) attached[i] = attach(placed, input.annotations[i].attached, style());
     add_boxes(around.boxes, layer, *lettering);
     result.layers.push_back(std::move(layer));
   }
   if (lettering) {
-    add_callouts(result, around, input, views, style());
+    add_callouts(result, around, input, views, style(), std::move(attached));
     add_balloons(result, around, input, views, style());
     add_tables(result, around, input, views, style());
     add_text_tables(result, around, input, views, style());

@@ -11,12 +11,14 @@
 #include "base/text.hpp"
 #include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
+#include "pipeline/mass.hpp"
 #include "scene/design_features.hpp"
 #include "scene/true_extents.hpp"
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/automatic.hpp"
 #include "sheet/dimensions/overall.hpp"
+#include "sheet/dimensions/thread_notes.hpp"
 
 namespace epura::pipeline {
 
@@ -89,6 +91,12 @@ void add_dimensions(std::vector<Annotations>& annotations, const scene::World& w
     const auto view = std::size_t(here(view_of(dimension, scene)) - views.begin());
     return view < views.size() && is_left_out(dimension, world, sheet.plans[view].options.breaks, seen[view]);
   };
+  if (!scene.threads.empty() && sheet.sheet == 0 && !dimensions_features(scene)) {
+    const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
+    for (const scene::DimensionDescription& one :
+         sheet::thread_dimensions(scene.threads, projections, scene::find_design_features(world), notation))
+      if (!is_outside(one)) add(one);
+  }
   for (const scene::DimensionDescription& dimension : scene.dimensions) {
     if (!is_open(dimension)) {
       add(dimension);
@@ -138,6 +146,9 @@ void add_details(std::vector<Annotations>& annotations, const scene::SceneDescri
 void add_callouts(std::vector<Annotations>& annotations, const scene::World& world,
                   const scene::SceneDescription& scene, const SheetOfViews& sheet) {
   for (const scene::CalloutDescription& callout : scene.callouts) {
+    if (callout.dimension.given())
+      for (std::size_t i = 0; i < annotations.size(); ++i)
+        if (*sheet.descriptions[i].name == view_of_callout(callout, scene)) annotations[i].attached.push_back(callout);
     if (!callout.to.given()) continue;
     const std::string& name = callout.view.given() ? *callout.view : *scene.views.front().name;
     for (std::size_t i = 0; i < annotations.size(); ++i) {
@@ -181,6 +192,11 @@ std::vector<Annotations> annotate(const scene::World& world, const scene::SceneD
   add_details(annotations, scene, sheet.descriptions);
   add_callouts(annotations, world, scene, sheet);
   add_balloons(annotations, scene, sheet);
+  for (std::size_t i = 0; i < annotations.size(); ++i) {
+    const scene::Located<bool>& wanted = sheet.descriptions[i].centre_of_gravity;
+    if (wanted.value_or(false) && !sheet.plans[i].options.exploded)
+      annotations[i].centre_of_gravity = mass_of(world, scene, false, wanted.where).centre;
+  }
   for (std::size_t i = 0; i < seen.size(); ++i)
     if (const auto parent = parent_of(sheet, i))
       annotations[*parent].arrows.push_back(

@@ -2,6 +2,7 @@
 // Dimensions and sections of a scene -> annotations of each view on a sheet.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,12 +25,14 @@ struct ViewArrow {
 
 struct Annotations {
   std::vector<scene::DimensionDescription> dimensions;
-  std::vector<scene::CuttingSurface> planes;        ///< of sections marked in this view
-  std::vector<sheet::HoleTable> tables{};           ///< of holes in this view
-  std::vector<scene::DetailDescription> details{};  ///< of this view, shown by other views of the scene
-  std::vector<ViewArrow> arrows{};                  ///< of auxiliary views beside this one
-  std::vector<ViewCallout> callouts{};              ///< with leaders into this view
-  bool balloons = false;                            ///< the view may have balloons
+  std::vector<scene::CuttingSurface> planes;          ///< of sections marked in this view
+  std::vector<sheet::HoleTable> tables{};             ///< of holes in this view
+  std::vector<scene::DetailDescription> details{};    ///< of this view, shown by other views of the scene
+  std::vector<ViewArrow> arrows{};                    ///< of auxiliary views beside this one
+  std::vector<ViewCallout> callouts{};                ///< with leaders into this view
+  std::vector<scene::CalloutDescription> attached{};  ///< in line with dimensions of this view
+  bool balloons = false;                              ///< the view may have balloons
+  std::optional<Vec3> centre_of_gravity{};            ///< of the models, if its symbol is wanted
 };
 
 /// By view of the sheet; `seen` has the projected views in the same order. A dimension without a view belongs to the

@@ -211,9 +211,17 @@ sheet::Callout drawn(const scene::CalloutDescription& callout, const sheet::Dime
   return result;
 }
 
+const std::string& view_of_callout(const scene::CalloutDescription& callout, const scene::SceneDescription& scene) {
+  if (callout.view.given()) return *callout.view;
+  for (const scene::DimensionDescription& dimension : scene.dimensions)
+    if (callout.dimension.given() && dimension.name.value == callout.dimension.value && dimension.view.given())
+      return *dimension.view;
+  return *scene.views.front().name;
+}
+
 void expect_datums(const scene::SceneDescription& scene) {
   const auto sheet_of = [&scene](const scene::CalloutDescription& callout) {
-    const std::string& name = callout.view.given() ? *callout.view : *scene.views.front().name;
+    const std::string& name = view_of_callout(callout, scene);
     const auto is_it = [&name](const scene::ViewDescription& view) { return *view.name == name; };
     return std::find_if(scene.views.begin(), scene.views.end(), is_it)->sheet.value_or(1);
   };

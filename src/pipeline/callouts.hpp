@@ -34,6 +34,9 @@ struct CalloutTargets {
 CalloutTargets find_targets(const scene::World& world, const drawing::ViewDrawing& drawing,
                             std::span<const ViewCallout> callouts);
 
+/// The name of the view in which a callout with a leader or at a dimension stands.
+const std::string& view_of_callout(const scene::CalloutDescription& callout, const scene::SceneDescription& scene);
+
 /// Throws Error{input} for tolerances that refer to datums which are not on their sheets, and for two datums with one
 /// letter on a sheet. The views of callouts must exist.
 void expect_datums(const scene::SceneDescription& scene);

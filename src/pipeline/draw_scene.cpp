@@ -16,6 +16,7 @@
 #include "pipeline/details.hpp"
 #include "pipeline/line_facts.hpp"
 #include "pipeline/lint.hpp"
+#include "pipeline/mass.hpp"
 #include "pipeline/plan_steps.hpp"
 #include "pipeline/questions.hpp"
 #include "pipeline/read_models.hpp"
@@ -25,6 +26,9 @@
 #include "pipeline/shown_worlds.hpp"
 #include "pipeline/tell.hpp"
 #include "pipeline/view_plan.hpp"
+#include "scene/place_threads.hpp"
+#include "sheet/dimensions/anchors.hpp"
+#include "sheet/line_styles.hpp"
 #include "sheet/standard_scale.hpp"
 #include "verify/verify.hpp"
 #include "view/condition.hpp"
@@ -38,11 +42,14 @@ void add_all(std::vector<Item>& list, const std::vector<Item>& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
 
+// Between the lines of crests and roots, mm; also at least two wide lines. ISO 6410-1.
+constexpr double least_thread = 0.7;
+
 using WorldOfView = std::function<const scene::World&(std::size_t)>;
 
 /// The state of a run.
 struct Run {
-  const scene::SceneDescription& scene;
+  scene::SceneDescription scene;
   const RunOptions& options;
   const Messages& messages;
   Progress progress;
@@ -175,6 +182,8 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
   if (options.lint) add_all(dimensioned, anchored_dimensions(whole, views, seen, annotations));
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
+  const double wide = sheet::line_widths(plan.furniture.paper).wide;
+  for (PlannedView& view : views.plans) view.options.least_thread = std::max(least_thread, 2 * wide);
   if (plan.chosen && plan.inside) messages.warn(sentence_of_scale(plan));
   warn_about_details(messages, views, plan);
   std::vector<ViewResult> results;
@@ -221,10 +230,19 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   return sheet;
 }
 
+void place_threads(scene::World& world, const scene::SceneDescription& scene) {
+  std::vector<Vec3> positions;
+  for (const scene::ThreadDescription& thread : scene.threads)
+    positions.push_back(sheet::position_of(world, *thread.at, thread.at.where));
+  scene::place_threads(world, scene.threads, positions);
+}
+
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
   scene::World world = read_models(scene, read_options(scene, options), report.meshes, messages, progress);
   watch.lap("read");
   recognise_parts(world, scene, options, report, progress);
+  place_threads(world, scene);
+  complete_mass(scene, world);
   watch.lap("features");
   const ShownWorlds worlds(std::move(world), scene, messages, progress);
   if (!scene.explosions.empty() || !worlds.surfaces().empty()) watch.lap("section");

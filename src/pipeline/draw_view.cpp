@@ -229,7 +229,9 @@ Candidates ViewRun::find_candidates_in_time() const {
 void ViewRun::find_edges() {
   Candidates candidates = find_candidates_in_time();
   try {
-    drawn_ = edges::find_feature_edges(input_.world, view_, options_.edges, candidates.triangles, budget_.lines);
+    edges::EdgeOptions options = options_.edges;
+    options.thread_depth = options_.least_thread / (input_.place.scale * view_.projection.scale);
+    drawn_ = edges::find_feature_edges(input_.world, view_, options, candidates.triangles, budget_.lines);
     if (drawn_.searched < 1) partial_.add_stage("finding intersections");
     partial_.searched = drawn_.searched;
   } catch (const OutOfTime& cut) {

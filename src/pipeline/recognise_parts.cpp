@@ -60,7 +60,7 @@ void recognise_parts(scene::World& world, const scene::SceneDescription& scene, 
                      report::Report& report, Progress progress) {
   // Dimensions of features need faces even where folds alone identify all edges.
   std::optional<double> least;
-  if (!dimensions_features(scene) && !options.lint) least = least_fold(world, scene, options);
+  if (!dimensions_features(scene) && !options.lint && scene.threads.empty()) least = least_fold(world, scene, options);
   std::vector<int> wanted;
   const bool asked = std::any_of(scene.views.begin(), scene.views.end(), is_asked);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)

@@ -58,8 +58,8 @@ struct Words<LayersBy> {
 
 template <>
 struct Words<EdgeKind> {
-  static constexpr std::array list{"contour", "boundary", "crease",  "intersection",
-                                   "section", "wire",     "tangent", "smooth"};
+  static constexpr std::array list{"contour",    "boundary", "crease", "intersection", "section",
+                                   "thread-end", "wire",     "thread", "tangent",      "smooth"};
 };
 /// The kinds that can be chosen; outlines of sections are always drawn.
 inline constexpr std::array<std::pair<EdgeKind, bool EdgeKinds::*>, 7> chosen_edge_kinds{
@@ -115,7 +115,12 @@ struct Words<DecimalSign> {
 
 template <>
 struct Words<DimensionType> {
-  static constexpr std::array list{"linear", "aligned", "angular", "radius", "diameter", "overall", "auto"};
+  static constexpr std::array list{"linear", "aligned", "angular", "radius", "diameter", "arc", "overall", "auto"};
+};
+
+template <>
+struct Words<DimensionArrangement> {
+  static constexpr std::array list{"baseline", "chain", "ordinate"};
 };
 
 template <>

@@ -339,7 +339,7 @@ void append(World& world, const ModelCut& cut) {
   world.first_triangle.push_back(static_cast<int>(world.triangles.size()));
   const Placed& whole = cut.world.models[cut.model];
   world.models.push_back(
-      {std::make_shared<const mesh::Mesh>(cut.make_mesh()), whole.to_world, whole.part, whole.styles});
+      {std::make_shared<const mesh::Mesh>(cut.make_mesh()), whole.to_world, whole.part, whole.styles, whole.threads});
   if (!cut.world.wires.empty()) append_wires(world, *world.models.back().mesh, first);
 }
 

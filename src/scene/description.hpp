@@ -49,6 +49,7 @@ struct ModelDescription {
   Located<HiddenLines> hidden;  ///< by default as in the view
   Located<Surfaces> surfaces;   ///< by default automatic
   Located<bool> drawn;          ///< by default true
+  Located<double> density{};    ///< kg/m³, of bodies whose style has none
 };
 
 /// The colour of lines.
@@ -70,7 +71,7 @@ struct StyleDescription {
   Located<double> hatch_pitch;  ///< mm on paper; chosen by default
   Located<bool> drawn;          ///< true by default
   LocatedText material;         ///< for the parts list
-  Located<double> density;      ///< kg/m³, for masses
+  Located<double> density;      ///< kg/m³, for masses; by default that of the model
 };
 
 /// A view of the models. A detail view shows its parent at a larger scale, see complete_details. Views without a
@@ -99,6 +100,7 @@ struct ViewDescription {
   Located<ConstructionChoice> construction;  ///< not of details
   Located<Vec2> at;                          ///< centre of its ink, mm from the lower left corner of the sheet
   Located<int> sheet;                        ///< number of its sheet, from 1; by default the first
+  Located<bool> centre_of_gravity{};         ///< whether its symbol is drawn; false by default
 };
 
 /// A plane that cuts the models; or parallel planes with steps between them; or planes that meet in axes, which are
@@ -164,16 +166,19 @@ struct DimensionDescription {
   LocatedText view;   ///< name of the view; by default the first one
   Located<DimensionType> type;
   Located<DimensionDirection> direction;  ///< linear: horizontal or vertical; overall: width, height or depth
-  std::vector<Anchor> anchors;   ///< two ends; angular: the vertex, then the ends of the legs; radius, diameter: a
-                                 ///< vertex on the circle; overall, auto: none
-  std::vector<Vec3> opposite{};  ///< linear: the ends if the dimension line is above or on the left; may be empty
+  std::vector<Anchor> anchors;   ///< two ends; in an arrangement, the origin and further places; angular: the vertex,
+                                 ///< then the ends of the legs; radius, diameter, arc: a vertex on the circle; overall,
+                                 ///< auto: none
+  std::vector<Vec3> opposite{};  ///< linear: the places if the dimension line is above or on the left; may be empty
   bool is_label = false;         ///< of a hole in a table: the text stands beside the circle; not in scene files
   std::optional<FeatureCircle> circle{};  ///< of radius and diameter, instead of an anchor; not in scene files
   Located<double> offset;           ///< of the dimension line from the anchors, mm on paper; its sign selects the side
   LocatedText text;                 ///< instead of the measured value; "<>" stands for the value
   LocatedText tolerance{};          ///< "±0.1", "+0.2 -0.1", "H7", "g6", "H7/g6"
   Located<HoleDimensions> holes{};  ///< auto: notes by default
-  Located<bool> limits{};           ///< whether limits of size are written; false by default
+  Located<DimensionArrangement> arrangement{};  ///< auto, and linear with several places; baseline by default
+  LocatedText name{};                           ///< to which datums and tolerance frames refer
+  Located<bool> limits{};                       ///< whether limits of size are written; false by default
 };
 
 /// How a leader ends: at the thing that it means. ISO 128-2.
@@ -197,10 +202,22 @@ struct CalloutDescription {
   std::string where;           ///< for errors
   LocatedText view{};          ///< name of the view with the leader; by default the first one
   Located<LeaderTarget> to{};  ///< no leader if not given
+  LocatedText dimension{};     ///< instead: name of a dimension, in line with which it stands
   Located<LeaderEnd> end{};    ///< by default an arrow on a line, otherwise a dot
   Located<Vec2> at{};          ///< upper left corner, mm from the lower left corner of the sheet; by default chosen
   Located<int> sheet{};        ///< without a leader: number of its sheet, from 1; by default the first
   std::variant<NoteText, ToleranceFrame, DatumFeature, SurfaceTexture> content{};
+};
+
+/// A screw thread in a hole or on a shaft, drawn as in ISO 6410-1.
+struct ThreadDescription {
+  std::string where{};      ///< for errors
+  LocatedText thread{};     ///< "M6", "M6x0.75", "M6-6H"
+  Located<Anchor> at{};     ///< on the hole or shaft, its rim or its axis; nearest to the end where the thread begins
+  Located<double> depth{};  ///< useful length, mm; by default all of the cylinder
+  Located<bool> equal{};    ///< whether all equal holes or shafts of the model have it; false by default
+  Located<bool> callout{};  ///< whether it has a dimension of its own; true by default
+  LocatedText view{};       ///< name of the view with that; by default the one that shows it best
 };
 
 /// A corner of the drawing area.
@@ -269,6 +286,7 @@ struct SceneDescription {
   std::vector<RevolvedDescription> revolved{};
   std::vector<ExplodeDescription> explosions;
   std::vector<DimensionDescription> dimensions;
+  std::vector<ThreadDescription> threads{};
   std::vector<CalloutDescription> callouts{};  ///< in the order of the scene
   std::vector<TableDescription> tables{};
   std::vector<RevisionDescription> revisions{};

@@ -12,6 +12,7 @@
 #include "base/portable_math.hpp"
 #include "scene/centred_features.hpp"
 #include "scene/design_holes.hpp"
+#include "scene/place_threads.hpp"
 #include "scene/placed_part.hpp"
 #include "scene/round_faces.hpp"
 
@@ -35,6 +36,11 @@ bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::m
 bool are_same(const std::optional<Recess>& a, const std::optional<Recess>& b) {
   if (!a || !b) return a.has_value() == b.has_value();
   return are_same(a->diameter, b->diameter) && are_same(a->size, b->size);
+}
+
+bool are_same(const std::optional<DesignThread>& a, const std::optional<DesignThread>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->text == b->text && a->number == b->number;
 }
 
 double distance_from_line(const Vec3& point, const Vec3& on_line, const Vec3& axis) {
@@ -73,6 +79,7 @@ class PartReader {
     for (DesignHole& hole : described.holes) found.holes.push_back(hole);
     found.cylinders.insert(found.cylinders.end(), described.bores.begin(), described.bores.end());
     add_shafts(found.cylinders);
+    for (const ThreadedFace& thread : world_.models[model_].threads) add_thread(thread, found);
     add_arcs(found);
     add_cones(found);
   }
@@ -150,6 +157,33 @@ class PartReader {
       if (round.face.surface.kind == SurfaceKind::cylinder && !round.face.inwards && round.is_whole())
         cylinders.push_back({model_, round.at(round.from), round.at(round.to), round.face.surface.axis,
                              round.face.surface.radius, false});
+  }
+
+  // To the hole or cylinder to which it belongs.
+  void add_thread(const ThreadedFace& threaded, DesignFeatures& found) const {
+    const features::PartFace& face = part_.faces[threaded.face];
+    const features::PartSurface& surface = face.surface;
+    const double way = threaded.from_high ? -1 : 1;
+    const double begin = threaded.from_high ? face.to : face.from;
+    DesignThread thread{threaded.thread.text, threaded.thread.diameter, threaded.number};
+    thread.end = surface.origin + (begin + way * threaded.length) * surface.axis;
+    const auto chamfer = continuation_of(part_, threaded.face, threaded.from_high);
+    if (threaded.is_partial) thread.length = threaded.length + (chamfer ? chamfer->height : 0);
+    const auto is_here = [&](const Vec3& point, const Vec3& axis, double radius) {
+      return are_same(radius, surface.radius) && are_parallel(axis, surface.axis) &&
+             distance_from_line(point, surface.origin, surface.axis) <= same_size * 10 * radius;
+    };
+    for (DesignHole& hole : found.holes)
+      if (threaded.internal && hole.model == model_ && is_here(hole.mouth, hole.axis, hole.diameter / 2))
+        hole.thread = thread;
+    const double middle = (face.from + face.to) / 2;
+    for (DesignCylinder& cylinder : found.cylinders) {
+      const double centre = glm::dot((cylinder.from + cylinder.to) / 2.0 - surface.origin, surface.axis);
+      if (cylinder.inwards == threaded.internal && cylinder.model == model_ &&
+          is_here(cylinder.from, cylinder.axis, cylinder.radius) &&
+          std::abs(centre - middle) <= same_size * 10 * (face.to - face.from))
+        cylinder.thread = thread;
+    }
   }
 
   // Whether two faces are parts of one cylinder.
@@ -268,7 +302,8 @@ bool are_equal(const DesignHole& a, const DesignHole& b) {
   return a.model == b.model && a.through == b.through && are_same(a.diameter, b.diameter) &&
          are_parallel(a.axis, b.axis) && (a.through || glm::dot(a.axis, b.axis) > 0) &&
          a.depth.has_value() == b.depth.has_value() && are_same(a.depth.value_or(0), b.depth.value_or(0)) &&
-         are_same(a.counterbore, b.counterbore) && are_same(a.countersink, b.countersink);
+         are_same(a.counterbore, b.counterbore) && are_same(a.countersink, b.countersink) &&
+         are_same(a.thread, b.thread);
 }
 
 DesignFeatures find_design_features(const World& world, const Progress& progress) {

@@ -20,6 +20,15 @@ struct Recess {
   double size;  ///< depth of a counterbore; angle of a countersink, degrees
 };
 
+/// The thread of a hole or shaft.
+struct DesignThread {
+  std::string text;                ///< "M6"
+  double diameter;                 ///< nominal
+  int number;                      ///< of its description in the scene
+  std::optional<double> length{};  ///< from the end of the hole or shaft, if it is shorter
+  Vec3 end{0};                     ///< where it ends, on the axis
+};
+
 struct DesignHole {
   int model;
   Vec3 mouth;       ///< on its axis, in the plane where it begins
@@ -30,6 +39,10 @@ struct DesignHole {
       depth{};  ///< of the full diameter of a blind hole, from the mouth; nothing if it is not certain
   std::optional<Recess> counterbore{}, countersink{};
   int pitch_circle = -1;  ///< index in DesignFeatures
+  std::optional<DesignThread> thread{};
+
+  /// Diameter by which it is called.
+  [[nodiscard]] double called() const { return thread ? thread->diameter : diameter; }
 };
 
 /// Whether a single note can describe both.
@@ -42,6 +55,10 @@ struct DesignCylinder {
   Vec3 axis;      ///< unit
   double radius;
   bool inwards;
+  std::optional<DesignThread> thread{};
+
+  /// Radius by which it is called.
+  [[nodiscard]] double called() const { return thread ? thread->diameter / 2 : radius; }
 };
 
 /// Two half cylinders and the planes between them, cut into the material.

@@ -95,6 +95,7 @@ struct ToleranceFrame {
   std::vector<FrameCell> datums{};     ///< in their order
   std::vector<std::string> letters{};  ///< of the datums
   std::string above{};                 ///< text above the frame: "4×"
+  std::vector<ToleranceFrame> also{};  ///< further ones of the same feature, below it; their letters are here, too
 };
 
 /// A datum feature, marked by a triangle.

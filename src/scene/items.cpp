@@ -9,6 +9,7 @@
 
 #include "scene/body_styles.hpp"
 #include "scene/congruent.hpp"
+#include "scene/mass.hpp"
 
 namespace epura::scene {
 
@@ -65,14 +66,14 @@ bool is_joined(const Growing& item, const Body& body, const Shape& shape, double
   return may_be && are_congruent(item.shape, shape, tolerance);
 }
 
-void describe(Item& item, const World& world, const Body& body, const Shape& shape) {
+// Open bodies have no mass.
+void describe(Item& item, const World& world, const std::vector<ModelDescription>& models, const Body& body) {
   const Placed& model = world.models[body.model];
-  if (model.styles.empty()) return;
-  const StyleDescription& style = model.styles[static_cast<std::size_t>(body.number)];
-  constexpr double cubic_metre = 1e9;  // mm³
-  item.material = style.material.value_or("");
-  if (style.density.given() && model.mesh->report.open_edges == 0)
-    item.mass = std::abs(shape.volume) / cubic_metre * *style.density;
+  if (!model.styles.empty()) item.material = model.styles[static_cast<std::size_t>(body.number)].material.value_or("");
+  const double density = density_of(model, models[static_cast<std::size_t>(body.model)], body.number);
+  if (!(density > 0)) return;
+  for (const Solid& solid : solids_of(model.mesh->whole(), model.to_world))
+    if (solid.body == body.number && solid.fault.empty()) item.mass = sum_of({&solid, 1}, {&density, 1}).mass;
 }
 
 // "part", or "part 1", "part 2" if the model has several items without names.
@@ -104,7 +105,7 @@ std::vector<Item> find_items(const World& world, const std::vector<ModelDescript
     if (found == items.end()) {
       Growing& added = items.emplace_back();
       added.item.name = added.name = body.name;
-      describe(added.item, world, body, shape);
+      describe(added.item, world, descriptions, body);
       added.shape = std::move(shape);
       found = items.end() - 1;
     }

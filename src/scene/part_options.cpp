@@ -12,14 +12,6 @@ namespace epura::scene {
 
 namespace {
 
-Option<DimensionWords> anchor_option(const std::string& key, const std::string& help) {
-  const ValueKind<AnchorWords> kind = anchor();
-  return {{.key = key, .form = kind.form, .help = help},
-          [key, read = kind.read](DimensionWords& words, const TomlValue& value) {
-            words.anchors.emplace_back(key, read(value));
-          }};
-}
-
 // An automatic standard scale cannot be chosen for a single view.
 ValueKind<ScaleChoice> scale_of_a_view() {
   const auto read = [](const TomlValue& value) {
@@ -30,16 +22,6 @@ ValueKind<ScaleChoice> scale_of_a_view() {
   return {scale_choice().form, read};
 }
 
-ValueKind<double> positive_number() {
-  const auto read = [](const TomlValue& value) {
-    const double number = any_number("").read(value);
-    if (!(number > 0)) refuse(value, "is " + format_number(number) + ", more than 0 is wanted");
-    return number;
-  };
-  return {{"number above 0", "D"}, read};
-}
-
-// Relative paths start at the scene file, or at the current folder on the command line.
 ValueKind<Vec2> positive_pair() {
   const auto read = [](const TomlValue& value) {
     const Vec2 pair = pair_of_numbers("").read(value);
@@ -86,6 +68,10 @@ Options<ModelDescription> model_options() {
                     &Model::surfaces, choice<Surfaces>().shown_as("KIND")),
       option<Model>({.key = "drawn", .help = "`false` omits the model; the others keep their numbers"}, &Model::drawn,
                     truth()),
+      option<Model>({.key = "density",
+                     .flag = "--density",
+                     .help = "density in kg/m³ of bodies whose style has none, for masses"},
+                    &Model::density, positive_number()),
   };
 }
 
@@ -261,6 +247,11 @@ Options<ViewDescription> line_options() {
                     .help = "show how the projection is made, e.g. horizon,vp,to-vp or axes,ellipses; vp:1,1,0 and "
                             "to-vp:0-1 are for one direction or edge; all: what the projection has"},
                    &View::construction, construction_choice()),
+      option<View>({.key = "centre_of_gravity",
+                    .flag = "--centre-of-gravity",
+                    .help = "the symbol of the centre of gravity of the models, whose bodies are closed",
+                    .usual = "false"},
+                   &View::centre_of_gravity, truth()),
       option<View>({.key = "near", .flag = "--near", .help = "omit what is nearer to the viewer than this depth"},
                    &View::near, any_number("")),
       option<View>({.key = "far", .flag = "--far", .help = "omit what is farther from the viewer than this depth"},
@@ -310,146 +301,6 @@ Options<ViewDescription> view_options() {
   const Options<View> lines = line_options();
   all.insert(all.end(), lines.begin(), lines.end());
   return all;
-}
-
-Options<DimensionWords> dimension_options() {
-  using Words = DimensionWords;
-  using Dimension = DimensionDescription;
-  return {
-      option<Words>({.key = "type", .help = "type of the dimension", .required = true},
-                    in_description(&Dimension::type), choice<DimensionType>()),
-      option<Words>({.key = "view", .help = "name of the view", .usual = "first view"},
-                    in_description(&Dimension::view), any_text()),
-      option<Words>({.key = "direction",
-                     .help = "linear: horizontal or vertical; overall: width, height or depth, by default all three"},
-                    in_description(&Dimension::direction), choice<DimensionDirection>()),
-      anchor_option("corner", "angular: vertex of the angle"),
-      anchor_option("from", "linear, aligned: one end; angular: end of one leg"),
-      anchor_option("to", "linear, aligned: the other end; angular: end of the other leg"),
-      anchor_option("at", "radius, diameter: a vertex on the circle"),
-      option<Words>({.key = "offset",
-                     .help = "distance on paper from the anchors to the dimension line; its sign selects the side"},
-                    in_description(&Dimension::offset), any_number("mm")),
-      option<Words>({.key = "text", .help = "text instead of the measured value; `<>` stands for that value"},
-                    in_description(&Dimension::text), any_text()),
-      option<Words>({.key = "tolerance",
-                     .help = "deviations, `±0.1` or `+0.2 -0.1`, in the unit of dimensions; or a class or fit of ISO "
-                             "286, `H7`, `g6`, `H7/g6`, for sizes up to 500 mm"},
-                    in_description(&Dimension::tolerance), any_text()),
-      option<Words>({.key = "limits",
-                     .help = "write the limits of size: after a fit in brackets, otherwise instead of the value",
-                     .usual = "false"},
-                    in_description(&Dimension::limits), truth()),
-      option<Words>({.key = "holes",
-                     .help = "auto: a note for equal holes and dimensions of their positions, or labels and a table",
-                     .usual = "notes"},
-                    in_description(&Dimension::holes), choice<HoleDimensions>()),
-  };
-}
-
-namespace {
-
-// A member of a note or symbol whose kind is known.
-template <class Content, class Member>
-auto in_content(Member Content::*member) {
-  return [member](auto& words) -> auto& { return std::get<Content>(words.description.content).*member; };
-}
-
-// An option that is parsed from a text.
-Option<CalloutWords> parsed_option(OptionInfo info, std::function<void(CalloutWords&, const TomlValue&)> read) {
-  info.form = any_text().form;
-  return {std::move(info), std::move(read)};
-}
-
-Option<CalloutWords> target_option(const std::string& of, bool required) {
-  return option<CalloutWords>({.key = "to",
-                               .help = of + ": a vertex or point of the models, or a position from the lower left "
-                                            "corner of the sheet, in mm",
-                               .usual = required ? "" : "no leader",
-                               .required = required},
-                              &CalloutWords::to, leader_target());
-}
-
-Option<CalloutWords> end_option() {
-  return option<CalloutWords>({.key = "end",
-                               .help = "how its leader ends; auto: with an arrow on a line, otherwise with a dot",
-                               .usual = "auto"},
-                              in_description(&CalloutDescription::end), choice<LeaderEnd>());
-}
-
-Option<CalloutWords> sheet_option() {
-  return option<CalloutWords>(
-      {.key = "sheet", .help = "number of its sheet, from 1, if it has no leader", .usual = "1"},
-      in_description(&CalloutDescription::sheet), whole_number(1));
-}
-
-// What all notes and symbols have in common, after their own options.
-Options<CalloutWords> with_position(Options<CalloutWords> options) {
-  options.push_back(option<CalloutWords>(
-      {.key = "view", .help = "name of the view into which its leader points", .usual = "first view"},
-      in_description(&CalloutDescription::view), any_text()));
-  options.push_back(option<CalloutWords>({.key = "at",
-                                          .help = "upper left corner, from the lower left corner of the sheet",
-                                          .usual = "a free place nearby"},
-                                         in_description(&CalloutDescription::at), pair_of_numbers("mm")));
-  return options;
-}
-
-}  // namespace
-
-Options<CalloutWords> note_options() {
-  return with_position({option<CalloutWords>({.key = "text", .help = "one or several lines", .required = true},
-                                             in_content(&NoteText::lines), text_lines()),
-                        target_option("end of its leader", false), end_option(), sheet_option()});
-}
-
-Options<CalloutWords> tolerance_frame_options() {
-  const auto read_zone = [](CalloutWords& words, const TomlValue& value) {
-    in_content (&ToleranceFrame::zone)(words) = parse_zone(read_text(value), value.where);
-  };
-  const auto read_datums = [](CalloutWords& words, const TomlValue& value) {
-    std::vector<std::string>& letters = in_content(&ToleranceFrame::letters)(words);
-    for (const LocatedText& datum : each_word(value))
-      in_content (&ToleranceFrame::datums)(words).push_back(parse_datum(*datum, datum.where, letters));
-  };
-  return with_position(
-      {option<CalloutWords>({.key = "characteristic", .help = "what is tolerated", .required = true},
-                            in_content(&ToleranceFrame::characteristic), choice<Characteristic>()),
-       parsed_option({.key = "zone",
-                      .help = "width of the tolerance zone, `0.1`, or its diameter, `Ø0.1`, in the unit of "
-                              "dimensions; then modifiers, `Ø0.1 M`",
-                      .required = true},
-                     read_zone),
-       parsed_option({.key = "datums",
-                      .help = "letters of the datums in their order, as texts with commas or a list, `A, B M`; `A-B` "
-                              "is a common datum"},
-                     read_datums),
-       option<CalloutWords>({.key = "text", .help = "text above the frame, such as `4×`"},
-                            in_content(&ToleranceFrame::above), any_text()),
-       target_option("end of its leader", true), end_option()});
-}
-
-Options<CalloutWords> datum_options() {
-  const auto read_letter = [](CalloutWords& words, const TomlValue& value) {
-    const std::string letter = read_text(value);
-    expect_datum_letter(letter, value.where);
-    in_content (&DatumFeature::letter)(words) = letter;
-  };
-  return with_position(
-      {parsed_option({.key = "letter", .help = "its letter, to which tolerances refer", .required = true}, read_letter),
-       target_option("where its triangle stands, on a line of the view", true)});
-}
-
-Options<CalloutWords> texture_options() {
-  return with_position(
-      {option<CalloutWords>({.key = "text", .help = "requirements, such as `Ra 3.2`; one or several lines"},
-                            in_content(&SurfaceTexture::lines), text_lines()),
-       option<CalloutWords>({.key = "removal", .help = "whether material is removed", .usual = "any"},
-                            in_content(&SurfaceTexture::removal), choice<MaterialRemoval>()),
-       option<CalloutWords>({.key = "process", .help = "how the surface is made, such as `ground`"},
-                            in_content(&SurfaceTexture::process), any_text()),
-       target_option("the surface; without it, the symbol is for the whole part and beside the title block", false),
-       end_option(), sheet_option()});
 }
 
 Options<TableDescription> table_options() {

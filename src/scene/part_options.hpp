@@ -16,6 +16,12 @@ struct DimensionWords {
   std::vector<std::pair<std::string, AnchorWords>> anchors;
 };
 
+/// A thread, with the model of its position not yet resolved.
+struct ThreadWords {
+  ThreadDescription description;
+  Located<AnchorWords> at;
+};
+
 /// A note or symbol beside a view, with the model of its target not yet resolved.
 struct CalloutWords {
   CalloutDescription description;
@@ -37,6 +43,7 @@ Options<RevolvedDescription> revolved_options();
 Options<ExplodeDescription> explode_options();
 Options<ViewDescription> view_options();
 Options<DimensionWords> dimension_options();
+Options<ThreadWords> thread_options();
 Options<CalloutWords> note_options();
 Options<CalloutWords> tolerance_frame_options();
 Options<CalloutWords> datum_options();

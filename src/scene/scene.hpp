@@ -12,6 +12,7 @@
 #include "features/recognise.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/description.hpp"
+#include "scene/threads.hpp"
 
 namespace epura::scene {
 
@@ -22,6 +23,7 @@ struct Placed {
   std::shared_ptr<const features::PartFaces> part{};  ///< of the uncut mesh; null if no faces are recognised
   std::vector<StyleDescription> styles{};             ///< by body of the mesh; empty if none matches a body
   int copy_of = -1;  ///< the model of the scene of which this is a turned part, in aligned sections; -1: itself
+  std::vector<ThreadedFace> threads{};  ///< of the part, in the order of the scene
 };
 
 /// All models with common numbering: vertex v of model m has the number first_vertex[m] + v; likewise for triangles.

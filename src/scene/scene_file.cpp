@@ -69,8 +69,8 @@ void check_views(const SceneDescription& scene, const Names& sections) {
 /// Keys of the anchors of a dimension, in the order of DimensionDescription::anchors.
 const std::vector<std::string>& anchor_keys(DimensionType type) {
   // In order of DimensionType.
-  static const std::array<std::vector<std::string>, 7> keys = {
-      {{"from", "to"}, {"from", "to"}, {"corner", "from", "to"}, {"at"}, {"at"}, {}, {}}};
+  static const std::array<std::vector<std::string>, 8> keys = {
+      {{"from", "to"}, {"from", "to"}, {"corner", "from", "to"}, {"at"}, {"at"}, {"at"}, {}, {}}};
   return keys[static_cast<std::size_t>(type)];
 }
 
@@ -108,8 +108,37 @@ Anchor anchor_of(const AnchorWords& words, const Subjects& subjects) {
   return std::array<int, 2>{model, words.vertex};
 }
 
+// Lengths between several places, in an arrangement.
+void add_places(DimensionDescription& dimension, const DimensionWords& words, const Subjects& subjects) {
+  for (const auto& [key, anchor] : words.anchors) {
+    if (key != "points")
+      refuse(anchor.where, "a dimension with an arrangement has no '" + key + "'", "its places are 'points'");
+    dimension.anchors.push_back(anchor_of(anchor, subjects));
+  }
+  if (dimension.anchors.size() < 2)
+    refuse(dimension.where, "a dimension with an arrangement needs two or more places",
+           "points = [{point = [x, y, z]}, ...]");
+}
+
+// Throws Error{input} for keys that belong to other types.
+void expect_keys_of_type(const DimensionDescription& dimension) {
+  const DimensionType type = *dimension.type;
+  const std::string has_no = "a dimension of type '" + std::string(word_of(type)) + "' has no '";
+  if (dimension.holes.given() && type != DimensionType::automatic)
+    refuse(dimension.holes.where, has_no + "holes'", "it belongs to type 'auto'");
+  if (dimension.arrangement.given() && type != DimensionType::automatic && type != DimensionType::linear)
+    refuse(dimension.arrangement.where, has_no + "arrangement'", "it belongs to the types 'linear' and 'auto'");
+}
+
 DimensionDescription dimension_of(const DimensionWords& words, const Subjects& subjects) {
   DimensionDescription dimension = words.description;
+  expect_keys_of_type(dimension);
+  // Views of the command line are not known yet.
+  if (!subjects.views.empty()) refuse_unknown(dimension.view, subjects.views, "view");
+  if (dimension.arrangement.given() && *dimension.type == DimensionType::linear) {
+    add_places(dimension, words, subjects);
+    return dimension;
+  }
   const std::string type(word_of(*dimension.type));
   const std::vector<std::string>& keys = anchor_keys(*dimension.type);
   for (const std::string& key : keys) {
@@ -123,18 +152,25 @@ DimensionDescription dimension_of(const DimensionWords& words, const Subjects& s
   for (const auto& [key, anchor] : words.anchors)
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
       refuse(anchor.where, "a dimension of type '" + type + "' has no '" + key + "'",
-             keys.empty() ? "it has no anchors" : did_you_mean(key, keys));
-  if (dimension.holes.given() && *dimension.type != DimensionType::automatic)
-    refuse(dimension.holes.where, "a dimension of type '" + type + "' has no 'holes'", "it belongs to type 'auto'");
-  // Views of the command line are not known yet.
-  if (!subjects.views.empty()) refuse_unknown(dimension.view, subjects.views, "view");
+             key == "points" ? "'points' need an arrangement, such as arrangement = \"chain\""
+             : keys.empty()  ? "it has no anchors"
+                             : did_you_mean(key, keys));
   return dimension;
 }
 
+ThreadDescription thread_of(const ThreadWords& words, const Subjects& subjects) {
+  ThreadDescription thread = words.description;
+  thread.at = {anchor_of(*words.at, subjects), words.at.where};
+  if (!subjects.views.empty()) refuse_unknown(thread.view, subjects.views, "view");
+  if (thread.view.given() && !thread.callout.value_or(true))
+    refuse(thread.view.where, "a thread without a dimension has no view", "omit 'view', or 'callout'");
+  return thread;
+}
+
 // ISO 1101, table 2.
-void expect_datums(const CalloutDescription& callout) {
-  const auto* frame = std::get_if<ToleranceFrame>(&callout.content);
+void expect_datums(const CalloutDescription& callout, const ToleranceFrame* frame) {
   if (frame == nullptr) return;
+  for (const ToleranceFrame& one : frame->also) expect_datums(callout, &one);
   const CharacteristicRow& row = row_of(frame->characteristic);
   if (row.datums == DatumRule::required && frame->datums.empty())
     refuse(callout.where, "a tolerance of " + std::string(row.name) + " needs a datum", "write one: datums = [\"A\"]");
@@ -146,10 +182,27 @@ void expect_datums(const CalloutDescription& callout) {
            "several letters in one place are a common datum, such as \"A-B\"");
 }
 
+// Datums and tolerances belong to a feature: to a place, or to what a dimension measures.
+void expect_attached(const CalloutDescription& callout, const Located<LeaderWords>& to) {
+  const bool is_frame = std::holds_alternative<ToleranceFrame>(callout.content);
+  if ((is_frame || std::holds_alternative<DatumFeature>(callout.content)) && !to.given() && !callout.dimension.given())
+    refuse(callout.where, is_frame ? "[[tolerance_frame]] lacks 'to'" : "[[datum]] lacks 'to'",
+           "say where its leader ends, or the name of a 'dimension'");
+  if (!callout.dimension.given()) return;
+  if (to.given()) refuse(to.where, "it has a 'dimension' and needs no 'to'", "omit one of them");
+  for (const auto& [key, where] :
+       {std::pair("view", callout.view.where), {"at", callout.at.where}, {"end", callout.end.where}})
+    if (!where.empty())
+      refuse(where, "what stands in line with a dimension has no '" + std::string(key) + "'",
+             "omit it, or 'dimension'");
+}
+
 // Views and sheets are known once the command line is.
 CalloutDescription callout_of(const CalloutWords& words, const Subjects& subjects) {
   CalloutDescription callout = words.description;
-  expect_datums(callout);
+  expect_datums(callout, std::get_if<ToleranceFrame>(&callout.content));
+  expect_attached(callout, words.to);
+  if (callout.dimension.given()) return callout;
   if (!words.to.given()) {
     for (const auto& [key, where] : {std::pair("view", callout.view.where), {"end", callout.end.where}})
       if (!where.empty())
@@ -214,6 +267,7 @@ SceneDescription scene_of(const TomlValue& root) {
   const Subjects subjects{scene.models, numbers_of(scene.models), names_of(scene.views, "view")};
   for (const DimensionWords& dimension : words.dimensions)
     scene.dimensions.push_back(dimension_of(dimension, subjects));
+  for (const ThreadWords& thread : words.threads) scene.threads.push_back(thread_of(thread, subjects));
   for (const TableDescription& table : scene.tables) expect_cells(table);
   for (const CalloutWords& callout : words.callouts) scene.callouts.push_back(callout_of(callout, subjects));
   if (scene.parts_list && !subjects.views.empty()) refuse_unknown(scene.parts_list->view, subjects.views, "view");
@@ -230,6 +284,8 @@ void expect_sound_names(const SceneDescription& scene) {
   names_of(scene.models, "model");
   check_views(scene, names_of(scene.sections, "section"));
   names_of(scene.details, "detail");
+  const Names dimensions = names_of(scene.dimensions, "dimension");
+  for (const CalloutDescription& callout : scene.callouts) refuse_unknown(callout.dimension, dimensions, "dimension");
   names_of(scene.views, "view");
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "scene/read_entries.hpp"
 #include "scene/title_fields.hpp"
 #include "scene/view_names.hpp"
 
@@ -21,30 +22,6 @@ template <class Part>
 Option<Part> table_option(const std::string& key, const std::string& help,
                           std::function<void(Part&, const TomlValue&)> read) {
   return {{.key = key, .form = {table_kind}, .help = help}, std::move(read)};
-}
-
-// A key of the whole file is often written in the last section by mistake.
-std::string hint_for(const std::string& key, const std::vector<std::string>& known) {
-  return key == "views" ? "it belongs above the first section" : did_you_mean(key, known);
-}
-
-template <class Part>
-void read_entries(Part& part, const TomlValue& table, const Options<Part>& keys, const std::string& section) {
-  std::vector<std::string> names;
-  for (const auto& known : keys) names.push_back(known.key);
-  const std::vector<TomlValue>& entries = table_of(table).values;
-  for (const TomlValue& entry : entries)
-    if (std::find(names.begin(), names.end(), entry.key) == names.end())
-      throw Error(ErrorKind::input, entry.key_where, "'" + entry.key + "' is not a key of " + section,
-                  hint_for(entry.key, names));
-  for (const auto& known : keys) {
-    const auto entry = std::find_if(entries.begin(), entries.end(),
-                                    [&known](const TomlValue& candidate) { return candidate.key == known.key; });
-    if (entry != entries.end())
-      known.read(part, *entry);
-    else if (known.required)
-      throw Error(ErrorKind::input, table.where, section + " lacks '" + known.key + "'", known.help);
-  }
 }
 
 void read_free_fields(TitleBlockFields& fields, const TomlValue& table) {
@@ -87,6 +64,7 @@ void prepare(const SceneWords&, const TomlValue&, auto&) {}
 void prepare(const SceneWords&, const TomlValue& table, DimensionWords& words) {
   words.description.where = table.where;
 }
+void prepare(const SceneWords&, const TomlValue& table, ThreadWords& words) { words.description.where = table.where; }
 void prepare(const SceneWords&, const TomlValue& where, TableDescription& table) { table.where = where.where; }
 void prepare(const SceneWords&, const TomlValue& table, ViewDescription& view) { view.projection.where = table.where; }
 void prepare(const SceneWords&, const TomlValue& table, ExplodeDescription& explode) { explode.where = table.where; }
@@ -161,6 +139,7 @@ Options<SceneWords> scene_keys() {
       parts_key("explode", explode_options(), in_description(&SceneDescription::explosions)),
       parts_key("view", view_options(), in_description(&SceneDescription::views)),
       parts_key("dimension", dimension_options(), std::mem_fn(&SceneWords::dimensions)),
+      parts_key("thread", thread_options(), std::mem_fn(&SceneWords::threads)),
       callouts_key<NoteText>("note", note_options()),
       callouts_key<ToleranceFrame>("tolerance_frame", tolerance_frame_options()),
       callouts_key<DatumFeature>("datum", datum_options()),
@@ -209,6 +188,7 @@ std::vector<SceneSection> scene_sections() {
       {"revolved", infos_of(revolved_options()), true},
       {"explode", infos_of(explode_options()), true},
       {"dimension", infos_of(dimension_options()), true},
+      {"thread", infos_of(thread_options()), true},
       {"note", infos_of(note_options()), true},
       {"tolerance_frame", infos_of(tolerance_frame_options()), true},
       {"datum", infos_of(datum_options()), true},

@@ -15,6 +15,7 @@ namespace epura::scene {
 struct SceneWords {
   SceneDescription description;
   std::vector<DimensionWords> dimensions;
+  std::vector<ThreadWords> threads;
   std::vector<CalloutWords> callouts;
   SheetDescription every_sheet;
 };

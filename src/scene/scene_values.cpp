@@ -319,6 +319,15 @@ ValueKind<double> number_between(double min, double max, const std::string& unit
           read};
 }
 
+ValueKind<double> positive_number() {
+  const auto read = [](const TomlValue& value) {
+    const double number = any_number("").read(value);
+    if (!(number > 0)) refuse(value, "is " + format_number(number) + ", more than 0 is wanted");
+    return number;
+  };
+  return {{"number above 0", "D"}, read};
+}
+
 ValueKind<Vec2> pair_of_numbers(const std::string& unit) {
   return {{with_unit("[x, y]", unit), "X,Y"}, read_vector<Vec2>};
 }
@@ -389,6 +398,14 @@ ValueKind<ConstructionChoice> construction_choice() {
 ValueKind<BreakChoice> break_choice() { return {{"`auto`, or list of texts", "PLACES", {"auto"}}, read_break}; }
 
 ValueKind<AnchorWords> anchor() { return {{"anchor", "ANCHOR"}, read_anchor}; }
+
+ValueKind<std::vector<AnchorWords>> list_of_anchors() {
+  return {{"list of anchors", "ANCHORS"}, [](const TomlValue& value) {
+            std::vector<AnchorWords> anchors;
+            for (const TomlValue& one : named_elements(value)) anchors.push_back(read_anchor(one));
+            return anchors;
+          }};
+}
 
 ValueKind<LeaderWords> leader_target() { return {{"anchor, or `{page = [x, y]}`", "TARGET"}, read_leader_target}; }
 

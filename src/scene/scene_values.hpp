@@ -77,6 +77,7 @@ ValueKind<int> whole_number(int min);
 ValueKind<int> whole_number(int min, int max);
 ValueKind<double> any_number(const std::string& unit);
 ValueKind<double> number_between(double min, double max, const std::string& unit);
+ValueKind<double> positive_number();  ///< above 0
 ValueKind<Vec2> pair_of_numbers(const std::string& unit);
 ValueKind<Vec3> triple_of_numbers(const std::string& unit);
 ValueKind<std::vector<Vec3>> list_of_triples();
@@ -89,8 +90,9 @@ ValueKind<EdgeKinds> edge_kinds();
 ValueKind<ConstructionChoice> construction_choice();  ///< a list of constructions
 ValueKind<BreakChoice> break_choice();                ///< "auto", or a list of places
 ValueKind<AnchorWords> anchor();                      ///< [model, vertex] or {point = [x, y, z]}
-ValueKind<LeaderWords> leader_target();               ///< an anchor, or {page = [x, y]}
-ValueKind<std::vector<std::string>> text_lines();     ///< a list of texts, or a text with line breaks
+ValueKind<std::vector<AnchorWords>> list_of_anchors();
+ValueKind<LeaderWords> leader_target();            ///< an anchor, or {page = [x, y]}
+ValueKind<std::vector<std::string>> text_lines();  ///< a list of texts, or a text with line breaks
 
 ValueKind<std::vector<std::string>> list_of_texts();               ///< single lines, which may be empty
 ValueKind<std::vector<std::vector<std::string>>> rows_of_texts();  ///< one row or more, of such lists

@@ -56,6 +56,7 @@ Options<SheetDescription> layout_options() {
   };
 }
 
+// Relative paths start at the scene file, or at the current folder on the command line.
 ValueKind<std::string> file_of_sheet() { return any_text().shown_as("FILE").completed_by(Completion::files); }
 
 // Files that others drew or wrote.

@@ -223,7 +223,7 @@ SplitWorld split_world(const World& world, const CuttingSurface& surface) {
                                     splitter.regions().end());
     result.first_vertex.push_back(static_cast<int>(result.points.size()));
     result.first_triangle.push_back(static_cast<int>(result.triangles.size()));
-    result.models.push_back({mesh, placed.to_world, placed.part, placed.styles});
+    result.models.push_back({mesh, placed.to_world, placed.part, placed.styles, placed.threads});
     if (!world.wires.empty()) append_wires(result, *mesh, first);
   }
   return split;

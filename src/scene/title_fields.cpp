@@ -22,7 +22,7 @@ const std::vector<TitleField>& title_fields() {
        "language code, such as en; captions are in English, German (de), French (fr), Spanish (es), Portuguese (pt) or "
        "Japanese (ja)"},
       {"material", "material of the part"},
-      {"mass", "mass of the part, with unit"},
+      {"mass", "mass of the part, with unit; auto: from its volume and density"},
       {"general_tolerance", "general tolerances, such as ISO 2768-m or ISO 22081, for sizes without one of their own"},
   };
   return fields;

@@ -110,25 +110,62 @@ double add_others(Callout& callout, double left, const DimensionStyle& style) {
 }  // namespace
 
 double height_of(const scene::ToleranceFrame& frame) {
-  return frame_height + (frame.above.empty() ? 0 : above_frame + 1);
+  return frame_height * static_cast<double>(1 + frame.also.size()) + (frame.above.empty() ? 0 : above_frame + 1);
 }
 
-Callout tolerance_frame(const scene::ToleranceFrame& frame, const DimensionStyle& style) {
+namespace {
+
+// One frame, with its lower left corner at the origin. Sets the width.
+Callout single_frame(const scene::ToleranceFrame& frame, const DimensionStyle& style) {
   const double h = style.text, height = frame_height * h;
   Callout callout;
-  callout.form = LeaderForm::landing;
-  callout.attach = h;
   SymbolReader(callout, {h, h}, h).draw(scene::row_of(frame.characteristic).symbol);
   callout.strokes.push_back(line({height, 0}, {height, height}));
   double right = add_cell(callout, frame.zone, height, style);
   for (const scene::FrameCell& datum : frame.datums) right = add_cell(callout, datum, right, style);
   // The right side is that of the outline.
   callout.strokes.back() = outline({{0, 0}, {right, height}});
-  if (!frame.above.empty())
+  callout.size = {right, height};
+  return callout;
+}
+
+void add_above(Callout& callout, Callout frame, double bottom) {
+  const Vec2 up(0, bottom);
+  for (Text& text : frame.texts) {
+    text.at += up;
+    callout.texts.push_back(std::move(text));
+  }
+  for (Stroke& stroke : frame.strokes) {
+    for (Vec2& p : stroke.points) p += up;
+    for (drawing::CurvePart& curve : stroke.curves) curve.centre += up;
+    callout.strokes.push_back(std::move(stroke));
+  }
+  for (Fill& fill : frame.fills) {
+    for (std::vector<Vec2>& ring : fill.rings)
+      for (Vec2& p : ring) p += up;
+    callout.fills.push_back(std::move(fill));
+  }
+  callout.size.x = std::max(callout.size.x, frame.size.x);
+}
+
+}  // namespace
+
+// Several frames of one feature stand below each other; the leader leads to the first one.
+Callout tolerance_frame(const scene::ToleranceFrame& frame, const DimensionStyle& style) {
+  const double h = style.text, height = frame_height * h;
+  const double bottom = height * static_cast<double>(frame.also.size());
+  Callout callout;
+  callout.form = LeaderForm::landing;
+  callout.attach = bottom + h;
+  add_above(callout, single_frame(frame, style), bottom);
+  for (std::size_t i = 0; i < frame.also.size(); ++i)
+    add_above(callout, single_frame(frame.also[i], style), bottom - height * static_cast<double>(i + 1));
+  if (!frame.above.empty()) {
     callout.texts.push_back(
-        {with_own_signs(frame.above, style), {0, height + above_frame * h}, h, 0, Align::left, "tolerance"});
-  const double above = frame.above.empty() ? 0 : style.lettering.width(frame.above, h);
-  callout.size = {std::max(right, above), height_of(frame) * h};
+        {with_own_signs(frame.above, style), {0, bottom + height + above_frame * h}, h, 0, Align::left, "tolerance"});
+    callout.size.x = std::max(callout.size.x, style.lettering.width(frame.above, h));
+  }
+  callout.size.y = height_of(frame) * h;
   return callout;
 }
 

@@ -49,6 +49,7 @@ struct Spot {
   Rectangle box;
   std::vector<Vec2> leader;
   double cost = 0;
+  CalloutTarget target{};
 };
 
 Rectangle box_from(const Vec2& corner, const Vec2& size) { return {corner, corner + size}; }
@@ -113,6 +114,7 @@ std::vector<Spot> spots_of(const Callout& callout, double length, double landing
     add(*normal, 0);
     if (!callout.target->is_border) add(-*normal, 0);
   }
+  if (callout.target->in_line && callout.form != LeaderForm::datum) return spots;
   if (callout.form == LeaderForm::datum) {
     if (normal) add_bent_datums(spots, callout, length, landing);
     return spots;
@@ -145,6 +147,16 @@ class Placer {
   [[nodiscard]] std::optional<Spot> best(const Callout& callout, double landing) const {
     std::optional<Spot> best;
     double least = HUGE_VAL;
+    find_best(callout, landing, best, least);
+    if (!callout.other) return best;
+    Callout other = callout;
+    other.target = callout.other;
+    find_best(other, landing, best, least);
+    return best;
+  }
+
+  // Replaces the best place by one that costs less, if there is one.
+  void find_best(const Callout& callout, double landing, std::optional<Spot>& best, double& least) const {
     for (double length = shortest; length <= longest && length < least; length += step)
       for (Spot& spot : spots_of(callout, length, landing)) {
         if (spot.cost >= least || !is_free(spot.box)) continue;
@@ -152,8 +164,8 @@ class Placer {
         if (cost >= least) continue;
         least = cost;
         best = std::move(spot);
+        best->target = *callout.target;
       }
-    return best;
   }
 
   // At a given position, from the side whose leader does not cross the callout, or the nearer one.
@@ -167,7 +179,9 @@ class Placer {
       const bool crosses = overlap(line_box(spot.leader[0], spot.leader[1]), turned_box(box));
       return std::pair(crosses, glm::length(spot.leader[0] - spot.leader[1]));
     };
-    return rank(left) < rank(right) ? left : right;
+    Spot best = rank(left) < rank(right) ? left : right;
+    best.target = *callout.target;
+    return best;
   }
 
   [[nodiscard]] bool is_free(const Rectangle& box) const {
@@ -226,7 +240,7 @@ Fill datum_triangle(const CalloutTarget& target, const Vec2& leader, const Dimen
 }
 
 void draw(CalloutLayers& layers, const Callout& callout, const Spot& spot, const DimensionStyle& style) {
-  const CalloutTarget& target = *callout.target;
+  const CalloutTarget& target = spot.target;
   const Vec2 along = glm::normalize(spot.leader[1] - target.point);
   Stroke& leader = layers.notes.strokes.emplace_back();
   for (const Vec2& p : spot.leader)

@@ -22,6 +22,7 @@ struct CalloutTarget {
   scene::LeaderEnd end{scene::LeaderEnd::dot};  ///< not automatic
   std::optional<Vec2> normal{};                 ///< of the line there; length 1
   bool is_border = false;                       ///< leaders come from the side of the normal: from outside
+  bool in_line = false;                         ///< leaders run along the normal: in line with a dimension line
 };
 
 /// How a leader reaches a callout: as a reference line below it; by a short horizontal line beside it; or from the
@@ -38,6 +39,7 @@ struct Callout {
   LeaderForm form = LeaderForm::reference;
   double attach = 0;                      ///< height at which a landing meets it
   std::optional<CalloutTarget> target{};  ///< without one, it has no leader
+  std::optional<CalloutTarget> other{};   ///< where the leader may end instead
   std::optional<Vec2> at{};               ///< its upper left corner, if that is given
 };
 

@@ -44,6 +44,11 @@ std::string angle_text(double degrees, const Notation& notation) {
   return with_decimal_sign(format_fixed(degrees, angle_decimals), notation.sign) + "°";
 }
 
+std::string mass_text(double kilograms, DecimalSign sign) {
+  const bool small = kilograms < 0.1;
+  return with_decimal_sign(format_rounded(small ? 1000 * kilograms : kilograms, 3), sign) + (small ? " g" : " kg");
+}
+
 int usual_decimals(double largest_size, Unit unit) {
   constexpr int most = 8, finer_in_inches = 1, finer_in_metres = 3;
   int decimals = 2;

@@ -12,6 +12,7 @@ struct Notation {
   Unit unit = Unit::mm;  ///< of lengths
   DecimalSign sign = DecimalSign::point;
   std::string diameter{};  ///< sign before diameters
+  std::string arc{};       ///< sign before lengths of arcs
 };
 
 /// The number with the decimal sign; `number` has a point or none.
@@ -23,6 +24,9 @@ std::string length_text(double millimetres, const Notation& notation);
 
 /// An angle in degrees, with at most two decimals: "36.87°".
 std::string angle_text(double degrees, const Notation& notation);
+
+/// A mass with three significant digits: "0.123 kg", "12.3 kg"; below 0.1 kg in grams.
+std::string mass_text(double kilograms, DecimalSign sign);
 
 /// Decimals of lengths by the largest size of the models, mm: four digits of small ones, and at least as fine as 0.01
 /// mm or 0.001 in.

@@ -13,12 +13,6 @@ namespace {
 
 constexpr double number_width = 14, material_width = 40, mass_width = 24;  // mm
 
-// Three significant digits: "0.123 kg", "12.3 kg"; below 0.1 kg in grams.
-std::string mass_text(double kilograms, DecimalSign sign) {
-  const bool small = kilograms < 0.1;
-  return with_decimal_sign(format_rounded(small ? 1000 * kilograms : kilograms, 3), sign) + (small ? " g" : " kg");
-}
-
 }  // namespace
 
 std::vector<std::string> draw_parts_list(Layer& layer, const PartsList& list, const Rectangle& box,

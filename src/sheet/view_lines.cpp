@@ -352,6 +352,7 @@ std::optional<scene::SheetLine> edge_line(EdgeKind kind, bool visible) {
   if (!visible) return edges::is_within_surface(kind) ? std::nullopt : std::optional(scene::SheetLine::hidden);
   if (kind == EdgeKind::section) return scene::SheetLine::section;
   if (kind == EdgeKind::wire) return scene::SheetLine::wire;
+  if (kind == EdgeKind::thread) return scene::SheetLine::thread;
   return edges::is_within_surface(kind) ? scene::SheetLine::tangent : scene::SheetLine::visible;
 }
 

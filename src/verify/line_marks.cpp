@@ -264,6 +264,7 @@ bool LineMarks::faces_meet(double u, double reach) const {
 }
 
 bool LineMarks::allows(EdgeKind kind, double u, double reach) const {
+  if (kind == EdgeKind::thread || kind == EdgeKind::thread_end) return true;  // a convention, which no face explains
   for (auto part = std::ranges::lower_bound(seen_, u - reach, {}, &SeenPart::to);
        part != seen_.end() && part->from <= u + reach; ++part)
     if (scene_.is_vague(slice_.pieces[part->piece].triangle)) return true;

@@ -23,11 +23,12 @@ struct TypeRule {
 };
 
 // In order of DimensionType.
-constexpr std::array<TypeRule, 7> type_rules{{{2, "its two ends"},
+constexpr std::array<TypeRule, 8> type_rules{{{2, "its two ends"},
                                               {2, "its two ends"},
                                               {3, "the corner and an end of each leg"},
                                               {1, "a vertex on the circle"},
                                               {1, "a vertex on the circle"},
+                                              {1, "a vertex on the arc"},
                                               {0, "no anchors"},
                                               {0, "no anchors"}}};
 
@@ -137,14 +138,16 @@ AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene:
     dimension.circles = {{circle.centre, circle.axis, circle.radius, circle.arc, circle.arc.empty()}};
     return dimension;
   }
-  if (description.anchors.size() != rule.anchors)
+  if (type == DimensionType::linear) dimension.arrangement = description.arrangement.value;
+  dimension.name = description.name.value_or("");
+  if (dimension.arrangement ? description.anchors.size() < rule.anchors : description.anchors.size() != rule.anchors)
     refuse(where, "the number of its anchors is " + std::to_string(description.anchors.size()),
            "the dimension '" + std::string(scene::word_of(type)) + "' needs " + rule.wants);
   expect_offset(dimension);
   for (const scene::Anchor& anchor : description.anchors) dimension.points.push_back(position_of(world, anchor, where));
-  for (std::size_t i = 1; i < dimension.points.size(); ++i)
+  for (std::size_t i = 1; i < dimension.points.size() && !dimension.arrangement; ++i)
     expect_apart(world, dimension.points[0], dimension.points[i], where);
-  if (type == DimensionType::radius || type == DimensionType::diameter)
+  if (type == DimensionType::radius || type == DimensionType::diameter || type == DimensionType::arc)
     dimension.circles = asked.rims.through(description.anchors[0], dimension.points[0], where);
   if (type == DimensionType::overall) set_extent(dimension, world, asked);
   return dimension;

@@ -33,15 +33,18 @@ struct AnchoredDimension {
   std::string where;  ///< for error messages
   DimensionType type;
   std::optional<DimensionDirection> direction;  ///< of linear and overall dimensions
-  std::vector<Vec3> points;                     ///< two ends; angular: the corner, then the ends of its legs
-  std::vector<Vec3> opposite{};                 ///< linear: the ends for a dimension line above or on the left, if any
-  std::vector<WorldCircle> circles;             ///< radius, diameter: all circles through the anchor, at least one
+  std::vector<Vec3> points;          ///< two ends, or the places of an arrangement, its origin first; angular:
+                                     ///< the corner, then the ends of its legs
+  std::vector<Vec3> opposite{};      ///< linear: the ends for a dimension line above or on the left, if any
+  std::vector<WorldCircle> circles;  ///< radius, diameter, arc: all circles through the anchor, at least one
   std::optional<double> offset;
   std::string text;  ///< "<>" stands for the measured value
   std::optional<Tolerance> tolerance{};
   scene::ExtentForm form = scene::ExtentForm::length;  ///< of overall dimensions
   bool is_label = false;                               ///< diameter: of a hole whose position is in a table
   double beyond_vertices = 0;                          ///< how much more they measure than the mesh, which is drawn
+  std::optional<DimensionArrangement> arrangement{};   ///< of a linear dimension between several places
+  std::string name{};                                  ///< by which datums and frames refer to it; may be empty
 };
 
 /// The position of an anchor. Throws Error{input} with `where` as the location for vertices that do not exist or that

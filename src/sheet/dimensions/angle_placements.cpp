@@ -18,7 +18,7 @@ constexpr double cost_outside = 3;               // of a text outside the angle
 constexpr double arrows_inside = 3;              // room for two arrows, in lengths of an arrow
 constexpr double steepest = 0.5;                 // sine of the slope of a text that falls to the right
 constexpr double farthest_past = 1;              // radians of an arc past a leg
-constexpr double step_of_arc = std::numbers::pi / 90;
+constexpr double half_turn = std::numbers::pi;
 
 // From one leg to the other, as angles on paper.
 struct Sector {
@@ -28,16 +28,8 @@ struct Sector {
 
 Sector sector_of(const MeasuredAngle& angle) {
   const auto& [a, b] = angle.legs;
-  return {angle.corner, portable_atan2(a.y, a.x), portable_atan2(glm::dot(left_of(a), b), glm::dot(a, b))};
-}
-
-// The arc from one angle to another, as a polyline with a curve.
-Stroke arc(const Vec2& centre, double radius, double from, double to) {
-  const int parts = std::max(2, static_cast<int>(std::ceil(std::abs(to - from) / step_of_arc)));
-  Stroke stroke;
-  for (int i = 0; i <= parts; ++i) stroke.points.push_back(centre + radius * turned_to(from + (to - from) * i / parts));
-  stroke.curves = {{0, parts, centre, {radius, 0}, {0, radius}, from, to}};
-  return stroke;
+  return {angle.corner, portable_atan2(a.y, a.x),
+          angle.arc.value_or(portable_atan2(glm::dot(left_of(a), b), glm::dot(a, b)))};
 }
 
 void add_arc(PlacedDimension& dimension, const Stroke& stroke, double half_width) {
@@ -79,10 +71,10 @@ void set_text_at(PlacedDimension& dimension, const DimensionText& text, const Di
   set_text(dimension, text, {arc.corner + arc.radius * spoke, read, rise}, style);
 }
 
-// `place`: the text is at the middle of the arc (0), or past its end (1) or its beginning (-1).
-PlacedDimension arc_dimension(const MeasuredAngle& angle, const DimensionText& text, double radius, int place,
-                              const DimensionStyle& style) {
-  const auto [corner, first, sweep] = sector_of(angle);
+// Adds an arc with arrows and text; `place`: the text is at its middle (0), or past its end (1) or its beginning (-1).
+void add_dimension_arc(PlacedDimension& dimension, const Sector& sector, const DimensionText& text, double radius,
+                       int place, const DimensionStyle& style) {
+  const auto [corner, first, sweep] = sector;
   check(radius >= 0, "the arc of an angle has a radius");
   const double turn = sweep < 0 ? -1 : 1;
   const bool outward = radius * std::abs(sweep) >= arrows_inside * style.arrow();
@@ -90,11 +82,9 @@ PlacedDimension arc_dimension(const MeasuredAngle& angle, const DimensionText& t
   const double tail = outward ? 0 : angle_of(2 * style.arrow());
   const double lead = angle_of(style.arrow() + style.above() + style.width(text) / 2);
   const double middle = place == 0 ? first + sweep / 2 : place > 0 ? first + sweep + lead : first - lead;
-  PlacedDimension dimension;
-  add_extension_lines(dimension, angle, radius, style);
   add_arc(dimension,
-          arc(corner, radius, place < 0 ? first - 2 * lead : first - tail,
-              place > 0 ? first + sweep + 2 * lead : first + sweep + tail),
+          arc_at(corner, radius, place < 0 ? first - 2 * lead : first - tail,
+                 place > 0 ? first + sweep + 2 * lead : first + sweep + tail),
           style.above());
   for (const double side : {-1.0, 1.0}) {
     const double end = side < 0 ? first : first + sweep;
@@ -102,10 +92,41 @@ PlacedDimension arc_dimension(const MeasuredAngle& angle, const DimensionText& t
     dimension.arrows.push_back(arrow_at(corner + radius * turned_to(end), outward ? forward : -forward, style));
   }
   set_text_at(dimension, text, {corner, radius}, turned_to(middle), style);
-  dimension.zones.push_back(dimension.text_box);
+  dimension.zones.push_back(dimension.text_boxes.back());
+}
+
+PlacedDimension arc_dimension(const MeasuredAngle& angle, const DimensionText& text, double radius, int place,
+                              const DimensionStyle& style) {
+  PlacedDimension dimension;
+  add_extension_lines(dimension, angle, radius, style);
+  add_dimension_arc(dimension, sector_of(angle), text, radius, place, style);
+  return dimension;
+}
+
+PlacedDimension angular_dimension(const MeasuredAngle& angle, const DimensionText& text, double radius, int place,
+                                  const DimensionStyle& style) {
+  PlacedDimension dimension = arc_dimension(angle, text, radius, place, style);
+  const auto [corner, first, sweep] = sector_of(angle);
   dimension.object = DimensionObject{
       DimensionShape::angular,
       {corner, corner + angle.legs[0], corner + angle.legs[1], corner + radius * turned_to(first + sweep / 2)}};
+  return dimension;
+}
+
+// Up to a right angle, extension lines are parallel to the bisector, and the dimension line is as long as the arc;
+// beyond, they are radial. ISO 129-1.
+PlacedDimension length_of_arc(const MeasuredAngle& angle, const DimensionText& text, double distance, int place,
+                              const DimensionStyle& style) {
+  const Sector sector = sector_of(angle);
+  const double radius = glm::length(angle.legs[0]);
+  if (std::abs(sector.sweep) > half_turn / 2 + 1e-9) return arc_dimension(angle, text, radius + distance, place, style);
+  const Vec2 out = turned_to(sector.first + sector.sweep / 2);
+  PlacedDimension dimension;
+  for (const Vec2& leg : angle.legs)
+    add_crossable_line(dimension, angle.corner + leg + style.gap() * out,
+                       angle.corner + leg + (distance + style.overshoot()) * out);
+  add_dimension_arc(dimension, {sector.corner + distance * out, sector.first, sector.sweep}, text, radius, place,
+                    style);
   return dimension;
 }
 
@@ -116,12 +137,23 @@ std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const 
   std::vector<DimensionPlacement> placements;
   const double sweep = std::abs(sector_of(angle).sweep);
   for (int k = 0; k < (measured.offset ? 1 : radii); ++k) {
-    const double radius = measured.offset ? std::abs(*measured.offset) : first_radius + longer * k;
+    const double offset = measured.offset ? std::abs(*measured.offset) : 0;
+    if (angle.arc) {
+      const double distance = measured.offset ? offset : first_dimension + longer * k;
+      const double length = glm::length(angle.legs[0]) * sweep;
+      for (const int place : {0, 1, -1}) {
+        const bool fits = length > style.width(measured.text) + 2 * style.above();
+        placements.push_back({length_of_arc(angle, measured.text, distance, place, style),
+                              cost_of_radius * distance + (place == 0 ? (fits ? 0 : 2 * cost_outside) : cost_outside)});
+      }
+      continue;
+    }
+    const double radius = measured.offset ? offset : first_radius + longer * k;
     const bool room = radius * sweep > style.width(measured.text) + 2 * style.above();
     for (const int place : {0, 1, -1}) {
       const double crowded = place == 0 ? (room ? 0 : 2 * cost_outside) : cost_outside;
       placements.push_back(
-          {arc_dimension(angle, measured.text, radius, place, style), cost_of_radius * radius + crowded});
+          {angular_dimension(angle, measured.text, radius, place, style), cost_of_radius * radius + crowded});
     }
   }
   return placements;

@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "sheet/dimensions/stations.hpp"
+#include "sheet/dimensions/thread_notes.hpp"
 
 namespace epura::sheet {
 
@@ -66,7 +67,7 @@ class Planner {
     add_arcs();
     add_chamfers();
     add_levels();
-    for (DimensionDescription& dimension : stations_.dimensions(wanted_.where, notation_))
+    for (DimensionDescription& dimension : stations_.dimensions(wanted_, notation_))
       dimensions_.push_back(std::move(dimension));
     leave_out_excess();
     return {std::move(dimensions_), std::move(tables_)};
@@ -135,7 +136,7 @@ class Planner {
   [[nodiscard]] std::string length(double value) const { return length_text(value, notation_); }
 
   [[nodiscard]] std::string note_of(const scene::DesignHole& hole, std::size_t count) const {
-    return times(count) + "<>" + recesses_of(hole, notation_);
+    return times(count) + name_in_note(hole.thread) + recesses_of(hole, notation_);
   }
 
   void add_holes() {
@@ -150,7 +151,7 @@ class Planner {
       const auto* shown =
           uppermost<scene::DesignHole>(group, *view, [](const scene::DesignHole& hole) { return hole.mouth; });
       add(DimensionType::diameter, *view, note_of(*group.front(), group.size())).circle = {
-          shown->mouth, shown->axis, shown->diameter / 2, {}};
+          shown->mouth, shown->axis, shown->called() / 2, {}};
       for (const scene::DesignHole* hole : group)
         if (hole->pitch_circle < 0) add_position(*view, hole->mouth, groups_);
     }
@@ -201,9 +202,10 @@ class Planner {
       const scene::DesignHole& hole = *group[i];
       const auto [x, y] = place(&hole);
       const std::string label = letters + std::to_string(i + 1);
-      table.rows.push_back({label, length(x), length(y), "⌀" + length(hole.diameter) + recesses_of(hole, notation_)});
+      const std::string size = hole.thread ? hole.thread->text : "⌀" + length(hole.diameter);
+      table.rows.push_back({label, length(x), length(y), size + recesses_of(hole, notation_)});
       DimensionDescription& dimension = add(DimensionType::diameter, view, label);
-      dimension.circle = {hole.mouth, hole.axis, hole.diameter / 2, {}};
+      dimension.circle = {hole.mouth, hole.axis, hole.called() / 2, {}};
       dimension.is_label = true;
       for (const Vec3& along : {u, v}) stations_.know(world_axis(along), hole.mouth[world_axis(along)]);
     }
@@ -242,7 +244,7 @@ class Planner {
       if (cylinder.inwards || !is_overall(cylinder)) left.push_back(cylinder);
     const auto equal = [](const scene::DesignCylinder& a, const scene::DesignCylinder& b) {
       return a.inwards == b.inwards && a.model == b.model && are_same(a.radius, b.radius) &&
-             are_parallel(a.axis, b.axis);
+             are_parallel(a.axis, b.axis) && name_in_note(a.thread) == name_in_note(b.thread);
     };
     for (const auto& group : groups_of<scene::DesignCylinder>(left, equal)) {
       ++groups_;
@@ -252,10 +254,23 @@ class Planner {
       const NamedProjection* view = across != nullptr ? across : along;
       if (view == nullptr) continue;
       const scene::DesignCylinder& shown = *group.front();
-      add(DimensionType::diameter, *view, times(group.size()) + "<>").circle = {
-          outer_end(shown), axis, shown.radius, {}};
+      add(DimensionType::diameter, *view, times(group.size()) + name_in_note(shown.thread)).circle = {
+          outer_end(shown), axis, shown.called(), {}};
+      if (across != nullptr) add_thread_ends(group, *across);
       if (along == nullptr) continue;
       for (const scene::DesignCylinder* cylinder : group) add_position(*along, cylinder->from, groups_);
+    }
+  }
+
+  // Useful lengths of threads, as positions of their ends.
+  void add_thread_ends(const std::vector<const scene::DesignCylinder*>& group, const NamedProjection& view) {
+    for (const scene::DesignCylinder* cylinder : group) {
+      const int axis = world_axis(cylinder->axis);
+      if (axis < 0 || !cylinder->thread || !cylinder->thread->length) continue;
+      const bool horizontal = std::abs(view.projection.u[axis]) > 0.5;
+      const Vec3 towards = cylinder->called() * (horizontal ? -view.projection.v : view.projection.u);
+      const Vec3& end = cylinder->thread->end;
+      stations_.add({&view, axis, end[axis], end + towards, -1, end - towards});
     }
   }
 

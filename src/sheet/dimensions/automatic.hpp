@@ -37,9 +37,10 @@ struct AutomaticPlan {
 /// - holes, pitch circles, slots, arcs in a view along their axes; shafts and chamfers in a view across them
 /// - positions of holes, slots and bosses and heights of steps from the left or lower end of the models in a view,
 ///   those of equally spaced ones as "3× 20 (=60)"; holes on a pitch circle have no others
-/// If a table of holes is wanted, holes seen along their axes have labels instead of these, and pitch circles nothing.
-/// Sizes that no view shows in true length are omitted. The first of the views that show a feature equally well counts.
-/// Throws Error{input} if no view shows a size of the models.
+/// If an arrangement is wanted, positions along one axis are one row of dimensions. If a table of holes is wanted,
+/// holes seen along their axes have labels instead of these, and pitch circles nothing. Sizes that no view shows in
+/// true length are omitted. The first of the views that show a feature equally well counts. Throws Error{input} if no
+/// view shows a size of the models.
 AutomaticPlan automatic_dimensions(const scene::DimensionDescription& wanted, std::span<const NamedProjection> views,
                                    const DimensionSubject& subject, const Notation& notation);
 

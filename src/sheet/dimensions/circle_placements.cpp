@@ -33,9 +33,10 @@ PlacedDimension leader(const MeasuredCircle& circle, const DimensionText& text, 
   dimension.arrows = {arrow_at(tip, -outward, style)};
   set_text(dimension, text, {(elbow + shoulder) * 0.5, {1, 0}, style.above()}, style);
   // The box includes the shoulder, which no line should meet either.
-  dimension.text_box.centre.y -= style.above() / 2;
-  dimension.text_box.half += Vec2(style.above(), style.above() / 2);
-  dimension.zones = {dimension.text_box};
+  TurnedBox& box = dimension.text_boxes.back();
+  box.centre.y -= style.above() / 2;
+  box.half += Vec2(style.above(), style.above() / 2);
+  dimension.zones = {box};
   return dimension;
 }
 
@@ -70,7 +71,7 @@ void add_labels(std::vector<DimensionPlacement>& placements, const MeasuredCircl
       const Vec2 half(style.width(text) / 2, style.text / 2);
       PlacedDimension dimension;
       set_text(dimension, text, {tip + half * direction, {1, 0}, -style.text / 2}, style);
-      dimension.zones = {dimension.text_box};
+      dimension.zones = dimension.text_boxes;
       placements.push_back({std::move(dimension), 0.1 * i + k});
     }
 }

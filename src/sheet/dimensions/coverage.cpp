@@ -159,10 +159,14 @@ class CoverageFinder {
     for (const scene::DesignPitchCircle& circle : features.pitch_circles)
       add_place(circle.centre, circle.axis, "pitch circle ⌀" + length(2 * circle.radius));
     for (const scene::DesignLevel& level : features.levels) chains_[level.axis].add(level.at, "step");
+    for (const scene::DesignCylinder& cylinder : features.cylinders)
+      if (const int axis = world_axis(cylinder.axis); axis >= 0 && cylinder.thread && cylinder.thread->length)
+        chains_[axis].add(cylinder.thread->end[axis], "end of thread " + cylinder.thread->text);
   }
 
   [[nodiscard]] std::string name_of(const scene::DesignCylinder& cylinder) const {
-    return (cylinder.inwards ? "bore ⌀" : "cylinder ⌀") + length(2 * cylinder.radius);
+    const std::string size = cylinder.thread ? cylinder.thread->text : "⌀" + length(2 * cylinder.radius);
+    return (cylinder.inwards ? "bore " : "cylinder ") + size;
   }
 
   void add_size(CircleSize size) {
@@ -180,15 +184,15 @@ class CoverageFinder {
   void add_sizes() {
     const scene::DesignFeatures& features = subject_.features;
     for (const scene::DesignHole& hole : features.holes) {
-      std::string name = "hole ⌀" + length(hole.diameter);
+      std::string name = "hole " + (hole.thread ? hole.thread->text : "⌀" + length(hole.diameter));
       if (hole.depth) name += " ↧" + length(*hole.depth);
       if (hole.counterbore) name += " ⌴⌀" + length(hole.counterbore->diameter);
       if (hole.countersink) name += " ⌵⌀" + length(hole.countersink->diameter);
-      add_size({name, hole.model, hole.mouth, hole.axis, hole.diameter / 2, false,
+      add_size({name, hole.model, hole.mouth, hole.axis, hole.called() / 2, false,
                 hole.depth || hole.counterbore || hole.countersink});
     }
     for (const scene::DesignCylinder& cylinder : features.cylinders)
-      add_size({name_of(cylinder), cylinder.model, cylinder.from, cylinder.axis, cylinder.radius, false, false});
+      add_size({name_of(cylinder), cylinder.model, cylinder.from, cylinder.axis, cylinder.called(), false, false});
     for (const scene::DesignPitchCircle& circle : features.pitch_circles)
       add_size({"pitch circle ⌀" + length(2 * circle.radius), circle.model, circle.centre, circle.axis, circle.radius,
                 false, false});
@@ -255,6 +259,16 @@ class CoverageFinder {
       coverage_.repeated.push_back(length(std::abs(b - a)) + " along " + axis_names[axis]);
   }
 
+  // Each place with the first one, or in a chain with the one before.
+  void join_row(int axis, const AnchoredDimension& dimension) {
+    std::vector<double> places;
+    for (const Vec3& point : dimension.points) places.push_back(point[axis]);
+    const bool is_chain = *dimension.arrangement == DimensionArrangement::chain;
+    if (is_chain) std::sort(places.begin(), places.end());
+    for (std::size_t i = 1; i < places.size(); ++i)
+      join_between(axis, places[is_chain ? i - 1 : 0], places[i], dimension);
+  }
+
   void join(const AnchoredDimension& dimension, const DimensionsInView& view) {
     if (dimension.type == DimensionType::overall) {
       join_overall(axis_of(*dimension.direction));
@@ -263,7 +277,10 @@ class CoverageFinder {
       if (dimension.type == DimensionType::linear)
         along = *dimension.direction == DimensionDirection::horizontal ? view.projection.u : view.projection.v;
       const int axis = world_axis(glm::normalize(along));
-      if (axis >= 0) join_between(axis, dimension.points[0][axis], dimension.points[1][axis], dimension);
+      if (axis >= 0 && dimension.arrangement)
+        join_row(axis, dimension);
+      else if (axis >= 0)
+        join_between(axis, dimension.points[0][axis], dimension.points[1][axis], dimension);
       if (axis >= 0 && dimension.type == DimensionType::aligned && repeats_of(dimension.text) > 1) join_slots(axis);
     } else if (dimension.type == DimensionType::diameter) {
       if (dimension.is_label) join_label(dimension.circles.front());

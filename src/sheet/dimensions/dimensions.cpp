@@ -33,7 +33,7 @@ struct Surroundings {
 
   void add(const PlacedDimension& dimension) {
     zones.add(dimension.zones);
-    texts.add({&dimension.text_box, 1});
+    texts.add(dimension.text_boxes);
     lines.add(dimension.lines);
   }
 
@@ -41,13 +41,15 @@ struct Surroundings {
 
   /// The cost of a placed dimension; computed no further once it exceeds `max`.
   [[nodiscard]] double cost(const PlacedDimension& dimension, double max) const {
-    double cost = cost_of_text * lines.overlaps(dimension.text_box);
+    double cost = 0;
+    for (const TurnedBox& text : dimension.text_boxes) cost += cost_of_text * lines.overlaps(text);
     for (const TurnedBox& zone : dimension.zones)
       cost += cost_of_zone * (zones.overlaps(zone) + (is_off_paper(zone) ? 1 : 0)) +
               cost_of_crossing * lines.overlaps(zone);
     for (const TurnedBox& line : dimension.lines)
       cost += cost_of_text * texts.overlaps(line) + cost_of_crossing * zones.overlaps(line);
-    if (cost < max && ink_in(dimension.text_box, drawing) > 0) cost += cost_of_text;
+    for (const TurnedBox& text : dimension.text_boxes)
+      if (cost < max && ink_in(text, drawing) > 0) cost += cost_of_text;
     if (cost < max)
       for (const TurnedBox& line : dimension.lines) cost += cost_of_ink * ink_in(line, drawing);
     return cost;
@@ -101,8 +103,9 @@ std::vector<std::size_t> order_of(const std::vector<MeasuredDimension>& dimensio
   const auto rank = [&](std::size_t i) {
     const MeasuredDimension& dimension = dimensions[i];
     const auto* length = std::get_if<MeasuredLength>(&dimension.form);
-    return std::tuple(!dimension.offset, dimension.form.index(),
-                      length ? std::abs(glm::dot(length->to - length->from, length->along)) : 0.0, i);
+    const auto* row = std::get_if<MeasuredRow>(&dimension.form);
+    const double size = length ? std::abs(glm::dot(length->to - length->from, length->along)) : row ? row->size() : 0;
+    return std::tuple(!dimension.offset, row ? std::size_t{0} : dimension.form.index(), size, i);
   };
   std::vector<std::size_t> order(dimensions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -133,7 +136,9 @@ bool any_overlap(const std::vector<TurnedBox>& boxes, const TurnedBox& box) {
 // Whether a dimension line or text shares its place with the other dimension, or a line of the other one crosses it.
 bool cross(const PlacedDimension& a, const PlacedDimension& b) {
   const auto meets = [](const PlacedDimension& one, const PlacedDimension& other) {
-    return any_overlap(other.lines, one.text_box) || any_overlap(other.zones, one.text_box);
+    return std::any_of(one.text_boxes.begin(), one.text_boxes.end(), [&other](const TurnedBox& text) {
+      return any_overlap(other.lines, text) || any_overlap(other.zones, text);
+    });
   };
   const bool zones =
       std::any_of(a.zones.begin(), a.zones.end(), [&](const TurnedBox& zone) { return any_overlap(b.zones, zone); });
@@ -148,7 +153,8 @@ std::vector<std::string> crossings_of(const std::vector<std::optional<PlacedDime
     if (!placed[i]) continue;
     for (std::size_t j = i + 1; j < placed.size(); ++j)
       if (placed[j] && cross(*placed[i], *placed[j])) sentences.push_back(text_of(i) + " and " + text_of(j));
-    if (any_overlap(neighbours.boxes, placed[i]->text_box))
+    if (std::any_of(placed[i]->text_boxes.begin(), placed[i]->text_boxes.end(),
+                    [&](const TurnedBox& text) { return any_overlap(neighbours.boxes, text); }))
       sentences.push_back(text_of(i) + " and something else on the sheet");
   }
   return sentences;
@@ -156,6 +162,9 @@ std::vector<std::string> crossings_of(const std::vector<std::optional<PlacedDime
 
 // U+2300, or the letter that replaces it.
 std::string diameter_sign(const Lettering& lettering) { return lettering.covers("⌀") ? "⌀" : "Ø"; }
+
+// U+2312, or a character that looks like it.
+std::string arc_sign(const Lettering& lettering) { return lettering.covers("⌒") ? "⌒" : "∩"; }
 
 void expect_letters(const std::string& text, const AnchoredDimension& dimension, const Lettering& lettering) {
   const std::vector<std::string> missing = lettering.missing(text);
@@ -178,7 +187,7 @@ void add_to(Layer& layer, PlacedDimension dimension, const std::string& text, co
   if (!dimension.object) return;
   DimensionObject& object = layer.dimensions.emplace_back(std::move(*dimension.object));
   object.text = text;
-  object.text_middle = dimension.text_box.centre;
+  object.text_middle = dimension.text_boxes.front().centre;
   object.text_height = style.text;
   object.arrow = style.arrow();
   object.gap = style.gap();
@@ -197,21 +206,28 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
   std::vector<MeasuredDimension> measured;
   Notation notation = style.notation;
   notation.diameter = diameter_sign(style.lettering);
+  notation.arc = arc_sign(style.lettering);
   for (const AnchoredDimension& dimension :
        find_anchors(view.world, view.dimensions, progress.with_part_of_the_time(0.5))) {
     measured.push_back(measure(view.drawing, dimension, notation));
+    measured.back().name = dimension.name;
     expect_letters(measured.back().text.line(), dimension, style.lettering);
   }
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::dimension, {2 * style.line, style.line});
   std::vector<std::optional<PlacedDimension>> placed = place(measured, view.drawing, style, neighbours, progress);
   std::vector<std::string> crossings = crossings_of(placed, measured, neighbours);
   std::size_t count = 0;
+  std::map<std::string, std::vector<DimensionEnd>> ends;
   for (std::size_t i = 0; i < placed.size(); ++i) {
-    if (!placed[i]) continue;
-    add_to(layer, std::move(*placed[i]), measured[i].text.line(), style);
+    auto& dimension = placed[i];
+    if (!dimension) continue;
+    for (DimensionEnd& end : dimension->ends)
+      if (end.arrow) *end.arrow += static_cast<int>(layer.fills.size());
+    if (!measured[i].name.empty()) ends[measured[i].name] = std::move(dimension->ends);
+    add_to(layer, std::move(*dimension), measured[i].text.line(), style);
     ++count;
   }
-  return {std::move(layer), count, std::move(crossings)};
+  return {std::move(layer), count, std::move(crossings), std::move(ends)};
 }
 
 Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours,

@@ -2,6 +2,7 @@
 // Dimensions of a view. ISO 129-1.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,6 +36,8 @@ struct PlacedLayer {
   Layer layer;
   std::size_t count;                   ///< of its dimensions
   std::vector<std::string> crossings;  ///< a sentence for each dimension that something crosses
+  /// Ends of the dimension lines that have a name; arrows are numbers of areas of the layer.
+  std::map<std::string, std::vector<DimensionEnd>> ends{};
 };
 
 /// The same as dimension_layer, with what lint reports.

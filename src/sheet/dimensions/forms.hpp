@@ -21,7 +21,12 @@ struct DimensionPlacement {
 std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, const MeasuredDimension& measured,
                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style);
 
-/// Arcs of growing radius; an offset is the radius.
+/// The same for a row of lengths.
+std::vector<DimensionPlacement> placements_of(const MeasuredRow& row, const MeasuredDimension& measured,
+                                              const drawing::ViewDrawing& drawing, const DimensionStyle& style);
+
+/// Arcs of growing radius; an offset is the radius. Of the length of an arc: arcs farther and farther outside it; an
+/// offset is the distance.
 std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style);
 

@@ -24,6 +24,9 @@ void add_line(Layer& layer, const Vec2& from, const Vec2& to) { layer.strokes.em
 std::string recesses_of(const scene::DesignHole& hole, const Notation& notation) {
   const auto length = [&](double value) { return length_text(value, notation); };
   std::string text;
+  if (hole.thread && hole.thread->length) text += " ↧" + length(*hole.thread->length);
+  // Of a thread that ends before its core hole does, both. ISO 6410-1.
+  if (hole.depth && hole.thread && hole.thread->length) text += "/⌀" + length(hole.diameter);
   if (hole.depth) text += " ↧" + length(*hole.depth);
   if (hole.counterbore) text += " ⌴⌀" + length(hole.counterbore->diameter) + " ↧" + length(hole.counterbore->size);
   if (hole.countersink)

@@ -26,7 +26,7 @@ struct HoleTable {
   std::vector<HoleRow> rows;
 };
 
-/// What follows the diameter of a hole: depth, counterbore, countersink. Empty for a plain through hole.
+/// What follows the diameter or thread of a hole: depth, counterbore, countersink. Empty for a plain through hole.
 std::string recesses_of(const scene::DesignHole& hole, const Notation& notation);
 
 /// Letters for groups of equal holes: A to Z without I, O and Q, which look like numbers, then AA, AB ...

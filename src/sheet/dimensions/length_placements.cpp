@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "sheet/dimensions/forms.hpp"
+#include "sheet/dimensions/length_reach.hpp"
 #include "sheet/dimensions/straight.hpp"
 
 namespace epura::sheet {
@@ -17,17 +18,8 @@ constexpr double cost_of_extension = 0.02;  // per millimetre of extension lines
 constexpr double cost_of_text_place = 0.1;
 constexpr double on_axis = 1e-6;
 
-struct Reach {
-  double min = 0, max = 0;
+}  // namespace
 
-  void add(double value) {
-    min = std::min(min, value);
-    max = std::max(max, value);
-  }
-};
-
-// How far the ink reaches to the left of the line through `from`: all ink if the line is parallel to a side of the
-// paper, otherwise the ink between the extension lines.
 Reach reach_of_ink(const MeasuredLength& length, const drawing::ViewDrawing& drawing) {
   const Vec2 across = left_of(length.along);
   const double slant = glm::dot(length.extension, length.along) / glm::dot(length.extension, across);
@@ -53,12 +45,9 @@ Reach reach_of_ink(const MeasuredLength& length, const drawing::ViewDrawing& dra
   return reach;
 }
 
-// 1 if `across` points upwards, or to the right.
 double sign_of_offset(const Vec2& across) {
   return (std::abs(across.y) > on_axis ? across.y > 0 : across.x > 0) ? 1 : -1;
 }
-
-}  // namespace
 
 std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, const MeasuredDimension& measured,
                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style) {

@@ -70,6 +70,15 @@ Stroke circle_at(const Vec2& centre, double radius, int parts) {
   return stroke;
 }
 
+Stroke arc_at(const Vec2& centre, double radius, double from, double to) {
+  constexpr double step = std::numbers::pi / 90;
+  const int parts = std::max(2, static_cast<int>(std::ceil(std::abs(to - from) / step)));
+  Stroke stroke;
+  for (int i = 0; i <= parts; ++i) stroke.points.push_back(centre + radius * turned_to(from + (to - from) * i / parts));
+  stroke.curves = {{0, parts, centre, {radius, 0}, {0, radius}, from, to}};
+  return stroke;
+}
+
 Fill dot_at(const Vec2& centre) {
   constexpr double radius = 0.625;  // mm
   constexpr int parts = 48;
@@ -120,13 +129,13 @@ void set_text(PlacedDimension& dimension, const DimensionText& text, const TextP
   if (text.has_stack())
     add_pieces(dimension, text, at, degrees, style);
   else
-    dimension.texts = {
-        {text.line(), at.middle + at.rise * left_of(at.read), style.text, degrees, Align::middle, "dimension"}};
+    dimension.texts.push_back(
+        {text.line(), at.middle + at.rise * left_of(at.read), style.text, degrees, Align::middle, "dimension"});
   const double height = style.height(text);
-  dimension.text_box = {at.middle + (at.rise + height / 2) * left_of(at.read),
-                        at.read,
-                        {style.width(text) / 2 + air * style.text, height / 2 + air * style.text}};
-  check(dimension.text_box.half.x > 0 && dimension.text_box.half.y > 0, "a text has a size");
+  dimension.text_boxes.push_back({at.middle + (at.rise + height / 2) * left_of(at.read),
+                                  at.read,
+                                  {style.width(text) / 2 + air * style.text, height / 2 + air * style.text}});
+  check(dimension.text_boxes.back().half.x > 0 && dimension.text_boxes.back().half.y > 0, "a text has a size");
 }
 
 }  // namespace epura::sheet

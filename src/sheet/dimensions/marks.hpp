@@ -35,14 +35,21 @@ struct DimensionStyle {
   [[nodiscard]] double height(const DimensionText& written) const;
 };
 
+/// An end of a dimension line, in line with which something may stand.
+struct DimensionEnd {
+  Vec2 point, outwards;        ///< on the extension line; the direction has length 1
+  std::optional<int> arrow{};  ///< number of an arrow outside that it would replace
+};
+
 /// A dimension as it would be drawn, and the area that it takes up on paper.
 struct PlacedDimension {
   std::vector<Stroke> strokes;
   std::vector<Fill> arrows;
   std::vector<Text> texts;                  ///< its pieces
-  TurnedBox text_box;                       ///< with a little space around it
+  std::vector<TurnedBox> text_boxes{};      ///< with a little space around them
   std::vector<TurnedBox> zones;             ///< of the dimension line and the text, for their exclusive use
   std::vector<TurnedBox> lines;             ///< extension lines and leaders, which may be crossed
+  std::vector<DimensionEnd> ends{};         ///< of a single dimension line, where no text stands
   std::optional<DimensionObject> object{};  ///< its shape, points and angles, if it is one of those
 };
 
@@ -60,6 +67,9 @@ Stroke circle_at(const Vec2& centre, double radius, int parts = 48);
 
 /// A dot at the end of a leader.
 Fill dot_at(const Vec2& centre);
+
+/// An arc from one angle to another, as a stroke that is one curve.
+Stroke arc_at(const Vec2& centre, double radius, double from, double to);
 
 /// Adds a stroke between two points.
 void add_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
@@ -107,6 +109,41 @@ MeasuredDimension linear(const AnchoredDimension& dimension, const Sight& sight)
   return measured;
 }
 
+// Several lengths from one place, or one after another.
+MeasuredDimension row(const AnchoredDimension& dimension, const Sight& sight) {
+  const bool horizontal = dimension.direction == DimensionDirection::horizontal;
+  const Vec3& axis = horizontal ? sight.drawing.projection.u : sight.drawing.projection.v;
+  if (!sight.orthographic || !sight.shows_an_axis())
+    refuse(dimension, "the view foreshortens the measured lengths", "measure in an orthographic view along an axis");
+  const auto value = [&](std::size_t i) { return glm::dot(dimension.points[i] - dimension.points[0], axis); };
+  std::vector<std::size_t> order(dimension.points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return value(a) < value(b); });
+  MeasuredRow row{{}, 0, horizontal ? Vec2(1, 0) : Vec2(0, 1), {}, *dimension.arrangement};
+  if (dimension.opposite.size() == order.size()) row.opposite.emplace();
+  const bool is_chain = *dimension.arrangement == DimensionArrangement::chain;
+  DimensionText all;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const std::size_t i = order[k];
+    expect_shown(dimension, sight, dimension.points[i]);
+    if (i == 0) row.origin = k;
+    row.places.push_back(sight.page(dimension.points[i]));
+    if (row.opposite) row.opposite->push_back(sight.page(dimension.opposite[i]));
+    if (k > 0 && value(i) - value(order[k - 1]) <= 1e-9 * (value(order.back()) - value(order.front())))
+      refuse(dimension, "two of its places have the same extension line", "omit one of them");
+    if (is_chain && k + 1 == order.size()) break;
+    const double length = is_chain ? value(order[k + 1]) - value(i) : value(i);
+    const bool is_origin = !is_chain && i == 0;
+    // From a common origin, lengths to the left and downwards are negative.
+    const bool is_negative = *dimension.arrangement == DimensionArrangement::ordinate && length < 0;
+    DimensionText text(is_origin ? "0" : is_negative ? "-" : "");
+    if (!is_origin) text.add(with_text(dimension, {std::abs(length)}, sight.notation));
+    row.texts.push_back(text);
+    if (!is_origin) all.add((all.pieces.empty() ? "" : ", ") + text.line());
+  }
+  return {std::move(row), all, dimension.offset};
+}
+
 // The image of a world axis most nearly perpendicular to the line on paper, x before y before z, for extension lines of
 // axonometric views. Length 1.
 Vec2 extension_axis(const Sight& sight, const Vec2& along) {
@@ -197,6 +234,21 @@ MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, const Anc
     before = spoke;
   }
   return measured;
+}
+
+// The length of an arc that the view shows in true shape.
+MeasuredDimension arc_length(const AnchoredDimension& dimension, const Sight& sight) {
+  for (const WorldCircle& circle : dimension.circles) {
+    if (circle.whole || circle.rim.size() < 2 || glm::length(glm::cross(circle.axis, sight.n)) > parallel) continue;
+    const MeasuredCircle arc = on_paper(circle, sight, dimension);
+    for (const Vec3& end : {circle.rim.front(), circle.rim.back()}) expect_shown(dimension, sight, end);
+    const auto leg = [&](double angle) { return arc.radius * Vec2(portable_cos(angle), portable_sin(angle)); };
+    const double value = circle.radius * std::abs(arc.sweep);
+    return {MeasuredAngle{arc.centre, {leg(arc.first), leg(arc.first + arc.sweep)}, arc.sweep},
+            with_text(dimension, {value, sight.notation.arc}, sight.notation), dimension.offset};
+  }
+  refuse(dimension, "the view shows no arc at this place in its true form",
+         "measure an arc of less than a full turn, in a view along its axis");
 }
 
 // For a circle seen edge-on: the distance between its ends.
@@ -301,11 +353,13 @@ MeasuredDimension measure(const drawing::ViewDrawing& drawing, const AnchoredDim
   check(sight.millimetres() > 0, "a parallel view has a scale");
   switch (dimension.type) {
     case DimensionType::linear:
-      return linear(dimension, sight);
+      return dimension.arrangement ? row(dimension, sight) : linear(dimension, sight);
     case DimensionType::aligned:
       return aligned(dimension, sight);
     case DimensionType::angular:
       return angular(dimension, sight);
+    case DimensionType::arc:
+      return arc_length(dimension, sight);
     case DimensionType::overall:
       return overall(dimension, sight);
     default:

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "base/vec.hpp"
 #include "drawing/drawing.hpp"
@@ -24,9 +25,23 @@ struct MeasuredLength {
   std::optional<bool> open{};  ///< only one end is shown, as in half views: true if `to` is where the line breaks off
 };
 
+/// Lengths from one place to others along one direction, arranged together. Millimetres on paper.
+struct MeasuredRow {
+  std::vector<Vec2> places;          ///< where extension lines begin, in order along the direction
+  std::size_t origin = 0;            ///< number of the place from which lengths are measured
+  Vec2 along;                        ///< direction in which they are read: right or up; length 1
+  std::vector<DimensionText> texts;  ///< of each place, its length; of a chain, the length to the next one
+  DimensionArrangement arrangement;
+  std::optional<std::vector<Vec2>> opposite{};  ///< the places for dimension lines above or on the left
+
+  [[nodiscard]] double size() const { return glm::dot(places.back() - places.front(), along); }
+};
+
 struct MeasuredAngle {
   Vec2 corner;
   std::array<Vec2, 2> legs;  ///< their ends, relative to the corner
+  std::optional<double>
+      arc{};  ///< if the length of an arc that begins at the first leg is measured: its sweep, radians
 };
 
 /// A circle or an arc seen in true shape.
@@ -39,9 +54,10 @@ struct MeasuredCircle {
 };
 
 struct MeasuredDimension {
-  std::variant<MeasuredLength, MeasuredAngle, MeasuredCircle> form;
-  DimensionText text;  ///< as written
+  std::variant<MeasuredLength, MeasuredRow, MeasuredAngle, MeasuredCircle> form;
+  DimensionText text;  ///< as written; of a row, all texts
   std::optional<double> offset;
+  std::string name{};  ///< by which datums and frames refer to it
 };
 
 /// The view must show true measures: lengths and angles must lie parallel to its plane; in an orthographic view,

@@ -46,6 +46,15 @@ struct Lines {
   double farthest = 0;               // offset
 };
 
+// Parallel lines of an arrangement have a row each; the texts of a common origin are as long as two rows are high.
+int rows_of(const scene::DimensionDescription& dimension) {
+  if (!dimension.arrangement.given()) return 1;
+  const int most = 3;  // more leave no room for the view
+  if (*dimension.arrangement == DimensionArrangement::baseline)
+    return std::min(static_cast<int>(dimension.anchors.size()) - 1, most);
+  return *dimension.arrangement == DimensionArrangement::ordinate ? 2 : 1;
+}
+
 Lines lines_of(std::span<const scene::DimensionDescription> dimensions, const projection::Projection& projection) {
   Lines lines;
   for (const scene::DimensionDescription& dimension : dimensions) {
@@ -62,8 +71,9 @@ Lines lines_of(std::span<const scene::DimensionDescription> dimensions, const pr
       const bool upright = std::abs(glm::dot(along->along, projection.v)) > 0.5;
       ++(upright ? lines.right : lines.below);
     } else {
-      lines.horizontal += direction == DimensionDirection::vertical ? 0 : 1;
-      lines.vertical += direction == DimensionDirection::horizontal ? 0 : 1;
+      const int rows = rows_of(dimension);
+      lines.horizontal += direction == DimensionDirection::vertical ? 0 : rows;
+      lines.vertical += direction == DimensionDirection::horizontal ? 0 : rows;
     }
   }
   return lines;

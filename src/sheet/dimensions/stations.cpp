@@ -140,8 +140,43 @@ void Stations::add_row(std::vector<Station> row, const std::string& where, const
   dimensions.back().text = {std::to_string(row.size() - 1) + "× " + length_text(pitch, notation) + " (=<>)", where};
 }
 
-std::vector<scene::DimensionDescription> Stations::dimensions(const std::string& where,
+// One row for all stations of a view along one axis that are measured from the same place.
+std::vector<scene::DimensionDescription> Stations::arranged(const scene::DimensionDescription& wanted) const {
+  struct Row {
+    Station base;
+    std::vector<Station> stations;
+  };
+  std::vector<Row> rows;
+  for (const Station& station : stations_) {
+    const Station base = base_of(station);
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& one) {
+      return one.base.view == base.view && one.base.axis == base.axis && std::abs(one.base.at - base.at) <= slack_;
+    });
+    if (row == rows.end())
+      rows.push_back({base, {station}});
+    else
+      row->stations.push_back(station);
+  }
+  std::vector<scene::DimensionDescription> dimensions;
+  for (Row& row : rows) {
+    std::stable_sort(row.stations.begin(), row.stations.end(), [&](const Station& a, const Station& b) {
+      return std::abs(a.at - row.base.at) < std::abs(b.at - row.base.at);
+    });
+    scene::DimensionDescription dimension = distance(row.base, row.stations.front(), wanted.where);
+    for (std::size_t i = 1; i < row.stations.size(); ++i) {
+      dimension.anchors.emplace_back(row.stations[i].point);
+      dimension.opposite.push_back(row.stations[i].opposite);
+    }
+    if (row.stations.size() > 1) dimension.arrangement = wanted.arrangement;
+    dimensions.push_back(std::move(dimension));
+  }
+  return dimensions;
+}
+
+std::vector<scene::DimensionDescription> Stations::dimensions(const scene::DimensionDescription& wanted,
                                                               const Notation& notation) const {
+  if (wanted.arrangement.given()) return arranged(wanted);
+  const std::string& where = wanted.where;
   std::vector<scene::DimensionDescription> dimensions;
   std::vector<char> done(stations_.size(), 0);
   for (std::size_t i = 0; i < stations_.size(); ++i) {

@@ -40,12 +40,14 @@ class Stations {
   /// count.
   void add(const Station& station);
 
-  /// Dimensions of all stations, from the left or lower end of the models in their view.
-  [[nodiscard]] std::vector<scene::DimensionDescription> dimensions(const std::string& where,
+  /// Dimensions of all stations, from the left or lower end of the models in their view, in the arrangement that is
+  /// wanted.
+  [[nodiscard]] std::vector<scene::DimensionDescription> dimensions(const scene::DimensionDescription& wanted,
                                                                     const Notation& notation) const;
 
  private:
   [[nodiscard]] Station base_of(const Station& station) const;
+  [[nodiscard]] std::vector<scene::DimensionDescription> arranged(const scene::DimensionDescription& wanted) const;
   void add_row(std::vector<Station> row, const std::string& where, const Notation& notation,
                std::vector<scene::DimensionDescription>& dimensions) const;
 

@@ -13,8 +13,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double arrows_inside = 3;  // room for two arrows, in lengths of an arrow
-constexpr double no_length = 1e-6;   // mm
+constexpr double no_length = 1e-6;  // mm
 
 double span_of(const MeasuredLength& length) { return std::abs(glm::dot(length.to - length.from, length.along)); }
 
@@ -24,20 +23,6 @@ Vec2 foot_of(const MeasuredLength& length, const Vec2& anchor, double distance) 
   const double rest = distance - glm::dot(anchor - length.from, across);
   return anchor + rest / glm::dot(length.extension, across) * length.extension;
 }
-
-void add_extension_line(PlacedDimension& dimension, const Vec2& anchor, const Vec2& foot, const DimensionStyle& style) {
-  const double reach = glm::length(foot - anchor);
-  if (reach <= no_length) return;
-  const Vec2 direction = (foot - anchor) / reach;
-  const double gap = reach > 2 * style.gap() ? style.gap() : 0;
-  add_crossable_line(dimension, anchor + gap * direction, foot + style.overshoot() * direction);
-}
-
-// The line from `low` to `high`, which carries the text; `read` points from one to the other.
-struct Base {
-  Vec2 low, high, read;
-  double span;
-};
 
 // The extent of a part of the dimension line, mm from its lower end.
 struct Extent {
@@ -52,11 +37,11 @@ struct Layout {
   double text_middle;
 };
 
-Layout layout_of(const Base& base, double width, bool inside, int place, const DimensionStyle& style) {
+Layout layout_of(const DimensionLine& base, double width, int place, const DimensionStyle& style) {
   Layout layout{base.span >= arrows_inside * style.arrow(), {0, base.span}, base.span / 2};
   const double tail = layout.outward ? 0 : 2 * style.arrow();
   layout.line = {-tail, base.span + tail};
-  if (inside) {
+  if (width + style.above() <= base.span) {
     constexpr std::array<double, text_places> shifts{0, 0.5, -0.5, 1, -1};
     layout.text_middle += shifts[std::size_t(place)] * (base.span - width - style.above()) / 2;
     return layout;
@@ -72,7 +57,7 @@ Layout layout_of(const Base& base, double width, bool inside, int place, const D
 
 double degrees_of(const Vec2& direction) { return portable_atan2(direction.y, direction.x) * 180 / std::numbers::pi; }
 
-DimensionObject object_of(const MeasuredLength& length, const std::array<Vec2, 2>& ends, const Base& base) {
+DimensionObject object_of(const MeasuredLength& length, const std::array<Vec2, 2>& ends, const DimensionLine& base) {
   DimensionObject object{DimensionShape::linear, {ends[0], ends[1], base.high}, degrees_of(base.read)};
   const Vec2 leaning = reading_direction(length.extension);
   if (std::abs(glm::dot(leaning, base.read)) > 1e-9) object.oblique = degrees_of(leaning);
@@ -80,6 +65,35 @@ DimensionObject object_of(const MeasuredLength& length, const std::array<Vec2, 2
 }
 
 }  // namespace
+
+void add_extension_line(PlacedDimension& dimension, const Vec2& anchor, const Vec2& foot, const DimensionStyle& style) {
+  const double reach = glm::length(foot - anchor);
+  if (reach <= no_length) return;
+  const Vec2 direction = (foot - anchor) / reach;
+  const double gap = reach > 2 * style.gap() ? style.gap() : 0;
+  add_crossable_line(dimension, anchor + gap * direction, foot + style.overshoot() * direction);
+}
+
+void add_dimension_line(PlacedDimension& dimension, const DimensionLine& line, const DimensionText& text, int place,
+                        const DimensionStyle& style) {
+  const auto& [low, high, read, span, low_open, high_open] = line;
+  const Layout layout = layout_of(line, style.width(text), place, style);
+  const Vec2 begin = low + layout.line.begin * read, end = low + layout.line.end * read;
+  add_line(dimension, begin, end);
+  const auto end_at = [&](const Vec2& point, const Vec2& outwards, bool has_text) {
+    const int arrow = static_cast<int>(dimension.arrows.size());
+    dimension.arrows.push_back(arrow_at(point, layout.outward ? outwards : -outwards, style));
+    if (!has_text) dimension.ends.push_back({point, outwards, layout.outward ? std::nullopt : std::optional(arrow)});
+  };
+  if (!low_open) end_at(low, -read, layout.text_middle < 0);
+  if (!high_open) end_at(high, read, layout.text_middle > span);
+  set_text(dimension, text, {low + layout.text_middle * read, read, style.above()}, style);
+  // From the arrows below the line to the top of the text.
+  const double below = style.above(), top = 2 * style.above() + style.height(text);
+  dimension.zones.push_back({(begin + end) * 0.5 + (top - below) / 2 * left_of(read),
+                             read,
+                             {(layout.line.end - layout.line.begin) / 2, (top + below) / 2}});
+}
 
 bool fits_inside(const MeasuredLength& length, const DimensionText& text, const DimensionStyle& style) {
   return style.width(text) + style.above() <= span_of(length);
@@ -94,24 +108,13 @@ PlacedDimension straight_dimension(const MeasuredLength& length, const Dimension
   // An end at which the dimension line breaks off.
   const bool low_open = length.open && *length.open == swaps, high_open = length.open && *length.open != swaps;
   PlacedDimension dimension;
-  const Base base{foot_of(length, low, distance), foot_of(length, high, distance), read, span_of(length)};
-  if (!low_open) add_extension_line(dimension, low, base.low, style);
-  if (!high_open) add_extension_line(dimension, high, base.high, style);
-
-  check(base.span >= 0, "a length is not negative");
-  if (!length.open) dimension.object = object_of(length, {low, high}, base);
-
-  const Layout layout = layout_of(base, style.width(text), fits_inside(length, text, style), place, style);
-  const Vec2 begin = base.low + layout.line.begin * read, end = base.low + layout.line.end * read;
-  add_line(dimension, begin, end);
-  if (!low_open) dimension.arrows.push_back(arrow_at(base.low, layout.outward ? -read : read, style));
-  if (!high_open) dimension.arrows.push_back(arrow_at(base.high, layout.outward ? read : -read, style));
-  set_text(dimension, text, {base.low + layout.text_middle * read, read, style.above()}, style);
-  // From the arrows below the line to the top of the text.
-  const double below = style.above(), top = 2 * style.above() + style.height(text);
-  dimension.zones = {{(begin + end) * 0.5 + (top - below) / 2 * left_of(read),
-                      read,
-                      {(layout.line.end - layout.line.begin) / 2, (top + below) / 2}}};
+  const DimensionLine line{
+      foot_of(length, low, distance), foot_of(length, high, distance), read, span_of(length), low_open, high_open};
+  check(line.span >= 0, "a length is not negative");
+  if (!low_open) add_extension_line(dimension, low, line.low, style);
+  if (!high_open) add_extension_line(dimension, high, line.high, style);
+  if (!length.open) dimension.object = object_of(length, {low, high}, line);
+  add_dimension_line(dimension, line, text, place, style);
   return dimension;
 }
 

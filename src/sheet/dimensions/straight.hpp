@@ -2,8 +2,6 @@
 // A straight dimension line with its extension lines.
 #pragma once
 
-#include <string>
-
 #include "sheet/dimensions/marks.hpp"
 #include "sheet/dimensions/measure.hpp"
 
@@ -17,6 +15,24 @@ inline constexpr int text_places = 5;
 /// if there is room for them. A text that fits has 5 possible positions, otherwise 2.
 PlacedDimension straight_dimension(const MeasuredLength& length, const DimensionText& text, double distance, int place,
                                    const DimensionStyle& style);
+
+/// The part of a dimension line between two extension lines; `read` points from its lower or left end to the other one.
+/// An open end has no arrow.
+struct DimensionLine {
+  Vec2 low, high, read;
+  double span;
+  bool low_open = false, high_open = false;
+};
+
+/// Adds it with arrows and a text, which may need more of the line outside.
+void add_dimension_line(PlacedDimension& dimension, const DimensionLine& line, const DimensionText& text, int place,
+                        const DimensionStyle& style);
+
+/// Adds an extension line from an anchor to beyond a dimension line, unless they are at one place.
+void add_extension_line(PlacedDimension& dimension, const Vec2& anchor, const Vec2& foot, const DimensionStyle& style);
+
+/// Arrows point outwards in spans of this many of their lengths, and inwards in shorter ones.
+inline constexpr double arrows_inside = 3;
 
 /// Whether the text fits above the dimension line.
 bool fits_inside(const MeasuredLength& length, const DimensionText& text, const DimensionStyle& style);

@@ -12,6 +12,8 @@
 #include "errors.hpp"
 #include "folder.hpp"
 #include "program.hpp"
+#include "sheet/dimensions/boxes.hpp"
+#include "sheet/lettering.hpp"
 
 namespace epura::test {
 namespace {
@@ -325,14 +327,34 @@ std::vector<std::string> dimensions_in(const std::string& svg) {
   return texts;
 }
 
+// The boxes of all texts of a drawing with `--svg-text text`, measured with the font itself; y is down.
+std::vector<std::pair<std::string, sheet::TurnedBox>> boxes_in(const std::string& svg) {
+  static const std::regex text(
+      "<text[^>]* x=\"([^\"]*)\" y=\"([^\"]*)\" font-size=\"([^\"]*)\"(?: text-anchor=\"([a-z]*)\")?"
+      "(?: transform=\"rotate\\(([^ ]*) [^>]*)?>([^<]*)</text>");
+  const sheet::Lettering lettering;
+  std::vector<std::pair<std::string, sheet::TurnedBox>> boxes;
+  for (std::sregex_iterator it(svg.begin(), svg.end(), text), end; it != end; ++it) {
+    const std::smatch& m = *it;
+    const auto number = [&](std::size_t i) { return m[i].matched ? *parse_number(m[i].str()) : 0; };
+    const double height = number(3) / lettering.em(), width = lettering.width(m[6].str(), height);
+    const Vec2 along(cosine(number(5)), sine(number(5))), up(along.y, -along.x);
+    const double shift = m[4] == "middle" ? 0 : m[4] == "end" ? -width / 2 : width / 2;
+    boxes.push_back(
+        {m[6].str(), {Vec2(number(1), number(2)) + shift * along + height / 2 * up, along, {width / 2, height / 2}}});
+  }
+  return boxes;
+}
+
 class AutomaticDimensions : public testing::Test {
  protected:
   Folder folder;
 
-  Outcome lint(const std::string& model, const std::string& dimensions) {
-    return epura(
-        {"lint", model, "--views", "front,top,left", "--dimensions", dimensions, "--sheet", "A3", "-o", "x.svg"},
-        folder / "");
+  Outcome lint(const std::string& model, const std::string& dimensions, const Words& more = {}) {
+    Words arguments{"lint",    model, "--views", "front,top,left", "--dimensions", dimensions,
+                    "--sheet", "A3",  "-o",      "x.svg"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return epura(arguments, folder / "");
   }
   void expect_known(const std::vector<KnownPart>& parts) {
     for (const KnownPart& part : parts) {
@@ -346,6 +368,50 @@ class AutomaticDimensions : public testing::Test {
 TEST_F(AutomaticDimensions, OfPlatesAreEachThereOnce) { expect_known(plates()); }
 TEST_F(AutomaticDimensions, OfRoundPartsAreEachThereOnce) { expect_known(round_parts()); }
 TEST_F(AutomaticDimensions, OfBlocksAreEachThereOnce) { expect_known(blocks()); }
+
+// In whatever arrangement, lint finds that nothing is missing, repeated or crossing.
+TEST_F(AutomaticDimensions, AreCompleteInEveryArrangement) {
+  for (const auto& parts : {plates(), round_parts(), blocks()})
+    for (const KnownPart& part : parts)
+      for (const char* arrangement : {"baseline", "chain", "ordinate"}) {
+        const Outcome run = lint(folder.file("part.obj", part.obj), "auto", {"--arrangement", arrangement});
+        EXPECT_EQ(run.code, 0) << part.name << " " << arrangement << ": " << run.out << run.err;
+      }
+}
+
+// Measured apart from lint: no text lies on another one.
+TEST_F(AutomaticDimensions, HaveTextsThatDoNotTouch) {
+  for (const auto& parts : {plates(), round_parts(), blocks()})
+    for (const KnownPart& part : parts) {
+      EXPECT_EQ(lint(folder.file("part.obj", part.obj), "auto", {"--svg-text", "text"}).code, 0) << part.name;
+      const auto boxes = boxes_in(read_file(folder / "x.svg"));
+      EXPECT_GE(boxes.size(), part.texts.size()) << part.name;
+      for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t j = i + 1; j < boxes.size(); ++j)
+          EXPECT_FALSE(sheet::overlap(boxes[i].second, boxes[j].second))
+              << part.name << ": " << boxes[i].first << " on " << boxes[j].first;
+    }
+}
+
+TEST_F(AutomaticDimensions, SayTheSameInOtherArrangements) {
+  const std::string holes = folder.file("part.obj", plates()[1].obj);
+  const Words common{"80", "60", "10", "4× ⌀8"};
+  const std::vector<std::pair<const char*, Words>> arranged{{"baseline", {"20", "60", "15", "45"}},
+                                                            {"chain", {"20", "40", "15", "30"}},
+                                                            {"ordinate", {"0", "20", "60", "0", "15", "45"}}};
+  for (const auto& [arrangement, positions] : arranged) {
+    EXPECT_EQ(lint(holes, "auto", {"--arrangement", arrangement}).code, 0);
+    Words expected = common;
+    expected.insert(expected.end(), positions.begin(), positions.end());
+    EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted(expected)) << arrangement;
+  }
+}
+
+TEST_F(AutomaticDimensions, ArrangementsNeedThem) {
+  const Outcome run = lint(folder.file("part.obj", plates()[1].obj), "overall", {"--arrangement", "chain"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(contains(run.err, "--arrangement: needs automatic dimensions")) << run.err;
+}
 
 // Positions from the lower left corner, numbered from left to right and upwards; lint counts them.
 TEST_F(AutomaticDimensions, OfHolesInATable) {

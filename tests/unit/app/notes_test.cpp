@@ -104,5 +104,32 @@ TEST_F(Notes, TellOfPointsThatAreHidden) {
   EXPECT_EQ(seen.err.find("hides"), std::string::npos) << seen.err;
 }
 
+// In line with the dimension line, whose ends are 40 mm apart in the front view; the triangle stands on one of them.
+TEST_F(Notes, DatumsStandInLineWithDimensions) {
+  const std::string width =
+      "[[dimension]]\ntype = \"linear\"\ndirection = \"horizontal\"\nname = \"width\"\nview = \"front\"\n"
+      "from = [0, 0]\nto = [0, 1]\n";
+  const std::string datum = "[[datum]]\nletter = \"A\"\ndimension = \"width\"\n";
+  const Outcome run = draw(width + datum +
+                           "[[tolerance_frame]]\ncharacteristic = \"flatness\"\nzone = \"0.1\"\nto = [0, 5]\n"
+                           "also = [{characteristic = \"parallelism\", zone = \"0.2\", datums = [\"A\"]}]\n");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const std::string svg = read_file(folder / "a.svg");
+  for (const char* text : {">40<", ">A<", ">0.1<", ">0.2<"}) EXPECT_NE(svg.find(text), std::string::npos) << text;
+  refused(datum, "there is no dimension 'width'");
+  refused(width + datum + "to = [0, 1]\n", "it has a 'dimension' and needs no 'to'");
+  refused(width + datum + "at = [9, 9]\n", "what stands in line with a dimension has no 'at'");
+  refused(width + "[[datum]]\nletter = \"A\"\n", "[[datum]] lacks 'to'");
+  refused(width + width, "'width' is the name of an earlier dimension");
+  std::string both = width + datum;
+  for (const char* letter : {"B", "C"})
+    both += "[[datum]]\nletter = \"" + std::string(letter) + "\"\ndimension = \"width\"\n";
+  refused(both, "dimension 'width' has no free end of a straight dimension line for datum C");
+  refused(
+      "[[tolerance_frame]]\ncharacteristic = \"flatness\"\nzone = \"0.1\"\nto = [0, 5]\n"
+      "also = [{characteristic = \"parallelism\", zone = \"0.2\"}]\n",
+      "a tolerance of parallelism needs a datum");
+}
+
 }  // namespace
 }  // namespace epura::test

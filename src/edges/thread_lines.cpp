@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "edges/thread_lines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+
+#include "base/portable_math.hpp"
+#include "scene/place_threads.hpp"
+#include "scene/round_faces.hpp"
+
+namespace epura::edges {
+
+namespace {
+
+constexpr double parallel = 1e-6;  // sine
+constexpr int arc_parts = 108;
+// Degrees: the part of a circle that is open is in the upper right quadrant, and its ends do not meet centre lines.
+constexpr double arc_begin = 95, arc_sweep = 270;
+constexpr double largest_depth = 0.5;  // of a thread in the drawing, relative to its radius
+
+/// A threaded cylinder, as far as a cut leaves it. Heights are along its axis.
+struct SeenThread {
+  const scene::RoundFace& round;
+  const scene::ThreadedFace& thread;
+  int model, triangle;  ///< one of its triangles in the world
+  double root;          ///< radius on paper
+  double low, high;     ///< ends of the lines of the root: chamfers are included as far as the root reaches into them
+  std::optional<double> end{};  ///< of the useful length
+
+  [[nodiscard]] double crest() const { return round.face.surface.radius; }
+  [[nodiscard]] Vec3 axis() const { return round.face.surface.axis; }
+};
+
+class ThreadLines {
+ public:
+  ThreadLines(view::ProjectedScene& view, FeatureEdges& drawn) : view_(view), drawn_(drawn) {}
+
+  void add(const SeenThread& thread) {
+    const Vec3& n = view_.projection.n;
+    if (glm::length(glm::cross(n, thread.axis())) <= parallel)
+      add_along(thread);
+    else if (std::abs(glm::dot(n, thread.axis())) <= parallel)
+      add_across(thread);
+  }
+
+ private:
+  // At the end that is nearer to the viewer.
+  void add_along(const SeenThread& thread) {
+    const bool high = glm::dot(thread.axis(), view_.projection.n) > 0;
+    const Vec3 centre = thread.round.at(high ? thread.high : thread.low);
+    const auto at = [&](int i) {
+      const double angle = (arc_begin + arc_sweep * i / arc_parts) * std::numbers::pi / 180;
+      return centre +
+             thread.root * (portable_cos(angle) * view_.projection.u + portable_sin(angle) * view_.projection.v);
+    };
+    for (int i = 0; i < arc_parts; ++i) add_line(thread, EdgeKind::thread, {at(i), at(i + 1)});
+  }
+
+  void add_across(const SeenThread& thread) {
+    const Vec3& n = view_.projection.n;
+    const Vec3 aside = glm::normalize(glm::cross(n, thread.axis()));
+    const bool internal = thread.thread.internal;
+    const double crest = thread.crest(), root = thread.root;
+    const double in_front = internal ? 0 : std::sqrt(crest * crest - root * root);
+    const auto at = [&](double height, double to_side, double towards) {
+      return thread.round.at(height) + to_side * aside + towards * n;
+    };
+    for (const double side : {-root, root})
+      add_line(thread, EdgeKind::thread, {at(thread.low, side, in_front), at(thread.high, side, in_front)});
+    if (!thread.end) return;
+    const double half = internal ? root : crest, towards = internal ? 0 : crest;
+    add_line(thread, EdgeKind::thread_end, {at(*thread.end, -half, towards), at(*thread.end, half, towards)});
+  }
+
+  void add_line(const SeenThread& thread, EdgeKind kind, const std::array<Vec3, 2>& ends) {
+    const int from = view::add_point(view_, ends[0]), to = view::add_point(view_, ends[1]);
+    const auto part = view::clip_edge(view_, from, to);
+    if (!part) return;
+    const int crossing = static_cast<int>(drawn_.crossings.size());
+    drawn_.crossings.push_back({ends, {thread.triangle, thread.triangle}, 0});
+    drawn_.edges.push_back({part->vertex, part->t, kind, thread.model, -1, crossing});
+  }
+
+  view::ProjectedScene& view_;
+  FeatureEdges& drawn_;
+};
+
+int first_triangle_of(const scene::World& world, int model, const scene::PlacedPart& part, int face) {
+  const auto found = std::find(part.face_of_triangle.begin(), part.face_of_triangle.end(), face);
+  return world.first_triangle[static_cast<std::size_t>(model)] +
+         static_cast<int>(found - part.face_of_triangle.begin());
+}
+
+// How far the root reaches into a chamfer at one end of the cylinder, if the thread and what a cut leaves reach that
+// end.
+double reach_into(const scene::PlacedPart& part, const SeenThread& thread, bool high) {
+  const scene::RoundFace& round = thread.round;
+  const double end = high ? round.face.to : round.face.from;
+  const double slack = 1e-6 * (round.face.to - round.face.from);
+  if (std::abs((high ? thread.high : thread.low) - end) > slack) return 0;
+  const auto chamfer = scene::continuation_of(part, thread.thread.face, high);
+  const double outwards = thread.thread.internal ? 1 : -1;  // how the radius changes from crest to root
+  if (!chamfer || !(outwards * chamfer->widening > 0)) return 0;
+  return std::min(chamfer->height, std::abs(thread.root - thread.crest()) / std::abs(chamfer->widening));
+}
+
+std::optional<SeenThread> seen_thread(const scene::World& world, int model, const scene::PlacedPart& part,
+                                      const scene::RoundFace& round, const scene::ThreadedFace& threaded,
+                                      double depth) {
+  if (!round.has_its_axis()) return std::nullopt;
+  const double crest = round.face.surface.radius;
+  const double true_root = (threaded.internal ? threaded.thread.diameter : threaded.thread.minor()) / 2;
+  const double off = std::max(std::abs(true_root - crest), depth);
+  if (off > largest_depth * crest) return std::nullopt;
+  const double way = threaded.from_high ? -1 : 1;
+  const double begin = threaded.from_high ? round.face.to : round.face.from, end = begin + way * threaded.length;
+  SeenThread thread{round,
+                    threaded,
+                    model,
+                    first_triangle_of(world, model, part, round.number),
+                    crest + (threaded.internal ? off : -off),
+                    std::max(std::min(begin, end), round.from),
+                    std::min(std::max(begin, end), round.to)};
+  if (!(thread.low < thread.high)) return std::nullopt;
+  if (threaded.is_partial && end > round.from && end < round.to) thread.end = end;
+  thread.low -= reach_into(part, thread, false);
+  thread.high += reach_into(part, thread, true);
+  return thread;
+}
+
+}  // namespace
+
+void add_thread_lines(const scene::World& world, view::ProjectedScene& view, double depth, FeatureEdges& drawn) {
+  const projection::Projection& projection = view.projection;
+  const bool is_orthographic = !projection.central && glm::length(glm::cross(projection.projector, projection.n)) <=
+                                                          1e-9 * glm::length(projection.projector);
+  if (!is_orthographic) return;
+  ThreadLines lines(view, drawn);
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
+    const scene::Placed& placed = world.models[static_cast<std::size_t>(model)];
+    if (placed.threads.empty()) continue;
+    const auto part = scene::place_part(placed);
+    if (!part) continue;
+    const std::vector<scene::RoundFace> rounds = scene::find_round_faces(world, model, *part);
+    for (const scene::ThreadedFace& thread : placed.threads) {
+      const auto round = std::find_if(rounds.begin(), rounds.end(),
+                                      [&](const scene::RoundFace& one) { return one.number == thread.face; });
+      if (round == rounds.end()) continue;
+      if (const auto seen = seen_thread(world, model, *part, *round, thread, depth)) lines.add(*seen);
+    }
+  }
+}
+
+}  // namespace epura::edges

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// Screw threads in drawings: where their lines are, which are hidden, what stands beside them, and what is refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "base/vec.hpp"
+#include "errors.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+
+namespace epura::test {
+namespace {
+
+/// A line of a thread in a drawing as JSON.
+struct ThreadLine {
+  bool visible;
+  Vec2 from, to;
+};
+
+double number_after(const std::string& text, const std::string& key, std::size_t at) {
+  const std::size_t begin = text.find(key, at) + key.size();
+  return *parse_number(text.substr(begin, text.find_first_of(",]", begin) - begin));
+}
+
+// The segments of one kind, in order of the file.
+std::vector<ThreadLine> lines_of(const std::string& json, const std::string& kind) {
+  std::vector<ThreadLine> lines;
+  const std::string key = "\"kind\": \"" + kind + "\"";
+  for (std::size_t at = json.find(key); at != std::string::npos; at = json.find(key, at + 1)) {
+    const std::size_t begin = json.rfind("{\"from\"", at);
+    const std::string line = json.substr(begin, at - begin);
+    const auto point = [&](const std::string& end) {
+      const std::size_t place = line.find("\"" + end + "\": [");
+      const double x = number_after(line, "[", place);
+      return Vec2(x, number_after(line, ", ", place));
+    };
+    lines.push_back({contains(line, "\"visible\": true"), point("from"), point("to")});
+  }
+  return lines;
+}
+
+class ThreadDrawings : public testing::Test {
+ protected:
+  Folder folder;
+  std::string plate = EPURA_TEST_GOLDEN "/models/threaded-plate.obj";
+  std::string stud = EPURA_TEST_GOLDEN "/models/stud.obj";
+
+  std::string scene(const std::string& model, const std::string& keys) {
+    return folder.file("scene.toml", "[sheet]\nsize = 'A3'\nscale = '2:1'\n[[model]]\nfile = '" + model + "'\n" + keys);
+  }
+  std::vector<ThreadLine> drawn(const std::string& scene, const std::string& kind) {
+    const Outcome run = epura({"draw", scene, "-o", "x.json"}, folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return lines_of(read_file(folder / "x.json"), kind);
+  }
+  void expect_refused(const std::string& keys, const std::string& reason) {
+    const Outcome run =
+        epura({"draw", scene(plate, "[[view]]\nprojection = 'top'\n" + keys), "-o", "x.svg"}, folder / "");
+    EXPECT_EQ(run.code, 2) << keys;
+    EXPECT_TRUE(contains(run.err, reason)) << run.err;
+  }
+};
+
+constexpr const char* m6 = "[[thread]]\nthread = 'M6'\nat = {point = [12, 10, 24]}\ndepth = 12\n";
+
+// At a scale of 2:1: three quarters of a circle of radius 6 mm around the crests, which are the core hole of 5 mm.
+TEST_F(ThreadDrawings, RootsOfAHoleSeenAlongTheAxisAreThreeQuartersOfACircle) {
+  const auto lines = drawn(scene(plate, std::string("[[view]]\nprojection = 'top'\n") + m6), "thread");
+  ASSERT_FALSE(lines.empty());
+  double length = 0;
+  for (const ThreadLine& line : lines) {
+    EXPECT_TRUE(line.visible);
+    length += glm::length(line.to - line.from);
+  }
+  EXPECT_NEAR(length, 1.5 * std::acos(-1.0) * 6, 0.01);
+}
+
+// In a section, both roots are visible lines 12 mm apart and 24 mm long, and a wide line ends the thread; from the
+// front they are hidden.
+TEST_F(ThreadDrawings, RootsOfAHoleSeenAcrossTheAxis) {
+  const std::string section = "[[section]]\nname = 'A'\npoint = [0, 10, 0]\n";
+  for (const bool is_cut : {true, false}) {
+    const std::string view = "[[view]]\nprojection = 'front'\n" + std::string(is_cut ? "section = 'A'\n" : "");
+    const std::string text = scene(plate, (is_cut ? section : "") + view + m6);
+    double length = 0, left = 1e9, right = -1e9;
+    for (const ThreadLine& line : drawn(text, "thread")) {
+      EXPECT_EQ(line.visible, is_cut);
+      length += glm::length(line.to - line.from);
+      left = std::min(left, line.from.x);
+      right = std::max(right, line.from.x);
+    }
+    EXPECT_NEAR(length, 2 * 24, 1e-6);
+    EXPECT_NEAR(right - left, 12, 1e-6);
+    double end = 0;
+    for (const ThreadLine& line : drawn(text, "thread-end")) end += glm::length(line.to - line.from);
+    EXPECT_NEAR(end, 12, 1e-6);
+  }
+}
+
+// The roots of M12x1.25, of radius 5.323, reach into the chamfer from radius 6 to 5.1 on 0.9 mm; its 30 mm count from
+// the end of the stud.
+TEST_F(ThreadDrawings, RootsOfAShaftReachIntoItsChamfer) {
+  const std::string text = scene(
+      stud, "[[view]]\nprojection = 'front'\n[[thread]]\nthread = 'M12x1.25'\nat = {point = [0, 0, 0]}\ndepth = 30\n");
+  const double root = 12 / 2.0 - 0.625 * std::sqrt(3.0) / 2 * 1.25;
+  double length = 0, low = 1e9, high = -1e9;
+  for (const ThreadLine& line : drawn(text, "thread")) {
+    EXPECT_TRUE(line.visible);
+    length += std::abs(line.to.x - line.from.x);
+    low = std::min(low, line.from.y);
+    high = std::max(high, line.from.y);
+  }
+  EXPECT_NEAR(high - low, 2 * 2 * root, 1e-6);
+  EXPECT_NEAR(length, 2 * 2 * (30 - 0.9 + (6 - root)), 1e-4);
+}
+
+TEST_F(ThreadDrawings, HaveADimension) {
+  const std::string keys =
+      "[[view]]\nprojection = 'top'\n[[thread]]\nthread = 'M6'\nat = {point = [12, 10, 24]}\ndepth = 12\nequal = "
+      "true\n";
+  const Outcome run = epura({"draw", scene(plate, keys), "-o", "x.svg"}, folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "aria-label=\"4× M6 ↧12/⌀5 ↧18\""));
+  const Outcome without = epura({"draw", scene(plate, keys + "callout = false\n"), "-o", "y.svg"}, folder / "");
+  EXPECT_EQ(without.code, 0) << without.err;
+  EXPECT_FALSE(contains(read_file(folder / "y.svg"), "M6"));
+}
+
+// Automatic dimensions name the thread instead of the diameter, and nothing is missing.
+TEST_F(ThreadDrawings, AreAmongAutomaticDimensions) {
+  const std::string keys =
+      "[[view]]\nprojection = 'front'\n[[view]]\nprojection = 'left'\n[[dimension]]\ntype = 'auto'\n"
+      "[[thread]]\nthread = 'M12x1.25'\nat = {point = [0, 0, 0]}\ndepth = 30\n"
+      "[[thread]]\nthread = 'M10'\nat = {point = [80, 0, 0]}\n";
+  const Outcome run = epura({"lint", scene(stud, keys), "-o", "x.svg"}, folder / "");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  const std::string svg = read_file(folder / "x.svg");
+  for (const char* text : {"M12×1.25", "M10", "30"})
+    EXPECT_TRUE(contains(svg, "aria-label=\"" + std::string(text) + "\"")) << text;
+  EXPECT_FALSE(contains(svg, "aria-label=\"⌀12\""));
+}
+
+TEST_F(ThreadDrawings, ThatCannotBeAreRefusedWithTheLine) {
+  const auto thread = [](const std::string& size, const std::string& at, const std::string& rest = "") {
+    return "[[thread]]\nthread = '" + size + "'\nat = " + at + "\n" + rest;
+  };
+  const std::string core = "{point = [12, 10, 24]}";
+  expect_refused(thread("M6.5", core), "scene.toml:9:10: 'M6.5' is not a thread: ISO 261 has no M6.5");
+  expect_refused(thread("M6.5", core), "M6 and M7 are the nearest");
+  expect_refused(thread("M6", "{point = [24, 0, 12]}"), "scene.toml:10:6: the thread M6 is at no round face");
+  expect_refused(thread("M6", "{point = [24, 0, 12]}"), "the nearest is the hole");
+  expect_refused(thread("M8", core), "scene.toml:9:10: M8 does not suit the hole ⌀5 around");
+  expect_refused(thread("M8", core), "the minor diameter of ISO 724, has ⌀6.647");
+  expect_refused(thread("M6", core, "depth = 20\n"), "scene.toml:11:9: the thread is 20 long, and the hole ⌀5");
+  expect_refused(thread("M6", core) + thread("M6", core), "has the thread M6 already");
+  expect_refused(thread("M6", core, "view = 'tpo'\n"), "there is no view 'tpo'");
+}
+
+}  // namespace
+}  // namespace epura::test
