@@ -158,6 +158,19 @@ std::vector<std::vector<sheet::BalloonTarget>> Run::balloons_of(
   return balloons;
 }
 
+// Of the parts list, if it is on this sheet.
+std::vector<scene::Item> items_of(const scene::World& world, const scene::SceneDescription& scene,
+                                  const SheetOfViews& views) {
+  const bool has_list = scene.parts_list && scene.parts_list->sheet.value_or(1) == views.sheet + 1;
+  return has_list ? scene::find_items(world, scene.models) : std::vector<scene::Item>();
+}
+
+// Both lines of a thread are wide.
+void set_least_threads(SheetOfViews& views, const SheetPlan& plan) {
+  const double wide = sheet::line_widths(plan.furniture.paper).wide;
+  for (PlannedView& view : views.plans) view.options.least_thread = std::max(least_thread, 2 * wide);
+}
+
 FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   const scene::World& whole = worlds.main();
   const auto shown = [&](std::size_t view) -> const ShownWorld& { return worlds.of(views.descriptions[view]); };
@@ -168,22 +181,21 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   orient_arrow_views(views, world);
   std::vector<view::ProjectedScene> seen = map_views(world, views);
   for (std::size_t i = 0; i < seen.size(); ++i) {
+    ViewOptions& chosen = views.plans[i].options;
     if (section(i) != nullptr) expect_steps_edge_on(*section(i), seen[i], views.descriptions[i]);
-    views.plans[i].options.exploded = !worlds.is_main(views.descriptions[i]);
-    if (section(i) != nullptr && section(i)->surface.aligned) views.plans[i].options.turned = section(i)->surface;
-    views.plans[i].options.revolved = cut_revolved(shown(i).world, scene, views.descriptions[i], seen[i].projection);
-    views.plans[i].options.styles = styles_of(scene, views.descriptions[i], world(i), seen[i].projection);
+    chosen.exploded = !worlds.is_main(views.descriptions[i]);
+    if (section(i) != nullptr && section(i)->surface.aligned) chosen.turned = section(i)->surface;
+    chosen.revolved = cut_revolved(shown(i).world, scene, views.descriptions[i], seen[i].projection);
+    chosen.styles = styles_of(scene, views.descriptions[i], world(i), seen[i].projection);
   }
   find_breaks(views, seen, world);
   views.epura = epura_views(scene.sheets[static_cast<std::size_t>(views.sheet)], views, seen);
   expect_constructions(views, seen);
-  if (scene.parts_list && scene.parts_list->sheet.value_or(1) == views.sheet + 1)
-    views.items = scene::find_items(whole, scene.models);
+  views.items = items_of(whole, scene, views);
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
   if (options.lint) add_all(dimensioned, anchored_dimensions(whole, views, seen, annotations));
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
-  const double wide = sheet::line_widths(plan.furniture.paper).wide;
-  for (PlannedView& view : views.plans) view.options.least_thread = std::max(least_thread, 2 * wide);
+  set_least_threads(views, plan);
   if (plan.chosen && plan.inside) messages.warn(sentence_of_scale(plan));
   warn_about_details(messages, views, plan);
   std::vector<ViewResult> results;

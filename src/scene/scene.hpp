@@ -22,8 +22,8 @@ struct Placed {
   Mat4 to_world{1.0};
   std::shared_ptr<const features::PartFaces> part{};  ///< of the uncut mesh; null if no faces are recognised
   std::vector<StyleDescription> styles{};             ///< by body of the mesh; empty if none matches a body
+  std::vector<ThreadedFace> threads{};                ///< of the part, in the order of the scene
   int copy_of = -1;  ///< the model of the scene of which this is a turned part, in aligned sections; -1: itself
-  std::vector<ThreadedFace> threads{};  ///< of the part, in the order of the scene
 };
 
 /// All models with common numbering: vertex v of model m has the number first_vertex[m] + v; likewise for triangles.

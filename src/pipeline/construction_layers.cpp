@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/construction_layers.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "sheet/construction_layer.hpp"
+#include "sheet/free_rectangles.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+// Where the constructions of some views may be: in the largest free part of the sheet that holds them.
+sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& own, const sheet::Neighbours& around,
+                                               const sheet::SheetFurniture& furniture,
+                                               std::span<const ViewResult> views) {
+  constexpr double from_border = 5, apart = 3;  // mm
+  sheet::ConstructionRoom room{around.paper->grown(-from_border), around.boxes};
+  std::vector<sheet::Rectangle> taken;
+  std::optional<sheet::Rectangle> ink;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const sheet::Rectangle box{views[i].drawing.min, views[i].drawing.max};
+    if (std::find(own.begin(), own.end(), i) == own.end()) {
+      taken.push_back(box.grown(apart));
+    } else {
+      ink = ink ? sheet::united(*ink, box) : box;
+      room.views.push_back(&views[i].drawing);
+    }
+  }
+  if (const auto blocks = sheet::block_boxes(furniture).all) taken.push_back(blocks->grown(apart));
+  const auto size = [](const sheet::Rectangle& r) { return r.size().x * r.size().y; };
+  std::optional<sheet::Rectangle> best;
+  for (const sheet::Rectangle& free : sheet::free_rectangles(sheet::united(room.area, *ink), taken))
+    if (free.holds(*ink, 1e-6) && (!best || size(free) > size(*best))) best = free;
+  room.area = best.value_or(ink->grown(apart));
+  return room;
+}
+
+// The legend of all constructions, if it is asked for or the sheet has a frame with text.
+void add_legend(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  sheet::TextTable table;
+  bool wanted = input.plan.furniture.frame == FrameKind::full;
+  sheet::Layer* layer = nullptr;
+  sheet::ConstructionRoom room{around.paper->grown(-5), around.boxes};
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const construction::Figure& figure = views[i].drawing.construction;
+    room.taken.push_back(sheet::turned_box({views[i].drawing.min, views[i].drawing.max}));
+    if (figure.empty()) continue;
+    wanted = wanted || figure.legend;
+    if (layer == nullptr && !result.constructions[i].empty()) layer = &result.constructions[i].front();
+    for (const construction::Term& term : figure.terms)
+      if (const std::vector<std::string> row{term.symbol, term.meaning};
+          std::find(table.rows.begin(), table.rows.end(), row) == table.rows.end())
+        table.rows.push_back(row);
+  }
+  if (!wanted || layer == nullptr || table.rows.empty()) return;
+  sheet::DimensionStyle small = style;
+  small.text = 2.5;
+  const sheet::TableDrawing drawing(std::move(table), 1, small);
+  const auto corner = sheet::clear_position(room, drawing.size());
+  if (!corner) {
+    result.warnings.emplace_back(
+        "the sheet has no room for the legend of the constructions\n  hint: use a larger sheet");
+    return;
+  }
+  drawing.draw(*layer, *corner + drawing.size(), "construction");
+  around.boxes.push_back(sheet::turned_box({*corner, *corner + drawing.size()}));
+}
+
+}  // namespace
+
+void add_constructions(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                       std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const drawing::ViewDrawing& drawing = views[i].drawing;
+    if (drawing.construction.empty()) continue;
+    std::vector<std::size_t> own{i};
+    if (input.views.epura && input.views.epura->elevation == i) own.push_back(input.views.epura->plan);
+    sheet::ConstructionLayer drawn = sheet::construction_layer(
+        drawing.name, drawing.construction, room_for_constructions(own, around, input.plan.furniture, views), style);
+    if (drawn.without_place > 0)
+      result.warnings.push_back("there is no place for a figure beside the view '" + drawing.name +
+                                "'\n  hint: use a larger sheet or a smaller scale");
+    result.constructions[i].push_back(std::move(drawn.layer));
+  }
+  for (const std::vector<sheet::Layer>& layers : result.constructions)
+    for (const sheet::Layer& layer : layers) {
+      const std::vector<sheet::TurnedBox> more = sheet::boxes_of(layer, style.lettering);
+      around.boxes.insert(around.boxes.end(), more.begin(), more.end());
+    }
+  add_legend(result, around, input, views, style);
+}
+
+}  // namespace epura::pipeline
