@@ -165,7 +165,7 @@ std::vector<scene::Item> items_of(const scene::World& world, const scene::SceneD
   return has_list ? scene::find_items(world, scene.models) : std::vector<scene::Item>();
 }
 
-// Both lines of a thread are wide.
+// However small the scale, the two lines of a thread are apart on paper.
 void set_least_threads(SheetOfViews& views, const SheetPlan& plan) {
   const double wide = sheet::line_widths(plan.furniture.paper).wide;
   for (PlannedView& view : views.plans) view.options.least_thread = std::max(least_thread, 2 * wide);

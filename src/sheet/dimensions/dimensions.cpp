@@ -68,18 +68,36 @@ bool ends_at(const MeasuredLength& length, const Vec2& tip) {
          (length.opposite && (is_end((*length.opposite)[0]) || is_end((*length.opposite)[1])));
 }
 
+bool ends_at(const MeasuredRow& row, const Vec2& tip) {
+  const auto is_place = [&](const Vec2& place) { return is_on_line(tip, place, left_of(row.along)); };
+  return std::any_of(row.places.begin(), row.places.end(), is_place) ||
+         (row.opposite && std::any_of(row.opposite->begin(), row.opposite->end(), is_place));
+}
+
+// The extension lines of the length of an arc may be parallel to its bisector.
 bool ends_at(const MeasuredAngle& angle, const Vec2& tip) {
-  return is_on_line(tip, angle.corner, angle.legs[0]) || is_on_line(tip, angle.corner, angle.legs[1]);
+  return std::any_of(angle.legs.begin(), angle.legs.end(), [&](const Vec2& leg) {
+    return is_on_line(tip, angle.corner, leg) ||
+           (angle.arc && is_on_line(tip, angle.corner + leg, angle.legs[0] + angle.legs[1]));
+  });
 }
 
 bool ends_at(const MeasuredCircle& circle, const Vec2& tip) {
   return std::abs(glm::distance(tip, circle.centre) - circle.radius) <= 1e-6 * (1 + circle.radius);
 }
 
+// The tip of an arrow, or the centre of a dot.
+Vec2 end_of(const Fill& mark) {
+  constexpr std::size_t corners_of_arrow = 3;
+  const std::vector<Vec2>& ring = mark.rings.front();
+  if (ring.size() <= corners_of_arrow) return ring.front();
+  return std::accumulate(ring.begin(), ring.end(), Vec2(0)) / static_cast<double>(ring.size());
+}
+
 template <class Form>
 void check_ends(const Form& form, const PlacedDimension& dimension) {
   for (const Fill& arrow : dimension.arrows)
-    check(ends_at(form, arrow.rings.front().front()), "a dimension ends at what it measures");
+    check(ends_at(form, end_of(arrow)), "a dimension ends at what it measures");
 }
 
 PlacedDimension best_of(std::vector<DimensionPlacement> placements, const Surroundings& surroundings) {
