@@ -149,6 +149,16 @@ Request request_of(const scene::World& world, const scene::ConstructionItem& ite
   return request;
 }
 
+// Member by member: where memory ends, GCC 12 frees the members of an aggregate twice.
+Request optional_request(const scene::ConstructionRow& row, const std::string& where) {
+  Request request;
+  request.item.kind = row.kind;
+  request.item.text = row.word;
+  request.where = where;
+  request.optional = true;
+  return request;
+}
+
 // Those that suit the part of the view, "all" as its members.
 std::vector<Request> requests_of(const scene::World& world, const scene::ViewDescription& view, Part part) {
   std::vector<Request> requests;
@@ -157,7 +167,7 @@ std::vector<Request> requests_of(const scene::World& world, const scene::ViewDes
       for (const scene::ConstructionRow& row : scene::construction_rows)
         if (row.family != ConstructionFamily::any && row.kind != ConstructionKind::vanishing_line && !row.required &&
             suits(row.family, part))
-          requests.push_back({{row.kind, row.word}, view.construction.where, {}, true});
+          requests.push_back(optional_request(row, view.construction.where));
     } else if (suits(scene::row_of(item.kind).family, part)) {
       requests.push_back(request_of(world, item, view.construction.where));
     }
