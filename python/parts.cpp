@@ -30,7 +30,7 @@ Anchor = Union[Sequence[Union[int, str]], Mapping[str, Sequence[float]]]
 )";
 
 /// What the classes of scene files hold is their type, by the beginning of the name of their form.
-constexpr std::array<std::pair<const char*, const char*>, 18> types{{
+constexpr std::array<std::pair<const char*, const char*>, 20> types{{
     {"true or false", "bool"},
     {"text, or rows of a matrix", "Union[str, Sequence[Sequence[float]]]"},
     {"text or date", "Union[str, Date]"},
@@ -46,6 +46,8 @@ constexpr std::array<std::pair<const char*, const char*>, 18> types{{
     {"`#rgb`", "str"},
     {"`auto`, or list of texts", "Union[str, Sequence[str]]"},
     {"anchor", "Anchor"},
+    {"list of anchors", "Sequence[Anchor]"},
+    {"list of tables", "Sequence[Mapping[str, Any]]"},
     {"list of texts", "Sequence[str]"},
     {"list of lists of texts", "Sequence[Sequence[str]]"},
     {"table", "Mapping[str, Any]"},

@@ -32,6 +32,7 @@ class Scene:
     revolved: Sequence[Any] = ()
     explosions: Sequence[Any] = ()
     dimensions: Sequence[Any] = ()
+    threads: Sequence[Any] = ()
     notes: Sequence[Any] = ()
     tolerance_frames: Sequence[Any] = ()
     datums: Sequence[Any] = ()
