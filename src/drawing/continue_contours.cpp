@@ -159,7 +159,7 @@ class Continuation {
         at.part += by / length;
         return at;
       }
-      by -= (1 - at.part) * length;
+      by = std::max(0.0, by - (1 - at.part) * length);  // a link may be longer than that
     }
     return std::nullopt;
   }

@@ -74,7 +74,7 @@ TEST(Logos, OfPixelsAreInEveryPicture) {
   EXPECT_TRUE(has(read_file(folder / "x.pdf"), "/Image"));
 }
 
-TEST(Styles, ChangeWidthsAndColours) {
+TEST(StyleFiles, ChangeWidthsAndColours) {
   const Folder folder;
   folder.file("s.toml", "[visible]\nwidth = 1.25\ncolour = \"#003366\"\n[hidden]\ndashes = \"continuous\"\n");
   const Outcome run =

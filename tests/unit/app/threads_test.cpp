@@ -54,13 +54,13 @@ class ThreadDrawings : public testing::Test {
     return folder.file("scene.toml", "[sheet]\nsize = 'A3'\nscale = '2:1'\n[[model]]\nfile = '" + model + "'\n" + keys);
   }
   std::vector<ThreadLine> drawn(const std::string& scene, const std::string& kind) {
-    const Outcome run = epura({"draw", scene, "-o", "x.json"}, folder / "");
+    const Outcome run = epura({"draw", "--allow-outside", scene, "-o", "x.json"}, folder / "");
     EXPECT_EQ(run.code, 0) << run.err;
     return lines_of(read_file(folder / "x.json"), kind);
   }
   void expect_refused(const std::string& keys, const std::string& reason) {
-    const Outcome run =
-        epura({"draw", scene(plate, "[[view]]\nprojection = 'top'\n" + keys), "-o", "x.svg"}, folder / "");
+    const Outcome run = epura(
+        {"draw", "--allow-outside", scene(plate, "[[view]]\nprojection = 'top'\n" + keys), "-o", "x.svg"}, folder / "");
     EXPECT_EQ(run.code, 2) << keys;
     EXPECT_TRUE(contains(run.err, reason)) << run.err;
   }
@@ -123,10 +123,11 @@ TEST_F(ThreadDrawings, HaveADimension) {
   const std::string keys =
       "[[view]]\nprojection = 'top'\n[[thread]]\nthread = 'M6'\nat = {point = [12, 10, 24]}\ndepth = 12\nequal = "
       "true\n";
-  const Outcome run = epura({"draw", scene(plate, keys), "-o", "x.svg"}, folder / "");
+  const Outcome run = epura({"draw", "--allow-outside", scene(plate, keys), "-o", "x.svg"}, folder / "");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(read_file(folder / "x.svg"), "aria-label=\"4× M6 ↧12/⌀5 ↧18\""));
-  const Outcome without = epura({"draw", scene(plate, keys + "callout = false\n"), "-o", "y.svg"}, folder / "");
+  const Outcome without =
+      epura({"draw", "--allow-outside", scene(plate, keys + "callout = false\n"), "-o", "y.svg"}, folder / "");
   EXPECT_EQ(without.code, 0) << without.err;
   EXPECT_FALSE(contains(read_file(folder / "y.svg"), "M6"));
 }
@@ -137,7 +138,7 @@ TEST_F(ThreadDrawings, AreAmongAutomaticDimensions) {
       "[[view]]\nprojection = 'front'\n[[view]]\nprojection = 'left'\n[[dimension]]\ntype = 'auto'\n"
       "[[thread]]\nthread = 'M12x1.25'\nat = {point = [0, 0, 0]}\ndepth = 30\n"
       "[[thread]]\nthread = 'M10'\nat = {point = [80, 0, 0]}\n";
-  const Outcome run = epura({"lint", scene(stud, keys), "-o", "x.svg"}, folder / "");
+  const Outcome run = epura({"lint", "--allow-outside", scene(stud, keys), "-o", "x.svg"}, folder / "");
   EXPECT_EQ(run.code, 0) << run.out << run.err;
   const std::string svg = read_file(folder / "x.svg");
   for (const char* text : {"M12×1.25", "M10", "30"})
