@@ -194,9 +194,9 @@ void draw_symbol(DrawnForm& drawn, const Form& form, const TitleBlock& block) {
 // Fields with values that the form does not show.
 void warn_about_missing(DrawnForm& drawn, const Form& form, const TitleBlock& block) {
   for (const auto& [name, value] : block.fields) {
-    const auto shows = [&name](const auto& item) {
+    const auto shows = [&field = name](const auto& item) {
       const auto* words = std::get_if<svg::Words>(&item);
-      return words != nullptr && words->name == form_name(name);
+      return words != nullptr && words->name == form_name(field);
     };
     const bool is_silent = value.empty() || name == "language";
     if (!is_silent && std::none_of(form.art.items.begin(), form.art.items.end(), shows))
