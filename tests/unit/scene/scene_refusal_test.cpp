@@ -63,7 +63,8 @@ TEST(SceneRefusal, UnknownKeys) {
           {view + "crease-angle = 3", "5:1: 'crease-angle' is not a key of [[view]]", "did you mean 'crease_angle'?"},
           {model + "[sheet]\nsice = 'A4'", "4:1: 'sice' is not a key of [[sheet]]", "did you mean 'size'?"},
           {model + "[all_sheets.title_block]", "3:13: 'title_block' is not a key of [all_sheets]",
-           "known: size, orientation, scale, angle, layout, fit, frame, decimals, dimension_unit, decimal_sign, font, template, "
+           "known: size, orientation, scale, angle, layout, fit, frame, decimals, dimension_unit, decimal_sign, font, "
+           "template, "
            "logo, style"},
           {model + "[title_block]\ntitel = 'A'", "4:1: 'titel' is not a key of [title_block]", "did you mean 'title'?"},
           {model + "[sheet.title_block]\ntitel = 'A'", "4:1: 'titel' is not a key of [sheet.title_block]",
