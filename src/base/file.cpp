@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "base/descriptor.hpp"
 #include "base/error.hpp"
 
 namespace epura {
@@ -22,26 +23,6 @@ constexpr std::uintmax_t most_bytes_of_pipe = 1'000'000'000;
 // The number of links that Linux follows.
 constexpr int most_links = 40;
 constexpr std::size_t most_at_once = 1 << 24;  // bytes to read between two checks of the clock
-
-// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  [[nodiscard]] int number() const { return number_; }
-  [[nodiscard]] bool close() {
-    const int number = number_;
-    number_ = -1;
-    return ::close(number) == 0;
-  }
-
- private:
-  int number_;
-};
 
 [[noreturn]] void fail(ErrorKind kind, const fs::path& path, const std::string& action, int number) {
   std::string hint;

@@ -15,6 +15,7 @@
 #include <cstring>
 #include <memory>
 
+#include "base/descriptor.hpp"
 #include "base/error.hpp"
 
 namespace epura::foreign {
@@ -114,20 +115,6 @@ Ruleset known_to(int version) {
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(ErrorKind::plugin, "sandbox", what + ": " + std::strerror(errno), "--sandbox off does without");
 }
-
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 void allow(const Descriptor& ruleset, const fs::path& path, std::uint64_t rights) {
   const Descriptor file(::open(path.empty() ? "." : path.c_str(), O_PATH | O_CLOEXEC));

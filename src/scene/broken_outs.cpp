@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/text.hpp"
+#include "scene/view_names.hpp"
 
 namespace epura::scene {
 
@@ -30,24 +30,12 @@ void expect_line(const BrokenOutDescription& one) {
 }
 
 const ViewDescription& view_of(const BrokenOutDescription& one, const std::vector<ViewDescription>& views) {
-  const auto is_it = [&](const ViewDescription& view) {
-    return one.view.given() ? *view.name == *one.view : !view.detail.given();
-  };
-  const auto found = std::find_if(views.begin(), views.end(), is_it);
-  const std::string& where = one.view.given() ? one.view.where : one.point.where;
-  if (found == views.end()) {
-    std::vector<std::string> names;
-    for (const ViewDescription& view : views)
-      if (!view.detail.given()) names.push_back(*view.name);
-    refuse(where, "there is no view '" + *one.view + "'", did_you_mean(*one.view, names));
-  }
-  if (found->detail.given())
-    refuse(where, "view '" + *found->name + "' shows a detail",
-           "name the view that it enlarges; the detail shows its broken-out sections, too");
-  if (found->section.given())
-    refuse(where, "view '" + *found->name + "' shows section " + *found->section + ", and is cut already",
+  const ViewDescription& view = whole_view(one.view, one.point.where, views);
+  if (view.section.given())
+    refuse(one.view.given() ? one.view.where : one.point.where,
+           "view '" + *view.name + "' shows section " + *view.section + ", and is cut already",
            "name a view of the whole");
-  return *found;
+  return view;
 }
 
 }  // namespace

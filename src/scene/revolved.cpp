@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/text.hpp"
+#include "scene/view_names.hpp"
 
 namespace epura::scene {
 
@@ -17,22 +17,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& where, const std::string& reason, const std::string& hint) {
   throw Error(ErrorKind::input, where, reason, hint);
-}
-
-const ViewDescription& view_of(const RevolvedDescription& one, const std::vector<ViewDescription>& views) {
-  const auto is_it = [&](const ViewDescription& view) {
-    return one.view.given() ? *view.name == *one.view : !view.detail.given();
-  };
-  const auto found = std::find_if(views.begin(), views.end(), is_it);
-  const std::string& where = one.view.given() ? one.view.where : one.point.where;
-  if (found == views.end()) {
-    std::vector<std::string> names;
-    for (const ViewDescription& view : views)
-      if (!view.detail.given()) names.push_back(*view.name);
-    refuse(where, "there is no view '" + *one.view + "'", did_you_mean(*one.view, names));
-  }
-  if (found->detail.given()) refuse(where, "view '" + *found->name + "' shows a detail", "name a view of the whole");
-  return *found;
 }
 
 /// An outline in the cutting plane.
@@ -97,7 +81,8 @@ std::optional<std::vector<std::vector<Vec3>>> area_at_point(const std::vector<Pl
 
 void complete_revolved(SceneDescription& scene) {
   for (RevolvedDescription& one : scene.revolved)
-    one.view = {*view_of(one, scene.views).name, one.view.given() ? one.view.where : one.point.where};
+    one.view = {*whole_view(one.view, one.point.where, scene.views).name,
+                one.view.given() ? one.view.where : one.point.where};
 }
 
 FaceAtPoint cut_face_at_point(const World& world, const RevolvedDescription& section) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/view_names.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -33,6 +34,25 @@ void name_views(std::vector<ViewDescription>& views) {
       view.name.value = number == 1 ? usual : usual + "-" + std::to_string(number);
     } while (!taken.insert(*view.name).second);
   }
+}
+
+const ViewDescription& whole_view(const LocatedText& name, const std::string& where,
+                                  const std::vector<ViewDescription>& views) {
+  const auto is_it = [&](const ViewDescription& view) {
+    return name.given() ? *view.name == *name : !view.detail.given();
+  };
+  const auto found = std::find_if(views.begin(), views.end(), is_it);
+  const std::string& place = name.given() ? name.where : where;
+  if (found == views.end()) {
+    std::vector<std::string> names;
+    for (const ViewDescription& view : views)
+      if (!view.detail.given()) names.push_back(*view.name);
+    throw Error(ErrorKind::input, place, "there is no view '" + *name + "'", did_you_mean(*name, names));
+  }
+  if (found->detail.given())
+    throw Error(ErrorKind::input, place, "view '" + *found->name + "' shows a detail",
+                "name the view that it enlarges, or another view of the whole");
+  return *found;
 }
 
 }  // namespace epura::scene

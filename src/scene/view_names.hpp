@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maximum number of views, and default names.
+// Maximum number of views, default names, and views by name.
 #pragma once
 
 #include <cstddef>
@@ -17,5 +17,10 @@ void expect_few_views(std::size_t views, const std::string& where);
 /// "front-2". Views without a detail must have a projection. Throws
 /// Error{input} for more than 1000 views.
 void name_views(std::vector<ViewDescription>& views);
+
+/// Returns the view of that name; without a name, the first one that shows no detail. Views must have names. Throws
+/// Error{input}, with the location of the name or else `where`, if there is none, or if it shows a detail.
+const ViewDescription& whole_view(const LocatedText& name, const std::string& where,
+                                  const std::vector<ViewDescription>& views);
 
 }  // namespace epura::scene
