@@ -58,15 +58,28 @@ std::set<fs::path> folders_of(const std::vector<std::string>& files) {
 
 }  // namespace
 
+NamedFiles files_of(const std::vector<Job>& jobs) {
+  NamedFiles files;
+  for (const Job& job : jobs) {
+    files.inputs.insert(files.inputs.end(), job.models.begin(), job.models.end());
+    files.outputs.insert(files.outputs.end(), job.outputs.begin(), job.outputs.end());
+    std::error_code missing;
+    for (const LaterOption& setting : job.settings)
+      if (const std::string* value = std::get_if<std::string>(&setting.value.content))
+        if (fs::exists(*value, missing)) files.inputs.push_back(*value);
+  }
+  return files;
+}
+
 foreign::Permissions permissions_for(const NamedFiles& files, const pipeline::RunOptions& options,
                                      const scene::SheetDescription& sheet) {
   std::vector<std::string> inputs;
   for (const std::string& input : files.inputs) inputs.push_back(importer::parse_model_request(input).path);
   const std::set<fs::path> sources = folders_of(inputs), targets = folders_of(files.outputs);
-  // Memory is measured by what the process reads there, from a mark that it sets.
   foreign::Permissions permissions{{sources.begin(), sources.end()},
                                    {targets.begin(), targets.end()},
                                    {own_folder() / "epura-importer", program_loader()}};
+  // A worker sets the mark from which its memory is measured.
   permissions.writable.emplace_back("/proc/self/clear_refs");
   const auto add = [&](const std::vector<fs::path>& more) {
     permissions.readable.insert(permissions.readable.end(), more.begin(), more.end());
@@ -85,11 +98,11 @@ foreign::Permissions permissions_for(const NamedFiles& files, const pipeline::Ru
   return permissions;
 }
 
-void confine_if_asked(const DrawOptions& options) {
+void confine_if_asked(const DrawOptions& options, const NamedFiles& files) {
   if (options.run.sandbox != pipeline::Sandbox::on) return;
   if (const std::string reason = foreign::reason_for_no_sandbox(); !reason.empty())
     throw Error(ErrorKind::input, "--sandbox on", reason, "--sandbox auto confines what this computer can confine");
-  foreign::enter_sandbox(permissions_for({options.models, options.outputs}, options.run, options.sheet));
+  foreign::enter_sandbox(permissions_for(files, options.run, options.sheet));
 }
 
 }  // namespace epura

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/batch/jobs.hpp"
 #include "app/options.hpp"
 #include "foreign/sandbox.hpp"
 
@@ -16,14 +17,17 @@ struct NamedFiles {
   std::vector<std::string> outputs;  ///< their folders must exist; "-": standard output
 };
 
+/// Returns the files of all jobs, and those that options of single jobs name.
+NamedFiles files_of(const std::vector<Job>& jobs);
+
 /// Returns what a process needs to draw: to read what lies below the folders of its inputs (everything, with
 /// `allow_outside`), of plugins and of fonts, and the files that options of the sheet name, to write into the folders
 /// of its outputs, and to start importers.
 foreign::Permissions permissions_for(const NamedFiles& files, const pipeline::RunOptions& options,
                                      const scene::SheetDescription& sheet);
 
-/// Confines this process if `--sandbox on` asks for it. Called before the first thread. Throws Error{input} where the
-/// kernel cannot do it.
-void confine_if_asked(const DrawOptions& options);
+/// Confines this process to the files of all its drawings if `--sandbox on` asks for it. Called once, before the first
+/// thread. Throws Error{input} where the kernel cannot do it.
+void confine_if_asked(const DrawOptions& options, const NamedFiles& files);
 
 }  // namespace epura

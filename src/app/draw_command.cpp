@@ -23,7 +23,6 @@ namespace {
 
 // Messages go to standard error, since the drawing may go to standard output.
 int draw_once(const DrawOptions& options) {
-  confine_if_asked(options);
   ProgressBoard board;
   Console console(board, shows_progress(options.progress), options.run.time_limit);
   const pipeline::Messages messages = messages_to(console);
@@ -42,8 +41,10 @@ int draw_each(const DrawOptions& options) {
   batch.draw = options;
   for (const std::string& output : options.outputs)
     batch.later.push_back({"-o,--output", scene::value_of_option("--output", output)});
+  const std::vector<Job> jobs = plan_jobs(batch);
+  confine_if_asked(options, files_of(jobs));
   int code = 0;
-  for (const Job& job : plan_jobs(batch)) code = std::max(code, draw_once(options_of(job, options)));
+  for (const Job& job : jobs) code = std::max(code, draw_once(options_of(job, options)));
   return code;
 }
 
@@ -51,7 +52,9 @@ int draw_each(const DrawOptions& options) {
 
 int draw(const DrawOptions& options) {
   const bool is_named_after_model = std::any_of(options.outputs.begin(), options.outputs.end(), has_placeholder);
-  return is_named_after_model ? draw_each(options) : draw_once(options);
+  if (is_named_after_model) return draw_each(options);
+  confine_if_asked(options, {options.models, options.outputs});
+  return draw_once(options);
 }
 
 }  // namespace epura

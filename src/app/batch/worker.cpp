@@ -175,17 +175,8 @@ void add_libraries(std::string& text, const std::vector<fs::path>& folders) {
 
 /// Returns why it cannot be done; empty if it is.
 std::string confine_to_jobs(const BatchPlan& plan) {
-  NamedFiles files;
-  for (const Job& job : plan.jobs) {
-    files.inputs.insert(files.inputs.end(), job.models.begin(), job.models.end());
-    files.outputs.insert(files.outputs.end(), job.outputs.begin(), job.outputs.end());
-    std::error_code missing;
-    for (const LaterOption& setting : job.settings)
-      if (const std::string* value = std::get_if<std::string>(&setting.value.content))
-        if (fs::exists(*value, missing)) files.inputs.push_back(*value);
-  }
   try {
-    foreign::enter_sandbox(permissions_for(files, plan.common.run, plan.common.sheet));
+    foreign::enter_sandbox(permissions_for(files_of(plan.jobs), plan.common.run, plan.common.sheet));
   } catch (const Error& error) {
     return error.what();
   }

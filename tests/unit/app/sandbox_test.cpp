@@ -54,6 +54,15 @@ TEST_F(Sandbox, ProgramOpensOnlyWhatItIsGivenIfAsked) {
   EXPECT_EQ(read_file(folder_ / "out/free.svg"), read_file(folder_ / "out/confined.svg"));
 }
 
+TEST_F(Sandbox, SeveralDrawingsHaveTheFoldersOfAll) {
+  folder_.file("elsewhere/other.obj", cube);
+  const Outcome outcome =
+      epura({"draw", "parts/cube.obj", "elsewhere/other.obj", "-o", "out/{name}.svg", "--sandbox", "on"}, folder_ / "");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(read_file(folder_ / "out/cube.svg").empty(), false);
+  EXPECT_EQ(read_file(folder_ / "out/other.svg").empty(), false);
+}
+
 TEST_F(Sandbox, WorkersOfABatchAreConfined) {
   const std::vector<std::string> batch{"batch", "parts/cube.obj", "-o", "out/a/{name}.svg", "--report", "report.html"};
   const Outcome confined = run(batch);
