@@ -6,34 +6,20 @@
 #include <cmath>
 #include <set>
 
-#include "../output/json_reader.hpp"
 #include "base/text.hpp"
 #include "base/vec.hpp"
+#include "drawn_scenes.hpp"
 #include "errors.hpp"
-#include "folder.hpp"
-#include "program.hpp"
 
 namespace epura::test {
 namespace {
 
-class AlignedSections : public testing::Test {
+class AlignedSections : public DrawnScenes {
  protected:
-  Folder folder;
-
-  Outcome draw(const std::string& scene, std::vector<std::string> options = {}) {
-    options.insert(options.begin(),
-                   {"draw", "--allow-outside", folder.file("scene.toml", scene), "-o", "x.json", "-o", "x.svg"});
-    return epura(options, folder / "");
-  }
   Json drawing(const std::string& scene, const std::vector<std::string>& options = {}) {
     const Outcome run = draw(scene, options);
     EXPECT_EQ(run.code, 0) << run.err;
-    return JsonReader(read_file(folder / "x.json")).read();
-  }
-  std::string error(const std::string& scene) {
-    const Outcome run = draw(scene);
-    EXPECT_EQ(run.code, 2) << scene;
-    return run.err;
+    return DrawnScenes::drawing();
   }
 };
 

@@ -7,35 +7,20 @@
 #include <cmath>
 #include <map>
 
-#include "../output/json_reader.hpp"
 #include "base/text.hpp"
 #include "base/vec.hpp"
+#include "drawn_scenes.hpp"
 #include "errors.hpp"
-#include "folder.hpp"
-#include "program.hpp"
 
 namespace epura::test {
 namespace {
 
-class Breaks : public testing::Test {
+class Breaks : public DrawnScenes {
  protected:
-  Folder folder;
-
-  Outcome draw(const std::string& scene, std::vector<std::string> options = {}) {
-    options.insert(options.begin(),
-                   {"draw", "--allow-outside", folder.file("scene.toml", scene), "-o", "x.json", "-o", "x.svg"});
-    return epura(options, folder / "");
-  }
-  Json drawing() const { return JsonReader(read_file(folder / "x.json")).read(); }
   Json view(const std::string& scene, const std::vector<std::string>& options = {"--join-within", "0"}) {
     const Outcome run = draw(scene, options);
     EXPECT_EQ(run.code, 0) << run.err;
     return drawing()["views"].items.at(0);
-  }
-  std::string error(const std::string& scene) {
-    const Outcome run = draw(scene);
-    EXPECT_EQ(run.code, 2) << scene;
-    return run.err;
   }
 };
 

@@ -7,27 +7,15 @@
 #include <cmath>
 #include <regex>
 
-#include "../output/json_reader.hpp"
 #include "base/text.hpp"
 #include "base/vec.hpp"
+#include "drawn_scenes.hpp"
 #include "errors.hpp"
-#include "folder.hpp"
-#include "program.hpp"
 
 namespace epura::test {
 namespace {
 
-class Details : public testing::Test {
- protected:
-  Folder folder;
-
-  Outcome draw(const std::string& scene, std::vector<std::string> options = {}) {
-    options.insert(options.begin(),
-                   {"draw", "--allow-outside", folder.file("scene.toml", scene), "-o", "x.json", "-o", "x.svg"});
-    return epura(options, folder / "");
-  }
-  Json drawing() const { return JsonReader(read_file(folder / "x.json")).read(); }
-};
+class Details : public DrawnScenes {};
 
 std::string model(const std::string& name) { return "[[model]]\nfile = '" + sample(name) + "'\n"; }
 
