@@ -167,6 +167,8 @@ def _views_of(projection: Any, parameters: Optional[Mapping[str, Any]], views: O
 
 def _sheets_of(sheet: Union[Sheet, Mapping[str, Any], None], size: Optional[str], scale: Union[str, float, None],
                title: Optional[str]) -> List[Mapping[str, Any]]:
+    if not isinstance(sheet, (Sheet, Mapping, type(None))):
+        raise InputError(f"sheet: is {sheet!r}", "sheet", 'give an epura.Sheet; size="A4" sets the size alone')
     values = dict(fields_of(sheet) if isinstance(sheet, Sheet) else sheet or {})
     values.update({key: value for key, value in (("size", size), ("scale", scale)) if value is not None})
     if title is not None:
