@@ -39,7 +39,10 @@ struct ClosedPart {
 class EndCloser {
  public:
   EndCloser(const InkParts& kept, const TakenInk& taken, const ClosingLimits& limits)
-      : kept_(kept), taken_(taken), limits_(limits) {}
+      : kept_(kept),
+        taken_(taken),
+        limits_(limits),
+        near_taken_(taken.parts.cells_within(limits.touching, limits.along)) {}
 
   [[nodiscard]] Closing closing_of(const InkPart& part, int end) const {
     const std::array<Vec2, 2> line = ends_of(part);
@@ -105,6 +108,7 @@ class EndCloser {
   // Returns the nearest of the lines that are drawn for taken ink at an end of a piece, or nothing if the end already
   // lies on one.
   [[nodiscard]] std::optional<std::array<Vec2, 2>> drawn_for(int piece, const Vec2& place) const {
+    if (!near_taken_.may_meet(place)) return std::nullopt;
     std::optional<std::array<Vec2, 2>> best;
     double least = HUGE_VAL;
     taken_.parts.visit(place, place, limits_.touching, [&](int number) {
@@ -152,6 +156,7 @@ class EndCloser {
   const InkParts& kept_;
   const TakenInk& taken_;
   const ClosingLimits& limits_;
+  search::OccupiedCells near_taken_;
 };
 
 }  // namespace

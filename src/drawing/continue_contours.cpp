@@ -30,6 +30,13 @@ struct LooseEnd {
   Vec2 at, outwards;         ///< its place, and the direction in which the line would go on
 };
 
+/// What decides whether an end may continue another one.
+struct Candidate {
+  Vec2 at, outwards;
+  int model, number;
+  bool visible;
+};
+
 /// A position on a contour.
 struct Foot {
   std::size_t member;
@@ -98,33 +105,50 @@ class Continuation {
     is_joined_.push_back(0);
   }
 
-  // By how much the first line goes beyond the end of the second one; nothing if they do not continue each other.
-  [[nodiscard]] std::optional<double> overlap(const LooseEnd& one, const LooseEnd& two) const {
-    const int a = line_of(one.members.front()), b = line_of(two.members.front());
-    if (models_[a] != models_[b] || pieces_[a].visible != pieces_[b].visible) return std::nullopt;
-    if (glm::dot(one.outwards, two.outwards) > -same_direction) return std::nullopt;
+  // Whether two ends may continue each other: the first line goes a little beyond the end of the second one.
+  [[nodiscard]] bool may_continue(const Candidate& one, const Candidate& two) const {
+    if (one.model != two.model || one.visible != two.visible) return false;
+    if (glm::dot(one.outwards, two.outwards) > -same_direction) return false;
     const double along = glm::dot(one.at - two.at, one.outwards);
-    return along >= -distance_ && along <= most_overlap * distance_ ? std::optional(along) : std::nullopt;
+    return along >= -distance_ && along <= most_overlap * distance_;
+  }
+
+  [[nodiscard]] Candidate candidate(std::size_t number) const {
+    const LooseEnd& end = ends_[number];
+    const int piece = line_of(end.members.front());
+    return {end.at, end.outwards, models_[piece], static_cast<int>(number), pieces_[piece].visible};
   }
 
   // Pairs of ends that may continue each other, the closest first.
   [[nodiscard]] std::vector<Pair> pairs() const {
     const double size = (most_overlap + 1) * distance_;
-    const auto cell_of = [size](const Vec2& p) {
-      return Cell{std::lround(std::floor(p.x / size)), std::lround(std::floor(p.y / size))};
-    };
-    std::vector<std::pair<Cell, std::size_t>> cells;
-    for (std::size_t i = 0; i < ends_.size(); ++i) cells.emplace_back(cell_of(ends_[i].at), i);
-    std::sort(cells.begin(), cells.end());
-    std::vector<Pair> found;
+    std::vector<std::pair<Cell, Candidate>> cells;
+    cells.reserve(ends_.size());
     for (std::size_t i = 0; i < ends_.size(); ++i) {
-      const Cell own = cell_of(ends_[i].at);
-      for (long x = own[0] - 1; x <= own[0] + 1; ++x) {
-        const auto first = std::lower_bound(cells.begin(), cells.end(), std::pair(Cell{x, own[1] - 1}, std::size_t(0)));
-        for (auto c = first; c != cells.end() && c->first <= Cell{x, own[1] + 1}; ++c)
-          if (c->second > i && overlap(ends_[i], ends_[c->second]))
-            found.emplace_back(glm::distance(ends_[i].at, ends_[c->second].at), i, c->second);
+      const Candidate end = candidate(i);
+      cells.emplace_back(Cell{std::lround(std::floor(end.at.x / size)), std::lround(std::floor(end.at.y / size))}, end);
+    }
+    const auto by_cell = [](const auto& a, const auto& b) {
+      return std::tie(a.first, a.second.number) < std::tie(b.first, b.second.number);
+    };
+    std::sort(cells.begin(), cells.end(), by_cell);
+    const auto begin_of = [&](const Cell& cell) {
+      return std::partition_point(cells.begin(), cells.end(), [&](const auto& c) { return c.first < cell; });
+    };
+    std::vector<Pair> found;
+    for (auto own = cells.begin(); own != cells.end();) {
+      const auto [x, y] = own->first;
+      const auto end = std::find_if(own, cells.end(), [&](const auto& c) { return c.first != own->first; });
+      // Those of the three cells of a column are neighbours.
+      for (const long column : {x - 1, x, x + 1}) {
+        const auto first = begin_of({column, y - 1}), last = begin_of({column, y + 2});
+        for (auto one = own; one != end; ++one)
+          for (auto other = first; other != last; ++other)
+            if (other->second.number > one->second.number && may_continue(one->second, other->second))
+              found.emplace_back(glm::distance(one->second.at, other->second.at), one->second.number,
+                                 other->second.number);
       }
+      own = end;
     }
     std::sort(found.begin(), found.end());
     return found;

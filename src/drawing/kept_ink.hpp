@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <compare>
 #include <cstddef>
 #include <span>
@@ -12,6 +13,7 @@
 #include "base/nearest.hpp"
 #include "drawing/ink.hpp"
 #include "drawing/ink_cells.hpp"
+#include "search/occupied_cells.hpp"
 
 namespace epura::drawing {
 
@@ -56,6 +58,18 @@ class InkParts {
   [[nodiscard]] const std::vector<InkPart>& all() const { return parts_; }
   [[nodiscard]] const InkPart& operator[](int number) const { return parts_[static_cast<std::size_t>(number)]; }
   [[nodiscard]] const std::array<Vec2, 2>& line(int number) const { return lines_[static_cast<std::size_t>(number)]; }
+
+  /// The cells within `margin` of a part; `side` is their least width.
+  [[nodiscard]] search::OccupiedCells cells_within(double margin, double side) const {
+    Vec2 min(HUGE_VAL), max(-HUGE_VAL);
+    for (const auto& [from, to] : lines_) {
+      min = glm::min(min, glm::min(from, to));
+      max = glm::max(max, glm::max(from, to));
+    }
+    search::OccupiedCells cells(min - margin, max + margin, side);
+    for (const auto& [from, to] : lines_) cells.add(from, to, margin);
+    return cells;
+  }
 
   /// Works like InkCells::visit.
   template <class Visit>

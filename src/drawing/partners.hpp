@@ -36,6 +36,13 @@ struct LineEnds {
 template <class Place, class Look, class Kind>
 LineEnds(int, Place, Look, Kind) -> LineEnds<Place, Look, Kind>;
 
+/// Joins the only two ends that meet in a point.
+inline void pair_up(End a, End b, std::vector<End>& partner) {
+  if (a == other(b)) return;
+  partner[a] = b;
+  partner[b] = a;
+}
+
 /// Joins ends that meet in one point, while there are two left: first those that go on in nearly the same direction,
 /// as facets of a curve do, then those of one kind; the straightest pair first.
 template <class Ends>
@@ -81,6 +88,7 @@ std::vector<End> find_partners(const Ends& lines, double touching, const Progres
       return all;
     };
     visit_same_keys(static_cast<int>(alone.size()), key, progress, [&](std::span<const int> numbers) {
+      if (numbers.size() == 2) return pair_up(alone[numbers[0]], alone[numbers[1]], partner);
       std::vector<End> ends;
       for (const int number : numbers) ends.push_back(alone[number]);
       pair_up(lines, ends, partner);

@@ -14,6 +14,9 @@ namespace epura::drawing {
 
 namespace {
 
+// Width of the cells that tell where no specks are, as a multiple of the distance.
+constexpr double cells_a_distance = 8;
+
 /// Returns for each piece whether it belongs to a polyline of at most `most` mm.
 std::vector<char> find_short(const std::vector<Piece>& pieces, const std::vector<signed char>& strength, double most,
                              const Progress& progress) {
@@ -52,10 +55,12 @@ std::vector<Piece> drop_specks(std::vector<Piece> pieces, const std::vector<sign
   const std::vector<char> is_short = find_short(pieces, strength, distance, progress);
   if (std::find(is_short.begin(), is_short.end(), 1) == is_short.end()) return pieces;
   const InkParts specks = parts_of(pieces, is_short, distance);
+  const search::OccupiedCells near_specks = specks.cells_within(distance, cells_a_distance * distance);
   std::vector<std::array<bool, 2>> lies_on(pieces.size(), {false, false});  // by end
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     if (is_short[p] != 0 || strength[p] < 0) continue;
     const std::array<Vec2, 2> line{pieces[p].from, pieces[p].to};
+    if (!near_specks.may_meet(line[0], line[1])) continue;
     specks.visit(line[0], line[1], distance, [&](int part) {
       const int speck = specks[part].piece;
       if (pieces[speck].visible && !pieces[p].visible) return true;

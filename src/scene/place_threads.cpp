@@ -59,7 +59,6 @@ class ThreadPlacer {
   explicit ThreadPlacer(World& world) : world_(world), parts_(world.models.size()) {
     for (int model = 0; model < static_cast<int>(parts_.size()); ++model) {
       Placed& placed = world.models[static_cast<std::size_t>(model)];
-      placed.threads.clear();
       if (placed.part == nullptr) continue;
       std::optional<PlacedPart>& part = parts_[static_cast<std::size_t>(model)];
       part = place_part(placed);
@@ -198,6 +197,8 @@ std::optional<Continuation> continuation_of(const PlacedPart& part, int cylinder
 }
 
 void place_threads(World& world, std::span<const ThreadDescription> threads, std::span<const Vec3> positions) {
+  for (Placed& placed : world.models) placed.threads.clear();
+  if (threads.empty()) return;
   ThreadPlacer placer(world);
   for (std::size_t i = 0; i < threads.size(); ++i) placer.place(threads[i], static_cast<int>(i), positions[i]);
 }
