@@ -86,6 +86,18 @@ void add_intersections(const scene::World& world, view::ProjectedScene& view, Fe
   }
 }
 
+FeatureEdges edges_of_meshes(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+                             Progress& progress) {
+  std::size_t edges = 0;
+  for (const scene::Placed& model : world.models) edges += model.mesh->edges.size();
+  progress.begin("finding edges", edges);
+  FeatureEdges drawn;
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
+    add_mesh_edges({world, model, view.map.normalisation}, view, options, drawn, progress);
+  smooth_contours(world, view, options, drawn);
+  return drawn;
+}
+
 void check_sound(const FeatureEdges& drawn, const view::ProjectedScene& view) {
   const auto vertices = static_cast<int>(view.vertices.size()), crossings = static_cast<int>(drawn.crossings.size());
   const auto is_vertex = [&](int v) { return v >= 0 && v < vertices; };
@@ -105,6 +117,13 @@ void check_sound(const FeatureEdges& drawn, const view::ProjectedScene& view) {
   check(drawn.moved >= 0, "a distance is not negative");
 }
 
+void add_lines_in_faces(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+                        FeatureEdges& drawn) {
+  add_intersections(world, view, drawn);
+  add_thread_lines(world, view, options.thread_depth, drawn);
+  check_sound(drawn, view);
+}
+
 }  // namespace
 
 FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
@@ -114,13 +133,7 @@ FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene&
 
 FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 const std::vector<int>& candidates, Progress progress) {
-  std::size_t edges = 0;
-  for (const scene::Placed& model : world.models) edges += model.mesh->edges.size();
-  progress.begin("finding edges", edges);
-  FeatureEdges drawn;
-  for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
-    add_mesh_edges({world, model, view.map.normalisation}, view, options, drawn, progress);
-  smooth_contours(world, view, options, drawn);
+  FeatureEdges drawn = edges_of_meshes(world, view, options, progress);
   if (options.intersection) {
     const double normalisation = view.map.normalisation;
     auto [crossings, searched] = find_intersections(world, normalisation, view.contact.in_space, candidates,
@@ -128,11 +141,22 @@ FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene&
     drawn.crossings = std::move(crossings);
     drawn.searched = searched;
     drop_contacts(world, normalisation, options.crease_angle, drawn, progress.with_part_of_the_time(part_for_search));
-    add_intersections(world, view, drawn);
   }
-  add_thread_lines(world, view, options.thread_depth, drawn);
-  check_sound(drawn, view);
+  add_lines_in_faces(world, view, options, drawn);
   return drawn;
+}
+
+FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+                                const std::vector<FaceCrossing>& intersections, Progress progress) {
+  FeatureEdges drawn = edges_of_meshes(world, view, options, progress);
+  if (options.intersection) drawn.crossings = intersections;
+  add_lines_in_faces(world, view, options, drawn);
+  return drawn;
+}
+
+std::vector<FaceCrossing> intersections_of(const FeatureEdges& drawn) {
+  const auto is_of_thread = [](const FaceCrossing& crossing) { return crossing.triangles[0] == crossing.triangles[1]; };
+  return {drawn.crossings.begin(), std::find_if(drawn.crossings.begin(), drawn.crossings.end(), is_of_thread)};
 }
 
 }  // namespace epura::edges

@@ -58,4 +58,12 @@ FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene&
 FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 const std::vector<int>& candidates, Progress progress = {});
 
+/// The same, with the intersections that another view of the world has: which faces cross depends on the world, on
+/// `view.map.normalisation`, `view.contact.in_space` and `options.crease_angle` alone.
+FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+                                const std::vector<FaceCrossing>& intersections, Progress progress = {});
+
+/// Returns the intersections among the crossings, which come before those of threads.
+std::vector<FaceCrossing> intersections_of(const FeatureEdges& drawn);
+
 }  // namespace epura::edges

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -59,6 +60,7 @@ struct Run {
   bool has_lines = false;
   std::string answers{};
   std::vector<sheet::DimensionsInView> dimensioned{};  ///< for lint
+  std::map<const scene::World*, std::optional<KnownIntersections>> intersections{};
 
   void note(const ViewResult& result);
   std::vector<std::vector<sheet::BalloonTarget>> balloons_of(
@@ -207,7 +209,13 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const std::vector<BrokenOutSection> broken_out =
         cut_broken_outs(world(i), scene, views.descriptions[i], seen[i].projection, messages);
-    const ViewInput input{world(i), section(i), views.plans[i].options, plan.places[i], shown(i).traces, broken_out};
+    const ViewInput input{world(i),
+                          section(i),
+                          views.plans[i].options,
+                          plan.places[i],
+                          shown(i).traces,
+                          broken_out,
+                          scene.views.size() > 1 ? &intersections[&world(i)] : nullptr};
     // Of a detail, this is said of the view that it enlarges.
     if (input.section != nullptr && !input.options.detail)
       warn_if_unseen(messages, *input.section, seen[i], views.plans[i].options.name);

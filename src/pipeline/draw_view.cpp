@@ -168,6 +168,8 @@ class ViewRun {
  private:
   Candidates find_candidates(bool may_leave_out, const Progress& progress) const;
   Candidates find_candidates_in_time() const;
+  [[nodiscard]] const KnownIntersections* known_intersections() const;
+  void keep_intersections(const report::PlanStep& step);
   void find_edges();
   void hide();
   void hide_folds();
@@ -225,13 +227,34 @@ Candidates ViewRun::find_candidates_in_time() const {
   }
 }
 
+// Null if no view has found the intersections that this one needs.
+const KnownIntersections* ViewRun::known_intersections() const {
+  if (input_.known == nullptr || !*input_.known || !options_.edges.intersection) return nullptr;
+  const KnownIntersections& known = **input_.known;
+  const bool are_same = known.normalisation == view_.map.normalisation && known.contact == view_.contact.in_space &&
+                        known.crease_angle == options_.edges.crease_angle;
+  return are_same ? &known : nullptr;
+}
+
+void ViewRun::keep_intersections(const report::PlanStep& step) {
+  if (input_.known == nullptr || *input_.known || !options_.edges.intersection || drawn_.searched < 1) return;
+  input_.known->emplace(KnownIntersections{view_.map.normalisation, view_.contact.in_space, options_.edges.crease_angle,
+                                           edges::intersections_of(drawn_), step});
+  (*input_.known)->step.times = {};
+}
+
 // Finds no edges if there is not even time for those of the meshes.
 void ViewRun::find_edges() {
-  Candidates candidates = find_candidates_in_time();
+  const KnownIntersections* known = known_intersections();
+  Candidates candidates = known != nullptr ? Candidates{{}, known->step} : find_candidates_in_time();
   try {
     edges::EdgeOptions options = options_.edges;
     options.thread_depth = options_.least_thread / (input_.place.scale * view_.projection.scale);
-    drawn_ = edges::find_feature_edges(input_.world, view_, options, candidates.triangles, budget_.lines);
+    const auto find = [&](const auto& crossing) {
+      return edges::find_feature_edges(input_.world, view_, options, crossing, budget_.lines);
+    };
+    drawn_ = known != nullptr ? find(known->found) : find(candidates.triangles);
+    keep_intersections(candidates.step);
     if (drawn_.searched < 1) partial_.add_stage("finding intersections");
     partial_.searched = drawn_.searched;
   } catch (const OutOfTime& cut) {

@@ -101,6 +101,13 @@ struct ViewTime {
 };
 
 /// A view to draw, and its position on the sheet.
+/// The intersections that the first view of a world has found, for the other views of it.
+struct KnownIntersections {
+  double normalisation, contact, crease_angle;  ///< on which they depend
+  std::vector<edges::FaceCrossing> found;
+  report::PlanStep step;
+};
+
 struct ViewInput {
   const scene::World& world;  ///< the cut one if the view shows a section
   const CutSection* section;  ///< null if it shows the whole
@@ -108,6 +115,7 @@ struct ViewInput {
   PlaceOnPage place;
   std::span<const scene::Trace> traces{};  ///< of moved bodies
   std::span<const BrokenOutSection> broken_out{};
+  std::optional<KnownIntersections>* known = nullptr;  ///< of the world; null if no other view shows it
 };
 
 /// Throws OutOfTime if time is over before there is a line to show; otherwise omissions are noted in the result.
