@@ -89,8 +89,8 @@ void drop_third_copies(const scene::World& world, const Progress& progress, std:
 
 }  // namespace
 
-std::vector<int> crossing_candidates(const scene::World& world, double normalisation, double contact,
-                                     const Progress& progress) {
+CrossingCandidates crossing_candidates(const scene::World& world, double normalisation, double contact,
+                                       const Progress& progress) {
   progress.expect_time();
   const UnsetVector<Vec3> points = normalised_points(world, normalisation);
   const BodyTable bodies = bodies_of(world, points);
@@ -109,13 +109,13 @@ std::vector<int> crossing_candidates(const scene::World& world, double normalisa
     if (may_cross[t] != 0) candidates.push_back(static_cast<int>(t));
   drop_third_copies(world, progress, candidates);
   check(candidates.empty() || candidates.back() < static_cast<int>(world.triangles.size()), "candidates are triangles");
-  return candidates;
+  return {std::move(candidates), /*in_patches=*/true};
 }
 
-std::vector<int> all_triangles(const scene::World& world) {
+CrossingCandidates all_triangles(const scene::World& world) {
   std::vector<int> all(world.triangles.size());
   std::iota(all.begin(), all.end(), 0);
-  return all;
+  return {std::move(all)};
 }
 
 }  // namespace epura::edges

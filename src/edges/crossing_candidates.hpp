@@ -2,14 +2,13 @@
 // Selects the triangles that may cross others; the rest are excluded from the search for intersection lines.
 #pragma once
 
-#include <vector>
-
 #include "base/progress.hpp"
+#include "edges/intersections.hpp"
 #include "scene/scene.hpp"
 
 namespace epura::edges {
 
-/// Returns the triangles of the world that may cross others, in ascending order. With any other triangle,
+/// Returns the triangles of the world that may cross others. With any other triangle,
 /// find_intersections finds, to the last bit, either nothing or copies of lines that come earlier and are drawn
 /// instead:
 ///
@@ -20,12 +19,13 @@ namespace epura::edges {
 /// - Low triangles (is_low) have no plane in which they could be crossed.
 ///
 /// Excluded are low triangles, triangles of convex bodies whose box does not overlap that of any other body, and all
-/// but two of coincident triangles: lines that only further copies would add are already drawn. `normalisation` and
+/// but two of coincident triangles: lines that only further copies would add are already drawn. Besides, the triangles
+/// of a patch that is a graph over a plane are not compared with each other (graph_patches.hpp). `normalisation` and
 /// `contact` are those of find_intersections. Throws OutOfTime.
-std::vector<int> crossing_candidates(const scene::World& world, double normalisation, double contact,
-                                     const Progress& progress = {});
+CrossingCandidates crossing_candidates(const scene::World& world, double normalisation, double contact,
+                                       const Progress& progress = {});
 
 /// Returns all triangles: the candidates without any shortcut.
-std::vector<int> all_triangles(const scene::World& world);
+CrossingCandidates all_triangles(const scene::World& world);
 
 }  // namespace epura::edges

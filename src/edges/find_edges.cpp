@@ -132,7 +132,7 @@ FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene&
 }
 
 FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
-                                const std::vector<int>& candidates, Progress progress) {
+                                const CrossingCandidates& candidates, Progress progress) {
   FeatureEdges drawn = edges_of_meshes(world, view, options, progress);
   if (options.intersection) {
     const double normalisation = view.map.normalisation;

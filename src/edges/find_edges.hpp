@@ -54,9 +54,9 @@ struct FeatureEdges {
 FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 Progress progress = {});
 
-/// The same, with intersection lines only between triangles in `candidates` (crossing_candidates.hpp).
+/// The same, with intersection lines only between the candidates (crossing_candidates.hpp).
 FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
-                                const std::vector<int>& candidates, Progress progress = {});
+                                const CrossingCandidates& candidates, Progress progress = {});
 
 /// The same, with the intersections that another view of the world has: which faces cross depends on the world, on
 /// `view.map.normalisation`, `view.contact.in_space` and `options.crease_angle` alone.

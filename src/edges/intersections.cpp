@@ -13,6 +13,7 @@
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
 #include "edges/flat_faces.hpp"
+#include "edges/graph_patches.hpp"
 #include "search/triangle_tree.hpp"
 
 namespace epura::edges {
@@ -54,8 +55,17 @@ class Crossings {
     });
   }
 
-  [[nodiscard]] std::vector<int> flat_faces_of(const std::vector<int>& triangles) const {
-    return flat_faces(world_, points_, contact_, triangles);
+  // Triangles of one group do not cross each other.
+  [[nodiscard]] std::vector<int> groups_of(const CrossingCandidates& candidates) const {
+    std::vector<int> groups = flat_faces(world_, points_, contact_, candidates.triangles);
+    if (!candidates.in_patches) return groups;
+    const std::vector<int> patches = graph_patches(world_, points_, contact_, candidates.triangles, groups);
+    if (patches.empty()) return groups;
+    if (groups.empty()) return patches;
+    const int first = *std::max_element(groups.begin(), groups.end()) + 1;
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      if (patches[i] >= 0) groups[i] = first + patches[i];
+    return groups;
   }
 
   [[nodiscard]] Box box(int triangle) const {
@@ -207,13 +217,14 @@ UnsetVector<Vec3> normalised_points(const scene::World& world, double normalisat
 }
 
 FaceCrossings find_intersections(const scene::World& world, double normalisation, double contact,
-                                 const std::vector<int>& candidates, Progress progress) {
-  if (candidates.empty()) return {{}, 1};
+                                 const CrossingCandidates& candidates, Progress progress) {
+  const std::vector<int>& triangles = candidates.triangles;
+  if (triangles.empty()) return {{}, 1};
   if (progress.is_out_of_time()) return {{}, 0};
   Crossings crossings(world, normalisation, contact);
   const search::TriangleTree tree(
-      candidates.size(), [&](int i) { return crossings.box(candidates[i]); }, crossings.flat_faces_of(candidates));
-  crossings.find_planes(candidates);
+      triangles.size(), [&](int i) { return crossings.box(triangles[i]); }, crossings.groups_of(candidates));
+  crossings.find_planes(triangles);
 
   const std::vector<search::TriangleTree::NodePair> tasks = tree.tasks(1024);
   progress.begin("finding intersections", tasks.size());
@@ -222,7 +233,7 @@ FaceCrossings find_intersections(const scene::World& world, double normalisation
   const auto search = [&](std::size_t task) {
     tree.search(tasks[task], [&](int a, int b) {
       progress.expect_time();
-      if (const auto crossing = crossings.cross(candidates[a], candidates[b])) found[task].push_back(*crossing);
+      if (const auto crossing = crossings.cross(triangles[a], triangles[b])) found[task].push_back(*crossing);
     });
     ++finished;
     progress.advance(1);

@@ -23,13 +23,20 @@ struct FaceCrossings {
   double searched = 1;  ///< fraction of the search that was completed in time; 1: all of it
 };
 
+/// The triangles that may cross others.
+struct CrossingCandidates {
+  std::vector<int> triangles;  ///< of the world, in ascending order
+  bool in_patches = false;     ///< whether triangles of one patch (graph_patches.hpp) are not compared
+
+  bool operator==(const CrossingCandidates&) const = default;
+};
+
 /// Returns all crossings longer than `contact` of two triangles without a common edge, sorted by their triangles. Faces
 /// that only touch (a corner or an edge within `contact` of the other's plane) do not cross; an edge that lies in the
 /// other plane counts if its surface continues on the other side. `normalisation` is a power of two that scales the
-/// size of the world to about 1; `contact` is a normalised length. Only triangles in `candidates`, which are in
-/// ascending order, are searched.
+/// size of the world to about 1; `contact` is a normalised length. Only the candidates are searched.
 FaceCrossings find_intersections(const scene::World& world, double normalisation, double contact,
-                                 const std::vector<int>& candidates, Progress progress = {});
+                                 const CrossingCandidates& candidates, Progress progress = {});
 
 /// Returns the points of the world as used by the search: normalised, with the middle of their box at the origin.
 UnsetVector<Vec3> normalised_points(const scene::World& world, double normalisation);

@@ -70,7 +70,7 @@ drawing::ClosedLine line_on_page(const scene::BrokenOutDescription& description,
 
 std::vector<drawing::PaperTriangle> removed_on_paper(const scene::World& world, const CutSection& section,
                                                      const Mat4& world_to_page) {
-  return drawing::before_cuts_on_paper(world, {edges::all_triangles(world)}, section.surface, world_to_page);
+  return drawing::before_cuts_on_paper(world, {edges::all_triangles(world).triangles}, section.surface, world_to_page);
 }
 
 }  // namespace epura::pipeline

@@ -55,7 +55,7 @@ report::PlanStep clip_step(const scene::World& world, const view::ProjectedScene
 
 // Candidates for intersections, determined before the search.
 struct Candidates {
-  std::vector<int> triangles;
+  edges::CrossingCandidates crossing;
   report::PlanStep step;
 };
 
@@ -205,13 +205,13 @@ Candidates ViewRun::find_candidates(bool may_leave_out, const Progress& progress
   const scene::World& world = input_.world;
   Candidates candidates{{}, {"intersections", false, "", count_of(world.triangles.size()), 0}};
   if (options_.edges.intersection)
-    candidates.triangles = !may_leave_out ? edges::all_triangles(world) : timed(candidates.step.times.certificate, [&] {
+    candidates.crossing = !may_leave_out ? edges::all_triangles(world) : timed(candidates.step.times.certificate, [&] {
       return edges::crossing_candidates(world, view_.map.normalisation, view_.contact.in_space, progress);
     });
-  candidates.step.run = !candidates.triangles.empty();
+  candidates.step.run = !candidates.crossing.triangles.empty();
   if (options_.edges.intersection)
-    candidates.step.skipped = count_of(world.triangles.size() - candidates.triangles.size());
-  candidates.step.why = why_searched(world, options_, candidates.triangles.size());
+    candidates.step.skipped = count_of(world.triangles.size() - candidates.crossing.triangles.size());
+  candidates.step.why = why_searched(world, options_, candidates.crossing.triangles.size());
   return candidates;
 }
 
@@ -253,7 +253,7 @@ void ViewRun::find_edges() {
     const auto find = [&](const auto& crossing) {
       return edges::find_feature_edges(input_.world, view_, options, crossing, budget_.lines);
     };
-    drawn_ = known != nullptr ? find(known->found) : find(candidates.triangles);
+    drawn_ = known != nullptr ? find(known->found) : find(candidates.crossing);
     keep_intersections(candidates.step);
     if (drawn_.searched < 1) partial_.add_stage("finding intersections");
     partial_.searched = drawn_.searched;

@@ -38,12 +38,21 @@ TriangleTree::TriangleTree(std::size_t count, const std::function<Box(int)>& box
     for (std::size_t i = begin; i < end; ++i) bounds[i] = rounded_outwards(box_of(static_cast<int>(i)));
   });
   UnsetVector<int> order = order_along_curve(bounds);
-  if (!groups.empty())
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return groups[a] < groups[b]; });
+  if (!groups.empty()) order = by_group(order, groups);
   leaves_.resize((count + width - 1) / width);  // not earlier, because ordering takes as much memory
   fill_leaves(order, bounds);
   nodes_.resize(2 * leaves_.size() - 1);
   build(0, 0, static_cast<int>(leaves_.size()), groups);
+}
+
+UnsetVector<int> TriangleTree::by_group(const UnsetVector<int>& order, const std::vector<int>& groups) {
+  const int last = *std::max_element(groups.begin(), groups.end());
+  std::vector<std::size_t> next(static_cast<std::size_t>(last) + 3, 0);  // by group, from -1
+  for (const int triangle : order) ++next[groups[triangle] + 2];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  UnsetVector<int> sorted(order.size());
+  for (const int triangle : order) sorted[next[groups[triangle] + 1]++] = triangle;
+  return sorted;
 }
 
 // Orders triangles by the positions of the middles of their boxes on a Morton curve: neighbours on it are neighbours in

@@ -19,7 +19,7 @@ namespace epura::search {
 class TriangleTree {
  public:
   /// Calls `box_of(triangle)` for triangles 0 to count - 1, from several threads. Triangles of one group do not meet
-  /// each other; `groups` has one entry for each triangle, -1 for none, or is empty.
+  /// each other; `groups` has one entry for each triangle, numbered from 0, -1 for none, or is empty.
   TriangleTree(std::size_t count, const std::function<Box(int)>& box_of, const std::vector<int>& groups = {});
 
   /// A task of the search for pairs: the triangles below one node against those below another or the same node.
@@ -74,6 +74,7 @@ class TriangleTree {
   [[nodiscard]] int right_child(int node) const { return node + 2 * (nodes_[node].leaves / 2); }
   static Bounds rounded_outwards(const Box& box);
   static UnsetVector<int> order_along_curve(const UnsetVector<Bounds>& bounds);
+  static UnsetVector<int> by_group(const UnsetVector<int>& order, const std::vector<int>& groups);
   void fill_leaves(const UnsetVector<int>& order, const UnsetVector<Bounds>& bounds);
   [[nodiscard]] int group_of_leaf(int leaf, const std::vector<int>& groups) const;
   Node build(int node, int leaf, int leaves, const std::vector<int>& groups);

@@ -75,11 +75,11 @@ TEST(Candidates, HaveAllIntersections) {
     for (int i = 0; i < count; ++i) shapes.push_back(bodies.body());
     const scene::World world = world_of(shapes);
     for (const double contact : {0.0, 0x1p-40, 0x1p-29, 0x1p-20, 0x1p-8}) {
-      const std::vector<int> all = edges::all_triangles(world);
-      const std::vector<int> candidates = edges::crossing_candidates(world, 0x1p-2, contact);
+      const edges::CrossingCandidates all = edges::all_triangles(world);
+      const edges::CrossingCandidates candidates = edges::crossing_candidates(world, 0x1p-2, contact);
       const edges::FaceCrossings expected = edges::find_intersections(world, 0x1p-2, contact, all);
       const edges::FaceCrossings found = edges::find_intersections(world, 0x1p-2, contact, candidates);
-      left_out += candidates.size() < all.size() ? 1 : 0;
+      left_out += candidates.triangles.size() < all.triangles.size() ? 1 : 0;
       crossings += static_cast<int>(expected.found.size());
       EXPECT_EQ(found.searched, 1);
       ASSERT_EQ(found.found.size(), expected.found.size());
@@ -102,9 +102,9 @@ TEST(Candidates, AreTwoOfAllCopies) {
     shapes.push_back(box({1, 1, 1}, {3, 3, 3}));
   }
   const scene::World world = world_of(shapes);
-  const std::vector<int> candidates = edges::crossing_candidates(world, 0x1p-2, 0x1p-29);
-  EXPECT_EQ(candidates.size(), 2U * 24);
-  const auto places = [&](const std::vector<int>& triangles) {
+  const edges::CrossingCandidates candidates = edges::crossing_candidates(world, 0x1p-2, 0x1p-29);
+  EXPECT_EQ(candidates.triangles.size(), 2U * 24);
+  const auto places = [&](const edges::CrossingCandidates& triangles) {
     std::set<std::array<double, 6>> found;
     for (const edges::FaceCrossing& crossing : edges::find_intersections(world, 0x1p-2, 0x1p-29, triangles).found) {
       const auto& [a, b] = crossing.ends;

@@ -15,7 +15,7 @@ namespace {
 constexpr double contact = 0x1p-29;
 
 std::size_t candidates(const std::vector<Shape>& shapes) {
-  return edges::crossing_candidates(world_of(shapes), 0x1p-3, contact).size();
+  return edges::crossing_candidates(world_of(shapes), 0x1p-3, contact).triangles.size();
 }
 
 // Around the z axis, from -1 to 1, with fans for its ends.
@@ -104,7 +104,7 @@ TEST(Candidates, AreBodiesThatAreInsideOutOrTwisted) {
 TEST(Candidates, AreBodiesThatRunTwiceAroundTheirMiddle) {
   // Every edge of it is folded outwards, and yet its faces cross.
   const scene::World world = world_of(double_pyramid(5, 2));
-  EXPECT_EQ(edges::crossing_candidates(world, 1, contact).size(), 10U);
+  EXPECT_EQ(edges::crossing_candidates(world, 1, contact).triangles.size(), 10U);
   EXPECT_FALSE(edges::find_intersections(world, 1, contact, edges::all_triangles(world)).found.empty());
 }
 
@@ -115,12 +115,12 @@ TEST(Candidates, AreNotTrianglesTooLowForAPlane) {
   for (int i = 0; i <= needles; ++i) fan.points.push_back({1 + 1.0 * i / needles, 2 + 2.0 * i / needles, 0});
   for (int i = 0; i < needles; ++i) fan.faces.push_back({0, i + 3, i + 4});
   const scene::World world = world_of(fan);
-  EXPECT_EQ(edges::crossing_candidates(world, 0x1p-3, contact), std::vector<int>{0});
+  EXPECT_EQ(edges::crossing_candidates(world, 0x1p-3, contact).triangles, std::vector<int>{0});
   EXPECT_TRUE(edges::find_intersections(world, 0x1p-3, contact, edges::all_triangles(world)).found.empty());
 }
 
 TEST(Candidates, WithoutContactNothingIsCertain) {
-  EXPECT_EQ(edges::crossing_candidates(world_of(box({0, 0, 0}, {1, 1, 1})), 1, 0).size(), 12U);
+  EXPECT_EQ(edges::crossing_candidates(world_of(box({0, 0, 0}, {1, 1, 1})), 1, 0).triangles.size(), 12U);
 }
 
 TEST(Candidates, ConvexBodiesLieBehindTheirPlanes) {

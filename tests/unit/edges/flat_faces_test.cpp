@@ -28,7 +28,7 @@ Shape disk(int blades, double hub_height, double lean = 0) {
 }
 
 std::vector<int> faces_of(const scene::World& world) {
-  return edges::flat_faces(world, edges::normalised_points(world, 1), contact, edges::all_triangles(world));
+  return edges::flat_faces(world, edges::normalised_points(world, 1), contact, edges::all_triangles(world).triangles);
 }
 
 TEST(FlatFaces, AreFoundAmongTrianglesRoundOneHub) {
