@@ -350,12 +350,6 @@ std::string to_svg(const sheet::Sheet& sheet, const VectorOptions& options, cons
   return svg;
 }
 
-std::string svg_element(const sheet::Sheet& sheet, const VectorOptions& options) {
-  std::string svg;
-  append_document(svg, sheet, options, {});
-  return svg;
-}
-
 std::string checked_id_prefix(std::string prefix, const std::string& where) {
   constexpr std::string_view characters = "0123456789-_ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
   constexpr std::size_t first_letter = 12, longest = 64;

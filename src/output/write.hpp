@@ -49,8 +49,6 @@ using Pages = std::vector<const sheet::Sheet*>;
 // The same sheet always gives the same bytes: no clock, no counter, no locale. A file is written as a whole, or
 // OutOfTime is thrown.
 std::string to_svg(const sheet::Sheet& sheet, const VectorOptions& options, const Progress& progress = {});
-/// The same as an element of a page: without the XML declaration.
-std::string svg_element(const sheet::Sheet& sheet, const VectorOptions& options);
 /// The same for a page of its own (to_html): views, layers and lines have their names and facts as attributes, lines
 /// have no ids, and there is no style sheet, which a strict policy would refuse. Without `lines`,
 /// layers of edges are empty.

@@ -58,8 +58,14 @@ sheet::Sheet drawn_sheet(int strokes) {
 class Pasted : public Rasters {
  protected:
   // The first one as outlines, the second one as text.
-  static std::string first() { return output::svg_element(drawn_sheet(6), {}); }
-  static std::string second() { return output::svg_element(drawn_sheet(8), {.text = SvgText::text}); }
+  static std::string first() { return element(drawn_sheet(6), SvgText::outlines); }
+  static std::string second() { return element(drawn_sheet(8), SvgText::text); }
+  static std::string element(const sheet::Sheet& sheet, SvgText text) {
+    output::VectorOptions options;
+    options.text = text;
+    options.is_inline = true;
+    return output::to_svg(sheet, options);
+  }
 
   [[nodiscard]] GreyPicture page(const std::string& rules, const std::string& left, const std::string& right,
                                  const std::string& own) const {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 #include <vector>
 
@@ -119,15 +118,14 @@ TEST(TitleBlock, ShowsEveryField) {
   EXPECT_TRUE(std::any_of(drawn.ink.texts.begin(), drawn.ink.texts.end(), is_caption));
 }
 
-TEST(TitleBlock, LongTextsAreCutFastAndSaid) {
-  const auto start = std::chrono::steady_clock::now();
-  for (const std::string& text : {std::string(10000, 'W'), std::string("word ") + std::string(10000, 'w'),
+// In a time that grows with their square, this would not end.
+TEST(TitleBlock, LongTextsAreCutAndSaid) {
+  for (const std::string& text : {std::string(100000, 'W'), std::string("word ") + std::string(10000, 'w'),
                                   std::string(10000, ' ') + "x", std::string(10000, '\x80')}) {
     const auto drawn = sheet::draw_title_block(filled(text), paper("A3"), lettering());
     expect_legible(drawn, *sheet::title_block_box(filled(text), paper("A3")));
     EXPECT_EQ(drawn.warnings.empty(), text.ends_with(" x")) << text.substr(0, 9);
   }
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
 // Drawings are found by their numbers.
