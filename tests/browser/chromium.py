@@ -176,6 +176,7 @@ class Browser:
                 found.append(parameters["entry"]["text"])
             if method == "Runtime.consoleAPICalled" and parameters["type"] in ("error", "warning", "assert"):
                 found.append(json.dumps(parameters["args"])[:1000])
-            if method == "Network.requestWillBeSent" and not parameters["request"]["url"].startswith((server, "file:", "about:")):
+            if method == "Network.requestWillBeSent" and not parameters["request"]["url"].startswith(
+                    (server, "file:", "about:", "blob:")):
                 found.append("requested " + parameters["request"]["url"][:200])
         return found

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "app/snapshot/case_files.hpp"
-#include "app/snapshot/run_epura.hpp"
+#include "app/run_epura.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "compare/comparison.hpp"
