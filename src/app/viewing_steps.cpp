@@ -197,8 +197,8 @@ std::string viewing_json(const projection::Projection& p, const view::ViewingMod
                      ",\n \"u\": " + json_of(p.u) + ", \"v\": " + json_of(p.v) + ", \"n\": " + json_of(p.n) +
                      ",\n \"PRP\": " + json_of(v.prp) + ", \"VPD\": " + json_number(v.plane) +
                      ", \"F\": " + json_number(v.front) + ", \"B\": " + json_number(v.back) +
-                     ",\n \"window\": " + json_of(v.window) + ", \"viewport\": " + json_of(model.viewport) +
-                     ",\n \"" + plane_symbol(p) + "\": " + json_of(model.plane) + ",\n \"steps\": [";
+                     ",\n \"window\": " + json_of(v.window) + ", \"viewport\": " + json_of(model.viewport) + ",\n \"" +
+                     plane_symbol(p) + "\": " + json_of(model.plane) + ",\n \"steps\": [";
   for (const view::ViewingStep& s : model.steps)
     text += (&s == model.steps.data() ? "\n  " : ",\n  ") + std::string("{\"symbol\": ") + json_string(s.symbol) +
             ", \"equation\": " + json_string(s.equation) + ", \"matrix\": " + json_of(s.matrix) + "}";

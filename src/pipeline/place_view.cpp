@@ -23,7 +23,8 @@ scene::World read_world(const scene::SceneDescription& scene, const RunOptions& 
 }
 
 PlacedView place_view(const scene::World& world, const scene::SceneDescription& scene, const RunOptions& options) {
-  check(scene.views.size() == 1 && scene.sections.empty() && scene.explosions.empty(), "one view shows the models whole");
+  check(scene.views.size() == 1 && scene.sections.empty() && scene.explosions.empty(),
+        "one view shows the models whole");
   const SheetOfViews sheet = views_by_sheet(scene, plan_views(scene, options)).front();
   std::vector<view::ProjectedScene> seen{project_scene(world, sheet.plans.front(), sheet.descriptions.front())};
   expect_constructions(sheet, seen);

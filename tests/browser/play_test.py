@@ -15,7 +15,7 @@ sys.path[:0] = [HERE, os.path.dirname(HERE)]
 import chromium  # noqa: E402
 from served import Served  # noqa: E402
 
-EPURA, PLUGINS = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[3])
+EPURA, STRANGERS = os.path.abspath(sys.argv[1]), os.path.join(os.path.abspath(sys.argv[3]), "good")
 BRACKET = os.path.join(os.path.dirname(os.path.dirname(HERE)), "samples", "models", "bracket.obj")
 ROUNDING = 1e-9  # mm on the page
 failures = []
@@ -33,7 +33,7 @@ VALUES = {
     "one-point": ["right=-2:above=3"],
     "two-point": ["azimuth=70:distance=1", "azimuth=-30:above=-0.7"],
     "three-point": ["azimuth=10:elevation=60", "azimuth=130:elevation=-20"],
-    "look-at": ["eye=200,-300,150", "eye=200,-300,150:ref=10,20,30:d=77"],
+    "look-at": ["eye=200,-300,150", "eye=200,-300,150:ref=10,20,30:fovy=30"],
     "frustum": ["eye=10,-400,90"],
     "observer": ["o=-250,-300,200"],
     "phigs": ["prp=20,10,500", "kind=parallel:vpn=1,-2,1:prp=50,20,100", "vpn=2,-1,1:window=-60,-40,70,80:prp=0,0,400"],
@@ -64,6 +64,10 @@ def wait_until(browser, expression, seconds=20):
             check(f"within {seconds} s: {expression}", False, text(browser, "status"))
             return
         time.sleep(0.02)
+
+
+def command(request):
+    return f"epura draw {BRACKET} --plugin-path={STRANGERS} --projection {request} -o bracket.svg"
 
 
 def text(browser, name):
@@ -168,15 +172,12 @@ def test_slider(browser, server):
     browser.settle()
     check("the wireframe moves", painted(browser) != before and browser.evaluate("epura.points") != points)
     wait_until(browser, "!document.getElementById('drawing').hidden")
-    same("the command", text(browser, "command"), f"epura draw {BRACKET} --projection two-point:azimuth=70 -o bracket.svg")
-    body = next(browser.call("Network.getResponseBody", requestId=event["params"]["requestId"])
-                for event in reversed(browser.events) if event.get("method") == "Network.responseReceived"
-                and "/drawing?" in event["params"]["response"]["url"])
-    got = base64.b64decode(body["body"]) if body["base64Encoded"] else body["body"].encode()
-    same("the exact drawing is that of the command", got, drawn("two-point:azimuth=70", "svg"))
-    check("its size on the screen is that of the wireframe", browser.evaluate("""(() => {
-        const [a, b] = ['drawing', 'wires'].map(id => getComputedStyle(document.getElementById(id)));
-        return a.width === b.width && a.height === b.height;
+    same("the command", text(browser, "command"), command("two-point:azimuth=70"))
+    same("the exact drawing is that of the command", browser.evaluate("epura.drawing"),
+         drawn("two-point:azimuth=70", "svg").decode())
+    check("it takes the place of the wireframe", browser.evaluate("""(() => {
+        const [a, b] = ['drawing', 'paper'].map(id => document.getElementById(id).getBoundingClientRect());
+        return a.width > 300 && a.width === b.width && a.height === b.height && a.x === b.x && a.y === b.y;
     })()"""))
 
 
@@ -188,19 +189,23 @@ def test_keyboard(browser, server):
     first = browser.evaluate(value)
     browser.key("ArrowRight", code="ArrowRight", windowsVirtualKeyCode=39)
     check("an arrow key moves a slider", browser.evaluate(value) > first, browser.evaluate(value))
+    browser.evaluate("document.querySelector('#p-above-range').focus()")
     browser.key("Home", code="Home", windowsVirtualKeyCode=36)
-    same("the first value", browser.evaluate(value), -360)
+    same("the first value", browser.evaluate("document.getElementById('p-above').value"),
+         browser.evaluate("document.querySelector('#p-above-range').min"))
     browser.evaluate("document.getElementById('p-azimuth').select()")
     browser.type("25")
-    same("a number moves the slider", browser.evaluate("document.querySelector('#p-azimuth-range').value"), "25")
+    slider = browser.evaluate("Number(document.querySelector('#p-azimuth-range').value)")
+    check("a number moves the slider, to the next of its steps", abs(slider - 25) <= 1, slider)
     browser.evaluate("document.getElementById('p-azimuth').select()")
     browser.type("400")
     same("a value beyond the table is marked",
          browser.evaluate("document.getElementById('p-azimuth').getAttribute('aria-invalid')"), "true")
     check("and not asked for", "azimuth=25" in text(browser, "command"), text(browser, "command"))
-    browser.click(*centre(browser, "legend button:not([disabled])"))
+    for _ in range(2):
+        browser.click(*centre(browser, "legend button:not([disabled])"))
     same("back to the default", browser.evaluate(value), 40)
-    same("of the command, too", text(browser, "command"), f"epura draw {BRACKET} --projection two-point -o bracket.svg")
+    same("of the command, too", text(browser, "command"), command("two-point"))
 
 
 def test_refusal(browser, server):
@@ -209,7 +214,7 @@ def test_refusal(browser, server):
     for name in ("x-angle", "y-angle"):
         move(browser, f"#p-{name}-range", "80")
     wait_until(browser, "document.getElementById('status').classList.contains('wrong')")
-    check("the sentence of the projection", "90" in text(browser, "status"), text(browser, "status"))
+    check("the sentence of the projection", "the sum of x-angle and y-angle" in text(browser, "status"), text(browser, "status"))
     browser.evaluate("document.getElementById('reset').click()")
     wait_until(browser, "!document.getElementById('drawing').hidden")
     check("good again", not browser.evaluate("document.getElementById('status').classList.contains('wrong')"))
@@ -247,7 +252,7 @@ def main():
     chromium.expect()
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        with Served(EPURA, BRACKET, "--plugin-path", os.path.join(PLUGINS, "good")) as server, chromium.Browser() as browser:
+        with Served(EPURA, BRACKET, "--plugin-path", STRANGERS) as server, chromium.Browser() as browser:
             browser.go(server.url)
             for test in (test_first_sight, test_points, test_slider, test_keyboard, test_refusal, test_stranger, test_matrices):
                 test(browser, server)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact drawings on request, each by `epura draw` in a process of its own: a newer request of the same page, or a limit,
-// ends it.
+// Exact drawings on request, each by `epura draw` in a process of its own: a newer request of the same page, or a
+// limit, ends it.
 #pragma once
 
 #include <chrono>

@@ -59,8 +59,8 @@ std::string json_of(const projection::Parameter& parameter) {
 std::string json_of(const projection::ProjectionEntry& entry) {
   return "{\"name\": " + json_string(entry.name) + ", \"family\": " + json_string(entry.family) +
          ", \"summary\": " + json_string(entry.summary) + ", \"reference\": " + json_string(entry.reference) +
-         ", \"parameters\": " +
-         json_list(entry.parameters, [](const projection::Parameter& p) { return json_of(p); }) + "}";
+         ", \"parameters\": " + json_list(entry.parameters, [](const projection::Parameter& p) { return json_of(p); }) +
+         "}";
 }
 
 class SeenModel {
@@ -85,14 +85,14 @@ class SeenModel {
     const scene::SceneDescription scene = describe(options_);
     const pipeline::PlacedView first = pipeline::place_view(world_, scene, options_.run);
     const scene::ProjectionRequest request = *scene.views.front().projection;
-    const auto assignment = [](const auto& one) {
-      return json_list(std::vector{one.first, one.second}, json_string);
-    };
+    const auto assignment = [](const auto& one) { return json_list(std::vector{one.first, one.second}, json_string); };
     return {"{\"box\": [" + list_of(world_.box.min) + ", " + list_of(world_.box.max) +
                 "],\n\"start\": {\"name\": " + json_string(first.seen.projection.name) +
                 ", \"values\": " + json_list(request.assignments, assignment) + "},\n\"view\": " + json_of_view(first) +
                 ",\"projections\": " +
-                json_list(options_.run.projections, [](const auto& entry) { return json_of(entry); }, ",\n") + "}",
+                json_list(
+                    options_.run.projections, [](const auto& entry) { return json_of(entry); }, ",\n") +
+                "}",
             wireframe_bytes(world_, first.seen, first.edges)};
   }
 

@@ -93,9 +93,9 @@ class PlayServer {
     const std::string path = importer::parse_model_request(options.draw.models.front()).path;
     title_ = std::filesystem::path(path).filename().string();
     const auto [before, after] = command_around_projection(options);
-    page_ = shared(play_page(title_, "{\"title\": " + output::json_string(title_) + ", \"before\": " +
-                                         output::json_string(before) + ", \"after\": " + output::json_string(after) +
-                                         ", \"model\": " + ready_.page_data + "}"));
+    page_ = shared(play_page(
+        title_, "{\"title\": " + output::json_string(title_) + ", \"before\": " + output::json_string(before) +
+                    ", \"after\": " + output::json_string(after) + ", \"model\": " + ready_.page_data + "}"));
     wireframe_ = shared(std::move(ready_.wireframe));
     server_ = http_.start(socket);
     if (server_ == nullptr) throw Error(ErrorKind::output, "serve", "there is too little memory for the server");
@@ -120,14 +120,15 @@ class PlayServer {
 
   void send(std::uint64_t request, http::Reply reply) {
     const bool is_page = reply.type.starts_with("text/html");
-    for (const auto& [name, value] : http::Fields{
-             {"Cache-Control", "no-store"},
-             {"X-Content-Type-Options", "nosniff"},
-             {"Referrer-Policy", "no-referrer"},
-             {"Cross-Origin-Resource-Policy", "same-origin"},
-             {"Cross-Origin-Opener-Policy", "same-origin"},
-             {"Content-Security-Policy",
-              is_page ? play_policy() : "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'none'; sandbox"}})
+    for (const auto& [name, value] :
+         http::Fields{{"Cache-Control", "no-store"},
+                      {"X-Content-Type-Options", "nosniff"},
+                      {"Referrer-Policy", "no-referrer"},
+                      {"Cross-Origin-Resource-Policy", "same-origin"},
+                      {"Cross-Origin-Opener-Policy", "same-origin"},
+                      {"Content-Security-Policy",
+                       is_page ? play_policy()
+                               : "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'none'; sandbox"}})
       reply.headers.emplace_back(name, value);
     http_.reply(*server_, request, std::move(reply));
   }
@@ -159,7 +160,8 @@ class PlayServer {
     if (asked_ || views_.empty()) return;
     asked_ = std::move(views_.front());
     views_.pop_front();
-    until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.job_time));
+    until_ =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.job_time));
     try {
       if (!model_.is_there()) static_cast<void>(start_model(model_, options_));
       ask_for_view(model_, asked_->projection);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Everything that uses libmicrohttpd: requests of HTTP/1.1 in, replies out. It is a separate library, loaded by
-// `epura serve` alone: libmicrohttpd brings eight more, which would double the time that a small drawing takes to start.
+// `epura serve` alone: libmicrohttpd brings eight more, which would double the time that a small drawing takes to
+// start.
 #pragma once
 
 #include <cstdint>

@@ -70,16 +70,14 @@ bool has_body(MHD_Connection* connection) {
 class Server {
  public:
   explicit Server(int socket)
-      : daemon_(MHD_start_daemon(
-            MHD_USE_EPOLL | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr, handle, this, MHD_OPTION_LISTEN_SOCKET,
-            socket, MHD_OPTION_CONNECTION_LIMIT, most_connections, MHD_OPTION_CONNECTION_TIMEOUT, idle_seconds,
-            MHD_OPTION_CONNECTION_MEMORY_LIMIT, bytes_of_connection, MHD_OPTION_STRICT_FOR_CLIENT, 1,
-            MHD_OPTION_NOTIFY_COMPLETED, forget, this, MHD_OPTION_END)) {}
+      : daemon_(MHD_start_daemon(MHD_USE_EPOLL | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr, handle, this,
+                                 MHD_OPTION_LISTEN_SOCKET, socket, MHD_OPTION_CONNECTION_LIMIT, most_connections,
+                                 MHD_OPTION_CONNECTION_TIMEOUT, idle_seconds, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
+                                 bytes_of_connection, MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_NOTIFY_COMPLETED,
+                                 forget, this, MHD_OPTION_END)) {}
 
   [[nodiscard]] bool is_started() const { return daemon_ != nullptr; }
-  [[nodiscard]] int descriptor() const {
-    return MHD_get_daemon_info(daemon_, MHD_DAEMON_INFO_EPOLL_FD)->epoll_fd;
-  }
+  [[nodiscard]] int descriptor() const { return MHD_get_daemon_info(daemon_, MHD_DAEMON_INFO_EPOLL_FD)->epoll_fd; }
   [[nodiscard]] int wait_ms() {
     // The descriptor does not tell of connections that were resumed.
     if (has_resumed_) return 0;

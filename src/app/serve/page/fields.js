@@ -53,15 +53,13 @@ const slider = (id, label, described, parameter, value, box, changed) => {
   const range = element('input', {type: 'range', id: id + '-range', min, max, step, 'aria-describedby': described});
   const number = element('input', {type: 'number', id, step: 'any', 'aria-label': label, 'aria-describedby': described});
   range.setAttribute('aria-label', label);
-  const show = shown => {
-    number.value = tidy(shown, step / 100);
-    range.value = shown;
-    range.setAttribute('aria-valuetext', number.value + (parameter.unit.length > 1 ? '\u00a0' + parameter.unit : ''));
-  };
-  show(value);
+  const say = () => range.setAttribute('aria-valuetext', number.value + (parameter.unit.length > 1 ? '\u00a0' + parameter.unit : ''));
+  number.value = tidy(value, step / 100);
+  range.value = value;
+  say();
   range.addEventListener('input', () => {
     number.value = tidy(Number(range.value), step);
-    range.setAttribute('aria-valuetext', number.value);
+    say();
     changed(Number(number.value));
   });
   number.addEventListener('input', () => {
@@ -72,6 +70,7 @@ const slider = (id, label, described, parameter, value, box, changed) => {
     range.min = min = Math.min(min, typed);
     range.max = max = Math.max(max, typed);
     range.value = typed;
+    say();
     changed(typed);
   });
   return element('div', {className: 'value'}, range, number);

@@ -6,7 +6,7 @@ const {box, projections, start} = data.model;
 const part = id => document.getElementById(id);
 const me = crypto.getRandomValues(new Uint32Array(2)).join('-');
 const restMs = 300, quickMs = 2000;
-const page = {name: start.name, values: new Map(start.values), view: data.model.view, model: null, took: 0};
+const page = {name: start.name, values: new Map(start.values), view: data.model.view, model: null, took: 0, svg: null};
 
 const entry = () => projections.find(projection => projection.name === page.name);
 const request = () => requestOf(page.name, page.values);
@@ -96,6 +96,7 @@ const drawExactly = async () => {
     const answer = await fetchFrom('drawing', {signal: drawing.signal}), svg = await answer.blob();
     const messages = decodeURIComponent(answer.headers.get('Epura-Messages') ?? '');
     page.took = performance.now() - begun;
+    page.svg = svg;
     URL.revokeObjectURL(part('drawing').src);
     part('drawing').src = part('save').href = URL.createObjectURL(svg);
     part('save').download = data.title.replace(/\.[^.]*$/, '') + '.svg';
@@ -172,6 +173,8 @@ window.epura = {
   },
   get view() { return page.view; },
   get matrices() { return Object.fromEntries([...steps(), ['product', productOf(steps())]]); },
+  // The exact drawing as SVG, a promise.
+  get drawing() { return page.svg?.text(); },
   // Each vertex of the model on the page, mm.
   get points() {
     const {page: at} = mapped(page.model, steps()), points = [];
