@@ -13,13 +13,15 @@ const element = (name, properties = {}, ...children) => {
 // As many digits as a step of a slider tells apart.
 const tidy = (value, step) => Number(value.toFixed(Math.min(12, Math.max(0, 1 - Math.floor(Math.log10(step))))));
 
+const sizeOf = box => Math.hypot(...box[1].map((x, i) => x - box[0][i])) || 1;
+
 // The part of a parameter's range that a slider covers: the table's, unless it is so wide that no hand could choose.
 const sliderRange = (parameter, start, box) => {
-  const size = Math.hypot(...box[1].map((x, i) => x - box[0][i])) || 1;
-  const reach = {deg: 360, 'model units': 2 * size}[parameter.unit] ?? Math.max(2, 4 * Math.abs(start));
   const min = parameter.min ?? -Infinity, max = parameter.max ?? Infinity;
-  if (max - min <= 4 * reach) return [min, max];
-  return [Math.max(min, start - reach), Math.min(max, start + reach)];
+  const isPlace = parameter.unit === 'model units', reach = isPlace ? 2 * sizeOf(box) : parameter.unit === 'deg' ? 360 : 2;
+  if (max - min <= 10 * reach) return [min, max];
+  if (isPlace) return [Math.max(min, start - reach), Math.min(max, start + reach)];
+  return [Math.max(min, Math.min(-reach, 2 * start)), Math.min(max, Math.max(reach, 4 * start))];
 };
 
 // 1, 2 or 5 times a power of ten: about 500 steps.
@@ -30,7 +32,7 @@ const stepOf = range => {
 
 const startOfNumber = (parameter, view, box) => {
   if (/distance/.test(parameter.help) && view.central) return Math.abs(view.PRP[2] - view.VPD);
-  return (parameter.min ?? -1) >= 0 ? Math.hypot(...box[1].map((x, i) => x - box[0][i])) : 0;
+  return (parameter.min ?? -1) >= 0 ? sizeOf(box) : 0;
 };
 
 // Where a slider begins whose default the projection derives from the model: at the number of the view that the document
@@ -73,10 +75,11 @@ const slider = (id, label, described, parameter, value, box, changed) => {
     say();
     changed(typed);
   });
-  return element('div', {className: 'value'}, range, number);
+  const letter = element('span', {className: 'unit', 'aria-hidden': 'true'}, label.includes(' ') ? label.split(' ')[1] : '');
+  return element('div', {className: 'value'}, letter, range, number);
 };
 
-const AXES = ['x', 'y', 'z', 'w'];
+const axesOf = ({help, initial}) => initial.length > 3 ? [1, 2, 3, 4, 5, 6, 7, 8] : /\bu,? v,? n\b/.test(help) ? ['u', 'v', 'n'] : ['x', 'y', 'z'];
 
 // `values` has what the user has set: texts as on the command line, by name. `changed()` is called after each change.
 const fieldOf = (parameter, values, view, box, changed) => {
@@ -91,6 +94,8 @@ const fieldOf = (parameter, values, view, box, changed) => {
   reset.disabled = !isSet();
   const heading = element('legend', {}, name, element('span', {className: 'unit'}, unit === '1' ? '' : unit), reset);
   const inputs = [];
+  // Also what is as good as no limit.
+  const isDerived = type !== 'choice' && initial.some(value => value === null || Math.abs(value) > 1e6 * sizeOf(box));
   if (type === 'choice') {
     const select = element('select', {id: 'p-' + name, 'aria-label': name, 'aria-describedby': described});
     choices.forEach(word => select.append(element('option', {value: word}, word)));
@@ -98,18 +103,17 @@ const fieldOf = (parameter, values, view, box, changed) => {
     select.addEventListener('change', () => set(select.value));
     inputs.push(select);
   } else {
-    const isDerived = initial.some(value => value === null);
     const start = isSet() ? values.get(name).split(',').map(Number) : isDerived ? [startOf(parameter, view, box)].flat() : initial;
     const now = start.map(value => tidy(value, 1e-6));
     now.forEach((value, i) => {
-      const label = now.length === 1 ? name : name + ' ' + (now.length > 4 || /window/.test(name) ? i + 1 : AXES[i]);
+      const label = now.length === 1 ? name : name + ' ' + axesOf(parameter)[i];
       inputs.push(slider('p-' + name + (now.length === 1 ? '' : '-' + i), label, described, parameter, value, box, changedTo => {
         now[i] = changedTo;
         set(now.join());
       }));
     });
   }
-  const derived = initial.some(value => value === null) && !isSet() ? ' Until it is moved, the projection chooses.' : '';
+  const derived = isDerived && !isSet() ? ' Chosen by the projection until it is moved.' : '';
   const field = element('fieldset', {}, heading, element('p', {className: 'help', id: described}, help + '.' + derived), ...inputs);
   reset.addEventListener('click', () => {
     values.delete(name);

@@ -25,7 +25,7 @@ const showMatrices = () => {
   const number = value => String(Number(value.toPrecision(6)));
   const table = ([symbol, matrix]) => element('table', {}, element('caption', {}, symbol), ...[0, 1, 2, 3].map(row =>
     element('tr', {}, ...matrix.slice(4 * row, 4 * row + 4).map(value => element('td', {}, number(value))))));
-  part('matrices').replaceChildren(...[...steps(), ['World to page, mm', productOf(steps())]].map(table));
+  part('matrices').replaceChildren(...[...steps(), ['World to page (mm)', productOf(steps())]].map(table));
 };
 
 // The sheet as large as there is room for it, on whole pixels of the screen.
