@@ -8,6 +8,7 @@ set(materials
   "libfribidi-dev|LGPL-2.1-or-later|DYNAMIC_LINK"
   "libgmp-dev|LGPL-3.0-or-later OR GPL-2.0-or-later|DYNAMIC_LINK"
   "libharfbuzz-dev|MIT|DYNAMIC_LINK"
+  "libmicrohttpd-dev|LGPL-2.1-or-later|DYNAMIC_LINK"
   "libpugixml-dev|MIT|DYNAMIC_LINK"
   "libqpdf-dev|Apache-2.0|DYNAMIC_LINK"
   "libseccomp-dev|LGPL-2.1-only|DYNAMIC_LINK"

@@ -22,11 +22,14 @@ if(TARGET epura-faults)
   set_tests_properties(faults PROPERTIES TIMEOUT 600)
 endif()
 # In a browser, where there is one (package chromium).
-foreach(test page payload element)
+foreach(test page payload element play)
   add_test(NAME ${test}_in_browser COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/browser/${test}_test.py
-           $<TARGET_FILE:epura> ${CMAKE_BINARY_DIR}/share/epura/epura-drawing.js)
+           $<TARGET_FILE:epura> ${CMAKE_BINARY_DIR}/share/epura/epura-drawing.js ${CMAKE_BINARY_DIR}/tests/bad-plugins)
   set_tests_properties(${test}_in_browser PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
 endforeach()
+add_test(NAME serve_is_guarded COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/serve_test.py
+         $<TARGET_FILE:epura> ${CMAKE_BINARY_DIR}/tests/bad-plugins)
+set_tests_properties(serve_is_guarded PROPERTIES TIMEOUT 300)
 add_test(NAME batch_survives COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/batch_trials.py $<TARGET_FILE:epura>)
 set_tests_properties(batch_survives PROPERTIES TIMEOUT 300)
 add_test(NAME completion_in_shells COMMAND ${CMAKE_CURRENT_LIST_DIR}/completion.sh $<TARGET_FILE:epura>)

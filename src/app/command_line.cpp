@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "app/run_epura.hpp"
 #include "base/broken.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -33,14 +34,6 @@ std::string footer_of(const ProgramTexts& texts) {
 int answer(const std::string& text) {
   std::fputs(text.c_str(), stdout);
   return 0;
-}
-
-std::string for_shell(std::string_view word) {
-  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=:,+@%";
-  if (!word.empty() && word.find_first_not_of(plain) == word.npos) return std::string(word);
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
-  return quoted + "'";
 }
 
 // As the system knows it.

@@ -15,6 +15,8 @@ int draw(const DrawOptions& options);
 /// Draws, and reports faults of the dimensions.
 int lint(DrawOptions options);
 int batch(const BatchOptions& options);
+/// Ends by a signal only.
+int serve(const ServeOptions& options);
 int plugins(const PluginsOptions& options);
 int check_plugin(const CheckPluginOptions& options);
 int importers(const ImportersOptions& options);

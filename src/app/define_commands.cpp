@@ -5,6 +5,7 @@
 #include "app/commands.hpp"
 #include "app/define_answers.hpp"
 #include "app/draw_options.hpp"
+#include "app/serve/serve_options.hpp"
 #include "base/broken.hpp"
 
 namespace epura {
@@ -58,6 +59,9 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
                      lint_options(), lint),
       define_command(add("batch", "draw many models, each in a process of its own, and only those that changed"),
                      batch_options(), batch),
+      define_command(
+          add("serve", "show a page in which projections are tried: sliders for their parameters, exact drawings"),
+          serve_options(), serve),
       define_command(add("info", "describe a model: size, bodies, faces, holes, repairs"), info_options(), info),
       define_command(add("compare", "report the visible differences between two drawings, models or scenes"),
                      compare_options(), compare_files),

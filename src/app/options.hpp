@@ -82,6 +82,14 @@ struct BatchOptions {
   ShowProgress progress = ShowProgress::automatic;
 };
 
+struct ServeOptions {
+  DrawOptions draw;                ///< of all drawings, but for the projection that the page chooses
+  std::vector<std::string> words;  ///< the same as given, for command lines
+  int port = 0;                    ///< 0: any that is free
+  double job_time = 60;            ///< seconds for a view or a drawing
+  double job_memory = 4000;        ///< MB for a drawing
+};
+
 struct PluginsOptions {
   std::string name;           ///< a projection with its parameters; empty: list all
   std::string model;          ///< file whose projection is shown step by step; empty: none

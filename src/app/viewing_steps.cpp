@@ -101,6 +101,8 @@ std::string json_of(const Mat4& matrix) {
 }
 
 std::string json_of(const std::vector<double>& values) { return output::json_list(values, json_number); }
+std::string json_of(const Vec3& a) { return json_of(std::vector{a.x, a.y, a.z}); }
+std::string json_of(const projection::Window& w) { return json_of(std::vector{w.min.x, w.min.y, w.max.x, w.max.y}); }
 
 const char* plane_symbol(const projection::Projection& p) { return p.central ? "M_per" : "M_par"; }
 const char* plane_equation(const projection::Projection& p) { return p.central ? "3.10" : "3.20"; }
@@ -154,33 +156,17 @@ void print_latex(const projection::Projection& p, const view::ViewingModel& mode
 }
 
 void print_json(const projection::Projection& p, const view::ViewingModel& model, const Trace* trace) {
-  const projection::ViewVolume& v = model.volume;
-  const auto three = [](const Vec3& a) { return json_of(std::vector{a.x, a.y, a.z}); };
-  const auto four = [](const projection::Window& w) {
-    return json_of(std::vector{w.min.x, w.min.y, w.max.x, w.max.y});
-  };
-  std::string text = "{\"epura_viewing\": 1, \"projection\": " + json_string(p.name) +
-                     ",\n \"central\": " + (p.central ? "true" : "false") + ",\n \"VRP\": " + three(model.vrp) +
-                     ", \"VPN\": " + three(model.vpn) + ", \"VUP\": " + three(model.vup) + ",\n \"u\": " + three(p.u) +
-                     ", \"v\": " + three(p.v) + ", \"n\": " + three(p.n) + ",\n \"PRP\": " + three(v.prp) +
-                     ", \"VPD\": " + json_number(v.plane) + ", \"F\": " + json_number(v.front) +
-                     ", \"B\": " + json_number(v.back) + ",\n \"window\": " + four(v.window) +
-                     ", \"viewport\": " + four(model.viewport) + ",\n \"" + plane_symbol(p) +
-                     "\": " + json_of(model.plane) + ",\n \"steps\": [";
-  for (const view::ViewingStep& s : model.steps)
-    text += (&s == model.steps.data() ? "\n  " : ",\n  ") + std::string("{\"symbol\": ") + json_string(s.symbol) +
-            ", \"equation\": " + json_string(s.equation) + ", \"matrix\": " + json_of(s.matrix) + "}";
-  text += "],\n \"product\": " + json_of(model.product);
+  std::string more;
   if (trace != nullptr) {
-    text += ",\n \"trace\": {\"vertex\": " + std::to_string(trace->vertex) + ", \"world\": " + three(trace->world) +
-            ", \"after\": [";
+    more = ",\n \"trace\": {\"vertex\": " + std::to_string(trace->vertex) + ", \"world\": " + json_of(trace->world) +
+           ", \"after\": [";
     for (const Vec4& a : trace->after)
-      text += (&a == trace->after.data() ? "" : ", ") + json_of(std::vector{a.x, a.y, a.z, a.w});
-    text += "], \"page\": " + json_of(std::vector{trace->page.x, trace->page.y}) +
+      more += (&a == trace->after.data() ? "" : ", ") + json_of(std::vector{a.x, a.y, a.z, a.w});
+    more += "], \"page\": " + json_of(std::vector{trace->page.x, trace->page.y}) +
             ", \"drawn\": " + json_of(std::vector{trace->drawn.x, trace->drawn.y}) +
             ", \"residue\": " + json_number(glm::distance(trace->page, trace->drawn)) + "}";
   }
-  std::fputs((text + "}\n").c_str(), stdout);
+  std::fputs(viewing_json(p, model, more).c_str(), stdout);
 }
 
 Trace trace_of(int vertex, const std::string& file, const view::ProjectedScene& view, const scene::World& world,
@@ -202,6 +188,22 @@ Trace trace_of(int vertex, const std::string& file, const view::ProjectedScene& 
 }
 
 }  // namespace
+
+std::string viewing_json(const projection::Projection& p, const view::ViewingModel& model, const std::string& more) {
+  const projection::ViewVolume& v = model.volume;
+  std::string text = "{\"epura_viewing\": 1, \"projection\": " + json_string(p.name) +
+                     ",\n \"central\": " + (p.central ? "true" : "false") + ",\n \"VRP\": " + json_of(model.vrp) +
+                     ", \"VPN\": " + json_of(model.vpn) + ", \"VUP\": " + json_of(model.vup) +
+                     ",\n \"u\": " + json_of(p.u) + ", \"v\": " + json_of(p.v) + ", \"n\": " + json_of(p.n) +
+                     ",\n \"PRP\": " + json_of(v.prp) + ", \"VPD\": " + json_number(v.plane) +
+                     ", \"F\": " + json_number(v.front) + ", \"B\": " + json_number(v.back) +
+                     ",\n \"window\": " + json_of(v.window) + ", \"viewport\": " + json_of(model.viewport) + ",\n \"" +
+                     plane_symbol(p) + "\": " + json_of(model.plane) + ",\n \"steps\": [";
+  for (const view::ViewingStep& s : model.steps)
+    text += (&s == model.steps.data() ? "\n  " : ",\n  ") + std::string("{\"symbol\": ") + json_string(s.symbol) +
+            ", \"equation\": " + json_string(s.equation) + ", \"matrix\": " + json_of(s.matrix) + "}";
+  return text + "],\n \"product\": " + json_of(model.product) + more + "}\n";
+}
 
 int show_steps(const projection::ProjectionEntry& entry, const scene::ProjectionRequest& request,
                const PluginsOptions& options) {

@@ -3,13 +3,11 @@
 // hashes are all that its policy permits; texts of models and scenes are text, attributes or JSON, never markup or
 // code. Content Security Policy Level 3, 2.3.1.
 #include <algorithm>
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/text.hpp"
-#include "output/base64.hpp"
 #include "output/html.hpp"
 #include "output/json_text.hpp"
 #include "output/page_lines.hpp"
@@ -21,40 +19,11 @@ namespace epura::output {
 
 namespace {
 
-// A hash as the policy has it.
-std::string base64_of_hexadecimal(std::string_view digits) {
-  std::string bytes;
-  for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
-    const auto value = [&](std::size_t at) { return digits[at] <= '9' ? digits[at] - '0' : digits[at] - 'a' + 10; };
-    bytes += static_cast<char>(16 * value(i) + value(i + 1));
-  }
-  return base64(bytes);
-}
-
-// Styles set by the script are not concerned; images are not permitted if there are none.
-std::string policy(bool has_pictures) {
-  return "default-src 'none'; script-src 'sha256-" + base64_of_hexadecimal(page_script_hash) + "'; style-src 'sha256-" +
-         base64_of_hexadecimal(page_style_hash) + "'" + (has_pictures ? "; img-src data:" : "") +
-         "; base-uri 'none'; form-action 'none'";
-}
-
 bool has_pictures(const FileContent& content) {
   return std::any_of(content.sheets.begin(), content.sheets.end(), [](const SheetContent& one) {
     return std::any_of(one.sheet.layers.begin(), one.sheet.layers.end(),
                        [](const sheet::Layer& layer) { return !layer.pictures.empty(); });
   });
-}
-
-// JSON inside <script>: no "<" may begin the end of the element or a comment.
-std::string within_script(const std::string& json) {
-  std::string text;
-  for (const char c : json) {
-    if (c == '<')
-      text += "\\u003c";
-    else
-      text += c;
-  }
-  return text;
 }
 
 std::string numbers(const std::vector<double>& values) {
@@ -115,25 +84,15 @@ std::string sheets_of(const FileContent& content, const Progress& progress) {
 }  // namespace
 
 std::string to_html(const FileContent& content, const Progress& progress) {
-  std::string html;
-  // One pass over the frame: what is inserted is not searched for more places.
-  for (std::string_view rest = page_frame; !rest.empty();) {
-    const std::size_t open = std::min(rest.find("{{"), rest.size());
-    html += rest.substr(0, open);
-    rest.remove_prefix(open);
-    if (rest.empty()) break;
-    const std::size_t close = rest.find("}}");
-    const std::string_view name = rest.substr(2, close - 2);
-    rest.remove_prefix(close + 2);
-    if (name == "policy") html += policy(has_pictures(content));
-    if (name == "title") html += title_of(content);
-    if (name == "answers") html += html_text(content.answers_name);
-    if (name == "style") html += page_style;
-    if (name == "script") html += page_script;
-    if (name == "sheets") html += sheets_of(content, progress);
-    if (name == "data") html += data_of(content);
-  }
-  return html;
+  // Images are not permitted if there are none.
+  const std::string_view images = has_pictures(content) ? "img-src data:" : "";
+  return filled_page(page_frame, {{"policy", content_policy(page_script_hash, page_style_hash, images)},
+                                  {"title", title_of(content)},
+                                  {"answers", html_text(content.answers_name)},
+                                  {"style", std::string(page_style)},
+                                  {"script", std::string(page_script)},
+                                  {"sheets", sheets_of(content, progress)},
+                                  {"data", data_of(content)}});
 }
 
 }  // namespace epura::output

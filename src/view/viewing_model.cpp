@@ -64,12 +64,12 @@ PaperMap viewport_map(const ProjectedScene& view, double scale) {
   return {paper.scale, paper.scale * (view.middle - lower_left)};
 }
 
-ViewingModel viewing_model(const ProjectedScene& view, const Box& scene, double scale) {
+ViewingModel viewing_model(const ProjectedScene& view, const Box& scene, double scale, const Vec2& corner) {
   const projection::Projection& p = view.projection;
   ViewingModel model{p.point, p.n, p.v, volume_of(view, scene), {}, plane_matrix(p), {}, Mat4(1)};
   const projection::ViewVolume& volume = model.volume;
   const Vec2 size = (volume.window.max - volume.window.min) * p.scale * scale;
-  model.viewport = {Vec2(0), size};
+  model.viewport = {corner, corner + size};
   model.steps.push_back({"VOM", "3.36", "world -> view reference coordinates",
                          projection::view_orientation(model.vrp, model.vpn, model.vup)});
   if (p.central) {

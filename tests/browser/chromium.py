@@ -173,9 +173,10 @@ class Browser:
             if method == "Runtime.exceptionThrown":
                 found.append(json.dumps(parameters["exceptionDetails"])[:1000])
             if method == "Log.entryAdded" and parameters["entry"]["level"] in ("error", "warning"):
-                found.append(parameters["entry"]["text"])
+                found.append(parameters["entry"]["text"] + " " + parameters["entry"].get("url", "")[:300])
             if method == "Runtime.consoleAPICalled" and parameters["type"] in ("error", "warning", "assert"):
                 found.append(json.dumps(parameters["args"])[:1000])
-            if method == "Network.requestWillBeSent" and not parameters["request"]["url"].startswith((server, "file:", "about:")):
+            if method == "Network.requestWillBeSent" and not parameters["request"]["url"].startswith(
+                    (server, "file:", "about:", "blob:")):
                 found.append("requested " + parameters["request"]["url"][:200])
         return found

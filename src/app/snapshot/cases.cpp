@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "app/run_epura.hpp"
 #include "app/snapshot/case_files.hpp"
-#include "app/snapshot/run_epura.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "compare/comparison.hpp"

@@ -38,7 +38,7 @@ bool has(const Words& words, const std::string& word) {
 TEST(Completion, OfCommands) {
   const Words all = candidates({""});
   for (const char* name :
-       {"draw", "explain", "info", "compare", "snapshot", "plugins", "study", "manual", "completion"})
+       {"draw", "explain", "info", "compare", "snapshot", "plugins", "serve", "study", "manual", "completion"})
     EXPECT_TRUE(has(all, name)) << name;
   EXPECT_EQ(candidates({"dr"}), Words{"draw"});
   EXPECT_EQ(candidates({"study", "acc"}), Words{"accuracy"});
@@ -47,7 +47,7 @@ TEST(Completion, OfCommands) {
 
 TEST(Completion, OfOptionsHasThoseOfTheHelp) {
   const Folder folder;
-  for (const char* command : {"draw", "info", "compare", "snapshot", "plugins"}) {
+  for (const char* command : {"draw", "info", "compare", "snapshot", "plugins", "serve"}) {
     std::istringstream help(epura({command, "--help"}, folder / "").out);
     const Words all = candidates({command, "--"});
     std::size_t named = 0;

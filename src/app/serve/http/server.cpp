@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// The library behind library.hpp.
+#include <microhttpd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <new>
+
+#include "app/serve/http/library.hpp"
+
+namespace epura::http {
+
+namespace {
+
+// A page makes a few connections. Headers and the address of a request share the memory of its connection.
+constexpr unsigned most_connections = 64;
+constexpr unsigned idle_seconds = 20;
+constexpr std::size_t bytes_of_connection = 16384;
+
+/// A request from its first line to the end of its reply.
+struct Exchange {
+  Server* server;
+  MHD_Connection* connection;
+  std::uint64_t number = 0;  ///< 0: it has not been handed over
+  bool has_reply = false;
+  Reply reply{};
+};
+
+MHD_Result add_field(void* fields, MHD_ValueKind kind, const char* name, const char* value) {
+  std::string key = name;
+  if (kind == MHD_HEADER_KIND)
+    std::transform(key.begin(), key.end(), key.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  static_cast<Fields*>(fields)->emplace_back(std::move(key), value == nullptr ? "" : value);
+  return MHD_YES;
+}
+
+void free_body(void* body) { delete static_cast<std::shared_ptr<const std::string>*>(body); }
+
+MHD_Result send(MHD_Connection* connection, const Reply& reply) {
+  static const auto empty = std::make_shared<const std::string>();
+  auto body = std::make_unique<std::shared_ptr<const std::string>>(reply.body ? reply.body : empty);
+  // The library does not write to the bytes.
+  char* bytes = const_cast<char*>((*body)->data());
+  MHD_Response* response =
+      MHD_create_response_from_buffer_with_free_callback_cls((*body)->size(), bytes, free_body, body.get());
+  if (response == nullptr) return MHD_NO;
+  static_cast<void>(body.release());
+  MHD_add_response_header(response, MHD_HTTP_HEADER_CONTENT_TYPE, reply.type.c_str());
+  for (const auto& [name, value] : reply.headers) MHD_add_response_header(response, name.c_str(), value.c_str());
+  const MHD_Result result = MHD_queue_response(connection, reply.status, response);
+  MHD_destroy_response(response);
+  return result;
+}
+
+Reply short_reply(unsigned status, const char* sentence) {
+  return {status, "text/plain; charset=utf-8", std::make_shared<const std::string>(sentence), {}};
+}
+
+bool has_body(MHD_Connection* connection) {
+  const auto given = [&](const char* name) {
+    return MHD_lookup_connection_value(connection, MHD_HEADER_KIND, name) != nullptr;
+  };
+  return given(MHD_HTTP_HEADER_CONTENT_LENGTH) || given(MHD_HTTP_HEADER_TRANSFER_ENCODING);
+}
+
+}  // namespace
+
+class Server {
+ public:
+  explicit Server(int socket)
+      : daemon_(MHD_start_daemon(MHD_USE_EPOLL | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr, handle, this,
+                                 MHD_OPTION_LISTEN_SOCKET, socket, MHD_OPTION_CONNECTION_LIMIT, most_connections,
+                                 MHD_OPTION_CONNECTION_TIMEOUT, idle_seconds, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
+                                 bytes_of_connection, MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_NOTIFY_COMPLETED,
+                                 forget, this, MHD_OPTION_END)) {}
+
+  [[nodiscard]] bool is_started() const { return daemon_ != nullptr; }
+  [[nodiscard]] int descriptor() const { return MHD_get_daemon_info(daemon_, MHD_DAEMON_INFO_EPOLL_FD)->epoll_fd; }
+  [[nodiscard]] int wait_ms() {
+    // The descriptor does not tell of connections that were resumed.
+    if (has_resumed_) return 0;
+    MHD_UNSIGNED_LONG_LONG ms = 0;
+    if (MHD_get_timeout(daemon_, &ms) != MHD_YES) return -1;
+    constexpr MHD_UNSIGNED_LONG_LONG longest = 1000;
+    return static_cast<int>(std::min(ms, longest));
+  }
+  [[nodiscard]] std::vector<Request> take() {
+    has_resumed_ = false;
+    MHD_run(daemon_);
+    return std::exchange(requests_, {});
+  }
+  void reply(std::uint64_t number, Reply reply) {
+    const auto found = waiting_.find(number);
+    if (found == waiting_.end()) return;
+    Exchange* exchange = found->second;
+    waiting_.erase(found);
+    exchange->reply = std::move(reply);
+    exchange->has_reply = true;
+    MHD_resume_connection(exchange->connection);
+    has_resumed_ = true;
+  }
+
+ private:
+  // Called when the headers are there, when the request is complete, and when it goes on with its reply.
+  static MHD_Result handle(void* server, MHD_Connection* connection, const char* url, const char* method,
+                           const char* /*version*/, const char* /*upload*/, std::size_t* upload_size, void** state) {
+    try {
+      if (*state != nullptr) {
+        auto* exchange = static_cast<Exchange*>(*state);
+        if (exchange->has_reply) return send(connection, exchange->reply);
+        *upload_size = 0;
+        static_cast<Server*>(server)->hand_over(*exchange, url);
+        return MHD_YES;
+      }
+      *state = new Exchange{static_cast<Server*>(server), connection};
+      if (std::strcmp(method, MHD_HTTP_METHOD_GET) != 0) {
+        Reply refusal = short_reply(MHD_HTTP_METHOD_NOT_ALLOWED, "only GET is allowed\n");
+        refusal.headers.emplace_back(MHD_HTTP_HEADER_ALLOW, MHD_HTTP_METHOD_GET);
+        return send(connection, refusal);
+      }
+      if (has_body(connection))
+        return send(connection, short_reply(MHD_HTTP_CONTENT_TOO_LARGE, "a request has no body\n"));
+      return MHD_YES;
+    } catch (const std::bad_alloc&) {
+      return MHD_NO;  // ends the connection
+    }
+  }
+
+  static void forget(void* server, MHD_Connection* /*connection*/, void** state, MHD_RequestTerminationCode /*why*/) {
+    auto* exchange = static_cast<Exchange*>(std::exchange(*state, nullptr));
+    if (exchange != nullptr) static_cast<Server*>(server)->waiting_.erase(exchange->number);
+    delete exchange;
+  }
+
+  void hand_over(Exchange& exchange, const char* url) {
+    Request request{++last_, url, {}, {}};
+    MHD_get_connection_values(exchange.connection, MHD_GET_ARGUMENT_KIND, add_field, &request.arguments);
+    MHD_get_connection_values(exchange.connection, MHD_HEADER_KIND, add_field, &request.headers);
+    exchange.number = last_;
+    waiting_[last_] = &exchange;
+    requests_.push_back(std::move(request));
+    MHD_suspend_connection(exchange.connection);
+  }
+
+  std::vector<Request> requests_{};
+  std::map<std::uint64_t, Exchange*> waiting_{};
+  std::uint64_t last_ = 0;
+  bool has_resumed_ = false;
+  MHD_Daemon* daemon_;
+};
+
+namespace {
+
+// The server ends with its process.
+Server* start(int socket) {
+  auto server = std::make_unique<Server>(socket);
+  return server->is_started() ? server.release() : nullptr;
+}
+int descriptor(const Server& server) { return server.descriptor(); }
+int wait_ms(Server& server) { return server.wait_ms(); }
+std::vector<Request> take(Server& server) { return server.take(); }
+void reply(Server& server, std::uint64_t number, Reply answer) { server.reply(number, std::move(answer)); }
+
+}  // namespace
+
+}  // namespace epura::http
+
+// The program finds the functions by this name.
+extern "C" {
+__attribute__((visibility("default"))) extern const epura::http::Library epura_http_library;
+const epura::http::Library epura_http_library{epura::http::start, epura::http::descriptor, epura::http::wait_ms,
+                                              epura::http::take, epura::http::reply};
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/place_view.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "pipeline/annotations.hpp"
+#include "pipeline/constructions.hpp"
+#include "pipeline/layout.hpp"
+#include "pipeline/read_models.hpp"
+#include "pipeline/recognise_parts.hpp"
+#include "pipeline/view_plan.hpp"
+
+namespace epura::pipeline {
+
+scene::World read_world(const scene::SceneDescription& scene, const RunOptions& options, const Messages& messages,
+                        Progress progress) {
+  report::Report report;
+  scene::World world = read_models(scene, read_options(scene, options), report.meshes, messages, progress);
+  recognise_parts(world, scene, options, report, progress);
+  return world;
+}
+
+PlacedView place_view(const scene::World& world, const scene::SceneDescription& scene, const RunOptions& options) {
+  check(scene.views.size() == 1 && scene.sections.empty() && scene.explosions.empty(),
+        "one view shows the models whole");
+  const SheetOfViews sheet = views_by_sheet(scene, plan_views(scene, options)).front();
+  std::vector<view::ProjectedScene> seen{project_scene(world, sheet.plans.front(), sheet.descriptions.front())};
+  expect_constructions(sheet, seen);
+  const SheetPlan plan = plan_sheet(world, scene, sheet, seen, annotate(world, scene, sheet, seen, {}));
+  const sheet::Paper& paper = plan.furniture.paper;
+  return {std::move(seen.front()), sheet.plans.front().options.edges, plan.places.front(), {paper.width, paper.height}};
+}
+
+}  // namespace epura::pipeline
