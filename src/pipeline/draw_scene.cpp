@@ -67,6 +67,8 @@ struct Run {
       const SheetOfViews& views, const std::vector<std::vector<std::optional<SeenPoint>>>& seen) const;
   ViewTime time_of_next_view();
   std::vector<view::ProjectedScene> map_views(const WorldOfView& world, const SheetOfViews& views);
+  void choose_by_world(SheetOfViews& views, const ShownWorlds& worlds,
+                       const std::vector<view::ProjectedScene>& seen) const;
   FinishedSheet draw_sheet(const ShownWorlds& worlds, SheetOfViews views);
   std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
@@ -119,6 +121,21 @@ void expect_steps_edge_on(const CutSection& section, const view::ProjectedScene&
                   (section.surface.aligned ? "show the planes of aligned section " + name + " side by side"
                                            : "look along the steps of section " + name),
               "choose a projection that looks against the normal of the section");
+}
+
+void Run::choose_by_world(SheetOfViews& views, const ShownWorlds& worlds,
+                          const std::vector<view::ProjectedScene>& seen) const {
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const scene::ViewDescription& view = views.descriptions[i];
+    const ShownWorld& shown = worlds.of(view);
+    const CutSection* section = section_of(shown.sections, view);
+    ViewOptions& chosen = views.plans[i].options;
+    if (section != nullptr) expect_steps_edge_on(*section, seen[i], view);
+    if (section != nullptr && section->surface.aligned) chosen.turned = section->surface;
+    chosen.exploded = !worlds.is_main(view);
+    chosen.revolved = cut_revolved(shown.world, scene, view, seen[i].projection);
+    chosen.styles = styles_of(scene, view, section == nullptr ? shown.world : section->cut.world, seen[i].projection);
+  }
 }
 
 // Its view would look like one of the whole, and the arrows of the section would contradict it.
@@ -182,14 +199,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   };
   orient_arrow_views(views, world);
   std::vector<view::ProjectedScene> seen = map_views(world, views);
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    ViewOptions& chosen = views.plans[i].options;
-    if (section(i) != nullptr) expect_steps_edge_on(*section(i), seen[i], views.descriptions[i]);
-    chosen.exploded = !worlds.is_main(views.descriptions[i]);
-    if (section(i) != nullptr && section(i)->surface.aligned) chosen.turned = section(i)->surface;
-    chosen.revolved = cut_revolved(shown(i).world, scene, views.descriptions[i], seen[i].projection);
-    chosen.styles = styles_of(scene, views.descriptions[i], world(i), seen[i].projection);
-  }
+  choose_by_world(views, worlds, seen);
   find_breaks(views, seen, world);
   views.epura = epura_views(scene.sheets[static_cast<std::size_t>(views.sheet)], views, seen);
   expect_constructions(views, seen);
