@@ -26,7 +26,7 @@ const sliderRange = (parameter, start, box) => {
 
 // 1, 2 or 5 times a power of ten: about 500 steps.
 const stepOf = range => {
-  const raw = range / 500, power = 10 ** Math.floor(Math.log10(raw));
+  const raw = (range || 1) / 500, power = 10 ** Math.floor(Math.log10(raw));
   return power * [1, 2, 5, 10].find(factor => factor * power >= raw * 0.999);
 };
 
