@@ -89,9 +89,10 @@ std::pair<std::string, std::string> command_around_projection(const ServeOptions
 Drawings::Drawings(const ServeOptions& options, SendReply reply) : options_(options), reply_(std::move(reply)) {}
 
 void Drawings::ask(std::uint64_t request, const std::string& page, const std::string& projection) {
+  const auto is_older = [&](const Job& job) { return !page.empty() && job.page == page; };
   for (const Job& job : jobs_)
-    if (job.page == page) reply_(job.request, error_reply(409, "a newer request has taken its place"));
-  jobs_.remove_if([&](const Job& job) { return job.page == page; });
+    if (is_older(job)) reply_(job.request, error_reply(409, "a newer request has taken its place"));
+  jobs_.remove_if(is_older);
   jobs_.push_back({request, page, projection});
   look();
 }

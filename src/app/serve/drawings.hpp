@@ -25,7 +25,8 @@ class Drawings {
 
   Drawings(const ServeOptions& options, SendReply reply);
 
-  /// Draws as soon as fewer than two others are being drawn. `page`: who asks.
+  /// Draws as soon as fewer than two others are being drawn. `page`: who asks; empty: not said, and takes
+  /// nobody's place.
   void ask(std::uint64_t request, const std::string& page, const std::string& projection);
   /// Descriptors that become readable when there is something to do.
   [[nodiscard]] std::vector<int> descriptors();

@@ -148,9 +148,10 @@ class PlayServer {
     if (projection.empty())
       return send_error(request.number, 400, "no projection is named", resource + "?projection=isometric");
     if (resource == "drawing") return drawings_.ask(request.number, page, projection);
+    const auto is_older = [&](const View& view) { return !page.empty() && view.page == page; };
     for (const View& view : views_)
-      if (view.page == page) send_error(view.request, 409, "a newer request has taken its place");
-    std::erase_if(views_, [&](const View& view) { return view.page == page; });
+      if (is_older(view)) send_error(view.request, 409, "a newer request has taken its place");
+    std::erase_if(views_, is_older);
     views_.push_back({request.number, page, projection});
     ask_next();
   }

@@ -26,7 +26,7 @@ const sliderRange = (parameter, start, box) => {
 
 // 1, 2 or 5 times a power of ten: about 500 steps.
 const stepOf = range => {
-  const raw = range / 500, power = 10 ** Math.floor(Math.log10(raw));
+  const raw = (range || 1) / 500, power = 10 ** Math.floor(Math.log10(raw));
   return power * [1, 2, 5, 10].find(factor => factor * power >= raw * 0.999);
 };
 
@@ -38,7 +38,7 @@ const startOfNumber = (parameter, view, box) => {
 // Where a slider begins whose default the projection derives from the model: at the number of the view that the document
 // calls by the parameter's name; at the eye, for parameters that speak of it; otherwise at the model's centre.
 const startOf = (parameter, view, box) => {
-  const known = view[parameter.name.toUpperCase()];
+  const known = view[parameter.name.toUpperCase()] ?? view[parameter.name];
   if (parameter.type === 'number') return typeof known === 'number' ? known : startOfNumber(parameter, view, box);
   const centre = box[0].map((x, i) => (x + box[1][i]) / 2);
   const size = parameter.initial.length;
@@ -94,8 +94,9 @@ const fieldOf = (parameter, values, view, box, changed) => {
   reset.disabled = !isSet();
   const heading = element('legend', {}, name, element('span', {className: 'unit'}, unit === '1' ? '' : unit), reset);
   const inputs = [];
-  // Also what is as good as no limit.
-  const isDerived = type !== 'choice' && initial.some(value => value === null || Math.abs(value) > 1e6 * sizeOf(box));
+  // Also what is as good as no limit, and windows that say so.
+  const isDerived = type !== 'choice' && (initial.some(value => value === null || Math.abs(value) > 1e6 * sizeOf(box)) ||
+    (name === 'window' && initial.every(value => value === 0)));
   if (type === 'choice') {
     const select = element('select', {id: 'p-' + name, 'aria-label': name, 'aria-describedby': described});
     choices.forEach(word => select.append(element('option', {value: word}, word)));
