@@ -111,6 +111,7 @@ struct ViewDrawing {
   construction::Figure construction{};        ///< of the projection; in the elevation, that of an épura
   double contours_moved = 0;  ///< mm; greatest distance at which contours of curved faces are drawn from edges of the
                               ///< mesh
+  double outlines_moved = 0;  ///< mm; the same of outlines of cut faces, from where the plane cuts the mesh
   double coincident = 0;      ///< mm; lines this close coincide, and their ends meet
   double joined_within = 0;   ///< mm; omitted lines have ink of at least the same strength within this distance
 

@@ -78,6 +78,7 @@ bool outranks(const Piece& a, const Piece& b) {
   // The outline of a cut face stays whole where an edge behind it coincides with it.
   const bool cut = a.kind == EdgeKind::section;
   if (cut != (b.kind == EdgeKind::section)) return cut;
+  if (a.is_step != b.is_step) return b.is_step;
   if (a.kind != b.kind) return a.kind < b.kind;
   // Compared as floats, so that rounding does not decide.
   const auto length = [](const Piece& p) { return static_cast<float>(length_of(p)); };

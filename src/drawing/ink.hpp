@@ -21,6 +21,7 @@ struct Piece {
   EdgeKind kind;
   int edge;                 ///< index in the list of drawn edges
   std::array<double, 2> s;  ///< page parameters of the ends along the edge
+  bool is_step = false;     ///< FacesEdgeOn::has_step
 };
 
 /// Whether a piece leads from a point of its edge to another line.

@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "drawing/chains.hpp"
 #include "drawing/continue_contours.hpp"
+#include "drawing/edge_on.hpp"
 #include "drawing/ink.hpp"
 #include "drawing/meet_contours.hpp"
 #include "drawing/specks.hpp"
@@ -147,36 +148,50 @@ void add_segments(const visibility::ResolvedView& lines, const std::vector<Piece
   });
 }
 
-signed char strength_of(const Piece& piece, const visibility::ResolvedView& lines, const NearLines& near) {
+int strength_of(const Piece& piece, const visibility::ResolvedView& lines, const NearLines& near) {
   const edges::FeatureEdge& edge = lines.drawn.edges[piece.edge];
-  const int body = body_of(lines.world, lines.drawn, edge);
-  return static_cast<signed char>(near.strength(edge.model, body, piece.kind, piece.visible));
+  return near.strength(edge.model, body_of(lines.world, lines.drawn, edge), piece.kind, piece.visible);
 }
 
-void find_drawn(std::vector<Piece>& pieces, const visibility::ResolvedView& lines, const NearLines& near) {
-  if (!near.strength) return;
-  for (Piece& piece : pieces) piece.drawn = strength_of(piece, lines, near) >= 0;
+// Whether each piece has ink, and which ones are steps between the rims of a face.
+void find_looks(std::vector<Piece>& pieces, const visibility::ResolvedView& lines, const NearLines& near) {
+  const FacesEdgeOn edge_on(lines);
+  for (Piece& piece : pieces) {
+    piece.is_step = edge_on.has_step(lines.drawn.edges[piece.edge]);
+    if (near.strength) piece.drawn = strength_of(piece, lines, near) >= 0;
+  }
 }
 
-std::vector<signed char> strengths_of(const std::vector<Piece>& pieces, const visibility::ResolvedView& lines,
-                                      const NearLines& near) {
-  std::vector<signed char> strengths;
-  strengths.reserve(pieces.size());
-  for (const Piece& piece : pieces) strengths.push_back(strength_of(piece, lines, near));
-  return strengths;
+// Of lines that look the same, outlines of cut faces are the first, and steps the last to be drawn.
+signed char rank_of(const Piece& piece, const visibility::ResolvedView& lines, const NearLines& near) {
+  Piece contour = piece;
+  contour.kind = EdgeKind::contour;
+  const bool cut = piece.kind == EdgeKind::section;
+  const int own = strength_of(piece, lines, near);
+  if (own < 0) return -1;
+  const int strength = cut ? std::max(own, strength_of(contour, lines, near)) : own;
+  return static_cast<signed char>(3 * strength + (cut ? 2 : piece.is_step ? 0 : 1));
+}
+
+std::vector<signed char> ranks_of(const std::vector<Piece>& pieces, const visibility::ResolvedView& lines,
+                                  const NearLines& near) {
+  std::vector<signed char> ranks;
+  ranks.reserve(pieces.size());
+  for (const Piece& piece : pieces) ranks.push_back(rank_of(piece, lines, near));
+  return ranks;
 }
 
 // Draws one line where a person sees one.
 std::vector<Piece> joined_where_near(std::vector<Piece> pieces, const visibility::ResolvedView& lines,
                                      const NearLines& near, double touching, const Progress& progress) {
   if (!(near.distance > 0)) return pieces;
-  const std::vector<signed char> strengths = strengths_of(pieces, lines, near);
-  pieces = join_near(std::move(pieces), strengths, near.distance, touching, progress);
+  const std::vector<signed char> ranks = ranks_of(pieces, lines, near);
+  pieces = join_near(std::move(pieces), ranks, near.distance, touching, progress);
   std::vector<int> models;
   models.reserve(pieces.size());
   for (const Piece& piece : pieces) models.push_back(lines.drawn.edges[piece.edge].model);
   pieces = continue_contours(std::move(pieces), models, near.distance, progress);
-  const std::vector<signed char> left = strengths_of(pieces, lines, near);
+  const std::vector<signed char> left = ranks_of(pieces, lines, near);
   return drop_specks(std::move(pieces), left, near.distance, progress);
 }
 
@@ -225,7 +240,7 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   std::vector<Piece> pieces = pieces_of(lines, paper, options.hidden || !options.leave_out, progress);
   drawing.contours_moved = lines.drawn.moved * paper.scale;
   meet_contours(lines, paper, 4 * limits.tolerance, pieces);
-  find_drawn(pieces, lines, options.near);
+  find_looks(pieces, lines, options.near);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
   pieces = joined_where_near(std::move(pieces), lines, options.near, limits.min, progress);

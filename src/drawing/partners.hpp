@@ -44,11 +44,13 @@ inline void pair_up(End a, End b, std::vector<End>& partner) {
 }
 
 /// Joins ends that meet in one point, while there are two left: first those that go on in nearly the same direction,
-/// as facets of a curve do, then those of one kind; the straightest pair first.
+/// as facets of a curve do, then those of one kind; the straightest pair first. Of pairs that are about as straight,
+/// one of one kind is preferred: a curve that touches another leaves it a little straighter than it goes on itself.
 template <class Ends>
 void pair_up(const Ends& lines, std::span<const End> ends, std::vector<End>& partner) {
   constexpr std::size_t most_at_a_point = 64;  // beyond that, straightness is not worth a quadratic search
   constexpr double going_on = -0.75;           // cosine between the directions in which the lines leave the point
+  constexpr double about = 0.02;               // difference of such cosines
   if (ends.size() > most_at_a_point) return;
   std::vector<std::pair<End, Vec2>> left;  // with the direction in which the line leaves that end
   for (const End end : ends)
@@ -61,8 +63,8 @@ void pair_up(const Ends& lines, std::span<const End> ends, std::vector<End>& par
         const auto& [a, direction_a] = left[i];
         const auto& [b, direction_b] = left[j];
         const double straightness = glm::dot(direction_a, direction_b);
-        const bool is_corner = straightness > going_on && lines.kind(a) != lines.kind(b);
-        if (a != other(b)) best = std::min(best, Pair(is_corner, straightness, a, b));
+        const bool differ = lines.kind(a) != lines.kind(b), is_corner = straightness > going_on && differ;
+        if (a != other(b)) best = std::min(best, Pair(is_corner, straightness + (differ ? about : 0), a, b));
       }
     const End a = std::get<2>(best), b = std::get<3>(best);
     if (a == no_end) return;

@@ -17,18 +17,23 @@ namespace {
 // Width of the cells that tell where no specks are, as a multiple of the distance.
 constexpr double cells_a_distance = 8;
 
-/// Returns for each piece whether it belongs to a polyline of at most `most` mm.
+/// Returns for each piece whether it belongs to a polyline of at most `most` mm. Links alone connect others, unless
+/// they are too short for a gap to be seen.
 std::vector<char> find_short(const std::vector<Piece>& pieces, const std::vector<signed char>& strength, double most,
                              const Progress& progress) {
+  constexpr double unseen = 0.1;
   std::vector<char> is_short(pieces.size(), 0);
   const Polylines lines(pieces, strength, progress);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     double length = 0;
+    bool links_only = true;
     for (const End end : lines[i]) {
-      length += is_link(pieces[line_of(end)]) ? HUGE_VAL : length_of(pieces[line_of(end)]);
+      const Piece& piece = pieces[line_of(end)];
+      length += length_of(piece);
+      links_only = links_only && is_link(piece);
       if (length > most) break;
     }
-    if (length > most) continue;
+    if (length > (links_only ? unseen * most : most)) continue;
     for (const End end : lines[i]) is_short[line_of(end)] = strength[line_of(end)] >= 0 ? 1 : 0;
   }
   return is_short;

@@ -10,8 +10,8 @@
 namespace epura::drawing {
 
 /// Drops polylines of at most `distance` mm whose ends both lie within that distance of longer lines that are drawn,
-/// and are visible if they are. Links between lines stay. `strength` is by piece: a negative one means no ink. Throws
-/// OutOfTime.
+/// and are visible if they are. Links that continue no line stay unless they are too short to be seen. `strength` is by
+/// piece: a negative one means no ink. Throws OutOfTime.
 std::vector<Piece> drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, double distance,
                                const Progress& progress = {});
 

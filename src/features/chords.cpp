@@ -48,7 +48,7 @@ int region_of_chord(const Facets& facets, int facet, const std::vector<int>& reg
 
 void add(const Facets& facets, int facet, Region& region) {
   region.facets.push_back(facet);
-  for (const int v : facets.vertices_of(facet))
+  for (const int v : facets.supports_of(facet))
     region.residual = std::max(region.residual, std::abs(signed_distance(region.surface, facets.points[v])));
 }
 

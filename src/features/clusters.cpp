@@ -72,6 +72,7 @@ class Copying {
         const auto& [a, b, c] = all_.corners[t];
         own.corners.push_back({vertex(a), vertex(b), vertex(c)});
       }
+      own.end_of_supports.push_back(static_cast<int>(own.vertices.size() + all_.supports_of(f).size()));
       for (const int v : all_.vertices_of(f)) own.vertices.push_back(vertex(v));
       own.first_triangle.push_back(static_cast<int>(own.triangles.size()));
       own.first_vertex.push_back(static_cast<int>(own.vertices.size()));

@@ -115,6 +115,7 @@ class Flattening {
       f_.first_triangle.push_back(static_cast<int>(f_.triangles.size()));
       f_.first_vertex.push_back(static_cast<int>(f_.vertices.size()));
     }
+    tell_supports();
     f_.facets.resize(f_.first_triangle.size() - 1);
     parallel_for(f_.facets.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t facet = begin; facet < end; ++facet) f_.facets[facet] = facet_at(static_cast<int>(facet));
@@ -262,6 +263,53 @@ class Flattening {
     return true;
   }
 
+  // By vertex: whether exactly two edges between facets meet there, in one line.
+  [[nodiscard]] std::vector<char> straight_vertices() const {
+    struct Ends {
+      int count = 0;
+      std::array<int, 2> other{};
+    };
+    std::vector<Ends> ends(f_.points.size());
+    const auto add = [&](int vertex, int other) {
+      Ends& at = ends[vertex];
+      if (at.count < 2) at.other[at.count] = other;
+      ++at.count;
+    };
+    for (std::size_t t = 0; t < f_.corners.size(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const int next = f_.sides[t][k].neighbour;
+        // An edge with two triangles is taken once.
+        if (next >= 0 && (next < static_cast<int>(t) || f_.facet_of[next] == f_.facet_of[t])) continue;
+        const int a = f_.corners[t][k], b = f_.corners[t][(k + 1) % 3];
+        add(a, b);
+        add(b, a);
+      }
+    std::vector<char> straight(f_.points.size(), 0);
+    for (std::size_t v = 0; v < ends.size(); ++v)
+      if (ends[v].count == 2) straight[v] = is_between(f_.points[v], ends[v].other) ? 1 : 0;
+    return straight;
+  }
+
+  [[nodiscard]] bool is_between(const Vec3& point, const std::array<int, 2>& ends) const {
+    const Vec3 along = f_.points[ends[1]] - f_.points[ends[0]], to = point - f_.points[ends[0]];
+    const double length = glm::length(along), at = glm::dot(to, along);
+    return at > 0 && at < length * length && glm::length(glm::cross(along, to)) <= 2 * f_.tolerance * length;
+  }
+
+  // Three vertices are needed to span a facet.
+  void tell_supports() {
+    const std::vector<char> straight = straight_vertices();
+    const auto supports = [&](int v) { return straight[v] == 0; };
+    f_.end_of_supports.assign(f_.first_vertex.begin() + 1, f_.first_vertex.end());
+    for (std::size_t facet = 0; facet < f_.end_of_supports.size(); ++facet) {
+      const auto first = f_.vertices.begin() + f_.first_vertex[facet],
+                 last = f_.vertices.begin() + f_.first_vertex[facet + 1];
+      if (last - first > 3 && std::count_if(first, last, supports) >= 3)
+        f_.end_of_supports[facet] =
+            static_cast<int>(std::stable_partition(first, last, supports) - f_.vertices.begin());
+    }
+  }
+
   [[nodiscard]] Facet facet_at(int number) const {
     Facet facet{Vec3(0), Vec3(0), 0, 0, false};
     // If triangles are oriented differently, the first one determines the direction of the facet.
@@ -274,7 +322,8 @@ class Flattening {
     const double length = glm::length(facet.normal);
     facet.normal = length > 0 ? facet.normal / length : Vec3(0);
     const auto vertices = f_.vertices_of(number);
-    for (const int v : vertices) facet.middle += f_.points[v] / static_cast<double>(vertices.size());
+    const auto supports = f_.supports_of(number);
+    for (const int v : supports) facet.middle += f_.points[v] / static_cast<double>(supports.size());
     facet.is_plane = facet.normal != Vec3(0) && vertices.size() > 4 && has_many_corners(facet, vertices);
     return facet;
   }

@@ -15,7 +15,7 @@ namespace epura::features {
 /// Triangles that form one flat piece, or a polygon of the file.
 struct Facet {
   Vec3 normal;  ///< unit; zero if it has no area
-  Vec3 middle;  ///< mean of its vertices
+  Vec3 middle;  ///< mean of its supports
   double area;
   double width;   ///< of its thickest triangle
   bool is_plane;  ///< has more corners than a facet of a round surface can have
@@ -40,12 +40,18 @@ struct Facets {
   std::vector<Facet> facets;
   std::vector<int> first_triangle, triangles;  ///< of each facet
   std::vector<int> first_vertex, vertices;     ///< of each facet
+  std::vector<int> end_of_supports;            ///< of each facet: an index into `vertices`
 
   [[nodiscard]] std::span<const int> triangles_of(int facet) const {
     return {triangles.data() + first_triangle[facet], triangles.data() + first_triangle[facet + 1]};
   }
   [[nodiscard]] std::span<const int> vertices_of(int facet) const {
     return {vertices.data() + first_vertex[facet], vertices.data() + first_vertex[facet + 1]};
+  }
+  /// The vertices of a facet, less those inside a straight edge between two facets: these may lie anywhere on a chord
+  /// of a round surface, so they say nothing about it.
+  [[nodiscard]] std::span<const int> supports_of(int facet) const {
+    return {vertices.data() + first_vertex[facet], vertices.data() + end_of_supports[facet]};
   }
   /// The ends of side `side` of a triangle, and their distance.
   [[nodiscard]] std::array<Vec3, 2> ends_of(int triangle, int side) const {

@@ -72,10 +72,10 @@ bool has_no_say(const Facets& facets, int facet, const PartSurface& surface, dou
 
 bool approximates(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta) {
   const Facet& f = facets.facets[facet];
-  for (const int v : facets.vertices_of(facet))
+  for (const int v : facets.supports_of(facet))
     if (!(std::abs(signed_distance(surface, facets.points[v])) <= allowance)) return false;
   if (has_no_say(facets, facet, surface, sagitta)) return true;
-  for (const int v : facets.vertices_of(facet)) {
+  for (const int v : facets.supports_of(facet)) {
     const Vec3 normal = normal_near(surface, facets.points[v]);
     if (normal != Vec3(0) && std::abs(glm::dot(normal, f.normal)) < least_agreement) return false;
   }
@@ -86,13 +86,13 @@ bool is_chord(const Facets& facets, int facet, const PartSurface& surface, doubl
   const auto is_near = [&](const Vec3& p, double distance) {
     return std::abs(signed_distance(surface, p)) <= distance;
   };
-  for (const int v : facets.vertices_of(facet))
+  for (const int v : facets.supports_of(facet))
     if (!is_near(facets.points[v], allowance)) return false;
   const Facet& f = facets.facets[facet];
   const auto facing = [&](const Vec3& p) { return std::abs(glm::dot(normal_near(surface, p), f.normal)); };
   // A facet that does not tilt, but spans a large angle, is a flat of the part.
   if (facing(f.middle) > tilted_facing)
-    for (const int v : facets.vertices_of(facet))
+    for (const int v : facets.supports_of(facet))
       if (facing(facets.points[v]) < least_agreement && normal_near(surface, facets.points[v]) != Vec3(0)) return false;
   const double most = most_sagittas * sagitta + allowance;
   for (const int t : facets.triangles_of(facet)) {
@@ -180,7 +180,7 @@ std::vector<Vec3> RegionGrower::points_of(const Region& region, std::size_t most
   ++vertex_number_;
   std::vector<Vec3> points;
   for (const int f : region.facets)
-    for (const int v : facets_.vertices_of(f))
+    for (const int v : facets_.supports_of(f))
       if (std::exchange(vertex_stamp_[v], vertex_number_) != vertex_number_) points.push_back(facets_.points[v]);
   if (points.size() <= most) return points;
   std::vector<Vec3> some;
@@ -265,7 +265,7 @@ void RegionGrower::take_enclosed(Region& region) {
     return 2 * within > all;
   };
   const auto lies_on = [&](int facet) {
-    const auto vertices = facets_.vertices_of(facet);
+    const auto vertices = facets_.supports_of(facet);
     const auto is_near = [&](int v) {
       return std::abs(signed_distance(region.surface, facets_.points[v])) <= allowance;
     };
@@ -326,7 +326,7 @@ double RegionGrower::mean_turn_of(const Region& region) const {
   for (const int f : region.facets) {
     if (has_no_say(facets_, f, region.surface, region.sagitta)) continue;
     double least = 1;
-    for (const int v : facets_.vertices_of(f)) {
+    for (const int v : facets_.supports_of(f)) {
       const Vec3 normal = normal_near(region.surface, facets_.points[v]);
       if (normal != Vec3(0)) least = std::min(least, std::abs(glm::dot(normal, facets_.facets[f].normal)));
     }

@@ -224,7 +224,7 @@ class Search {
     std::vector<Vec3> points;
     points.reserve(4 * facets.size());
     for (const int f : facets)
-      for (const int v : facets_.vertices_of(f))
+      for (const int v : facets_.supports_of(f))
         if (std::exchange(vertex_stamp_[v], vertex_number_) != vertex_number_) points.push_back(facets_.points[v]);
     return points;
   }

@@ -209,6 +209,7 @@ void append_view(std::string& text, const drawing::ViewDrawing& drawing, double 
           (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
           "},\n   \"vanishing_points\": " + json_list(drawing.vanishing_points, vanishing_point) +
           (drawing.contours_moved > 0 ? ",\n   \"contours_moved\": " + number(drawing.contours_moved) : "") +
+          (drawing.outlines_moved > 0 ? ",\n   \"outlines_moved\": " + number(drawing.outlines_moved) : "") +
           ",\n   \"segments\": ";
   append_segments(text, drawing, progress);
   append_curves(text, drawing);

@@ -348,12 +348,16 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   };
   const auto leave_out = [&](const std::string& stage) { return keep_longest(stage); };
   DrawnLines lines = make_in_time(budget_.lines, budget_.last(), make, leave_out);
+  double moved = 0;
   if (const CutSection* section = input_.section) {
+    moved = section->cut.moved;
     lines.drawing.cut_faces = drawing::cut_faces_on_paper(section->cut.faces, section->surface.plane, view_, paper);
     for (drawing::CutFace& face : lines.drawing.cut_faces) face.model = input_.world.number_in_scene(face.model);
     lines.drawing.before_cuts =
         drawing::before_cuts_on_paper(input_.world, section->cut.uncut, section->surface, lines.drawing.world_to_page);
   }
+  for (const BrokenOutSection& one : input_.broken_out) moved = std::max(moved, one.section.cut.moved);
+  lines.drawing.outlines_moved = view_.projection.central ? 0 : moved * input_.place.scale;
   lines.drawing.scale = input_.place.scale;
   return lines;
 }

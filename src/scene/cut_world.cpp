@@ -19,6 +19,7 @@
 #include "scene/cut_region.hpp"
 #include "scene/placed_part.hpp"
 #include "scene/split_world.hpp"
+#include "scene/true_outline.hpp"
 
 namespace epura::scene {
 
@@ -51,6 +52,7 @@ struct ModelCut {
   std::vector<CutSegment> loose{};  ///< of outlines that are open, or that bound no certain area
   std::vector<OpenOutline> open{};
   std::vector<BridgedGaps> bridged{};
+  double moved = 0;  ///< largest distance at which vertices were moved to surfaces
 
   [[nodiscard]] const mesh::Mesh& mesh() const { return *world.models[model].mesh; }
   [[nodiscard]] int file_vertices() const { return world.first_vertex[model + 1] - world.first_vertex[model]; }
@@ -76,6 +78,7 @@ struct ModelCut {
 
 void ModelCut::close() {
   const std::vector<char> is_open = open_bodies(mesh());
+  moved = move_to_surfaces(cut, world, model, frame);
   keep_odd(cut.segments);
   tell_outlines_apart();
   const std::vector<int> material = material_of({world, model, cut, places(), frame}, is_open);
@@ -269,6 +272,7 @@ void ModelCut::append(ModelCut&& other) {
   add(bridged, other.bridged);
   cut.cuts_wires = cut.cuts_wires || other.cut.cuts_wires;
   of_surface += other.of_surface;
+  moved = std::max(moved, other.moved);
 }
 
 void ModelCut::drop_surface() {
@@ -393,6 +397,7 @@ struct Remainder {
     };
     std::stable_sort(result.open.begin(), result.open.end(), by_body);
     std::stable_sort(result.bridged.begin(), result.bridged.end(), by_body);
+    result.moved = std::max(result.moved, cut.moved);
     cuts = cuts || !cut.cut.segments.empty() || !cut.loose.empty() || cut.cut.cuts_wires;
     append(result.world, cut);
   }
@@ -548,6 +553,7 @@ void append_turned(CutWorld& all, CutWorld part, const Mat4& turn, bool is_first
   add(all.open, part.open);
   add(all.bridged, part.bridged);
   all.uncut.push_back(std::move(part.uncut[0]));
+  all.moved = std::max(all.moved, part.moved);
 }
 
 CutWorld cut_aligned(const World& world, const CuttingSurface& surface, const Progress& progress) {

@@ -4,8 +4,9 @@
 //
 // Each vertex has a sign for its side of the plane: a vertex within rounding of the plane is on it, for all of its
 // triangles. Decisions based only on these signs are consistent between neighbours, and each edge is cut once for all
-// of its triangles. Outlines of cut faces are taken just behind the plane, where vertices on the plane count as in
-// front; faces that lie in the plane and bound the remainder are faces, not cuts.
+// of its triangles. Its vertices are then moved onto the surfaces of recognised faces (scene/true_outline.hpp).
+// Outlines of cut faces are taken just behind the plane, where vertices on the plane count as in front; faces that lie
+// in the plane and bound the remainder are faces, not cuts.
 #pragma once
 
 #include <vector>
@@ -47,6 +48,7 @@ struct CutWorld {
   std::vector<BridgedGaps> bridged;  ///< likewise
   /// Triangles of bodies that the surface passes through and leaves whole (Placed::styles), by region of the surface.
   std::vector<std::vector<int>> uncut;
+  double moved = 0;  ///< largest distance between outlines on recognised surfaces and those of their facets
 };
 
 /// Throws Error{input} if the surface cuts nothing or removes everything; and OutOfTime. There are no faces along

@@ -174,5 +174,25 @@ TEST(Specks, LinksStay) {
   EXPECT_EQ(without_specks(pieces).size(), 2U);
 }
 
+TEST(Specks, MayEndInLinks) {
+  Pieces pieces;
+  add(pieces, {{0, 0}, {10, 0}});
+  add(pieces, {{5, 0.01}, {5.02, 0.03}});
+  add(pieces, {{5.02, 0.03}, {5.02, 0}});
+  pieces.back().s = {1, 1};
+  EXPECT_EQ(without_specks(pieces).size(), 1U);
+}
+
+TEST(Specks, MayBeLinksTooShortToBeSeen) {
+  for (const double length : {0.001, 0.05}) {
+    Pieces pieces;
+    add(pieces, {{0, 0}, {10, 0}});
+    add(pieces, {{4, 0.08}, {6, 0.08}});
+    add(pieces, {{5, 0.08}, {5, 0.08 - length}});
+    pieces.back().s = {1, 1};
+    EXPECT_EQ(without_specks(pieces).size(), length < 0.01 ? 2U : 3U);
+  }
+}
+
 }  // namespace
 }  // namespace epura::test

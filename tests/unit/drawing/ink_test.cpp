@@ -44,6 +44,18 @@ TEST(Ink, WhatItsStyleDoesNotDrawTakesNothingFromWhatIsDrawn) {
   EXPECT_EQ(ink(kept, true), 6);
 }
 
+TEST(Ink, StepsBetweenRimsGiveWayToRims) {
+  drawing::Piece step = piece({0, 0}, {9, 0}, true, 0, EdgeKind::contour);
+  step.is_step = true;
+  const auto kept =
+      drawing::resolve_coincident({step, piece({0, 0}, {4, 0}, true, 1, EdgeKind::crease)}, tolerance, min);
+  ASSERT_EQ(kept.size(), 2U);
+  EXPECT_EQ(kept[0].edge, 0);
+  EXPECT_EQ(length(kept[0]), 5);
+  EXPECT_EQ(kept[1].edge, 1);
+  EXPECT_EQ(length(kept[1]), 4);
+}
+
 TEST(Ink, AmongEqualsTheStrongerKindThenTheLongerThenTheEarlierEdgeStays) {
   const auto by_kind = drawing::resolve_coincident(
       {piece({0, 0}, {4, 0}, true, 0, EdgeKind::smooth), piece({0, 0}, {4, 0}, true, 1, EdgeKind::contour)}, tolerance,
