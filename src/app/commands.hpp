@@ -16,6 +16,7 @@ int draw(const DrawOptions& options);
 int lint(DrawOptions options);
 int batch(const BatchOptions& options);
 int plugins(const PluginsOptions& options);
+int picture(const PictureOptions& options);
 int check_plugin(const CheckPluginOptions& options);
 int importers(const ImportersOptions& options);
 int check_importer(const CheckImporterOptions& options);
