@@ -231,6 +231,10 @@ void Builder::add_centre() {
   const Vec3 middle = made_.has_window ? shown((window.min + window.max) / 2.0) : shown({0, 0});
   if (p_.central && is_near(p_.projector, centre_reach)) {
     name("PRP", p_.projector, Quantity::projector, true, middle);
+    // Its perpendicular, which shows how far it is from where the picture is.
+    const Vec3 foot = p_.projector - (projectors_.eye() - made_.plane) * p_.n;
+    add(SetUpPart::plane, p_.projector, foot);
+    name("PP", foot, std::nullopt, true, middle);
     if (made_.has_window)
       for (const Vec3& corner : at_depth(in_.model.volume.front)) add(SetUpPart::rays, corner, p_.projector);
     return;
@@ -310,6 +314,8 @@ void Builder::add_normalised_volume(const Mat4& place) {
     base[i] = at({low[i], 0});
     lid[i] = at({high[i], top});
   }
+  constexpr double flattest = 1e-6;
+  made_.is_flat = top < flattest;
   add_ring(SetUpPart::normalised, base);
   add_ring(SetUpPart::normalised, lid);
   const Vec3 apex = at({0.5, 0.5, 1});

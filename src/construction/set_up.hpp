@@ -43,8 +43,9 @@ struct SetUp {
   std::optional<double> far{};  ///< distance of a centre that is too far away to be drawn, from the middle of the box
   bool has_window = true;       ///< false: it is too large to be drawn
   Mat4 to_image{1.0};           ///< (u, v, 0) of the plane -> its position as it is drawn
-  Mat4 normalised{1.0};         ///< the world -> normalised coordinates, where they are drawn
-  Vec3 seen_from{0.0};          ///< direction towards who looks at all of it; length 1
+  bool is_flat = false;  ///< the models fill too little of the normalised volume to be drawn: the centre is far away
+  Mat4 normalised{1.0};  ///< the world -> normalised coordinates, where they are drawn
+  Vec3 seen_from{0.0};   ///< direction towards who looks at all of it; length 1
 };
 
 struct SetUpInput {

@@ -95,6 +95,7 @@ scene::ConstructionItem label_of(const Picture& picture, construction::SetUpPoin
   const std::string parameters = parameters_of(picture, named.quantity);
   if (named.quantity) point.meaning = meaning_of(picture, *named.quantity, point.symbol.starts_with("umax"));
   if (!parameters.empty()) point.meaning += " (" + parameters + ")";
+  if (point.symbol == "PP") point.meaning = "principal point: foot of the perpendicular from PRP";
   if (point.symbol.starts_with("N_"))
     point.meaning = "normalised volume (r, s, t), to which " + point.symbol + " maps the view volume" +
                     (picture.set_up.has_window ? "" : "; the window is too large to be drawn");
@@ -224,6 +225,7 @@ scene::SceneDescription scene_of(const Picture& picture, const PictureRequest& r
   scene::SceneDescription scene;
   scene.models = {request.model, request.model};
   scene::ModelDescription& normalised = scene.models.back();
+  normalised.drawn = {!picture.set_up.is_flat, "picture"};
   normalised.transform = {picture.set_up.normalised, "picture"};
   normalised.surfaces = {Surfaces::mesh, "picture"};
   for (const construction::SetUpLines& lines : picture.set_up.lines) scene.models.push_back(model_of(lines));

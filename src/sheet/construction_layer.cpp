@@ -24,7 +24,7 @@ using construction::Symbol;
 constexpr double mark_radius = 0.7;                     // mm, of the circle around a point
 constexpr double index_height = 0.7, index_drop = 0.3;  // of the height of the symbol
 constexpr double clear = 0.5;                           // mm between a symbol and lines
-constexpr double apart = 2;                             // mm between symbols, which are not to be read as one
+constexpr double apart = 2, long_symbol = 18;           // mm between long symbols and others: they are not one text
 constexpr double arrow_shaft = 9;                       // mm
 constexpr int parts_of_circle = 180;
 constexpr double key_width = 78, key_gap = 8;  // mm: room for figures of constant size
@@ -176,8 +176,10 @@ std::size_t Draughtsman::touched_by(const Rectangle& box) const {
   auto touched = static_cast<std::size_t>(
       std::count_if(taken_.begin(), taken_.end(), [&](const TurnedBox& other) { return overlap(wide, other); }));
   const TurnedBox wider = turned_box(box.grown(apart));
-  touched += static_cast<std::size_t>(
-      std::count_if(letters_.begin(), letters_.end(), [&](const TurnedBox& other) { return overlap(wider, other); }));
+  const bool is_long = box.size().x > long_symbol;
+  touched += static_cast<std::size_t>(std::count_if(letters_.begin(), letters_.end(), [&](const TurnedBox& other) {
+    return (is_long || 2 * other.half.x > long_symbol) && overlap(wider, other);
+  }));
   for (const drawing::ViewDrawing* view : room_.views) touched += static_cast<std::size_t>(ink_in(wide, *view));
   constexpr std::size_t outside = 1000;
   return touched + (room_.area.holds(box) ? 0 : outside);

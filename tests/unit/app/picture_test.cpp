@@ -154,13 +154,13 @@ TEST_P(Picture, NormalisedVolumeIsTheUnitCubeOrAPyramid) {
   }
 }
 
-TEST_P(Picture, IsDrawnWithLabelsAndATable) {
+TEST_P(Picture, IsDrawnWithLabelsAndALegend) {
   const Folder folder;
   const Outcome run = epura({"picture", GetParam(), model, "-o", "x.svg", "--svg-text", "text"}, folder / "");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   const std::string svg = read_file(folder / "x.svg");
-  for (const char* word : {">VRP", ">u<", ">v", ">n<", ">PRP", ">umin, vmin", ">umax, vmax", ">F", ">B", ">set by<"})
+  for (const char* word : {">VRP", ">u<", ">v", ">n<", ">PRP", ">umin, vmin", ">umax, vmax", ">F", ">B", ">view reference point: ", ">normalised volume "})
     EXPECT_TRUE(contains(svg, word)) << word;
   EXPECT_LT(svg.size(), 400'000U);
 }
@@ -186,7 +186,7 @@ TEST(Pictures, NameTheParametersThatSetEachValue) {
   EXPECT_EQ(of(two_point, Quantity::point), Names{});
   const pipeline::Picture phigs = picture_of(request_for("phigs", sample("bracket.obj")));
   EXPECT_EQ(of(phigs, Quantity::window), (Names{"window"}));
-  EXPECT_EQ(of(phigs, Quantity::back), (Names{"vpd", "b"}));
+  EXPECT_EQ(of(phigs, Quantity::back), (Names{"b"}));
   const pipeline::Picture cabinet = picture_of(request_for("cabinet", sample("bracket.obj")));
   EXPECT_EQ(of(cabinet, Quantity::projector), (Names{"angle"}));
   EXPECT_EQ(of(cabinet, Quantity::normal), Names{});
@@ -220,7 +220,7 @@ class DrawnPicture : public testing::Test {
 // An arrow with the distance stands for a centre 1e12 mm away, and everything else is as large as ever.
 TEST_F(DrawnPicture, CentreFarAwayIsAnArrow) {
   ASSERT_EQ(draw("look-at:eye=0,-1000000000000,0").code, 0);
-  EXPECT_TRUE(contains(svg(), "PRP, 1000000 km"));
+  EXPECT_TRUE(contains(svg(), "PRP: 1000000 km"));
   const std::string far = svg();
   ASSERT_EQ(draw("look-at:eye=0,-300,0").code, 0);
   EXPECT_FALSE(contains(svg(), " km"));
