@@ -19,9 +19,10 @@ enum class HiddenLines { none, dashed, solid };
 /// (continuous and dashed lines in turn; ANSI33), nonmetal (crossing lines; ANSI37), or solid (filled).
 enum class HatchPattern { none, general, steel, bronze, nonmetal, solid };
 
-/// Style of the visible lines of a model: the part itself (wide, continuous), a background part (narrow, continuous),
-/// or an adjacent part (narrow, long-dashed double-dotted; ISO 128-2, type 05.1).
-enum class LineRole { visible, narrow, neighbour };
+/// Style of the visible lines of a model: the part itself (wide, continuous; wires and tangent edges narrow), a
+/// background part (narrow, continuous), an adjacent part (narrow, long-dashed double-dotted; ISO 128-2, type 05.1), or
+/// one whose wires and tangent edges are wide, too.
+enum class LineRole { visible, narrow, neighbour, wide };
 
 /// Layers of a view: one for each role of lines, or one for each role of lines of each body.
 enum class LayersBy { role, body };

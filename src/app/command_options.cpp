@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command_options.hpp"
 
+#include <climits>
 #include <filesystem>
+#include <string_view>
 
 #include "app/draw_options.hpp"
 #include "base/text.hpp"
@@ -13,6 +15,19 @@ namespace {
 scene::ValueKind<std::filesystem::path> path_of_file(const std::string& placeholder) {
   return {file_name(placeholder).form,
           [](const scene::TomlValue& value) { return std::filesystem::path(std::get<std::string>(value.content)); }};
+}
+
+scene::ValueKind<std::vector<int>> vertex_numbers() {
+  return {{"list of numbers", "VERTICES"}, [](const scene::TomlValue& value) {
+            std::vector<int> numbers;
+            for (const std::string_view word : split(scene::read_text(value), ',')) {
+              const auto number = parse_integer(word);
+              if (!number || *number < 0 || *number > INT_MAX)
+                scene::refuse(value, "'" + std::string(word) + "' is not the number of a vertex", "as in 0,3,7");
+              numbers.push_back(static_cast<int>(*number));
+            }
+            return numbers;
+          }};
 }
 
 template <class Command>
@@ -97,6 +112,28 @@ scene::Options<PluginsOptions> plugins_options() {
   };
 }
 
+scene::Options<PictureOptions> picture_options() {
+  using Picture = PictureOptions;
+  scene::Options<Picture> all{
+      scene::option<Picture>(
+          {.flag = "projection", .help = "projection to show, NAME[:key=value...]", .required = true},
+          &Picture::projection, scene::projection_request()),
+      scene::option<Picture>(
+          {.flag = "model", .help = "model file, as of 'epura draw'", .required = true},
+          [](auto& picture) -> auto& { return picture.draw.models; }, file_name("MODEL")),
+      scene::option<Picture>({.flag = "--from", .help = "parallel projection that shows it", .usual = "from the side"},
+                             &Picture::from, scene::projection_request()),
+      scene::option<Picture>({.flag = "--vertices",
+                              .help = "vertices of the model through which rays run, by their numbers as in JSON",
+                              .usual = "corners of the outline"},
+                             &Picture::vertices, vertex_numbers()),
+      scene::option<Picture>(
+          {.flag = "--keep-plane", .help = "draw the view plane where it is, even if it cuts the model"},
+          &Picture::keeps_plane, scene::truth())};
+  scene::append_options(all, one_model_options(), &Picture::draw);
+  return all;
+}
+
 scene::Options<CheckPluginOptions> check_plugin_options() {
   using Check = CheckPluginOptions;
   return {
@@ -107,6 +144,11 @@ scene::Options<CheckPluginOptions> check_plugin_options() {
            .help = "time limit for loading, and for each answer; built-in projections take some milliseconds",
            .usual = format_number(projection::plugin_seconds)},
           &Check::time_limit, scene::number_between(0, 1e6, "s").shown_as("S")),
+      scene::option<Check>({.flag = "--picture",
+                            .help = "draw each projection seen from outside into this file, as 'epura picture' does"},
+                           &Check::picture, file_name("FILE")),
+      scene::option<Check>({.flag = "--model", .help = "model of the picture", .usual = "a house"}, &Check::model,
+                           file_name("MODEL")),
   };
 }
 

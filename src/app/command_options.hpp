@@ -12,6 +12,7 @@ scene::Options<CompareOptions> compare_options();
 scene::Options<SnapshotOptions> snapshot_options();
 scene::Options<InfoOptions> info_options();
 scene::Options<PluginsOptions> plugins_options();
+scene::Options<PictureOptions> picture_options();
 scene::Options<CheckPluginOptions> check_plugin_options();
 scene::Options<ImportersOptions> importers_options();
 scene::Options<CheckImporterOptions> check_importer_options();

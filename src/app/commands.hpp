@@ -18,6 +18,7 @@ int batch(const BatchOptions& options);
 /// Ends by a signal only.
 int serve(const ServeOptions& options);
 int plugins(const PluginsOptions& options);
+int picture(const PictureOptions& options);
 int check_plugin(const CheckPluginOptions& options);
 int importers(const ImportersOptions& options);
 int check_importer(const CheckImporterOptions& options);

@@ -69,6 +69,9 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
                      snapshot)};
   CLI::App* list = add("plugins", "list projections, show one, or check a plugin");
   commands.push_back(define_command(list, plugins_options(), plugins));
+  commands.push_back(
+      define_command(add("picture", "draw a projection seen from outside: picture plane, projectors, volumes"),
+                     picture_options(), picture));
   commands.push_back(define_command(add("new-projection", "create a projection plugin: C++ source and CMake file"),
                                     new_projection_options(), new_projection));
   commands.push_back(

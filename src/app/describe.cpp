@@ -119,13 +119,17 @@ scene::SceneDescription describe(const DrawOptions& options) {
     throw Error(ErrorKind::input, options.arrangement.where, "needs automatic dimensions", "add --dimensions auto");
   if (options.dimensions.given()) add_dimensions(scene, options);
   if (options.parts_list && !scene.parts_list) scene.parts_list = scene::PartsListDescription{"--parts-list"};
+  complete(scene, options);
+  return scene;
+}
+
+void complete(scene::SceneDescription& scene, const DrawOptions& options) {
   pipeline::complete_scene(scene);
   for (scene::SheetDescription& sheet : scene.sheets) {
     scene::overrule(sheet, options.sheet, scene::sheet_options());
     scene::overrule(sheet.title_block, options.sheet.title_block, scene::title_block_options());
   }
   pipeline::complete_sheets(scene);
-  return scene;
 }
 
 std::vector<std::string> inputs_of(const DrawOptions& options, const scene::SceneDescription& scene) {

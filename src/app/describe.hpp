@@ -14,6 +14,9 @@ namespace epura {
 /// file together with models, and for options that conflict with a scene file.
 scene::SceneDescription describe(const DrawOptions& options);
 
+/// Completes a scene, with sheets as the options have them.
+void complete(scene::SceneDescription& scene, const DrawOptions& options);
+
 /// Returns the files that are read for the drawing.
 std::vector<std::string> inputs_of(const DrawOptions& options, const scene::SceneDescription& scene);
 

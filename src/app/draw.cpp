@@ -102,13 +102,14 @@ void forget_times(std::vector<report::PlanStep>& plan) {
   for (report::PlanStep& step : plan) step.times = {};
 }
 
-DrawnFiles draw_within(const DrawOptions& options, const pipeline::Messages& messages, Progress progress) {
+DrawnFiles draw_within(const DrawOptions& options, const DescribeScene& describe_scene,
+                       const pipeline::Messages& messages, Progress progress) {
   pipeline::Stopwatch watch;
   progress.begin("preparing");
   const ThreadLimit threads(options.run.threads);
   const std::vector<pipeline::Target> targets = pipeline::targets_of(options.outputs, options.format);
   expect_outputs(options);
-  const scene::SceneDescription scene = describe(options);
+  const scene::SceneDescription scene = describe_scene(progress);
   pipeline::refuse_overwriting(pipeline::files_of(targets, scene.sheets.size()), inputs_of(options, scene));
 
   pipeline::RunOptions run = options.run;
@@ -136,8 +137,14 @@ DrawnFiles draw_within(const DrawOptions& options, const pipeline::Messages& mes
 }  // namespace
 
 DrawnFiles draw_files(const DrawOptions& options, const pipeline::Messages& messages, Progress progress) {
+  return draw_files(
+      options, [&options](const Progress&) { return describe(options); }, messages, progress);
+}
+
+DrawnFiles draw_files(const DrawOptions& options, const DescribeScene& describe_scene,
+                      const pipeline::Messages& messages, Progress progress) {
   try {
-    return draw_within(options, messages, progress);
+    return draw_within(options, describe_scene, messages, progress);
   } catch (const OutOfTime& cut) {
     throw pipeline::nothing_drawn(cut.stage);
   }

@@ -2,6 +2,7 @@
 // A run from options to files, without a terminal.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,13 @@ int exit_code_of(const DrawnFiles& drawn);
 
 /// Draws and writes all files. Throws Error; Error{time} if time runs out before there is a line to show.
 DrawnFiles draw_files(const DrawOptions& options, const pipeline::Messages& messages, Progress progress);
+
+/// Makes the scene of a run.
+using DescribeScene = std::function<scene::SceneDescription(const Progress&)>;
+
+/// The same for another scene than that of the options.
+DrawnFiles draw_files(const DrawOptions& options, const DescribeScene& describe_scene,
+                      const pipeline::Messages& messages, Progress progress);
 
 /// Prints the result of --timings, and what --time-limit omitted.
 void tell_the_end(const pipeline::Messages& messages, const DrawOptions& options, const DrawnFiles& drawn);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/draw_options.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "app/command_line_options.hpp"
@@ -93,7 +95,7 @@ void append(scene::Options<Draw>& all, scene::Options<Draw> more, scene::Nature 
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-scene::Options<Draw> file_options() {
+scene::Options<Draw> model_file_options() {
   return {
       scene::option<Draw>({.flag = "models",
                            .help = "model files (obj stl ply off and what 'epura importers' lists), - for standard "
@@ -102,6 +104,17 @@ scene::Options<Draw> file_options() {
                            .required = true,
                            .repeatable = true},
                           &Draw::models, file_name("MODEL...")),
+      scene::option<Draw>(
+          {.flag = "--transform",
+           .help =
+               "position of the models, e.g. \"rotate:z,30 translate:0,0,5\"; once for all models, or once for each",
+           .repeatable = true},
+          &Draw::transforms, scene::transform_steps()),
+  };
+}
+
+scene::Options<Draw> output_options() {
+  return {
       scene::option<Draw>({.flag = "-o,--output",
                            .help = "output file; its extension selects the format: " + joined(output::format_names()) +
                                    "; - for standard output",
@@ -112,16 +125,10 @@ scene::Options<Draw> file_options() {
                           scene::any_text().shown_as("NAME").such_as(output::format_names())),
       plugin_path_option<Draw>(run(&pipeline::RunOptions::plugin_path)),
       allow_outside_option<Draw>(run(&pipeline::RunOptions::allow_outside)),
-      scene::option<Draw>(
-          {.flag = "--transform",
-           .help =
-               "position of the models, e.g. \"rotate:z,30 translate:0,0,5\"; once for all models, or once for each",
-           .repeatable = true},
-          &Draw::transforms, scene::transform_steps()),
   };
 }
 
-scene::Options<Draw> picture_options() {
+scene::Options<Draw> view_and_line_options() {
   return {
       projections_option("projection of a view, NAME[:key=value...]; repeat for more views; 'epura plugins' lists them",
                          &Draw::projections),
@@ -266,14 +273,27 @@ scene::ValueKind<std::string> file_name(const std::string& placeholder) {
 }
 
 scene::Options<DrawOptions> draw_options() {
-  scene::Options<Draw> all = file_options();
+  scene::Options<Draw> all = model_file_options();
+  std::ranges::move(output_options(), std::back_inserter(all));
   scene::append_options(all, scene::model_options(), &Draw::model);
-  append(all, picture_options());
+  append(all, view_and_line_options());
   scene::append_options(all, scene::view_options(), &Draw::view);
   scene::append_options(all, scene::sheet_options(), &Draw::sheet);
   append(all, title_options());
   append(all, format_options());
   append(all, question_options(), scene::Nature::run);
+  append(all, run_options(), scene::Nature::run);
+  return all;
+}
+
+scene::Options<DrawOptions> one_model_options() {
+  scene::Options<Draw> all = output_options();
+  scene::Options<scene::ModelDescription> of_model = scene::model_options();
+  std::erase_if(of_model, [](const scene::OptionInfo& option) { return option.flag == "--density"; });
+  scene::append_options(all, of_model, &Draw::model);
+  scene::append_options(all, scene::sheet_options(), &Draw::sheet);
+  append(all, title_options());
+  append(all, format_options());
   append(all, run_options(), scene::Nature::run);
   return all;
 }

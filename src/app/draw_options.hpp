@@ -9,6 +9,9 @@ namespace epura {
 
 scene::Options<DrawOptions> draw_options();
 
+/// Those of a drawing of one model whose views are not chosen: of outputs, the model, the sheet and the run.
+scene::Options<DrawOptions> one_model_options();
+
 /// The options of `epura explain`.
 scene::Options<DrawOptions> explain_options();
 

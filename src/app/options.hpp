@@ -98,9 +98,20 @@ struct PluginsOptions {
   std::vector<std::filesystem::path> plugin_path;
 };
 
+/// A projection seen from outside.
+struct PictureOptions {
+  DrawOptions draw;                                       ///< without views; its model is the one that is shown
+  scene::Located<scene::ProjectionRequest> projection{};  ///< that is shown
+  scene::Located<scene::ProjectionRequest> from{};        ///< that shows it; by default a view from the side
+  scene::Located<std::vector<int>> vertices{};            ///< through which rays run; by default chosen
+  bool keeps_plane = false;                               ///< where it is, even inside the model
+};
+
 struct CheckPluginOptions {
   std::filesystem::path file;
   double time_limit = projection::plugin_seconds;
+  std::string picture;  ///< file of a picture of each projection; empty: none
+  std::string model;    ///< that it shows; empty: a house
 };
 
 struct ImportersOptions {

@@ -7,10 +7,13 @@
 
 #include "sheet/construction_layer.hpp"
 #include "sheet/free_rectangles.hpp"
+#include "sheet/table_drawing.hpp"
 
 namespace epura::pipeline {
 
 namespace {
+
+constexpr double legend_text = 2.5, around_legend = 4;  // mm
 
 // Where the constructions of some views may be: in the largest free part of the sheet that holds them.
 sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& own, const sheet::Neighbours& around,
@@ -58,7 +61,7 @@ void add_legend(AnnotationLayers& result, sheet::Neighbours& around, const Sheet
   }
   if (!wanted || layer == nullptr || table.rows.empty()) return;
   sheet::DimensionStyle small = style;
-  small.text = 2.5;
+  small.text = legend_text;
   const sheet::TableDrawing drawing(std::move(table), 1, small);
   const auto corner = sheet::clear_position(room, drawing.size());
   if (!corner) {
@@ -71,6 +74,10 @@ void add_legend(AnnotationLayers& result, sheet::Neighbours& around, const Sheet
 }
 
 }  // namespace
+
+double legend_room(const construction::Figure& figure) {
+  return figure.legend ? sheet::height_of_rows(figure.terms.size(), legend_text) + around_legend : 0;
+}
 
 void add_constructions(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
                        std::span<const ViewResult> views, const sheet::DimensionStyle& style) {

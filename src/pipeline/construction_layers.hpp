@@ -14,4 +14,7 @@ namespace epura::pipeline {
 void add_constructions(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
                        std::span<const ViewResult> views, const sheet::DimensionStyle& style);
 
+/// Room below a view for the legend of its constructions, if that is asked for; mm.
+double legend_room(const construction::Figure& figure);
+
 }  // namespace epura::pipeline

@@ -49,6 +49,8 @@ bool suits(ConstructionFamily family, Part part) {
       return part == Part::epura;
     case ConstructionFamily::central_or_epura:
       return part != Part::parallel;
+    case ConstructionFamily::not_epura:
+      return part != Part::epura;
   }
   return false;
 }
@@ -61,6 +63,8 @@ std::string name_of(ConstructionFamily family) {
       return "a parallel projection, such as isometric";
     case ConstructionFamily::epura:
       return "an épura: --views epura";
+    case ConstructionFamily::not_epura:
+      return "a view outside an épura, where 'point' names vertices";
     default:
       return "a central projection, or an épura";
   }
@@ -264,6 +268,19 @@ double reach_of(const construction::PicturePlane& plane, const drawing::ViewDraw
   return reach;
 }
 
+void add_label(construction::Figure& figure, const construction::PicturePlane& plane, const Request& request) {
+  const scene::NamedPoint& label = *request.item.label;
+  const auto at = construction::image_of(plane, label.at);
+  if (!at) construction::refuse(request, "names a point that is not in front of the viewer", "choose another point");
+  const std::size_t index = label.symbol.find('_');
+  construction::Point point{{label.symbol.substr(0, index)}, *at, *at, label.marked};
+  if (index != std::string::npos) point.symbol.index = label.symbol.substr(index + 1);
+  if (label.away_from) point.guide = construction::image_of(plane, *label.away_from).value_or(*at);
+  if (!label.meaning.empty())
+    construction::add_term(figure, label.symbol.substr(0, label.symbol.find(':')), label.meaning);
+  construction::add_point(figure, std::move(point));
+}
+
 }  // namespace
 
 std::optional<EpuraViews> epura_views(const scene::SheetDescription& sheet, const SheetOfViews& views,
@@ -315,6 +332,8 @@ construction::Figure figure_of_view(const scene::World& world, const scene::View
   const std::vector<Request> requests = requests_of(world, view, plane.central ? Part::central : Part::parallel);
   construction::Figure figure = plane.central ? construction::perspective_figure(plane, requests, around)
                                               : construction::axonometry_figure(plane, factor, requests);
+  for (const Request& request : requests)
+    if (request.item.label) add_label(figure, plane, request);
   figure.legend = wants_legend(view);
   return figure;
 }

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
+#include "pipeline/construction_layers.hpp"
 #include "pipeline/constructions.hpp"
 #include "pipeline/details.hpp"
 #include "sheet/arrangement.hpp"
@@ -115,7 +116,7 @@ void make_room_for_constructions(sheet::ViewToPlace& view, projection::Window& b
                                  SheetFit fit) {
   constexpr double farthest = 10;  // sizes of the view
   constexpr Vec2 symbols{14, 8};   // mm
-  view.before.x += sheet::construction_room(figure);
+  view.before += Vec2(sheet::construction_room(figure), legend_room(figure));
   if (fit != SheetFit::construction) return;
   const sheet::Rectangle ink{box.min, box.max};
   const sheet::Rectangle whole = sheet::box_of(figure, ink, farthest * glm::length(ink.size()));

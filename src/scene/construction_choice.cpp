@@ -40,6 +40,16 @@ bool read_element(ConstructionItem& item, std::string_view text, bool is_edge) {
   return item.has_element = true;
 }
 
+// SYMBOL:X,Y,Z
+bool read_label(ConstructionItem& item, std::string_view text) {
+  const auto parts = split(text, ':');
+  const auto numbers = parse_numbers(parts.back());
+  if (parts.size() != 2 || parts[0].empty() || parts[0].front() == '_' || !numbers || numbers->size() != 3)
+    return false;
+  item.label = NamedPoint{std::string(parts[0]), {(*numbers)[0], (*numbers)[1], (*numbers)[2]}};
+  return finite(item.label->at);
+}
+
 bool read_argument(ConstructionItem& item, std::string_view text) {
   switch (row_of(item.kind).argument) {
     case ConstructionArgument::none:
@@ -55,6 +65,8 @@ bool read_argument(ConstructionItem& item, std::string_view text) {
     case ConstructionArgument::vertex:
     case ConstructionArgument::face:
       return read_element(item, text, false);
+    case ConstructionArgument::named_point:
+      return read_label(item, text);
   }
   return false;
 }
@@ -75,6 +87,8 @@ std::string form_of(const ConstructionRow& row) {
       return word + ":[MODEL:]VERTEX as in JSON, such as " + word + ":0";
     case ConstructionArgument::face:
       return word + ":[MODEL:]FACE as in JSON, such as " + word + ":0";
+    case ConstructionArgument::named_point:
+      return word + ":SYMBOL:X,Y,Z, such as " + word + ":A_1:0,0,10";
   }
   return word;
 }
@@ -112,7 +126,9 @@ std::vector<std::string> join_directions(const std::vector<std::string>& words) 
     const std::size_t colon = word.find(':');
     const bool begins = colon != std::string::npos && word.find(',') == std::string::npos &&
                         std::any_of(construction_rows.begin(), construction_rows.end(), [&](const auto& row) {
-                          return row.argument == ConstructionArgument::direction && word.substr(0, colon) == row.word;
+                          return (row.argument == ConstructionArgument::direction ||
+                                  row.argument == ConstructionArgument::named_point) &&
+                                 word.substr(0, colon) == row.word;
                         });
     missing = begins ? 2 : 0;
   }

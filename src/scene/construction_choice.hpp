@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which constructions of a projection are drawn: "horizon", "vp:1,1,0", "to-vp:0:3-7".
+// Which constructions of a projection are drawn: "horizon", "vp:1,1,0", "to-vp:0:3-7", "label:A:0,0,5".
 #pragma once
 
 #include <array>
@@ -36,14 +36,15 @@ enum class ConstructionKind : std::uint8_t {
   traces,
   true_shape,
   piercing,
-  section
+  section,
+  label
 };
 
 /// What follows the word and a colon.
-enum class ConstructionArgument : std::uint8_t { none, direction, degrees, edge, vertex, face };
+enum class ConstructionArgument : std::uint8_t { none, direction, degrees, edge, vertex, face, named_point };
 
 /// The drawings in which a kind has a meaning.
-enum class ConstructionFamily : std::uint8_t { any, central, parallel, epura, central_or_epura };
+enum class ConstructionFamily : std::uint8_t { any, central, parallel, epura, central_or_epura, not_epura };
 
 struct ConstructionRow {
   ConstructionKind kind;
@@ -83,6 +84,8 @@ inline constexpr std::array construction_rows = {
     ConstructionRow{ConstructionKind::piercing, "piercing", ConstructionFamily::epura, ConstructionArgument::edge,
                     true},
     ConstructionRow{ConstructionKind::section, "section", ConstructionFamily::epura, ConstructionArgument::face, true},
+    ConstructionRow{ConstructionKind::label, "label", ConstructionFamily::not_epura, ConstructionArgument::named_point,
+                    true},
 };
 
 static_assert([] {
@@ -95,6 +98,17 @@ constexpr const ConstructionRow& row_of(ConstructionKind kind) {
   return construction_rows[static_cast<std::size_t>(kind)];
 }
 
+/// A point of the world with its symbol, such as VP_x.
+struct NamedPoint {
+  std::string symbol;  ///< with an index after '_', or a note after ':' that is not in the legend
+  Vec3 at{0.0};
+  std::string meaning{};            ///< in the legend, if there is one
+  bool marked = true;               ///< by a circle
+  std::optional<Vec3> away_from{};  ///< a point on whose other side the symbol is, if there is room
+
+  bool operator==(const NamedPoint&) const = default;
+};
+
 struct ConstructionItem {
   ConstructionKind kind;
   std::string text;                  ///< as given, for messages
@@ -103,6 +117,7 @@ struct ConstructionItem {
   int model = 0;                     ///< of the edge, vertex or face
   std::array<int, 2> numbers{0, 0};  ///< in the file: the ends of the edge, the lower first; or the vertex or face
   bool has_element = false;          ///< an edge, vertex or face is given
+  std::optional<NamedPoint> label{};
 
   bool operator==(const ConstructionItem&) const = default;
 };
@@ -112,7 +127,7 @@ using ConstructionChoice = std::vector<ConstructionItem>;
 /// WORD, or WORD:ARGUMENT. Throws Error{input}.
 ConstructionItem parse_construction(std::string_view text, const std::string& where);
 
-/// Joins what a comma in a direction has split: "vp:1", "1", "0".
+/// Joins what a comma in a direction or position has split: "vp:1", "1", "0".
 std::vector<std::string> join_directions(const std::vector<std::string>& words);
 
 }  // namespace epura::scene

@@ -24,6 +24,7 @@ using construction::Symbol;
 constexpr double mark_radius = 0.7;                     // mm, of the circle around a point
 constexpr double index_height = 0.7, index_drop = 0.3;  // of the height of the symbol
 constexpr double clear = 0.5;                           // mm between a symbol and lines
+constexpr double apart = 2, long_symbol = 18;           // mm between long symbols and others: they are not one text
 constexpr double arrow_shaft = 9;                       // mm
 constexpr int parts_of_circle = 180;
 constexpr double key_width = 78, key_gap = 8;  // mm: room for figures of constant size
@@ -174,6 +175,11 @@ std::size_t Draughtsman::touched_by(const Rectangle& box) const {
   const TurnedBox wide = turned_box(box.grown(clear));
   auto touched = static_cast<std::size_t>(
       std::count_if(taken_.begin(), taken_.end(), [&](const TurnedBox& other) { return overlap(wide, other); }));
+  const TurnedBox wider = turned_box(box.grown(apart));
+  const bool is_long = box.size().x > long_symbol;
+  touched += static_cast<std::size_t>(std::count_if(letters_.begin(), letters_.end(), [&](const TurnedBox& other) {
+    return (is_long || 2 * other.half.x > long_symbol) && overlap(wider, other);
+  }));
   for (const drawing::ViewDrawing* view : room_.views) touched += static_cast<std::size_t>(ink_in(wide, *view));
   constexpr std::size_t outside = 1000;
   return touched + (room_.area.holds(box) ? 0 : outside);
@@ -189,7 +195,7 @@ std::size_t Draughtsman::letters_under(const std::optional<std::array<Vec2, 2>>&
 // Around a point, near it first, and first outwards if that is a direction; `from` is kept free.
 Draughtsman::Place Draughtsman::best_place(const Lettered& symbol, const Vec2& at, const Vec2& outwards,
                                            double from) const {
-  constexpr std::array<double, 9> steps{0.8, 2, 3.5, 5, 7, 9, 12, 16, 20};
+  constexpr std::array<double, 11> steps{0.8, 2, 3.5, 5, 7, 9, 12, 16, 20, 25, 30};
   constexpr std::array<std::array<double, 2>, 12> sides{{{1, 1},
                                                          {-1, 1},
                                                          {1, -1},

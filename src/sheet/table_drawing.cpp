@@ -38,6 +38,10 @@ TableDrawing::TableDrawing(TextTable table, int blocks, const DimensionStyle& st
     widths_.back() += std::max(title - sum(widths_), 0.0);
 }
 
+double height_of_rows(std::size_t rows, double text_height) {
+  return static_cast<double>(rows) * row_height * text_height;
+}
+
 std::size_t TableDrawing::rows_of_block() const {
   const auto blocks = static_cast<std::size_t>(blocks_);
   return (table_.rows.size() + blocks - 1) / blocks;
@@ -45,8 +49,7 @@ std::size_t TableDrawing::rows_of_block() const {
 
 Vec2 TableDrawing::size() const {
   const std::size_t rows = rows_of_block() + (table_.header.empty() ? 0 : 1) + (table_.title.empty() ? 0 : 1);
-  return {blocks_ * sum(widths_) + (blocks_ - 1) * between_blocks * style_.text,
-          static_cast<double>(rows) * row_height * style_.text};
+  return {blocks_ * sum(widths_) + (blocks_ - 1) * between_blocks * style_.text, height_of_rows(rows, style_.text)};
 }
 
 // Texts are in reading order, for programs that extract them. `edges` are the sides of the cells.

@@ -2,6 +2,7 @@
 // Tables of texts: columns as wide as their texts, with lines between all cells.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct TextTable {
   std::vector<std::string> header{};  ///< repeated in each block; may be empty
   std::vector<std::vector<std::string>> rows{};
 };
+
+/// The height of this number of rows.
+double height_of_rows(std::size_t rows, double text_height);
 
 /// A layer's part for a table: its lines and texts with the upper right corner at `corner`.
 class TableDrawing {

@@ -72,6 +72,23 @@ TEST_P(Golden, IsFoundRight) {
 INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(golden_cases()),
                          [](const auto& of) { return test_name(of.param); });
 
+// Projections seen from outside.
+class GoldenPicture : public testing::TestWithParam<std::string> {};
+
+TEST_P(GoldenPicture, IsDrawn) {
+  const std::string file = "pictures/" + GetParam() + ".svg";
+  const fs::path actual = fs::absolute("golden") / file;
+  fs::create_directories(actual.parent_path());
+  const Outcome run = epura(
+      {"picture", GetParam(), "tests/golden/models/house.obj", "--svg-text", "text", "-o", actual.string()}, root());
+  ASSERT_EQ(run.code, 0) << run.err;
+  expect_or_accept(golden_folder(file), actual);
+}
+
+INSTANTIATE_TEST_SUITE_P(Projections, GoldenPicture,
+                         testing::Values("one-point", "two-point", "three-point", "cabinet", "isometric"),
+                         [](const auto& of) { return test_name(of.param); });
+
 // A run for which the C library takes no instructions that processors before 2013 lack.
 Outcome epura_on_an_old_processor(const std::vector<std::string>& arguments) {
   ::setenv("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX2_Usable,-FMA_Usable", 1);

@@ -61,7 +61,7 @@ TEST(LineRoles, HaveNamesThatAreFoundAndWordsOfModels) {
   }
   EXPECT_EQ(scene::find_line("front/visible"), nullptr);
   const std::vector<std::string> words(scene::Words<LineRole>::list.begin(), scene::Words<LineRole>::list.end());
-  EXPECT_EQ(words, (std::vector<std::string>{"visible", "narrow", "neighbour"}));
+  EXPECT_EQ(words, (std::vector<std::string>{"visible", "narrow", "neighbour", "wide"}));
   EXPECT_EQ(scene::word_of(LineRole::neighbour), "neighbour");
 }
 
