@@ -92,12 +92,12 @@ std::string batch_page(const std::vector<JobRecord>& records, const fs::path& fi
   const auto failed =
       std::count_if(records.begin(), records.end(), [](const JobRecord& record) { return !record.is_good(); });
   std::string html(head);
-  html += "<h1>epura batch</h1>\n<p>" + std::to_string(records.size()) + " jobs, " + std::to_string(failed) +
+  html += "<main>\n<h1>epura batch</h1>\n<p>" + std::to_string(records.size()) + " jobs, " + std::to_string(failed) +
           " failed</p>\n<p><label>Search <input type=\"search\"></label></p>\n<ul>\n";
   for (const bool is_good : {false, true})
     for (const JobRecord& record : records)
       if (record.is_good() == is_good) append_record(html, record, file);
-  html += "</ul>\n";
+  html += "</ul>\n</main>\n";
   html += script;
   return html + "</body>\n</html>\n";
 }
