@@ -7,6 +7,7 @@
 
 #include "app/batch/jobs.hpp"
 #include "app/batch/placeholders.hpp"
+#include "app/batch/worker.hpp"
 #include "app/commands.hpp"
 #include "app/confinement.hpp"
 #include "app/console.hpp"
@@ -42,6 +43,7 @@ int draw_each(const DrawOptions& options) {
   for (const std::string& output : options.outputs)
     batch.later.push_back({"-o,--output", scene::value_of_option("--output", output)});
   const std::vector<Job> jobs = plan_jobs(batch);
+  for (const Job& job : jobs) create_folders(job.outputs);
   confine_if_asked(options, files_of(jobs));
   int code = 0;
   for (const Job& job : jobs) code = std::max(code, draw_once(options_of(job, options)));

@@ -72,6 +72,7 @@ struct BatchOptions {
   std::vector<std::string> words;    ///< options that change drawings, as given
   std::vector<std::string> tables;   ///< files with a job in each row
   bool again = false;                ///< draw what has not changed, too
+  bool resume = false;               ///< only if there is a manifest
   std::string manifest;              ///< empty: beside the outputs
   std::string merge;                 ///< manifest whose parts are joined, instead of drawing; or its folder
   std::string shard;                 ///< "2/8", or "auto" for the number that the scheduler gives

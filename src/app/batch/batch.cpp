@@ -85,6 +85,26 @@ int merge(const BatchOptions& options) {
   return counts.failed == 0 ? 0 : found_wrong_exit_code;
 }
 
+// An interrupted batch is continued by its manifest, whether --resume is given or not.
+void expect_earlier_batch(const BatchOptions& options, const fs::path& whole, const Shard& shard) {
+  if (options.again) throw Error(ErrorKind::input, "--resume", "conflicts with --again", "omit one of them");
+  const fs::path part = manifest_of_shard(whole, shard);
+  std::error_code ignored;
+  if (!fs::exists(part, ignored) && !fs::exists(whole, ignored))
+    throw Error(ErrorKind::input, part.string(), "there is no batch to continue",
+                "omit --resume, or name its manifest by --manifest");
+}
+
+// "out/index-pictures" for "out/index.html"; empty if no page is wanted, or all jobs write what it can show.
+fs::path folder_of_pictures(const BatchOptions& options, const std::vector<Job>& jobs) {
+  if (options.report.empty() || std::all_of(jobs.begin(), jobs.end(), [](const Job& job) {
+        return std::any_of(job.outputs.begin(), job.outputs.end(), is_picture);
+      }))
+    return {};
+  const fs::path page(options.report);
+  return page.parent_path() / (page.stem().string() + "-pictures");
+}
+
 // Now, since a confined process can write only into folders that exist. What cannot be created is told with its job.
 void create_folders_of(const std::vector<Job>& jobs, const std::vector<std::size_t>& numbers) {
   for (const std::size_t number : numbers) {
@@ -104,7 +124,8 @@ int workers_of(const BatchOptions& options) {
 int batch(const BatchOptions& options) {
   if (!options.merge.empty()) return merge(options);
   const Shard shard = parse_shard(options.shard);
-  BatchPlan plan{options.draw, plan_jobs(options), {}, basis_of(options), options.job_memory};
+  BatchPlan plan{options.draw, plan_jobs(options), {}, basis_of(options), options.job_memory, {}};
+  plan.pictures = folder_of_pictures(options, plan.jobs);
   // Several jobs use the cores better than several threads in each.
   if (plan.common.run.threads == 0) plan.common.run.threads = 1;
   std::vector<std::size_t> numbers;
@@ -113,6 +134,7 @@ int batch(const BatchOptions& options) {
     if (shards[job] == shard.number) numbers.push_back(job);
 
   const fs::path whole = whole_manifest(options, plan.jobs);
+  if (options.resume) expect_earlier_batch(options, whole, shard);
   ManifestWriter manifest(manifest_of_shard(whole, shard));
   std::vector<JobRecord> records(plan.jobs.size());
   if (!options.again) {
@@ -122,6 +144,7 @@ int batch(const BatchOptions& options) {
   }
 
   create_folders_of(plan.jobs, numbers);
+  if (!plan.pictures.empty()) create_folders({(plan.pictures / "picture").string()});
   ProgressBoard board;
   Console console(board, shows_progress(options.progress));
   board.begin("drawing", numbers.size());

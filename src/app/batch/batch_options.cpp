@@ -45,6 +45,9 @@ scene::Options<Batch> selection_options() {
           &Batch::merge, file_name("FILE")),
       scene::option<Batch>({.flag = "--again", .help = "draw also what has not changed"}, &Batch::again,
                            scene::truth()),
+      scene::option<Batch>({.flag = "--resume",
+                            .help = "continue an interrupted batch, as without this option, but refuse to begin one"},
+                           &Batch::resume, scene::truth()),
   };
 }
 

@@ -5,16 +5,15 @@
 #include <filesystem>
 #include <map>
 #include <set>
-#include <system_error>
 #include <utility>
 
+#include "app/batch/estimate.hpp"
 #include "app/batch/job_table.hpp"
 #include "app/batch/placeholders.hpp"
 #include "app/batch/sources.hpp"
 #include "app/draw_options.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "importer/read_model.hpp"
 
 namespace epura {
 
@@ -30,37 +29,33 @@ std::string column_of(const scene::OptionInfo& option) {
 
 bool is_output(const LaterOption& option) { return option.flag.ends_with("--output"); }
 
+struct Column {
+  std::string flag;
+  bool is_repeatable = false;
+};
+
 // Columns of a table by their names, with "file" and "model" for the models.
-std::map<std::string, std::string> columns() {
-  std::map<std::string, std::string> flags;
+std::map<std::string, Column> columns() {
+  std::map<std::string, Column> all;
   for (const scene::OptionInfo& option : job_options())
-    if (!option.flag.empty()) flags[column_of(option)] = option.flag;
-  flags["file"] = flags["model"] = "models";
-  return flags;
+    if (!option.flag.empty()) all[column_of(option)] = {option.flag, option.repeatable};
+  all["file"] = all["model"] = all["models"];
+  return all;
+}
+
+// The texts of a list are those of an option that is repeated; TOML tables have lists.
+std::vector<scene::TomlValue> values_of(const scene::TomlValue& value, const Column& column) {
+  const auto* list = std::get_if<scene::TomlList>(&value.content);
+  const auto is_text = [](const scene::TomlValue& one) { return std::holds_alternative<std::string>(one.content); };
+  const bool is_repeated = list != nullptr && column.is_repeatable && !list->values.empty() &&
+                           std::all_of(list->values.begin(), list->values.end(), is_text);
+  return is_repeated ? list->values : std::vector{value};
 }
 
 std::string text_of(const scene::TomlValue& value) {
   const std::string* text = std::get_if<std::string>(&value.content);
   if (text == nullptr) scene::refuse(value, "must be text");
   return *text;
-}
-
-// Text formats take longer for a byte, and STEP has to be tessellated. Measured on the models of samples/ and on parts
-// of some thousand faces; what matters is their order.
-double estimate_of(const std::vector<std::string>& models) {
-  static const std::map<std::string, double> microseconds_of_byte{{".step", 0.6}, {".stp", 0.6},  {".iges", 0.6},
-                                                                  {".igs", 0.6},  {".brep", 0.6}, {".stl", 0.02},
-                                                                  {".glb", 0.04}, {".3mf", 0.2}};
-  constexpr double start = 2000, other = 0.03;
-  double sum = start;
-  for (const std::string& model : models) {
-    const fs::path path(importer::parse_model_request(model).path);
-    std::error_code missing;
-    const std::uintmax_t size = fs::file_size(path, missing);
-    const auto known = microseconds_of_byte.find(to_lower(path.extension().string()));
-    if (!missing) sum += static_cast<double>(size) * (known != microseconds_of_byte.end() ? known->second : other);
-  }
-  return sum;
 }
 
 // Replaces placeholders, and separates outputs from other options.
@@ -76,27 +71,32 @@ Job finished(std::vector<std::string> models, const std::vector<LaterOption>& op
         *text = filled(*text, values);
     }
   }
-  job.estimate = estimate_of(job.models);
+  job.estimate = estimated_time(job.models);
   return job;
 }
 
-void append_row(std::vector<Job>& jobs, const TableRow& row, const std::map<std::string, std::string>& flags,
+const Column& column_named(const std::string& name, const TableRow& row, const std::map<std::string, Column>& known) {
+  if (const auto found = known.find(name); found != known.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [other, column] : known) names.push_back(other);
+  throw Error(ErrorKind::input, row.where, "unknown column '" + name + "'", did_you_mean(name, names));
+}
+
+void append_row(std::vector<Job>& jobs, const TableRow& row, const std::map<std::string, Column>& known,
                 const BatchOptions& options) {
   // Paths in a table are relative to its folder, as in scene files.
   const fs::path folder = fs::path(row.where).parent_path();
   std::vector<std::string> models;
   std::vector<LaterOption> later;
   bool has_output = false;
-  for (const auto& [column, value] : row.cells) {
-    const auto known = flags.find(column);
-    std::vector<std::string> names;
-    for (const auto& [name, flag] : flags) names.push_back(name);
-    if (known == flags.end())
-      throw Error(ErrorKind::input, row.where, "unknown column '" + column + "'", did_you_mean(column, names));
-    if (known->second == "models") {
-      models.push_back((folder / text_of(value)).string());
-    } else {
-      later.push_back({known->second, value});
+  for (const auto& [name, cell] : row.cells) {
+    const Column& column = column_named(name, row, known);
+    for (const scene::TomlValue& value : values_of(cell, column)) {
+      if (column.flag == "models") {
+        models.push_back((folder / text_of(value)).string());
+        continue;
+      }
+      later.push_back({column.flag, value});
       if (!is_output(later.back())) continue;
       later.back().value.content = (folder / text_of(value)).string();
       has_output = true;
@@ -132,6 +132,14 @@ void refuse_equal_outputs(const std::vector<Job>& jobs) {
   }
 }
 
+// Rows of a table may have the same model.
+void tell_apart(std::vector<Job>& jobs) {
+  std::map<std::string, int> counts;
+  for (const Job& job : jobs) ++counts[job.name];
+  for (Job& job : jobs)
+    if (counts.at(job.name) > 1) job.name += " (" + job.outputs.front() + ")";
+}
+
 }  // namespace
 
 scene::Options<DrawOptions> job_options() {
@@ -152,12 +160,13 @@ std::vector<Job> plan_jobs(const BatchOptions& options) {
   std::vector<Job> jobs;
   for (const std::string& model : models_of_sources(options.draw.models, options.draw.run.plugin_path))
     jobs.push_back(finished({model}, options.later, jobs.size() + 1));
-  const std::map<std::string, std::string> flags = columns();
+  const std::map<std::string, Column> known = columns();
   for (const std::string& table : options.tables)
-    for (const TableRow& row : read_job_table(table)) append_row(jobs, row, flags, options);
+    for (const TableRow& row : read_job_table(table)) append_row(jobs, row, known, options);
   if (jobs.empty())
     throw Error(ErrorKind::input, "command line", "there are no jobs", "name models, folders, patterns or a --table");
   refuse_equal_outputs(jobs);
+  tell_apart(jobs);
   return jobs;
 }
 

@@ -10,6 +10,7 @@
 #include <set>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "base/error.hpp"
@@ -37,7 +38,9 @@ std::string line_of(const std::string& output, const JobRecord& record) {
   return "{\"output\": " + json_string(output) + ", \"job\": " + json_string(record.name) +
          ", \"key\": " + json_string(record.key) + ", \"code\": " + std::to_string(record.code) +
          ", \"seconds\": " + format_rounded(record.seconds, 4) + ", \"MB\": " + format_rounded(record.megabytes, 4) +
-         ", \"outputs\": {" + outputs + "}, \"messages\": " +
+         ", \"outputs\": {" + outputs + "}" +
+         (record.picture.path.empty() ? "" : ", \"picture\": {" + write_output(record.picture) + "}") +
+         ", \"messages\": " +
          output::json_list(record.messages, [](const std::string& message) { return json_string(message); }) + "}\n";
 }
 
@@ -52,15 +55,22 @@ double number_in(const JsonValue& object, const char* key) {
   return found != object.MemberEnd() && found->value.IsNumber() ? found->value.GetDouble() : 0;
 }
 
+std::vector<WrittenFile> files_in(const JsonValue& object, const char* key) {
+  std::vector<WrittenFile> files;
+  if (const auto found = object.FindMember(key); found != object.MemberEnd() && found->value.IsObject())
+    for (const auto& file : found->value.GetObject())
+      files.push_back({file.name.GetString(), file.value.IsString() ? file.value.GetString() : ""});
+  return files;
+}
+
 void read_record(const JsonValue& object, JobRecords& records) {
   JobRecord record{.name = text_in(object, "job"),
                    .key = text_in(object, "key"),
                    .code = static_cast<int>(number_in(object, "code")),
                    .seconds = number_in(object, "seconds"),
                    .megabytes = number_in(object, "MB")};
-  if (const auto outputs = object.FindMember("outputs"); outputs != object.MemberEnd() && outputs->value.IsObject())
-    for (const auto& file : outputs->value.GetObject())
-      record.outputs.push_back({file.name.GetString(), file.value.IsString() ? file.value.GetString() : ""});
+  record.outputs = files_in(object, "outputs");
+  for (WrittenFile& file : files_in(object, "picture")) record.picture = std::move(file);
   if (const auto messages = object.FindMember("messages"); messages != object.MemberEnd() && messages->value.IsArray())
     for (const auto& message : messages->value.GetArray())
       if (message.IsString()) record.messages.emplace_back(message.GetString());
@@ -90,6 +100,17 @@ std::set<std::pair<Shard, fs::path>> parts_of(const fs::path& whole) {
   return parts;
 }
 
+// The workers of a batch that was killed have its lock until the system has ended them, a moment later.
+bool locks(int descriptor) {
+  constexpr std::chrono::milliseconds patience(2000), pause(20);
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK || std::chrono::steady_clock::now() >= end) return false;
+    std::this_thread::sleep_for(pause);
+  }
+  return true;
+}
+
 }  // namespace
 
 JobRecords read_manifest(const fs::path& file) {
@@ -114,7 +135,7 @@ ManifestWriter::ManifestWriter(const fs::path& file) : file_(file) {
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(file, std::string("cannot be written: ") + std::strerror(errno));
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
+  if (locks(descriptor_)) {
     // Ends a line that a power failure cut off.
     char last = '\n';
     const off_t size = ::lseek(descriptor_, 0, SEEK_END);

@@ -22,7 +22,8 @@ struct JobRecord {
   std::string name{};
   std::string key{};  ///< hash of all that the drawing depends on
   std::vector<WrittenFile> outputs{};
-  int code = 0;  ///< exit code, as of `epura draw`
+  WrittenFile picture{};  ///< of the first sheet, for the report; without a path: none was needed
+  int code = 0;           ///< exit code, as of `epura draw`
   double seconds = 0, megabytes = 0;
   std::vector<std::string> messages{};  ///< of the run, with its warnings and errors
 

@@ -53,19 +53,16 @@ std::string address_of(const std::string& path, const fs::path& page) {
   return "./" + address;
 }
 
-bool is_picture(const std::string& path) {
-  const std::string extension = to_lower(fs::path(path).extension().string());
-  return extension == ".svg" || extension == ".png";
-}
-
 void append_outputs(std::string& html, const JobRecord& record, const fs::path& page) {
-  const auto picture = std::find_if(record.outputs.begin(), record.outputs.end(),
-                                    [](const WrittenFile& file) { return is_picture(file.path); });
-  if (picture != record.outputs.end()) {
-    const std::string address = address_of(picture->path, page);
-    html += "<a href=\"" + address + "\"><img loading=\"lazy\"";
+  const auto shown = std::find_if(record.outputs.begin(), record.outputs.end(),
+                                  [](const WrittenFile& file) { return is_picture(file.path); });
+  const bool is_output = shown != record.outputs.end();
+  const std::string picture = is_output ? shown->path : record.picture.path;
+  if (!picture.empty() && !record.outputs.empty()) {
+    html +=
+        "<a href=\"" + address_of(is_output ? picture : record.outputs.front().path, page) + "\"><img loading=\"lazy\"";
     output::append_attribute(html, "alt", "drawing of " + record.name);
-    html += " src=\"" + address + "\"></a>\n";
+    html += " src=\"" + address_of(picture, page) + "\"></a>\n";
   }
   for (const WrittenFile& file : record.outputs)
     html += "<a href=\"" + address_of(file.path, page) + "\">" +
@@ -95,14 +92,19 @@ std::string batch_page(const std::vector<JobRecord>& records, const fs::path& fi
   const auto failed =
       std::count_if(records.begin(), records.end(), [](const JobRecord& record) { return !record.is_good(); });
   std::string html(head);
-  html += "<h1>epura batch</h1>\n<p>" + std::to_string(records.size()) + " jobs, " + std::to_string(failed) +
+  html += "<main>\n<h1>epura batch</h1>\n<p>" + std::to_string(records.size()) + " jobs, " + std::to_string(failed) +
           " failed</p>\n<p><label>Search <input type=\"search\"></label></p>\n<ul>\n";
   for (const bool is_good : {false, true})
     for (const JobRecord& record : records)
       if (record.is_good() == is_good) append_record(html, record, file);
-  html += "</ul>\n";
+  html += "</ul>\n</main>\n";
   html += script;
   return html + "</body>\n</html>\n";
+}
+
+bool is_picture(const std::string& path) {
+  const std::string extension = to_lower(fs::path(path).extension().string());
+  return extension == ".svg" || extension == ".png";
 }
 
 std::string batch_junit(const std::vector<JobRecord>& records) {

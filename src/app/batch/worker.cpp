@@ -5,6 +5,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -14,6 +15,7 @@
 #include <utility>
 
 #include "app/batch/content_hash.hpp"
+#include "app/batch/report.hpp"
 #include "app/commands.hpp"
 #include "app/confinement.hpp"
 #include "app/describe.hpp"
@@ -27,6 +29,7 @@
 #include "foreign/messages.hpp"
 #include "importer/catalogue.hpp"
 #include "importer/read_model.hpp"
+#include "output/write.hpp"
 #include "projection/catalogue.hpp"
 #include "sheet/installed_fonts.hpp"
 #include "sheet/lettering.hpp"
@@ -123,12 +126,28 @@ bool are_unchanged(const std::vector<WrittenFile>& files) {
   return !files.empty();
 }
 
+bool has_picture(const JobRecord& record, const std::string& picture) {
+  return picture.empty() || (record.picture.path == picture && are_unchanged({record.picture}));
+}
+
 const JobRecord* earlier_record(const BatchPlan& plan, const Job& job) {
   const auto found = plan.records.find(job.outputs.front());
   return found != plan.records.end() ? &found->second : nullptr;
 }
 
-void draw(const DrawOptions& options, JobRecord& record) {
+// The file for a small picture of a job; empty if none is wanted or an output is one.
+std::string picture_of(const BatchPlan& plan, const Job& job) {
+  if (plan.pictures.empty() || std::any_of(job.outputs.begin(), job.outputs.end(), is_picture)) return {};
+  return (plan.pictures / (hash_of_bytes(job.outputs.front()) + ".png")).string();
+}
+
+void write_picture(const sheet::Sheet& sheet, const std::string& path) {
+  constexpr double pixels = 480, millimetres_of_inch = 25.4;
+  const double dpi = pixels * millimetres_of_inch / std::max(sheet.width, sheet.height);
+  write_file(path, output::to_png(sheet, std::clamp(dpi, 1.0, 300.0)));
+}
+
+void draw(const DrawOptions& options, const std::string& picture, JobRecord& record) {
   create_folders(options.outputs);
   ProgressBoard board;
   const auto keep = [&](std::string_view text) {
@@ -139,12 +158,28 @@ void draw(const DrawOptions& options, JobRecord& record) {
   tell_the_end(messages, options, drawn);
   record.code = exit_code_of(drawn);
   for (const std::string& path : drawn.paths) record.outputs.push_back({path, hash_of_file(path)});
+  if (picture.empty() || drawn.sheets.empty()) return;
+  write_picture(drawn.sheets.front().sheet, picture);
+  record.picture = {picture, hash_of_file(picture)};
 }
 
 void add_error(JobRecord& record, const Error& error) {
   record.code = static_cast<int>(error.kind());
   record.messages.push_back(one_line(error.what()));
   if (!error.hint().empty()) record.messages.push_back(one_line("hint: " + error.hint()));
+}
+
+void pack(foreign::Packer& message, const WrittenFile& file) {
+  // As bytes, since text is made safe for display.
+  message(std::vector<char>(file.path.begin(), file.path.end()));
+  message(file.hash);
+}
+
+void unpack_file(foreign::Unpacker& unpack, WrittenFile& file) {
+  std::vector<char> path;
+  unpack(path);
+  file.path.assign(path.begin(), path.end());
+  unpack(file.hash);
 }
 
 foreign::Packer packed(const JobResult& result) {
@@ -158,11 +193,8 @@ foreign::Packer packed(const JobResult& result) {
   message(record.megabytes);
   message(record.messages);
   message(record.outputs.size());
-  for (const WrittenFile& file : record.outputs) {
-    // As bytes, since text is made safe for display.
-    message(std::vector<char>(file.path.begin(), file.path.end()));
-    message(file.hash);
-  }
+  for (const WrittenFile& file : record.outputs) pack(message, file);
+  pack(message, record.picture);
   return message;
 }
 
@@ -176,7 +208,9 @@ void add_libraries(std::string& text, const std::vector<fs::path>& folders) {
 /// Returns why it cannot be done; empty if it is.
 std::string confine_to_jobs(const BatchPlan& plan) {
   try {
-    foreign::enter_sandbox(permissions_for(files_of(plan.jobs), plan.common.run, plan.common.sheet));
+    NamedFiles files = files_of(plan.jobs);
+    if (!plan.pictures.empty()) files.outputs.push_back((plan.pictures / "picture").string());
+    foreign::enter_sandbox(permissions_for(files, plan.common.run, plan.common.sheet));
   } catch (const Error& error) {
     return error.what();
   }
@@ -220,11 +254,12 @@ JobResult do_job(const BatchPlan& plan, std::size_t number) {
   try {
     const DrawOptions options = options_of(job, plan.common);
     result.record.key = key_of(job, options, plan.basis);
+    const std::string picture = picture_of(plan, job);
     const JobRecord* earlier = earlier_record(plan, job);
     if (earlier != nullptr && earlier->is_good() && earlier->key == result.record.key &&
-        are_unchanged(earlier->outputs))
+        are_unchanged(earlier->outputs) && has_picture(*earlier, picture))
       return {number, true, *earlier};
-    draw(options, result.record);
+    draw(options, picture, result.record);
   } catch (const Error& error) {
     add_error(result.record, error);
   } catch (const std::bad_alloc&) {
@@ -270,12 +305,8 @@ JobResult unpack_result(const std::string& message) {
   unpack(record.megabytes);
   unpack(record.messages);
   record.outputs.resize(unpack.count(2 * sizeof(std::size_t)));
-  for (WrittenFile& file : record.outputs) {
-    std::vector<char> path;
-    unpack(path);
-    file.path.assign(path.begin(), path.end());
-    unpack(file.hash);
-  }
+  for (WrittenFile& file : record.outputs) unpack_file(unpack, file);
+  unpack_file(unpack, record.picture);
   return result;
 }
 

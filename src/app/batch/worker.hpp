@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct BatchPlan {
   JobRecords records;                ///< of earlier runs; empty if everything is to be drawn again
   std::string basis;                 ///< hash of what all drawings depend on: options, version, plugins, fonts
   std::optional<double> job_memory;  ///< MB
+  std::filesystem::path pictures;    ///< folder for pictures of drawings that browsers cannot show; empty: none
 };
 
 /// The hash of the version, the options, and the libraries and fonts in use.

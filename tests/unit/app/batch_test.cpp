@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // epura batch, as users run it.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -9,6 +11,7 @@
 #include <map>
 #include <thread>
 
+#include "app/batch/estimate.hpp"
 #include "errors.hpp"
 #include "long_model.hpp"
 #include "program.hpp"
@@ -112,6 +115,9 @@ TEST(Batch, DrawSaysTheSameInSmall) {
   EXPECT_TRUE(fs::exists(parts.folder / "m0.svg"));
   EXPECT_TRUE(fs::exists(parts.folder / "m1.svg"));
   EXPECT_FALSE(fs::exists(parts.folder / "epura-batch.jsonl"));
+  const Outcome sorted = epura({"draw", "parts/a/m0.obj", "-o", "new/{folder}/{name}.svg"}, parts.folder / "");
+  EXPECT_EQ(sorted.code, 0) << sorted.err;
+  EXPECT_TRUE(fs::exists(parts.folder / "new/parts/a/m0.svg"));
 }
 
 TEST(Batch, ReadsTables) {
@@ -127,6 +133,58 @@ TEST(Batch, ReadsTables) {
       "[[job]]\nfile = \"parts/a/m2.obj\"\noutput = \"toml/{name}.svg\"\ntitle = \"{name}\"\nhidden = \"none\"\n");
   EXPECT_EQ(parts.run({"--table", "jobs.toml"}).out, "1 drawn, 0 failed\n");
   EXPECT_TRUE(contains(read_file(parts.folder / "toml/m2.svg"), "<title>m2</title>"));
+  write_file(parts.folder / "lists.toml",
+             "[[job]]\nfile = \"parts/a/m2.obj\"\noutput = [\"two/a.svg\", \"two/a.pdf\"]\n"
+             "projection = [\"front\", \"top\"]\n");
+  EXPECT_EQ(parts.run({"--table", "lists.toml"}).out, "1 drawn, 0 failed\n");
+  EXPECT_TRUE(contains(read_file(parts.folder / "two/a.svg"), "inkscape:label=\"top\""));
+  EXPECT_TRUE(fs::exists(parts.folder / "two/a.pdf"));
+}
+
+TEST(Batch, TellsRowsWithTheSameModelApart) {
+  const Parts parts(1);
+  write_file(parts.folder / "jobs.csv",
+             "file,output,hidden\nparts/a/m0.obj,one.svg,none\nparts/a/m0.obj,two.svg,dots\n");
+  const Outcome run = parts.run({"--table", "jobs.csv", "--junit", "r.xml"});
+  EXPECT_TRUE(contains(run.err, "FAILED parts/a/m0.obj (two.svg)\n")) << run.err;
+  EXPECT_TRUE(contains(read_file(parts.folder / "r.xml"), "name=\"parts/a/m0.obj (one.svg)\""));
+}
+
+TEST(Batch, TheReportHasPicturesOfWhatBrowsersDoNotShow) {
+  const Parts parts(2);
+  const std::vector<std::string> jobs{"parts", "-o", "pdf/{name}.pdf", "--projection", "cabinet"};
+  const auto run = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), jobs.begin(), jobs.end());
+    return parts.run(options).out;
+  };
+  EXPECT_EQ(run({}), "2 drawn, 0 failed\n");
+  EXPECT_FALSE(fs::exists(parts.folder / "pdf/index-pictures"));
+  EXPECT_EQ(run({"--report", "pdf/index.html"}), "2 drawn, 0 failed\n");
+  const std::string page = read_file(parts.folder / "pdf/index.html");
+  EXPECT_TRUE(contains(page, "<a href=\"./m0.pdf\"><img")) << page;
+  std::vector<fs::path> pictures;
+  for (const auto& entry : fs::directory_iterator(parts.folder / "pdf/index-pictures")) {
+    pictures.push_back(entry.path());
+    EXPECT_TRUE(contains(page, " src=\"./index-pictures/" + entry.path().filename().string() + "\""));
+    EXPECT_TRUE(read_file(entry.path()).starts_with("\x89PNG"));
+  }
+  ASSERT_EQ(pictures.size(), 2U);
+  EXPECT_EQ(run({"--report", "pdf/index.html"}), "0 drawn, 2 unchanged, 0 failed\n");
+  EXPECT_EQ(run({}), "0 drawn, 2 unchanged, 0 failed\n");
+  fs::remove(pictures.front());
+  EXPECT_EQ(run({"--report", "pdf/index.html"}), "1 drawn, 1 unchanged, 0 failed\n");
+}
+
+TEST(Batch, ResumesOnlyWhatWasBegun) {
+  const Parts parts(2);
+  const Outcome nothing = parts.draw_all({"--resume"});
+  EXPECT_EQ(nothing.code, 2);
+  EXPECT_TRUE(contains(nothing.err, "epura-batch.jsonl: there is no batch to continue")) << nothing.err;
+  EXPECT_FALSE(fs::exists(parts.folder / "out"));
+  EXPECT_EQ(parts.draw_all().code, 0);
+  fs::remove(parts.folder / "out/parts/b/m1.svg");
+  EXPECT_EQ(parts.draw_all({"--resume"}).out, "1 drawn, 1 unchanged, 0 failed\n");
+  EXPECT_EQ(parts.draw_all({"--resume", "--again"}).code, 2);
 }
 
 TEST(Batch, RefusesWhatWouldLoseDrawings) {
@@ -291,6 +349,38 @@ TEST(Batch, WorksWithAnyNames) {
   EXPECT_EQ(parts.drawings().size(), 6U);
   EXPECT_EQ(parts.draw_all().out, "0 drawn, 6 unchanged, 0 failed\n");
   EXPECT_FALSE(contains(read_file(parts.folder / "r.html"), "<script>alert"));
+}
+
+TEST(Batch, WaitsForTheLastWorkersOfAKilledBatch) {
+  const Parts parts(2);
+  ASSERT_EQ(parts.draw_all().code, 0);
+  const int manifest = ::open((parts.folder / "out/epura-batch.jsonl").c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_EQ(::flock(manifest, LOCK_EX), 0);
+  std::thread worker([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    ::close(manifest);
+  });
+  const Outcome run = parts.draw_all();
+  worker.join();
+  EXPECT_EQ(run.out, "0 drawn, 2 unchanged, 0 failed\n") << run.err;
+}
+
+TEST(Batch, EstimatesTimesFromNumbersOfTriangles) {
+  const Folder folder;
+  const auto estimate = [&](const std::string& name, const std::string& bytes) {
+    write_file(folder / name, bytes);
+    return estimated_time({(folder / name).string()});
+  };
+  const double nothing = estimated_time({});
+  const double one =
+      (estimate("facet.stl", std::string(80, ' ') + std::string("\1\0\0\0", 4) + std::string(50, ' ')) - nothing);
+  EXPECT_GT(one, 0);
+  EXPECT_DOUBLE_EQ(estimate("text.stl", "solid" + std::string(995, ' ')) - nothing, 4 * one);
+  EXPECT_DOUBLE_EQ(estimate("a.ply", "ply\nelement vertex 9\nelement face 1000\r\nend_header\n") - nothing, 1000 * one);
+  EXPECT_DOUBLE_EQ(estimate("a.off", "OFF # by hand\n# comment\n8 12 0\n") - nothing, 12 * one);
+  EXPECT_DOUBLE_EQ(estimate("a.obj", std::string(350, ' ')) - nothing, 10 * one);
+  EXPECT_GT(estimate("a.step", " "), estimate("b.obj", std::string(1000, ' ')));
+  EXPECT_DOUBLE_EQ(estimated_time({(folder / "absent.stl").string()}), nothing);
 }
 
 TEST(Batch, RefusesASecondBatchInOneFolder) {
