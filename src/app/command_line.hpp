@@ -34,6 +34,8 @@ struct DefinedCommand {
   const CLI::App* app;
   std::function<int()> run;  ///< returns the exit code
   std::vector<scene::OptionInfo> options;
+  std::function<std::vector<scene::OptionInfo>()> define_later{};  ///< defines the options and returns them; if empty,
+                                                                   ///< they are those above
 };
 
 /// Defines a command that calls `run(part)` with the parsed options.
@@ -48,6 +50,26 @@ DefinedCommand define_command(CLI::App* app, scene::Options<Part> options, Run r
             return run(part);
           },
           std::move(infos)};
+}
+
+/// The same with a table that is made only if the command is chosen, or described: of long tables, nearly every run
+/// needs one at most.
+template <class Part, class Run>
+DefinedCommand define_command(CLI::App* app, scene::Options<Part> (*table)(), Run run) {
+  const auto define_all = [app, table] {
+    const scene::Options<Part> options = table();
+    for (const scene::OptionInfo& option : options) define(*app, option);
+    return std::vector<scene::OptionInfo>(options.begin(), options.end());
+  };
+  app->preparse_callback([define_all](std::size_t) { define_all(); });
+  return {app,
+          [app, table, run = std::move(run)] {
+            Part part;
+            read_options(*app, table(), part);
+            return run(part);
+          },
+          {},
+          define_all};
 }
 
 /// Runs the chosen one of the commands that `define` adds to the program. Returns the exit code. Throws Error{input}

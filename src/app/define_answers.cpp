@@ -45,7 +45,11 @@ std::string script_for(const WordOptions& options) {
 void define_answers(CLI::App& program, const ProgramTexts& texts, std::vector<DefinedCommand>& commands) {
   // Evaluated when all commands are defined.
   const auto tables = std::make_shared<OptionTables>();
-  const auto describe = [&program, tables] { return describe_command(program, *tables); };
+  const auto later = std::make_shared<std::vector<DefinedCommand>>();
+  const auto describe = [&program, tables, later] {
+    for (const DefinedCommand& command : *later) tables->emplace(command.app, command.define_later());
+    return describe_command(program, *tables);
+  };
 
   CLI::App* manual =
       program.add_subcommand("manual", "print the manual page; to read it: " + texts.name + " manual | man -l -");
@@ -76,7 +80,11 @@ void define_answers(CLI::App& program, const ProgramTexts& texts, std::vector<De
       words, {scene::option<WordOptions>(written, &WordOptions::words, scene::field_text().shown_as("TEXT ..."))},
       [describe](const WordOptions& options) { return complete(describe(), options.words); }));
 
-  for (const DefinedCommand& command : commands) tables->emplace(command.app, command.options);
+  for (const DefinedCommand& command : commands)
+    if (command.define_later)
+      later->push_back(command);
+    else
+      tables->emplace(command.app, command.options);
 }
 
 }  // namespace epura

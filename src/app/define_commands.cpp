@@ -49,24 +49,24 @@ const ProgramTexts& program_texts() {
 std::vector<DefinedCommand> define_commands(CLI::App& program) {
   const auto add = [&](const char* name, const char* help) { return program.add_subcommand(name, help); };
   std::vector<DefinedCommand> commands{
-      define_command(add("draw", "draw models as SVG, PDF, PNG, DXF, JSON"), draw_options(), draw),
-      define_command(add("explain", "draw, and show which stages ran or were skipped, and why"), explain_options(),
+      define_command(add("draw", "draw models as SVG, PDF, PNG, DXF, JSON"), draw_options, draw),
+      define_command(add("explain", "draw, and show which stages ran or were skipped, and why"), explain_options,
                      [](DrawOptions options) {
                        options.run.explain = true;
                        return draw(options);
                      }),
       define_command(add("lint", "draw, and say which sizes have no dimension or several, and which dimensions cross"),
-                     lint_options(), lint),
+                     lint_options, lint),
       define_command(add("batch", "draw many models, each in a process of its own, and only those that changed"),
-                     batch_options(), batch),
-      define_command(
-          add("serve", "show a page in which projections are tried: sliders for their parameters, exact drawings"),
-          serve_options(), serve),
+                     batch_options, batch),
       define_command(add("info", "describe a model: size, bodies, faces, holes, repairs"), info_options(), info),
       define_command(add("compare", "report the visible differences between two drawings, models or scenes"),
                      compare_options(), compare_files),
       define_command(add("snapshot", "draw cases and compare them with expected drawings"), snapshot_options(),
-                     snapshot)};
+                     snapshot),
+      define_command(
+          add("serve", "show a page in which projections are tried: sliders for their parameters, exact drawings"),
+          serve_options, serve)};
   CLI::App* list = add("plugins", "list projections, show one, or check a plugin");
   commands.push_back(define_command(list, plugins_options(), plugins));
   commands.push_back(

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <new>
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFWriter.hh>
@@ -17,19 +18,31 @@ namespace {
 
 using Handle = QPDFObjectHandle;
 
+// qpdf makes a warning of its own lack of memory, and goes on without what it could not read. Nothing else is wrong
+// with a file that Cairo wrote. Throws std::bad_alloc.
+void expect_all_read(QPDF& pdf) {
+  if (pdf.anyWarnings()) throw std::bad_alloc();
+}
+
 // Adds Cairo's page to `pdf` as a form XObject, with its stream unchanged and still compressed. The page's transparency
 // group is dropped: black ink needs none, and some printers rasterise pages that have one.
 Handle add_form(QPDF& pdf, const std::string& file, const std::string& box) {
   QPDF drawn;
+  drawn.setSuppressWarnings(true);
   drawn.setImmediateCopyFrom(true);  // `drawn` does not outlive this function
   drawn.processMemoryFile("layer", file.data(), file.size());
-  Handle page = drawn.getAllPages().at(0);
-  check(page.getKey("/Contents").isStream() && page.getKey("/Resources").isIndirect(), "Cairo wrote another PDF page");
+  const std::vector<Handle> pages = drawn.getAllPages();
+  expect_all_read(drawn);
+  Handle page = pages.at(0);
+  const bool is_whole = page.getKey("/Contents").isStream() && page.getKey("/Resources").isIndirect();
+  expect_all_read(drawn);
+  check(is_whole, "Cairo wrote another PDF page");
   Handle form = pdf.copyForeignObject(page.getKey("/Contents"));
   form.getDict().replaceKey("/Type", Handle::newName("/XObject"));
   form.getDict().replaceKey("/Subtype", Handle::newName("/Form"));
   form.getDict().replaceKey("/BBox", Handle::parse(box));
   form.getDict().replaceKey("/Resources", pdf.copyForeignObject(page.getKey("/Resources")));
+  expect_all_read(drawn);
   return form;
 }
 
@@ -146,6 +159,7 @@ std::string bytes_of(QPDF& pdf) {
   writer.setObjectStreamMode(qpdf_o_generate);
   writer.setDeterministicID(true);
   writer.write();
+  expect_all_read(pdf);
   const std::shared_ptr<Buffer> bytes = writer.getBufferSharedPointer();
   return {reinterpret_cast<const char*>(bytes->getBuffer()), bytes->getSize()};
 }
@@ -154,6 +168,7 @@ std::string bytes_of(QPDF& pdf) {
 
 std::string join_pdf_layers(const PdfDocument& document) {
   QPDF pdf;
+  pdf.setSuppressWarnings(true);
   pdf.emptyPDF();
   Groups groups;
   std::vector<Handle> pages;
