@@ -40,16 +40,16 @@ std::string coarse_ball() {
 
 class SectionSurfaces : public testing::Test {
  protected:
-  SectionSurfaces() : ball_((folder_ / "ball.obj").string()) { write_file(ball_, coarse_ball()); }
+  SectionSurfaces() : ball_(folder_ / "ball.obj") { write_file(ball_, coarse_ball()); }
 
   Outcome draw(std::vector<std::string> more, const std::string& output) {
-    std::vector<std::string> words{"draw", ball_, "--scale", "1:1", "-o", (folder_ / output).string()};
+    std::vector<std::string> words{"draw", ball_.string(), "--scale", "1:1", "-o", (folder_ / output).string()};
     words.insert(words.end(), more.begin(), more.end());
-    return epura(words);
+    return epura(words, ball_.parent_path());
   }
 
   Folder folder_;
-  std::string ball_;
+  std::filesystem::path ball_;
 };
 
 TEST_F(SectionSurfaces, HaveTheRadiusOfThePart) {
