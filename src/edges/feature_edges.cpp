@@ -37,6 +37,25 @@ std::vector<Vec3> mean_normals(const EdgeSurroundings& around) {
   return sums;
 }
 
+// By number: whether a vertex that a cut created was moved off its edge (scene/true_outline.hpp). Empty without a cut.
+std::vector<char> moved_vertices(const EdgeSurroundings& around) {
+  const scene::Placed& placed = around.world.models[around.model];
+  const mesh::Mesh& cut = *placed.mesh;
+  if (around.uncut == nullptr || placed.part == nullptr) return {};
+  constexpr double rounding = 0x1p-40;
+  std::vector<char> moved(cut.points.size(), 0);
+  for (std::size_t i = 0; i < cut.cut_vertices.size(); ++i) {
+    const mesh::CutVertex& vertex = cut.cut_vertices[i];
+    if (vertex.edge[0] < 0) continue;
+    const auto point = [&](int v) { return around.world.points[around.world.first_vertex[around.model] + v]; };
+    const Vec3 a = point(vertex.edge[0]), b = point(vertex.edge[1]);
+    const int number = cut.first_cut_vertex + static_cast<int>(i);
+    const double off = glm::distance(point(number), a + vertex.t * (b - a));
+    moved[number] = off > rounding * std::max(glm::length(a), glm::length(b)) ? 1 : 0;
+  }
+  return moved;
+}
+
 struct Judge {
   EdgeSurroundings around;
   const view::ProjectedScene& view;
@@ -47,6 +66,7 @@ struct Judge {
   FoldLimit crease;
   const features::PartFaces* part;  ///< null if no faces are recognised
   double edge_on;                   ///< distance in cells up to which a corner counts as lying on the line of an edge
+  const std::vector<char>& moved;   ///< moved_vertices
 
   [[nodiscard]] const mesh::Mesh& mesh() const { return around.mesh(); }
 
@@ -239,11 +259,36 @@ struct Judge {
   // The kind of an edge of the drawn mesh. A cut may leave only thin pieces of faces, so the remains of an edge are
   // judged by the uncut faces.
   [[nodiscard]] std::optional<EdgeKind> kind_of_fold(const mesh::MeshEdge& edge) const {
-    if (edge.cut == mesh::CutEdge::inside) return std::nullopt;
     if (edge.cut == mesh::CutEdge::outline) return EdgeKind::section;
     if (around.uncut == nullptr) return judge(edge);
+    const std::optional<bool> contour = is_contour_of_remains(edge);
+    if (edge.cut == mesh::CutEdge::inside)
+      return contour.value_or(false) ? std::optional(EdgeKind::contour) : std::nullopt;
     const mesh::EdgeOrigin origin = around.world.models[around.model].mesh->origin_of(edge);
-    return judge(*find_edge(around, in_world(origin.vertex)));
+    const mesh::MeshEdge& whole = *find_edge(around, in_world(origin.vertex));
+    const std::optional<EdgeKind> kind = judge(whole);
+    if (!contour || (kind && *kind != EdgeKind::contour)) return kind;
+    if (*contour) return EdgeKind::contour;
+    const std::optional<EdgeKind> border = kind_of_border(whole);
+    return border && if_wanted(*border) ? border : if_wanted(EdgeKind::smooth);
+  }
+
+  // Where a cut was moved onto the surface of the part, the remains of facets face elsewhere than the whole facets, and
+  // decide themselves. Nothing if none was moved there, or if the remains are too thin.
+  [[nodiscard]] std::optional<bool> is_contour_of_remains(const mesh::MeshEdge& edge) const {
+    if (moved.empty() || !options.contour || edge.count != 2) return std::nullopt;
+    const mesh::Mesh& cut = *around.world.models[around.model].mesh;
+    const auto triangles = cut.triangles_of(edge);
+    const auto has_moved = [&](int triangle) {
+      const std::array<int, 3> corners = cut.triangle(triangle);
+      return std::any_of(corners.begin(), corners.end(), [&](int v) { return moved[v] != 0; });
+    };
+    if (!has_moved(triangles[0]) && !has_moved(triangles[1])) return std::nullopt;
+    Judge remains = *this;
+    remains.around.uncut = nullptr;
+    const std::array<int, 2> ends = in_world(edge.vertex);
+    const int one = remains.side(ends, triangles[0], edge_on), two = remains.side(ends, triangles[1], edge_on);
+    return one == 0 || two == 0 ? std::nullopt : std::optional(one == two);
   }
 
   [[nodiscard]] std::array<int, 2> in_world(const std::array<int, 2>& vertex) const {
@@ -306,6 +351,7 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
   const std::vector<char> is_tangent =
       options.tangent && part == nullptr ? tangent_edges(around, crease_angle) : std::vector<char>();
   const std::vector<Vec3> polygon_normals = mean_normals(around);
+  const std::vector<char> moved = moved_vertices(around);
   const Judge judge{around,
                     view,
                     options,
@@ -314,7 +360,8 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
                     polygon_normals,
                     FoldLimit(crease_angle),
                     part,
-                    page_resolution(around.world, view) / view.cell};
+                    page_resolution(around.world, view) / view.cell,
+                    moved};
   const auto& edges = around.world.models[around.model].mesh->edges;
   check(is_tangent.empty() || is_tangent.size() == around.mesh().edges.size(), "every edge is tangent or not");
   std::vector<std::optional<EdgeKind>> kinds(edges.size());

@@ -16,14 +16,30 @@ std::array<int, 2> vertices_of(const VerifyInput& input, const edges::FeatureEdg
   return {first + vertex[0], first + vertex[1]};
 }
 
+// Whether a part of an edge lies on it. A cut moves its end onto the surface of the part (scene/true_outline.hpp).
+bool is_between(const std::array<Vec3, 2>& part, const std::array<double, 2>& t, const Vec3& a, const Vec3& b) {
+  const double rounding = 0x1p-44 * std::max(glm::length(a), glm::length(b));
+  const auto lies_at = [&](std::size_t i) { return glm::distance(part[i], a + t[i] * (b - a)) <= rounding; };
+  return lies_at(0) && lies_at(1);
+}
+
+// The line of a part of an edge, with the same parameters.
+std::array<Vec3, 2> extended(const std::array<Vec3, 2>& part, const std::array<double, 2>& t) {
+  const auto at = [&](double parameter) { return part[0] + (parameter - t[0]) / (t[1] - t[0]) * (part[1] - part[0]); };
+  return {at(0), at(1)};
+}
+
 }  // namespace
 
 std::array<Vec3, 2> VerifyInput::ends_of(const edges::FeatureEdge& edge) const {
   if (edge.crossing >= 0) return drawn.crossings[edge.crossing].ends;
   const mesh::Mesh& mesh = *world.models[edge.model].mesh;
-  const auto [a, b] = mesh.origin_of(mesh.edges[edge.mesh_edge]).vertex;
-  const int first = world.first_vertex[edge.model];
-  return {world.points[first + a], world.points[first + b]};
+  const mesh::MeshEdge& drawn_edge = mesh.edges[edge.mesh_edge];
+  const mesh::EdgeOrigin origin = mesh.origin_of(drawn_edge);
+  const auto point = [&](int v) { return world.points[static_cast<std::size_t>(world.first_vertex[edge.model] + v)]; };
+  const Vec3 a = point(origin.vertex[0]), b = point(origin.vertex[1]);
+  const std::array<Vec3, 2> remains{point(drawn_edge.vertex[0]), point(drawn_edge.vertex[1])};
+  return is_between(remains, origin.t, a, b) ? std::array{a, b} : extended(remains, origin.t);
 }
 
 bool VerifyInput::contains(const edges::FeatureEdge& edge, int triangle) const {
