@@ -16,6 +16,17 @@ namespace {
 
 constexpr double legend_text = 2.5, around_legend = 4;  // mm
 
+// Whether nothing of a figure meets other views and blocks, so that nothing of it needs to be cut off.
+bool is_clear(const construction::Figure& figure, const std::vector<sheet::Rectangle>& taken) {
+  if (!figure.curves.empty()) return false;
+  return std::all_of(figure.lines.begin(), figure.lines.end(), [&](const construction::Line& line) {
+    const sheet::TurnedBox box = sheet::line_box(line.from, line.to);
+    return line.extent == construction::Extent::segment &&
+           std::none_of(taken.begin(), taken.end(),
+                        [&](const sheet::Rectangle& one) { return sheet::overlap(box, sheet::turned_box(one)); });
+  });
+}
+
 // Where the constructions of some views may be: in the free part of the sheet that holds the views and most of what is
 // constructed; of several, in the largest.
 sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& own, const sheet::Neighbours& around,
@@ -36,6 +47,12 @@ sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& o
     }
   }
   if (const auto blocks = sheet::block_boxes(furniture).all) taken.push_back(blocks->grown(apart));
+  for (const sheet::Rectangle& one : taken) room.taken.push_back(sheet::turned_box(one));
+  if (std::all_of(own.begin(), own.end(),
+                  [&](std::size_t i) { return is_clear(views[i].drawing.construction, taken); })) {
+    room.area = sheet::united(room.area, *ink);
+    return room;
+  }
   const auto size = [](const Vec2& sides) { return std::max(sides.x, 0.0) * std::max(sides.y, 0.0); };
   sheet::Rectangle wanted = *ink;
   for (const std::size_t i : own)
