@@ -114,6 +114,7 @@ class Drafter {
   void add_true_length(const Request& request);
   void add_traces(const Request& request);
   void add_true_shape(const Request& request);
+  void add_auxiliary(const Request& request);
   void add_piercing(const Request& request);
   void add_section(const Request& request);
   Symbol step(const std::string& meaning);
@@ -127,13 +128,17 @@ class Drafter {
   std::span<const Request> requests_;
   const EpuraModels& models_;
   std::vector<Named> named_{};
-  int steps_ = 0, planes_ = 0;
+  int steps_ = 0, planes_ = 0, auxiliary_views_ = 0;
   Figure figure_{};
 };
 
 Figure Drafter::made() {
   name_points();
   for (const Request& request : requests_) {
+    if (by_change_of_planes(request)) {
+      add_auxiliary(request);
+      continue;
+    }
     if (request.item.kind == ConstructionKind::true_length) add_true_length(request);
     if (request.item.kind == ConstructionKind::traces) add_traces(request);
     if (request.item.kind == ConstructionKind::true_shape) add_true_shape(request);
@@ -340,6 +345,44 @@ void Drafter::add_true_shape(const Request& request) {
   add_step(centre, face + " in true shape");
 }
 
+// Each new ground line, the points behind it, and the lines of correspondence to them.
+void Drafter::add_auxiliary(const Request& request) {
+  const bool is_edge = request.item.kind == ConstructionKind::true_length;
+  std::vector<std::string> names;
+  std::string all;
+  for (const Vec3& point : request.elements) all += names.emplace_back(name_of(point));
+  const std::vector<Vec3> ring = in_space(epura_, request.elements);
+  const std::string truth = all + (is_edge ? " in true length" : " in true shape");
+  const std::vector<AuxiliaryView> views = change_of_planes(epura_, request.elements, models_.corners);
+  if (views.empty()) return add_step(plan_of(ring[0]), "the plan shows " + truth);
+  std::vector<Vec2> before;
+  for (const Vec3& point : ring) before.push_back(plan_of(point));
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const AuxiliaryView& view = views[i];
+    const std::string number = std::to_string(++auxiliary_views_), line = "LT" + number;
+    const std::string index = std::to_string(auxiliary_views_ + 2), last = "LT" + std::to_string(auxiliary_views_ - 1);
+    const bool is_last = i + 1 == views.size();
+    add_line(view.ground[0], view.ground[1], {"LT", number});
+    add_step(view.ground[1], line + (is_last ? ": new ground line, parallel to " + all
+                                             : ": new ground line, perpendicular to the horizontal lines of " + all));
+    Vec2 middle(0);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      add_line(before[k], view.points[k]);
+      if (k > 0 || !is_edge) add_line(view.points[k], view.points[(k + 1) % names.size()]);
+      const auto is_there = [&](const Point& p) { return glm::length(p.at - view.points[k]) <= same_point; };
+      const auto there = std::find_if(figure_.points.begin(), figure_.points.end(), is_there);
+      if (there != figure_.points.end() && there->marked)
+        there->also.push_back({names[k], index});
+      else
+        figure_.points.push_back({{names[k], index}, view.points[k], before[k], true, true});
+      middle += view.points[k] / static_cast<double>(names.size());
+    }
+    add_step(middle, (i == 0 ? "heights above LT, behind " : "distances from " + last + ", behind ") + line +
+                         (is_last ? ": " + truth : ": " + all + " edge-on"));
+    before = view.points;
+  }
+}
+
 // The vertical plane through the line cuts the faces in lines, which meet it in elevation.
 void Drafter::add_piercing(const Request& request) {
   const std::vector<Vec3> ends = in_space(epura_, request.elements);
@@ -419,6 +462,70 @@ Rabatment rabatment(const Epura& epura, std::span<const Vec3> face) {
                            std::hypot(glm::dot(q, m), p.z - lowest.z) * m);
   }
   return turned;
+}
+
+namespace {
+
+// On a plane whose trace has the direction `along`, on the side `away`, at least at `from` in that direction; `before`
+// are the points in the view that is kept, `distances` those from the ground line in the view that is replaced.
+AuxiliaryView view_behind(const std::vector<Vec2>& before, const std::vector<double>& distances, const Vec2& along,
+                          const Vec2& away, double from) {
+  constexpr double clear = 12, past = 8;  // mm
+  AuxiliaryView view{};
+  for (const Vec2& p : before) from = std::max(from, glm::dot(p, away));
+  const double ground = from + clear;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double at = glm::dot(before[i], along);
+    view.points.push_back(at * along + (ground + distances[i]) * away);
+    low = std::min(low, at);
+    high = std::max(high, at);
+  }
+  view.ground = {(low - past) * along + ground * away, (high + past) * along + ground * away};
+  return view;
+}
+
+// Of both directions across a line, the one down the page, or to the right.
+Vec2 down_the_page(const Vec2& across) {
+  const bool is_up = std::abs(across.y) > flat ? across.y > 0 : across.x < 0;
+  return is_up ? -across : across;
+}
+
+}  // namespace
+
+std::vector<AuxiliaryView> change_of_planes(const Epura& epura, std::span<const Vec3> element,
+                                            std::span<const Vec3> clear_of) {
+  const std::vector<Vec3> ring = in_space(epura, element);
+  std::vector<Vec2> plans;
+  std::vector<double> heights;
+  for (const Vec3& p : ring) {
+    plans.emplace_back(p.x, epura.ground - p.y);
+    heights.push_back(p.z);
+  }
+  const bool is_edge = ring.size() == 2;
+  const Vec3 normal = is_edge ? Vec3(0) : normal_of(ring);
+  // Of an edge, its plan; of a face, its horizontal lines in plan, where depths count downwards.
+  const Vec2 level = is_edge ? plans[1] - plans[0] : Vec2(normal.y, normal.x);
+  if (glm::length(level) <= (is_edge ? same_point : flat)) return {};
+  const Vec2 along = glm::normalize(level), across(-along.y, along.x);
+  const bool is_upright = is_edge || std::abs(normal.z) <= flat;
+  const Vec2 away = down_the_page(is_upright ? across : along);
+  double from = -HUGE_VAL;
+  for (const Vec3& p : clear_of) from = std::max(from, glm::dot(epura_point(epura, p).plan, away));
+  std::vector<AuxiliaryView> views{view_behind(plans, heights, is_upright ? along : across, away, from)};
+  if (is_upright) return views;
+  const std::vector<Vec2>& edge_on = views[0].points;
+  const double ground = glm::dot(views[0].ground[0], away);
+  std::vector<double> distances;
+  std::size_t farthest = 0;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    distances.push_back(ground - glm::dot(plans[i], away));
+    if (glm::length(edge_on[i] - edge_on[0]) > glm::length(edge_on[farthest] - edge_on[0])) farthest = i;
+  }
+  const Vec2 line = glm::normalize(edge_on[farthest] - edge_on[0]), beside(-line.y, line.x);
+  const bool is_away = glm::dot(beside, away) > 0;
+  views.push_back(view_behind(edge_on, distances, line, is_away ? beside : -beside, -HUGE_VAL));
+  return views;
 }
 
 Figure epura_figure(const Epura& epura, std::span<const Request> requests, const EpuraModels& models) {

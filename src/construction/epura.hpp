@@ -49,4 +49,16 @@ struct Rabatment {
 };
 Rabatment rabatment(const Epura& epura, std::span<const Vec3> face);
 
+/// A view on a plane that replaces one of the two before it: on a plane perpendicular to the other.
+struct AuxiliaryView {
+  std::array<Vec2, 2> ground;  ///< the new ground line, past the points
+  std::vector<Vec2> points;    ///< as far behind it as they are from the ground line in the view that is replaced
+};
+
+/// The views in which an edge or a flat face is seen in true length or shape, which the last one of them shows: for a
+/// face of general position, first edge-on, on a plane perpendicular to its horizontal lines. None if the plan shows
+/// it. `clear_of`: plans of points beyond which the first ground line lies.
+std::vector<AuxiliaryView> change_of_planes(const Epura& epura, std::span<const Vec3> element,
+                                            std::span<const Vec3> clear_of);
+
 }  // namespace epura::construction

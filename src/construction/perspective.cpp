@@ -240,6 +240,8 @@ void Perspective::add_measuring_points(const Request& request) {
 
 // The length of an edge, cut off on the line through its trace parallel to the horizon by lines through M.
 void Perspective::add_true_length(const Request& request) {
+  if (by_change_of_planes(request))
+    refuse(request, "is a change of planes, which only an épura has", "omit ':auxiliary', or draw --views epura");
   const PictureLine* line = expect_horizon(request);
   if (line == nullptr) return;
   const Vec3 direction = request.elements[1] - request.elements[0];

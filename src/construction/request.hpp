@@ -27,6 +27,9 @@ struct Surroundings {
   std::vector<std::array<Vec3, 2>> axis_edges{};  ///< visible edges along an axis of the world
 };
 
+/// "true-shape:2:auxiliary", "true-length:0-1:auxiliary"
+inline bool by_change_of_planes(const Request& request) { return request.item.text.ends_with(":auxiliary"); }
+
 [[noreturn]] inline void refuse(const Request& request, const std::string& reason, const std::string& hint) {
   throw Error(ErrorKind::input, request.where, "'" + request.item.text + "' " + reason, hint);
 }

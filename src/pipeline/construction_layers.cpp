@@ -2,6 +2,7 @@
 #include "pipeline/construction_layers.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -15,11 +16,24 @@ namespace {
 
 constexpr double legend_text = 2.5, around_legend = 4;  // mm
 
-// Where the constructions of some views may be: in the largest free part of the sheet that holds them.
+// Whether nothing of a figure meets other views and blocks, so that nothing of it needs to be cut off.
+bool is_clear(const construction::Figure& figure, const std::vector<sheet::Rectangle>& taken) {
+  if (!figure.curves.empty()) return false;
+  return std::all_of(figure.lines.begin(), figure.lines.end(), [&](const construction::Line& line) {
+    const sheet::TurnedBox box = sheet::line_box(line.from, line.to);
+    return line.extent == construction::Extent::segment &&
+           std::none_of(taken.begin(), taken.end(),
+                        [&](const sheet::Rectangle& one) { return sheet::overlap(box, sheet::turned_box(one)); });
+  });
+}
+
+// Where the constructions of some views may be: in the free part of the sheet that holds the views and most of what is
+// constructed; of several, in the largest.
 sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& own, const sheet::Neighbours& around,
                                                const sheet::SheetFurniture& furniture,
                                                std::span<const ViewResult> views) {
   constexpr double from_border = 5, apart = 3;  // mm
+  constexpr double farthest = 2;                // sizes of the views
   sheet::ConstructionRoom room{around.paper->grown(-from_border), around.boxes};
   std::vector<sheet::Rectangle> taken;
   std::optional<sheet::Rectangle> ink;
@@ -33,10 +47,23 @@ sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& o
     }
   }
   if (const auto blocks = sheet::block_boxes(furniture).all) taken.push_back(blocks->grown(apart));
-  const auto size = [](const sheet::Rectangle& r) { return r.size().x * r.size().y; };
+  for (const sheet::Rectangle& one : taken) room.taken.push_back(sheet::turned_box(one));
+  if (std::all_of(own.begin(), own.end(),
+                  [&](std::size_t i) { return is_clear(views[i].drawing.construction, taken); })) {
+    room.area = sheet::united(room.area, *ink);
+    return room;
+  }
+  const auto size = [](const Vec2& sides) { return std::max(sides.x, 0.0) * std::max(sides.y, 0.0); };
+  sheet::Rectangle wanted = *ink;
+  for (const std::size_t i : own)
+    wanted = sheet::box_of(views[i].drawing.construction, wanted, farthest * glm::length(ink->size()));
+  const auto worth = [&](const sheet::Rectangle& free) {
+    const Vec2 held = glm::min(free.max, wanted.max) - glm::max(free.min, wanted.min);
+    return std::pair(std::round(size(held)), size(free.size()));
+  };
   std::optional<sheet::Rectangle> best;
   for (const sheet::Rectangle& free : sheet::free_rectangles(sheet::united(room.area, *ink), taken))
-    if (free.holds(*ink, 1e-6) && (!best || size(free) > size(*best))) best = free;
+    if (free.holds(*ink, 1e-6) && (!best || worth(free) > worth(*best))) best = free;
   room.area = best.value_or(ink->grown(apart));
   return room;
 }

@@ -90,7 +90,7 @@ std::string meaning_of(const Picture& picture, Quantity quantity, bool is_maximu
 
 // With the names of the parameters that set it; the legend has all of them.
 scene::ConstructionItem label_of(const Picture& picture, construction::SetUpPoint named) {
-  constexpr std::size_t longest = 24;
+  constexpr std::size_t longest = 30, most = 5;
   scene::NamedPoint& point = named.point;
   const std::string parameters = parameters_of(picture, named.quantity);
   if (named.quantity) point.meaning = meaning_of(picture, *named.quantity, point.symbol.starts_with("umax"));
@@ -99,7 +99,8 @@ scene::ConstructionItem label_of(const Picture& picture, construction::SetUpPoin
   if (point.symbol.starts_with("N_"))
     point.meaning = "normalised volume (r, s, t), to which " + point.symbol + " maps the view volume" +
                     (picture.set_up.has_window ? "" : "; the window is too large to be drawn");
-  std::string note = parameters.size() <= longest ? parameters : "";
+  const auto names = static_cast<std::size_t>(std::count(parameters.begin(), parameters.end(), ',')) + 1;
+  std::string note = parameters.size() <= longest && names <= most ? parameters : "";
   if (named.quantity == Quantity::projector && picture.set_up.far)
     note = sheet::distance_text(*picture.set_up.far) + (note.empty() ? "" : ", " + note);
   if (!note.empty()) point.symbol += ": " + note;

@@ -50,7 +50,15 @@ bool read_label(ConstructionItem& item, std::string_view text) {
   return finite(item.label->at);
 }
 
+// What is found by a change of planes, too, may say so in its text, where its construction looks for it.
+std::string_view without_method(ConstructionKind kind, std::string_view text) {
+  const bool has_methods = kind == ConstructionKind::true_shape || kind == ConstructionKind::true_length;
+  constexpr std::string_view method = ":auxiliary";
+  return has_methods && text.ends_with(method) ? text.substr(0, text.size() - method.size()) : text;
+}
+
 bool read_argument(ConstructionItem& item, std::string_view text) {
+  text = without_method(item.kind, text);
   switch (row_of(item.kind).argument) {
     case ConstructionArgument::none:
       return false;

@@ -160,7 +160,8 @@ TEST_P(Picture, IsDrawnWithLabelsAndALegend) {
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   const std::string svg = read_file(folder / "x.svg");
-  for (const char* word : {">VRP", ">u<", ">v", ">n<", ">PRP", ">umin, vmin", ">umax, vmax", ">F", ">B", ">view reference point: ", ">normalised volume "})
+  for (const char* word : {">VRP", ">u<", ">v", ">n<", ">PRP", ">umin, vmin", ">umax, vmax", ">F", ">B",
+                           ">view reference point: ", ">normalised volume "})
     EXPECT_TRUE(contains(svg, word)) << word;
   EXPECT_LT(svg.size(), 400'000U);
 }

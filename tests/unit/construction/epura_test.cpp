@@ -117,6 +117,51 @@ TEST(Epura, RabatmentEqualsTheAuxiliaryView) {
   }
 }
 
+// The last auxiliary view is congruent with the face, and with its rabatment; the one before shows it edge-on.
+TEST(Epura, ChangeOfPlanesShowsTheTrueShape) {
+  const std::vector<std::vector<Vec3>> faces{{{0, 0, 0}, {10, 0, 0}, {8, 4, 5}, {2, 4, 5}},
+                                             {{0, 0, 1}, {3, 7, 2}, {1, 8, 9}},
+                                             {{0, 0, 0}, {4, 3, 0}, {4, 3, 6}, {0, 0, 6}}};
+  for (const std::vector<Vec3>& face : faces) {
+    const std::vector<AuxiliaryView> views = change_of_planes(epura(), face, {});
+    const bool is_upright = &face == &faces[2];
+    ASSERT_EQ(views.size(), is_upright ? 1U : 2U);
+    const std::vector<Vec2>& shape = views.back().points;
+    const Rabatment turned = rabatment(epura(), face);
+    ASSERT_EQ(shape.size(), face.size());
+    for (std::size_t i = 0; i < face.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        EXPECT_NEAR(glm::length(shape[i] - shape[j]), scale * glm::length(face[i] - face[j]), 1e-9);
+        EXPECT_NEAR(glm::length(shape[i] - shape[j]), glm::length(turned.shape[i] - turned.shape[j]), 1e-9);
+      }
+    if (is_upright) continue;
+    const std::vector<Vec2>& edge_on = views.front().points;
+    const Vec2 along = edge_on[1] - edge_on.back();
+    for (const Vec2& p : edge_on) EXPECT_NEAR(along.x * (p.y - edge_on[0].y) - along.y * (p.x - edge_on[0].x), 0, 1e-9);
+    // As far behind the new ground line as the elevation is above LT, on a perpendicular to it through the plan.
+    const Vec2 line = views[0].ground[1] - views[0].ground[0], across = Vec2(-line.y, line.x) / glm::length(line);
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const EpuraPoint p = epura_point(epura(), face[i]);
+      EXPECT_NEAR(std::abs(glm::dot(edge_on[i] - views[0].ground[0], across)), p.elevation.y - ground, 1e-9);
+      EXPECT_NEAR(glm::dot(edge_on[i] - p.plan, line), 0, 1e-9);
+    }
+  }
+  const std::vector<Vec3> level{{0, 0, 3}, {5, 0, 3}, {0, 5, 3}};
+  EXPECT_TRUE(change_of_planes(epura(), level, {}).empty()) << "the plan shows it";
+}
+
+TEST(Epura, ChangeOfPlanesShowsTheTrueLength) {
+  const std::vector<Vec3> edge{{1, 2, 3}, {7, 10, 8}};
+  const Figure f = epura_figure(epura(), std::vector{request("true-length:0-1:auxiliary", edge)}, {});
+  EXPECT_NEAR(glm::length(find(f, "A_3").at - find(f, "B_3").at), scale * glm::length(edge[1] - edge[0]), 1e-9);
+  const std::vector<Vec3> face{{0, 0, 1}, {3, 7, 2}, {1, 8, 9}};
+  const Figure g = epura_figure(epura(), std::vector{request("true-shape:0:auxiliary", face)}, {});
+  EXPECT_NEAR(glm::length(find(g, "A_4").at - find(g, "C_4").at), scale * glm::length(face[2] - face[0]), 1e-9);
+  EXPECT_TRUE(std::any_of(g.terms.begin(), g.terms.end(), [](const Term& t) {
+    return t.meaning == "distances from LT1, behind LT2: ABC in true shape";
+  }));
+}
+
 // A line through the middle of a tetrahedron, and the plane of a face through a triangle.
 TEST(Epura, LinesAndPlanesMeetFaces) {
   const Vec3 a(0, 0, 0), b(12, 0, 0), c(0, 12, 0), d(0, 0, 12);
