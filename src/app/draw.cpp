@@ -126,6 +126,7 @@ DrawnFiles draw_within(const DrawOptions& options, const DescribeScene& describe
 
   if (options.timings) report.seconds = watch.laps();
   if (!options.timings && !options.measure) forget_times(report.plan);
+  pipeline::warn_about_pictures(messages, targets, drawn.sheets);
   const std::vector<pipeline::FileBytes> files =
       encode_in_time(targets, drawn.sheets, options.vector, report, progress);
   progress.lift_limit();

@@ -99,6 +99,10 @@ ShapeInFile shape_in_file(sheet::DimensionShape shape) {
       return {0, "AcDbAlignedDimension"};
     case sheet::DimensionShape::angular:
       return {5, "AcDb3PointAngularDimension"};
+    case sheet::DimensionShape::radius:
+      return {4, "AcDbRadialDimension"};
+    case sheet::DimensionShape::ordinate:
+      return {6, "AcDbOrdinateDimension"};
     case sheet::DimensionShape::diameter:
       break;
   }
@@ -110,7 +114,8 @@ void add_point(DxfWriter& dxf, int code, const Vec2& point) {
   dxf.add(code + 20, 0);
 }
 
-// The point that all dimensions have: where the dimension line is.
+// The point that all dimensions have: where the dimension line is, or the origin; of radii, the centre; of diameters,
+// the point opposite to the leader.
 Vec2 line_point(const sheet::DimensionObject& dimension) {
   switch (dimension.shape) {
     case sheet::DimensionShape::linear:
@@ -118,17 +123,23 @@ Vec2 line_point(const sheet::DimensionObject& dimension) {
     case sheet::DimensionShape::angular:
       return dimension.points[3];
     case sheet::DimensionShape::diameter:
+    case sheet::DimensionShape::radius:
+    case sheet::DimensionShape::ordinate:
       break;
   }
-  return dimension.points[1];
+  return dimension.points[0];
 }
 
 void add_points(DxfWriter& dxf, const sheet::DimensionObject& dimension) {
   const std::vector<Vec2>& points = dimension.points;
-  if (dimension.shape == sheet::DimensionShape::diameter) {
-    add_point(dxf, 15, points[0]);
-    dxf.add(40, 0.0);  // length of the leader
+  if (dimension.shape == sheet::DimensionShape::diameter || dimension.shape == sheet::DimensionShape::radius) {
+    add_point(dxf, 15, points[1]);
+    dxf.add(40, dimension.leader);
     return;
+  }
+  if (dimension.shape == sheet::DimensionShape::ordinate) {
+    add_point(dxf, 13, points[1]);
+    return add_point(dxf, 14, points[2]);
   }
   const std::size_t first = dimension.shape == sheet::DimensionShape::angular ? 1 : 0;
   add_point(dxf, 13, points[first]);
@@ -166,13 +177,14 @@ void add_hatch(DxfWriter& dxf, const Place& place, const sheet::HatchedFace& fac
 
 void add_dimension(DxfWriter& dxf, const Place& place, const sheet::DimensionObject& dimension,
                    const std::string& block) {
-  constexpr int own_block = 32, text_has_place = 128, middle = 5;
+  constexpr int own_block = 32, along_x = 64, text_has_place = 128, middle = 5;
+  const bool is_abscissa = dimension.shape == sheet::DimensionShape::ordinate && dimension.angle == 0;
   const ShapeInFile shape = shape_in_file(dimension.shape);
   begin_entity(dxf, place, "DIMENSION", "AcDbDimension");
   dxf.add(2, block);
   add_point(dxf, 10, line_point(dimension));
   add_point(dxf, 11, dimension.text_middle);
-  dxf.add(70, shape.type + own_block + text_has_place);
+  dxf.add(70, shape.type + own_block + text_has_place + (is_abscissa ? along_x : 0));
   dxf.add(71, middle);
   dxf.add(1, dimension_text(dimension.text));
   dxf.add(3, dxf_dimension_style);

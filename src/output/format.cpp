@@ -42,17 +42,17 @@ std::string json(const FileContent& file, const Progress& progress) {
 
 std::string html(const FileContent& file, const Progress& progress) { return to_html(file, progress); }
 
-constexpr bool pages = true, drawings = true, facts = true;
+constexpr bool pages = true, drawings = true, facts = true, pictures = true;
 
 constexpr std::array table = {
-    Format{"svg", !pages, !drawings, !facts, "emf wmf svgz", svg},
-    Format{"pdf", pages, !drawings, !facts, "ai", all_sheets<to_pdf>},
-    Format{"ps", pages, !drawings, !facts, "", all_sheets<to_ps>},
-    Format{"eps", !pages, !drawings, !facts, "", one_sheet<to_eps>},
-    Format{"png", !pages, !drawings, !facts, "jpg jpeg gif bmp tif tiff webp", png},
-    Format{"dxf", !pages, !drawings, !facts, "dwg", dxf},
-    Format{"json", !pages, drawings, !facts, "", json},
-    Format{"html", pages, drawings, facts, "htm xhtml", html},
+    Format{"svg", !pages, !drawings, !facts, pictures, "emf wmf svgz", svg},
+    Format{"pdf", pages, !drawings, !facts, pictures, "ai", all_sheets<to_pdf>},
+    Format{"ps", pages, !drawings, !facts, pictures, "", all_sheets<to_ps>},
+    Format{"eps", !pages, !drawings, !facts, pictures, "", one_sheet<to_eps>},
+    Format{"png", !pages, !drawings, !facts, pictures, "jpg jpeg gif bmp tif tiff webp", png},
+    Format{"dxf", !pages, !drawings, !facts, !pictures, "dwg", dxf},
+    Format{"json", !pages, drawings, !facts, pictures, "", json},
+    Format{"html", pages, drawings, facts, pictures, "htm xhtml", html},
 };
 
 }  // namespace

@@ -86,6 +86,18 @@ sheet::Layer boundaries_of(std::span<const Annotations> annotations, std::span<c
   return layer;
 }
 
+// The centring marks inside the frame. ISO 5457
+std::vector<sheet::Rectangle> centring_marks(const sheet::SheetFurniture& furniture) {
+  constexpr double inside = 10;  // mm
+  if (furniture.frame != FrameKind::full) return {};
+  const sheet::Rectangle area = sheet::drawing_area(furniture.paper);
+  const Vec2 middle = Vec2(furniture.paper.width, furniture.paper.height) / 2.0;
+  std::vector<sheet::Rectangle> marks;
+  for (const double x : {area.min.x, area.max.x - inside}) marks.push_back({{x, middle.y}, {x + inside, middle.y}});
+  for (const double y : {area.min.y, area.max.y - inside}) marks.push_back({{middle.x, y}, {middle.x, y + inside}});
+  return marks;
+}
+
 // Objects on the sheet apart from the views.
 sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const std::vector<sheet::Text>& labels,
                                 const std::vector<sheet::Layer>& marks, const sheet::Lettering& lettering) {
@@ -96,6 +108,7 @@ sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const st
   const sheet::BlockBoxes blocks = sheet::block_boxes(furniture);
   for (const auto& box : {blocks.title_block, blocks.parts_list, blocks.revisions})
     if (box) neighbours.boxes.push_back(sheet::turned_box(*box));
+  for (const sheet::Rectangle& mark : centring_marks(furniture)) neighbours.boxes.push_back(sheet::turned_box(mark));
   for (const sheet::Text& label : labels) neighbours.boxes.push_back(sheet::box_of(label, lettering));
   for (const sheet::Layer& mark : marks) add_boxes(neighbours.boxes, mark, lettering);
   return neighbours;
@@ -354,16 +367,6 @@ void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const She
   }
 }
 
-// Where no text may stand besides what is on the sheet already: the centring marks.
-void add_centring_marks(std::vector<sheet::Rectangle>& taken, const sheet::SheetFurniture& furniture) {
-  constexpr double inside = 10;  // mm. ISO 5457
-  if (furniture.frame != FrameKind::full) return;
-  const sheet::Rectangle area = sheet::drawing_area(furniture.paper);
-  const Vec2 middle = Vec2(furniture.paper.width, furniture.paper.height) / 2.0;
-  for (const double x : {area.min.x, area.max.x - inside}) taken.push_back({{x, middle.y}, {x + inside, middle.y}});
-  for (const double y : {area.min.y, area.max.y - inside}) taken.push_back({{middle.x, y}, {middle.x, y + inside}});
-}
-
 // Adds a callout in the free room nearest to a point; returns its box, or nothing if there is no room.
 std::optional<sheet::Rectangle> add_near(sheet::CalloutLayers& layers, const sheet::Callout& callout,
                                          const sheet::Rectangle& room, std::span<const sheet::Rectangle> taken,
@@ -400,7 +403,6 @@ void add_text_tables(AnnotationLayers& result, sheet::Neighbours& around, const 
   for (const scene::TableDescription& table : tables) {
     if (table.at.given()) continue;
     std::vector<sheet::Rectangle> taken = taken_by(around.boxes, views);
-    add_centring_marks(taken, input.plan.furniture);
     const Vec2 towards = position_of(table.corner.value_or(scene::SheetCorner::top_right), *around.paper);
     if (const auto at = sheet::nearest_free_position(*around.paper, taken, table_drawing(table, style).size(), towards))
       add(table, *at);
@@ -439,7 +441,6 @@ void add_free_callouts(AnnotationLayers& result, sheet::Neighbours& around, cons
   add_boxes(around.boxes, layers.notes, style.lettering);
   add_outlines(around.boxes, layers.symbols);
   std::vector<sheet::Rectangle> taken = taken_by(around.boxes, views);
-  add_centring_marks(taken, input.plan.furniture);
   const auto warn = [&result](const std::string& what) {
     result.warnings.push_back("the sheet has no room for " + what +
                               "\n  hint: use a larger sheet or a smaller scale, or give its position, 'at'");

@@ -99,6 +99,30 @@ std::string sentence_of_scale(const SheetPlan& plan) {
   return scale + ", the largest of ISO 5455 that fits";
 }
 
+// A scale that was found is of ISO 5455, or as large as possible; the user may have chosen others.
+void tell_of_scales(const Messages& messages, const SheetPlan& plan, const scene::SheetDescription& sheet,
+                    const SheetOfViews& views) {
+  if (plan.chosen && plan.inside) messages.warn(sentence_of_scale(plan));
+  if (sheet.size.value_or({}).kind == scene::PaperChoice::Kind::none) return;
+  std::vector<double> chosen;
+  const auto add = [&](const scene::Located<scene::ScaleChoice>& scale) {
+    if (scale.given() && scale->fixed) chosen.push_back(*scale->fixed);
+  };
+  add(sheet.scale);
+  for (const scene::ViewDescription& view : views.descriptions) add(view.scale);
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  std::string unusual;
+  for (const double scale : chosen) {
+    const double nearest = sheet::nearest_standard_scale(scale);
+    if (std::abs(nearest / scale - 1) <= 1e-9) continue;
+    const std::string ratio = sheet::ratio_text(scale);
+    unusual += (unusual.empty() ? "" : "; ") + (ratio.empty() ? format_rounded(scale, 6) : ratio) +
+               " (the nearest is " + sheet::ratio_text(nearest) + ")";
+  }
+  if (!unusual.empty()) messages.warn("not a scale of ISO 5455: " + unusual);
+}
+
 // If nothing fits, the scale is any number.
 void warn_about(const Messages& messages, const SheetPlan& plan) {
   const std::string ratio = sheet::ratio_text(plan.scale);
@@ -208,7 +232,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   if (options.lint) add_all(dimensioned, anchored_dimensions(whole, views, seen, annotations));
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
   set_least_threads(views, plan);
-  if (plan.chosen && plan.inside) messages.warn(sentence_of_scale(plan));
+  tell_of_scales(messages, plan, scene.sheets[static_cast<std::size_t>(views.sheet)], views);
   warn_about_details(messages, views, plan);
   std::vector<ViewResult> results;
   std::string answers_of_sheet;

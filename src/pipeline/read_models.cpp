@@ -36,6 +36,11 @@ bool wants_wires(const scene::SceneDescription& scene) {
                      [](const scene::ViewDescription& view) { return view.edges.value_or({}).wire; });
 }
 
+// Without a power of ten, if it is legible so.
+std::string size_text(double size) {
+  return size < 1e3 || size > 1e9 ? format_rounded(size, 4) : format_fixed(size, 0);
+}
+
 // Dimensions are in millimetres, and most formats have no unit. `without_unit`: the first model without one, or empty.
 void doubt_size(const Messages& messages, const scene::World& world, const std::string& without_unit) {
   constexpr double least = 1, most = 10'000;  // mm
@@ -43,7 +48,7 @@ void doubt_size(const Messages& messages, const scene::World& world, const std::
   const double largest = std::max({size.x, size.y, size.z});
   if (without_unit.empty() || (largest >= least && largest <= most)) return;
   messages.warn(without_unit + " has no unit and is dimensioned in millimetres: the largest size is " +
-                format_rounded(largest, 4) + " mm\n  hint: --unit m or --unit in, if that is too " +
+                size_text(largest) + " mm\n  hint: --unit m or --unit in, if that is too " +
                 (largest < least ? "small" : "large"));
 }
 

@@ -107,6 +107,21 @@ std::vector<Target> targets_of(const std::vector<std::string>& paths, const std:
   return targets;
 }
 
+void warn_about_pictures(const Messages& messages, const std::vector<Target>& targets,
+                         std::span<const FinishedSheet> sheets) {
+  std::vector<std::string> names;
+  for (const FinishedSheet& sheet : sheets)
+    for (const sheet::Layer& layer : sheet.sheet.layers)
+      for (const sheet::Picture& picture : layer.pictures)
+        if (std::find(names.begin(), names.end(), picture.name) == names.end()) names.push_back(picture.name);
+  for (const Target& target : targets) {
+    if (target.format->has_pictures) continue;
+    for (const std::string& name : names)
+      messages.warn(target.path + ": the picture " + name + " is missing, as " + std::string(target.format->name) +
+                    " has no pictures of pixels\n  hint: use a logo in SVG");
+  }
+}
+
 std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<const FinishedSheet> sheets,
                                   const output::VectorOptions& options, const report::Report& report,
                                   Progress progress) {

@@ -9,6 +9,7 @@
 #include "base/progress.hpp"
 #include "output/write.hpp"
 #include "pipeline/finished_sheet.hpp"
+#include "pipeline/messages.hpp"
 #include "report/report.hpp"
 #include "scene/description.hpp"
 
@@ -41,6 +42,10 @@ void refuse_overwriting(const std::vector<std::string>& outputs, const std::vect
 struct FileBytes {
   std::string path, bytes;
 };
+
+/// Warns of pictures that a format leaves out.
+void warn_about_pictures(const Messages& messages, const std::vector<Target>& targets,
+                         std::span<const FinishedSheet> sheets);
 
 /// Encodes all files of all targets. Throws OutOfTime.
 std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<const FinishedSheet> sheets,

@@ -48,9 +48,12 @@ ScaleChoice parse_scale(std::string_view text, const std::string& where) {
   const std::string lower = to_lower(text);
   if (lower == "fit") return {};
   if (lower == "auto") return {std::nullopt, true};
-  const auto parts = split(text, ':');
+  const bool is_percent = text.ends_with('%');
+  const auto parts =
+      split(is_percent ? text.substr(0, text.size() - 1) : text, text.find(':') == std::string_view::npos ? '/' : ':');
   const auto paper = parse_number(parts[0]);
-  const auto model = parts.size() == 2 ? parse_number(parts[1]) : std::optional<double>(1);
+  const auto model =
+      parts.size() == 2 && !is_percent ? parse_number(parts[1]) : std::optional<double>(is_percent ? 100 : 1);
   const double scale = paper && model && parts.size() <= 2 ? *paper / *model : 0;
   if (!std::isfinite(scale) || !(scale > 0) || !(*paper > 0) || std::isinf(*model))
     throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a scale",

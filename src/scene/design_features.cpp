@@ -12,9 +12,11 @@
 #include "base/portable_math.hpp"
 #include "scene/centred_features.hpp"
 #include "scene/design_holes.hpp"
+#include "scene/engraving.hpp"
 #include "scene/place_threads.hpp"
 #include "scene/placed_part.hpp"
 #include "scene/round_faces.hpp"
+#include "scene/true_extents.hpp"
 
 namespace epura::scene {
 
@@ -72,7 +74,10 @@ struct Cavity {
 class PartReader {
  public:
   PartReader(const World& world, int model, PlacedPart part)
-      : world_(world), model_(model), part_(std::move(part)), round_(find_round_faces(world, model, part_)) {}
+      : world_(world),
+        model_(model),
+        part_(without_letters(world.models[model], std::move(part))),
+        round_(find_round_faces(world, model, part_)) {}
 
   void read(DesignFeatures& found) {
     DescribedHoles described = describe_holes(world_, model_, part_);
@@ -81,6 +86,7 @@ class PartReader {
     add_shafts(found.cylinders);
     for (const ThreadedFace& thread : world_.models[model_].threads) add_thread(thread, found);
     add_arcs(found);
+    add_rounds(found);
     add_cones(found);
   }
 
@@ -97,10 +103,27 @@ class PartReader {
   }
 
  private:
+  // A drawing gives the depth of letters at most, no sizes of their walls.
+  static PlacedPart without_letters(const Placed& placed, PlacedPart part) {
+    const std::vector<char> walls = walls_of_letters(placed, part);
+    for (std::size_t f = 0; f < walls.size(); ++f)
+      if (walls[f] != 0) part.faces[f].surface.kind = SurfaceKind::free_form;
+    return part;
+  }
+
   static int axis_along(const Vec3& direction) {
     for (int axis = 0; axis < 3; ++axis)
       if (std::abs(direction[axis]) >= 1 - parallel * parallel) return axis;
     return -1;
+  }
+
+  // Axes of short arcs are less accurate than the axis of the world to which they are parallel.
+  static Vec3 snapped(const Vec3& direction) {
+    const int axis = axis_along(direction);
+    if (axis < 0) return direction;
+    Vec3 exact(0);
+    exact[axis] = direction[axis] < 0 ? -1 : 1;
+    return exact;
   }
 
   static bool is_inside(const std::vector<Cavity>& cavities, const Vec3& normal, const std::vector<Vec3>& corners) {
@@ -110,8 +133,7 @@ class PartReader {
 
   void add_level(std::vector<DesignLevel>& levels, DesignLevel level) const {
     const double slack = 1e-5 * glm::length(world_.box.size());
-    const bool is_end =
-        level.at <= world_.box.min[level.axis] + slack || level.at >= world_.box.max[level.axis] - slack;
+    const bool is_end = level.at <= box_.min[level.axis] + slack || level.at >= box_.max[level.axis] - slack;
     if (is_end) return;
     for (DesignLevel& other : levels)
       if (other.axis == level.axis && std::abs(other.at - level.at) <= slack) {
@@ -203,7 +225,7 @@ class PartReader {
             return other.face.surface.kind == SurfaceKind::cylinder && shares(other);
           }))
         continue;
-      DesignArc arc{model_, round.at(round.to), surface.axis, surface.radius, {}, round.face.inwards};
+      DesignArc arc{model_, round.at(round.to), snapped(surface.axis), surface.radius, {}, round.face.inwards};
       if (is_end_of_slot(found.slots, arc)) continue;
       constexpr int steps = 8;
       const Vec3 across = glm::cross(surface.axis, round.middle);
@@ -223,6 +245,29 @@ class PartReader {
                return distance_from_line(centre, arc.centre, arc.axis) <= same_size * 10 * arc.radius;
              });
     });
+  }
+
+  void add_rounds(DesignFeatures& found) const {
+    for (const RoundFace& round : round_) {
+      const features::PartSurface& surface = round.face.surface;
+      if (surface.kind != SurfaceKind::torus || !round.is_whole()) continue;
+      std::vector<double> angles;
+      for (const int v : round.vertices) {
+        const Vec3 d = world_.points[v] - surface.origin;
+        const double height = glm::dot(d, surface.axis), out = glm::length(d - height * surface.axis) - surface.radius;
+        angles.push_back(portable_atan2(height, out) / degree);
+      }
+      std::sort(angles.begin(), angles.end());
+      // The section leaves out the largest gap.
+      double from = angles.front(), largest = angles.front() + 360 - angles.back();
+      for (std::size_t i = 1; i < angles.size(); ++i)
+        if (const double gap = angles[i] - angles[i - 1]; gap > largest) {
+          largest = gap;
+          from = angles[i];
+        }
+      found.rounds.push_back(
+          {model_, surface.origin, surface.axis, surface.radius, surface.minor, {from, from + 360 - largest}});
+    }
   }
 
   void add_cones(DesignFeatures& found) const {
@@ -263,6 +308,7 @@ class PartReader {
   int model_;
   PlacedPart part_;
   std::vector<RoundFace> round_;
+  Box box_ = box_of_faces(world_);
 };
 
 // A slot is cut into the material: a bar with round ends is none.
@@ -298,12 +344,30 @@ void add_pitch_circles(const CentredFeatures& centred, DesignFeatures& found) {
 
 }  // namespace
 
+std::vector<Vec3> DesignRound::section(const Vec3& out) const {
+  constexpr int steps = 8;
+  std::vector<Vec3> points;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = (angles[0] + (angles[1] - angles[0]) * i / steps) * degree;
+    points.push_back(centre + (ring + radius * portable_cos(angle)) * out + radius * portable_sin(angle) * axis);
+  }
+  return points;
+}
+
 bool are_equal(const DesignHole& a, const DesignHole& b) {
   return a.model == b.model && a.through == b.through && are_same(a.diameter, b.diameter) &&
          are_parallel(a.axis, b.axis) && (a.through || glm::dot(a.axis, b.axis) > 0) &&
          a.depth.has_value() == b.depth.has_value() && are_same(a.depth.value_or(0), b.depth.value_or(0)) &&
          are_same(a.counterbore, b.counterbore) && are_same(a.countersink, b.countersink) &&
          are_same(a.thread, b.thread);
+}
+
+bool has_coaxial_cylinder(const DesignFeatures& features, const DesignCylinder& circle) {
+  return std::any_of(features.cylinders.begin(), features.cylinders.end(), [&](const DesignCylinder& cylinder) {
+    return !cylinder.inwards && cylinder.model == circle.model && are_same(cylinder.radius, circle.radius) &&
+           are_parallel(cylinder.axis, circle.axis) &&
+           distance_from_line(cylinder.from, circle.from, circle.axis) <= same_size * 10 * circle.radius;
+  });
 }
 
 DesignFeatures find_design_features(const World& world, const Progress& progress) {

@@ -87,6 +87,18 @@ struct DesignCone {
   double angle;                 ///< between its side and the axis, degrees
 };
 
+/// A full torus: a fillet or rounded edge of a turned part.
+struct DesignRound {
+  int model;
+  Vec3 centre, axis;             ///< of the torus; the axis is a unit vector
+  double ring;                   ///< radius of the circle on which the centres of its section lie
+  double radius;                 ///< of its section
+  std::array<double, 2> angles;  ///< ends of its section, degrees counterclockwise from outwards towards the axis
+
+  /// The points of its section in one direction from the axis, in order.
+  [[nodiscard]] std::vector<Vec3> section(const Vec3& out) const;
+};
+
 /// Plane faces perpendicular to a world axis, at the same place along it; without those at the ends of the models and
 /// those inside holes and slots.
 struct DesignLevel {
@@ -107,11 +119,15 @@ struct DesignFeatures {
   std::vector<DesignCylinder> cylinders;
   std::vector<DesignSlot> slots;
   std::vector<DesignArc> arcs;
+  std::vector<DesignRound> rounds;
   std::vector<DesignCone> chamfers;  ///< between the end of a shaft and its cylinder
   std::vector<DesignCone> cones;     ///< all others
   std::vector<DesignLevel> levels;   ///< by axis and place
   std::vector<DesignPitchCircle> pitch_circles;
 };
+
+/// Whether a shaft or boss of the same model has this axis and radius.
+bool has_coaxial_cylinder(const DesignFeatures& features, const DesignCylinder& circle);
 
 /// Features of all models without regard to cuts, in the order of the models and their faces. Throws OutOfTime.
 DesignFeatures find_design_features(const World& world, const Progress& progress = {});

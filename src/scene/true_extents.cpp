@@ -159,8 +159,8 @@ class ExtentFinder {
   explicit ExtentFinder(const World& world)
       : world_(world), size_(glm::length(world.box.size())), of_round_(world.points.size(), 0) {
     for (const Placed& placed : world.models) parts_.push_back(place_part(placed));
-    for (int end = 0; end < 6; ++end)
-      farthest_[end] = glm::dot(direction_of(end), end < 3 ? world.box.min : world.box.max);
+    const Box box = box_of_faces(world);
+    for (int end = 0; end < 6; ++end) farthest_[end] = glm::dot(direction_of(end), end < 3 ? box.min : box.max);
     for (int model = 0; model < static_cast<int>(parts_.size()); ++model) add_model(model);
   }
 
@@ -283,6 +283,24 @@ bool Extent::is_same_as(const Extent& other) const {
   const double slack = same * std::max(size(), other.size());
   return std::abs(size() - other.size()) <= slack && glm::length(centre - other.centre) <= slack &&
          glm::length(glm::cross(axis, other.axis)) <= across;
+}
+
+std::vector<Vec3> points_of_faces(const World& world) {
+  if (world.triangles.empty()) return {world.points.begin(), world.points.end()};
+  std::vector<char> used(world.points.size(), 0);
+  for (const auto& corners : world.triangles)
+    for (const int v : corners) used[v] = 1;
+  std::vector<Vec3> points;
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (used[v] != 0) points.push_back(world.points[v]);
+  return points;
+}
+
+Box box_of_faces(const World& world) {
+  if (world.wires.empty() || world.triangles.empty()) return world.box;
+  Box box;
+  for (const Vec3& point : points_of_faces(world)) box.add(point);
+  return box;
 }
 
 std::array<Extent, 3> true_extents(const World& world) { return ExtentFinder(world).extents(); }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "base/progress.hpp"
 #include "scene/scene.hpp"
@@ -21,6 +22,12 @@ struct Extent {
   /// Whether both are the diameter of one shaft or sphere.
   [[nodiscard]] bool is_same_as(const Extent& other) const;
 };
+
+/// Returns the vertices that triangles use, each once; all vertices if there are no triangles. Lines beside the faces,
+/// such as those of annotations in the file, are not part of what has a size.
+std::vector<Vec3> points_of_faces(const World& world);
+/// The box of these.
+Box box_of_faces(const World& world);
 
 /// Returns the extents along x, y and z. Points of a recognised cylinder, cone, sphere or torus count if facets of its
 /// face lie below them; elsewhere vertices count.

@@ -26,6 +26,14 @@ std::string inches_text(double inches, int decimals) {
   return text.starts_with("0.") ? text.substr(1) : text;
 }
 
+// Conversion from inches leaves most ties inexact: 3.175 is one, although the nearest double is less. Ties are even.
+double without_tie(double value, int decimals) {
+  constexpr double slack = 1e-6;  // of the last decimal
+  const double steps = std::pow(10, decimals), scaled = value * steps, low = std::floor(scaled);
+  if (!(std::abs(scaled - low - 0.5) <= slack)) return value;
+  return (std::fmod(low, 2) == 0 ? low : low + 1) / steps;
+}
+
 }  // namespace
 
 std::string with_decimal_sign(std::string number, DecimalSign sign) {
@@ -34,7 +42,8 @@ std::string with_decimal_sign(std::string number, DecimalSign sign) {
 }
 
 std::string length_text(double millimetres, const Notation& notation) {
-  const double value = notation.unit == Unit::mm ? millimetres : millimetres / scene::millimetres(notation.unit);
+  const double value = without_tie(
+      notation.unit == Unit::mm ? millimetres : millimetres / scene::millimetres(notation.unit), notation.decimals);
   const std::string text =
       notation.unit == Unit::in ? inches_text(value, notation.decimals) : format_fixed(value, notation.decimals);
   return with_decimal_sign(text, notation.sign);

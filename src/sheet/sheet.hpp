@@ -107,16 +107,18 @@ struct HatchedFace {
   InkRange strokes;
 };
 
-enum class DimensionShape { linear, angular, diameter };
+enum class DimensionShape { linear, angular, diameter, radius, ordinate };
 
-/// A dimension as one thing, likewise. (Programs draw those on leaders by rules of their own, and lose the leader.)
+/// A dimension as one thing, likewise. Of several that are drawn together, the first has the ink of all.
 struct DimensionObject {
   DimensionShape shape;
   /// linear: the measured ends, and a point of the dimension line; angular: the vertex, the ends of the legs, and a
-  /// point of the arc; diameter: two opposite points.
+  /// point of the arc; diameter: two opposite points, the second at the leader; radius: the centre, and a point at the
+  /// leader; ordinate: the origin, the measured place, and the end of its line.
   std::vector<Vec2> points;
-  double angle = 0;    ///< linear: of the dimension line, degrees counterclockwise
+  double angle = 0;    ///< linear: of the dimension line, degrees counterclockwise; ordinate: of what is measured
   double oblique = 0;  ///< linear: angle of the extension lines to the dimension line if it is not 90 degrees
+  double leader = 0;   ///< its length, mm
   std::string text{};
   Vec2 text_middle{0, 0};
   double text_height = 0, arrow = 0, gap = 0, overshoot = 0, above = 0;  ///< sizes of its parts, mm

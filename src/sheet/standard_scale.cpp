@@ -29,6 +29,12 @@ double standard_scale_up_to(double scale) {
   return by_tens(1, least_power);
 }
 
+double nearest_standard_scale(double scale) {
+  constexpr double to_next = 2.6;  // times 1, 2 or 5 is above the next one, and below the one after that
+  const double below = standard_scale_up_to(scale), above = standard_scale_up_to(to_next * below);
+  return scale / below < above / scale ? below : above;
+}
+
 std::string ratio_text(double scale) {
   const double larger = std::max(scale, 1 / scale);
   if (!(larger <= largest_ratio)) return {};

@@ -100,11 +100,12 @@ void set_extent(AnchoredDimension& dimension, const scene::World& world, Asked& 
   const int axis = axis_of(*dimension.direction);
   if (!asked.extents) asked.extents = scene::true_extents(world);
   const scene::Extent& extent = (*asked.extents)[axis];
-  dimension.points = {world.box.min, world.box.max};
+  const Box box = scene::box_of_faces(world);
+  dimension.points = {box.min, box.max};
   dimension.points[0][axis] = extent.from;
   dimension.points[1][axis] = extent.to;
   dimension.form = extent.form;
-  dimension.beyond_vertices = extent.size() - world.box.size()[axis];
+  dimension.beyond_vertices = extent.size() - box.size()[axis];
 }
 
 std::optional<Tolerance> tolerance_of(const scene::DimensionDescription& description) {

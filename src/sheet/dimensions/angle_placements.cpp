@@ -107,9 +107,9 @@ PlacedDimension angular_dimension(const MeasuredAngle& angle, const DimensionTex
                                   const DimensionStyle& style) {
   PlacedDimension dimension = arc_dimension(angle, text, radius, place, style);
   const auto [corner, first, sweep] = sector_of(angle);
-  dimension.object = DimensionObject{
-      DimensionShape::angular,
-      {corner, corner + angle.legs[0], corner + angle.legs[1], corner + radius * turned_to(first + sweep / 2)}};
+  dimension.objects = {
+      {DimensionShape::angular,
+       {corner, corner + angle.legs[0], corner + angle.legs[1], corner + radius * turned_to(first + sweep / 2)}}};
   return dimension;
 }
 

@@ -54,7 +54,13 @@ class Planner {
  public:
   Planner(const DimensionDescription& wanted, std::span<const NamedProjection> views, const DimensionSubject& subject,
           const Notation& notation)
-      : wanted_(wanted), views_(views), subject_(subject), notation_(notation), stations_(subject) {}
+      : wanted_(wanted),
+        views_(views),
+        subject_(subject),
+        notation_(notation),
+        stations_(subject),
+        points_(scene::points_of_faces(subject.world)),
+        box_(scene::box_of_faces(subject.world)) {}
 
   AutomaticPlan plan() {
     DimensionDescription overall = wanted_;
@@ -65,7 +71,9 @@ class Planner {
     add_cylinders();
     add_slots();
     add_arcs();
+    add_rounds();
     add_chamfers();
+    add_cones();
     add_levels();
     for (DimensionDescription& dimension : stations_.dimensions(wanted_, notation_))
       dimensions_.push_back(std::move(dimension));
@@ -178,7 +186,7 @@ class Planner {
       if (table.view == view.name) return table;
     HoleTable& table = tables_.emplace_back();
     table.view = view.name;
-    table.origin = subject_.world.box.max;
+    table.origin = box_.max;
     for (const Vec3& along : {view.projection.u, view.projection.v})
       table.origin[world_axis(along)] = origin_along(along);
     return table;
@@ -191,7 +199,7 @@ class Planner {
     const auto place = [&](const scene::DesignHole* hole) {
       return std::pair(glm::dot(hole->mouth - origin, u), glm::dot(hole->mouth - origin, v));
     };
-    const double same = same_size * glm::length(subject_.world.box.size());
+    const double same = same_size * glm::length(box_.size());
     std::sort(group.begin(), group.end(), [&](const auto* a, const auto* b) {
       const auto [ax, ay] = place(a);
       const auto [bx, by] = place(b);
@@ -233,7 +241,7 @@ class Planner {
 
   // The end of a cylinder from which extension lines to the outside are short.
   [[nodiscard]] Vec3 outer_end(const scene::DesignCylinder& cylinder) const {
-    const Vec3 middle = subject_.world.box.centre();
+    const Vec3 middle = box_.centre();
     const auto off = [&](const Vec3& p) { return std::abs(glm::dot(p - middle, cylinder.axis)); };
     return off(cylinder.from) > off(cylinder.to) ? cylinder.from : cylinder.to;
   }
@@ -315,17 +323,80 @@ class Planner {
     std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
       return double(a.size()) * a.front()->radius > double(b.size()) * b.front()->radius;
     });
-    const Vec3 size = subject_.world.box.size();
+    const Vec3 size = box_.size();
     const double largest = std::max({size.x, size.y, size.z});
     std::map<std::string, std::size_t> in_view;
     for (const auto& group : groups) {
       const NamedProjection* view = view_along(group.front()->axis, false);
-      const double sum = double(group.size()) * group.front()->radius;
+      const std::size_t count = group.size() + (view == nullptr ? 0 : unseen_arcs(groups, *group.front()));
+      const double sum = double(count) * group.front()->radius;
       if (view == nullptr || sum < least_radius * largest || in_view[view->name]++ >= most_radii) continue;
       const auto* shown =
           uppermost<scene::DesignArc>(group, *view, [](const scene::DesignArc& arc) { return arc.points[4]; });
-      add(DimensionType::radius, *view, times(group.size()) + "<>").circle = {shown->centre, shown->axis, shown->radius,
-                                                                              shown->points};
+      add(DimensionType::radius, *view, times(count) + "<>").circle = {shown->centre, shown->axis, shown->radius,
+                                                                       shown->points};
+    }
+  }
+
+  // The number of fillets of the same radius whose form no view shows, such as those around a hexagon. The first group
+  // that a view shows stands for them.
+  std::size_t unseen_arcs(const std::vector<std::vector<const scene::DesignArc*>>& groups,
+                          const scene::DesignArc& shown) const {
+    std::size_t count = 0;
+    for (const auto& group : groups) {
+      const scene::DesignArc& arc = *group.front();
+      if (arc.model != shown.model || !are_same(arc.radius, shown.radius)) continue;
+      const bool is_seen = view_along(arc.axis, false) != nullptr;
+      if (is_seen && &arc != &shown) return count;
+      if (is_seen) break;
+    }
+    for (const auto& group : groups)
+      if (group.front()->model == shown.model && are_same(group.front()->radius, shown.radius) &&
+          view_along(group.front()->axis, false) == nullptr)
+        count += group.size();
+    return count;
+  }
+
+  // Those whose radius is not that of a fillet with a dimension, to which they belong.
+  void add_rounds() {
+    const auto has_dimension = [&](const scene::DesignRound& round) {
+      return std::any_of(dimensions_.begin(), dimensions_.end(), [&](const DimensionDescription& dimension) {
+        return *dimension.type == DimensionType::radius && are_same(dimension.circle->radius, round.radius);
+      });
+    };
+    const auto equal = [](const scene::DesignRound& a, const scene::DesignRound& b) {
+      return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
+    };
+    for (const auto& group : groups_of<scene::DesignRound>(subject_.features.rounds, equal)) {
+      const scene::DesignRound& round = *group.front();
+      const NamedProjection* view = view_across(round.axis);
+      if (view == nullptr || has_dimension(round)) continue;
+      const projection::Projection& projection = view->projection;
+      const Vec3 out = are_parallel(projection.u, round.axis) ? projection.v : projection.u;
+      add(DimensionType::radius, *view, times(group.size()) + "<>").circle = {
+          round.centre + round.ring * out, projection.n, round.radius, round.section(out)};
+    }
+  }
+
+  // Diameters and positions of the ends of cones, as far as no cylinder and no step has them.
+  void add_cones() {
+    for (const scene::DesignCone& cone : subject_.features.cones) {
+      ++groups_;
+      const NamedProjection* view = view_across(cone.axis);
+      if (view == nullptr) continue;
+      const projection::Projection& projection = view->projection;
+      const bool horizontal = are_parallel(projection.u, cone.axis);
+      const Vec3 out = horizontal ? -projection.v : projection.u;
+      for (const int end : {0, 1}) {
+        const scene::DesignCylinder circle{cone.model, cone.ends[end],  cone.ends[end],
+                                           cone.axis,  cone.radii[end], false};
+        if (!(circle.radius > 0)) continue;
+        if (!is_overall(circle) && !scene::has_coaxial_cylinder(subject_.features, circle))
+          add(DimensionType::diameter, *view, "<>").circle = {circle.from, circle.axis, circle.radius, {}};
+        if (const int axis = world_axis(cone.axis); axis >= 0)
+          stations_.add({view, axis, circle.from[axis], circle.from + circle.radius * out, -1,
+                         circle.from - circle.radius * out});
+      }
     }
   }
 
@@ -359,10 +430,10 @@ class Planner {
       if (!may_use(view) || !(are_parallel(projection.u, axis) || are_parallel(projection.v, axis))) continue;
       const auto depth = [&](const Vec3& p) { return glm::dot(p, projection.n); };
       double front = -HUGE_VAL, nearest = -HUGE_VAL;
-      for (const Vec3& p : subject_.world.points) front = std::max(front, depth(p));
+      for (const Vec3& p : points_) front = std::max(front, depth(p));
       for (const Vec3& p : level.points) nearest = std::max(nearest, depth(p));
       const double behind = front - nearest;
-      if (best != nullptr && behind >= least - same_size * glm::length(subject_.world.box.size())) continue;
+      if (best != nullptr && behind >= least - same_size * glm::length(box_.size())) continue;
       best = &view;
       least = behind;
     }
@@ -370,7 +441,7 @@ class Planner {
   }
 
   [[nodiscard]] double least_area() const {
-    const Vec3 size = subject_.world.box.size();
+    const Vec3 size = box_.size();
     const double largest = std::max({size.x, size.y, size.z}), least = std::min({size.x, size.y, size.z});
     return least_level * largest * (size.x + size.y + size.z - largest - least);
   }
@@ -398,6 +469,8 @@ class Planner {
   const DimensionSubject& subject_;
   Notation notation_;
   Stations stations_;
+  std::vector<Vec3> points_;
+  Box box_;
   int groups_ = 0;  ///< of equal holes, so far
   std::vector<DimensionDescription> dimensions_;
   std::vector<HoleTable> tables_;

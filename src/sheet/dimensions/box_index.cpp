@@ -13,6 +13,10 @@ constexpr double side = 25;  // mm
 // Boxes far off the paper belong to the outermost cells.
 constexpr double last_cell = 64;
 
+std::array<double, 6> key_of(const TurnedBox& box) {
+  return {box.centre.x, box.centre.y, box.along.x, box.along.y, box.half.x, box.half.y};
+}
+
 }  // namespace
 
 BoxIndex::Cell BoxIndex::cell_at(const Vec2& place) {
@@ -28,8 +32,7 @@ void BoxIndex::visit_cells(const Cell& min, const Cell& max, const Visit& visit)
 
 void BoxIndex::add(std::span<const TurnedBox> boxes) {
   for (const TurnedBox& box : boxes) {
-    const std::array key{box.centre.x, box.centre.y, box.along.x, box.along.y, box.half.x, box.half.y};
-    const auto [known, is_new] = known_.try_emplace(key, entries_.size());
+    const auto [known, is_new] = known_.try_emplace(key_of(box), entries_.size());
     if (!is_new) {
       ++entries_[known->second].count;
       continue;
@@ -38,6 +41,14 @@ void BoxIndex::add(std::span<const TurnedBox> boxes) {
     visit_cells(cell_at(min), cell_at(max), [&](const Cell& cell) { cells_[cell].push_back(entries_.size()); });
     check(min.x <= max.x && min.y <= max.y, "a rectangle contains its box");
     entries_.push_back({box, min, max, 1});
+  }
+}
+
+void BoxIndex::remove(std::span<const TurnedBox> boxes) {
+  for (const TurnedBox& box : boxes) {
+    const auto known = known_.find(key_of(box));
+    check(known != known_.end() && entries_[known->second].count > 0, "a box that is taken out was added");
+    --entries_[known->second].count;
   }
 }
 

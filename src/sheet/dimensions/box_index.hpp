@@ -20,6 +20,8 @@ class BoxIndex {
   explicit BoxIndex(std::span<const TurnedBox> boxes) { add(boxes); }
 
   void add(std::span<const TurnedBox> boxes);
+  /// Takes out boxes that were added.
+  void remove(std::span<const TurnedBox> boxes);
 
   /// How many of them share more than their borders with the box.
   [[nodiscard]] int overlaps(const TurnedBox& box) const;

@@ -37,6 +37,11 @@ PlacedDimension leader(const MeasuredCircle& circle, const DimensionText& text, 
   box.centre.y -= style.above() / 2;
   box.half += Vec2(style.above(), style.above() / 2);
   dimension.zones = {box};
+  if (circle.is_label) return dimension;
+  DimensionObject& object = dimension.objects.emplace_back(
+      DimensionObject{circle.is_radius ? DimensionShape::radius : DimensionShape::diameter, {circle.centre, tip}});
+  if (!circle.is_radius) object.points[0] = circle.centre - circle.radius * direction;
+  object.leader = std::abs(length);
   return dimension;
 }
 
@@ -54,7 +59,7 @@ void add_across(std::vector<DimensionPlacement>& placements, const MeasuredCircl
   for (int place = 0; place < text_places; ++place) {
     placements.push_back(
         {straight_dimension(length, text, 0, place, style), cost_of_crossing_it + slope_cost(angle) + 0.1 * place});
-    placements.back().dimension.object = DimensionObject{DimensionShape::diameter, {length.to, length.from}};
+    placements.back().dimension.objects = {{DimensionShape::diameter, {length.to, length.from}}};
   }
 }
 

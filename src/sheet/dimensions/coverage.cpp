@@ -126,10 +126,8 @@ class CoverageFinder {
       for (const AnchoredDimension& dimension : view.dimensions)
         if (!is_auxiliary(dimension.text)) join(dimension, view);
     for (int axis = 0; axis < 3; ++axis) chains_[axis].list_open(axis, notation_, coverage_.undimensioned);
-    for (const scene::DesignCone& cone : subject_.features.cones)
-      coverage_.undimensioned.push_back("cone ⌀" + length(2 * cone.radii[0]) + " to ⌀" + length(2 * cone.radii[1]));
     for (const CircleSize& size : sizes_) {
-      if (size.dimensions == 0 && !given_elsewhere(size) && !is_in_table(size))
+      if (size.dimensions == 0 && !given_elsewhere(size) && !is_in_table(size) && !is_given_by_equal(size, views))
         coverage_.undimensioned.push_back(size.name);
       if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
     }
@@ -159,6 +157,9 @@ class CoverageFinder {
     for (const scene::DesignPitchCircle& circle : features.pitch_circles)
       add_place(circle.centre, circle.axis, "pitch circle ⌀" + length(2 * circle.radius));
     for (const scene::DesignLevel& level : features.levels) chains_[level.axis].add(level.at, "step");
+    for (const scene::DesignCone& cone : features.cones)
+      if (const int axis = world_axis(cone.axis); axis >= 0)
+        for (const Vec3& end : cone.ends) chains_[axis].add(end[axis], "end of a cone");
     for (const scene::DesignCylinder& cylinder : features.cylinders)
       if (const int axis = world_axis(cylinder.axis); axis >= 0 && cylinder.thread && cylinder.thread->length)
         chains_[axis].add(cylinder.thread->end[axis], "end of thread " + cylinder.thread->text);
@@ -196,10 +197,20 @@ class CoverageFinder {
     for (const scene::DesignPitchCircle& circle : features.pitch_circles)
       add_size({"pitch circle ⌀" + length(2 * circle.radius), circle.model, circle.centre, circle.axis, circle.radius,
                 false, false});
+    for (const scene::DesignCone& cone : features.cones)
+      for (const int end : {0, 1}) add_end(cone, end);
     for (const scene::DesignSlot& slot : features.slots)
       add_size({"slot R" + length(slot.radius), slot.model, slot.centres[1], slot.axis, slot.radius, true, false});
     for (const scene::DesignArc& arc : features.arcs)
       add_size({"radius R" + length(arc.radius), arc.model, arc.centre, arc.axis, arc.radius, true, false});
+  }
+
+  // A cylinder that continues a cone has the size of its end.
+  void add_end(const scene::DesignCone& cone, int end) {
+    const scene::DesignCylinder circle{cone.model, cone.ends[end], cone.ends[end], cone.axis, cone.radii[end], false};
+    if (circle.radius > 0 && !scene::has_coaxial_cylinder(subject_.features, circle))
+      add_size({"end of a cone ⌀" + length(2 * circle.radius), cone.model, circle.from, cone.axis, circle.radius, false,
+                false});
   }
 
   static bool is_equal(const CircleSize& size, const WorldCircle& circle) {
@@ -213,6 +224,7 @@ class CoverageFinder {
   // A dimension counts for the features on its circle, and for those equal to them if it is one of a fillet or has
   // "4×".
   void count(const AnchoredDimension& dimension) {
+    if (dimension.type == DimensionType::radius) radii_.push_back(dimension.circles.front().radius);
     const bool many = repeats_of(dimension.text) > 1;
     const WorldCircle& circle = dimension.circles.front();
     std::vector<int> lists;
@@ -235,6 +247,15 @@ class CoverageFinder {
           std::find(lists.begin(), lists.end(), other.equal) == lists.end())
         lists.push_back(other.equal);
     return static_cast<int>(lists.size());
+  }
+
+  // Whether a size is the radius of a fillet whose form no view shows, and another dimension gives it.
+  [[nodiscard]] bool is_given_by_equal(const CircleSize& size, std::span<const DimensionsInView> views) const {
+    const bool is_seen = std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
+      return are_parallel(view.projection.n, size.axis);
+    });
+    return size.anywhere && !is_seen &&
+           std::any_of(radii_.begin(), radii_.end(), [&](double radius) { return are_same(radius, size.radius); });
   }
 
   // Whether an overall dimension is this diameter.
@@ -371,6 +392,7 @@ class CoverageFinder {
     }
   }
 
+  // Parts of a fillet around a corner belong to it: a dimension of its radius gives theirs.
   void add_doubly_curved(const scene::PlacedPart& part) {
     std::vector<features::PartSurface> seen;
     for (const features::PartFace& face : part.faces) {
@@ -378,7 +400,10 @@ class CoverageFinder {
       const bool sphere = surface.kind == features::SurfaceKind::sphere;
       if (!sphere && surface.kind != features::SurfaceKind::torus) continue;
       const auto same = [&](const features::PartSurface& other) { return features::are_one(other, surface); };
-      if (std::any_of(seen.begin(), seen.end(), same) || (sphere && is_overall_sphere(surface))) continue;
+      const double radius = sphere ? surface.radius : surface.minor;
+      const bool is_given =
+          std::any_of(radii_.begin(), radii_.end(), [&](double given) { return are_same(given, radius); });
+      if (is_given || std::any_of(seen.begin(), seen.end(), same) || (sphere && is_overall_sphere(surface))) continue;
       seen.push_back(surface);
       coverage_.undimensioned.push_back(sphere ? "sphere SR" + length(surface.radius)
                                                : "torus R" + length(surface.minor) + " around ⌀" +
@@ -406,6 +431,7 @@ class CoverageFinder {
   Notation notation_;
   std::vector<Chain> chains_;
   std::vector<CircleSize> sizes_;
+  std::vector<double> radii_;        // that dimensions give
   std::vector<WorldCircle> labels_;  // of holes in tables
   Coverage coverage_;
 };

@@ -22,6 +22,7 @@ namespace {
 // Faults that make a drawing hard to read outweigh all those that only make it less tidy.
 constexpr double cost_of_zone = 1000;  // two dimensions at the same position
 constexpr double cost_of_text = 300;   // a line through a text
+constexpr double cost_of_other = 20;   // a line through another view, or through something else on the sheet
 constexpr double cost_of_crossing = 3;
 constexpr double cost_of_ink = 0.3;  // a line of the drawing that a leader crosses
 
@@ -29,12 +30,18 @@ constexpr double cost_of_ink = 0.3;  // a line of the drawing that a leader cros
 struct Surroundings {
   const drawing::ViewDrawing& drawing;
   std::optional<Rectangle> paper;
-  BoxIndex zones, texts{}, lines{};
+  BoxIndex others;
+  BoxIndex zones{others}, texts{}, lines{};
 
   void add(const PlacedDimension& dimension) {
     zones.add(dimension.zones);
     texts.add(dimension.text_boxes);
     lines.add(dimension.lines);
+  }
+  void remove(const PlacedDimension& dimension) {
+    zones.remove(dimension.zones);
+    texts.remove(dimension.text_boxes);
+    lines.remove(dimension.lines);
   }
 
   [[nodiscard]] bool is_off_paper(const TurnedBox& zone) const { return paper && !paper->holds(around(zone)); }
@@ -47,7 +54,8 @@ struct Surroundings {
       cost += cost_of_zone * (zones.overlaps(zone) + (is_off_paper(zone) ? 1 : 0)) +
               cost_of_crossing * lines.overlaps(zone);
     for (const TurnedBox& line : dimension.lines)
-      cost += cost_of_text * texts.overlaps(line) + cost_of_crossing * zones.overlaps(line);
+      cost += cost_of_text * texts.overlaps(line) + cost_of_crossing * zones.overlaps(line) +
+              cost_of_other * others.overlaps(line);
     for (const TurnedBox& text : dimension.text_boxes)
       if (cost < max && ink_in(text, drawing) > 0) cost += cost_of_text;
     if (cost < max)
@@ -136,14 +144,27 @@ std::vector<std::optional<PlacedDimension>> place(const std::vector<MeasuredDime
                                                   const Neighbours& neighbours, const Progress& progress) {
   Surroundings surroundings{drawing, neighbours.paper, BoxIndex(neighbours.boxes)};
   std::vector<std::optional<PlacedDimension>> placed(dimensions.size());
-  for (const std::size_t i : order_of(dimensions)) {
-    if (progress.is_out_of_time()) break;
+  const auto place_one = [&](std::size_t i) {
     const auto placements = [&](const auto& form) { return placements_of(form, dimensions[i], drawing, style); };
     placed[i] = best_of(std::visit(placements, dimensions[i].form), surroundings);
     std::visit([&](const auto& form) { check_ends(form, *placed[i]); }, dimensions[i].form);
+  };
+  const std::vector<std::size_t> order = order_of(dimensions);
+  for (const std::size_t i : order) {
+    if (progress.is_out_of_time()) break;
+    place_one(i);
     surroundings.add(*placed[i]);
     progress.advance(1);
   }
+  // Those that later ones cross are placed anew, now that all others are known. No round makes anything worse.
+  constexpr int rounds = 3;
+  for (int round = 0; round < rounds; ++round)
+    for (const std::size_t i : order) {
+      if (!placed[i] || progress.is_out_of_time()) continue;
+      surroundings.remove(*placed[i]);
+      if (surroundings.cost(*placed[i], HUGE_VAL) >= cost_of_text) place_one(i);
+      surroundings.add(*placed[i]);
+    }
   return placed;
 }
 
@@ -202,18 +223,22 @@ void add_to(Layer& layer, PlacedDimension dimension, const std::string& text, co
   const InkRange strokes = append(layer.strokes, std::move(dimension.strokes));
   const InkRange fills = append(layer.fills, std::move(dimension.arrows));
   const InkRange texts = append(layer.texts, std::move(dimension.texts));
-  if (!dimension.object) return;
-  DimensionObject& object = layer.dimensions.emplace_back(std::move(*dimension.object));
-  object.text = text;
-  object.text_middle = dimension.text_boxes.front().centre;
-  object.text_height = style.text;
-  object.arrow = style.arrow();
-  object.gap = style.gap();
-  object.overshoot = style.overshoot();
-  object.above = style.above();
-  object.strokes = strokes;
-  object.fills = fills;
-  object.texts = texts;
+  const bool is_one = dimension.objects.size() == 1;
+  for (std::size_t i = 0; i < dimension.objects.size(); ++i) {
+    DimensionObject& object = layer.dimensions.emplace_back(std::move(dimension.objects[i]));
+    if (is_one) {
+      object.text = text;
+      object.text_middle = dimension.text_boxes.front().centre;
+    }
+    object.text_height = style.text;
+    object.arrow = style.arrow();
+    object.gap = style.gap();
+    object.overshoot = style.overshoot();
+    object.above = style.above();
+    object.strokes = i == 0 ? strokes : InkRange{strokes.end, strokes.end};
+    object.fills = i == 0 ? fills : InkRange{fills.end, fills.end};
+    object.texts = i == 0 ? texts : InkRange{texts.end, texts.end};
+  }
 }
 
 }  // namespace

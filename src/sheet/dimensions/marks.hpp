@@ -45,12 +45,13 @@ struct DimensionEnd {
 struct PlacedDimension {
   std::vector<Stroke> strokes;
   std::vector<Fill> arrows;
-  std::vector<Text> texts;                  ///< its pieces
-  std::vector<TurnedBox> text_boxes{};      ///< with a little space around them
-  std::vector<TurnedBox> zones;             ///< of the dimension line and the text, for their exclusive use
-  std::vector<TurnedBox> lines;             ///< extension lines and leaders, which may be crossed
-  std::vector<DimensionEnd> ends{};         ///< of a single dimension line, where no text stands
-  std::optional<DimensionObject> object{};  ///< its shape, points and angles, if it is one of those
+  std::vector<Text> texts;                 ///< its pieces
+  std::vector<TurnedBox> text_boxes{};     ///< with a little space around them
+  std::vector<TurnedBox> zones;            ///< of the dimension line and the text, for their exclusive use
+  std::vector<TurnedBox> lines;            ///< extension lines and leaders, which may be crossed
+  std::vector<DimensionEnd> ends{};        ///< of a single dimension line, where no text stands
+  std::vector<DimensionObject> objects{};  ///< shapes, points and angles of what it consists of; of several, also
+                                           ///< their texts
 };
 
 inline Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }

@@ -282,15 +282,21 @@ MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sigh
                    : "measure it in a view along its axis, or perpendicular to it");
 }
 
-// The ends of the ink along a direction on paper: among several, the farthest along `side`.
+// The ends of the ink, without lines beside faces, along a direction on paper: among several, the farthest along
+// `side`.
 std::array<Vec2, 2> ends_of_ink(const drawing::ViewDrawing& drawing, const Vec2& along, const Vec2& side) {
   constexpr double same = 1e-6;  // mm
-  std::array<Vec2, 2> ends{drawing.segments.front().from, drawing.segments.front().from};
+  const auto is_wire = [](const drawing::Segment& segment) { return segment.kind == EdgeKind::wire; };
+  const auto face_line = std::find_if_not(drawing.segments.begin(), drawing.segments.end(), is_wire);
+  const bool only_wires = face_line == drawing.segments.end();
+  const Vec2 first = only_wires ? drawing.segments.front().from : face_line->from;
+  std::array<Vec2, 2> ends{first, first};
   const auto take = [&](Vec2& end, const Vec2& direction, const Vec2& p) {
     const double farther = glm::dot(p - end, direction);
     if (farther > same || (farther >= -same && glm::dot(p - end, side) > 0)) end = p;
   };
   for (const drawing::Segment& segment : drawing.segments) {
+    if (is_wire(segment) && !only_wires) continue;
     for (const Vec2& p : {segment.from, segment.to}) {
       take(ends[0], -along, p);
       take(ends[1], along, p);

@@ -62,6 +62,7 @@ class RowDrawer {
   }
 
   PlacedDimension draw() && {
+    middles_.assign(row_.texts.size(), Vec2(0));
     switch (row_.arrangement) {
       case DimensionArrangement::baseline:
         draw_baseline();
@@ -87,6 +88,20 @@ class RowDrawer {
     add_extension_line(drawn_, places_[place], foot(place, level), style_);
   }
 
+  // Writes the text of a number in the row.
+  void letter(std::size_t number, const TextPosition& at) {
+    set_text(drawn_, row_.texts[number], at, style_);
+    middles_[number] = drawn_.text_boxes.back().centre;
+  }
+
+  // As one thing: a length between two places, or the distance of a place from the origin.
+  void add_object(std::size_t number, DimensionShape shape, std::vector<Vec2> points) {
+    DimensionObject& object = drawn_.objects.emplace_back(DimensionObject{shape, std::move(points)});
+    object.angle = std::abs(row_.along.x) > std::abs(row_.along.y) ? 0 : 90;
+    object.text = row_.texts[number].line();
+    object.text_middle = middles_[number];
+  }
+
   [[nodiscard]] DimensionLine line(const Vec2& from, const Vec2& to) const {
     const bool swaps = glm::dot(to - from, row_.along) < 0;
     return {swaps ? to : from, swaps ? from : to, row_.along, std::abs(glm::dot(to - from, row_.along))};
@@ -104,6 +119,8 @@ class RowDrawer {
       const Vec2 origin = foot(row_.origin, level), end = foot(i, level);
       const DimensionLine base = line(origin, end);
       add_dimension_line(drawn_, base, row_.texts[i], base.low == origin ? 1 : 0, style_);
+      middles_[i] = drawn_.text_boxes.back().centre;
+      add_object(i, DimensionShape::linear, {places_[row_.origin], places_[i], end});
       extend(i, level++);
     }
     extend(row_.origin, level - 1);
@@ -133,52 +150,53 @@ class RowDrawer {
       drawn_.arrows.push_back(arrow_at(feet[i], i == 0 ? read : -read, style_));
       (i == 0 ? begin : end) += (i == 0 ? -2 : 2) * style_.arrow();
     }
-    std::vector<const DimensionText*> beyond;
+    std::vector<std::size_t> beyond;
     std::vector<double> middles;
     for (std::size_t i = 0; i < last; ++i) {
       const DimensionText& text = row_.texts[i];
       const double middle = glm::dot(feet[i] - feet[0], read) + span(i) / 2;
       if (style_.width(text) + style_.above() <= span(i)) {
-        set_text(drawn_, text, {feet[0] + middle * read, read, style_.above()}, style_);
+        letter(i, {feet[0] + middle * read, read, style_.above()});
       } else if (i == 0 || i + 1 == last) {
-        add_outside(text, feet[0], i == 0, begin, end);
+        add_outside(i, feet[0], i == 0, begin, end);
       } else {
-        beyond.push_back(&text);
+        beyond.push_back(i);
         middles.push_back(middle);
       }
     }
     add_beyond(beyond, middles, feet[0]);
     finish_line(feet[0], begin, end);
+    for (std::size_t i = 0; i < last; ++i)
+      add_object(i, DimensionShape::linear, {places_[i], places_[i + 1], feet[i + 1]});
   }
 
   // Beyond the end of a row.
-  void add_outside(const DimensionText& text, const Vec2& first, bool at_begin, double& begin, double& end) {
+  void add_outside(std::size_t number, const Vec2& first, bool at_begin, double& begin, double& end) {
     const Vec2 read = row_.along;
-    const double width = style_.width(text), gap = 2 * style_.above();
+    const double width = style_.width(row_.texts[number]), gap = 2 * style_.above();
     const double middle = at_begin ? begin - gap - width / 2 : end + gap + width / 2;
-    set_text(drawn_, text, {first + middle * read, read, style_.above()}, style_);
+    letter(number, {first + middle * read, read, style_.above()});
     (at_begin ? begin : end) += (at_begin ? -1 : 1) * (gap + width + style_.above());
   }
 
   // Texts that do not fit between their extension lines: in a row of their own past the ends of these and the other
   // texts, with leaders to the middles of their lengths.
-  void add_beyond(const std::vector<const DimensionText*>& texts, const std::vector<double>& middles,
-                  const Vec2& first) {
+  void add_beyond(const std::vector<std::size_t>& numbers, const std::vector<double>& middles, const Vec2& first) {
     const Vec2 read = row_.along, out = away_ * across_;
     std::vector<double> widths;
-    for (const DimensionText* text : texts) widths.push_back(style_.width(*text) + 2 * style_.above());
+    for (const std::size_t i : numbers) widths.push_back(style_.width(row_.texts[i]) + 2 * style_.above());
     const std::vector<double> positions = spread(middles, widths);
     const bool is_up = glm::dot(out, left_of(read)) > 0;
     const double straight = std::max(style_.overshoot(), is_up ? height_ + 2 * style_.above() : 0);
     const double near = straight + style_.text;  // edge of the texts
-    for (std::size_t i = 0; i < texts.size(); ++i) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
       const Vec2 on_line = first + middles[i] * read, bend = on_line + straight * out;
       const Vec2 end = first + positions[i] * read + near * out;
       drawn_.strokes.emplace_back().points = {on_line, bend, end};
       drawn_.lines.push_back(line_box(on_line, bend));
       drawn_.lines.push_back(line_box(bend, end));
-      const double rise = is_up ? style_.above() : -style_.above() - style_.height(*texts[i]);
-      set_text(drawn_, *texts[i], {end, read, rise}, style_);
+      const double rise = is_up ? style_.above() : -style_.above() - style_.height(row_.texts[numbers[i]]);
+      letter(numbers[i], {end, read, rise});
       drawn_.zones.push_back(drawn_.text_boxes.back());
     }
   }
@@ -200,7 +218,8 @@ class RowDrawer {
       if (jog > 0) add_crossable_line(drawn_, end, begin_of_text);
       const double width = style_.width(row_.texts[i]);
       const Vec2 middle = begin_of_text + (style_.above() + width / 2) * out;
-      set_text(drawn_, row_.texts[i], {middle, reading_direction(out), -style_.text / 2}, style_);
+      letter(i, {middle, reading_direction(out), -style_.text / 2});
+      add_object(i, DimensionShape::ordinate, {places_[row_.origin], places_[i], begin_of_text});
       drawn_.zones.push_back(drawn_.text_boxes.back());
       if (i != row_.origin) add_arrow(i);
     }
@@ -239,6 +258,7 @@ class RowDrawer {
   Vec2 across_;
   double away_, distance_, height_ = 0;
   PlacedDimension drawn_;
+  std::vector<Vec2> middles_;  ///< of texts
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "base/text.hpp"
@@ -59,7 +60,9 @@ bool is_plain(const projection::Projection& projection) {
 }
 
 Stations::Stations(const DimensionSubject& subject)
-    : subject_(subject), slack_(same_place * glm::length(subject.world.box.size())) {
+    : subject_(subject),
+      points_(scene::points_of_faces(subject.world)),
+      slack_(same_place * glm::length(subject.world.box.size())) {
   for (int axis = 0; axis < 3; ++axis) {
     const scene::Extent& extent = subject.extents[axis];
     known_[axis] = {extent.from, extent.to};
@@ -99,9 +102,9 @@ Station Stations::base_of(const Station& station) const {
     return base;
   }
   double nearest = HUGE_VAL;
-  for (const Vec3& p : subject_.world.points) nearest = std::min(nearest, std::abs(p[base.axis] - base.at));
+  for (const Vec3& p : points_) nearest = std::min(nearest, std::abs(p[base.axis] - base.at));
   const Vec3 *low = nullptr, *high = nullptr;
-  for (const Vec3& p : subject_.world.points) {
+  for (const Vec3& p : points_) {
     if (std::abs(p[base.axis] - base.at) > nearest + slack_) continue;
     if (low == nullptr || rank(base, p) > rank(base, *low)) low = &p;
     if (high == nullptr || rank(base, p) < rank(base, *high)) high = &p;
@@ -141,13 +144,15 @@ void Stations::add_row(std::vector<Station> row, const std::string& where, const
 }
 
 // One row for all stations of a view along one axis that are measured from the same place.
-std::vector<scene::DimensionDescription> Stations::arranged(const scene::DimensionDescription& wanted) const {
+std::vector<scene::DimensionDescription> Stations::arranged(std::span<const Station> stations,
+                                                            DimensionArrangement arrangement,
+                                                            const std::string& where) const {
   struct Row {
     Station base;
     std::vector<Station> stations;
   };
   std::vector<Row> rows;
-  for (const Station& station : stations_) {
+  for (const Station& station : stations) {
     const Station base = base_of(station);
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& one) {
       return one.base.view == base.view && one.base.axis == base.axis && std::abs(one.base.at - base.at) <= slack_;
@@ -162,12 +167,12 @@ std::vector<scene::DimensionDescription> Stations::arranged(const scene::Dimensi
     std::stable_sort(row.stations.begin(), row.stations.end(), [&](const Station& a, const Station& b) {
       return std::abs(a.at - row.base.at) < std::abs(b.at - row.base.at);
     });
-    scene::DimensionDescription dimension = distance(row.base, row.stations.front(), wanted.where);
+    scene::DimensionDescription dimension = distance(row.base, row.stations.front(), where);
     for (std::size_t i = 1; i < row.stations.size(); ++i) {
       dimension.anchors.emplace_back(row.stations[i].point);
       dimension.opposite.push_back(row.stations[i].opposite);
     }
-    if (row.stations.size() > 1) dimension.arrangement = wanted.arrangement;
+    if (row.stations.size() > 1) dimension.arrangement = {arrangement, where};
     dimensions.push_back(std::move(dimension));
   }
   return dimensions;
@@ -175,9 +180,10 @@ std::vector<scene::DimensionDescription> Stations::arranged(const scene::Dimensi
 
 std::vector<scene::DimensionDescription> Stations::dimensions(const scene::DimensionDescription& wanted,
                                                               const Notation& notation) const {
-  if (wanted.arrangement.given()) return arranged(wanted);
   const std::string& where = wanted.where;
+  if (wanted.arrangement.given()) return arranged(stations_, *wanted.arrangement, wanted.arrangement.where);
   std::vector<scene::DimensionDescription> dimensions;
+  std::vector<std::size_t> stations_of;  // each dimension: its first station
   std::vector<char> done(stations_.size(), 0);
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     if (done[i] != 0) continue;
@@ -189,8 +195,38 @@ std::vector<scene::DimensionDescription> Stations::dimensions(const scene::Dimen
         done[j] = 1;
       }
     add_row(std::move(row), where, notation, dimensions);
+    stations_of.resize(dimensions.size(), i);
   }
-  return dimensions;
+  return without_crowds(std::move(dimensions), stations_of, where);
+}
+
+// Replaces parallel dimensions of one direction in a view by a row with a common origin if they are too many.
+std::vector<scene::DimensionDescription> Stations::without_crowds(std::vector<scene::DimensionDescription> dimensions,
+                                                                  const std::vector<std::size_t>& stations_of,
+                                                                  const std::string& where) const {
+  std::vector<scene::DimensionDescription> kept, rows;
+  std::vector<char> in_row(dimensions.size(), 0);
+  for (std::size_t i = 0; i < dimensions.size(); ++i) {
+    const Station& first = stations_[stations_of[i]];
+    const auto is_beside = [&](const Station& station) {
+      return station.view == first.view && station.axis == first.axis;
+    };
+    if (in_row[i] == 0) {
+      std::vector<std::size_t> beside;
+      for (std::size_t j = i; j < dimensions.size(); ++j)
+        if (is_beside(stations_[stations_of[j]])) beside.push_back(j);
+      if (beside.size() > most_parallel) {
+        std::vector<Station> crowd;
+        std::copy_if(stations_.begin(), stations_.end(), std::back_inserter(crowd), is_beside);
+        for (scene::DimensionDescription& row : arranged(crowd, DimensionArrangement::ordinate, where))
+          rows.push_back(std::move(row));
+        for (const std::size_t j : beside) in_row[j] = 1;
+      }
+    }
+    if (in_row[i] == 0) kept.push_back(std::move(dimensions[i]));
+  }
+  std::move(rows.begin(), rows.end(), std::back_inserter(kept));
+  return kept;
 }
 
 }  // namespace epura::sheet

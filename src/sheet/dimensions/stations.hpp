@@ -28,6 +28,9 @@ int world_axis(const Vec3& direction);
 /// Whether a view shows lengths parallel to its plane in true length.
 bool is_plain(const projection::Projection& projection);
 
+/// The largest number of parallel dimensions of one direction in a view: more stand too far from what they measure.
+inline constexpr std::size_t most_parallel = 8;
+
 /// Collects stations, each once.
 class Stations {
  public:
@@ -41,17 +44,23 @@ class Stations {
   void add(const Station& station);
 
   /// Dimensions of all stations, from the left or lower end of the models in their view, in the arrangement that is
-  /// wanted.
+  /// wanted; without one, parallel, and with a common origin where these would be more than `most_parallel`.
   [[nodiscard]] std::vector<scene::DimensionDescription> dimensions(const scene::DimensionDescription& wanted,
                                                                     const Notation& notation) const;
 
  private:
   [[nodiscard]] Station base_of(const Station& station) const;
-  [[nodiscard]] std::vector<scene::DimensionDescription> arranged(const scene::DimensionDescription& wanted) const;
+  [[nodiscard]] std::vector<scene::DimensionDescription> arranged(std::span<const Station> stations,
+                                                                  DimensionArrangement arrangement,
+                                                                  const std::string& where) const;
+  [[nodiscard]] std::vector<scene::DimensionDescription> without_crowds(
+      std::vector<scene::DimensionDescription> dimensions, const std::vector<std::size_t>& stations_of,
+      const std::string& where) const;
   void add_row(std::vector<Station> row, const std::string& where, const Notation& notation,
                std::vector<scene::DimensionDescription>& dimensions) const;
 
   const DimensionSubject& subject_;
+  std::vector<Vec3> points_;
   double slack_;
   std::array<std::vector<double>, 3> known_;
   std::vector<Station> stations_;

@@ -113,7 +113,7 @@ PlacedDimension straight_dimension(const MeasuredLength& length, const Dimension
   check(line.span >= 0, "a length is not negative");
   if (!low_open) add_extension_line(dimension, low, line.low, style);
   if (!high_open) add_extension_line(dimension, high, line.high, style);
-  if (!length.open) dimension.object = object_of(length, {low, high}, line);
+  if (!length.open) dimension.objects = {object_of(length, {low, high}, line)};
   add_dimension_line(dimension, line, text, place, style);
   return dimension;
 }

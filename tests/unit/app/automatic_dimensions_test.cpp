@@ -149,6 +149,20 @@ class Plate {
   std::vector<std::pair<Vec2, Vec2>> edges_;
 };
 
+// With twelve sides; beginning like a square.
+Loop cross(const Vec2& centre, double reach, double half_width) {
+  Loop loop;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const Vec2 along(cosine(90.0 * quarter), sine(90.0 * quarter)), left(-along.y, along.x);
+    const std::array corners{-half_width * (along + left), -half_width * along - reach * left,
+                             half_width * along - reach * left, half_width * (along - left)};
+    for (int side = 0; side < 3; ++side)
+      for (int i = 0; i < k / 3; ++i)
+        loop.push_back(centre + corners[side] + (corners[side + 1] - corners[side]) * (3.0 * i / k));
+  }
+  return loop;
+}
+
 // Counterclockwise, beginning in direction -135 degrees from its middle.
 Loop square(const Vec2& low, const Vec2& size) {
   const std::array corners{low, low + Vec2(size.x, 0), low + size, low + Vec2(0, size.y)};
@@ -242,6 +256,29 @@ Loop rounded_rectangle(const Vec2& size, double radius) {
   return loop;
 }
 
+std::string letters(int count) {
+  return plate({60, 60}, count, 1, 20, [](const Vec2& c) { return Hole{{cross(c, 8, 2), 20}, {cross(c, 8, 2), 18}}; });
+}
+
+// A cylinder with a rounded edge.
+std::vector<Vec2> rounded_pin(double radius, double edge, double length) {
+  std::vector<Vec2> profile{{0, 1e-9}, {0, radius}};
+  for (int i = 0; i <= k; ++i)
+    profile.emplace_back(length - edge + edge * sine(90.0 * i / k), radius - edge + edge * cosine(90.0 * i / k));
+  profile.emplace_back(length, 1e-9);
+  return profile;
+}
+
+// Steps of 5, each 4 deep.
+Loop stairs(int count) {
+  Loop outline{{0, 0}, {5.0 * count, 0}};
+  for (int i = count; i > 0; --i) {
+    outline.emplace_back(5.0 * i, 4.0 * (count - i + 1));
+    outline.emplace_back(5.0 * (i - 1), 4.0 * (count - i + 1));
+  }
+  return outline;
+}
+
 struct KnownPart {
   std::string name, obj;
   std::vector<std::string> texts;  ///< all its dimensions
@@ -290,7 +327,12 @@ std::vector<KnownPart> round_parts() {
            {"120", "⌀40", "⌀20", "⌀24", "30", "80"}},
           {"chamfers",
            shaft({{0, 1e-9}, {0, 10}, {2, 12}, {50, 12}, {50, 18}, {88, 18}, {90, 16}, {90, 1e-9}}),
-           {"90", "⌀36", "⌀24", "50", "2× 2×45°"}}};
+           {"90", "⌀36", "⌀24", "50", "2× 2×45°"}},
+          {"a cone",
+           shaft({{0, 1e-9}, {0, 10}, {30, 10}, {70, 20}, {90, 20}, {90, 1e-9}}),
+           {"90", "⌀40", "⌀20", "30", "70"}},
+          {"a cut cone", shaft({{0, 1e-9}, {0, 8}, {50, 25}, {60, 25}, {60, 1e-9}}), {"60", "⌀50", "⌀16", "50"}},
+          {"a rounded edge", shaft(rounded_pin(20, 4, 50)), {"50", "⌀40", "R4"}}};
 }
 
 std::vector<KnownPart> blocks() {
@@ -306,6 +348,8 @@ std::vector<KnownPart> blocks() {
       {"a tee",
        block({{20, 0}, {40, 0}, {40, 30}, {60, 30}, {60, 42}, {0, 42}, {0, 30}, {20, 30}}, 50),
        {"60", "42", "50", "20", "40", "30"}},
+      {"letters", letters(2), {"120", "60", "20", "18"}},
+      {"a cross", letters(1), {"60", "60", "20", "18", "22", "28", "32", "38", "22", "28", "32", "38"}},
       {"rounded corners", block(rounded_rectangle({80, 50}, 12), 10), {"80", "50", "10", "4× R12"}}};
 }
 
@@ -405,6 +449,18 @@ TEST_F(AutomaticDimensions, SayTheSameInOtherArrangements) {
     expected.insert(expected.end(), positions.begin(), positions.end());
     EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted(expected)) << arrangement;
   }
+}
+
+// More parallel lines than a person follows become one row.
+TEST_F(AutomaticDimensions, OfManyStepsHaveACommonOrigin) {
+  const Outcome run = lint(folder.file("part.obj", block(stairs(13), 30)), "auto");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  Words expected{"65", "52", "30", "0", "0"};
+  for (int i = 1; i < 13; ++i) {
+    expected.push_back(std::to_string(5 * i));
+    expected.push_back(std::to_string(4 * i));
+  }
+  EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted(expected));
 }
 
 TEST_F(AutomaticDimensions, ArrangementsNeedThem) {

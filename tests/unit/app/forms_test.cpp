@@ -72,6 +72,9 @@ TEST(Logos, OfPixelsAreInEveryPicture) {
   EXPECT_TRUE(has(read_file(folder / "x.svg"), "data:image/png;base64,iVBOR"));
   EXPECT_TRUE(has(read_file(folder / "x.html"), "img-src data:"));
   EXPECT_TRUE(has(read_file(folder / "x.pdf"), "/Image"));
+  // What a format cannot show is not missing in silence, nor said of those that can.
+  EXPECT_TRUE(has(run.err, "x.dxf: the picture logo.png is missing")) << run.err;
+  EXPECT_FALSE(has(run.err, "x.svg")) << run.err;
 }
 
 TEST(StyleFiles, ChangeWidthsAndColours) {

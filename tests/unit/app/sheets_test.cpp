@@ -190,5 +190,17 @@ TEST(SheetsOfViews, PictorialViewsHaveHiddenLinesOnRequest) {
   EXPECT_EQ(hidden_layers({"front,isometric", "--hidden", "dashed"}), "front isometric ");
 }
 
+TEST(Scales, OtherThanThoseOfTheStandardAreSaid) {
+  const Folder folder;
+  const auto said = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"draw", sample("bracket.obj"), "--projection", "front", "-o", "x.svg"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return epura(arguments, folder / "").err;
+  };
+  EXPECT_TRUE(contains(said({"--scale", "1:3", "--sheet", "A2"}), "not a scale of ISO 5455: 1:3 (the nearest is 1:2)"));
+  EXPECT_EQ(said({"--scale", "1/2", "--sheet", "A2"}), "");
+  EXPECT_EQ(said({"--scale", "1:3", "--sheet", "none"}), "");
+}
+
 }  // namespace
 }  // namespace epura::test

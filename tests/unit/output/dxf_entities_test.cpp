@@ -113,15 +113,28 @@ TEST_F(Ezdxf, FindsNoFaultInHatchesAndDimensions) {
   angle.shape = sheet::DimensionShape::diameter;
   angle.points = {{0, 0}, {10, 0}};
   sheet.layers.back().dimensions.push_back(angle);
+  angle.shape = sheet::DimensionShape::radius;
+  angle.points = {{3, 4}, {6, 8}};
+  angle.leader = 12;
+  sheet.layers.back().dimensions.push_back(angle);
+  angle.shape = sheet::DimensionShape::ordinate;
+  angle.points = {{3, 4}, {26, 18}, {26, 40}};
+  sheet.layers.back().dimensions.push_back(angle);
+  angle.angle = 90;
+  sheet.layers.back().dimensions.push_back(angle);
   sheet.views = {{"front", "front", "1:1", {10, 20}, {30, 40}}};
   for (const bool blocks : {false, true}) {
     write("sheet.dxf", output::to_dxf(sheet, {.dxf_blocks = blocks, .dxf_entities = {true, true}}));
     const std::string program =
         "import sys; from ezdxf import recover; document, audit = recover.readfile(sys.argv[1]); "
         "d = document.query('DIMENSION'); print(len(audit.errors), len(audit.fixes), len(d), "
-        "round(d[0].get_measurement(), 6), len(list(d[0].virtual_entities())), "
+        "[round(d[i].get_measurement(), 6) for i in (0, 2, 3)], "
+        "[(list(d[i].dxf.defpoint2 - d[i].dxf.defpoint)[:2], d[i].dxf.dimtype) for i in (4, 5)], "
+        "len(list(d[0].virtual_entities())), "
         "len(document.query('HATCH[solid_fill==0]')))";
-    EXPECT_EQ(run("/usr/bin/python3 -c \"" + program + "\" " + path("sheet.dxf")), "0 0 3 20.0 4 1\n") << blocks;
+    EXPECT_EQ(run("/usr/bin/python3 -c \"" + program + "\" " + path("sheet.dxf")),
+              "0 0 6 [20.0, 10.0, 5.0] [([23.0, 14.0], 230), ([23.0, 14.0], 166)] 4 1\n")
+        << blocks;
   }
 }
 

@@ -120,6 +120,20 @@ TEST(TrueExtents, WithoutFacesVerticesCount) {
   EXPECT_EQ(scene::tessellation_error(world), 0);
 }
 
+TEST(TrueExtents, LinesBesideFacesDoNotCount) {
+  scene::World world = world_of(shaft);
+  const auto expected = scene::true_extents(world);
+  const int first = static_cast<int>(world.points.size());
+  for (const Vec3& end : {Vec3(-500, 0, 0), Vec3(500, 600, 70)}) {
+    world.points.push_back(end);
+    world.box.add(end);
+  }
+  world.wires = {{first, first + 1}};
+  const auto extents = scene::true_extents(world);
+  for (int axis = 0; axis < 3; ++axis)
+    expect_extent(extents[axis], expected[axis].from, expected[axis].to, expected[axis].form);
+}
+
 TEST(TessellationError, IsTheHeightOfTheArcOverItsChord) {
   EXPECT_NEAR(scene::tessellation_error(world_of(shaft, "scale:2")), 2 * 40 * (1 - std::cos(pi / 26)), 1e-9);
 }

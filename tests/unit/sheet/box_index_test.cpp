@@ -44,5 +44,16 @@ TEST(BoxIndex, CountsWhatOverlapsAmongAll) {
   EXPECT_EQ(sheet::BoxIndex().overlaps(all.front()), 0);
 }
 
+TEST(BoxIndex, ForgetsWhatIsTakenOut) {
+  const std::vector<sheet::TurnedBox> kept = boxes(200, 3), others = boxes(200, 4);
+  sheet::BoxIndex index(kept);
+  index.add(others);
+  index.add(kept);
+  index.remove(others);
+  index.remove(kept);
+  const sheet::BoxIndex expected(kept);
+  for (const sheet::TurnedBox& box : boxes(300, 2)) EXPECT_EQ(index.overlaps(box), expected.overlaps(box));
+}
+
 }  // namespace
 }  // namespace epura::test

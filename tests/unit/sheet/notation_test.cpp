@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace epura::test {
 namespace {
 
@@ -13,6 +15,15 @@ TEST(Notation, Millimetres) {
   EXPECT_EQ(sheet::length_text(0.25, {}), "0.25");
   EXPECT_EQ(sheet::length_text(12.5, {.decimals = 2, .unit = Unit::mm, .sign = DecimalSign::comma}), "12,5");
   EXPECT_EQ(sheet::length_text(40, {.decimals = 2, .unit = Unit::mm, .sign = DecimalSign::comma}), "40");
+}
+
+// Eighths of an inch have ties that no double represents.
+TEST(Notation, TiesAreEven) {
+  EXPECT_EQ(sheet::length_text(3.175, {}), "3.18");
+  EXPECT_EQ(sheet::length_text(34.925, {}), "34.92");
+  EXPECT_EQ(sheet::length_text(std::nextafter(34.925, 35), {}), "34.92");
+  EXPECT_EQ(sheet::length_text(34.92501, {}), "34.93");
+  EXPECT_EQ(sheet::length_text(0.25, {.decimals = 1}), "0.2");
 }
 
 // ASME Y14.5: no zero before the decimal point; as many decimals as the tolerance.

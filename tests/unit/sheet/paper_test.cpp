@@ -69,10 +69,12 @@ TEST(Scale, RatiosNumbersAndFit) {
   EXPECT_EQ(scene::parse_scale("1:2", "--scale"), (scene::ScaleChoice{0.5, false}));
   EXPECT_EQ(scene::parse_scale("5:1", "--scale"), (scene::ScaleChoice{5, false}));
   EXPECT_EQ(scene::parse_scale("0.25", "--scale"), (scene::ScaleChoice{0.25, false}));
+  EXPECT_EQ(scene::parse_scale("1/2", "--scale"), (scene::ScaleChoice{0.5, false}));
+  EXPECT_EQ(scene::parse_scale("50%", "--scale"), (scene::ScaleChoice{0.5, false}));
   EXPECT_EQ(scene::parse_scale("fit", "--scale"), scene::ScaleChoice());
   EXPECT_EQ(scene::parse_scale("auto", "--scale"), (scene::ScaleChoice{{}, true}));
-  for (const std::string text :
-       {"", "1:0", "0:1", "0", "-1", "1:-2", "-1:-2", "1:2:3", "1:", ":2", "inf", "nan", "1:inf", "big"})
+  for (const std::string text : {"", "1:0", "0:1", "0", "-1", "1:-2", "-1:-2", "1:2:3", "1:", ":2", "inf", "nan",
+                                 "1:inf", "big", "1/0", "1/2:3", "%", "1:2%", "1/2/3"})
     EXPECT_THROW(scene::parse_scale(text, "--scale"), Error) << text;
 }
 

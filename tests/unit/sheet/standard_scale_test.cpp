@@ -21,6 +21,16 @@ TEST(StandardScale, IsTheLargestOfIso5455ThatFits) {
   }
 }
 
+TEST(StandardScale, NearestInProportion) {
+  EXPECT_EQ(sheet::nearest_standard_scale(3), 2);  // 3 / 2 < 5 / 3
+  EXPECT_EQ(sheet::nearest_standard_scale(4), 5);
+  EXPECT_EQ(sheet::nearest_standard_scale(7), 5);  // 7 / 5 < 10 / 7
+  EXPECT_EQ(sheet::nearest_standard_scale(8), 10);
+  EXPECT_EQ(sheet::nearest_standard_scale(0.25), 0.2);
+  EXPECT_EQ(sheet::nearest_standard_scale(1.3), 1);
+  EXPECT_EQ(sheet::nearest_standard_scale(0.02), 0.02);
+}
+
 TEST(StandardScale, GoesOnByTens) {
   EXPECT_EQ(sheet::standard_scale_up_to(999), 500);
   EXPECT_EQ(sheet::standard_scale_up_to(3e-7), 2e-7);
