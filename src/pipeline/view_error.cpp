@@ -80,7 +80,7 @@ class Judge {
           placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]);
       const int first = judged_.world.first_triangle[static_cast<std::size_t>(edge.model)];
       if (beside.size() != 2 || !judged_.is_whole) continue;
-      if (!is_inside(placed, edge, {first + beside[0], first + beside[1]})) continue;
+      if (!is_inside(placed, edge.mesh_edge, {first + beside[0], first + beside[1]})) continue;
       for (const int triangle : beside)
         if (is_saddle(edge.model, triangle))
           largest = std::max(largest, longest_side(first + triangle) *
@@ -89,12 +89,23 @@ class Judge {
   }
 
  private:
-  // Whether the neighbours of a triangle of a model are folded to both of its sides.
+  // Planes, cylinders, cones and spheres curve one way.
+  static bool may_be_saddle(const features::PartFaces& part, int triangle) {
+    const int face = part.face_of_triangle[static_cast<std::size_t>(triangle)];
+    if (face < 0) return true;
+    const features::SurfaceKind kind = part.faces[static_cast<std::size_t>(face)].surface.kind;
+    return kind == features::SurfaceKind::torus || kind == features::SurfaceKind::free_form;
+  }
+
+  // Whether the neighbours of a triangle on the same surface are folded to both of its sides.
   [[nodiscard]] bool is_saddle(int model, int triangle) const {
-    const mesh::Mesh& mesh = *judged_.world.models[static_cast<std::size_t>(model)].mesh;
+    const scene::Placed& placed = judged_.world.models[static_cast<std::size_t>(model)];
+    const mesh::Mesh& mesh = *placed.mesh;
+    if (placed.part != nullptr && !may_be_saddle(*placed.part, triangle)) return false;
+    const int first = judged_.world.first_triangle[static_cast<std::size_t>(model)];
     const int before = judged_.world.first_vertex[static_cast<std::size_t>(model)];
     const std::array<int, 3> corners = mesh.triangle(triangle);
-    const Vec3 normal = normal_of(judged_.world.first_triangle[static_cast<std::size_t>(model)] + triangle);
+    const Vec3 normal = normal_of(first + triangle);
     constexpr double flat = 1e-9;  // sine
     bool above = false, below = false;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -103,7 +114,8 @@ class Judge {
       const mesh::MeshEdge* side = mesh.edge_between(ends);
       if (side == nullptr || side->count != 2) continue;
       for (const int other : mesh.triangles_of(*side)) {
-        if (other == triangle) continue;
+        if (other == triangle || !is_inside(placed, side - mesh.edges.data(), {first + triangle, first + other}))
+          continue;
         for (const int corner : mesh.triangle(other)) {
           const Vec3 to = judged_.world.points[before + corner] - judged_.world.points[before + ends[0]];
           const double rise = glm::dot(normal, to), slack = flat * glm::length(normal) * glm::length(to);
@@ -164,15 +176,15 @@ class Judge {
     const int first = judged_.world.first_triangle[static_cast<std::size_t>(edge.model)];
     const std::array both{first + beside[0], first + beside[1]};
     if (edge.kind == EdgeKind::section) return off_between(both[0], both[1], height_of_model(edge.model), 0);
-    if (!judged_.is_whole || is_inside(placed, edge, both)) return 0;
+    if (!judged_.is_whole || is_inside(placed, edge.mesh_edge, both)) return 0;
     return off_between(both[0], both[1], height_of(both[0]), height_of(both[1]));
   }
 
   // Whether facets on both sides are of one surface.
-  [[nodiscard]] bool is_inside(const scene::Placed& placed, const edges::FeatureEdge& edge,
+  [[nodiscard]] bool is_inside(const scene::Placed& placed, std::ptrdiff_t mesh_edge,
                                const std::array<int, 2>& both) const {
     if (placed.part != nullptr) {
-      const features::PartBorder* border = placed.part->border_at(edge.mesh_edge);
+      const features::PartBorder* border = placed.part->border_at(mesh_edge);
       return border == nullptr || border->kind != features::BorderKind::sharp;
     }
     constexpr double sharp = 0.5;  // sine of 30 degrees, the least angle of a crease

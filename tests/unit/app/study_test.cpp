@@ -71,12 +71,15 @@ TEST(MaxError, IsRefusedWhereItCannotBeKept) {
   };
   refused(draw_within("0.1"), "lines of view 'isometric' may be off by ");
   refused(draw_within("0.1"), "hint: export the model with finer facets, or draw it from STEP");
-  refused(draw_within("3", {"--decimals", "1", "--join-within", "5"}), "lower --join-within");
+  const Folder folder;
+  refused(
+      epura({"draw", sample("bracket.obj"), "--max-error", "0.5", "--join-within", "1", "-o", "x.svg"}, folder / ""),
+      "lower --join-within");
   refused(draw_within("0.1", {"--visibility", "none"}), "omit --visibility none");
   refused(draw_within("0"), "--max-error: is 0");
 }
 
-// A cube has no round faces: only rounding is left, and the coarsest decimals that hold are chosen.
+// The coarsest decimals that keep to their share are chosen.
 TEST(MaxError, ChoosesMergingAndDecimals) {
   const Folder folder;
   const auto svg = [&](const char* allowed) {
