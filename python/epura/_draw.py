@@ -77,8 +77,12 @@ def _result_of(job: _core.Job, progress: Optional[Callable[[str, float], None]])
     return Drawing(job.result())
 
 
-def _is_scene_file(model: Any) -> bool:
-    return isinstance(model, (str, os.PathLike)) and os.fspath(model).endswith(".toml")
+def _scene_file(model: Any) -> Optional[str]:
+    """The path of a scene file; None for all other models."""
+    if not isinstance(model, (str, os.PathLike)):
+        return None
+    path = os.fspath(model)
+    return path if isinstance(path, str) and path.endswith(".toml") else None
 
 
 def draw(
@@ -126,12 +130,13 @@ def draw(
                                 "plugin_path": [os.fspath(folder) for folder in plugin_path]}
     settings.update({key: value for key, value in (("contact", contact), ("arcs", arcs), ("verify", verify),
                                                    ("time_limit", time_limit)) if value is not None})
-    if isinstance(model, Scene) or _is_scene_file(model):
+    scene_file = _scene_file(model)
+    if scene_file or isinstance(model, Scene):
         given = [name for name, value in of_one.items() if value is not None]
         if given:
             raise InputError(f"{given[0]}: given with a scene", given[0], "put it into the scene")
-    if _is_scene_file(model):
-        job = _core.begin_file(os.fspath(model), settings, tables_of(projections))
+    if scene_file:
+        job = _core.begin_file(scene_file, settings, tables_of(projections))
     else:
         scene = model if isinstance(model, Scene) else Scene(
             models=[model if faces is None else Model(model, faces)],
@@ -162,6 +167,8 @@ def _views_of(projection: Any, parameters: Optional[Mapping[str, Any]], views: O
 
 def _sheets_of(sheet: Union[Sheet, Mapping[str, Any], None], size: Optional[str], scale: Union[str, float, None],
                title: Optional[str]) -> List[Mapping[str, Any]]:
+    if not isinstance(sheet, (Sheet, Mapping, type(None))):
+        raise InputError(f"sheet: is {sheet!r}", "sheet", 'give an epura.Sheet; size="A4" sets the size alone')
     values = dict(fields_of(sheet) if isinstance(sheet, Sheet) else sheet or {})
     values.update({key: value for key, value in (("size", size), ("scale", scale)) if value is not None})
     if title is not None:

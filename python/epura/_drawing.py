@@ -45,16 +45,20 @@ class DrawnView:
     """
 
     def __init__(self, drawing: _core.Drawing, number: int) -> None:
+        self.name: str
+        self.projection: str
+        self.sheet: int
+        self.scale: float
         self.name, self.projection, self.sheet, self.scale, matrix = drawing.view_facts(number)
-        self.world_to_page = np.array(matrix).reshape(4, 4)
+        self.world_to_page: np.ndarray = np.array(matrix).reshape(4, 4)
         lines = drawing.lines(number)
-        self.segments = lines["segments"]
-        self.kind = lines["kind"]
-        self.visible = lines["visible"]
-        self.model = lines["model"]
-        self.body = lines["body"]
-        self.edge = lines["edge"]
-        self.t = lines["t"]
+        self.segments: np.ndarray = lines["segments"]
+        self.kind: np.ndarray = lines["kind"]
+        self.visible: np.ndarray = lines["visible"]
+        self.model: np.ndarray = lines["model"]
+        self.body: np.ndarray = lines["body"]
+        self.edge: np.ndarray = lines["edge"]
+        self.t: np.ndarray = lines["t"]
         self._drawing, self._number = drawing, number
 
     @property

@@ -75,6 +75,7 @@ def test_views_and_parameters():
     (lambda: epura.draw(VERTICES, FACES, views=["front"], projection="top"), epura.InputError, "projection"),
     (lambda: epura.draw("a.toml", views=["front"]), epura.InputError, "views"),
     (lambda: epura.draw(VERTICES, FACES, sheet={"sise": "A4"}), epura.InputError, "sheets[0].sise"),
+    (lambda: epura.draw(VERTICES, FACES, sheet="A4"), epura.InputError, "sheet"),
 ])
 def test_errors_have_place_and_hint(call, kind, place):
     with pytest.raises(kind) as caught:
