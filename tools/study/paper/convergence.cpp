@@ -2,7 +2,6 @@
 #include "study/paper/convergence.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -99,10 +98,8 @@ PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, in
   const scene::SceneDescription scene = describe(form, around, recognises);
   const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
   pipeline::Stopwatch watch;
-  const auto start = std::chrono::steady_clock::now();
   const pipeline::DrawnScene drawn = pipeline::draw_scene(scene, options, {silent, {}, watch});
   PaperRun run{.around = around, .error = {}};
-  run.seconds = {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
   for (const mesh::MeshReport& mesh : drawn.report.meshes) run.triangles += mesh.triangles;
   const drawing::ViewDrawing& drawing = drawn.sheets.front().drawings.front();
   const std::vector<InkLine> ink = drawn_lines(drawing);
@@ -115,29 +112,6 @@ PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, in
   if (run.error.truth > allowed) run.error.missed = length_beyond(truth, ink, allowed);
   if (run.error.drawn > allowed) run.error.phantom = length_beyond(ink, truth, allowed);
   return run;
-}
-
-std::vector<PaperSeries> study_paper(const std::vector<ClosedForm>& forms, const PaperStudy& study, Progress progress) {
-  progress.begin("drawing", 2 * forms.size() * study.around.size());
-  std::vector<PaperSeries> all;
-  for (const ClosedForm& form : forms) {
-    std::array series{PaperSeries{form.name, true}, PaperSeries{form.name, false}};
-    for (const int around : study.around) {
-      // In turns, so that what else the machine does affects both.
-      for (int i = 0; i < study.timed; ++i)
-        for (PaperSeries& one : series) {
-          PaperRun run = draw_on_paper(form, around, one.recognises, study);
-          if (i == 0)
-            one.runs.push_back(std::move(run));
-          else
-            one.runs.back().seconds.push_back(run.seconds.front());
-        }
-      for (PaperSeries& one : series) std::sort(one.runs.back().seconds.begin(), one.runs.back().seconds.end());
-      progress.advance(2);
-    }
-    all.insert(all.end(), series.begin(), series.end());
-  }
-  return all;
 }
 
 }  // namespace epura::study

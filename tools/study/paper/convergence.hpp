@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "report/error_budget.hpp"
 #include "study/paper/closed_forms.hpp"
 
@@ -28,7 +27,6 @@ struct PaperRun {
   int around;
   int triangles = 0;
   PaperError error;
-  std::vector<double> seconds{};  ///< of each run, ascending
 };
 
 /// A scene with one way to draw it.
@@ -40,10 +38,9 @@ struct PaperSeries {
   [[nodiscard]] double order() const;
 };
 
+/// How scenes are drawn and compared.
 struct PaperStudy {
   std::vector<std::filesystem::path> plugin_path;
-  std::vector<int> around{12, 24, 48, 96, 192, 384};
-  int timed = 3;
   int points = 4096;  ///< on each true line
 };
 
@@ -54,7 +51,5 @@ PaperRun draw_on_paper(const ClosedForm& form, int around, bool recognises, cons
 /// The same, compared with the lines of another body.
 PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, int around, bool recognises,
                           const PaperStudy& study, std::optional<double> max_error = {});
-
-std::vector<PaperSeries> study_paper(const std::vector<ClosedForm>& forms, const PaperStudy& study, Progress progress);
 
 }  // namespace epura::study
