@@ -48,13 +48,16 @@ class EPURA_PUBLIC Failure : public std::runtime_error {
 
 /// Settings of a drawing.
 struct Settings {
-  std::optional<double> contact{};     ///< distance below which faces touch and do not hide; automatic by default
-  bool wireframe = false;              ///< no hidden-line removal
-  std::optional<double> arcs{};        ///< recognise arcs of circles and ellipses within this tolerance in mm
-  bool centre_lines = false;           ///< add centre lines and axes of circular features
-  std::optional<int> verify{};         ///< test the drawing at this number of random points, and its outline
-  std::optional<double> time_limit{};  ///< seconds; draws the longest edges first
-  int threads = 0;                     ///< 0: all cores. For concurrent calls, the lowest number applies
+  std::optional<double> contact{};  ///< distance below which faces touch and do not hide; automatic by default
+  bool wireframe = false;           ///< no hidden-line removal
+  std::optional<double>
+      max_error{};               ///< largest distance on paper of lines from those of the part, mm (docs/accuracy.md)
+  bool error_note = false;       ///< state on the sheets how far lines may be from those of the part
+  std::optional<double> arcs{};  ///< recognise arcs of circles and ellipses within this tolerance in mm
+  bool centre_lines = false;     ///< add centre lines and axes of circular features
+  std::optional<int> verify{};   ///< test the drawing at this number of random points, and its outline
+  std::optional<double> time_limit{};                ///< seconds; draws the longest edges first
+  int threads = 0;                                   ///< 0: all cores. For concurrent calls, the lowest number applies
   std::vector<std::filesystem::path> plugin_path{};  ///< additional folders with projection plugins
   std::vector<OwnProjection> projections{};          ///< of this program, which views use by their names
   bool allow_outside = false;  ///< scene files and models may name files that do not lie below their folders
@@ -84,6 +87,19 @@ struct Arc {
   bool visible;
 };
 
+/// A cause of error (docs/accuracy.md), and how far it may move lines on paper.
+struct ErrorTerm {
+  std::string term;  ///< "surface", "merging" ...
+  double mm;
+  std::string by;  ///< "bound", "measured" or "estimated"
+};
+
+/// How far the lines of a view may be from those of the part, on paper, before they are written to a file.
+struct ErrorBudget {
+  double total = 0;              ///< mm; the sum of the terms
+  std::vector<ErrorTerm> terms;  ///< the largest first
+};
+
 struct DrawnView {
   std::string name, projection;
   int sheet;     ///< number of its sheet, from 1
@@ -93,6 +109,7 @@ struct DrawnView {
   std::array<double, 16> world_to_page;
   std::vector<Line> lines;
   std::vector<Arc> arcs;
+  ErrorBudget error;
 };
 
 /// Pen strokes as they are written; the writers fit the dashes.

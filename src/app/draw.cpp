@@ -12,6 +12,8 @@
 #include "base/parallel.hpp"
 #include "pipeline/draw_scene.hpp"
 #include "pipeline/tell.hpp"
+#include "pipeline/view_error.hpp"
+#include "report/format.hpp"
 
 namespace epura {
 
@@ -73,6 +75,7 @@ std::string explanation(const report::Report& report, const report::PlanStep& fo
   plan.push_back(formats);
   std::string text = plan_table(plan);
   for (const report::ViewCondition& view : report.conditions) text += pipeline::format_condition(view);
+  if (!report.errors.empty()) text += report::format_errors(report.errors);
   return text;
 }
 
@@ -115,6 +118,11 @@ DrawnFiles draw_within(const DrawOptions& options, const DescribeScene& describe
   pipeline::RunOptions run = options.run;
   run.keeps_drawings = want_drawings(targets);
   run.line_facts = want_facts(targets);
+  run.judges = run.keeps_drawings || run.explain;
+  output::VectorOptions vector = options.vector;
+  if (run.max_error) pipeline::choose_writing(vector, targets, *run.max_error, run.arcs.has_value());
+  run.writing_error = pipeline::error_of_writing(targets, vector, run.arcs.has_value());
+  if (run.max_error) messages.print(pipeline::sentence_of_choices(*run.max_error, run.arcs.has_value(), vector));
   pipeline::DrawnScene drawn = pipeline::draw_scene(scene, run, {messages, progress, watch});
   report::Report& report = drawn.report;
   estimate_savings(report.plan);
@@ -127,8 +135,7 @@ DrawnFiles draw_within(const DrawOptions& options, const DescribeScene& describe
   if (options.timings) report.seconds = watch.laps();
   if (!options.timings && !options.measure) forget_times(report.plan);
   pipeline::warn_about_pictures(messages, targets, drawn.sheets);
-  const std::vector<pipeline::FileBytes> files =
-      encode_in_time(targets, drawn.sheets, options.vector, report, progress);
+  const std::vector<pipeline::FileBytes> files = encode_in_time(targets, drawn.sheets, vector, report, progress);
   progress.lift_limit();
   for (const pipeline::FileBytes& file : files) pipeline::write(file, progress);
   watch.lap("write");

@@ -168,10 +168,14 @@ scene::Options<Draw> view_and_line_options() {
       scene::option<Draw>(
           {.flag = "--visibility", .help = "how hidden lines are found; none draws a wireframe", .usual = "exact"},
           run(&pipeline::RunOptions::visibility), visibility_kind()),
-      scene::option<Draw>({.flag = "--max-error",
-                           .help = "print the guaranteed error; refuse views in which a longer span might be wrong"},
-                          run(&pipeline::RunOptions::max_error),
-                          scene::number_between(1e-12, 1e6, "mm").shown_as("MM")),
+      scene::option<Draw>(
+          {.flag = "--max-error",
+           .help = "largest distance on paper between lines and those of the part: chooses facets, merging, arcs and "
+                   "decimals, prints the error of each view, and refuses views that are farther off"},
+          run(&pipeline::RunOptions::max_error), scene::number_between(1e-12, 1e6, "mm").shown_as("MM")),
+      scene::option<Draw>(
+          {.flag = "--error-note", .help = "state above the title block how far lines may be from those of the part"},
+          run(&pipeline::RunOptions::error_note), scene::truth()),
       scene::option<Draw>({.flag = "--contact",
                            .help = "distance below which faces touch and do not hide each other",
                            .usual = "automatic"},

@@ -175,11 +175,12 @@ void begin_at(Chain& chain, int first) {
   if (side_by_side) std::rotate(chain.segments.begin(), chain.segments.begin() + first, chain.segments.end());
 }
 
-CurveReport find_in(Chain& chain, double tolerance) {
+CurveReport find_in(Chain& chain, double tolerance, double most_rise) {
   const Line line{chain, tolerance};
   const auto window = [&](int first, int max) { return line.window(first, max); };
   const auto fit = [&](int first, int last) { return line.fit(first, last); };
   std::vector<CurveRun<Fit>> runs = find_curve_runs<Fit>(line.size(), chain.closed, window, fit);
+  std::erase_if(runs, [most_rise](const CurveRun<Fit>& run) { return run.curve.rise > most_rise; });
   if (!runs.empty() && runs.back().last > line.size()) {
     begin_at(chain, runs.back().first);
     std::rotate(runs.begin(), runs.end() - 1, runs.end());
@@ -210,12 +211,12 @@ CurveReport& CurveReport::operator+=(const CurveReport& other) {
   return *this;
 }
 
-CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const Progress& progress) {
+CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const Progress& progress, double most_rise) {
   progress.begin("finding arcs", chains.size());
   std::vector<CurveReport> reports(chains.size());
   parallel_for(chains.size(), 64, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (chains[i].points.size() > least_edges) reports[i] = find_in(chains[i], tolerance);
+      if (chains[i].points.size() > least_edges) reports[i] = find_in(chains[i], tolerance, most_rise);
     progress.advance(end - begin);
   });
   CurveReport all;

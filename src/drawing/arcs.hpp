@@ -2,6 +2,7 @@
 // Recognises the lines of a drawing that are tessellated arcs of circles and ellipses.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -23,7 +24,8 @@ struct CurveReport {
 /// in one direction, in steps of at most 30 degrees of the curve's angle, so that polygons with fewer than twelve sides
 /// stay polygons; it has at least eight corners and turns by at least 30 degrees. An end of an open line that lies on a
 /// chord of the curve is moved onto the curve. A closed line is made to begin where no curve continues past its end.
-/// Throws OutOfTime.
-CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const Progress& progress = {});
+/// Curves that rise more than `most_rise` mm over a chord are left out. Throws OutOfTime.
+CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const Progress& progress = {},
+                        double most_rise = HUGE_VAL);
 
 }  // namespace epura::drawing

@@ -181,6 +181,12 @@ std::vector<signed char> ranks_of(const std::vector<Piece>& pieces, const visibi
   return ranks;
 }
 
+double length_of_all(const std::vector<Piece>& pieces) {
+  double length = 0;
+  for (const Piece& piece : pieces) length += length_of(piece);
+  return length;
+}
+
 // Draws one line where a person sees one.
 std::vector<Piece> joined_where_near(std::vector<Piece> pieces, const visibility::ResolvedView& lines,
                                      const NearLines& near, double touching, const Progress& progress) {
@@ -243,8 +249,12 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   find_looks(pieces, lines, options.near);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
+  const std::size_t pieces_before = pieces.size();
+  const double length_before = length_of_all(pieces);
   pieces = joined_where_near(std::move(pieces), lines, options.near, limits.min, progress);
-  drawing.joined_within = options.near.reach();
+  // Where nothing is left out, all ink is in its place.
+  if (pieces.size() != pieces_before || length_of_all(pieces) != length_before)
+    drawing.joined_within = options.near.reach();
   drawing.coincident = limits.tolerance;
   add_segments(lines, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // to make room for the chains

@@ -340,12 +340,14 @@ pipeline::RunOptions run_options_of(const Settings& settings) {
   }
   if (settings.time_limit) options.time_limit = checked(*settings.time_limit, "settings.time_limit", 0);
   options.threads = static_cast<int>(checked(settings.threads, "settings.threads", 0, 1024));
-  options.keeps_drawings = true;
+  if (settings.max_error) options.max_error = checked(*settings.max_error, "settings.max_error", 1e-12, 1e6);
+  options.error_note = settings.error_note;
+  options.keeps_drawings = options.judges = true;
   return options;
 }
 
 DrawnView drawn_view(const drawing::ViewDrawing& drawing, int sheet) {
-  DrawnView view{drawing.name, drawing.projection.name, sheet, drawing.scale, {}, {}, {}};
+  DrawnView view{drawing.name, drawing.projection.name, sheet, drawing.scale, {}, {}, {}, {}};
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column)
       view.world_to_page[static_cast<std::size_t>(4 * row + column)] = drawing.world_to_page[column][row];
@@ -358,6 +360,20 @@ DrawnView drawn_view(const drawing::ViewDrawing& drawing, int sheet) {
       view.arcs.push_back(
           {pair_of(curve.centre), pair_of(curve.u), pair_of(curve.v), curve.from, curve.to, chain.kind, chain.visible});
   return view;
+}
+
+ErrorBudget error_budget(const report::ViewError& error) {
+  ErrorBudget budget;
+  for (std::size_t i = 0; i < report::error_terms.size(); ++i) {
+    const auto term = static_cast<report::ErrorTerm>(i);
+    if (term == report::ErrorTerm::writing || error[term] == 0) continue;
+    budget.total += error[term];
+    budget.terms.push_back(
+        {row_of(term).name, error[term], report::evidence_names[static_cast<std::size_t>(error.evidence(term))]});
+  }
+  std::stable_sort(budget.terms.begin(), budget.terms.end(),
+                   [](const ErrorTerm& a, const ErrorTerm& b) { return a.mm > b.mm; });
+  return budget;
 }
 
 std::vector<SheetLayer> layers_of(const sheet::Sheet& sheet) {

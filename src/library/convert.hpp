@@ -7,6 +7,7 @@
 
 #include "drawing/drawing.hpp"
 #include "pipeline/options.hpp"
+#include "report/error_budget.hpp"
 #include "scene/description.hpp"
 #include "sheet/sheet.hpp"
 
@@ -20,6 +21,9 @@ pipeline::RunOptions run_options_of(const Settings& settings);
 
 /// `sheet` counts from 1.
 DrawnView drawn_view(const drawing::ViewDrawing& drawing, int sheet);
+
+/// Without the term of writing, which depends on the file.
+ErrorBudget error_budget(const report::ViewError& error);
 
 std::vector<SheetLayer> layers_of(const sheet::Sheet& sheet);
 

@@ -48,6 +48,9 @@ Drawing draw_described(scene::SceneDescription scene, const Settings& settings) 
   for (std::size_t i = 0; i < drawn.sheets.size(); ++i)
     for (const drawing::ViewDrawing& view : drawn.sheets[i].drawings)
       content->views.push_back(drawn_view(view, static_cast<int>(i) + 1));
+  // Errors are in the order of the views, too.
+  for (std::size_t i = 0; i < std::min(content->views.size(), drawn.report.errors.size()); ++i)
+    content->views[i].error = error_budget(drawn.report.errors[i]);
   content->sheets = std::move(drawn.sheets);
   content->report = std::move(drawn.report);
   return Drawing(std::move(content));

@@ -3,6 +3,7 @@
 // function may be declared here, and a row.
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "base/text.hpp"
 #include "output/write.hpp"
@@ -32,7 +33,7 @@ std::string dxf(const FileContent& file, const Progress& progress) {
 }
 
 std::string png(const FileContent& file, const Progress& progress) {
-  return to_png(file.sheets.front().sheet, file.options.dpi, progress);
+  return to_png(file.sheets.front().sheet, file.options.dpi.value_or(usual_dpi), progress);
 }
 
 std::string json(const FileContent& file, const Progress& progress) {
@@ -42,17 +43,35 @@ std::string json(const FileContent& file, const Progress& progress) {
 
 std::string html(const FileContent& file, const Progress& progress) { return to_html(file, progress); }
 
+// All digits of a double are written.
+double none(const VectorOptions& /*options*/, bool /*has_arcs*/) { return 0; }
+
+// Half of a pixel's diagonal.
+double of_pixels(const VectorOptions& options, bool /*has_arcs*/) {
+  return 25.4 / options.dpi.value_or(usual_dpi) / std::numbers::sqrt2;
+}
+
+// Both coordinates are rounded. The middle of a quarter of a circle moves with both ends, and with its radius.
+double of_decimals(const VectorOptions& options, bool has_arcs) {
+  double place = 1;
+  for (int i = 0; i < options.decimals.value_or(usual_decimals); ++i) place /= 10;
+  return has_arcs ? 2 * place : place / std::numbers::sqrt2;
+}
+
+// Cairo's coordinates are multiples of 1/256 of a thousandth of a millimetre; its curves are Bezier pieces.
+double of_cairo(const VectorOptions& /*options*/, bool has_arcs) { return has_arcs ? 2e-5 : 1e-5; }
+
 constexpr bool pages = true, drawings = true, facts = true, pictures = true;
 
 constexpr std::array table = {
-    Format{"svg", !pages, !drawings, !facts, pictures, "emf wmf svgz", svg},
-    Format{"pdf", pages, !drawings, !facts, pictures, "ai", all_sheets<to_pdf>},
-    Format{"ps", pages, !drawings, !facts, pictures, "", all_sheets<to_ps>},
-    Format{"eps", !pages, !drawings, !facts, pictures, "", one_sheet<to_eps>},
-    Format{"png", !pages, !drawings, !facts, pictures, "jpg jpeg gif bmp tif tiff webp", png},
-    Format{"dxf", !pages, !drawings, !facts, !pictures, "dwg", dxf},
-    Format{"json", !pages, drawings, !facts, pictures, "", json},
-    Format{"html", pages, drawings, facts, pictures, "htm xhtml", html},
+    Format{"svg", !pages, !drawings, !facts, pictures, "emf wmf svgz", svg, of_decimals},
+    Format{"pdf", pages, !drawings, !facts, pictures, "ai", all_sheets<to_pdf>, of_cairo},
+    Format{"ps", pages, !drawings, !facts, pictures, "", all_sheets<to_ps>, of_cairo},
+    Format{"eps", !pages, !drawings, !facts, pictures, "", one_sheet<to_eps>, of_cairo},
+    Format{"png", !pages, !drawings, !facts, pictures, "jpg jpeg gif bmp tif tiff webp", png, of_pixels},
+    Format{"dxf", !pages, !drawings, !facts, !pictures, "dwg", dxf, none},
+    Format{"json", !pages, drawings, !facts, pictures, "", json, none},
+    Format{"html", pages, drawings, facts, pictures, "htm xhtml", html, of_decimals},
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "output/in_order.hpp"
 #include "output/json_text.hpp"
 #include "output/write.hpp"
+#include "report/format.hpp"
 #include "report/report.hpp"
 
 namespace epura::output {
@@ -322,12 +323,30 @@ std::string condition_of_view(const report::ViewCondition& view) {
          ", \"why\": " + json_string(view.condition.why) + "}";
 }
 
+// This file is written with all digits.
+std::string error_of_view(report::ViewError error) {
+  error[report::ErrorTerm::writing] = 0;
+  std::string text = "{\"view\": " + json_string(error.view) + ", \"total\": " + report::rounded_up(error.total()) +
+                     ", \"dominant\": " + json_string(row_of(error.dominant()).name) + ", \"terms\": [";
+  bool first = true;
+  for (std::size_t i = 0; i < report::error_terms.size(); ++i) {
+    const auto term = static_cast<report::ErrorTerm>(i);
+    if (error[term] == 0) continue;
+    text += std::string(first ? "" : ", ") + "{\"term\": " + json_string(row_of(term).name) +
+            ", \"mm\": " + report::rounded_up(error[term]) +
+            ", \"by\": " + json_string(report::evidence_names[static_cast<std::size_t>(error.evidence(term))]) + "}";
+    first = false;
+  }
+  return text + "]}";
+}
+
 std::string report_of(const report::Report& report) {
   std::string text = "{\"meshes\": " + json_lines(report.meshes, mesh_of, "\n   ") +
                      ",\n  \"plan\": " + json_lines(report.plan, step_of, "\n   ");
   if (report.tessellation)
     text += ",\n  \"tessellation\": {\"error\": " + number(report.tessellation->error) +
             ", \"on_paper\": " + number(report.tessellation->on_paper) + "}";
+  if (!report.errors.empty()) text += ",\n  \"error\": " + json_lines(report.errors, error_of_view, "\n   ");
   std::string times;
   for (const auto& [stage, seconds] : report.seconds)
     times += (times.empty() ? "" : ", ") + json_string(stage) + ": " + number(seconds);

@@ -314,7 +314,9 @@ void append_document(std::string& svg, const sheet::Sheet& sheet, const VectorOp
     begin_file(svg, sheet, width, height);
   const auto has_texts = [](const sheet::Layer* layer) { return !layer->texts.empty(); };
   append_style(svg, id, options.text == SvgText::text && std::any_of(layers.begin(), layers.end(), has_texts));
-  const SvgDocument document{sheet.height, options.decimals, options.plain, options.text, id + "-", options.is_inline};
+  const SvgDocument document{sheet.height,  options.decimals.value_or(usual_decimals),
+                             options.plain, options.text,
+                             id + "-",      options.is_inline};
   LayerWriter(svg, sheet, document).append(layers, progress);
   svg += "</svg>\n";
 }
@@ -331,7 +333,8 @@ void append_for_page(std::string& svg, const sheet::Sheet& sheet, const VectorOp
   if (!language.empty()) append_attribute(svg, "lang", language);
   svg += " fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\" viewBox=\"0 0 " + width +
          " " + height + "\">\n<rect class=\"paper\" width=\"" + width + "\" height=\"" + height + "\"/>\n";
-  const SvgDocument document{sheet.height, options.decimals, options.plain, options.text, "", true, &sheet, lines};
+  const SvgDocument document{
+      sheet.height, options.decimals.value_or(usual_decimals), options.plain, options.text, "", true, &sheet, lines};
   LayerWriter(svg, sheet, document).append(by_view(sheet), progress);
   svg += "</svg>\n";
 }

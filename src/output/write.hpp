@@ -27,9 +27,10 @@ struct DxfEntities {
 };
 
 struct VectorOptions {
-  bool plain = false;  ///< omit the origin of lines
-  double dpi = 300;    ///< PNG only
-  int decimals = 4;    ///< of coordinates in millimetres, SVG only: no point is off by more than 0.0001 mm
+  bool plain = false;             ///< omit the origin of lines
+  std::optional<double> dpi{};    ///< PNG only; usually 300
+  std::optional<int> decimals{};  ///< of coordinates in millimetres, SVG only; usually 4: no point is off by more than
+                                  ///< 0.0001 mm
   SvgText text = SvgText::outlines;
   bool dxf_blocks = false;  ///< DXF: each view is a block
   DxfEntities dxf_entities{};
@@ -40,6 +41,9 @@ struct VectorOptions {
 /// Returns the prefix. Throws Error{input} that names its origin `where`, unless it is a letter followed by letters,
 /// digits, hyphens and underscores, 64 characters in all.
 std::string checked_id_prefix(std::string prefix, const std::string& where);
+
+inline constexpr double usual_dpi = 300;
+inline constexpr int usual_decimals = 4, most_decimals = 5;
 
 struct FileContent;
 
@@ -94,6 +98,8 @@ struct Format {
   bool has_pictures;            ///< whether it shows pictures of pixels, such as logos, if it shows sheets
   std::string_view instead_of;  ///< extensions that cannot be written, for which this format is suggested
   std::string (*encode)(const FileContent&, const Progress&);
+  /// Largest distance between lines and what is written of them, mm. Arcs of SVG move more than their ends.
+  double (*error)(const VectorOptions&, bool has_arcs);
 };
 
 /// All output formats.

@@ -13,6 +13,7 @@
 #include "pipeline/annotation_layers.hpp"
 #include "pipeline/constructions.hpp"
 #include "pipeline/details.hpp"
+#include "report/format.hpp"
 #include "sheet/captions.hpp"
 #include "sheet/centre_lines.hpp"
 #include "sheet/cutting_plane_line.hpp"
@@ -20,6 +21,7 @@
 #include "sheet/label_positions.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/limit_lines.hpp"
+#include "sheet/notation.hpp"
 #include "sheet/sheet_layers.hpp"
 #include "sheet/standard_scale.hpp"
 #include "sheet/view_labels.hpp"
@@ -62,23 +64,43 @@ std::vector<sheet::Text> labels_of(const SheetInput& input, const std::vector<Vi
   return labels;
 }
 
-// The unit of all dimensions, once, above the title block. ISO 129-1.
-std::optional<sheet::Text> unit_note(const SheetInput& input) {
+// A line of text above the title block, if there is one.
+std::optional<sheet::Text> note_above_block(const SheetInput& input, const std::string& words, double raised) {
   const sheet::SheetFurniture& furniture = input.plan.furniture;
-  const bool has_dimensions = std::any_of(input.annotations.begin(), input.annotations.end(),
-                                          [](const Annotations& one) { return !one.dimensions.empty(); });
-  if (!has_dimensions || !furniture.title_block) return std::nullopt;
   if (!sheet::title_block_box(*furniture.title_block, furniture.paper)) return std::nullopt;
   const auto box = sheet::block_boxes(furniture).all;
   constexpr double height = 2.5, above = 2.5;
-  const Unit unit = sheet_of(input).dimension_unit.value_or(Unit::mm);
-  const std::string words(sheet::caption(scene::word_of(unit), field_of(sheet_of(input), "language")));
   // On portrait A4, the block is as wide as the drawing area, whose frame the words must not touch; that of a form may
   // be below it.
   const sheet::Rectangle area = sheet::drawing_area(furniture.paper);
   const double from_frame = box->min.x > area.min.x ? 0 : 1;
   const Vec2 corner(std::max(box->min.x, area.min.x), std::max(box->max.y, area.min.y));
-  return sheet::Text{words, corner + Vec2(from_frame, above), height, 0, sheet::Align::left, "note"};
+  return sheet::Text{words, corner + Vec2(from_frame, above + raised), height, 0, sheet::Align::left, "note"};
+}
+
+// The unit of all dimensions, once, above the title block. ISO 129-1.
+std::optional<sheet::Text> unit_note(const SheetInput& input) {
+  const bool has_dimensions = std::any_of(input.annotations.begin(), input.annotations.end(),
+                                          [](const Annotations& one) { return !one.dimensions.empty(); });
+  if (!has_dimensions || !input.plan.furniture.title_block) return std::nullopt;
+  const Unit unit = sheet_of(input).dimension_unit.value_or(Unit::mm);
+  return note_above_block(input,
+                          std::string(sheet::caption(scene::word_of(unit), field_of(sheet_of(input), "language"))), 0);
+}
+
+// How far lines may be from those of the part, above the statement of the unit.
+std::optional<sheet::Text> error_note(const SheetInput& input, const std::vector<ViewResult>& results, bool below) {
+  const sheet::SheetFurniture& furniture = input.plan.furniture;
+  if (!input.views.states_error || !furniture.title_block) return std::nullopt;
+  double largest = 0;
+  for (const ViewResult& result : results)
+    if (result.error) largest = std::max(largest, result.error->total());
+  if (!(largest > 0)) return std::nullopt;
+  const DecimalSign sign = sheet_of(input).decimal_sign.value_or(DecimalSign::point);
+  const std::string words = std::string(sheet::caption("error", field_of(sheet_of(input), "language"))) + " " +
+                            sheet::with_decimal_sign(report::rounded_up(largest), sign) + " mm";
+  constexpr double line = 4;  // mm
+  return note_above_block(input, words, below ? line : 0);
 }
 
 std::vector<sheet::ViewFrame> frames_of(const std::vector<ViewResult>& views) {
@@ -219,7 +241,9 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   const sheet::Paper& paper = plan.furniture.paper;
   sheet::SheetFurniture furniture = plan.furniture;
   furniture.labels = labels_of(input, results);
-  if (const auto note = unit_note(input)) furniture.labels.push_back(*note);
+  const auto unit = unit_note(input);
+  if (unit) furniture.labels.push_back(*unit);
+  if (const auto note = error_note(input, results, unit.has_value())) furniture.labels.push_back(*note);
   sheet::FurnitureLayers around = furniture_layers(furniture);
   FinishedSheet finished{{paper.width, paper.height, field_of(sheet, "title"), std::move(around.layers),
                           frames_of(results), facts_of(sheet), furniture.font},

@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "drawing/cut_faces.hpp"
+#include "mesh/read.hpp"
 #include "pipeline/annotations.hpp"
 #include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
@@ -26,6 +27,7 @@
 #include "pipeline/seen_items.hpp"
 #include "pipeline/shown_worlds.hpp"
 #include "pipeline/tell.hpp"
+#include "pipeline/view_error.hpp"
 #include "pipeline/view_plan.hpp"
 #include "scene/place_threads.hpp"
 #include "sheet/dimensions/anchors.hpp"
@@ -62,7 +64,14 @@ struct Run {
   std::vector<sheet::DimensionsInView> dimensioned{};  ///< for lint
   std::map<const scene::World*, std::optional<KnownIntersections>> intersections{};
 
+  double fineness = 1;  ///< of imported surfaces, as a multiple of what --max-error usually needs
+  std::optional<scene::FacetHeights> heights{};
+
   void note(const ViewResult& result);
+  void note(const FinishedSheet& sheet);
+  void judge(const ViewResult& result);
+  [[nodiscard]] bool may_be_finer() const;
+  void find_heights(const scene::World& world);
   std::vector<std::vector<sheet::BalloonTarget>> balloons_of(
       const SheetOfViews& views, const std::vector<std::vector<std::optional<SeenPoint>>>& seen) const;
   ViewTime time_of_next_view();
@@ -73,6 +82,60 @@ struct Run {
   std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
 
+/// An attempt whose facets are too coarse for --max-error, by this factor.
+struct TooCoarse {
+  double factor;
+};
+
+/// Messages of an attempt, told when it is known to be the last.
+class HeldMessages {
+ public:
+  Messages messages() {
+    return {[this](const std::string& sentence) { held_.emplace_back(true, sentence); },
+            [this](std::string_view lines) { held_.emplace_back(false, lines); }};
+  }
+  void tell(const Messages& messages) const {
+    for (const auto& [warns, text] : held_) warns ? messages.warn(text) : messages.print(text);
+  }
+
+ private:
+  std::vector<std::pair<bool, std::string>> held_;
+};
+
+void Run::find_heights(const scene::World& world) {
+  if (!options.judges && !options.max_error && !options.error_note) return;
+  constexpr double part = 0.1;  // of the time left
+  progress.begin("judging facets");
+  try {
+    heights = scene::facet_heights(world, progress.with_part_of_the_time(part));
+  } catch (const OutOfTime& cut) {
+    report.partial.add_stage(cut.stage);
+  }
+}
+
+// Whether a model comes from an importer, which chooses facets.
+bool Run::may_be_finer() const {
+  constexpr double finest = 20;  // beyond, meshes become hundreds of times as large
+  const auto is_imported = [](const mesh::MeshReport& mesh) {
+    return !mesh.format.empty() && mesh::format_named(mesh.format) == nullptr;
+  };
+  return fineness < finest && std::any_of(report.meshes.begin(), report.meshes.end(), is_imported);
+}
+
+void Run::judge(const ViewResult& result) {
+  if (!result.error) return;
+  using report::ErrorTerm;
+  report::ViewError error = *result.error;
+  error[ErrorTerm::writing] = options.writing_error;
+  report.errors.push_back(error);
+  if (!options.max_error) return;
+  const double by_facets = error[ErrorTerm::surface] + error[ErrorTerm::intersections] + error[ErrorTerm::contours];
+  const double part = part_for_facets(*options.max_error, options.arcs.has_value());
+  if (error.total() > *options.max_error && may_be_finer() && by_facets > part) throw TooCoarse{by_facets / part};
+  expect_within(*options.max_error, error);
+  messages.print(sentence_of(error));
+}
+
 // For several views, the report has everything omitted for lack of time, and the verification that found most errors.
 void Run::note(const ViewResult& result) {
   warn_about(messages, result);
@@ -81,9 +144,16 @@ void Run::note(const ViewResult& result) {
   if (report.tessellation && !result.drawing.projection.central)
     report.tessellation->on_paper =
         std::max(report.tessellation->on_paper, report.tessellation->error * result.drawing.scale);
+  judge(result);
   if (!result.verification) return;
   if (!report.verification || report.verification->errors() < result.verification->errors())
     report.verification = result.verification;
+}
+
+void Run::note(const FinishedSheet& sheet) {
+  for (const std::string& warning : sheet.warnings) messages.warn(warning);
+  if (options.lint) add_all(report.findings, sheet.findings);
+  warn_about(messages, sheet.sheet);
 }
 
 // The sheet and the files use the time that views leave.
@@ -243,13 +313,9 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const std::vector<BrokenOutSection> broken_out =
         cut_broken_outs(world(i), scene, views.descriptions[i], seen[i].projection, messages);
-    const ViewInput input{world(i),
-                          section(i),
-                          views.plans[i].options,
-                          plan.places[i],
-                          shown(i).traces,
-                          broken_out,
-                          scene.views.size() > 1 ? &intersections[&world(i)] : nullptr};
+    ViewInput input{world(i), section(i), views.plans[i].options, plan.places[i], shown(i).traces, broken_out};
+    input.known = scene.views.size() > 1 ? &intersections[&world(i)] : nullptr;
+    input.heights = heights ? &*heights : nullptr;
     // Of a detail, this is said of the view that it enlarges.
     if (input.section != nullptr && !input.options.detail)
       warn_if_unseen(messages, *input.section, seen[i], views.plans[i].options.name);
@@ -276,9 +342,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   if (!partial.stages.empty()) mark_partial(sheet, partial.stages.front());
   report.partial.add(partial);
   if (!options.keeps_drawings) sheet.drawings = {};
-  for (const std::string& warning : sheet.warnings) messages.warn(warning);
-  if (options.lint) add_all(report.findings, sheet.findings);
-  warn_about(messages, sheet.sheet);
+  note(sheet);
   report.plan.push_back(text_step(sheet.sheet, options.plan.text));
   watch.lap("sheet");
   return sheet;
@@ -292,18 +356,54 @@ void place_threads(scene::World& world, const scene::SceneDescription& scene) {
 }
 
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
-  scene::World world = read_models(scene, read_options(scene, options), report.meshes, messages, progress);
+  scene::World world = read_models(scene, read_options(scene, options, fineness), report.meshes, messages, progress);
   watch.lap("read");
   recognise_parts(world, scene, options, report, progress);
   place_threads(world, scene);
   complete_mass(scene, world);
+  find_heights(world);
   watch.lap("features");
   const ShownWorlds worlds(std::move(world), scene, messages, progress);
   if (!scene.explosions.empty() || !worlds.surfaces().empty()) watch.lap("section");
   std::vector<FinishedSheet> finished;
-  for (const SheetOfViews& sheet : sheets) finished.push_back(draw_sheet(worlds, sheet));
+  for (SheetOfViews sheet : sheets) {
+    sheet.states_error = options.error_note;
+    finished.push_back(draw_sheet(worlds, std::move(sheet)));
+  }
   if (options.lint) add_all(report.findings, uncovered_sizes(worlds.main(), scene, dimensioned, progress));
   return finished;
+}
+
+DrawnScene draw_once(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context,
+                     const std::vector<SheetOfViews>& sheets, double fineness) {
+  Run run{scene, options, context.messages, context.progress, context.watch, scene.views.size()};
+  run.fineness = fineness;
+  run.report.plan.push_back(plugins_step(sheets));
+  std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
+  context.progress.expect_not_stopped();
+  // An empty sheet is not a drawing.
+  if (!run.report.partial.stages.empty() && !run.has_lines) throw OutOfTime{run.report.partial.stages.front()};
+  return {std::move(finished), std::move(run.report), std::move(run.answers)};
+}
+
+// Reads surfaces again, with finer facets, while these alone prevent --max-error.
+DrawnScene draw_within_error(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context,
+                             const std::vector<SheetOfViews>& sheets) {
+  constexpr double reserve = 1.5, most_at_once = 8;
+  for (double fineness = 1;;) {
+    HeldMessages held;
+    const Messages messages = held.messages();
+    try {
+      DrawnScene drawn = draw_once(scene, options, {messages, context.progress, context.watch}, sheets, fineness);
+      held.tell(context.messages);
+      return drawn;
+    } catch (const TooCoarse& attempt) {
+      fineness *= std::min(most_at_once, reserve * attempt.factor);
+    } catch (...) {
+      held.tell(context.messages);
+      throw;
+    }
+  }
 }
 
 }  // namespace
@@ -312,13 +412,8 @@ DrawnScene draw_scene(const scene::SceneDescription& scene, const RunOptions& op
   const ThreadLimit threads(options.threads);
   const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, options));
   context.watch.lap("prepare");
-  Run run{scene, options, context.messages, context.progress, context.watch, scene.views.size()};
-  run.report.plan.push_back(plugins_step(sheets));
-  std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
-  context.progress.expect_not_stopped();
-  // An empty sheet is not a drawing.
-  if (!run.report.partial.stages.empty() && !run.has_lines) throw OutOfTime{run.report.partial.stages.front()};
-  return {std::move(finished), std::move(run.report), std::move(run.answers)};
+  return options.max_error ? draw_within_error(scene, options, context, sheets)
+                           : draw_once(scene, options, context, sheets, 1);
 }
 
 }  // namespace epura::pipeline

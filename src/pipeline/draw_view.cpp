@@ -14,6 +14,7 @@
 #include "edges/crossing_candidates.hpp"
 #include "pipeline/breaks.hpp"
 #include "pipeline/details.hpp"
+#include "pipeline/view_error.hpp"
 #include "verify/outline.hpp"
 #include "verify/verify.hpp"
 #include "visibility/folds.hpp"
@@ -63,8 +64,6 @@ struct Candidates {
 constexpr double part_for_candidates = 0.25;
 // Fraction of the time for lines; the rest is for drawing them.
 constexpr double part_for_hiding = 0.7;
-// No span longer than this fraction of the drawing is shown wrongly (docs/numerics.md).
-constexpr double guaranteed_part = 1e-6;
 
 std::string why_searched(const scene::World& world, const ViewOptions& options, std::size_t candidates) {
   const std::string all = std::to_string(world.triangles.size());
@@ -89,17 +88,6 @@ report::PlanStep hidden_step(const ViewOptions& options, const visibility::Hidde
           run ? 0 : count_of(hidden.spans.size())};
 }
 
-// Returns the guaranteed error in mm, if a maximum is given.
-std::optional<double> error_within(const std::optional<double>& allowed, const view::ProjectedScene& view,
-                                   const view::PaperMap& paper) {
-  if (!allowed) return std::nullopt;
-  const double guaranteed = guaranteed_part * view.extent * paper.scale;
-  if (guaranteed <= *allowed) return guaranteed;
-  throw Error(
-      ErrorKind::input, "--max-error", "is " + format_number(*allowed) + " mm, which cannot be guaranteed",
-      "the exact method guarantees " + format_rounded(guaranteed, 3) + " mm, a millionth of the drawing, in this view");
-}
-
 report::PlanStep section_step(const CutSection& section) {
   return {"section", true, "the view shows section " + section.surface.plane.name,
           count_of(section.cut.world.models.size()), count_of(section.cut.faces.size())};
@@ -109,6 +97,13 @@ drawing::NearLines near_lines(const ViewOptions& options) {
   return {options.join_within, [&options](int model, int body, EdgeKind kind, bool visible) {
             return sheet::line_strength(kind, visible, options.styles(model, body));
           }};
+}
+
+// Under --max-error, neither the tolerance nor the rise over a chord takes more than its part.
+drawing::CurveReport curves_of(const ViewOptions& options, drawing::ViewDrawing& drawing, const Progress& progress) {
+  if (!options.max_error) return drawing::find_curves(drawing.chains, *options.arcs, progress);
+  const double part = row_of(report::ErrorTerm::curves).share * *options.max_error;
+  return drawing::find_curves(drawing.chains, std::min(*options.arcs, part / 4), progress, 0.75 * part);
 }
 
 struct DrawnLines {
@@ -131,7 +126,6 @@ class ViewRun {
 
   ViewResult run() {
     const view::PaperMap paper = view::make_paper_map(view_, input_.place.scale, input_.place.shift);
-    const std::optional<double> max_error = error_within(options_.max_error, view_, paper);
     find_edges();
     watch_.lap("edges");
     hide();
@@ -145,10 +139,12 @@ class ViewRun {
     auto verification =
         budget_.or_nothing([&](const Progress& progress) { return verified(lines.drawing, paper, progress); });
     if (options_.verify) watch_.lap("verify");
-    for (const BrokenOutSection& one : input_.broken_out) break_out(lines, one, verification);
+    std::optional<report::ViewError> error = judged(lines, paper);
+    for (const BrokenOutSection& one : input_.broken_out) break_out(lines, one, verification, error);
     if (options_.detail) show_detail(lines);
     const double unsymmetric = options_.breaks.any() ? break_view(lines) : 0;
     add_revolved(lines.drawing, options_.revolved);
+    if (error) (*error)[report::ErrorTerm::curves] = lines.curves.deviation + lines.curves.bulge;
     auto features = budget_.or_nothing([&](const Progress& progress) {
       return options_.centre_lines ? scene::find_centred_features(input_.world, options_.edges.crease_angle, progress)
                                    : scene::CentredFeatures();
@@ -161,7 +157,7 @@ class ViewRun {
             input_.section != nullptr ? std::optional(input_.section->surface) : std::nullopt,
             lines.curves,
             std::move(features),
-            max_error,
+            std::move(error),
             unsymmetric};
   }
 
@@ -180,8 +176,10 @@ class ViewRun {
   DrawnLines draw_lines(const view::PaperMap& paper);
   template <class Change>
   void change(DrawnLines& lines, const Change& change_drawing);
-  void break_out(DrawnLines& lines, const BrokenOutSection& one, std::optional<report::Verification>& verification);
-  drawing::ViewDrawing cut_view(const BrokenOutSection& one, std::optional<report::Verification>& verification);
+  [[nodiscard]] std::optional<report::ViewError> judged(const DrawnLines& lines, const view::PaperMap& paper) const;
+  void break_out(DrawnLines& lines, const BrokenOutSection& one, std::optional<report::Verification>& verification,
+                 std::optional<report::ViewError>& error);
+  ViewResult cut_view(const BrokenOutSection& one);
   void show_detail(DrawnLines& lines);
   double break_view(DrawnLines& lines);
   std::vector<std::array<Vec2, 2>> traces(const view::PaperMap& paper, const Progress& progress);
@@ -343,7 +341,7 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
     DrawnLines lines;
     lines.drawing = drawn_on(paper, drawn_, progress);
     if (options_.arcs && !options_.detail && !options_.breaks.any() && input_.broken_out.empty())
-      lines.curves = drawing::find_curves(lines.drawing.chains, *options_.arcs, progress);
+      lines.curves = curves_of(options_, lines.drawing, progress);
     return lines;
   };
   const auto leave_out = [&](const std::string& stage) { return keep_longest(stage); };
@@ -369,7 +367,7 @@ void ViewRun::change(DrawnLines& lines, const Change& change_drawing) {
   const auto make = [&](const Progress& progress) {
     DrawnLines changed{lines.drawing, {}};
     change_drawing(changed.drawing, progress);
-    if (options_.arcs) changed.curves = drawing::find_curves(changed.drawing.chains, *options_.arcs, progress);
+    if (options_.arcs) changed.curves = curves_of(options_, changed.drawing, progress);
     return changed;
   };
   const auto leave_out = [&](const std::string& stage) {
@@ -381,8 +379,16 @@ void ViewRun::change(DrawnLines& lines, const Change& change_drawing) {
   lines = make_in_time(budget_.run, budget_.last(), make, leave_out);
 }
 
+std::optional<report::ViewError> ViewRun::judged(const DrawnLines& lines, const view::PaperMap& paper) const {
+  if (input_.heights == nullptr) return std::nullopt;
+  const bool is_whole = input_.section == nullptr && !options_.exploded &&
+                        input_.heights->of_triangle.size() == input_.world.triangles.size();
+  return error_of_view({input_.world, *input_.heights, is_whole, view_, drawn_, paper, lines.drawing}, lines.curves,
+                       !options_.wireframe);
+}
+
 // The view of the cut models, in the same place. It has no lines if there is no time for them.
-drawing::ViewDrawing ViewRun::cut_view(const BrokenOutSection& one, std::optional<report::Verification>& verification) {
+ViewResult ViewRun::cut_view(const BrokenOutSection& one) {
   const scene::World& world = one.section.cut.world;
   ViewOptions options = options_;
   options.detail.reset();
@@ -394,15 +400,10 @@ drawing::ViewDrawing ViewRun::cut_view(const BrokenOutSection& one, std::optiona
     for (sheet::BodyStyle& style : of_model) style.hidden = HiddenLines::none;
   const auto clipping = options.leave_out.clip ? view::Clipping::where_needed : view::Clipping::everywhere;
   try {
-    ViewResult cut = ViewRun({world, &one.section, options, input_.place},
-                             view::project_scene(world, view_.projection, options.limits, clipping),
-                             {budget_.run, budget_.lines}, watch_)
-                         .run();
-    plan_.insert(plan_.end(), cut.plan.begin(), cut.plan.end());
-    partial_.add(cut.partial);
-    if (cut.verification && (!verification || verification->errors() < cut.verification->errors()))
-      verification = cut.verification;
-    return std::move(cut.drawing);
+    return ViewRun({world, &one.section, options, input_.place, {}, {}, input_.heights},
+                   view::project_scene(world, view_.projection, options.limits, clipping), {budget_.run, budget_.lines},
+                   watch_)
+        .run();
   } catch (const OutOfTime& cut) {
     partial_.add_stage(cut.stage);
     return {};
@@ -410,13 +411,18 @@ drawing::ViewDrawing ViewRun::cut_view(const BrokenOutSection& one, std::optiona
 }
 
 void ViewRun::break_out(DrawnLines& lines, const BrokenOutSection& one,
-                        std::optional<report::Verification>& verification) {
+                        std::optional<report::Verification>& verification, std::optional<report::ViewError>& error) {
   const drawing::ClosedLine line = line_on_page(one.description, lines.drawing);
-  const drawing::ViewDrawing section = cut_view(one, verification);
+  const ViewResult cut = cut_view(one);
+  plan_.insert(plan_.end(), cut.plan.begin(), cut.plan.end());
+  partial_.add(cut.partial);
+  if (cut.verification && (!verification || verification->errors() < cut.verification->errors()))
+    verification = cut.verification;
+  if (cut.error && error) error->take_larger(*cut.error);
   const std::vector<drawing::PaperTriangle> removed =
       removed_on_paper(input_.world, one.section, lines.drawing.world_to_page);
   change(lines, [&](drawing::ViewDrawing& drawing, const Progress& progress) {
-    drawing::break_out(drawing, section, line, removed, progress);
+    drawing::break_out(drawing, cut.drawing, line, removed, progress);
   });
 }
 

@@ -23,6 +23,7 @@
 #include "scene/centred_features.hpp"
 #include "scene/description.hpp"
 #include "scene/exploded_world.hpp"
+#include "scene/facet_heights.hpp"
 #include "scene/scene.hpp"
 #include "sheet/view_lines.hpp"
 #include "view/paper_map.hpp"
@@ -39,7 +40,7 @@ struct ViewOptions {
   bool wireframe = false;                         ///< nothing is hidden
   bool exploded = false;                          ///< bodies are not where dimensions find them
   std::optional<scene::CuttingSurface> turned{};  ///< of an aligned section, whose parts are elsewhere, too
-  std::optional<double> max_error;                ///< mm; no longer span may be shown wrongly
+  std::optional<double> max_error;                ///< mm; chords are drawn as arcs only if they rise less
   sheet::BodyStyles styles;
   std::optional<int> verify;   ///< number of random points
   std::optional<double> arcs;  ///< tolerance in mm for recognising circles and ellipses
@@ -72,9 +73,9 @@ struct ViewResult {
   std::optional<report::Verification> verification;
   std::optional<scene::CuttingSurface> section;  ///< shown by the view
   drawing::CurveReport curves{};
-  scene::CentredFeatures features{};  ///< for centre lines, if requested
-  std::optional<double> max_error{};  ///< mm; if a maximum was given, no longer span is shown wrongly
-  double unsymmetric = 0;             ///< mm of lines that a half view leaves out and does not show mirrored
+  scene::CentredFeatures features{};         ///< for centre lines, if requested
+  std::optional<report::ViewError> error{};  ///< if its input has heights of facets
+  double unsymmetric = 0;                    ///< mm of lines that a half view leaves out and does not show mirrored
 };
 
 /// Seconds since the last call of `lap`, under a name.
@@ -116,6 +117,7 @@ struct ViewInput {
   std::span<const scene::Trace> traces{};  ///< of moved bodies
   std::span<const BrokenOutSection> broken_out{};
   std::optional<KnownIntersections>* known = nullptr;  ///< of the world; null if no other view shows it
+  const scene::FacetHeights* heights = nullptr;  ///< of the uncut world; null if the view is not judged
 };
 
 /// Throws OutOfTime if time is over before there is a line to show; otherwise omissions are noted in the result.

@@ -43,7 +43,8 @@ struct RunOptions {
   Sandbox sandbox = Sandbox::automatic;
   bool allow_outside = false;  ///< scene files and models may name files outside their folders
   Visibility visibility = Visibility::exact;
-  std::optional<double> max_error;  ///< mm; no longer span may be shown wrongly
+  std::optional<double> max_error;  ///< mm; no line of a view may be farther from the part
+  double writing_error = 0;         ///< mm; of the files that will be written
   std::optional<double> contact;    ///< world length
   std::optional<double> arcs;       ///< tolerance, mm; nothing: lines stay straight
   bool centre_lines = false;
@@ -56,6 +57,8 @@ struct RunOptions {
   Shortcuts plan;               ///< shortcuts in use
   bool explain = false;         ///< print the steps
   bool lint = false;            ///< report faults of the dimensions
+  bool error_note = false;      ///< sheets state above the title block how far lines may be from those of the part
+  bool judges = false;          ///< finds the error budgets of the views
   bool keeps_drawings = false;  ///< in addition to the sheets
   bool line_facts = false;      ///< the sheets tell what the model knows of their lines
 };

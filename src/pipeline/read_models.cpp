@@ -14,6 +14,7 @@
 #include "pipeline/choose.hpp"
 #include "pipeline/layout.hpp"
 #include "pipeline/omit_bodies.hpp"
+#include "pipeline/view_error.hpp"
 #include "scene/body_styles.hpp"
 #include "scene/transform.hpp"
 #include "sheet/paper.hpp"
@@ -143,9 +144,10 @@ void warn_about(const Messages& messages, const mesh::MeshReport& report, bool s
 
 }  // namespace
 
-importer::ReadOptions read_options(const scene::SceneDescription& scene, const RunOptions& options) {
+importer::ReadOptions read_options(const scene::SceneDescription& scene, const RunOptions& options, double fineness) {
   constexpr double usual_error = 0.02;  // mm on paper
-  const double error = options.max_error.value_or(usual_error);
+  const double error =
+      (options.max_error ? part_for_facets(*options.max_error, options.arcs.has_value()) : usual_error) / fineness;
   importer::ReadOptions read{.plugin_path = options.plugin_path,
                              .relative_tolerance = 0,
                              .threads = options.threads,

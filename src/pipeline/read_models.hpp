@@ -16,7 +16,8 @@ namespace epura::pipeline {
 
 /// The precision that the drawings need so that no ink is off by more than RunOptions::max_error: from the given
 /// scales, otherwise from the paper on which the drawings must fit.
-importer::ReadOptions read_options(const scene::SceneDescription& scene, const RunOptions& options);
+importer::ReadOptions read_options(const scene::SceneDescription& scene, const RunOptions& options,
+                                   double fineness = 1);
 
 /// Reads and positions the models; appends a report for each to `reports`. Reports repairs. Faces of parts are those
 /// that the files declare.

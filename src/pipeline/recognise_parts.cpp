@@ -11,7 +11,7 @@
 #include "edges/find_edges.hpp"
 #include "features/recognise.hpp"
 #include "pipeline/annotations.hpp"
-#include "scene/true_extents.hpp"
+#include "scene/facet_heights.hpp"
 
 namespace epura::pipeline {
 

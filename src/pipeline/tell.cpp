@@ -63,9 +63,6 @@ std::string listed(const std::vector<std::string>& characters) {
 void warn_about(const Messages& messages, const ViewResult& result) {
   if (result.verification)
     messages.print(result.drawing.name + ": " + report::format_verification(*result.verification));
-  if (result.max_error)
-    messages.print(result.drawing.name + ": hidden lines by the exact method; no span longer than " +
-                   format_rounded(*result.max_error, 3) + " mm is wrong\n");
   for (const drawing::BrokenOut& one : result.drawing.broken_out)
     if (one.lines.empty() && result.drawing.cut_faces.empty() && !result.drawing.detail)
       messages.warn("a broken-out section of view '" + result.drawing.name +

@@ -6,6 +6,7 @@
 
 #include "pipeline/annotations.hpp"
 #include "pipeline/choose.hpp"
+#include "pipeline/view_error.hpp"
 #include "scene/body_styles.hpp"
 #include "scene/details.hpp"
 #include "sheet/arrangement.hpp"
@@ -64,6 +65,8 @@ ViewOptions view_options(const scene::ViewDescription& view, const RunOptions& r
   if (run.max_error && options.wireframe)
     throw Error(ErrorKind::input, "--max-error", "cannot be guaranteed for a wireframe", "omit --visibility none");
   options.max_error = run.max_error;
+  if (run.max_error && !view.join_within.given())
+    options.join_within = join_within(*run.max_error, options.join_within);
   if (run.verify) options.verify = run.verify_samples;
   return options;
 }

@@ -32,6 +32,7 @@ struct SheetOfViews {
   int sheet;
   std::vector<scene::ViewDescription> descriptions;
   std::vector<PlannedView> plans;
+  bool states_error = false;          ///< above the title block
   std::vector<scene::Item> items{};   ///< of its parts list; empty: it has none
   std::optional<EpuraViews> epura{};  ///< if they have that layout
 };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/format.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include "base/text.hpp"
 
 namespace epura::report {
@@ -68,6 +71,43 @@ std::string format_verification(const Verification& v) {
   for (const Mismatch& mismatch : v.worst)
     text += "wrong: " + position_of(mismatch) + " is " + mismatch.what + ", but " + reason_of(mismatch) + "\n";
   return text + format_outline(v.outline);
+}
+
+std::string rounded_up(double millimetres) {
+  constexpr double digits = 1.005;  // half of the last digit at most is rounded off
+  return format_rounded(millimetres * digits, 3);
+}
+
+std::string format_errors(std::span<const ViewError> errors) {
+  std::vector<std::vector<std::string>> rows{{"error on paper, mm"}, {"total"}};
+  for (const ViewError& view : errors) {
+    rows[0].push_back(view.view);
+    rows[1].push_back(rounded_up(view.total()));
+  }
+  for (std::size_t i = 0; i < error_terms.size(); ++i) {
+    std::vector<std::string> row{error_terms[i].name};
+    for (const ViewError& view : errors) row.push_back(rounded_up(view.mm[i]));
+    const auto is_zero = [i](const ViewError& view) { return view.mm[i] == 0; };
+    if (std::all_of(errors.begin(), errors.end(), is_zero)) continue;
+    const auto is_estimated = [i](const ViewError& view) {
+      return view.evidence(static_cast<ErrorTerm>(i)) == Evidence::estimated;
+    };
+    const bool estimated = std::any_of(errors.begin(), errors.end(), is_estimated);
+    row.push_back(evidence_names[static_cast<std::size_t>(estimated ? Evidence::estimated : error_terms[i].evidence)]);
+    row.emplace_back(error_terms[i].cause);
+    rows.push_back(std::move(row));
+  }
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()), 0);
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      text += row[i] + (i + 1 < row.size() ? std::string(widths[i] - row[i].size() + 2, ' ') : "\n");
+  }
+  return text;
 }
 
 }  // namespace epura::report

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "report/error_budget.hpp"
 #include "report/verification.hpp"
 #include "view/condition.hpp"
 
@@ -86,6 +87,7 @@ struct Report {
   std::optional<Verification> verification;             ///< if requested
   std::vector<ViewCondition> conditions;                ///< one for each view, if requested
   std::optional<Tessellation> tessellation{};           ///< if round faces of a part are recognised
+  std::vector<ViewError> errors{};                      ///< one for each view, if requested
   std::vector<Finding> findings{};                      ///< of the dimensions, if requested
   bool cut_off = false;                                 ///< views extend beyond the paper
 };

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "base/parallel.hpp"
 #include "scene/placed_part.hpp"
 
 namespace epura::scene {
@@ -138,14 +137,6 @@ class Outward {
 Triangle corners_of(const World& world, int triangle) {
   const auto& [a, b, c] = world.triangles[triangle];
   return {world.points[a], world.points[b], world.points[c]};
-}
-
-// The height of the surface above a facet, sampled where facets are farthest from the surface through their corners.
-double height_over(const PartSurface& surface, const Triangle& p) {
-  double height = 0;
-  for (const Vec3& place : {0.5 * (p[0] + p[1]), 0.5 * (p[1] + p[2]), 0.5 * (p[2] + p[0]), (p[0] + p[1] + p[2]) / 3.0})
-    height = std::max(height, std::abs(features::signed_distance(surface, place)));
-  return height;
 }
 
 /// The extent of a face in one direction.
@@ -304,30 +295,5 @@ Box box_of_faces(const World& world) {
 }
 
 std::array<Extent, 3> true_extents(const World& world) { return ExtentFinder(world).extents(); }
-
-double tessellation_error(const World& world, const Progress& progress) {
-  constexpr int triangles_a_piece = 4096;
-  double largest = 0;
-  for (std::size_t model = 0; model < world.models.size(); ++model) {
-    progress.expect_time();
-    const auto part = place_part(world.models[model]);
-    if (!part) continue;
-    const int first = world.first_triangle[model], count = world.first_triangle[model + 1] - first;
-    std::vector<double> errors(static_cast<std::size_t>((count + triangles_a_piece - 1) / triangles_a_piece), 0);
-    parallel_for(errors.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t piece = begin; piece < end; ++piece) {
-        const int from = static_cast<int>(piece) * triangles_a_piece, to = std::min(from + triangles_a_piece, count);
-        for (int t = from; t < to; ++t) {
-          const int face = part->face_of_triangle[t];
-          if (face < 0 || !is_round(part->faces[face].surface.kind)) continue;
-          const double height = height_over(part->faces[face].surface, corners_of(world, first + t));
-          errors[piece] = std::max(errors[piece], height);
-        }
-      }
-    });
-    for (const double error : errors) largest = std::max(largest, error);
-  }
-  return largest;
-}
 
 }  // namespace epura::scene

@@ -6,7 +6,6 @@
 #include <array>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "scene/scene.hpp"
 
 namespace epura::scene {
@@ -32,9 +31,5 @@ Box box_of_faces(const World& world);
 /// Returns the extents along x, y and z. Points of a recognised cylinder, cone, sphere or torus count if facets of its
 /// face lie below them; elsewhere vertices count.
 std::array<Extent, 3> true_extents(const World& world);
-
-/// Returns the largest distance between facets and the surfaces that they represent, in units of the world; 0 if no
-/// round face is recognised. Throws OutOfTime.
-double tessellation_error(const World& world, const Progress& progress = {});
 
 }  // namespace epura::scene

@@ -19,7 +19,7 @@ struct Row {
   std::array<std::string_view, languages.size()> words;
 };
 
-constexpr std::array<Row, 30> rows{{
+constexpr std::array<Row, 31> rows{{
     {"owner",
      {"Legal owner", "Gesetzlicher Eigentümer", "Propriétaire légal", "Propietario legal", "Proprietário legal",
       "法的所有者"}},
@@ -62,6 +62,9 @@ constexpr std::array<Row, 30> rows{{
     {"change_date", {"Date", "Datum", "Date", "Fecha", "Data", "日付"}},
     {"changed_by", {"By", "Name", "Par", "Por", "Por", "担当"}},
     {"notes", {"Notes", "Hinweise", "Notes", "Notas", "Notas", "注記"}},
+    {"error",
+     {"Lines on paper within", "Linien auf Papier auf", "Traits sur papier à moins de", "Líneas en papel dentro de",
+      "Linhas no papel dentro de", "紙面上の線の誤差"}},
     {"mm", {"Dimensions in mm", "Maße in mm", "Cotes en mm", "Cotas en mm", "Cotas em mm", "寸法単位 mm"}},
     {"in",
      {"Dimensions in inches", "Maße in Zoll", "Cotes en pouces", "Cotas en pulgadas", "Cotas em polegadas",

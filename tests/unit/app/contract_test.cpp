@@ -73,8 +73,9 @@ class JsonDrawing {
 
  private:
   void expect_report(const Json& report) const {
-    if (report.keys() != "meshes plan") {
-      EXPECT_EQ(report.keys(), "meshes plan tessellation");
+    expect_error(report["error"]);
+    if (report.keys() != "meshes plan error") {
+      EXPECT_EQ(report.keys(), "meshes plan tessellation error");
       const Json& tessellation = report["tessellation"];
       EXPECT_EQ(tessellation.keys(), "error on_paper");
       EXPECT_GT(tessellation["error"].number(), 0);
@@ -91,6 +92,22 @@ class JsonDrawing {
       const bool once = step.keys() == "stage run why in out";
       EXPECT_TRUE(once || step.keys() == "stage view run why in out") << step.keys();
     }
+  }
+
+  // The total is that of the terms, which are rounded up.
+  void expect_error(const Json& errors) const {
+    ASSERT_EQ(errors.items.size(), 1U);
+    const Json& error = errors.items[0];
+    EXPECT_EQ(error.keys(), "view total dominant terms");
+    double sum = 0, largest = 0, dominant = 0;
+    for (const Json& term : error["terms"].items) {
+      EXPECT_EQ(term.keys(), "term mm by");
+      sum += term["mm"].number();
+      if (term["term"].text == error["dominant"].text) dominant = term["mm"].number();
+      largest = std::max(largest, term["mm"].number());
+    }
+    EXPECT_NEAR(error["total"].number(), sum, 0.01 * sum);
+    EXPECT_EQ(dominant, largest);
   }
 
   void expect_view(const Json& view) const {

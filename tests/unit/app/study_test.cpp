@@ -55,9 +55,13 @@ Outcome draw_within(const char* allowed, std::vector<std::string> more = {}) {
 }
 
 TEST(MaxError, IsKeptAndTold) {
-  const Outcome run = draw_within("0.1", {"--verify"});
+  const Outcome run = draw_within("3", {"--verify"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.err, "isometric: hidden lines by the exact method; no span longer than ")) << run.err;
+  EXPECT_TRUE(contains(run.err,
+                       "max-error 3 mm: facets of imported surfaces within 2.1 mm, lines merged within 0.141 "
+                       "mm, 1 decimals in SVG; hidden lines by the exact method"))
+      << run.err;
+  EXPECT_TRUE(contains(run.err, "isometric: lines are within ")) << run.err;
 }
 
 TEST(MaxError, IsRefusedWhereItCannotBeKept) {
@@ -65,9 +69,43 @@ TEST(MaxError, IsRefusedWhereItCannotBeKept) {
     EXPECT_EQ(outcome.code, 2);
     EXPECT_TRUE(contains(outcome.err, reason)) << outcome.err;
   };
-  refused(draw_within("1e-7"), "cannot be guaranteed");
+  refused(draw_within("0.1"), "lines of view 'isometric' may be off by ");
+  refused(draw_within("0.1"), "hint: export the model with finer facets, or draw it from STEP");
+  refused(draw_within("3", {"--join-within", "1"}), "may be off by ");
   refused(draw_within("0.1", {"--visibility", "none"}), "omit --visibility none");
   refused(draw_within("0"), "--max-error: is 0");
+}
+
+// The coarsest decimals that keep to their share are chosen.
+TEST(MaxError, ChoosesMergingAndDecimals) {
+  const Folder folder;
+  const auto svg = [&](const char* allowed) {
+    const Outcome run =
+        epura({"draw", sample("bracket.obj"), "--max-error", allowed, "-o", "-", "--format", "svg"}, folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run;
+  };
+  EXPECT_TRUE(contains(svg("1").err, ", 2 decimals in SVG"));
+  EXPECT_TRUE(contains(svg("0.3").err, ", 2 decimals in SVG"));
+  EXPECT_TRUE(contains(svg("0.3").err, "lines merged within 0.06 mm"));
+}
+
+TEST(ErrorBudget, IsExplainedByTerms) {
+  const Folder folder;
+  const Outcome run = epura({"explain", sample("elbow.obj"), "--views", "front,top"}, folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "error on paper, mm")) << run.out;
+  for (const char* term : {"total", "surface", "contours", "file", "grid", "hiding"})
+    EXPECT_TRUE(contains(run.out, std::string("\n") + term)) << term << run.out;
+}
+
+TEST(ErrorBudget, StandsAboveTheTitleBlock) {
+  const Folder folder;
+  const Outcome run = epura({"draw", sample("flange.obj"), "--frame", "full", "--error-note", "--svg-text", "text",
+                             "--language", "de", "-o", "-", "--format", "svg"},
+                            folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "Linien auf Papier auf 0.")) << run.out.substr(0, 2000);
 }
 
 }  // namespace

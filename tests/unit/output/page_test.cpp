@@ -122,7 +122,7 @@ TEST(Formats, EncodeAsTheirWritersDo) {
   EXPECT_EQ(encoded("pdf", {{first}, {second}}), output::to_pdf({&first, &second}));
   EXPECT_EQ(encoded("ps", {{first}, {second}}), output::to_ps({&first, &second}));
   EXPECT_EQ(encoded("eps", {{first}}), output::to_eps(first));
-  EXPECT_EQ(encoded("png", {{first}}), output::to_png(first, options.dpi));
+  EXPECT_EQ(encoded("png", {{first}}), output::to_png(first, options.dpi.value_or(output::usual_dpi)));
   EXPECT_EQ(encoded("dxf", {{first}}), output::to_dxf(first));
   EXPECT_EQ(encoded("json", {{first, 0.5}}), output::to_json(first, 0.5, {}, report));
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "recognised.hpp"
+#include "scene/facet_heights.hpp"
 
 namespace epura {
 namespace {

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// What would break if this were wrong: the error that a drawing states. It is compared with distances from closed
+// forms, which share nothing with the stages.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "base/error.hpp"
+#include "study/paper/convergence.hpp"
+
+namespace epura::study {
+namespace {
+
+const PaperStudy laboratory{{EPURA_TEST_PLUGINS}, 2048};
+
+class Paper : public testing::TestWithParam<std::size_t> {
+ protected:
+  const ClosedForm form = closed_forms()[GetParam()];
+};
+
+// Neither is any line farther than stated, nor is the statement so large that it says nothing.
+TEST_P(Paper, LinesAreWithinTheStatedError) {
+  for (const bool recognises : {true, false})
+    for (int around : {16, 48}) {
+      around = std::max(around, form.coarsest);
+      const PaperRun run = draw_on_paper(form, around, recognises, laboratory);
+      EXPECT_LE(run.error.ink(), run.error.budget.total()) << recognises << around;
+      EXPECT_GT(run.error.ink(), 0);
+      EXPECT_LE(run.error.budget.total(), 25 * run.error.ink()) << recognises << around;
+    }
+}
+
+// Twice as many facets around have a quarter of the error. At a cusp, where a contour of a torus ends, they do not: its
+// end is that of the facets' contour, up to a facet away.
+TEST_P(Paper, ErrorsFallWithTheSquareOfTheFacets) {
+  PaperSeries series{form.name, false};
+  for (const int around : {48, 96}) series.runs.push_back(draw_on_paper(form, around, false, laboratory));
+  EXPECT_GT(series.order(), form.name == "torus" ? 0.7 : 1.8);
+  EXPECT_LT(series.order(), 2.5);
+}
+
+TEST_P(Paper, MaxErrorIsKeptOrRefused) {
+  int kept = 0, refused = 0;
+  for (const int around : {16, 256}) {
+    const double allowed = 0.2;
+    try {
+      EXPECT_LE(draw_on_paper(form, around, true, laboratory, allowed).error.ink(), allowed);
+      ++kept;
+    } catch (const Error& error) {
+      ++refused;
+      EXPECT_NE(std::string(error.what()).find("--max-error"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_EQ(kept + refused, 2);
+}
+
+// Planted: a body that is 2 % larger than its mesh, and a budget that forgets what facets do.
+TEST_P(Paper, ViolationsAreFound) {
+  ClosedForm larger = form;
+  for (RoundBody& body : larger.bodies) body.radius *= 1.02, body.top *= 1.02, body.tube *= 1.02;
+  const PaperRun wrong = compare_on_paper(form, larger, 64, true, laboratory);
+  EXPECT_GT(wrong.error.ink(), wrong.error.budget.total());
+  EXPECT_GT(wrong.error.missed + wrong.error.phantom, 0);
+  const PaperRun right = draw_on_paper(form, 64, true, laboratory);
+  report::ViewError forgetful = right.error.budget;
+  using report::ErrorTerm;
+  for (const ErrorTerm term : {ErrorTerm::surface, ErrorTerm::intersections, ErrorTerm::contours}) forgetful[term] = 0;
+  EXPECT_GT(right.error.ink(), forgetful.total());
+}
+
+INSTANTIATE_TEST_SUITE_P(ClosedForms, Paper, testing::Range<std::size_t>(0, closed_forms().size()));
+
+}  // namespace
+}  // namespace epura::study

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Error on paper of the whole way from a mesh to its drawing, against closed forms, over the fineness of the mesh.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/error_budget.hpp"
+#include "study/paper/closed_forms.hpp"
+
+namespace epura::study {
+
+/// The distances between drawn and true visible lines, mm on paper.
+struct PaperError {
+  double drawn = 0;            ///< farthest point of a drawn line from the true ones
+  double truth = 0;            ///< farthest point of a true line from the drawn ones
+  double missed = 0;           ///< length of true lines that are farther from drawn ones than the budget
+  double phantom = 0;          ///< length of drawn lines that are farther from true ones than the budget
+  report::ViewError budget{};  ///< as the drawing reports it
+
+  [[nodiscard]] double ink() const { return std::max(drawn, truth); }
+};
+
+struct PaperRun {
+  int around;
+  int triangles = 0;
+  PaperError error;
+};
+
+/// A scene with one way to draw it.
+struct PaperSeries {
+  std::string scene;
+  bool recognises;  ///< surfaces of the part
+  std::vector<PaperRun> runs{};
+  /// The order of convergence: the slope of the error over the length of facets, over the finer half of the runs.
+  [[nodiscard]] double order() const;
+};
+
+/// How scenes are drawn and compared.
+struct PaperStudy {
+  std::vector<std::filesystem::path> plugin_path;
+  int points = 4096;  ///< on each true line
+};
+
+/// Draws a scene once. With `max_error`, as --max-error does; throws Error if that refuses.
+PaperRun draw_on_paper(const ClosedForm& form, int around, bool recognises, const PaperStudy& study,
+                       std::optional<double> max_error = {});
+
+/// The same, compared with the lines of another body.
+PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, int around, bool recognises,
+                          const PaperStudy& study, std::optional<double> max_error = {});
+
+}  // namespace epura::study
