@@ -117,7 +117,7 @@ struct ViewInput {
   std::span<const scene::Trace> traces{};  ///< of moved bodies
   std::span<const BrokenOutSection> broken_out{};
   std::optional<KnownIntersections>* known = nullptr;  ///< of the world; null if no other view shows it
-  const scene::FacetHeights* heights = nullptr;  ///< of the uncut world; null if the view is not judged
+  const scene::FacetHeights* heights = nullptr;        ///< of the uncut world; null if the view is not judged
 };
 
 /// Throws OutOfTime if time is over before there is a line to show; otherwise omissions are noted in the result.
