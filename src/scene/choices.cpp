@@ -54,7 +54,7 @@ ScaleChoice parse_scale(std::string_view text, const std::string& where) {
   const auto paper = parse_number(parts[0]);
   const auto model =
       parts.size() == 2 && !is_percent ? parse_number(parts[1]) : std::optional<double>(is_percent ? 100 : 1);
-  const double scale = paper && model && parts.size() <= 2 ? *paper / *model : 0;
+  const double scale = paper && model && parts.size() <= (is_percent ? 1U : 2U) ? *paper / *model : 0;
   if (!std::isfinite(scale) || !(scale > 0) || !(*paper > 0) || std::isinf(*model))
     throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a scale",
                 "write fit, auto, paper:model such as 1:2 or 5:1, or a number above 0");
