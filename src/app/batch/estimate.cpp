@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Medians of 47 models as sheets of three views, docs/scale.md.
+// Measured with 47 models on sheets of three views: docs/scale.md.
 constexpr double start = 2000, microseconds_of_triangle = 20;
 constexpr double start_of_tessellation = 100'000, microseconds_of_exact_byte = 1.2;
 
