@@ -400,7 +400,7 @@ ViewResult ViewRun::cut_view(const BrokenOutSection& one) {
     for (sheet::BodyStyle& style : of_model) style.hidden = HiddenLines::none;
   const auto clipping = options.leave_out.clip ? view::Clipping::where_needed : view::Clipping::everywhere;
   try {
-    return ViewRun({world, &one.section, options, input_.place, {}, {}, input_.heights},
+    return ViewRun({world, &one.section, options, input_.place, {}, {}, nullptr, input_.heights},
                    view::project_scene(world, view_.projection, options.limits, clipping), {budget_.run, budget_.lines},
                    watch_)
         .run();
