@@ -18,7 +18,6 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from served import FOREIGN, Served  # noqa: E402
 
 EPURA, PLUGINS = (os.path.abspath(argument) for argument in sys.argv[1:3])
-SLOW = 120  # boxes in a row whose every face crosses others: its drawing takes seconds
 failures = []
 
 
@@ -101,7 +100,7 @@ def test_methods_and_sizes(server):
     same("a body", server.request("", body=b"x" * 100)[0], 413)
     check("an endless body", server.request("", "POST", {"Content-Length": str(10**15)}, b"x")[0] in (405, 413))
     long = server.raw(f"GET {server.path}view?projection={'x' * 10**6} HTTP/1.1\r\n".encode())
-    check("a long address", re.match(rb"HTTP/1\.1 (414|431|400)", long), long[:60])
+    check("a long address", long == b"" or re.match(rb"HTTP/1\.1 (414|431|400)", long), long[:60])
     many = "".join(f"X-{i}: {'x' * 100}\r\n" for i in range(10000))
     many = server.raw(f"GET {server.path} HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n{many}\r\n".encode())
     check("many headers", many == b"" or re.match(rb"HTTP/1\.1 (413|431|400)", many), many[:60])
@@ -156,23 +155,37 @@ def test_options():
         same("its sheet", server.ask("view", "cavalier")[1]["paper"], [297, 420])
 
 
+def endless():
+    """A server whose drawings by the projection `plain` do not end by themselves."""
+    return ["box.obj", "--plugin-path", os.path.join(PLUGINS, "hangs-when-asked")]
+
+
+def processes_while_drawing(server):
+    """Those of the model and of a drawing, which has just been requested."""
+    until = time.monotonic() + 20
+    while len(children(server.process.pid)) < 2 and time.monotonic() < until:
+        time.sleep(0.01)
+    processes = children(server.process.pid)
+    check("a model and a drawing have processes", len(processes) == 2, processes)
+    return processes
+
+
 def test_limits():
-    write("slow.obj", "".join(box((i % 7 * 1.01, i % 11 * 1.02, i % 13 * 1.03), 20, 8 * i + 1) for i in range(SLOW)))
-    with Served(EPURA, "slow.obj", "--job-time", "0.2") as server:
-        status, reply = server.ask("drawing", "isometric")
+    with Served(EPURA, *endless(), "--job-time", "0.2") as server:
+        status, reply = server.ask("drawing", "plain")
         check("a drawing that takes too long", status == 503 and "0.2 s" in reply["error"], (status, reply))
-    with Served(EPURA, "slow.obj", "--job-memory", "50") as server:
+    write("large.obj", "".join(box((i % 7 * 1.01, i % 11 * 1.02, i % 13 * 1.03), 20, 8 * i + 1) for i in range(120)))
+    with Served(EPURA, "large.obj", "--job-memory", "50") as server:
         status, reply = server.ask("drawing", "isometric")
         check("a drawing that is too large", status in (400, 500) and reply["error"], (status, reply))
         same("other requests", server.request("")[0], 200)
 
 
 def test_newer_requests():
-    with Served(EPURA, "slow.obj") as server, concurrent.futures.ThreadPoolExecutor() as pool:
+    with Served(EPURA, *endless()) as server, concurrent.futures.ThreadPoolExecutor() as pool:
+        old = pool.submit(server.ask, "drawing", "plain", "one page")
+        drawing = processes_while_drawing(server)
         begun = time.monotonic()
-        old = pool.submit(server.ask, "drawing", "dimetric", "one page")
-        time.sleep(0.15)
-        drawing = children(server.process.pid)
         new = pool.submit(server.ask, "drawing", "isometric:from=left-back", "one page")
         status, reply = old.result()
         same("an older request of one page", (status, reply["error"]), (409, "a newer request has taken its place"))
@@ -215,12 +228,10 @@ def test_plugins():
 
 def test_end():
     for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
-        with Served(EPURA, "slow.obj") as server:
+        with Served(EPURA, *endless()) as server:
             with socket.create_connection(("127.0.0.1", server.port)) as connection:
-                connection.sendall(f"GET {server.path}drawing?projection=isometric HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n\r\n".encode())
-                time.sleep(0.15)
-                processes = children(server.process.pid)
-                check("a model and a drawing have processes", len(processes) == 2, processes)
+                connection.sendall(f"GET {server.path}drawing?projection=plain HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n\r\n".encode())
+                processes = processes_while_drawing(server)
                 begun = time.monotonic()
                 same("the end by a signal", server.end(number), (code, "epura: cancelled\n"))
                 check("at once", time.monotonic() - begun < 2)

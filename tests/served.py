@@ -53,7 +53,7 @@ class Served:
     def raw(self, text, wait=10):
         """What comes back for these bytes until the connection is closed."""
         with socket.create_connection(("127.0.0.1", self.port), timeout=wait) as connection:
-            with contextlib.suppress(ConnectionError):
+            with contextlib.suppress(OSError):  # the server may refuse, and close, before it has read all
                 connection.sendall(text)
                 connection.shutdown(socket.SHUT_WR)
             reply = b""
