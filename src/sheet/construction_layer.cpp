@@ -377,7 +377,7 @@ std::optional<std::array<Vec2, 2>> clipped(const construction::Line& line, const
 }
 
 std::optional<Vec2> clear_position(const ConstructionRoom& room, const Vec2& size) {
-  constexpr double step = 4, apart = 2;  // mm
+  constexpr double step = 4;  // mm
   const Vec2 last = room.area.max - size;
   for (double y = room.area.min.y; y <= last.y; y += step)
     for (double x = room.area.min.x; x <= last.x; x += step) {
