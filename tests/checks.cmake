@@ -16,6 +16,8 @@ endif()
 add_test(NAME accuracy_page_is_fresh COMMAND ${CMAKE_CURRENT_LIST_DIR}/accuracy.sh $<TARGET_FILE:epura>)
 add_test(NAME manual_is_sound COMMAND ${CMAKE_CURRENT_LIST_DIR}/manual.sh $<TARGET_FILE:epura>)
 find_package(Python3 COMPONENTS Interpreter REQUIRED)
+add_test(NAME planted_faults_have_places
+         COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/mutants/run --check)
 if(TARGET epura-faults)
   add_test(NAME faults COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/faults/run --sample --jobs 2
            $<TARGET_FILE:epura> $<TARGET_FILE:epura-faults>)
