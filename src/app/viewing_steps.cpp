@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/plugin_texts.hpp"
@@ -132,27 +133,71 @@ void print_text(const projection::Projection& p, const view::ViewingModel& model
         format_rounded(glm::distance(trace->page, trace->drawn), 3) + " mm away");
 }
 
+// As LaTeX writes numbers: 2e-07 is a power of ten.
+std::string latex_numbers(std::string_view text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string latex;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != 'e' || i == 0 || !is_digit(text[i - 1])) {
+      latex += text[i];
+      continue;
+    }
+    const bool is_negative = text[++i] == '-';
+    while (!is_digit(text[i]) || (text[i] == '0' && i + 1 < text.size() && is_digit(text[i + 1]))) ++i;
+    latex += is_negative ? "\\cdot10^{-" : "\\cdot10^{";
+    while (i < text.size() && is_digit(text[i])) latex += text[i++];
+    latex += '}';
+    --i;
+  }
+  return latex;
+}
+
+std::string latex_symbol(const std::string& name) {
+  const std::size_t at = name.find('_');
+  if (at == std::string::npos) return "\\mathrm{" + name + "}";
+  return name.substr(0, at) + "_{\\mathrm{" + name.substr(at + 1) + "}}";
+}
+
+void print_equation(const std::string& left, const std::string& right, const std::string& number) {
+  const std::string tag = number.empty() ? "" : " \\tag{" + number + "}";
+  print("\\[ " + left + " = " + latex_numbers(right) + tag + " \\]");
+}
+
+// P_0 is the vertex, P_i what the i-th matrix makes of it.
+void print_latex_trace(const view::ViewingModel& model, const Trace& trace) {
+  print_equation("P_{0}", "(" + list_of(trace.world) + ", 1)^T", "");
+  for (std::size_t i = 0; i < model.steps.size(); ++i) {
+    const Vec4& p = trace.after[i];
+    print_equation("P_{" + std::to_string(i + 1) + "}",
+                   latex_symbol(model.steps[i].symbol) + "\\,P_{" + std::to_string(i) + "} = (" +
+                       list_of({p.x, p.y, p.z, p.w}) + ")^T",
+                   "");
+  }
+  print_equation("\\mathrm{page}", "(" + list_of(trace.page) + ")\\,\\mathrm{mm}", "");
+  print_equation("\\mathrm{drawn\\ at}", "(" + list_of(trace.drawn) + ")\\,\\mathrm{mm}", "");
+  print_equation("\\mathrm{residue}", format_rounded(glm::distance(trace.page, trace.drawn), 3) + "\\,\\mathrm{mm}",
+                 "");
+}
+
 void print_latex(const projection::Projection& p, const view::ViewingModel& model, const Trace* trace) {
-  const auto symbol = [](std::string name) {
-    const std::size_t at = name.find('_');
-    if (at == std::string::npos) return "\\mathrm{" + name + "}";
-    return name.substr(0, at) + "_{\\mathrm{" + name.substr(at + 1) + "}}";
-  };
-  const auto equation = [&](const std::string& name, const std::string& value) {
-    std::fputs(("\\[ " + symbol(name) + " = " + value + " \\]\n").c_str(), stdout);
-  };
-  for (const Quantity& q : quantities_of(p, model)) equation(q.symbol, "(" + q.value + ")");
-  equation(plane_symbol(p), latex_of(model.plane));
+  int step = 0;
+  const auto heading = [&](const std::string& text) { print("% " + std::to_string(++step) + ". " + text); };
+  heading("The view");
+  for (const Quantity& q : quantities_of(p, model))
+    print_equation(latex_symbol(q.symbol), "(" + q.value + ")", q.equation);
+  heading("Onto the view plane, in world coordinates");
+  print_equation(latex_symbol(plane_symbol(p)), latex_of(model.plane), plane_equation(p));
   std::string product;
   for (const view::ViewingStep& s : model.steps) {
-    equation(s.symbol == std::string(plane_symbol(p)) ? "M_npc" : s.symbol, latex_of(s.matrix));
-    product = symbol(s.symbol == std::string(plane_symbol(p)) ? "M_npc" : s.symbol) + (product.empty() ? "" : "\\,") +
-              product;
+    heading(s.maps);
+    print_equation(latex_symbol(s.symbol), latex_of(s.matrix), s.equation);
+    product = latex_symbol(s.symbol) + (product.empty() ? "" : "\\,") + product;
   }
-  std::fputs(("\\[ M = " + product + " = " + latex_of(model.product) + " \\]\n").c_str(), stdout);
-  if (trace != nullptr)
-    std::fputs(("\\[ M\\,(" + list_of(trace->world) + ", 1)^T \\sim (" + list_of(trace->page) + ") \\]\n").c_str(),
-               stdout);
+  heading("The product: world -> viewport, mm");
+  print_equation("M", product + " = " + latex_of(model.product), "");
+  if (trace == nullptr) return;
+  heading("Vertex " + std::to_string(trace->vertex));
+  print_latex_trace(model, *trace);
 }
 
 void print_json(const projection::Projection& p, const view::ViewingModel& model, const Trace* trace) {

@@ -12,6 +12,9 @@ namespace epura::scene {
 
 namespace {
 
+// Farther points are mistakes, and their coordinates on paper have no digits of mm left.
+constexpr double farthest_label = 1e15;
+
 std::optional<int> parse_number_of_element(std::string_view text) {
   const auto number = parse_integer(text);
   if (!number || *number < 0 || *number > INT_MAX) return std::nullopt;
@@ -24,7 +27,9 @@ std::optional<Vec3> parse_direction(std::string_view text) {
   const Vec3 direction((*numbers)[0], (*numbers)[1], (*numbers)[2]);
   const double size = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
   if (!finite(direction) || !(size > 0)) return std::nullopt;
-  return direction;
+  // The length says nothing, but its square must be a number.
+  constexpr double largest = 1e100;
+  return size > largest || size < 1 / largest ? direction / size : direction;
 }
 
 // [MODEL:]NUMBER, or [MODEL:]NUMBER-NUMBER for an edge.
@@ -47,7 +52,8 @@ bool read_label(ConstructionItem& item, std::string_view text) {
   if (parts.size() != 2 || parts[0].empty() || parts[0].front() == '_' || !numbers || numbers->size() != 3)
     return false;
   item.label = NamedPoint{std::string(parts[0]), {(*numbers)[0], (*numbers)[1], (*numbers)[2]}};
-  return finite(item.label->at);
+  const auto is_within = [](double x) { return std::abs(x) <= farthest_label; };
+  return is_within(item.label->at.x) && is_within(item.label->at.y) && is_within(item.label->at.z);
 }
 
 // What is found by a change of planes, too, may say so in its text, where its construction looks for it.
@@ -96,7 +102,7 @@ std::string form_of(const ConstructionRow& row) {
     case ConstructionArgument::face:
       return word + ":[MODEL:]FACE as in JSON, such as " + word + ":0";
     case ConstructionArgument::named_point:
-      return word + ":SYMBOL:X,Y,Z, such as " + word + ":A_1:0,0,10";
+      return word + ":SYMBOL:X,Y,Z within 1e15 mm, such as " + word + ":A_1:0,0,10";
   }
   return word;
 }

@@ -97,6 +97,16 @@ TEST_F(Constructions, FarPointsHaveArrows) {
   EXPECT_LT(svg().size(), 100'000U);
 }
 
+TEST_F(Constructions, DirectionsMayHaveAnyLength) {
+  ASSERT_EQ(draw({"--projection", "two-point", "--construction", "vp:1,1,0"}).code, 0);
+  const Vec2 expected = at("VP_1,1,0");
+  for (const char* direction : {"vp:1e-200,1e-200,0", "vp:1e160,1e160,0", "vp:1e308,1e308,0"}) {
+    const Outcome run = draw({"--projection", "two-point", "--construction", direction});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_LT(glm::length(at("VP_1,1,0") - expected), 1e-9) << direction;
+  }
+}
+
 TEST_F(Constructions, EpurasHaveCorrespondenceLines) {
   const Outcome run = draw({"--views", "epura"});
   ASSERT_EQ(run.code, 0) << run.err;
@@ -149,6 +159,7 @@ TEST_F(Constructions, BadRequestsAreRefusedInWords) {
   EXPECT_NE(refusal("two-point", "axes").find("has no meaning"), std::string::npos);
   EXPECT_NE(refusal("two-point", "horizont").find("did you mean 'horizon'"), std::string::npos);
   EXPECT_NE(refusal("two-point", "vp:0,0,0").find("is not a construction"), std::string::npos);
+  EXPECT_NE(refusal("isometric", "label:A_1:1e308,0,1e308").find("within 1e15 mm"), std::string::npos);
   EXPECT_NE(refusal("cavalier", "trace-triangle").find("parallel to the picture"), std::string::npos);
   EXPECT_EQ(draw({"--views", "front,left", "--layout", "monge"}).code, 2);
   EXPECT_EQ(draw({"--views", "epura", "--third-angle"}).code, 2);

@@ -63,8 +63,9 @@ TEST(ViewingSteps, AreWrittenInEveryNotation) {
        {"cabinet:angle=30", "VRP", "M_par (3.20)", "VOM (3.36)", "N_par (3.48)", "M_wv (3.63)", "Vertex 1", "drawn at"})
     EXPECT_NE(text.find(word), std::string::npos) << word;
   const std::string latex =
-      answer({"plugins", "three-point", "--model", sample("bracket.obj"), "--notation", "latex"}).out;
-  for (const char* word : {"\\[ \\mathrm{VOM} = \\begin{pmatrix}", "N_{\\mathrm{per}}", "M_{\\mathrm{npc}}"})
+      answer({"plugins", "three-point", "--model", sample("bracket.obj"), "--notation", "latex", "--trace", "1"}).out;
+  for (const char* word : {"\\[ \\mathrm{VOM} = \\begin{pmatrix}", "N_{\\mathrm{per}}", "% 5. ", "\\tag{3.60}",
+                           "\\cdot10^{-", "P_{2} = N_{\\mathrm{per}}\\,P_{1} = (", "\\mathrm{residue} = "})
     EXPECT_NE(latex.find(word), std::string::npos) << word;
 }
 
