@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <random>
 #include <set>
 
@@ -104,6 +105,32 @@ TEST(GraphPatches, AreNoSurfacesThatRunTwiceAroundAPoint) {
     return Vec3(radius * std::cos(angle), radius * std::sin(angle), 0.2 * v * std::sin(angle / 2));
   });
   EXPECT_EQ(count_of(patches_of(twice)), 0U);
+}
+
+// A square and a smaller one over it, crosswise connected along a slit: their outlines are apart, and both are
+// counterclockwise.
+TEST(GraphPatches, AreNotTwoSheetsAroundTwoPoints) {
+  constexpr int cells = 60, slit = 30, first = 25, last = 35;
+  Shape shape;
+  std::map<std::array<int, 3>, int> vertices;  // i, j, and 0 or 1: which of the vertices there
+  const auto vertex = [&](int i, int j, int which, double z) {
+    const auto [found, is_new] = vertices.emplace(std::array{i, j, which}, static_cast<int>(shape.points.size()));
+    if (is_new) shape.points.push_back({static_cast<double>(i) / cells, static_cast<double>(j) / cells, z});
+    return found->second;
+  };
+  const auto corner = [&](bool small, bool above, int i, int j) {
+    if (j != slit || i < first || i > last) return vertex(i, j, small ? 1 : 0, small ? 0.01 : 0);
+    if (i == first || i == last) return vertex(i, j, 0, 0.005);
+    return small == above ? vertex(i, j, 1, 0.006) : vertex(i, j, 0, 0.005);
+  };
+  for (const bool small : {false, true})
+    for (int i = small ? 15 : 0; i < (small ? 45 : cells); ++i)
+      for (int j = small ? 15 : 0; j < (small ? 45 : cells); ++j) {
+        const auto at = [&](int di, int dj) { return corner(small, j >= slit, i + di, j + dj); };
+        shape.faces.push_back({at(0, 0), at(1, 0), at(1, 1)});
+        shape.faces.push_back({at(0, 0), at(1, 1), at(0, 1)});
+      }
+  EXPECT_EQ(count_of(patches_of(shape)), 0U);
 }
 
 TEST(GraphPatches, AreApartFromThemselves) {
