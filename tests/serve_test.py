@@ -15,20 +15,10 @@ import tempfile
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from claims import check, failures, same  # noqa: E402
 from served import FOREIGN, Served  # noqa: E402
 
 EPURA, PLUGINS = (os.path.abspath(argument) for argument in sys.argv[1:3])
-failures = []
-
-
-def check(what, is_right, found=""):
-    if not is_right:
-        failures.append(what)
-        print(f"FAILED: {what} {found}")
-
-
-def same(what, found, wanted):
-    check(what, found == wanted, f"is {found!r}, should be {wanted!r}")
 
 
 def box(at, size, first):

@@ -11,11 +11,12 @@ import sys
 import tempfile
 import threading
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.dirname(HERE)]
 import chromium  # noqa: E402
+from claims import check, failures, same  # noqa: E402
 
 EPURA, ELEMENT = (os.path.abspath(path) for path in sys.argv[1:3])
-failures = []
 
 CUBE = ("".join(f"v {40 * (i & 1)} {30 * (i >> 1 & 1)} {20 * (i >> 2 & 1)}\n" for i in range(8)) +
         "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n")
@@ -26,16 +27,6 @@ HOSTILE = """<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.
 <g onclick="window.hasRun = 1" style="display:none"><path data-kind="crease&lt;img src=x onerror=hasRun=1&gt;" d="M1 1h8"
  onmouseover="window.hasRun = 1" fill="url(#x)"/></g><animate onbegin="window.hasRun = 1" attributeName="x" dur="1s"/>
 <title>&lt;img src=x onerror=hasRun=1></title></svg>"""
-
-
-def check(what, is_right, found=""):
-    if not is_right:
-        failures.append(what)
-        print(f"FAILED: {what} {found}")
-
-
-def same(what, found, wanted):
-    check(what, found == wanted, f"is {found!r}, should be {wanted!r}")
 
 
 def draw(*arguments):

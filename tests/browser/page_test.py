@@ -10,22 +10,13 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.dirname(HERE)]
 import chromium  # noqa: E402
+from claims import check, failures, same  # noqa: E402
 
 EPURA = os.path.abspath(sys.argv[1])
 FIXED = 40_000  # bytes of a page beside its drawing
-failures = []
-
-
-def check(what, is_right, found=""):
-    if not is_right:
-        failures.append(what)
-        print(f"FAILED: {what} {found}")
-
-
-def same(what, found, wanted):
-    check(what, found == wanted, f"is {found!r}, should be {wanted!r}")
 
 
 def draw(*arguments):

@@ -13,11 +13,12 @@ import sys
 import tempfile
 import xml.etree.ElementTree
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.dirname(HERE)]
 import chromium  # noqa: E402
+from claims import check, failures  # noqa: E402
 
 EPURA = os.path.abspath(sys.argv[1])
-failures = []
 
 # Each calls ran(), if it is taken for more than text.
 PAYLOADS = [
@@ -84,12 +85,6 @@ PAGE = set("html head meta title style body header h1 h2 label select div button
            "path text aside pre details summary p kbd script".split())
 PICTURE = set("svg namedview title desc metadata RDF Work format type Agent creator contributor rights identifier date "
               "language description style g path text".split())
-
-
-def check(what, is_right, found=""):
-    if not is_right:
-        failures.append(what)
-        print(f"FAILED: {what} {found}")
 
 
 class Elements(html.parser.HTMLParser):

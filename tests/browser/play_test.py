@@ -13,12 +13,12 @@ import time
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [HERE, os.path.dirname(HERE)]
 import chromium  # noqa: E402
+from claims import check, failures, same  # noqa: E402
 from served import Served  # noqa: E402
 
 EPURA, STRANGERS = os.path.abspath(sys.argv[1]), os.path.join(os.path.abspath(sys.argv[3]), "good")
 BRACKET = os.path.join(os.path.dirname(os.path.dirname(HERE)), "samples", "models", "bracket.obj")
 ROUNDING = 1e-9  # mm on the page
-failures = []
 
 # Every projection with its defaults, and with values far from them.
 VALUES = {
@@ -39,16 +39,6 @@ VALUES = {
     "phigs": ["prp=20,10,500", "kind=parallel:vpn=1,-2,1:prp=50,20,100", "vpn=2,-1,1:window=-60,-40,70,80:prp=0,0,400"],
     "vanishing-points": ["x=-300,40:y=250,40"],
 }
-
-
-def check(what, is_right, found=""):
-    if not is_right:
-        failures.append(what)
-        print(f"FAILED: {what} {found}")
-
-
-def same(what, found, wanted):
-    check(what, found == wanted, f"is {found!r}, should be {wanted!r}")
 
 
 def drawn(request, format):
