@@ -2,6 +2,7 @@
 #include "study/paper/convergence.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -57,6 +58,26 @@ std::vector<InkLine> drawn_lines(const drawing::ViewDrawing& drawing) {
   return ink;
 }
 
+pipeline::RunOptions options_of(const PaperStudy& study) {
+  pipeline::RunOptions options;
+  options.plugin_path = study.plugin_path;
+  options.keeps_drawings = true;
+  return options;
+}
+
+struct TimedScene {
+  pipeline::DrawnScene scene;
+  double seconds;
+};
+
+TimedScene draw(const scene::SceneDescription& scene, const pipeline::RunOptions& options) {
+  const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
+  pipeline::Stopwatch watch;
+  const auto start = std::chrono::steady_clock::now();
+  pipeline::DrawnScene drawn = pipeline::draw_scene(scene, options, {silent, {}, watch});
+  return {std::move(drawn), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+}
+
 // The length of what is farther from the ink than `most`, piece by piece.
 double length_beyond(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink, double most) {
   constexpr double piece = 0.5;  // mm
@@ -91,14 +112,10 @@ PaperRun draw_on_paper(const ClosedForm& form, int around, bool recognises, cons
 
 PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, int around, bool recognises,
                           const PaperStudy& study, std::optional<double> max_error) {
-  pipeline::RunOptions options;
-  options.plugin_path = study.plugin_path;
-  options.keeps_drawings = options.judges = true;
+  pipeline::RunOptions options = options_of(study);
+  options.judges = true;
   options.max_error = max_error;
-  const scene::SceneDescription scene = describe(form, around, recognises);
-  const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
-  pipeline::Stopwatch watch;
-  const pipeline::DrawnScene drawn = pipeline::draw_scene(scene, options, {silent, {}, watch});
+  const pipeline::DrawnScene drawn = draw(describe(form, around, recognises), options).scene;
   PaperRun run{.around = around, .error = {}};
   for (const mesh::MeshReport& mesh : drawn.report.meshes) run.triangles += mesh.triangles;
   const drawing::ViewDrawing& drawing = drawn.sheets.front().drawings.front();
@@ -112,6 +129,29 @@ PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, in
   if (run.error.truth > allowed) run.error.missed = length_beyond(truth, ink, allowed);
   if (run.error.drawn > allowed) run.error.phantom = length_beyond(ink, truth, allowed);
   return run;
+}
+
+std::vector<PaperSeries> measure_paper(const std::vector<ClosedForm>& forms, const std::vector<int>& finenesses,
+                                       int runs, const PaperStudy& study, const Progress& progress) {
+  std::vector<PaperSeries> all;
+  for (const ClosedForm& form : forms) {
+    progress.begin("measuring " + form.name);
+    const std::size_t first = all.size();
+    for (const char* way : paper_ways) all.push_back({form.name, way});
+    for (int turn = 0; turn < runs; ++turn)
+      for (std::size_t f = 0, i = 0; f < finenesses.size(); ++f) {
+        if (finenesses[f] < form.coarsest) continue;
+        for (std::size_t way = 0; way < paper_ways.size(); ++way) {
+          progress.expect_time();
+          std::vector<PaperRun>& measured = all[first + way].runs;
+          if (turn == 0) measured.push_back(draw_on_paper(form, finenesses[f], way == 0, study));
+          const scene::SceneDescription scene = describe(form, finenesses[f], way == 0);
+          measured[i].seconds.push_back(draw(scene, options_of(study)).seconds);
+        }
+        ++i;
+      }
+  }
+  return all;
 }
 
 }  // namespace epura::study
