@@ -15,6 +15,11 @@ scene::ValueKind<Method> any_method() {
   return {form, [](const scene::TomlValue& value) { return parse_method(scene::read_text(value), value.where); }};
 }
 
+scene::ValueKind<Rival> any_rival() {
+  return {{"text", "NAME=COMMAND", {}},
+          [](const scene::TomlValue& value) { return parse_rival(scene::read_text(value)); }};
+}
+
 scene::Options<StabilityOptions> stability_options() {
   using Study = StabilityOptions;
   return {
@@ -87,6 +92,12 @@ scene::Options<PaperOptions> paper_options() {
                             .help = "facets around bodies, at most; the coarsest have 12, and each next twice as many",
                             .usual = "192"},
                            &Study::finest, scene::whole_number(12, 3072)),
+      scene::option<Study>(
+          {.flag = "--rival",
+           .help = "another program that draws isometric views, started as COMMAND MESH.off LINES.txt; "
+                   "may be repeated",
+           .repeatable = true},
+          &Study::rivals, any_rival()),
       plugin_path_option<Study>(&Study::plugin_path),
       scene::option<Study>({.flag = "--runs", .help = "timed runs of each drawing, alternating", .usual = "5"},
                            &Study::runs, scene::whole_number(1, 1000)),

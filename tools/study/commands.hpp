@@ -9,6 +9,7 @@
 #include "app/command_line.hpp"
 #include "app/options.hpp"
 #include "study/methods/method.hpp"
+#include "study/paper/rival.hpp"
 
 namespace epura::study {
 
@@ -40,6 +41,7 @@ struct PaperOptions {
   std::vector<std::filesystem::path> plugin_path;
   std::vector<std::string> bodies;  ///< none: all
   int finest = 192;                 ///< facets around
+  std::vector<Rival> rivals;
   int runs = 5;
   int threads = 0;
   ShowProgress progress = ShowProgress::automatic;

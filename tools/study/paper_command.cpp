@@ -37,8 +37,10 @@ int study_paper(const PaperOptions& options) {
   const Progress progress(board);
   const ThreadLimit threads(options.threads);
   const auto targets = report_targets(options.outputs);
-  const std::vector<PaperSeries> measured = measure_paper(
-      chosen_forms(options.bodies), finenesses_up_to(options.finest), options.runs, {options.plugin_path}, progress);
+  PaperStudy study{options.plugin_path};
+  study.rivals = options.rivals;
+  const std::vector<PaperSeries> measured =
+      measure_paper(chosen_forms(options.bodies), finenesses_up_to(options.finest), options.runs, study, progress);
   write_report(report_of(measured), targets, {}, progress);
   console.print("");  // clears the progress line
   return 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -96,6 +97,71 @@ double length_beyond(const std::vector<InkLine>& lines, const std::vector<InkLin
   return beyond;
 }
 
+// Beyond the stated error, lines are missed, or phantoms.
+void compare(const std::vector<InkLine>& ink, const std::vector<InkLine>& truth, PaperError& error) {
+  const double allowed = error.budget.total();
+  error.drawn = farthest_from_ink(ink, truth);
+  error.truth = farthest_from_ink(truth, ink);
+  if (error.truth > allowed) error.missed = length_beyond(truth, ink, allowed);
+  if (error.drawn > allowed) error.phantom = length_beyond(ink, truth, allowed);
+}
+
+// All bodies in one mesh.
+mesh::Soup mesh_of(const ClosedForm& form, int around) {
+  mesh::Soup all;
+  for (const RoundBody& body : form.bodies) {
+    const mesh::Soup one = mesh_of(body, around);
+    const int first = static_cast<int>(all.points.size());
+    all.points.insert(all.points.end(), one.points.begin(), one.points.end());
+    std::size_t begin = 0;
+    for (const int end : one.face_ends) {
+      for (; begin < static_cast<std::size_t>(end); ++begin) all.corners.push_back(first + one.corners[begin]);
+      all.end_face();
+    }
+  }
+  return all;
+}
+
+/// A way to draw a scene at a fineness.
+struct Way {
+  std::string name;
+  std::function<PaperRun()> compare;
+  std::function<double()> time;  ///< s
+};
+
+const Viewer isometric{false, {}, {1, -1, 1}};
+
+// Lines on the axes of an isometric view are put on the paper of a run of epura.
+std::vector<InkLine> on_paper_of(const PaperRun& run, const std::vector<InkLine>& lines) {
+  const Vec3 right = glm::normalize(Vec3(1, 1, 0)), up = glm::cross(glm::normalize(isometric.towards), right);
+  std::vector<std::vector<Vec3>> in_space;
+  for (const auto& [from, to] : lines) in_space.push_back({from.x * right + from.y * up, to.x * right + to.y * up});
+  return lines_on_paper(in_space, run.world_to_page);
+}
+
+std::vector<Way> ways_of(const ClosedForm& form, int around, const PaperStudy& study) {
+  std::vector<Way> ways;
+  for (std::size_t i = 0; i < paper_ways.size(); ++i)
+    ways.push_back({paper_ways[i], [&form, &study, around, i] { return draw_on_paper(form, around, i == 0, study); },
+                    [&form, &study, around, i] {
+                      const scene::SceneDescription scene = describe(form, around, i == 0);
+                      return draw(scene, options_of(study)).seconds;
+                    }});
+  if (form.projection != "isometric") return ways;
+  for (const Rival& rival : study.rivals)
+    ways.push_back({rival.name,
+                    [&form, &study, &rival, around] {
+                      PaperRun run = draw_on_paper(form, around, false, study);
+                      run.error = {};
+                      const std::vector<InkLine> truth =
+                          lines_on_paper(visible_lines(form, isometric, study.points), run.world_to_page);
+                      compare(on_paper_of(run, draw_by(rival, mesh_of(form, around)).lines), truth, run.error);
+                      return run;
+                    },
+                    [&form, &rival, around] { return draw_by(rival, mesh_of(form, around)).seconds; }});
+  return ways;
+}
+
 }  // namespace
 
 double PaperSeries::order() const {
@@ -119,15 +185,11 @@ PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, in
   PaperRun run{.around = around, .error = {}};
   for (const mesh::MeshReport& mesh : drawn.report.meshes) run.triangles += mesh.triangles;
   const drawing::ViewDrawing& drawing = drawn.sheets.front().drawings.front();
-  const std::vector<InkLine> ink = drawn_lines(drawing);
-  const std::vector<InkLine> truth =
-      lines_on_paper(visible_lines(truth_of, viewer_of(drawing.projection), study.points), drawing.world_to_page);
+  run.world_to_page = drawing.world_to_page;
   run.error.budget = drawn.report.errors.front();
-  const double allowed = run.error.budget.total();
-  run.error.drawn = farthest_from_ink(ink, truth);
-  run.error.truth = farthest_from_ink(truth, ink);
-  if (run.error.truth > allowed) run.error.missed = length_beyond(truth, ink, allowed);
-  if (run.error.drawn > allowed) run.error.phantom = length_beyond(ink, truth, allowed);
+  const std::vector<InkLine> truth =
+      lines_on_paper(visible_lines(truth_of, viewer_of(drawing.projection), study.points), run.world_to_page);
+  compare(drawn_lines(drawing), truth, run.error);
   return run;
 }
 
@@ -136,20 +198,20 @@ std::vector<PaperSeries> measure_paper(const std::vector<ClosedForm>& forms, con
   std::vector<PaperSeries> all;
   for (const ClosedForm& form : forms) {
     progress.begin("measuring " + form.name);
-    const std::size_t first = all.size();
-    for (const char* way : paper_ways) all.push_back({form.name, way});
+    std::vector<PaperSeries> series;
+    std::vector<std::vector<Way>> ways;  // by fineness
+    for (const int around : finenesses)
+      if (around >= form.coarsest) ways.push_back(ways_of(form, around, study));
+    if (ways.empty()) continue;
+    for (const Way& way : ways.front()) series.push_back({form.name, way.name});
     for (int turn = 0; turn < runs; ++turn)
-      for (std::size_t f = 0, i = 0; f < finenesses.size(); ++f) {
-        if (finenesses[f] < form.coarsest) continue;
-        for (std::size_t way = 0; way < paper_ways.size(); ++way) {
+      for (std::size_t f = 0; f < ways.size(); ++f)
+        for (std::size_t way = 0; way < series.size(); ++way) {
           progress.expect_time();
-          std::vector<PaperRun>& measured = all[first + way].runs;
-          if (turn == 0) measured.push_back(draw_on_paper(form, finenesses[f], way == 0, study));
-          const scene::SceneDescription scene = describe(form, finenesses[f], way == 0);
-          measured[i].seconds.push_back(draw(scene, options_of(study)).seconds);
+          if (turn == 0) series[way].runs.push_back(ways[f][way].compare());
+          series[way].runs[f].seconds.push_back(ways[f][way].time());
         }
-        ++i;
-      }
+    all.insert(all.end(), series.begin(), series.end());
   }
   return all;
 }

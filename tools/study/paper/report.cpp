@@ -45,11 +45,14 @@ Table table_of(const std::vector<PaperSeries>& all) {
     for (const PaperRun& run : series.runs) {
       const PaperError& e = run.error;
       const auto [first, third] = quartiles_of(run.seconds);
+      const bool states = e.budget.total() > 0;  // rivals do not
+      const auto compared = [&](double value) { return states ? number(value) : ""; };
       table.rows.push_back({series.scene, series.way, std::to_string(run.around), std::to_string(run.triangles),
-                            number(e.ink()), number(e.drawn), number(e.truth), number(e.budget.total()),
-                            report::row_of(e.budget.dominant()).name, number(e.missed), number(e.phantom),
-                            format_rounded(series.order(), 2), number(median_of(run.seconds)), number(first),
-                            number(third), std::to_string(run.seconds.size()), run.on_front ? "1" : "0"});
+                            number(e.ink()), number(e.drawn), number(e.truth), compared(e.budget.total()),
+                            states ? report::row_of(e.budget.dominant()).name : "", compared(e.missed),
+                            compared(e.phantom), format_rounded(series.order(), 2), number(median_of(run.seconds)),
+                            number(first), number(third), std::to_string(run.seconds.size()),
+                            run.on_front ? "1" : "0"});
     }
   return table;
 }
