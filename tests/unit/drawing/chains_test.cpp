@@ -98,6 +98,13 @@ TEST(Chains, ARingIsClosedAndDoesNotRepeatItsStart) {
   EXPECT_EQ(length(chains[0]), 4);
 }
 
+TEST(Chains, ThereAndBackIsNoRing) {
+  const auto chains = drawing::chain_segments({segment({0, 0}, {1, 0}), segment({1, 0}, {0, 0})}, 1e-6);
+  ASSERT_EQ(chains.size(), 1U);
+  EXPECT_FALSE(chains[0].closed);
+  EXPECT_EQ(chains[0].segments.size(), 2U);
+}
+
 TEST(Chains, StraightCornersAreLeftOut) {
   const auto line =
       drawing::chain_segments({segment({0, 0}, {1, 1}), segment({1, 1}, {3, 3}), segment({3, 3}, {4, 4})}, 1e-6);
