@@ -128,6 +128,17 @@ TEST(ViewMap, FarFromTheOriginNoDigitIsLost) {
   }
 }
 
+// A middle less than a sixteenth of the scene's size ahead is beside the viewer.
+TEST(ViewMap, RefersToAPointWellInFrontOfTheViewer) {
+  const Box box{Vec3(-1), Vec3(1)};
+  const auto centre_from = [&](double height) {
+    return view::make_view_map(perspective({0.5, 0, height}, {0, 0, -4}, {0, 0, 1}, {0, 1, 0}), box).centre;
+  };
+  EXPECT_EQ(centre_from(0.25), Vec3(0));
+  EXPECT_EQ(centre_from(0.0625), Vec3(0.5, 0, 0.0625 - 2));
+  EXPECT_EQ(centre_from(-1), Vec3(0.5, 0, -3));
+}
+
 TEST(PaperMap, OneMatrixGoesTheWholeWay) {
   const scene::World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
   for (const projection::Projection& p : projections()) {
