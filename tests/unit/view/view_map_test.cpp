@@ -9,6 +9,7 @@
 #include "projection/matrices.hpp"
 #include "shapes.hpp"
 #include "view/paper_map.hpp"
+#include "view/viewing_model.hpp"
 
 namespace epura::test {
 namespace {
@@ -164,6 +165,26 @@ TEST(PaperMap, OneMatrixGoesTheWholeWay) {
     }
     EXPECT_LT(glm::distance(min, Vec2(100, 70) + scale * drawn.min), 1e-9);
     EXPECT_LT(glm::distance(max, Vec2(100, 70) + scale * drawn.max), 1e-9);
+  }
+}
+
+TEST(ViewingModel, OfAllStepsIsTheMapOfDrawings) {
+  const scene::World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
+  const Vec2 corner(30, 20);
+  for (const projection::Projection& p : projections()) {
+    const view::ProjectedScene view = view::project_scene(world, p, {});
+    const view::ViewingModel model = view::viewing_model(view, world.box, 12.5, corner);
+    EXPECT_EQ(model.steps.size(), p.central ? 4U : 3U);
+    const view::PaperMap viewport = view::viewport_map(view, 12.5);
+    for (std::size_t v = 0; v < world.points.size(); ++v) {
+      const Vec4 h = model.product * Vec4(world.points[v], 1);
+      const Vec2 place = corner + viewport(view.vertices[v]);
+      EXPECT_LT(glm::distance(Vec2(h) / h.w, place), 1e-8 * (1 + glm::length(place)));
+      for (int i = 0; i < 2; ++i) {
+        EXPECT_GE(place[i], model.viewport.min[i] - 1e-8);
+        EXPECT_LE(place[i], model.viewport.max[i] + 1e-8);
+      }
+    }
   }
 }
 
