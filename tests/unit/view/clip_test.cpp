@@ -181,6 +181,22 @@ TEST(ProjectedScene, TheGridIsFineAndHoldsTheWindow) {
   }
 }
 
+TEST(ProjectedScene, ContactIsFourCellsAndThatOfCommonCornersIsRounding) {
+  scene::World world = world_of(plate(-10, -10, 10, 10, 0));
+  const view::Contact exact = view::project_scene(world, from_above(), {}).contact;
+  EXPECT_EQ(exact.touching, 4 * view::project_scene(world, from_above(), {}).cell);
+  EXPECT_EQ(exact.joined, std::ldexp(view::project_scene(world, from_above(), {}).extent, -44));
+  world.rounding = 0.01;
+  const view::ProjectedScene rounded = view::project_scene(world, from_above(), {});
+  const double unit = rounded.map.normalisation * rounded.map.unit;
+  EXPECT_EQ(rounded.contact.touching, 0.01 * unit);
+  EXPECT_EQ(rounded.contact.joined, 0.01 * unit);
+  // A length that was given bounds both.
+  const view::Contact given = view::project_scene(world, from_above(), {.contact = 0.001}).contact;
+  EXPECT_NEAR(given.touching, 0.001 * unit, 1e-15);
+  EXPECT_EQ(given.joined, given.touching);
+}
+
 TEST(ProjectedScene, CrossIsExact) {
   const view::GridPoint a{-1073741823, -1073741823}, b{1073741823, 1073741822}, c{0, 0};
   // (2^31 - 2)(2^30 - 1) - (2^31 - 3)(2^30 - 1)
