@@ -62,6 +62,17 @@ TEST(Chains, AtACornerLinesOfOneKindAreJoined) {
   EXPECT_EQ(outline.segments.size(), 2U);
 }
 
+TEST(Chains, AtACornerALineOfAnotherKindIsNotTakenThoughStraighter) {
+  const auto chains =
+      drawing::chain_segments({segment({0, 0}, {0, 1}, true, EdgeKind::contour),
+                               segment({0, 0}, {1, 0}, true, EdgeKind::contour), segment({0, 0}, {-1, -1})},
+                              1e-6);
+  ASSERT_EQ(chains.size(), 2U);
+  const auto& outline = chains[chains[0].segments.size() == 2 ? 0 : 1];
+  ASSERT_EQ(outline.segments.size(), 2U);
+  EXPECT_EQ(outline.segments[0] + outline.segments[1], 0 + 1);
+}
+
 TEST(Chains, ACurveRunsOnWhereItsKindChanges) {
   // The rim of a cylinder is a contour up to where the straight contour of the wall begins.
   const auto chains =
@@ -96,6 +107,13 @@ TEST(Chains, ARingIsClosedAndDoesNotRepeatItsStart) {
   EXPECT_EQ(chains[0].points.size(), 4U);
   EXPECT_EQ(chains[0].segments.size(), 4U);
   EXPECT_EQ(length(chains[0]), 4);
+}
+
+TEST(Chains, ThereAndBackIsNoRing) {
+  const auto chains = drawing::chain_segments({segment({0, 0}, {1, 0}), segment({1, 0}, {0, 0})}, 1e-6);
+  ASSERT_EQ(chains.size(), 1U);
+  EXPECT_FALSE(chains[0].closed);
+  EXPECT_EQ(chains[0].segments.size(), 2U);
 }
 
 TEST(Chains, StraightCornersAreLeftOut) {

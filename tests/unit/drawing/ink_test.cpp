@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -130,6 +131,14 @@ TEST(Ink, WithinTheToleranceLinesCoincide) {
       {piece({0, 0}, {10, 0}, true, 0), piece({-1, 0.9 * tolerance}, {11, -0.9 * tolerance}, false, 1)}, tolerance,
       min);
   EXPECT_NEAR(ink(kept, false), 2, 1e-9);
+}
+
+TEST(Ink, ALineIsCoveredWhereBothEndsOfThePartLieOnIt) {
+  using Part = std::array<double, 2>;
+  const drawing::Ruler line({0, 0}, {10, 0});
+  EXPECT_EQ(drawing::covered_part(line, {2, 0}, {14, tolerance / 2}, tolerance, min), (Part{2, 10}));
+  EXPECT_EQ(drawing::covered_part(line, {0, 0}, {10, 2 * tolerance}, tolerance, min), (Part{0, 0}));
+  EXPECT_EQ(drawing::covered_part(line, {10, 0}, {0, -2 * tolerance}, tolerance, min), (Part{0, 0}));
 }
 
 TEST(Ink, PointsAndShortRemaindersAreDropped) {

@@ -184,6 +184,17 @@ TEST(NearInk, LinesThatEndedOnATakenLineReachTheOneThatIsDrawn) {
   EXPECT_NEAR(cut->s[1], 20 / 20.08, 1e-12);
 }
 
+TEST(NearInk, VisibleLinesThatEndedOnATakenHiddenLineStay) {
+  for (const bool visible : {true, false}) {
+    Pieces pieces;
+    add(pieces, {0, 0}, {10, 0});
+    add(pieces, {0, 0.05}, {10, 0.05}, false);
+    add(pieces, {5, 0.05}, {5, 4}, visible);
+    const Pieces left = joined(pieces);
+    EXPECT_NEAR(ink(left, true) + ink(left, false), 10 + (visible ? 3.95 : 4), 1e-12);
+  }
+}
+
 TEST(NearInk, ALineThatJoinsTwoOthersGoesOnJoiningThem) {
   Pieces pieces;
   add(pieces, {-10, 0}, {0, 0});

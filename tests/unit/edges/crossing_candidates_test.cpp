@@ -75,6 +75,7 @@ TEST(Candidates, AreBodiesWhoseBoxesMeet) {
   EXPECT_EQ(candidates({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})}), 24U);  // they touch
   EXPECT_EQ(candidates({box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.5, 0.5}, {2, 2, 2}), box({3, 0, 0}, {4, 1, 1})}), 24U);
   EXPECT_EQ(candidates({box({0, 0, 0}, {3, 3, 3}), box({1, 1, 1}, {2, 2, 2})}), 24U);  // one inside the other
+  EXPECT_EQ(candidates({triangulated_cube(), triangulated_cube(true)}), 24U);          // in one place
 }
 
 TEST(Candidates, AreBodiesThatAreNotConvex) {

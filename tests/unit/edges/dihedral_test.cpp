@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -38,6 +39,29 @@ TEST(Fold, OfTinyAndHugeShapesIsTheSame) {
     const scene::World world = world_of(folded(50).scaled(std::ldexp(1.0, k)));
     EXPECT_NEAR(edges::fold_angle({world, 0, std::ldexp(1.0, -k)}, {0, 1}, 0, 1), 50, 1e-9) << k;
   }
+}
+
+TEST(Fold, OfExactlyTheLimitReachesIt) {
+  const std::array<Vec3, 2> upright{Vec3(0, 0, 3), Vec3(2, 0, 0)};
+  EXPECT_TRUE(edges::folds_by(upright, edges::FoldLimit(90)));
+  EXPECT_FALSE(edges::folds_by(upright, edges::FoldLimit(90 + 1e-9)));
+  const std::array<Vec3, 2> slanted{Vec3(0, 0, 1), Vec3(1, 0, 1)};
+  EXPECT_TRUE(edges::folds_by(slanted, edges::FoldLimit(45 - 1e-9)));
+  EXPECT_FALSE(edges::folds_by(slanted, edges::FoldLimit(45 + 1e-9)));
+}
+
+TEST(Turn, OfASurfaceDoesNotCountItsCreases) {
+  const scene::World world = world_of(folded(50));
+  EXPECT_NEAR(edges::turn_of_surface({world, 0, 1}, 0, 60), 50, 1e-9);
+  EXPECT_EQ(edges::turn_of_surface({world, 0, 1}, 0, 40), 0);
+}
+
+TEST(Apex, BesideAPartOfAnEdgeIsFarthestFromItsLine) {
+  const Shape shape{{{0, 0, 0}, {4, 0, 0}, {3, 0.5, 0}, {2, 2, 0}}, {{1, 2, 3}, {0, 1, 3}}, {}};
+  const scene::World world = world_of(shape);
+  const edges::EdgeSurroundings around{world, 0, 1};
+  EXPECT_EQ(around.apex({0, 1}, 0), 3);
+  EXPECT_EQ(around.apex({0, 1}, 1), 3);
 }
 
 TEST(Height, IsOverTheLongestSide) {

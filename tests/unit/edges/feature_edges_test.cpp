@@ -214,6 +214,14 @@ TEST(FeatureEdges, ANeedleFoldedOverInItsPlaneIsNoLine) {
       EXPECT_EQ(kinds(world_of(pleated_square(overlap)), view), (Kinds{{"boundary", 4}})) << overlap;
 }
 
+TEST(FeatureEdges, ANeedleFoldedOverBesideItsPlaneByRoundingIsNoLine) {
+  Shape square = pleated_square(0.1);
+  square.points[4][2] = 1e-11;
+  EXPECT_EQ(kinds(world_of(square), from_above()), (Kinds{{"boundary", 4}}));
+  square.points[4][2] = 1e-3;
+  EXPECT_GT(kinds(world_of(square), from_above()).count("contour"), 0U);
+}
+
 // Where the surface does not fold back at the third side of the needle, but bends down there, the needle sticks out.
 TEST(FeatureEdges, ANeedleThatSticksOutHasAnOutline) {
   Shape square = pleated_square(0.1);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/cut_world.hpp"
 #include "shapes.hpp"
 
 namespace epura::test {
@@ -68,6 +69,28 @@ TEST(FeatureEdges, OutsideTheWindowNothingIsDrawn) {
   ASSERT_EQ(drawn.edges.size(), 2U);
   for (const edges::FeatureEdge& edge : drawn.edges)
     EXPECT_NEAR(edge.t[1] - edge.t[0], 0.5, 1e-15) << "half of each border lies in the window";
+}
+
+// Of a plate that is cut at x = 2, the window shows what lies left of x = 5: of edges from -10 to 10, the part from 0.6
+// to 0.75.
+TEST(FeatureEdges, HaveTheParametersOfTheWholeEdgeWhereTheyAreCutTwice) {
+  const scene::World whole = world_of(plate(-10, -10, 10, 10, 0));
+  const auto plane = scene::make_cutting_plane({{"A", "--section"}, Vec3(2, 0, 0), Vec3(-1, 0, 0)});
+  const scene::World world = scene::cut_world(whole, plane).world;
+  projection::Projection p = from_above();
+  p.window = projection::Window{{-5, -20}, {5, 20}};
+  view::ProjectedScene view = view::project_scene(world, p, {});
+  int lengthwise = 0;
+  for (const edges::FeatureEdge& edge : edges_of(world, view).edges) {
+    const mesh::MeshEdge& mesh_edge = world.models[0].mesh->edges[edge.mesh_edge];
+    const Vec3 from = world.points[mesh_edge.vertex[0]], to = world.points[mesh_edge.vertex[1]];
+    if (from.y != to.y) continue;
+    const auto [least, most] = std::minmax(edge.t[0], edge.t[1]);
+    EXPECT_NEAR(most - least, 0.15, 1e-12);
+    EXPECT_NEAR(std::min(std::abs(least - 0.6), std::abs(least - 0.25)), 0, 1e-12) << "from either end";
+    ++lengthwise;
+  }
+  EXPECT_EQ(lengthwise, 2);
 }
 
 }  // namespace

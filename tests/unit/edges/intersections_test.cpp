@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <utility>
+#include <vector>
+
 #include "edges/crossing_candidates.hpp"
 #include "shapes.hpp"
 
@@ -27,6 +31,41 @@ TEST(Intersections, AreLongerThanContact) {
   EXPECT_TRUE(crossings(0.495, contact).empty());
   EXPECT_TRUE(crossings(0.4999, contact).empty());
   EXPECT_EQ(crossings(0.495, 1e-6).size(), 1U);
+}
+
+std::vector<edges::FaceCrossing> crossings_of(const std::vector<Shape>& shapes, double contact) {
+  const scene::World world = world_of(shapes);
+  return edges::find_intersections(world, 1, contact, edges::all_triangles(world)).found;
+}
+
+const Shape level_plate{{{-2, -2, 0}, {4, -2, 0}, {-2, 4, 0}}, {{0, 1, 2}}, {}};
+
+// Two triangles of one edge, of which one stands on the plate and the other hangs below it.
+TEST(Intersections, OfAnEdgeInAPlaneAreWhereTheSurfaceGoesOn) {
+  const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0.5, -1}};
+  const auto through = crossings_of({Shape{points, {{0, 1, 2}, {1, 0, 3}}, {}}, level_plate}, 1e-3);
+  ASSERT_EQ(through.size(), 1U);
+  EXPECT_NEAR(glm::distance(through[0].ends[0], through[0].ends[1]), 1, 1e-15);
+  EXPECT_TRUE(crossings_of({Shape{points, {{0, 1, 2}}, {}}, level_plate}, 1e-3).empty());
+}
+
+// A corner within contact of a plane is in it: the line ends there.
+TEST(Intersections, EndAtCornersThatTouch) {
+  const double contact = 0.01;
+  const Shape upright{{{0, 0, -1}, {0, 0, 1}, {1, 0, contact / 2}}, {{0, 1, 2}}, {}};
+  const auto found = crossings_of({upright, level_plate}, contact);
+  ASSERT_EQ(found.size(), 1U);
+  std::array<Vec3, 2> ends = found[0].ends;
+  if (ends[0].x > ends[1].x) std::swap(ends[0], ends[1]);
+  EXPECT_LT(glm::distance(ends[0], Vec3(0, 0, 0)), 1e-15);
+  EXPECT_LT(glm::distance(ends[1], Vec3(1, 0, contact / 2)), 1e-15);
+}
+
+TEST(Intersections, HaveNoTrianglesLowerThanContact) {
+  const auto is_low = [](double height) { return edges::is_low(Vec3(0), Vec3(2, 0, 0), Vec3(1, height, 0), 0.25); };
+  EXPECT_TRUE(is_low(0));
+  EXPECT_TRUE(is_low(0.25));
+  EXPECT_FALSE(is_low(0.26));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "edges/find_edges.hpp"
+#include "scene/cut_world.hpp"
 #include "shapes.hpp"
 
 namespace epura::test {
@@ -213,6 +214,41 @@ ShownContours shown_contours(const scene::World& world, const Vec3& from) {
     for (const int v : edge.shown)
       if (v >= 0) shown.places.push_back((Vec2(view.vertices[v].x, view.vertices[v].y) - origin) / unit);
   return shown;
+}
+
+// The rims of the shaft lie on the ball: their vertices are on both surfaces, those of the ball are not on the shaft.
+TEST(Contacts, AreFoundFromEitherFace) {
+  const Shape ball = revolved(arc(5, 24), 48), shaft = cylinder(3, -4, 4, 24);
+  edges::EdgeOptions options;
+  options.contour = false;
+  const auto crossings = [&](const std::vector<Shape>& shapes) {
+    const scene::World world = recognised(world_of(shapes));
+    view::ProjectedScene view = view::project_scene(world, orthographic(corner), {});
+    const edges::FeatureEdges drawn = edges::find_feature_edges(world, view, options);
+    return drawn.crossings.size();
+  };
+  EXPECT_EQ(crossings({ball, shaft}), crossings({shaft, ball}));
+}
+
+// Facets of a shaft of radius 10 are cut at x = 3, where its surface has y = +-sqrt(91).
+TEST(PartEdges, OutlinesOfCutsLieOnTheSurface) {
+  const scene::World whole = recognised(world_of(cylinder(10, 0, 30, 20)));
+  const auto plane = scene::make_cutting_plane({{"A", "--section"}, Vec3(3, 0, 0), Vec3(1, 0, 0)});
+  const scene::World world = scene::cut_world(whole, plane).world;
+  for (const Vec3& from : {Vec3(1, 0.2, 0.3), Vec3(0.1, -1, 0.2)}) {
+    view::ProjectedScene view = view::project_scene(world, orthographic(from), {});
+    double length = 0;
+    for (const edges::FeatureEdge& edge : edges::find_feature_edges(world, view, {}).edges) {
+      if (edge.kind != EdgeKind::section || edge.mesh_edge < 0) continue;
+      const mesh::MeshEdge& mesh_edge = world.models[0].mesh->edges[static_cast<std::size_t>(edge.mesh_edge)];
+      const Vec3 a = world.points[mesh_edge.vertex[0]], b = world.points[mesh_edge.vertex[1]];
+      if (std::abs(a.z - b.z) < 1e-9) continue;
+      EXPECT_NEAR(std::abs(a.y), std::sqrt(91), 1e-9);
+      EXPECT_NEAR(a.y, b.y, 1e-9);
+      length += glm::distance(a, b);
+    }
+    EXPECT_NEAR(length, 2 * 30, 1e-9);
+  }
 }
 
 TEST(SmoothContours, OfASphereIsACircle) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "mesh/weld.hpp"
 #include "support.hpp"
 
 namespace epura {
@@ -129,6 +130,17 @@ TEST(Build, NegativeZeroIsZero) {
       mesh_of({{0.0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 4, 1}});
   EXPECT_EQ(mesh.report.welded_vertices, 1);
   EXPECT_EQ(mesh.report.open_edges, 4);
+}
+
+TEST(Build, NegativeZeroIsZeroInAnyCoordinate) {
+  mesh::Points points;
+  for (int i = 1; i <= 1000; ++i) {
+    const double x = i;
+    for (const auto& p : {std::array{x, 0.0, 0.0}, {x, -0.0, 0}, {x, 0, -0.0}, {x, -0.0, -0.0}}) points.push_back(p);
+    for (const auto& p : {std::array{0.0, x, 0.0}, {-0.0, x, 0}, {0, x, -0.0}, {-0.0, x, -0.0}}) points.push_back(p);
+  }
+  const std::vector<int> first = mesh::same_places(points);
+  for (int i = 0; i < static_cast<int>(first.size()); ++i) ASSERT_EQ(first[i], i - i % 4);
 }
 
 TEST(Build, DropsWhatIsNoFace) {

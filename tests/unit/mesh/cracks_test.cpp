@@ -78,5 +78,22 @@ TEST(Cracks, AreOnlyAtOpenEdges) {
   EXPECT_TRUE(triangles.mended(1).representative.empty());
 }
 
+TEST(Cracks, AreNotBetweenClosedBodies) {
+  Loose bodies;
+  const auto add_tetrahedron = [&](double x) {
+    const auto first = static_cast<int>(bodies.points.size());
+    const double away = x > 0 ? 50 : -50;
+    for (const auto& p : {std::array{x, 0.0, 0.0}, {x + away, 0, 0}, {x + away, 40, 0}, {x + away, 0, 40}})
+      bodies.points.push_back(p);
+    for (const auto& face : {std::array{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}) {
+      for (const int corner : face) bodies.corners.push_back(first + corner);
+      bodies.polygon.push_back(static_cast<int>(bodies.polygon.size()));
+    }
+  };
+  add_tetrahedron(-0.25);
+  add_tetrahedron(0.25);
+  EXPECT_TRUE(bodies.mended(1).representative.empty());
+}
+
 }  // namespace
 }  // namespace epura::test

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -53,6 +54,19 @@ TEST(Dash, LinesAreCutAtCornersFarEnoughApart) {
   EXPECT_EQ(sheet::cut_at_corners({{0, 0}, {20, 0}, {20, 3}}, false, 6.75).size(),
             1u);  // 3 mm are too short for dashes
   EXPECT_EQ(sheet::cut_at_corners({{0, 0}, {20, 0}, {40, 5}}, false, 6.75).size(), 1u);  // 14 degrees are no corner
+}
+
+// A quarter of a circle at the end of a line, with one corner inside it, at which it turns by 45 degrees.
+TEST(Dash, CurvesHaveCornersAtTheirEndsOnly) {
+  const double c = 10 * std::sqrt(0.5);
+  const std::vector<Vec2> points{{0, 0}, {20, 0}, {10 + c, c}, {10, 10}};
+  const std::vector<drawing::CurvePart> curves{{1, 3, {10, 0}, {10, 0}, {0, 10}, 0, std::numbers::pi / 2}};
+  const auto runs = sheet::cut_at_corners(points, false, 6.75, curves);
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs[0].last, 1);
+  EXPECT_EQ(runs[1].first, 1);
+  EXPECT_EQ(runs[1].last, 3);
+  EXPECT_EQ(sheet::cut_at_corners(points, false, 6.75).size(), 3U);
 }
 
 TEST(Dash, ClosedLinesBeginAtACorner) {

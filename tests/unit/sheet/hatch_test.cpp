@@ -88,6 +88,17 @@ TEST(Hatch, LengthOfLinesIsAreaBySpacing) {
   }
 }
 
+// A band of half the width of a square lies in front of it; a small part in front of the band changes nothing.
+TEST(Hatch, IsOutsideOfWhatLiesInFront) {
+  drawing::ViewDrawing drawing = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}}});
+  const double spacing = choose(drawing).at(0).spacing;
+  drawing.before_cuts = {{Vec2(10, -1), Vec2(30, -1), Vec2(30, 41)}, {Vec2(10, -1), Vec2(30, 41), Vec2(10, 41)}};
+  const double ink_beside = ink(hatched(drawing));
+  EXPECT_NEAR(ink_beside * spacing / 800, 1, 0.02);
+  drawing.before_cuts.push_back({Vec2(16, 14), Vec2(20, 14), Vec2(18, 22)});
+  EXPECT_NEAR(ink(hatched(drawing)), ink_beside, 1e-9);
+}
+
 TEST(Hatch, EndsExactlyAtOutlinesAlsoAtCorners) {
   // Corners lie on hatching lines: x - y is a multiple of the spacing times the root of 2.
   const drawing::ViewDrawing probe = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}}});

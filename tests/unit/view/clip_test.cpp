@@ -138,6 +138,26 @@ TEST(ProjectedScene, AWindowCutsEdgesButLeavesTrianglesAMargin) {
   EXPECT_FALSE(view::clip_edge(view, 0, 1)) << "the plate's border lies outside";
 }
 
+TEST(ProjectedScene, RingsEndAtTheWindow) {
+  const scene::World world = world_of(plate(-10, -10, 10, 10, 0));
+  const auto area_in = [&](const std::optional<projection::Window>& window) {
+    projection::Projection p = from_above();
+    p.window = window;
+    view::ProjectedScene view = view::project_scene(world, p, {});
+    const std::vector<int> ring = view::clip_ring(view, {0, 1, 2, 3});
+    double area = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const view::PageVertex &a = view.vertices[ring[i]], &b = view.vertices[ring[(i + 1) % ring.size()]];
+      area += (a.x * b.y - a.y * b.x) / 2;
+    }
+    const double unit = view.map.normalisation * view.map.unit;
+    return std::abs(area) / (unit * unit);
+  };
+  EXPECT_NEAR(area_in(std::nullopt), 400, 1e-9);
+  EXPECT_NEAR(area_in(projection::Window{{0, 0}, {20, 20}}), 100, 1e-9);
+  EXPECT_NEAR(area_in(projection::Window{{-2, -30}, {3, 5}}), 75, 1e-9);
+}
+
 TEST(ProjectedScene, AnEyeInTheSceneGetsAConeOf120Degrees) {
   const view::ProjectedScene view = view::project_scene(world_of(box({-9, -9, -9}, {9, 9, 9})), along_y(), {});
   EXPECT_TRUE(view.window_given);
@@ -159,6 +179,22 @@ TEST(ProjectedScene, TheGridIsFineAndHoldsTheWindow) {
     EXPECT_GT(max, 1 << 28) << size;
     EXPECT_LT(max, 1 << 30) << size;
   }
+}
+
+TEST(ProjectedScene, ContactIsFourCellsAndThatOfCommonCornersIsRounding) {
+  scene::World world = world_of(plate(-10, -10, 10, 10, 0));
+  const view::Contact exact = view::project_scene(world, from_above(), {}).contact;
+  EXPECT_EQ(exact.touching, 4 * view::project_scene(world, from_above(), {}).cell);
+  EXPECT_EQ(exact.joined, std::ldexp(view::project_scene(world, from_above(), {}).extent, -44));
+  world.rounding = 0.01;
+  const view::ProjectedScene rounded = view::project_scene(world, from_above(), {});
+  const double unit = rounded.map.normalisation * rounded.map.unit;
+  EXPECT_EQ(rounded.contact.touching, 0.01 * unit);
+  EXPECT_EQ(rounded.contact.joined, 0.01 * unit);
+  // A length that was given bounds both.
+  const view::Contact given = view::project_scene(world, from_above(), {.contact = 0.001}).contact;
+  EXPECT_NEAR(given.touching, 0.001 * unit, 1e-15);
+  EXPECT_EQ(given.joined, given.touching);
 }
 
 TEST(ProjectedScene, CrossIsExact) {

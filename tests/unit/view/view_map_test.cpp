@@ -9,6 +9,7 @@
 #include "projection/matrices.hpp"
 #include "shapes.hpp"
 #include "view/paper_map.hpp"
+#include "view/viewing_model.hpp"
 
 namespace epura::test {
 namespace {
@@ -128,6 +129,17 @@ TEST(ViewMap, FarFromTheOriginNoDigitIsLost) {
   }
 }
 
+// A middle less than a sixteenth of the scene's size ahead is beside the viewer.
+TEST(ViewMap, RefersToAPointWellInFrontOfTheViewer) {
+  const Box box{Vec3(-1), Vec3(1)};
+  const auto centre_from = [&](double height) {
+    return view::make_view_map(perspective({0.5, 0, height}, {0, 0, -4}, {0, 0, 1}, {0, 1, 0}), box).centre;
+  };
+  EXPECT_EQ(centre_from(0.25), Vec3(0));
+  EXPECT_EQ(centre_from(0.0625), Vec3(0.5, 0, 0.0625 - 2));
+  EXPECT_EQ(centre_from(-1), Vec3(0.5, 0, -3));
+}
+
 TEST(PaperMap, OneMatrixGoesTheWholeWay) {
   const scene::World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
   for (const projection::Projection& p : projections()) {
@@ -153,6 +165,26 @@ TEST(PaperMap, OneMatrixGoesTheWholeWay) {
     }
     EXPECT_LT(glm::distance(min, Vec2(100, 70) + scale * drawn.min), 1e-9);
     EXPECT_LT(glm::distance(max, Vec2(100, 70) + scale * drawn.max), 1e-9);
+  }
+}
+
+TEST(ViewingModel, OfAllStepsIsTheMapOfDrawings) {
+  const scene::World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
+  const Vec2 corner(30, 20);
+  for (const projection::Projection& p : projections()) {
+    const view::ProjectedScene view = view::project_scene(world, p, {});
+    const view::ViewingModel model = view::viewing_model(view, world.box, 12.5, corner);
+    EXPECT_EQ(model.steps.size(), p.central ? 4U : 3U);
+    const view::PaperMap viewport = view::viewport_map(view, 12.5);
+    for (std::size_t v = 0; v < world.points.size(); ++v) {
+      const Vec4 h = model.product * Vec4(world.points[v], 1);
+      const Vec2 place = corner + viewport(view.vertices[v]);
+      EXPECT_LT(glm::distance(Vec2(h) / h.w, place), 1e-8 * (1 + glm::length(place)));
+      for (int i = 0; i < 2; ++i) {
+        EXPECT_GE(place[i], model.viewport.min[i] - 1e-8);
+        EXPECT_LE(place[i], model.viewport.max[i] + 1e-8);
+      }
+    }
   }
 }
 

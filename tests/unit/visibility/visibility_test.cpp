@@ -53,6 +53,21 @@ TEST(Hidden, SpansOfEveryEdgeAscendAndDoNotTouch) {
     }
 }
 
+TEST(Hidden, IsWhatTheTrianglesHideOneByOne) {
+  std::size_t spans = 0;
+  for (const Shape& shape : {four_boxes(), uv_sphere(24, 12), klein_bottle(24, 12), sombrero(3, 12)}) {
+    const scene::World world = world_of(shape);
+    view::ProjectedScene view = view::project_scene(world, orthographic({1.1, -2, 1.3}), {});
+    const edges::FeatureEdges drawn = edges::find_feature_edges(world, view, {});
+    const visibility::HiddenSpans hidden = visibility::find_hidden(world, view, drawn);
+    const visibility::HiddenSpans directly = visibility::find_hidden_directly(world, view, drawn);
+    EXPECT_EQ(hidden.first, directly.first);
+    EXPECT_EQ(hidden.spans, directly.spans);
+    spans += hidden.spans.size();
+  }
+  EXPECT_GT(spans, 0U);
+}
+
 TEST(Hidden, NothingInAWireframe) {
   const Result result = draw(world_of(box({0, 0, 0}, {1, 1, 1})), orthographic({1, -2, 3}));
   const visibility::HiddenSpans none = visibility::nothing_hidden(result.drawn);
