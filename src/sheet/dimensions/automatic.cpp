@@ -339,6 +339,10 @@ class Planner {
     }
   }
 
+  [[nodiscard]] bool are_written_alike(const scene::DesignArc& a, const scene::DesignArc& b) const {
+    return length(a.radius) == length(b.radius);
+  }
+
   // The number of fillets of the same radius whose form no view shows, such as those around a hexagon. The first group
   // that a view shows stands for them.
   std::size_t unseen_arcs(const std::vector<std::vector<const scene::DesignArc*>>& groups,
@@ -346,13 +350,13 @@ class Planner {
     std::size_t count = 0;
     for (const auto& group : groups) {
       const scene::DesignArc& arc = *group.front();
-      if (arc.model != shown.model || !are_same(arc.radius, shown.radius)) continue;
+      if (arc.model != shown.model || !are_written_alike(arc, shown)) continue;
       const bool is_seen = view_along(arc.axis, false) != nullptr;
       if (is_seen && &arc != &shown) return count;
       if (is_seen) break;
     }
     for (const auto& group : groups)
-      if (group.front()->model == shown.model && are_same(group.front()->radius, shown.radius) &&
+      if (group.front()->model == shown.model && are_written_alike(*group.front(), shown) &&
           view_along(group.front()->axis, false) == nullptr)
         count += group.size();
     return count;

@@ -302,13 +302,15 @@ class CoverageFinder {
     return static_cast<int>(lists.size());
   }
 
-  // Whether a size is the radius of a fillet whose form no view shows, and another dimension gives it.
+  // Whether a size is the radius of a fillet whose form no view shows, and another dimension gives it. Radii of short
+  // arcs are not accurate: the number that is written counts.
   [[nodiscard]] bool is_given_by_equal(const CircleSize& size, std::span<const DimensionsInView> views) const {
     const bool is_seen = std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
       return are_parallel(view.projection.n, size.axis);
     });
-    return size.anywhere && !is_seen &&
-           std::any_of(radii_.begin(), radii_.end(), [&](double radius) { return are_same(radius, size.radius); });
+    return size.anywhere && !is_seen && std::any_of(radii_.begin(), radii_.end(), [&](double radius) {
+             return length(radius) == length(size.radius);
+           });
   }
 
   // Whether an overall dimension is this diameter.
@@ -420,9 +422,9 @@ class CoverageFinder {
     return are_same(glm::length(glm::cross(point - circle.centre, circle.axis)), circle.radius);
   }
 
-  // Whether the models are one ball of this size, which an overall dimension gives.
+  // Whether an overall dimension is the diameter of a ball of this size.
   [[nodiscard]] bool is_overall_sphere(const features::PartSurface& sphere) const {
-    return std::all_of(subject_.extents.begin(), subject_.extents.end(), [&](const scene::Extent& extent) {
+    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const scene::Extent& extent) {
       return extent.form == scene::ExtentForm::sphere && are_same(extent.size(), 2 * sphere.radius);
     });
   }

@@ -269,6 +269,17 @@ std::vector<Vec2> rounded_pin(double radius, double edge, double length) {
   return profile;
 }
 
+// Adds a ball of radius 15 to a profile that ends at radius 10.
+std::vector<Vec2> with_ball(std::vector<Vec2> profile) {
+  const double centre = profile.back().x + std::sqrt(15 * 15 - 10 * 10.0);
+  const double begin = 180 - std::asin(10 / 15.0) * 180 / std::acos(-1.0);
+  for (int i = 1; i <= k; ++i) {
+    const double angle = begin * (k - i) / k;
+    profile.emplace_back(centre + 15 * cosine(angle), i == k ? 1e-9 : 15 * sine(angle));
+  }
+  return profile;
+}
+
 // Steps of 5, each 4 deep.
 Loop stairs(int count) {
   Loop outline{{0, 0}, {5.0 * count, 0}};
@@ -332,7 +343,11 @@ std::vector<KnownPart> round_parts() {
            shaft({{0, 1e-9}, {0, 10}, {30, 10}, {70, 20}, {90, 20}, {90, 1e-9}}),
            {"90", "⌀40", "⌀20", "30", "70"}},
           {"a cut cone", shaft({{0, 1e-9}, {0, 8}, {50, 25}, {60, 25}, {60, 1e-9}}), {"60", "⌀50", "⌀16", "50"}},
-          {"a rounded edge", shaft(rounded_pin(20, 4, 50)), {"50", "⌀40", "R4"}}};
+          {"a rounded edge", shaft(rounded_pin(20, 4, 50)), {"50", "⌀40", "R4"}},
+          {"a ball", shaft(with_ball({{0, 1e-9}, {0, 10}, {40, 10}})), {"66.18", "S⌀30", "⌀20"}},
+          {"a ball on a collar",
+           shaft(with_ball({{0, 1e-9}, {0, 20}, {10, 20}, {10, 10}, {40, 10}})),
+           {"66.18", "⌀40", "⌀20", "10", "SR15"}}};
 }
 
 std::vector<KnownPart> blocks() {
