@@ -17,9 +17,13 @@ namespace {
 using features::PartFace;
 using features::SurfaceKind;
 
-constexpr double parallel = 1e-4;    // sine
-constexpr double same_place = 1e-3;  // relative to a radius
-constexpr double flattest = 0.6;     // least ratio of the radii at roots and crests
+constexpr double parallel = 1e-4;         // sine
+constexpr double same_place = 1e-3;       // relative to a radius
+constexpr double flattest = 0.6;          // least ratio of the radii at roots and crests
+constexpr double most_to_one_side = 0.8;  // mean of the directions of vertices from the axis
+constexpr double least_depth = 0.005;     // relative to the radius
+constexpr double smallest_thread = 0.8;   // mm, as the next, with room for play
+constexpr double largest_thread = 110;    // mm, with room for play
 constexpr double least_turns = 2;
 constexpr double crest_part = 0.1;    // of the depth of a thread, whose vertices tell the helix
 constexpr double least_order = 0.85;  // of crests along a helix: 1 for a line, 0 for vertices at random
@@ -62,20 +66,35 @@ struct FaceReach {
   Range radius, height;
 };
 
+/// A ball around a free form.
+struct FaceExtent {
+  std::size_t face;
+  Vec3 centre;
+  double radius;
+};
+
 class ThreadFinder {
  public:
   ThreadFinder(const mesh::Mesh& mesh, const features::PartFaces& part, double unit)
-      : mesh_(mesh), part_(part), unit_(unit), taken_(part.face_of_triangle.size(), 0) {}
+      : mesh_(mesh), part_(part), unit_(unit), taken_(part.face_of_triangle.size(), 0), of_face_(part.faces.size()) {
+    for (std::size_t t = 0; t < taken_.size(); ++t)
+      if (const int face = part.face_of_triangle[t]; face >= 0)
+        of_face_[static_cast<std::size_t>(face)].push_back(static_cast<int>(t));
+  }
 
   std::vector<HelicalThread> find() {
+    for (std::size_t f = 0; f < part_.faces.size(); ++f)
+      if (is_free_form(part_.faces[f])) free_forms_.push_back(extent_of(f));
+    if (free_forms_.empty()) return {};
     for (const PartFace& face : part_.faces)
       if (is_axis(face.surface.kind) && face.sweep >= 180 && !is_known(face.surface)) find_around(face.surface);
-    for (std::size_t f = 0; f < part_.faces.size(); ++f)
-      if (part_.faces[f].surface.kind == SurfaceKind::free_form) find_in(static_cast<int>(f));
+    for (const FaceExtent& form : free_forms_) find_in(form.face);
     return std::move(found_);
   }
 
  private:
+  static bool is_free_form(const PartFace& face) { return face.surface.kind == SurfaceKind::free_form; }
+
   static bool is_axis(SurfaceKind kind) {
     return kind == SurfaceKind::cylinder || kind == SurfaceKind::cone || kind == SurfaceKind::torus;
   }
@@ -91,11 +110,9 @@ class ThreadFinder {
   }
 
   // Threads in plates have no round face beside them: their axis is perpendicular to a plane.
-  void find_in(int face) {
-    std::vector<int> triangles;
-    for (std::size_t t = 0; t < taken_.size(); ++t)
-      if (part_.face_of_triangle[t] == face && taken_[t] == 0) triangles.push_back(static_cast<int>(t));
-    const std::vector<int> vertices = vertices_of(triangles);
+  void find_in(std::size_t face) {
+    if (taken_[static_cast<std::size_t>(of_face_[face].front())] != 0) return;
+    const std::vector<int> vertices = vertices_of(of_face_[face]);
     std::vector<Vec3> directions;
     for (const PartFace& plane : part_.faces) {
       const Vec3& axis = plane.surface.axis;
@@ -105,7 +122,8 @@ class ThreadFinder {
         directions.push_back(axis);
     }
     for (const Vec3& direction : directions)
-      if (const auto axis = axis_along(direction, vertices); axis && !is_known(*axis)) find_around(*axis);
+      if (const auto axis = axis_along(direction, vertices); axis && may_be_around(AroundAxis(*axis), of_face_[face]))
+        find_around(*axis);
   }
 
   // The cylinder around vertices: those farthest from its axis are on a circle.
@@ -140,37 +158,74 @@ class ThreadFinder {
 
   void find_around(const features::PartSurface& surface) {
     const AroundAxis around(surface);
-    const std::vector<FaceReach> reach = reaches(around);
-    std::vector<char> may_belong(part_.faces.size(), 0);
-    for (std::size_t f = 0; f < part_.faces.size(); ++f) {
-      const SurfaceKind kind = part_.faces[f].surface.kind;
-      const bool across = glm::length(glm::cross(part_.faces[f].surface.axis, around.axis)) <= parallel;
-      const bool band = reach[f].radius.from >= flattest * reach[f].radius.to;
-      may_belong[f] = band && (kind == SurfaceKind::free_form || (kind == SurfaceKind::plane && !across)) ? 1 : 0;
-    }
-    for (std::size_t t = 0; t < taken_.size(); ++t) {
-      const int face = part_.face_of_triangle[t];
-      if (taken_[t] != 0 || face < 0 || may_belong[static_cast<std::size_t>(face)] == 0) continue;
-      if (part_.faces[static_cast<std::size_t>(face)].surface.kind != SurfaceKind::free_form) continue;
-      const std::vector<int> triangles = connected(static_cast<int>(t), may_belong);
+    std::vector<std::size_t> seeds;
+    for (const FaceExtent& form : free_forms_)
+      if (around.radius(form.centre) <= form.radius && may_be_around(around, of_face_[form.face]))
+        seeds.push_back(form.face);
+    if (seeds.empty()) return;
+    std::vector<char> known(part_.faces.size(), 0);
+    const auto may_belong = [&](int face) {
+      char& answer = known[static_cast<std::size_t>(face)];
+      if (answer == 0) answer = lies_in_band(around, face) ? 1 : -1;
+      return answer > 0;
+    };
+    std::vector<char> visited = taken_;
+    for (const std::size_t seed : seeds) {
+      const int t = of_face_[seed].front();
+      if (visited[static_cast<std::size_t>(t)] != 0 || !may_belong(static_cast<int>(seed))) continue;
+      const std::vector<int> triangles = connected(t, may_belong, visited);
       if (auto thread = thread_of(around, triangles)) {
-        add_strips(around, reach, *thread);
+        for (const int triangle : triangles) taken_[static_cast<std::size_t>(triangle)] = 1;
+        add_strips(around, *thread);
         found_.push_back(std::move(*thread));
       }
     }
   }
 
-  [[nodiscard]] std::vector<FaceReach> reaches(const AroundAxis& around) const {
-    std::vector<FaceReach> reach(part_.faces.size());
-    for (std::size_t t = 0; t < part_.face_of_triangle.size(); ++t) {
-      if (part_.face_of_triangle[t] < 0) continue;
-      FaceReach& of_face = reach[static_cast<std::size_t>(part_.face_of_triangle[t])];
-      for (const int v : mesh_.triangle(static_cast<int>(t))) {
-        of_face.radius.add(around.radius(mesh_.point(v)));
-        of_face.height.add(around.height(mesh_.point(v)));
+  [[nodiscard]] FaceReach reach_of(const AroundAxis& around, int face) const {
+    FaceReach reach;
+    for (const int t : of_face_[static_cast<std::size_t>(face)])
+      for (const int v : mesh_.triangle(t)) {
+        reach.radius.add(around.radius(mesh_.point(v)));
+        reach.height.add(around.height(mesh_.point(v)));
       }
-    }
     return reach;
+  }
+
+  // Flanks and crests, and planes in which a thread ends.
+  [[nodiscard]] bool lies_in_band(const AroundAxis& around, int face) const {
+    const features::PartSurface& surface = part_.faces[static_cast<std::size_t>(face)].surface;
+    const bool across = glm::length(glm::cross(surface.axis, around.axis)) <= parallel;
+    if (surface.kind != SurfaceKind::free_form && (surface.kind != SurfaceKind::plane || across)) return false;
+    const Range radius = reach_of(around, face).radius;
+    return radius.from >= flattest * radius.to;
+  }
+
+  [[nodiscard]] FaceExtent extent_of(std::size_t face) const {
+    Box box;
+    for (const int t : of_face_[face])
+      for (const int v : mesh_.triangle(t)) box.add(mesh_.point(v));
+    return {face, box.centre(), glm::length(box.size()) / 2};
+  }
+
+  // Whether a few vertices of a face are where those of a thread around an axis may be.
+  [[nodiscard]] bool may_be_around(const AroundAxis& around, const std::vector<int>& triangles) const {
+    constexpr std::size_t samples = 16;
+    constexpr double golden = std::numbers::phi - 1;
+    Range radius;
+    Vec3 directions(0);
+    for (std::size_t i = 0; i < samples && !triangles.empty(); ++i) {
+      // Even steps might meet the same column of a mesh again and again.
+      const double turns = golden * static_cast<double>(i), place = turns - std::floor(turns);
+      const int triangle = triangles[static_cast<std::size_t>(place * static_cast<double>(triangles.size()))];
+      const Vec3 p = mesh_.point(mesh_.triangle(triangle)[0]) - around.origin;
+      const Vec3 out = p - glm::dot(p, around.axis) * around.axis;
+      radius.add(glm::length(out));
+      if (glm::length(out) > 0) directions += glm::normalize(out) / static_cast<double>(samples);
+    }
+    const double diameter = 2 * radius.to * unit_;
+    return radius.from >= flattest * radius.to && diameter >= smallest_thread && diameter <= largest_thread &&
+           radius.to - radius.from >= least_depth * radius.to && glm::length(directions) <= most_to_one_side;
   }
 
   template <class Visit>
@@ -182,16 +237,16 @@ class ThreadFinder {
     }
   }
 
-  // The triangles of certain faces that are joined to one.
-  std::vector<int> connected(int first, const std::vector<char>& may_belong) {
+  // The triangles of certain faces that are joined to one, which are marked as visited.
+  template <class Belongs>
+  [[nodiscard]] std::vector<int> connected(int first, const Belongs& may_belong, std::vector<char>& visited) const {
     std::vector<int> triangles{first};
-    taken_[static_cast<std::size_t>(first)] = 1;
+    visited[static_cast<std::size_t>(first)] = 1;
     for (std::size_t i = 0; i < triangles.size(); ++i)
       for_each_neighbour(triangles[i], [&](int other) {
         const int face = part_.face_of_triangle[static_cast<std::size_t>(other)];
-        if (taken_[static_cast<std::size_t>(other)] != 0 || face < 0 || may_belong[static_cast<std::size_t>(face)] == 0)
-          return;
-        taken_[static_cast<std::size_t>(other)] = 1;
+        if (visited[static_cast<std::size_t>(other)] != 0 || face < 0 || !may_belong(face)) return;
+        visited[static_cast<std::size_t>(other)] = 1;
         triangles.push_back(other);
       });
     return triangles;
@@ -239,12 +294,14 @@ class ThreadFinder {
   }
 
   [[nodiscard]] bool is_inside_out() const {
+    if (inside_out_) return *inside_out_;
     double volume = 0;
     for (int t = 0; t < mesh_.triangle_count(); ++t) {
       const auto [a, b, c] = mesh_.triangle(t);
       volume += glm::dot(mesh_.point(a), glm::cross(mesh_.point(b), mesh_.point(c)));
     }
-    return volume < 0;
+    inside_out_ = volume < 0;
+    return *inside_out_;
   }
 
   [[nodiscard]] std::optional<HelicalThread> thread_of(const AroundAxis& around,
@@ -299,24 +356,26 @@ class ThreadFinder {
   }
 
   // Whether a face is part of a ring between roots and crests, across the axis.
-  [[nodiscard]] bool is_ring(const AroundAxis& around, int face, const FaceReach& reach, const Range& band) const {
+  [[nodiscard]] bool is_ring(const AroundAxis& around, int face, const Range& band) const {
     const PartFace& plane = part_.faces[static_cast<std::size_t>(face)];
     const double ring = std::numbers::pi * (band.to * band.to - band.from * band.from);
-    return plane.surface.kind == SurfaceKind::plane &&
-           glm::length(glm::cross(plane.surface.axis, around.axis)) <= parallel && plane.area <= ring &&
-           reach.radius.from >= band.from * (1 - same_place) && reach.radius.to <= band.to * (1 + same_place);
+    if (plane.surface.kind != SurfaceKind::plane || plane.area > ring ||
+        glm::length(glm::cross(plane.surface.axis, around.axis)) > parallel)
+      return false;
+    const FaceReach reach = reach_of(around, face);
+    return reach.radius.from >= band.from * (1 - same_place) && reach.radius.to <= band.to * (1 + same_place);
   }
 
   // Strips of cylinders between the flanks and rings at their ends belong to a thread, and what is left of them beyond
   // its ends within a pitch.
-  void add_strips(const AroundAxis& around, const std::vector<FaceReach>& reach, HelicalThread& thread) {
+  void add_strips(const AroundAxis& around, HelicalThread& thread) {
     const double pitch = thread.thread.pitch / unit_;
     Range band;
     for (const int v : vertices_of(thread.triangles)) band.add(around.radius(mesh_.point(v)));
     const auto is_strip = [&](int triangle) {
       const int face = part_.face_of_triangle[static_cast<std::size_t>(triangle)];
       if (face < 0 || taken_[static_cast<std::size_t>(triangle)] != 0) return false;
-      if (!is_around(around, face) && !is_ring(around, face, reach[static_cast<std::size_t>(face)], band)) return false;
+      if (!is_around(around, face) && !is_ring(around, face, band)) return false;
       const std::array<int, 3> corners = mesh_.triangle(triangle);
       return std::all_of(corners.begin(), corners.end(), [&](int v) {
         const double height = around.height(mesh_.point(v));
@@ -339,7 +398,10 @@ class ThreadFinder {
   const mesh::Mesh& mesh_;
   const features::PartFaces& part_;
   double unit_;
-  std::vector<char> taken_;  // by triangle: belongs to a thread, or to something that is none
+  std::vector<char> taken_;                // by triangle: belongs to a thread
+  std::vector<std::vector<int>> of_face_;  // triangles
+  std::vector<FaceExtent> free_forms_;
+  mutable std::optional<bool> inside_out_;
   std::vector<features::PartSurface> axes_;
   std::vector<HelicalThread> found_;
 };

@@ -271,12 +271,9 @@ std::vector<Vec2> rounded_pin(double radius, double edge, double length) {
 
 // Adds a ball of radius 15 to a profile that ends at radius 10.
 std::vector<Vec2> with_ball(std::vector<Vec2> profile) {
-  const double centre = profile.back().x + std::sqrt(15 * 15 - 10 * 10.0);
-  const double begin = 180 - std::asin(10 / 15.0) * 180 / std::acos(-1.0);
-  for (int i = 1; i <= k; ++i) {
-    const double angle = begin * (k - i) / k;
-    profile.emplace_back(centre + 15 * cosine(angle), i == k ? 1e-9 : 15 * sine(angle));
-  }
+  const double centre = profile.back().x + std::sqrt(125), begin = std::acos(-std::sqrt(125) / 15) * 180 / M_PI;
+  for (int i = k - 1; i >= 0; --i)
+    profile.emplace_back(centre + 15 * cosine(begin * i / k), std::max(15 * sine(begin * i / k), 1e-9));
   return profile;
 }
 
@@ -522,6 +519,15 @@ TEST_F(AutomaticDimensions, HolesBelongToAutomaticOnes) {
   const Outcome run = epura({"draw", scene, "-o", "x.svg"}, folder / "");
   EXPECT_NE(run.code, 0);
   EXPECT_TRUE(contains(run.err, "5:9: a dimension of type 'overall' has no 'holes'")) << run.err;
+}
+
+// Diameters that are written as 3.17 and 3.18, as in files of single precision.
+TEST_F(AutomaticDimensions, LintKnowsEqualHolesThatAreRoundedApart) {
+  const auto hole = [](const Vec2& centre) {
+    const double radius = centre.x < 40 ? 1.58749 : 1.58751;
+    return stepped_hole({{radius, 8}, {radius, 0}})(centre);
+  };
+  EXPECT_EQ(lint(folder.file("part.obj", plate({40, 30}, 2, 1, 8, hole)), "auto").code, 0);
 }
 
 // What cannot be checked is not passed over in silence.

@@ -106,6 +106,19 @@ TEST(HelicalThreads, OfOtherPitchesAndShorterOnesAreNone) {
   EXPECT_TRUE(threads_of(screw(1.5, 1)).empty());
 }
 
+// A shaft beside a nut, around whose axis the faces of the thread are not.
+TEST(HelicalThreads, AreFoundAroundTheirOwnAxes) {
+  const Part shaft = moved(screw(1.5).move([](const Vec3& p) {
+    const double r = std::hypot(p.x, p.y);
+    return r < 6 ? Vec3(5 * p.x / r, 5 * p.y / r, p.z) : p;
+  }),
+                           {22, 0, 0});
+  EXPECT_EQ(threads_of(shaft).size(), 0U);
+  const auto threads = threads_of(together({shaft, nut(1.5), moved(nut(1.5), {0, 30, 0})}));
+  ASSERT_EQ(threads.size(), 2U);
+  for (const scene::HelicalThread& thread : threads) EXPECT_NEAR(thread.origin.x, 0, 1e-6);
+}
+
 // Rings of waves have no pitch.
 TEST(HelicalThreads, AreNotRings) {
   Part bellows = screw(1.5);
