@@ -174,7 +174,8 @@ struct Subdivision {
 Subdivision subdivision_of(const std::string& name, const foreign::Assignments& parameters) {
   constexpr int most_steps = 5;
   Subdivision subdivision;
-  for (const auto& [key, text] : parameters) {
+  for (const auto& parameter : parameters) {
+    const std::string &key = parameter.first, &text = parameter.second;
     const std::string where = name + ":" + key;
     const std::optional<double> value = parse_number(text);
     const auto expect = [&](bool is_so, const std::string& what) {

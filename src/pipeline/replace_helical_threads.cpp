@@ -39,11 +39,17 @@ bool has_cylinder(const features::PartFaces& part, const scene::HelicalThread& t
   });
 }
 
+std::ptrdiff_t open_edges_of(const mesh::Mesh& mesh) {
+  return std::count_if(mesh.edges.begin(), mesh.edges.end(),
+                       [](const mesh::MeshEdge& edge) { return edge.count != 2; });
+}
+
 // Replaces one of the threads of a model; nothing if none can be.
 std::optional<scene::HelicalThread> replace_one(scene::Placed& placed, double unit, const Progress& progress) {
   for (scene::HelicalThread& thread : scene::find_helical_threads(*placed.mesh, *placed.part, unit)) {
     mesh::Mesh mesh = *placed.mesh;
     if (!scene::replace_by_cylinder(mesh, *placed.part, thread)) continue;
+    if (open_edges_of(mesh) > open_edges_of(*placed.mesh)) continue;
     auto part = std::make_shared<features::PartFaces>(features::recognise_faces(mesh, {}, progress));
     if (!has_cylinder(*part, thread)) continue;
     placed.mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));

@@ -68,14 +68,9 @@ class Replacer {
   [[nodiscard]] double angle(const Vec3& p) const {
     return portable_atan2(glm::dot(p - thread_.origin, v_), glm::dot(p - thread_.origin, u_)) / turn;
   }
-  [[nodiscard]] const features::PartSurface* surface_of(int triangle) const {
-    const int face = part_.face_of_triangle[static_cast<std::size_t>(triangle)];
-    return face < 0 ? nullptr : &part_.faces[static_cast<std::size_t>(face)].surface;
-  }
   [[nodiscard]] bool is_across(const features::PartSurface& surface) const {
     return surface.kind == SurfaceKind::plane && glm::length(glm::cross(surface.axis, thread_.axis)) <= parallel;
   }
-
   [[nodiscard]] bool is_around(const features::PartSurface& surface) const {
     return surface.kind == SurfaceKind::cone && glm::length(glm::cross(surface.axis, thread_.axis)) <= parallel;
   }
