@@ -141,14 +141,27 @@ using DimensionAnchor = std::variant<std::array<int, 2>, std::array<double, 3>>;
 struct Dimension {
   DimensionType type = DimensionType::overall;
   std::optional<DimensionDirection> direction{};  ///< linear: horizontal or vertical; overall: empty for all three
-  std::vector<DimensionAnchor> anchors{};         ///< linear, aligned: both ends; angular: the vertex, then the ends of
-                                                  ///< the legs; radius, diameter: a vertex on the circle
+  std::vector<DimensionAnchor> anchors{};         ///< linear, aligned: both ends; in an arrangement two or more places,
+                                                  ///< the origin first; angular: the vertex, then the ends of the
+                                                  ///< legs; radius, diameter, arc: a vertex on the circle
   std::string view{};                             ///< name of the view; by default the first one
   std::optional<double> offset{};                 ///< mm on paper to the dimension line; its sign selects the side
   std::string text{};                             ///< text instead of the value; "<>" stands for the value
   std::string tolerance{};                        ///< "±0.1", "+0.2 -0.1", "H7", "g6" or "H7/g6" (ISO 286-1)
   HoleDimensions holes = HoleDimensions::notes;   ///< of automatic dimensions
   bool limits = false;                            ///< whether limits of size are written; needs a tolerance
+  std::optional<DimensionArrangement> arrangement{};  ///< linear, and positions of automatic dimensions: several
+                                                      ///< lengths in one row; by default single dimensions
+};
+
+/// A screw thread in a hole or on a shaft, drawn as in ISO 6410-1.
+struct Thread {
+  std::string thread{};           ///< size of ISO 261: "M6", "M6x0.75", "M6-6H"
+  DimensionAnchor at{};           ///< on the hole or shaft or its axis, near the end where the thread begins
+  std::optional<double> depth{};  ///< useful length, mm; by default all of the cylinder
+  bool equal = false;             ///< all equal and parallel holes or shafts of the model have it, too
+  bool callout = true;            ///< whether it has a dimension of its own
+  std::string view{};             ///< name of the view with that; by default the one that shows it best
 };
 
 /// Largest scale that fits, largest standard scale that fits (ISO 5455), or millimetres on paper per unit.
@@ -188,6 +201,7 @@ struct Scene {
   std::vector<Detail> details{};
   std::vector<Explode> explosions{};
   std::vector<Dimension> dimensions{};
+  std::vector<Thread> threads{};
   std::vector<SheetOptions> sheets{};  ///< none: one default sheet
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -21,6 +22,8 @@ constexpr int arc_parts = 108;
 // Degrees: the part of a circle that is open is in the upper right quadrant, and its ends do not meet centre lines.
 constexpr double arc_begin = 95, arc_sweep = 270;
 constexpr double largest_depth = 0.5;  // of a thread in the drawing, relative to its radius
+// A chamfer of a thread ends near its root, relative to the radius there: others are cones of their own.
+constexpr double least_chamfer = 0.8, widest_countersink = 1.15;
 
 /// A threaded cylinder, as far as a cut leaves it. Heights are along its axis.
 struct SeenThread {
@@ -95,6 +98,44 @@ int first_triangle_of(const scene::World& world, int model, const scene::PlacedP
          static_cast<int>(found - part.face_of_triangle.begin());
 }
 
+// Whether a cone that continues a threaded cylinder is the chamfer with which the thread begins or ends.
+bool is_chamfer_of(const SeenThread& thread, const scene::Continuation& cone) {
+  const double far = thread.crest() + cone.widening * cone.height;
+  return thread.thread.internal ? cone.widening > 0 && far <= widest_countersink * thread.root
+                                : cone.widening < 0 && far >= least_chamfer * thread.root;
+}
+
+/// The chamfers of threads that are seen along their axes: the cylinder of each cone.
+using Chamfers = std::map<int, int>;
+
+void add_chamfers(const scene::PlacedPart& part, const SeenThread& thread, Chamfers& chamfers) {
+  for (const bool high : {false, true})
+    if (const auto cone = scene::continuation_of(part, thread.thread.face, high); cone && is_chamfer_of(thread, *cone))
+      chamfers.emplace(cone->face, thread.thread.face);
+}
+
+// Whether an edge is at the end of a chamfer that is away from its cylinder.
+bool is_far_end(std::span<const int> triangles, const scene::PlacedPart& part, const Chamfers& chamfers) {
+  const auto face_of = [&](int triangle) { return part.face_of_triangle[static_cast<std::size_t>(triangle)]; };
+  for (const int triangle : triangles) {
+    const auto chamfer = chamfers.find(face_of(triangle));
+    if (chamfer == chamfers.end()) continue;
+    return std::all_of(triangles.begin(), triangles.end(),
+                       [&](int other) { return face_of(other) != chamfer->second; }) &&
+           std::any_of(triangles.begin(), triangles.end(), [&](int other) { return face_of(other) != chamfer->first; });
+  }
+  return false;
+}
+
+void add_circles(const scene::World& world, int model, const scene::PlacedPart& part, const Chamfers& chamfers,
+                 std::vector<MeshEdgeOfModel>& circles) {
+  const mesh::Mesh& mesh = *world.models[static_cast<std::size_t>(model)].mesh;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e)
+    if (const mesh::MeshEdge& edge = mesh.edges[e];
+        edge.cut == mesh::CutEdge::none && !edge.wire && is_far_end(mesh.triangles_of(edge), part, chamfers))
+      circles.push_back({model, static_cast<int>(e)});
+}
+
 // How far the root reaches into a chamfer at one end of the cylinder, if the thread and what a cut leaves reach that
 // end.
 double reach_into(const scene::PlacedPart& part, const SeenThread& thread, bool high) {
@@ -132,14 +173,18 @@ std::optional<SeenThread> seen_thread(const scene::World& world, int model, cons
   return thread;
 }
 
-}  // namespace
+bool is_orthographic(const projection::Projection& projection) {
+  return !projection.central &&
+         glm::length(glm::cross(projection.projector, projection.n)) <= 1e-9 * glm::length(projection.projector);
+}
 
-void add_thread_lines(const scene::World& world, view::ProjectedScene& view, double depth, FeatureEdges& drawn) {
-  const projection::Projection& projection = view.projection;
-  const bool is_orthographic = !projection.central && glm::length(glm::cross(projection.projector, projection.n)) <=
-                                                          1e-9 * glm::length(projection.projector);
-  if (!is_orthographic) return;
-  ThreadLines lines(view, drawn);
+bool is_along(const projection::Projection& projection, const SeenThread& thread) {
+  return glm::length(glm::cross(projection.n, thread.axis())) <= parallel;
+}
+
+// Calls `visit(model, part, thread)` for the threads of a world, and `done(model, part)` after those of each model.
+template <class Visit, class Done>
+void for_each_thread(const scene::World& world, double depth, Visit&& visit, Done&& done) {
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
     const scene::Placed& placed = world.models[static_cast<std::size_t>(model)];
     if (placed.threads.empty()) continue;
@@ -150,9 +195,41 @@ void add_thread_lines(const scene::World& world, view::ProjectedScene& view, dou
       const auto round = std::find_if(rounds.begin(), rounds.end(),
                                       [&](const scene::RoundFace& one) { return one.number == thread.face; });
       if (round == rounds.end()) continue;
-      if (const auto seen = seen_thread(world, model, *part, *round, thread, depth)) lines.add(*seen);
+      if (const auto seen = seen_thread(world, model, *part, *round, thread, depth)) visit(*part, *seen);
     }
+    done(model, *part);
   }
+}
+
+}  // namespace
+
+std::vector<MeshEdgeOfModel> chamfer_circles(const scene::World& world, const projection::Projection& projection,
+                                             double depth) {
+  std::vector<MeshEdgeOfModel> circles;
+  if (!is_orthographic(projection)) return circles;
+  Chamfers chamfers;
+  for_each_thread(
+      world, depth,
+      [&](const scene::PlacedPart& part, const SeenThread& thread) {
+        if (is_along(projection, thread)) add_chamfers(part, thread, chamfers);
+      },
+      [&](int model, const scene::PlacedPart& part) {
+        if (!chamfers.empty()) add_circles(world, model, part, chamfers, circles);
+        chamfers.clear();
+      });
+  return circles;
+}
+
+void add_thread_lines(const scene::World& world, view::ProjectedScene& view, double depth, FeatureEdges& drawn) {
+  if (!is_orthographic(view.projection)) return;
+  if (const auto circles = chamfer_circles(world, view.projection, depth); !circles.empty())
+    std::erase_if(drawn.edges, [&](const FeatureEdge& edge) {
+      return std::binary_search(circles.begin(), circles.end(), MeshEdgeOfModel{edge.model, edge.mesh_edge});
+    });
+  ThreadLines lines(view, drawn);
+  for_each_thread(
+      world, depth, [&](const scene::PlacedPart&, const SeenThread& thread) { lines.add(thread); },
+      [](int, const scene::PlacedPart&) {});
 }
 
 }  // namespace epura::edges

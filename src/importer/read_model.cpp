@@ -19,6 +19,7 @@
 #include "base/text.hpp"
 #include "importer/catalogue.hpp"
 #include "mesh/read.hpp"
+#include "mesh/subdivide.hpp"
 
 namespace epura::importer {
 
@@ -158,10 +159,51 @@ std::optional<ReadModel> read_by_library(const Source& source, const foreign::As
       return read_by_importer(*importer, source, parameters, options, progress);
     if (!package_for(extension).empty()) throw_missing(source.name, extension, catalogue);
   }
-  if (!parameters.empty())
+  if (!parameters.empty() && mesh::format_named(extension) == nullptr)
     throw Error(ErrorKind::input, source.name + ":" + parameters.front().first,
                 "files of this format have no parameters");
   return std::nullopt;
+}
+
+/// Parameters of mesh formats.
+struct Subdivision {
+  int steps = 0;
+  double sharp = 180;  ///< degrees
+};
+
+Subdivision subdivision_of(const std::string& name, const foreign::Assignments& parameters) {
+  constexpr int most_steps = 5;
+  Subdivision subdivision;
+  for (const auto& parameter : parameters) {
+    const std::string &key = parameter.first, &text = parameter.second;
+    const std::string where = name + ":" + key;
+    const std::optional<double> value = parse_number(text);
+    const auto expect = [&](bool is_so, const std::string& what) {
+      if (!is_so) throw Error(ErrorKind::input, where, "is '" + text + "', allowed is " + what);
+    };
+    if (key == "subdivide") {
+      expect(value && *value >= 0 && *value <= most_steps && *value == std::floor(*value),
+             "a whole number from 0 to " + std::to_string(most_steps));
+      subdivision.steps = static_cast<int>(*value);
+    } else if (key == "sharp") {
+      expect(value && *value >= 0 && *value <= 180, "0 to 180, degrees");
+      subdivision.sharp = *value;
+    } else {
+      throw Error(ErrorKind::input, where, "mesh files have no parameter of this name",
+                  "known: subdivide, the number of steps that round a mesh, and sharp, the fold in degrees from which "
+                  "its edges stay");
+    }
+  }
+  return subdivision;
+}
+
+ReadModel rounded(mesh::Mesh mesh, const Subdivision& subdivision, const Progress& progress) {
+  constexpr long long most_triangles = 20'000'000;
+  const std::string name = mesh.report.name;
+  if (static_cast<long long>(mesh.triangle_count()) << (2 * subdivision.steps) > most_triangles)
+    throw Error(ErrorKind::input, name + ":subdivide", "gives more than 20 million triangles", "use fewer steps");
+  if (subdivision.steps > 0) mesh = mesh::subdivide(std::move(mesh), subdivision.steps, subdivision.sharp, progress);
+  return {std::move(mesh)};
 }
 
 bool is_assignment(std::string_view part) {
@@ -195,14 +237,16 @@ ReadModel read_model(const fs::path& path, const foreign::Assignments& parameter
     return read_model(read_file("/dev/stdin", progress), "standard input", parameters, options, progress);
   if (std::optional<ReadModel> model = read_by_library({path, path.string()}, parameters, options, progress))
     return *std::move(model);
-  return {mesh::read_mesh(path, progress)};
+  const Subdivision subdivision = subdivision_of(path.string(), parameters);
+  return rounded(mesh::read_mesh(path, progress), subdivision, progress);
 }
 
 ReadModel read_model(std::string bytes, const std::string& name, const foreign::Assignments& parameters,
                      const ReadOptions& options, const Progress& progress) {
   if (std::optional<ReadModel> model = read_by_library({name, name, &bytes}, parameters, options, progress))
     return *std::move(model);
-  return {mesh::read_mesh(std::move(bytes), name, progress)};
+  const Subdivision subdivision = subdivision_of(name, parameters);
+  return rounded(mesh::read_mesh(std::move(bytes), name, progress), subdivision, progress);
 }
 
 }  // namespace epura::importer

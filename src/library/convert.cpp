@@ -244,23 +244,44 @@ scene::ExplodeDescription describe(const Explode& explode, const std::string& wh
   return description;
 }
 
+scene::Anchor anchor_of(const DimensionAnchor& anchor, const std::string& where) {
+  if (const auto* vertex = std::get_if<std::array<int, 2>>(&anchor)) return *vertex;
+  return vector_of(std::get<std::array<double, 3>>(anchor), where);
+}
+
 scene::DimensionDescription describe(const Dimension& dimension, const std::string& where) {
   scene::DimensionDescription description;
   description.where = where;
   description.view = located(dimension.view, where + ".view");
   description.type = {dimension.type, where + ".type"};
   description.direction = located(dimension.direction, where + ".direction");
-  for (const DimensionAnchor& anchor : dimension.anchors) {
-    if (const auto* vertex = std::get_if<std::array<int, 2>>(&anchor))
-      description.anchors.emplace_back(*vertex);
-    else
-      description.anchors.emplace_back(vector_of(std::get<std::array<double, 3>>(anchor), where + ".anchors"));
-  }
+  for (const DimensionAnchor& anchor : dimension.anchors)
+    description.anchors.push_back(anchor_of(anchor, where + ".anchors"));
   description.offset = located(dimension.offset, where + ".offset");
   description.text = located(dimension.text, where + ".text");
   description.tolerance = located(dimension.tolerance, where + ".tolerance");
   if (dimension.holes != HoleDimensions::notes) description.holes = {dimension.holes, where + ".holes"};
   if (dimension.limits) description.limits = {true, where + ".limits"};
+  description.arrangement = located(dimension.arrangement, where + ".arrangement");
+  if (dimension.arrangement && dimension.type != DimensionType::linear && dimension.type != DimensionType::automatic)
+    throw Error(ErrorKind::input, description.arrangement.where,
+                "a dimension of type '" + std::string(scene::word_of(dimension.type)) + "' has no arrangement",
+                "it belongs to the types 'linear' and 'auto'");
+  return description;
+}
+
+scene::ThreadDescription describe(const Thread& thread, const std::string& where) {
+  scene::ThreadDescription description;
+  description.where = where;
+  description.thread = {thread.thread, where + ".thread"};
+  description.at = {anchor_of(thread.at, where + ".at"), where + ".at"};
+  if (thread.depth) {
+    if (!(*thread.depth > 0)) throw Error(ErrorKind::input, where + ".depth", "must be above 0");
+    description.depth = located(thread.depth, where + ".depth");
+  }
+  description.equal = {thread.equal, where + ".equal"};
+  description.callout = {thread.callout, where + ".callout"};
+  description.view = located(thread.view, where + ".view");
   return description;
 }
 
@@ -321,6 +342,7 @@ scene::SceneDescription describe_scene(const Scene& scene) {
   describe_all(description.details, scene.details, "details");
   describe_all(description.explosions, scene.explosions, "explosions");
   describe_all(description.dimensions, scene.dimensions, "dimensions");
+  describe_all(description.threads, scene.threads, "threads");
   describe_all(description.sheets, scene.sheets, "sheets");
   return description;
 }

@@ -45,15 +45,42 @@ std::vector<sheet::NamedProjection> views_to_measure(std::span<const scene::View
   return whole;
 }
 
-// Where a view shows a point of the models.
-Vec3 shown_at(const Vec3& point, const scene::World& world, const ViewOptions& options, const std::string& where) {
-  if (!options.turned) return point;
+// How an aligned section turns what is at a point of the models.
+Mat4 turn_at(const Vec3& point, const scene::World& world, const ViewOptions& options, const std::string& where) {
   constexpr double on_plane = 1e-3;  // of the size: points are given with few decimals
-  if (const auto turned = scene::turned_point(*options.turned, point, on_plane * glm::length(world.box.size())))
-    return *turned;
+  if (const auto turn = scene::turn_at(*options.turned, point, on_plane * glm::length(world.box.size()))) return *turn;
   throw Error(ErrorKind::input, where,
               "view '" + options.name + "' shows an aligned section, which leaves this point of the models out",
               "choose a point on one of its planes, or behind it");
+}
+
+// Where a view shows a point of the models.
+Vec3 shown_at(const Vec3& point, const scene::World& world, const ViewOptions& options, const std::string& where) {
+  return options.turned ? Vec3(turn_at(point, world, options, where) * Vec4(point, 1)) : point;
+}
+
+// Whether a view along `n` shows a circle as such, or a diameter as a length.
+bool shows(const Vec3& n, const sheet::WorldCircle& circle, bool is_diameter) {
+  constexpr double parallel = 1e-6;
+  const double along = std::abs(glm::dot(circle.axis, n));
+  return along >= 1 - parallel || (is_diameter && circle.whole && along <= parallel);
+}
+
+// A circle of the models as an aligned section shows it: turned with the anchor of its dimension.
+void turn_circle(scene::DimensionDescription& dimension, const scene::World& world, const ViewOptions& options) {
+  const sheet::AnchoredDimension anchored = sheet::find_anchors(world, {&dimension, 1}).front();
+  const Mat4 turn = turn_at(anchored.points.front(), world, options, dimension.where);
+  std::vector<sheet::WorldCircle> circles = anchored.circles;
+  for (sheet::WorldCircle& circle : circles) {
+    circle.centre = Vec3(turn * Vec4(circle.centre, 1));
+    circle.axis = Vec3(turn * Vec4(circle.axis, 0));
+    for (Vec3& point : circle.rim) point = Vec3(turn * Vec4(point, 1));
+  }
+  const auto shown = std::find_if(circles.begin(), circles.end(), [&](const sheet::WorldCircle& circle) {
+    return shows(options.turned->plane.normal, circle, *dimension.type == DimensionType::diameter);
+  });
+  const sheet::WorldCircle& circle = shown != circles.end() ? *shown : circles.front();
+  dimension.circle = {circle.centre, circle.axis, circle.radius, circle.whole ? std::vector<Vec3>() : circle.rim};
 }
 
 // A dimension as a view shows it, whose parts may be turned. Throws Error{input} for exploded views.
@@ -63,10 +90,11 @@ scene::DimensionDescription shown_dimension(scene::DimensionDescription dimensio
     throw Error(ErrorKind::input, dimension.where, "view '" + options.name + "' is exploded and has no dimensions",
                 "dimension a view of the whole assembly");
   if (!options.turned) return dimension;
-  if (dimension.type.value == DimensionType::radius || dimension.type.value == DimensionType::diameter)
-    throw Error(ErrorKind::input, dimension.where,
-                "view '" + options.name + "' shows an aligned section, in which circles of the models are turned",
-                "give the diameter as a linear dimension between two points, with text = \"⌀<>\"");
+  const DimensionType type = dimension.type.value_or(DimensionType::linear);
+  if (type == DimensionType::radius || type == DimensionType::diameter || type == DimensionType::arc) {
+    turn_circle(dimension, world, options);
+    return dimension;
+  }
   for (scene::Anchor& anchor : dimension.anchors)
     anchor = shown_at(sheet::position_of(world, anchor, dimension.where), world, options, dimension.where);
   return dimension;

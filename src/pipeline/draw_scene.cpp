@@ -23,6 +23,7 @@
 #include "pipeline/questions.hpp"
 #include "pipeline/read_models.hpp"
 #include "pipeline/recognise_parts.hpp"
+#include "pipeline/replace_helical_threads.hpp"
 #include "pipeline/sections.hpp"
 #include "pipeline/seen_items.hpp"
 #include "pipeline/shown_worlds.hpp"
@@ -355,10 +356,18 @@ void place_threads(scene::World& world, const scene::SceneDescription& scene) {
   scene::place_threads(world, scene.threads, positions);
 }
 
+// Whether a sheet has more than pictures: these show helical threads as they are.
+bool shows_parts(const SheetOfViews& views) {
+  return std::any_of(views.plans.begin(), views.plans.end(),
+                     [](const PlannedView& plan) { return plan.entry.family == "orthographic"; });
+}
+
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
   scene::World world = read_models(scene, read_options(scene, options, fineness), report.meshes, messages, progress);
   watch.lap("read");
   recognise_parts(world, scene, options, report, progress);
+  if (std::any_of(sheets.begin(), sheets.end(), shows_parts))
+    world = replace_helical_threads(std::move(world), scene, messages, progress);
   place_threads(world, scene);
   complete_mass(scene, world);
   find_heights(world);

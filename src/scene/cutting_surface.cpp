@@ -274,8 +274,8 @@ CuttingPlane turned_plane(const CutRegion& region) {
   return plane;
 }
 
-std::optional<Vec3> turned_point(const CuttingSurface& surface, const Vec3& point, double slack) {
-  std::optional<Vec3> turned;
+std::optional<Mat4> turn_at(const CuttingSurface& surface, const Vec3& point, double slack) {
+  std::optional<Mat4> turn;
   double least = HUGE_VAL;
   for (const CutRegion& region : surface.regions) {
     const double behind = -glm::dot(region.plane->normal, point - region.plane->point), apart = std::abs(behind);
@@ -283,9 +283,9 @@ std::optional<Vec3> turned_point(const CuttingSurface& surface, const Vec3& poin
                                        [&](const CutBorder& border) { return side_of(border, point, slack) <= 0; });
     if (!is_inside || behind < -slack || apart >= least) continue;
     least = apart;
-    turned = Vec3(region.turn * Vec4(point, 1));
+    turn = region.turn;
   }
-  return turned;
+  return turn;
 }
 
 CuttingSurface plane_surface(const CuttingPlane& plane) { return {plane, {{plane, {}}}}; }

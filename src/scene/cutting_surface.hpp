@@ -46,9 +46,9 @@ struct CuttingSurface {
   [[nodiscard]] bool is_plane() const { return regions.size() == 1; }
 };
 
-/// Where the view of an aligned section shows a point of the models: turned with the nearest plane behind which it is.
-/// Nothing if the section leaves it out. `slack` is the distance up to which points are on a plane.
-std::optional<Vec3> turned_point(const CuttingSurface& surface, const Vec3& point, double slack);
+/// How the view of an aligned section turns what is at a point of the models: with the nearest plane behind which it
+/// is. Nothing if the section leaves it out. `slack` is the distance up to which points are on a plane.
+std::optional<Mat4> turn_at(const CuttingSurface& surface, const Vec3& point, double slack);
 
 /// A surface of one plane.
 CuttingSurface plane_surface(const CuttingPlane& plane);

@@ -29,6 +29,7 @@ constexpr double same_size = 1e-4;   // relative
 constexpr double beside = 1.002;     // relative to the radius of a hole or slot: within it
 constexpr double longest_arc = 200;  // degrees
 constexpr double shortest_arc = 20;
+constexpr double least_round = 180;      // degrees of a turn that slots may leave of a rounded edge
 constexpr double longest_chamfer = 0.5;  // relative to the radius
 constexpr double degree = std::numbers::pi / 180;
 
@@ -248,26 +249,59 @@ class PartReader {
   }
 
   void add_rounds(DesignFeatures& found) const {
-    for (const RoundFace& round : round_) {
-      const features::PartSurface& surface = round.face.surface;
-      if (surface.kind != SurfaceKind::torus || !round.is_whole()) continue;
-      std::vector<double> angles;
-      for (const int v : round.vertices) {
-        const Vec3 d = world_.points[v] - surface.origin;
-        const double height = glm::dot(d, surface.axis), out = glm::length(d - height * surface.axis) - surface.radius;
-        angles.push_back(portable_atan2(height, out) / degree);
+    std::vector<char> done(round_.size(), 0);
+    for (std::size_t i = 0; i < round_.size(); ++i) {
+      if (round_[i].face.surface.kind == SurfaceKind::sphere) add_ball(round_[i], found);
+      if (round_[i].face.surface.kind != SurfaceKind::torus || done[i] != 0) continue;
+      DesignRound round = round_of(round_[i]);
+      double sum = round_[i].face.sweep;
+      for (std::size_t j = i + 1; j < round_.size(); ++j) {
+        if (done[j] != 0 || round_[i].is_whole() || !is_rest_of(round_[j], round_[i])) continue;
+        done[j] = 1;
+        sum += round_[j].face.sweep;
+        round.sectors.push_back(sector_of(round_[j]));
       }
-      std::sort(angles.begin(), angles.end());
-      // The section leaves out the largest gap.
-      double from = angles.front(), largest = angles.front() + 360 - angles.back();
-      for (std::size_t i = 1; i < angles.size(); ++i)
-        if (const double gap = angles[i] - angles[i - 1]; gap > largest) {
-          largest = gap;
-          from = angles[i];
-        }
-      found.rounds.push_back(
-          {model_, surface.origin, surface.axis, surface.radius, surface.minor, {from, from + 360 - largest}});
+      if (sum >= least_round) found.rounds.push_back(std::move(round));
     }
+  }
+
+  static Sector sector_of(const RoundFace& round) { return {round.middle, round.face.sweep / 2}; }
+
+  static bool is_rest_of(const RoundFace& round, const RoundFace& first) {
+    return features::are_one(round.face.surface, first.face.surface) && round.face.inwards == first.face.inwards;
+  }
+
+  void add_ball(const RoundFace& round, DesignFeatures& found) const {
+    const features::PartSurface& sphere = round.face.surface;
+    Vec3 middle(0);
+    for (const int v : round.vertices) middle += glm::normalize(world_.points[v] - sphere.origin);
+    middle /= static_cast<double>(std::max<std::size_t>(round.vertices.size(), 1));
+    const bool is_known = std::any_of(found.balls.begin(), found.balls.end(), [&](const DesignBall& ball) {
+      return ball.model == model_ && are_same(ball.radius, sphere.radius) &&
+             glm::distance(ball.centre, sphere.origin) <= same_size * sphere.radius;
+    });
+    if (!is_known) found.balls.push_back({model_, sphere.origin, sphere.radius, middle});
+  }
+
+  [[nodiscard]] DesignRound round_of(const RoundFace& round) const {
+    const features::PartSurface& surface = round.face.surface;
+    std::vector<double> angles;
+    for (const int v : round.vertices) {
+      const Vec3 d = world_.points[v] - surface.origin;
+      const double height = glm::dot(d, surface.axis), out = glm::length(d - height * surface.axis) - surface.radius;
+      angles.push_back(portable_atan2(height, out) / degree);
+    }
+    std::sort(angles.begin(), angles.end());
+    // The section leaves out the largest gap.
+    double from = angles.front(), largest = angles.front() + 360 - angles.back();
+    for (std::size_t i = 1; i < angles.size(); ++i)
+      if (const double gap = angles[i] - angles[i - 1]; gap > largest) {
+        largest = gap;
+        from = angles[i];
+      }
+    DesignRound made{model_, surface.origin, surface.axis, surface.radius, surface.minor, {from, from + 360 - largest}};
+    if (!round.is_whole()) made.sectors.push_back(sector_of(round));
+    return made;
   }
 
   void add_cones(DesignFeatures& found) const {
@@ -343,6 +377,12 @@ void add_pitch_circles(const CentredFeatures& centred, DesignFeatures& found) {
 }
 
 }  // namespace
+
+bool DesignRound::reaches(const Vec3& out) const {
+  return sectors.empty() || std::any_of(sectors.begin(), sectors.end(), [&](const Sector& sector) {
+           return glm::dot(out, sector.middle) > portable_cos(std::min(sector.half, 180.0) * degree);
+         });
+}
 
 std::vector<Vec3> DesignRound::section(const Vec3& out) const {
   constexpr int steps = 8;

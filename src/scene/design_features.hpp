@@ -87,16 +87,33 @@ struct DesignCone {
   double angle;                 ///< between its side and the axis, degrees
 };
 
-/// A full torus: a fillet or rounded edge of a turned part.
+/// Part of a turn around an axis.
+struct Sector {
+  Vec3 middle;  ///< unit
+  double half;  ///< degrees to either side
+};
+
+/// A torus: a fillet or rounded edge of a turned part.
 struct DesignRound {
   int model;
-  Vec3 centre, axis;             ///< of the torus; the axis is a unit vector
-  double ring;                   ///< radius of the circle on which the centres of its section lie
-  double radius;                 ///< of its section
-  std::array<double, 2> angles;  ///< ends of its section, degrees counterclockwise from outwards towards the axis
+  Vec3 centre, axis;              ///< of the torus; the axis is a unit vector
+  double ring;                    ///< radius of the circle on which the centres of its section lie
+  double radius;                  ///< of its section
+  std::array<double, 2> angles;   ///< ends of its section, degrees counterclockwise from outwards towards the axis
+  std::vector<Sector> sectors{};  ///< what slots have left of it; empty for a full turn
 
+  /// Whether it is there in a direction from the axis.
+  [[nodiscard]] bool reaches(const Vec3& out) const;
   /// The points of its section in one direction from the axis, in order.
   [[nodiscard]] std::vector<Vec3> section(const Vec3& out) const;
+};
+
+/// A sphere, or a part of one.
+struct DesignBall {
+  int model;
+  Vec3 centre;
+  double radius;
+  Vec3 middle;  ///< mean direction of its points from the centre; shorter than 1 if it has much of a sphere
 };
 
 /// Plane faces perpendicular to a world axis, at the same place along it; without those at the ends of the models and
@@ -120,6 +137,7 @@ struct DesignFeatures {
   std::vector<DesignSlot> slots;
   std::vector<DesignArc> arcs;
   std::vector<DesignRound> rounds;
+  std::vector<DesignBall> balls;
   std::vector<DesignCone> chamfers;  ///< between the end of a shaft and its cylinder
   std::vector<DesignCone> cones;     ///< all others
   std::vector<DesignLevel> levels;   ///< by axis and place

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "scene/design_holes.hpp"
+#include "scene/standard_threads.hpp"
 
 namespace epura::scene {
 
@@ -19,10 +20,6 @@ using features::SurfaceKind;
 constexpr double parallel = 1e-4;   // sine
 constexpr double same_size = 1e-4;  // relative
 constexpr double near_by = 0.02;    // relative to the radius of a cylinder: positions are written with few decimals
-// What a cylinder of a part may measure, in pitches from the major diameter: a core hole is drilled a little smaller or
-// larger than the minor diameter, and a shaft turned a little smaller than the major one.
-constexpr double smallest_hole = 1.3, largest_hole = 0.5, smallest_shaft = 0.35;
-constexpr double largest_shaft = 1.02;  // relative
 
 bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
 bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
@@ -116,11 +113,8 @@ class ThreadPlacer {
   }
 
   static void expect_size(const ThreadDescription& description, const Thread& thread, const Cylinder& cylinder) {
-    const double diameter = 2 * cylinder.surface().radius;
     const bool internal = cylinder.part_face->inwards;
-    const double least = thread.diameter - (internal ? smallest_hole : smallest_shaft) * thread.pitch;
-    const double most = internal ? thread.diameter - largest_hole * thread.pitch : largest_shaft * thread.diameter;
-    if (diameter >= least && diameter <= most) return;
+    if (suits(thread, 2 * cylinder.surface().radius, internal)) return;
     throw Error(ErrorKind::input, description.thread.where, thread.text + " does not suit " + cylinder.name(),
                 std::string(internal ? "its core hole, the minor diameter of ISO 724, has ⌀"
                                      : "its shaft, the major diameter, has ⌀") +
@@ -182,7 +176,8 @@ std::optional<Continuation> continuation_of(const PlacedPart& part, int cylinder
   const Vec3 end = surface.origin + (at_high_end ? face.to : face.from) * surface.axis;
   const Vec3 out = (at_high_end ? 1.0 : -1.0) * surface.axis;
   const double slack = std::max(32 * part.tolerance, same_size * surface.radius);
-  for (const PartFace& cone : part.faces) {
+  for (int f = 0; f < static_cast<int>(part.faces.size()); ++f) {
+    const PartFace& cone = part.faces[static_cast<std::size_t>(f)];
     if (cone.surface.kind != SurfaceKind::cone || cone.inwards != face.inwards || cone.sweep < 359) continue;
     if (!are_parallel(cone.surface.axis, surface.axis)) continue;
     if (glm::length(glm::cross(cone.surface.origin - end, surface.axis)) > slack) continue;
@@ -191,7 +186,7 @@ std::optional<Continuation> continuation_of(const PlacedPart& part, int cylinder
     const double begin = glm::dot(cone.surface.origin + near * cone.surface.axis - end, out);
     const double radius = cone.surface.radius + cone.surface.slope * near;
     if (std::abs(begin) > slack || std::abs(radius - surface.radius) > slack) continue;
-    return Continuation{height, way * cone.surface.slope};
+    return Continuation{f, height, way * cone.surface.slope};
   }
   return std::nullopt;
 }

@@ -14,6 +14,7 @@ namespace epura::scene {
 
 /// A cone that continues a cylinder: a chamfer or countersink.
 struct Continuation {
+  int face;         ///< of the part
   double height;    ///< along the axis
   double widening;  ///< growth of its radius per length, away from the cylinder; negative if it narrows
 };

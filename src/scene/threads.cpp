@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "scene/standard_threads.hpp"
 
 namespace epura::scene {
 
@@ -168,6 +169,23 @@ Thread parse_thread(std::string_view text, const std::string& where) {
   if (thread.pitch != row.coarse) thread.text += "×" + format_number(thread.pitch);
   for (std::size_t i = 1; i < parts.size(); ++i) thread.text += "-" + std::string(parts[i]);
   return thread;
+}
+
+bool suits(const Thread& thread, double diameter, bool internal) {
+  const double least = thread.diameter - (internal ? smallest_hole : smallest_shaft) * thread.pitch;
+  const double most = internal ? thread.diameter - largest_hole * thread.pitch : largest_shaft * thread.diameter;
+  return diameter >= least && diameter <= most;
+}
+
+std::vector<Thread> threads_between(double from, double to) {
+  std::vector<Thread> threads;
+  for (const Size& size : sizes) {
+    if (size.diameter < from || size.diameter > to) continue;
+    if (size.coarse > 0) threads.push_back({size.diameter, size.coarse, name_of(size)});
+    for (const double pitch : size.fine)
+      if (pitch > 0) threads.push_back({size.diameter, pitch, name_of(size) + "×" + format_number(pitch)});
+  }
+  return threads;
 }
 
 }  // namespace epura::scene

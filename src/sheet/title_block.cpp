@@ -234,7 +234,10 @@ Rectangle logo_box(const Rectangle& title_block) {
 
 DrawnTitleBlock draw_title_block(const TitleBlock& block, const Paper& paper, const Lettering& lettering) {
   const auto box = title_block_box(block, paper);
-  if (!box) return {{}, {"the sheet is too small for a title block"}};
+  if (!box)
+    return {{},
+            {"the sheet is too small for a title block\n  hint: choose a size such as A4, or leave it out with "
+             "frame plain"}};
   const std::vector<Field> fields = free_fields(block);
   const auto rows = static_cast<std::size_t>((box->size().y - standard_height) / row + 0.5);
   const std::vector<Cell> free = free_cells(fields, rows);

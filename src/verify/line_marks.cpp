@@ -118,7 +118,7 @@ Need LineMarks::need_at(int crossing) const {
   if (sheets.edge->wire && rule_.options().wire) return Need::asked;
   if (sheets.edge->cut == mesh::CutEdge::inside) return Need::none;
   if (sheets.edge->cut == mesh::CutEdge::outline) return Need::asked;
-  if (rule_.ends_at_cut(sheets)) return Need::possible;
+  if (rule_.ends_at_cut(sheets) || scene_.is_left_out(slice_.crossings[crossing].edge)) return Need::possible;
   Need strongest = Need::none;
   for (const std::vector<int>& body : sheets.bodies) {
     Need need = body.size() == 1         ? rule_.options().boundary ? Need::asked : Need::none

@@ -52,7 +52,7 @@ class Outline {
         options_(options),
         reach_(std::max(guaranteed * tolerance.size, 16 * tolerance.contact)),
         least_(8 * reach_),
-        scene_(input, reach_ / 16),
+        scene_(input, reach_ / 16, options.edges.thread_depth),
         rule_(input.world, options.edges, 2 * reach_ / scene_.page),
         window_(window()),
         scan_(input, scene_, rule_, {reach_, tolerance.sideways(), tolerance.contact}, window_) {}

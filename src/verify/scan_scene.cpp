@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "edges/thread_lines.hpp"
 
 namespace epura::verify {
 
@@ -39,10 +40,24 @@ Vec3 reference_of(const VerifyInput& input) {
   return best;
 }
 
+std::vector<std::array<int, 2>> left_out_of(const VerifyInput& input, double thread_depth) {
+  std::vector<std::array<int, 2>> edges;
+  for (const edges::MeshEdgeOfModel& edge : edges::chamfer_circles(input.world, input.projection, thread_depth)) {
+    const int first = input.world.first_vertex[edge.model];
+    const auto& [a, b] = input.world.models[edge.model].mesh->edges[edge.mesh_edge].vertex;
+    edges.push_back({first + a, first + b});
+  }
+  std::ranges::sort(edges);
+  return edges;
+}
+
 }  // namespace
 
-ScanScene::ScanScene(const VerifyInput& input, double precision)
-    : world(input.world), local(input.world.points.size()), vague_(input.world.points.size()) {
+ScanScene::ScanScene(const VerifyInput& input, double precision, double thread_depth)
+    : world(input.world),
+      local(input.world.points.size()),
+      vague_(input.world.points.size()),
+      left_out_(left_out_of(input, thread_depth)) {
   const Vec3 reference = reference_of(input);
   const Sight<Bounded> sight = sight_of(input, reference);
   const Vec4 base = input.drawing.world_to_page * Vec4(reference, 1);
@@ -69,6 +84,10 @@ bool ScanScene::is_vague(int triangle) const {
 
 bool ScanScene::is_vague(const std::array<int, 2>& edge) const {
   return std::ranges::any_of(edge, [&](int v) { return vague_[v] != 0; });
+}
+
+bool ScanScene::is_left_out(const std::array<int, 2>& edge) const {
+  return std::ranges::binary_search(left_out_, edge);
 }
 
 std::optional<std::array<Vec2, 2>> ScanScene::line_of(const std::array<int, 2>& edge) const {

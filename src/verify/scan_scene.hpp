@@ -26,8 +26,8 @@ struct ScanLine {
 /// Every vertex of the world in one frame.
 class ScanScene {
  public:
-  /// `precision` is the required precision of positions on the page, mm.
-  ScanScene(const VerifyInput& input, double precision);
+  /// `precision` is the required precision of positions on the page, mm; `thread_depth` as in EdgeOptions.
+  ScanScene(const VerifyInput& input, double precision, double thread_depth);
 
   const scene::World& world;
   Vec2 origin;              ///< position of the point of reference on the page, mm
@@ -46,12 +46,15 @@ class ScanScene {
   [[nodiscard]] bool is_vague(int triangle) const;
   /// The same of an edge between two vertices.
   [[nodiscard]] bool is_vague(const std::array<int, 2>& edge) const;
+  /// Whether a convention leaves the line of an edge out.
+  [[nodiscard]] bool is_left_out(const std::array<int, 2>& edge) const;
   /// The part in front of the viewer of an edge between two vertices, on the page; nothing if there is none.
   [[nodiscard]] std::optional<std::array<Vec2, 2>> line_of(const std::array<int, 2>& edge) const;
 
  private:
   double eye_;
   UnsetVector<char> vague_;
+  std::vector<std::array<int, 2>> left_out_;  ///< ascending
 };
 
 }  // namespace epura::verify

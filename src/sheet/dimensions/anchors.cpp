@@ -133,6 +133,7 @@ AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene:
                               description.offset.value,
                               description.text.value_or(""),
                               tolerance_of(description)};
+  dimension.name = description.name.value_or("");
   if (description.circle) {
     const scene::FeatureCircle& circle = *description.circle;
     dimension.is_label = description.is_label;
@@ -140,7 +141,6 @@ AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene:
     return dimension;
   }
   if (type == DimensionType::linear) dimension.arrangement = description.arrangement.value;
-  dimension.name = description.name.value_or("");
   if (dimension.arrangement ? description.anchors.size() < rule.anchors : description.anchors.size() != rule.anchors)
     refuse(where, "the number of its anchors is " + std::to_string(description.anchors.size()),
            "the dimension '" + std::string(scene::word_of(type)) + "' needs " + rule.wants);

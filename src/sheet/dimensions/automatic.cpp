@@ -72,6 +72,7 @@ class Planner {
     add_slots();
     add_arcs();
     add_rounds();
+    add_balls();
     add_chamfers();
     add_cones();
     add_levels();
@@ -338,6 +339,10 @@ class Planner {
     }
   }
 
+  [[nodiscard]] bool are_written_alike(const scene::DesignArc& a, const scene::DesignArc& b) const {
+    return length(a.radius) == length(b.radius);
+  }
+
   // The number of fillets of the same radius whose form no view shows, such as those around a hexagon. The first group
   // that a view shows stands for them.
   std::size_t unseen_arcs(const std::vector<std::vector<const scene::DesignArc*>>& groups,
@@ -345,37 +350,80 @@ class Planner {
     std::size_t count = 0;
     for (const auto& group : groups) {
       const scene::DesignArc& arc = *group.front();
-      if (arc.model != shown.model || !are_same(arc.radius, shown.radius)) continue;
+      if (arc.model != shown.model || !are_written_alike(arc, shown)) continue;
       const bool is_seen = view_along(arc.axis, false) != nullptr;
       if (is_seen && &arc != &shown) return count;
       if (is_seen) break;
     }
     for (const auto& group : groups)
-      if (group.front()->model == shown.model && are_same(group.front()->radius, shown.radius) &&
+      if (group.front()->model == shown.model && are_written_alike(*group.front(), shown) &&
           view_along(group.front()->axis, false) == nullptr)
         count += group.size();
     return count;
   }
 
+  [[nodiscard]] bool has_radius(double radius) const {
+    return std::any_of(dimensions_.begin(), dimensions_.end(), [&](const DimensionDescription& dimension) {
+      return *dimension.type == DimensionType::radius && are_same(dimension.circle->radius, radius);
+    });
+  }
+
+  // The first view that shows the section of a rounded edge, and the side of the axis on which it does.
+  [[nodiscard]] std::pair<const NamedProjection*, Vec3> view_of(const scene::DesignRound& round) const {
+    for (const NamedProjection& view : views_) {
+      const projection::Projection& projection = view.projection;
+      if (!may_use(view)) continue;
+      for (const auto& [along, aside] : {std::pair(projection.u, projection.v), std::pair(projection.v, projection.u)})
+        for (const double side : {1.0, -1.0})
+          if (are_parallel(along, round.axis) && round.reaches(side * aside)) return {&view, side * aside};
+    }
+    return {nullptr, Vec3(0)};
+  }
+
   // Those whose radius is not that of a fillet with a dimension, to which they belong.
   void add_rounds() {
-    const auto has_dimension = [&](const scene::DesignRound& round) {
-      return std::any_of(dimensions_.begin(), dimensions_.end(), [&](const DimensionDescription& dimension) {
-        return *dimension.type == DimensionType::radius && are_same(dimension.circle->radius, round.radius);
-      });
-    };
     const auto equal = [](const scene::DesignRound& a, const scene::DesignRound& b) {
       return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
     };
     for (const auto& group : groups_of<scene::DesignRound>(subject_.features.rounds, equal)) {
       const scene::DesignRound& round = *group.front();
-      const NamedProjection* view = view_across(round.axis);
-      if (view == nullptr || has_dimension(round)) continue;
+      const auto [view, out] = view_of(round);
+      if (view == nullptr || has_radius(round.radius)) continue;
       const projection::Projection& projection = view->projection;
-      const Vec3 out = are_parallel(projection.u, round.axis) ? projection.v : projection.u;
       add(DimensionType::radius, *view, times(group.size()) + "<>").circle = {
           round.centre + round.ring * out, projection.n, round.radius, round.section(out)};
     }
+  }
+
+  // Spheres that are no corners of fillets, in the first view that shows their outline.
+  void add_balls() {
+    const auto equal = [](const scene::DesignBall& a, const scene::DesignBall& b) {
+      return a.model == b.model && are_same(a.radius, b.radius);
+    };
+    for (const auto& group : groups_of<scene::DesignBall>(subject_.features.balls, equal)) {
+      const scene::DesignBall& ball = *group.front();
+      if (has_radius(ball.radius) || is_overall(ball)) continue;
+      const auto view = std::find_if(views_.begin(), views_.end(), [&](const NamedProjection& one) {
+        return may_use(one) && std::abs(glm::dot(ball.middle, one.projection.n)) < 0.5;
+      });
+      if (view == views_.end()) continue;
+      const projection::Projection& projection = view->projection;
+      const Vec3 flat = ball.middle - glm::dot(ball.middle, projection.n) * projection.n;
+      const Vec3 out = glm::normalize(glm::length(flat) > 0.1 ? flat : projection.u + projection.v);
+      const Vec3 aside = glm::cross(projection.n, out);
+      std::vector<Vec3> arc;
+      for (const double turn : {-0.1, 0.0, 0.1})
+        arc.push_back(ball.centre + ball.radius * glm::normalize(out + turn * aside));
+      add(DimensionType::radius, *view, times(group.size()) + "S<>").circle = {ball.centre, projection.n, ball.radius,
+                                                                               arc};
+    }
+  }
+
+  // Whether an overall dimension is the diameter of a ball.
+  [[nodiscard]] bool is_overall(const scene::DesignBall& ball) const {
+    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const scene::Extent& extent) {
+      return extent.form == scene::ExtentForm::sphere && are_same(extent.size(), 2 * ball.radius);
+    });
   }
 
   // Diameters and positions of the ends of cones, as far as no cylinder and no step has them.

@@ -25,7 +25,7 @@ struct DimensionSubject {
 /// How many steps a view dimensions along one axis, and how many radii; more would not be legible. The largest count,
 /// but no step smaller than `least_level` of the area of the models' box, and no radii whose sum is less than
 /// `least_radius` of its size: `epura lint` lists what is left.
-inline constexpr std::size_t most_levels = 24, most_radii = 12;
+inline constexpr std::size_t most_levels = 32, most_radii = 12;
 inline constexpr double least_level = 5e-5, least_radius = 2e-3;
 
 struct AutomaticPlan {
@@ -35,7 +35,7 @@ struct AutomaticPlan {
 
 /// Returns overall dimensions, as of overall_dimensions, and those of features:
 /// - holes, pitch circles, slots, arcs in a view along their axes; shafts and chamfers in a view across them
-/// - rounded edges of turned parts and ends of cones in a view across their axes
+/// - rounded edges of turned parts and ends of cones in a view across their axes; spheres where their outline is seen
 /// - positions of holes, slots and bosses and heights of steps from the left or lower end of the models in a view,
 ///   those of equally spaced ones as "3× 20 (=60)"; holes on a pitch circle have no others
 /// If an arrangement is wanted, positions along one axis are one row of dimensions. If a table of holes is wanted,

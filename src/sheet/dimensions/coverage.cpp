@@ -99,6 +99,8 @@ class Chain {
 /// A size of one feature, and how many dimensions give it.
 struct CircleSize {
   std::string name;
+  std::string kind;             ///< its name without lengths
+  std::vector<double> lengths;  ///< in its name: equal ones may be rounded to different decimals
   int model;
   Vec3 centre, axis;
   double radius;
@@ -170,12 +172,16 @@ class CoverageFinder {
     return (cylinder.inwards ? "bore " : "cylinder ") + size;
   }
 
+  static bool have_equal_lengths(const CircleSize& a, const CircleSize& b) {
+    return std::equal(a.lengths.begin(), a.lengths.end(), b.lengths.begin(), b.lengths.end(),
+                      [](double x, double y) { return std::abs(x - y) <= 1e-4 * std::max(std::abs(x), std::abs(y)); });
+  }
+
   void add_size(CircleSize size) {
     size.equal = static_cast<int>(sizes_.size());
     for (const CircleSize& other : sizes_)
-      if (other.name == size.name && other.model == size.model && are_parallel(other.axis, size.axis) &&
-          std::abs(other.radius - size.radius) <= 1e-4 * size.radius &&
-          (!size.needs_depth || glm::dot(other.axis, size.axis) > 0)) {
+      if (other.kind == size.kind && other.model == size.model && are_parallel(other.axis, size.axis) &&
+          have_equal_lengths(other, size) && (!size.needs_depth || glm::dot(other.axis, size.axis) > 0)) {
         size.equal = other.equal;
         break;
       }
@@ -186,30 +192,77 @@ class CoverageFinder {
     const scene::DesignFeatures& features = subject_.features;
     for (const scene::DesignHole& hole : features.holes) {
       std::string name = "hole " + (hole.thread ? hole.thread->text : "⌀" + length(hole.diameter));
-      if (hole.depth) name += " ↧" + length(*hole.depth);
-      if (hole.counterbore) name += " ⌴⌀" + length(hole.counterbore->diameter);
-      if (hole.countersink) name += " ⌵⌀" + length(hole.countersink->diameter);
-      add_size({name, hole.model, hole.mouth, hole.axis, hole.called() / 2, false,
+      std::string kind = hole.thread ? name : "hole";
+      std::vector<double> lengths{hole.called()};
+      const auto add = [&](const char* sign, double value) {
+        name += sign + length(value);
+        kind += sign;
+        lengths.push_back(value);
+      };
+      if (hole.depth) add(" ↧", *hole.depth);
+      if (hole.counterbore) add(" ⌴⌀", hole.counterbore->diameter);
+      if (hole.countersink) add(" ⌵⌀", hole.countersink->diameter);
+      add_size({name, kind, lengths, hole.model, hole.mouth, hole.axis, hole.called() / 2, false,
                 hole.depth || hole.counterbore || hole.countersink});
     }
     for (const scene::DesignCylinder& cylinder : features.cylinders)
-      add_size({name_of(cylinder), cylinder.model, cylinder.from, cylinder.axis, cylinder.called(), false, false});
+      add_size({name_of(cylinder),
+                cylinder.thread    ? name_of(cylinder)
+                : cylinder.inwards ? "bore"
+                                   : "cylinder",
+                {cylinder.called()},
+                cylinder.model,
+                cylinder.from,
+                cylinder.axis,
+                cylinder.called(),
+                false,
+                false});
     for (const scene::DesignPitchCircle& circle : features.pitch_circles)
-      add_size({"pitch circle ⌀" + length(2 * circle.radius), circle.model, circle.centre, circle.axis, circle.radius,
-                false, false});
+      add_size({"pitch circle ⌀" + length(2 * circle.radius),
+                "pitch circle",
+                {circle.radius},
+                circle.model,
+                circle.centre,
+                circle.axis,
+                circle.radius,
+                false,
+                false});
     for (const scene::DesignCone& cone : features.cones)
       for (const int end : {0, 1}) add_end(cone, end);
     for (const scene::DesignSlot& slot : features.slots)
-      add_size({"slot R" + length(slot.radius), slot.model, slot.centres[1], slot.axis, slot.radius, true, false});
+      add_size({"slot R" + length(slot.radius),
+                "slot",
+                {slot.radius},
+                slot.model,
+                slot.centres[1],
+                slot.axis,
+                slot.radius,
+                true,
+                false});
     for (const scene::DesignArc& arc : features.arcs)
-      add_size({"radius R" + length(arc.radius), arc.model, arc.centre, arc.axis, arc.radius, true, false});
+      add_size({"radius R" + length(arc.radius),
+                "radius",
+                {arc.radius},
+                arc.model,
+                arc.centre,
+                arc.axis,
+                arc.radius,
+                true,
+                false});
   }
 
   // A cylinder that continues a cone has the size of its end.
   void add_end(const scene::DesignCone& cone, int end) {
     const scene::DesignCylinder circle{cone.model, cone.ends[end], cone.ends[end], cone.axis, cone.radii[end], false};
     if (circle.radius > 0 && !scene::has_coaxial_cylinder(subject_.features, circle))
-      add_size({"end of a cone ⌀" + length(2 * circle.radius), cone.model, circle.from, cone.axis, circle.radius, false,
+      add_size({"end of a cone ⌀" + length(2 * circle.radius),
+                "end of a cone",
+                {circle.radius},
+                cone.model,
+                circle.from,
+                cone.axis,
+                circle.radius,
+                false,
                 false});
   }
 
@@ -249,13 +302,15 @@ class CoverageFinder {
     return static_cast<int>(lists.size());
   }
 
-  // Whether a size is the radius of a fillet whose form no view shows, and another dimension gives it.
+  // Whether a size is the radius of a fillet whose form no view shows, and another dimension gives it. Radii of short
+  // arcs are not accurate: the number that is written counts.
   [[nodiscard]] bool is_given_by_equal(const CircleSize& size, std::span<const DimensionsInView> views) const {
     const bool is_seen = std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
       return are_parallel(view.projection.n, size.axis);
     });
-    return size.anywhere && !is_seen &&
-           std::any_of(radii_.begin(), radii_.end(), [&](double radius) { return are_same(radius, size.radius); });
+    return size.anywhere && !is_seen && std::any_of(radii_.begin(), radii_.end(), [&](double radius) {
+             return length(radius) == length(size.radius);
+           });
   }
 
   // Whether an overall dimension is this diameter.
@@ -367,9 +422,9 @@ class CoverageFinder {
     return are_same(glm::length(glm::cross(point - circle.centre, circle.axis)), circle.radius);
   }
 
-  // Whether the models are one ball of this size, which an overall dimension gives.
+  // Whether an overall dimension is the diameter of a ball of this size.
   [[nodiscard]] bool is_overall_sphere(const features::PartSurface& sphere) const {
-    return std::all_of(subject_.extents.begin(), subject_.extents.end(), [&](const scene::Extent& extent) {
+    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const scene::Extent& extent) {
       return extent.form == scene::ExtentForm::sphere && are_same(extent.size(), 2 * sphere.radius);
     });
   }

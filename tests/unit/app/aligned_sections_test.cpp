@@ -138,8 +138,22 @@ TEST_F(AlignedSections, AreDimensionedAsTheyAreShown) {
           "'left'\nsection = 'A'",
           dimension("linear", "direction = 'vertical'\nfrom = {point = [0, 0, 29]}\nto = {point = [-29, 0, 0]}"))),
       "view 'left' shows an aligned section, which leaves this point of the models out"));
-  EXPECT_TRUE(contains(error(flange("'left'\nsection = 'A'", dimension("radius", "at = [0, 0]"))),
-                       "in which circles of the models are turned"));
+  EXPECT_TRUE(contains(error(flange("'left'\nsection = 'A'", dimension("radius", "at = [0, 128]"))),
+                       "measure it in a view along its axis"));
+}
+
+// The hole of radius 5 at 330 degrees, 29 from the axis, is seen 29 below it.
+TEST_F(AlignedSections, ShowDiametersWhereTheyAreTurned) {
+  const Json view = drawing(flange("'left'\nsection = 'A'",
+                                   "[[dimension]]\nview = 'left'\ntype = 'diameter'\nat = [0, 128]\noffset = 20\n"),
+                            {"--svg-text", "text"})["views"]
+                        .items.at(1);
+  const std::string svg = read_file(folder / "x.svg");
+  const std::size_t label = svg.rfind("<text", svg.find(">⌀10</text>"));
+  ASSERT_LT(label, svg.size());
+  const std::size_t y = svg.find(" y=\"", label) + 4;
+  const double from_below = 297 - *parse_number(svg.substr(y, svg.find('"', y) - y));
+  EXPECT_NEAR(from_below, on_page(view, {0, 5, -29}).y, 6);
 }
 
 TEST_F(AlignedSections, AreRefusedWherePlanesAreNotSideBySide) {

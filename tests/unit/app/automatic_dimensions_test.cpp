@@ -269,6 +269,14 @@ std::vector<Vec2> rounded_pin(double radius, double edge, double length) {
   return profile;
 }
 
+// Adds a ball of radius 15 to a profile that ends at radius 10.
+std::vector<Vec2> with_ball(std::vector<Vec2> profile) {
+  const double centre = profile.back().x + std::sqrt(125), begin = std::acos(-std::sqrt(125) / 15) * 180 / M_PI;
+  for (int i = k - 1; i >= 0; --i)
+    profile.emplace_back(centre + 15 * cosine(begin * i / k), std::max(15 * sine(begin * i / k), 1e-9));
+  return profile;
+}
+
 // Steps of 5, each 4 deep.
 Loop stairs(int count) {
   Loop outline{{0, 0}, {5.0 * count, 0}};
@@ -332,7 +340,11 @@ std::vector<KnownPart> round_parts() {
            shaft({{0, 1e-9}, {0, 10}, {30, 10}, {70, 20}, {90, 20}, {90, 1e-9}}),
            {"90", "⌀40", "⌀20", "30", "70"}},
           {"a cut cone", shaft({{0, 1e-9}, {0, 8}, {50, 25}, {60, 25}, {60, 1e-9}}), {"60", "⌀50", "⌀16", "50"}},
-          {"a rounded edge", shaft(rounded_pin(20, 4, 50)), {"50", "⌀40", "R4"}}};
+          {"a rounded edge", shaft(rounded_pin(20, 4, 50)), {"50", "⌀40", "R4"}},
+          {"a ball", shaft(with_ball({{0, 1e-9}, {0, 10}, {40, 10}})), {"66.18", "S⌀30", "⌀20"}},
+          {"a ball on a collar",
+           shaft(with_ball({{0, 1e-9}, {0, 20}, {10, 20}, {10, 10}, {40, 10}})),
+           {"66.18", "⌀40", "⌀20", "10", "SR15"}}};
 }
 
 std::vector<KnownPart> blocks() {
@@ -507,6 +519,15 @@ TEST_F(AutomaticDimensions, HolesBelongToAutomaticOnes) {
   const Outcome run = epura({"draw", scene, "-o", "x.svg"}, folder / "");
   EXPECT_NE(run.code, 0);
   EXPECT_TRUE(contains(run.err, "5:9: a dimension of type 'overall' has no 'holes'")) << run.err;
+}
+
+// Diameters that are written as 3.17 and 3.18, as in files of single precision.
+TEST_F(AutomaticDimensions, LintKnowsEqualHolesThatAreRoundedApart) {
+  const auto hole = [](const Vec2& centre) {
+    const double radius = centre.x < 40 ? 1.58749 : 1.58751;
+    return stepped_hole({{radius, 8}, {radius, 0}})(centre);
+  };
+  EXPECT_EQ(lint(folder.file("part.obj", plate({40, 30}, 2, 1, 8, hole)), "auto").code, 0);
 }
 
 // What cannot be checked is not passed over in silence.

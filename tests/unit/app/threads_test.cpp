@@ -2,6 +2,7 @@
 // Screw threads in drawings: where their lines are, which are hidden, what stands beside them, and what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -117,6 +118,69 @@ TEST_F(ThreadDrawings, RootsOfAShaftReachIntoItsChamfer) {
   }
   EXPECT_NEAR(high - low, 2 * 2 * root, 1e-6);
   EXPECT_NEAR(length, 2 * 2 * (30 - 0.9 + (6 - root)), 1e-4);
+}
+
+// Of the creases seen from the end of the stud, the circles at the ends of its chamfers, of radius 5.1 and 3.8, are
+// left out, if it has threads.
+TEST_F(ThreadDrawings, ChamfersOfThreadsHaveNoCirclesSeenAlongTheAxis) {
+  const std::string view = "[[view]]\nprojection = 'left'\n";
+  const std::string threads =
+      "[[thread]]\nthread = 'M12x1.25'\nat = {point = [0, 0, 0]}\n[[thread]]\nthread = 'M10'\nat = {point = [80, 0, "
+      "0]}\n";
+  const auto has_radius = [&](const std::string& keys, double radius) {
+    const auto lines = drawn(scene(stud, view + keys), "crease");
+    double low = 1e9, high = -1e9;
+    for (const ThreadLine& line : lines) {
+      low = std::min(low, line.from.x);
+      high = std::max(high, line.from.x);
+    }
+    const double middle = (low + high) / 2;
+    return std::any_of(lines.begin(), lines.end(), [&](const ThreadLine& line) {
+      return std::abs(std::abs(line.from.x - middle) - 2 * radius) < 1e-6;
+    });
+  };
+  for (const double radius : {5.1, 3.8}) {
+    EXPECT_TRUE(has_radius("", radius)) << radius;
+    EXPECT_FALSE(has_radius(threads, radius)) << radius;
+  }
+  const Outcome run =
+      epura({"draw", "--allow-outside", "--verify", scene(stud, view + threads), "-o", "x.svg"}, folder / "");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+}
+
+// A screw M10 whose thread is a helical face, 12 mm long: at 2:1, its roots are two lines of 24 mm that are twice the
+// minor diameter apart. Pictures and meshes keep the faces.
+TEST_F(ThreadDrawings, HelicalFacesAreDrawnAsThreads) {
+  const std::string screw = EPURA_TEST_GOLDEN "/models/helical-screw.obj";
+  const auto lines = drawn(scene(screw, "[[view]]\nprojection = 'front'\n"), "thread");
+  double length = 0, low = 1e9, high = -1e9;
+  for (const ThreadLine& line : lines) {
+    EXPECT_TRUE(line.visible);
+    length += glm::length(line.to - line.from);
+    low = std::min(low, line.from.x);
+    high = std::max(high, line.from.x);
+  }
+  EXPECT_NEAR(length, 2 * 24, 1e-3);
+  EXPECT_NEAR(high - low, 2 * 8.376, 1e-3);
+  EXPECT_TRUE(drawn(scene(screw, "surfaces = 'mesh'\n[[view]]\nprojection = 'front'\n"), "thread").empty());
+  EXPECT_TRUE(drawn(scene(screw, "[[view]]\nprojection = 'isometric'\n"), "thread").empty());
+  const Outcome run = epura(
+      {"lint", "--allow-outside", screw, "--views", "front,top", "--dimensions", "auto", "-o", "x.svg"}, folder / "");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "aria-label=\"M10\""));
+}
+
+// Words for the thread of a screw come before what its faces tell.
+TEST_F(ThreadDrawings, HelicalFacesMayHaveAThreadOfTheScene) {
+  const std::string screw = EPURA_TEST_GOLDEN "/models/helical-screw.obj";
+  const Outcome run = epura({"draw", "--allow-outside",
+                             scene(screw,
+                                   "[[view]]\nprojection = 'front'\n[[thread]]\nthread = 'M10-6g'\nat = {point = "
+                                   "[0, 0, 0]}\n"),
+                             "-o", "x.svg"},
+                            folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "aria-label=\"M10-6g\""));
 }
 
 TEST_F(ThreadDrawings, HaveADimension) {

@@ -158,7 +158,16 @@ TEST(ImporterProcess, WrongFilesAndParametersAreToldWithTheirPlace) {
   EXPECT_EQ(told([&] {
               read_by("good", obj, {{"size", "3"}});
             }),
-            obj + ":size: files of this format have no parameters");
+            obj + ":size: mesh files have no parameter of this name");
+  EXPECT_EQ(told([&] {
+              read_by("good", obj, {{"subdivide", "1.5"}});
+            }),
+            obj + ":subdivide: is '1.5', allowed is a whole number from 0 to 5");
+  EXPECT_EQ(told([&] {
+              read_by("good", obj, {{"sharp", "200"}});
+            }),
+            obj + ":sharp: is '200', allowed is 0 to 180, degrees");
+  EXPECT_EQ(importer::read_model(obj, {{"subdivide", "2"}}).mesh.triangle_count(), 16);
 }
 
 TEST(ModelRequest, HasParametersBehindThePath) {

@@ -191,6 +191,31 @@ TEST(Library, TypedValuesMeanWhatOptionsMean) {
   EXPECT_EQ(to_svg(draw(scene, how)) == content(file), true);
 }
 
+TEST(Library, ThreadsAndArrangementsMeanWhatSceneFilesSay) {
+  const FolderOfFiles folder;
+  const std::string stud = EPURA_TEST_SAMPLES "/../tests/golden/models/stud.obj";
+  const std::array<double, 3> begin{0, 0, 0}, end{80, 0, 0};
+  const Scene scene{
+      .models = {{.file = stud}},
+      .views = {{.projection = "front"}},
+      .dimensions = {{.type = DimensionType::linear,
+                      .direction = DimensionDirection::horizontal,
+                      .anchors = {begin, std::array<double, 3>{40, 0, 0}, end},
+                      .arrangement = DimensionArrangement::ordinate}},
+      .threads = {{.thread = "M12x1.25", .at = begin, .depth = 30}, {.thread = "M10", .at = end, .callout = false}},
+      .sheets = {{.size = "A3", .scale = 1.0}}};
+  const std::string file = (folder / "scene.toml").string(), svg = (folder / "x.svg").string();
+  std::ofstream(file) << "[sheet]\nsize = 'A3'\nscale = '1:1'\n[[model]]\nfile = '" + stud +
+                             "'\n[[view]]\nprojection = 'front'\n"
+                             "[[dimension]]\ntype = 'linear'\ndirection = 'horizontal'\narrangement = 'ordinate'\n"
+                             "points = [{point = [0, 0, 0]}, {point = [40, 0, 0]}, {point = [80, 0, 0]}]\n"
+                             "[[thread]]\nthread = 'M12x1.25'\nat = {point = [0, 0, 0]}\ndepth = 30\n"
+                             "[[thread]]\nthread = 'M10'\nat = {point = [80, 0, 0]}\ncallout = false\n";
+  const std::string command = EPURA_TEST_PROGRAM " draw --allow-outside " + file + " -o " + svg + " 2>/dev/null";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(to_svg(draw(scene, settings())) == content(svg), true);
+}
+
 // A cube whose lid is a body of its own, with a line above it.
 Scene cube_with_lid() {
   Polygons polygons = cube(9);
@@ -284,6 +309,14 @@ TEST(Library, FailuresNameTheMember) {
   scene = in_memory();
   scene.details = {{.name = "X", .radius = 0}};
   expect(scene, "details[0].radius", "is not above 0");
+  scene = in_memory();
+  scene.threads = {{.thread = "M6.5"}};
+  expect(scene, "threads[0].thread", "ISO 261 has no M6.5");
+  scene.threads = {{.thread = "M6", .depth = 0}};
+  expect(scene, "threads[0].depth", "must be above 0");
+  scene = in_memory();
+  scene.dimensions = {{.type = DimensionType::overall, .arrangement = DimensionArrangement::chain}};
+  expect(scene, "dimensions[0].arrangement", "type 'overall' has no arrangement");
   scene = in_memory();
   scene.views[0].parameters = {{"eye", 1.0}};
   expect(scene, "views[0].projection", "eye");

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/replace_helical_threads.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/helical_threads.hpp"
+#include "scene/placed_part.hpp"
+#include "sheet/dimensions/anchors.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+constexpr double parallel = 1e-4;   // sine
+constexpr double same_size = 1e-4;  // relative
+
+/// A thread and where its cylinder is in the world.
+struct FoundThread {
+  scene::Thread thread;
+  Vec3 middle, axis;
+  double radius, half;  ///< of the cylinder, half of its length
+};
+
+// Whether the cylinder of a thread is a face of a part, all around.
+bool has_cylinder(const features::PartFaces& part, const scene::HelicalThread& thread) {
+  return std::any_of(part.faces.begin(), part.faces.end(), [&](const features::PartFace& face) {
+    const features::PartSurface& surface = face.surface;
+    return surface.kind == features::SurfaceKind::cylinder && face.sweep >= 359 && face.inwards == thread.internal &&
+           std::abs(surface.radius - thread.crest) <= same_size * thread.crest &&
+           glm::length(glm::cross(surface.axis, thread.axis)) <= parallel &&
+           glm::length(glm::cross(surface.origin - thread.origin, thread.axis)) <= same_size * thread.crest;
+  });
+}
+
+std::ptrdiff_t open_edges_of(const mesh::Mesh& mesh) {
+  return std::count_if(mesh.edges.begin(), mesh.edges.end(),
+                       [](const mesh::MeshEdge& edge) { return edge.count != 2; });
+}
+
+// Replaces one of the threads of a model; nothing if none can be.
+std::optional<scene::HelicalThread> replace_one(scene::Placed& placed, double unit, const Progress& progress) {
+  for (scene::HelicalThread& thread : scene::find_helical_threads(*placed.mesh, *placed.part, unit)) {
+    mesh::Mesh mesh = *placed.mesh;
+    if (!scene::replace_by_cylinder(mesh, *placed.part, thread)) continue;
+    if (open_edges_of(mesh) > open_edges_of(*placed.mesh)) continue;
+    auto part = std::make_shared<features::PartFaces>(features::recognise_faces(mesh, {}, progress));
+    if (!has_cylinder(*part, thread)) continue;
+    placed.mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
+    placed.part = std::move(part);
+    return std::move(thread);
+  }
+  return std::nullopt;
+}
+
+bool is_described(const FoundThread& found, const scene::World& world, const scene::SceneDescription& scene) {
+  return std::any_of(scene.threads.begin(), scene.threads.end(), [&](const scene::ThreadDescription& thread) {
+    const Vec3 off = sheet::position_of(world, *thread.at, thread.at.where) - found.middle;
+    const double along = glm::dot(off, found.axis);
+    return std::abs(along) <= found.half * (1 + same_size) &&
+           glm::length(off - along * found.axis) <= 1.5 * found.radius;
+  });
+}
+
+void tell(const Messages& messages, const std::vector<FoundThread>& found) {
+  std::map<std::string, int> counts;
+  for (const FoundThread& one : found) ++counts[one.thread.text];
+  std::string list;
+  for (const auto& [text, count] : counts)
+    list += (list.empty() ? "" : ", ") + (count > 1 ? std::to_string(count) + "× " : "") + text;
+  messages.warn("helical threads are drawn as in ISO 6410-1: " + list +
+                "\n  hint: --surfaces mesh draws them as they are modelled");
+}
+
+}  // namespace
+
+scene::World replace_helical_threads(scene::World world, scene::SceneDescription& scene, const Messages& messages,
+                                     const Progress& progress) {
+  constexpr int most = 64;  // of a model: each costs a recognition
+  std::vector<FoundThread> found;
+  for (scene::Placed& placed : world.models) {
+    const auto unit = scene::similarity_scale(placed.to_world);
+    for (int i = 0; i < most && placed.part != nullptr && unit; ++i) {
+      const auto thread = replace_one(placed, *unit, progress);
+      if (!thread) break;
+      const Vec3 middle = thread->origin + (thread->low + thread->high) / 2 * thread->axis;
+      found.push_back({thread->thread, Vec3(placed.to_world * Vec4(middle, 1)),
+                       glm::normalize(Vec3(placed.to_world * Vec4(thread->axis, 0))), *unit * thread->crest,
+                       *unit * (thread->high - thread->low) / 2});
+    }
+  }
+  if (found.empty()) return world;
+  const bool had_wires = !world.wires.empty();
+  world = scene::make_world(std::move(world.models), had_wires);
+  std::vector<scene::ThreadDescription> added;
+  for (const FoundThread& one : found) {
+    if (is_described(one, world, scene)) continue;
+    const std::string where = "thread " + one.thread.text;
+    scene::ThreadDescription thread{where, {one.thread.text, where}, {scene::Anchor(one.middle), where}};
+    thread.callout = {false, where};
+    added.push_back(std::move(thread));
+  }
+  for (scene::ThreadDescription& thread : added) scene.threads.push_back(std::move(thread));
+  tell(messages, found);
+  return world;
+}
+
+}  // namespace epura::pipeline
