@@ -26,9 +26,10 @@ Vec3 axis(int i) {
   return direction;
 }
 
+// Both ways along an axis and at any length, its name: they have one vanishing point.
 std::string index_of(const Vec3& direction) {
   for (int i = 0; i < 3; ++i)
-    if (direction == axis(i)) return std::string(1, "xyz"[i]);
+    if (glm::length(glm::cross(glm::normalize(direction), axis(i))) <= on_line) return std::string(1, "xyz"[i]);
   return format_number(direction.x) + "," + format_number(direction.y) + "," + format_number(direction.z);
 }
 
@@ -161,15 +162,11 @@ void Perspective::add_ray(const std::array<Vec3, 2>& edge, const Vec2& at) {
 
 // Of edges on one line, that nearest to the vanishing point is continued.
 void Perspective::add_rays(const Request& request) {
-  const auto add_terms = [&](const Vec3& direction, const Vec2& at) { add_vanishing_point(direction, at); };
   if (request.item.has_element) {
     const Vec3 direction = request.elements[1] - request.elements[0];
     const auto at = expect_vanishing_point(request, direction);
     if (!at) return;
-    int along = -1;
-    for (int i = 0; i < 3; ++i)
-      if (glm::length(glm::cross(glm::normalize(direction), axis(i))) <= on_line) along = i;
-    add_terms(along < 0 ? direction : axis(along), *at);
+    add_vanishing_point(direction, *at);
     return add_ray({request.elements[0], request.elements[1]}, *at);
   }
   constexpr double same = 1e6;  // steps of the angle for a unit of length
@@ -189,7 +186,7 @@ void Perspective::add_rays(const Request& request) {
   for (const auto& [key, found] : longest) {
     const Vec3 direction = axis(static_cast<int>(key[0]));
     const Vec2 at = *vanishing_point(plane_, direction);
-    add_terms(direction, at);
+    add_vanishing_point(direction, at);
     add_ray(found.second, at);
   }
 }

@@ -23,10 +23,12 @@ struct ConstructionRoom {
   std::vector<const drawing::ViewDrawing*> views{};  ///< whose lines they avoid
 };
 
-/// Layer "VIEW/construction". Figures beside the view that have no place in the room are left out, and counted.
+/// Layer "VIEW/construction". Figures beside the view and symbols that have no place in the room are left out, and
+/// told.
 struct ConstructionLayer {
   Layer layer;
   std::size_t without_place = 0;
+  std::vector<std::string> unnamed{};  ///< symbols for which there is no place
 };
 ConstructionLayer construction_layer(const std::string& view, const construction::Figure& figure,
                                      const ConstructionRoom& room, const DimensionStyle& style);
