@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -27,12 +28,12 @@ bool is_clear(const construction::Figure& figure, const std::vector<sheet::Recta
   });
 }
 
-// Where the constructions of some views may be: in the free part of the sheet that holds the views and most of what is
-// constructed; of several, in the largest.
+// Where the constructions of some views may be: in the free part of the sheet, clear of other views and blocks, that
+// holds the views and most of what is constructed; of several, in the largest.
 sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& own, const sheet::Neighbours& around,
                                                const sheet::SheetFurniture& furniture,
                                                std::span<const ViewResult> views,
-                                               const std::optional<sheet::Rectangle>& legend) {
+                                               std::span<const sheet::Rectangle> blocks) {
   constexpr double from_border = 5, apart = 3;  // mm
   constexpr double farthest = 2;                // sizes of the views
   sheet::ConstructionRoom room{around.paper->grown(-from_border), around.boxes};
@@ -47,8 +48,8 @@ sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& o
       room.views.push_back(&views[i].drawing);
     }
   }
-  if (const auto blocks = sheet::block_boxes(furniture).all) taken.push_back(blocks->grown(apart));
-  if (legend) taken.push_back(legend->grown(apart));
+  if (const auto block = sheet::block_boxes(furniture).all) taken.push_back(block->grown(apart));
+  for (const sheet::Rectangle& block : blocks) taken.push_back(block.grown(apart));
   for (const sheet::Rectangle& one : taken) room.taken.push_back(sheet::turned_box(one));
   if (std::all_of(own.begin(), own.end(),
                   [&](std::size_t i) { return is_clear(views[i].drawing.construction, taken); })) {
@@ -106,19 +107,25 @@ struct DrawnConstructions {
   sheet::Neighbours around{};
 };
 
+// First those with figures beside them, at which the lines of the others end.
 DrawnConstructions draw_constructions(const SheetInput& input, std::span<const ViewResult> views,
                                       const sheet::DimensionStyle& style, sheet::Neighbours around,
-                                      const std::optional<sheet::Rectangle>& legend) {
+                                      std::vector<sheet::Rectangle> blocks) {
+  std::vector<std::size_t> order(views.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t i) { return !views[i].drawing.construction.keys.empty(); });
   DrawnConstructions drawn;
-  for (std::size_t i = 0; i < views.size(); ++i) {
+  for (const std::size_t i : order) {
     const drawing::ViewDrawing& drawing = views[i].drawing;
     if (drawing.construction.empty()) continue;
     std::vector<std::size_t> own{i};
     if (input.views.epura && input.views.epura->elevation == i) own.push_back(input.views.epura->plan);
-    const sheet::ConstructionRoom room = room_for_constructions(own, around, input.plan.furniture, views, legend);
+    const sheet::ConstructionRoom room = room_for_constructions(own, around, input.plan.furniture, views, blocks);
     sheet::ConstructionLayer layer = sheet::construction_layer(drawing.name, drawing.construction, room, style);
     const std::vector<sheet::TurnedBox> more = sheet::boxes_of(layer.layer, style.lettering);
     around.boxes.insert(around.boxes.end(), more.begin(), more.end());
+    blocks.insert(blocks.end(), layer.keys.begin(), layer.keys.end());
     drawn.layers.emplace_back(i, std::move(layer));
   }
   drawn.around = std::move(around);
@@ -139,13 +146,13 @@ void add_constructions(AnnotationLayers& result, sheet::Neighbours& around, cons
   small.text = legend_text;
   const bool has_legend =
       !legend.table.rows.empty() && (legend.is_asked_for || input.plan.furniture.frame == FrameKind::full);
-  DrawnConstructions drawn = draw_constructions(input, views, style, around, std::nullopt);
+  DrawnConstructions drawn = draw_constructions(input, views, style, around, {});
   if (has_legend && !drawn.layers.empty()) {
     const sheet::TableDrawing table(std::move(legend.table), 1, small);
     auto place = place_of_legend(table.size(), drawn.around, views);
     if (!place && legend.is_asked_for) {
       place = place_of_legend(table.size(), around, views);
-      if (place) drawn = draw_constructions(input, views, style, around, place);
+      if (place) drawn = draw_constructions(input, views, style, around, {*place});
     }
     if (place) {
       table.draw(drawn.layers.front().second.layer, {place->min.x + table.size().x, place->max.y}, "construction");

@@ -356,7 +356,7 @@ void place_threads(scene::World& world, const scene::SceneDescription& scene) {
 }
 
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
-  scene::World world = read_models(scene, read_options(scene, options, fineness), report.meshes, messages, progress);
+  scene::World world = read_models(scene, reading_of(scene, options, fineness), report.meshes, messages, progress);
   watch.lap("read");
   recognise_parts(world, scene, options, report, progress);
   place_threads(world, scene);

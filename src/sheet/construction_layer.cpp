@@ -433,6 +433,7 @@ void add_keys(ConstructionLayer& drawn, const Figure& figure, const Construction
     add(drawn, std::move(own));
     above = Rectangle{*corner, *corner + box.size()};
     taken.push_back(*above);
+    drawn.keys.push_back(*above);
   }
 }
 

@@ -29,6 +29,7 @@ struct ConstructionLayer {
   Layer layer;
   std::size_t without_place = 0;
   std::vector<std::string> unnamed{};  ///< symbols for which there is no place
+  std::vector<Rectangle> keys{};       ///< where the figures beside the view are
 };
 ConstructionLayer construction_layer(const std::string& view, const construction::Figure& figure,
                                      const ConstructionRoom& room, const DimensionStyle& style);

@@ -10,10 +10,9 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double clear = 0.5;       // mm between a label and lines
-const Vec2 apart(1.5, 0.4);         // mm between a label and other labels, besides: they are not one text
-constexpr double near = 4.5;        // mm to a label that needs no leader
-constexpr double leader_gap = 0.6;  // mm between a leader and its label
+constexpr double clear = 0.5;  // mm between a label and lines
+const Vec2 apart(2.5, 0.4);    // mm between a label and other labels, besides: they are not one text
+constexpr double near = 4.5;   // mm to a label that needs no leader
 constexpr std::array<double, 17> steps{0.8, 2, 3.5, 5, 7, 9, 12, 16, 20, 25, 30, 36, 43, 50, 60, 72, 86};  // mm
 constexpr std::array<Vec2, 16> sides{Vec2(1, 1),   Vec2(-1, 1),   Vec2(1, -1),   Vec2(-1, -1),
                                      Vec2(0, 1),   Vec2(1, 0),    Vec2(0, -1),   Vec2(-1, 0),
@@ -100,7 +99,7 @@ void LabelRoom::give_back(const LabelPlace& place) {
   solids_.remove(tie);
 }
 
-// Infinite where it must not stand; anything not below the bound otherwise.
+// Infinite where the label must not stand; once it is not below the bound, it is not complete.
 double LabelRoom::cost_of(const Label& label, const Candidate& candidate, double bound) const {
   if (!area_.holds(candidate.box)) return HUGE_VAL;
   const TurnedBox wide = turned_box(candidate.box.grown(clear));

@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "folder.hpp"
+#include "golden.hpp"
 #include "pipeline/complete_scene.hpp"
 #include "pipeline/draw_scene.hpp"
 #include "pipeline/picture.hpp"
@@ -18,6 +19,7 @@
 #include "projection/catalogue.hpp"
 #include "scene/construction_choice.hpp"
 #include "scene/line_roles.hpp"
+#include "scene/scene_file.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/rectangle.hpp"
 
@@ -73,6 +75,7 @@ class SheetWithLabels {
     pipeline::complete_sheets(scene);
     pipeline::RunOptions options;
     options.plugin_path = {EPURA_TEST_PLUGINS};
+    options.allow_outside = true;
     const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
     pipeline::Stopwatch watch;
     pipeline::DrawnScene drawn = pipeline::draw_scene(scene, options, {silent, {}, watch});
@@ -132,7 +135,7 @@ class SheetWithLabels {
   std::vector<Ink> all_{}, labels_{};
 };
 
-class ConstructionLabels : public testing::TestWithParam<std::string> {
+class SheetsWithConstructions : public testing::Test {
  protected:
   Folder folder;
   std::string cube = folder.file("cube.obj",
@@ -162,6 +165,8 @@ class ConstructionLabels : public testing::TestWithParam<std::string> {
   }
 };
 
+class ConstructionLabels : public SheetsWithConstructions, public testing::WithParamInterface<std::string> {};
+
 TEST_P(ConstructionLabels, AreClearOfEachOtherAndOfLines) {
   for (const std::string& model : {cube, part}) {
     SheetWithLabels(with_constructions(GetParam(), model, SheetFit::model)).expect_clear("of " + model);
@@ -172,6 +177,28 @@ TEST_P(ConstructionLabels, AreClearOfEachOtherAndOfLines) {
 TEST_P(ConstructionLabels, OfPicturesAreClearOfEachOtherAndOfLines) {
   for (const std::string& model : {cube, part})
     SheetWithLabels(from_outside(GetParam(), model)).expect_clear("picture of " + model);
+}
+
+TEST_F(SheetsWithConstructions, OfSeveralViewsAreClear) {
+  for (const std::string& model : {cube, part}) {
+    scene::SceneDescription scene = with_constructions("front", model, SheetFit::model);
+    for (const char* projection : {"top", "isometric", "two-point"}) {
+      scene.views.push_back(scene.views.front());
+      scene.views.back().projection = {scene::parse_request(projection), "projection"};
+    }
+    SheetWithLabels(scene).expect_clear("four views of " + model);
+  }
+}
+
+TEST_F(SheetsWithConstructions, OfGoldenSheetsAreClear) {
+  int sheets = 0;
+  for (const std::string& name : golden_cases()) {
+    if (!name.starts_with("construction-")) continue;
+    ++sheets;
+    const std::filesystem::path file = golden_folder(name) / "scene.toml";
+    SheetWithLabels(scene::read_scene_file(file, scene::FilesOutside::allowed)).expect_clear(name);
+  }
+  EXPECT_GE(sheets, 8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Projections, ConstructionLabels, testing::ValuesIn(projections()), [](const auto& of) {
