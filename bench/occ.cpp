@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same drawing by Open CASCADE's polygonal hidden-line removal, for comparison:  occ MODEL FILE.svg
+// The same drawing by Open CASCADE's polygonal hidden-line removal, for comparison:  occ MODEL FILE.svg|FILE.txt
 //
 // Isometric, visible and hidden lines, creases from 30 degrees. Reads with epura's readers and pairs edges with epura's
-// table, so that only Open CASCADE's work differs. Prints the time of each stage and the number of segments found.
+// table, so that only Open CASCADE's work differs. Prints the time of each stage and the number of segments found. As
+// text, it writes the visible segments in units of the model, for `epura study paper --rival`.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -83,6 +84,14 @@ std::string svg_of(const bench::Drawn& drawn) {
          layer("stroke-width='0.5'", drawn.visible) + "</svg>\n";
 }
 
+std::string text_of(const std::vector<Segment>& segments) {
+  std::string text;
+  for (const auto& [from, to] : segments)
+    text += format_number(from.x) + ' ' + format_number(from.y) + ' ' + format_number(to.x) + ' ' +
+            format_number(to.y) + '\n';
+  return text;
+}
+
 void draw(const char* model, const char* file) {
   const double start = bench::now();
   bench::TriangleMesh mesh = read_triangles(model);
@@ -90,7 +99,7 @@ void draw(const char* model, const char* file) {
   turn_to_isometric_view(mesh.points);
   const bench::Drawn drawn = bench::remove_hidden_lines(mesh, 30);
   const double done = bench::now();
-  write_file(file, svg_of(drawn));
+  write_file(file, std::filesystem::path(file).extension() == ".txt" ? text_of(drawn.visible) : svg_of(drawn));
   const double written = bench::now();
 
   bench::say_seconds("read", read - start);
@@ -104,7 +113,7 @@ void draw(const char* model, const char* file) {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::fputs("usage: occ MODEL FILE.svg\n", stderr);
+    std::fputs("usage: occ MODEL FILE.svg|FILE.txt\n", stderr);
     return static_cast<int>(ErrorKind::input);
   }
   try {

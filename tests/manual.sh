@@ -34,5 +34,5 @@ check() {
 }
 
 check epura.1 manual SYNOPSIS --projection cabinet EPURA_PLUGIN_PATH cancelled
-check epura-study.1 "study manual" SYNOPSIS stability --truth EPURA_PLUGIN_PATH cancelled
+check epura-study.1 "study manual" SYNOPSIS stability paper --truth EPURA_PLUGIN_PATH cancelled
 exit $status

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "search/lines_at.hpp"
 
 namespace epura::drawing {
 
@@ -42,7 +44,9 @@ class EndCloser {
       : kept_(kept),
         taken_(taken),
         limits_(limits),
-        near_taken_(taken.parts.cells_within(limits.touching, limits.along)) {}
+        taken_lines_(lines_of(taken.parts)),
+        kept_at_(kept.lines(), limits.touching),
+        taken_at_(taken_lines_, limits.touching) {}
 
   [[nodiscard]] Closing closing_of(const InkPart& part, int end) const {
     const std::array<Vec2, 2> line = ends_of(part);
@@ -105,14 +109,20 @@ class EndCloser {
     return {place_on(piece, part.from), place_on(piece, part.to)};
   }
 
+  [[nodiscard]] std::vector<std::array<Vec2, 2>> lines_of(const std::vector<InkPart>& parts) const {
+    std::vector<std::array<Vec2, 2>> lines;
+    lines.reserve(parts.size());
+    for (const InkPart& part : parts) lines.push_back(ends_of(part));
+    return lines;
+  }
+
   // Returns the nearest of the lines that are drawn for taken ink at an end of a piece, or nothing if the end already
   // lies on one.
   [[nodiscard]] std::optional<std::array<Vec2, 2>> drawn_for(int piece, const Vec2& place) const {
-    if (!near_taken_.may_meet(place)) return std::nullopt;
     std::optional<std::array<Vec2, 2>> best;
     double least = HUGE_VAL;
-    taken_.parts.visit(place, place, limits_.touching, [&](int number) {
-      if (!lies_on(place, taken_.parts.line(number)) || !counts(piece, taken_.parts[number].piece)) return true;
+    for (const int number : taken_at_(place)) {
+      if (!lies_on(place, taken_lines_[number]) || !counts(piece, taken_.parts[number].piece)) continue;
       for (const int by : taken_.kept_for(number)) {
         const std::array<Vec2, 2>& line = kept_.line(by);
         if (!may_be_within(line, place, least)) continue;
@@ -121,22 +131,20 @@ class EndCloser {
         least = distance;
         best = line;
       }
-      return least > limits_.touching;
-    });
-    return least > limits_.touching ? best : std::nullopt;
+      if (least <= limits_.touching) return std::nullopt;
+    }
+    return best;
   }
 
   // Whether an end of a piece lies on other ink that stays, but not at an end of that ink, which may itself move.
   [[nodiscard]] bool is_held(int piece, const Vec2& place) const {
-    bool held = false;
-    kept_.visit(place, place, limits_.touching, [&](int number) {
+    const std::span<const int> others = kept_at_(place);
+    return std::any_of(others.begin(), others.end(), [&](int number) {
       const int other = kept_[number].piece;
-      if (!lies_on(place, kept_.line(number)) || other == piece || !counts(piece, other)) return true;
+      if (!lies_on(place, kept_.line(number)) || other == piece || !counts(piece, other)) return false;
       const auto [from, to] = kept_.line(number);
-      held = glm::distance(from, place) > limits_.touching && glm::distance(to, place) > limits_.touching;
-      return !held;
+      return glm::distance(from, place) > limits_.touching && glm::distance(to, place) > limits_.touching;
     });
-    return held;
   }
 
   // Returns how far beyond its end a line meets another one.
@@ -156,7 +164,8 @@ class EndCloser {
   const InkParts& kept_;
   const TakenInk& taken_;
   const ClosingLimits& limits_;
-  search::OccupiedCells near_taken_;
+  std::vector<std::array<Vec2, 2>> taken_lines_;  ///< by taken part
+  search::LinesAt kept_at_, taken_at_;            ///< numbers of parts
 };
 
 }  // namespace

@@ -10,9 +10,12 @@ namespace epura::drawing {
 namespace {
 
 // Greatest length of a piece, in widths of the cells of its grid.
-constexpr double cells_a_part = 4;
+constexpr double cells_a_part = 16;
 // The cells of a grid are numbered with ints.
 constexpr double most_columns = 1 << 14;
+
+// What a search mostly finds, at most.
+constexpr std::size_t most_at_once = 64;
 
 constexpr int sectors = 32;
 // Cosine and sine of 25.1 degrees, a little more than what is promised.
@@ -49,6 +52,30 @@ InkCells::InkCells(const Vec2& min, const Vec2& max, double least) {
     level.tile_columns = (level.grid.columns + tile_side - 1) / tile_side;
     levels_.push_back(std::move(level));
   }
+}
+
+std::vector<int> InkCells::find(const Vec2& from, const Vec2& to, double margin, Sectors sectors) const {
+  // Nearly all the time is spent waiting for memory. It is therefore asked for in all cells before the first is opened.
+  std::vector<int> clusters, found;
+  clusters.reserve(most_at_once);
+  found.reserve(most_at_once);
+  const auto ask_for = [&](int cluster) {
+    if (cluster == none) return;
+    __builtin_prefetch(&clusters_[cluster]);
+    clusters.push_back(cluster);
+  };
+  for (const Level& level : levels_)
+    if (level.used)
+      visit_cells(level, from, to, margin, [&](int column, int row) { ask_for(head(level, column, row)); });
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    const Cluster& cluster = clusters_[clusters[i]];
+    ask_for(cluster.next);
+    for (int at = 0; at < cluster.count; ++at)
+      if ((sectors >> cluster.sector[at] & 1) != 0) found.push_back(cluster.part[at]);
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 void InkCells::add(const Vec2& from, const Vec2& to, int sector) {

@@ -36,23 +36,10 @@ class InkCells {
   void add(const Vec2& from, const Vec2& to, int sector = 0);
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
-  /// Calls `visit(part)` for all parts within `margin` of a line, for some others near it, and perhaps more than once
-  /// for some, until it returns false. Visits only those in `sectors` if it is given. The order is always the same.
-  template <class Visit>
-  void visit(const Vec2& from, const Vec2& to, double margin, const Visit& visit, Sectors sectors = ~Sectors{}) const {
-    bool wanted = true;
-    for (std::size_t level = 0; level < levels_.size() && wanted; ++level) {
-      const Level& own = levels_[level];
-      if (!own.used) continue;
-      visit_cells(own, from, to, margin, [&](int column, int row) {
-        for (int i = wanted ? head(own, column, row) : none; i >= 0 && wanted; i = clusters_[i].next) {
-          const Cluster& cluster = clusters_[i];
-          for (int at = cluster.count - 1; at >= 0 && wanted; --at)
-            if ((sectors >> cluster.sector[at] & 1) != 0) wanted = visit(cluster.part[at]);
-        }
-      });
-    }
-  }
+  /// Returns the numbers of all parts within `margin` of a line, and of some others near it, ascending and without
+  /// duplicates; only those in `sectors` if it is given.
+  [[nodiscard]] std::vector<int> find(const Vec2& from, const Vec2& to, double margin,
+                                      Sectors sectors = ~Sectors{}) const;
 
  private:
   struct Level {

@@ -57,6 +57,7 @@ class InkParts {
   [[nodiscard]] const std::vector<Piece>& pieces() const { return *pieces_; }
   [[nodiscard]] const std::vector<InkPart>& all() const { return parts_; }
   [[nodiscard]] const InkPart& operator[](int number) const { return parts_[static_cast<std::size_t>(number)]; }
+  [[nodiscard]] const std::vector<std::array<Vec2, 2>>& lines() const { return lines_; }
   [[nodiscard]] const std::array<Vec2, 2>& line(int number) const { return lines_[static_cast<std::size_t>(number)]; }
 
   /// The cells within `margin` of a part; `side` is their least width.
@@ -71,10 +72,12 @@ class InkParts {
     return cells;
   }
 
-  /// Works like InkCells::visit.
-  template <class Visit>
-  void visit(const Vec2& from, const Vec2& to, double margin, const Visit& visit, Sectors sectors = ~Sectors{}) const {
-    cells_.visit(from, to, margin, visit, sectors);
+  /// Works like InkCells::find.
+  [[nodiscard]] std::vector<int> find(const Vec2& from, const Vec2& to, double margin,
+                                      Sectors sectors = ~Sectors{}) const {
+    std::vector<int> found = cells_.find(from, to, margin, sectors);
+    for (const int number : found) __builtin_prefetch(&lines_[number]);
+    return found;
   }
 
  private:
@@ -86,7 +89,7 @@ class InkParts {
 
 /// Parts that are removed, and for each the kept parts that are drawn instead.
 struct TakenInk {
-  InkParts parts;
+  std::vector<InkPart> parts{};
   std::vector<int> by{};
   std::vector<std::size_t> last{};  ///< by part: end of its kept parts in `by`
 

@@ -39,6 +39,9 @@ class MeasuredPolyline {
   [[nodiscard]] std::size_t member_at(double x) const;
   [[nodiscard]] Vec2 place(std::size_t member, double x) const;
   [[nodiscard]] Vec2 place(double x) const { return place(member_at(x), x); }
+  [[nodiscard]] std::array<Vec2, 2> ends_of(std::size_t member) const {
+    return {place(member, members_[member].from), place(member, members_[member].to)};
+  }
   [[nodiscard]] InkPart part_of(const Stretch& stretch) const;
 
   /// Members of length `with_direction` have a direction of their own; a shorter one gets that of such a length of the

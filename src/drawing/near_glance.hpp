@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A first look at polylines that are taken one after the other: for each piece, when the last earlier line was taken
-// that runs along it. If there is none, the ink that stays need not be searched; otherwise the search can begin as soon
-// as that line has been placed.
+// that runs along it. If there is none, the ink that stays need not be searched; otherwise no ink that is placed after
+// that line.
 #pragma once
 
 #include <algorithm>

@@ -36,22 +36,40 @@ class KeptInk {
   void add(const InkPart& part, const Vec2& direction);
   [[nodiscard]] const InkParts& parts() const { return parts_; }
 
-  /// Appends what runs along a member. If there is very much of it, some is left out once the rest covers the member.
+  /// Appends what runs along a member, the strongest first. If there is very much of it, some is left out once the rest
+  /// covers the member.
   void find_near(const MeasuredPolyline& polyline, std::size_t member, NearParts& found) const;
 
+  /// What is added from now on is newer.
+  void begin_newer();
+  /// Completes what `find_near` found for a member before `begin_newer`.
+  void find_newer(const MeasuredPolyline& polyline, std::size_t member, NearParts& found) const;
+
  private:
+  /// What was found for a member: `near`, whose parts from `first` on belong to it.
+  struct Found {
+    std::size_t first;
+    NearParts& near;
+  };
+
+  void append(const std::vector<int>& numbers, const MeasuredPolyline& polyline, std::size_t member,
+              const Found& found) const;
+
   AlongLimits limits_;
+  std::array<Vec2, 2> box_;
   InkParts parts_;
   std::vector<std::array<float, 2>> directions_{};  ///< by part
+  InkCells newer_;                                  ///< few, so that they are found without waiting for memory
+  int first_newer_ = 0;
 };
 
 /// The kept ink along the next members, found on several threads before any of these members is added.
 class NearAhead {
  public:
-  /// Looks at members that are taken from `first` to before `last`, if only ink that was already added can run along
-  /// them.
-  void look(const NearGlance& glance, const KeptInk& kept, std::size_t first, std::size_t last);
+  /// Looks at the members that are taken from `first` to before `last`. What is added from now on is newer.
+  void look(const NearGlance& glance, KeptInk& kept, std::size_t first, std::size_t last);
 
+  /// Whether no newer ink can run along a member.
   [[nodiscard]] bool has_seen(const Member& member) const { return member.after < static_cast<int>(first_); }
   /// Appends what was found for the member that is taken at this time.
   void append(std::size_t turn, NearParts& found) const;

@@ -48,7 +48,7 @@ Range part_around(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q, do
 }  // namespace
 
 NearSearch::NearSearch(const std::vector<Piece>& pieces, const NearGlance& glance, const AlongLimits& limits)
-    : glance_(glance), limits_(limits), kept_(pieces, limits), taken_{kept_.parts()}, polyline_(pieces, {}) {}
+    : glance_(glance), limits_(limits), kept_(pieces, limits), polyline_(pieces, {}) {}
 
 void NearSearch::add_all(const Progress& progress) {
   const std::size_t members = glance_.first(glance_.size());
@@ -90,10 +90,8 @@ visibility::Spans NearSearch::near_parts(std::size_t member, std::size_t turn) {
   const Member& own = polyline_[member];
   if (own.after < 0) return spans;
   found_.clear();
-  if (ahead_.has_seen(own))
-    ahead_.append(turn, found_);
-  else
-    kept_.find_near(polyline_, member, found_);
+  ahead_.append(turn, found_);
+  if (!ahead_.has_seen(own)) kept_.find_newer(polyline_, member, found_);
   for (const NearPart& part : found_.parts) {
     near_.push_back({{member, part.stretch[0], part.stretch[1]}, part.by});
     visibility::add_span(spans, part.stretch);
@@ -140,13 +138,12 @@ void NearSearch::end_gap(bool is_near) {
 int NearSearch::nearest_kept(const Vec2& place) const {
   const double reach = std::numbers::sqrt2 * limits_.distance;
   std::pair<double, int> best{reach, -1};
-  kept_.parts().visit(place, place, reach, [&](int number) {
+  for (const int number : kept_.parts().find(place, place, reach)) {
     const std::array<Vec2, 2>& line = kept_.parts().line(number);
-    if (!may_be_within(line, place, best.first)) return true;
+    if (!may_be_within(line, place, best.first)) continue;
     const double distance = glm::distance(nearest_on(line, place), place);
     best = std::min(best, std::pair(distance, number));
-    return true;
-  });
+  }
   return best.second;
 }
 
@@ -167,15 +164,15 @@ bool NearSearch::has_ink_around(const Stretch& stretch) {
   if (size <= limits_.touching) return true;
   const Vec2 a = polyline_.place(stretch.member, stretch.from), b = polyline_.place(stretch.member, stretch.to);
   visibility::Spans spans;
-  kept_.parts().visit(a, b, reach, [&](int number) {
+  for (const int number : kept_.parts().find(a, b, reach)) {
     const auto [p, q] = kept_.parts().line(number);
     const auto [from, to] = part_around(a, b, p, q, reach);
-    if (!(to > from)) return true;
+    if (!(to > from)) continue;
     near_.push_back({{stretch.member, stretch.from + from * size, stretch.from + to * size}, number});
     visibility::add_span(spans, {from, to});
-    return !visibility::covers(spans, 0, 1);
-  });
-  return visibility::covers(spans, 0, 1);
+    if (visibility::covers(spans, 0, 1)) return true;
+  }
+  return false;
 }
 
 void NearSearch::keep(const Stretch& stretch) {
@@ -231,7 +228,7 @@ void NearSearch::take_away(const std::vector<Run>& runs) {
   const auto order = [](const Near& near) { return std::pair(near.stretch.member, near.by); };
   std::sort(near_.begin(), near_.end(), [&](const Near& a, const Near& b) { return order(a) < order(b); });
   const auto take = [&](const Stretch& part) {
-    taken_.parts.add(polyline_.part_of(part));
+    taken_.parts.push_back(polyline_.part_of(part));
     auto near = std::lower_bound(near_.begin(), near_.end(), part.member,
                                  [](const Near& one, std::size_t number) { return one.stretch.member < number; });
     for (int last = -1; near != near_.end() && near->stretch.member == part.member; ++near)
@@ -239,7 +236,7 @@ void NearSearch::take_away(const std::vector<Run>& runs) {
     taken_.last.push_back(taken_.by.size());
   };
   for (const Run& run : runs) polyline_.visit_stretches(run, take);
-  check(taken_.last.size() == taken_.parts.all().size(), "all ink that is taken has ink instead");
+  check(taken_.last.size() == taken_.parts.size(), "all ink that is taken has ink instead");
 }
 
 }  // namespace epura::drawing

@@ -66,15 +66,14 @@ std::vector<Piece> drop_specks(std::vector<Piece> pieces, const std::vector<sign
     if (is_short[p] != 0 || strength[p] < 0) continue;
     const std::array<Vec2, 2> line{pieces[p].from, pieces[p].to};
     if (!near_specks.may_meet(line[0], line[1])) continue;
-    specks.visit(line[0], line[1], distance, [&](int part) {
+    for (const int part : specks.find(line[0], line[1], distance)) {
       const int speck = specks[part].piece;
-      if (pieces[speck].visible && !pieces[p].visible) return true;
+      if (pieces[speck].visible && !pieces[p].visible) continue;
       for (std::size_t end = 0; end < 2; ++end) {
         const Vec2& at = specks.line(part)[end];
         lies_on[speck][end] = lies_on[speck][end] || glm::distance(nearest_on(line, at), at) <= distance;
       }
-      return true;
-    });
+    }
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i)

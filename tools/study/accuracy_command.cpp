@@ -19,7 +19,6 @@
 #include "pipeline/view_plan.hpp"
 #include "study/accuracy/report.hpp"
 #include "study/commands.hpp"
-#include "study/report_targets.hpp"
 
 namespace epura::study {
 
@@ -43,26 +42,6 @@ const std::vector<std::string> usual_methods{"exact:bits=10",
                                              "item-buffer:dpi=600",
                                              "item-buffer:dpi=1200",
                                              "none"};
-
-using Targets = std::vector<ReportTarget<ReportFormat>>;
-
-Targets targets_of(const AccuracyOptions& options) {
-  return report_targets<ReportFormat>(options.outputs, "",
-                                      {{"html", ReportFormat::html},
-                                       {"pdf", ReportFormat::pdf},
-                                       {"csv", ReportFormat::csv},
-                                       {"json", ReportFormat::json},
-                                       {"svg", ReportFormat::svg},
-                                       {"png", ReportFormat::png}});
-}
-
-void write_report(const ReportTarget<ReportFormat>& target, const AccuracyReport& report,
-                  const std::vector<std::string>& inputs, Progress progress) {
-  const std::vector<std::string> files = to_files(report, target.format);
-  const std::vector<std::string> paths = pipeline::one_for_each(target.path, files.size());
-  pipeline::refuse_overwriting(paths, inputs);
-  for (std::size_t i = 0; i < files.size(); ++i) write_file(paths[i], files[i], progress);
-}
 
 std::vector<Method> methods_of(const AccuracyOptions& options) {
   if (!options.methods.empty()) return options.methods;
@@ -178,7 +157,7 @@ int study_accuracy(const AccuracyOptions& options) {
   Console console(board, shows_progress(options.progress));
   const Progress progress(board);
   const ThreadLimit threads(options.threads);
-  const Targets targets = targets_of(options);
+  const auto targets = report_targets(options.outputs);
   const std::vector<Method> methods = methods_of(options);
   const std::vector<StudiedScene> scenes = scenes_of(options);
   const std::vector<std::string> inputs = inputs_of(scenes, options);
@@ -192,7 +171,7 @@ int study_accuracy(const AccuracyOptions& options) {
     progress.begin("measuring maps");
     report.maps = measure_maps(options.runs);
   }
-  for (const ReportTarget<ReportFormat>& target : targets) write_report(target, report, inputs, progress);
+  write_report(report_of(report), targets, inputs, progress);
   console.print("");  // clears the progress line
   return 0;
 }

@@ -15,6 +15,11 @@ scene::ValueKind<Method> any_method() {
   return {form, [](const scene::TomlValue& value) { return parse_method(scene::read_text(value), value.where); }};
 }
 
+scene::ValueKind<Rival> any_rival() {
+  return {{"text", "NAME=COMMAND", {}},
+          [](const scene::TomlValue& value) { return parse_rival(scene::read_text(value)); }};
+}
+
 scene::Options<StabilityOptions> stability_options() {
   using Study = StabilityOptions;
   return {
@@ -72,6 +77,35 @@ scene::Options<AccuracyOptions> accuracy_options() {
   };
 }
 
+scene::Options<PaperOptions> paper_options() {
+  using Study = PaperOptions;
+  return {
+      scene::option<Study>(
+          {.flag = "-o,--output",
+           .help = "output file; its extension selects the format: html csv json pdf, or svg png for each diagram",
+           .required = true,
+           .repeatable = true},
+          &Study::outputs, file_name("FILE")),
+      scene::option<Study>({.flag = "--body", .help = "only this body; may be repeated", .repeatable = true},
+                           &Study::bodies, scene::any_text().shown_as("NAME")),
+      scene::option<Study>({.flag = "--finest",
+                            .help = "facets around bodies, at most; the coarsest have 12, and each next twice as many",
+                            .usual = "192"},
+                           &Study::finest, scene::whole_number(12, 3072)),
+      scene::option<Study>(
+          {.flag = "--rival",
+           .help = "another program that draws isometric views, started as COMMAND MESH.off LINES.txt; "
+                   "may be repeated",
+           .repeatable = true},
+          &Study::rivals, any_rival()),
+      plugin_path_option<Study>(&Study::plugin_path),
+      scene::option<Study>({.flag = "--runs", .help = "timed runs of each drawing, alternating", .usual = "5"},
+                           &Study::runs, scene::whole_number(1, 1000)),
+      threads_option<Study>(&Study::threads),
+      progress_option(&Study::progress),
+  };
+}
+
 }  // namespace
 
 const ProgramTexts& study_texts() {
@@ -90,6 +124,7 @@ const ProgramTexts& study_texts() {
       .environment = {{"EPURA_PLUGIN_PATH", "Folders with projection plugins, as in epura(1)."}},
       .examples = {
           {"epura study accuracy bracket.obj -o report.html", "The error and run time of each method for the bracket."},
+          {"epura study paper -o paper.pdf", "How far lines on paper are from those of spheres, cylinders, tori ..."},
           {"epura study stability", "A table of stiff and extreme cases, and where each arithmetic fails."}}};
   return texts;
 }
@@ -99,6 +134,9 @@ std::vector<DefinedCommand> define_study_commands(CLI::App& program) {
   std::vector<DefinedCommand> commands{
       define_command(add("accuracy", "error against run time of methods that find hidden lines"), accuracy_options(),
                      study_accuracy),
+      define_command(
+          add("paper", "error on paper against run time, from meshes of bodies with closed forms to drawings"),
+          paper_options(), study_paper),
       define_command(add("stability", "draw stiff and extreme cases, and show where each arithmetic fails"),
                      stability_options(), study_stability)};
   define_answers(program, study_texts(), commands);

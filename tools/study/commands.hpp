@@ -9,6 +9,7 @@
 #include "app/command_line.hpp"
 #include "app/options.hpp"
 #include "study/methods/method.hpp"
+#include "study/paper/rival.hpp"
 
 namespace epura::study {
 
@@ -35,8 +36,20 @@ struct AccuracyOptions {
   ShowProgress progress = ShowProgress::automatic;
 };
 
+struct PaperOptions {
+  std::vector<std::string> outputs;
+  std::vector<std::filesystem::path> plugin_path;
+  std::vector<std::string> bodies;  ///< none: all
+  int finest = 192;                 ///< facets around
+  std::vector<Rival> rivals;
+  int runs = 5;
+  int threads = 0;
+  ShowProgress progress = ShowProgress::automatic;
+};
+
 int study_stability(const StabilityOptions& options);
 int study_accuracy(const AccuracyOptions& options);
+int study_paper(const PaperOptions& options);
 
 const ProgramTexts& study_texts();
 

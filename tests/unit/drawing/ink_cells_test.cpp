@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
-#include <set>
+#include <vector>
 
 #include "drawing/kept_ink.hpp"
 
@@ -41,11 +43,11 @@ TEST(InkCells, FindAllThatIsNear) {
       const Line line{from,
                       glm::clamp(from + length * Vec2(std::cos(angle), std::sin(angle)), Vec2(0), Vec2(200, 100))};
       const double margin = std::pow(10.0, number(-2, 0.5));
-      std::set<int> found;
-      cells.visit(line[0], line[1], margin, [&](int part) { return found.insert(part), true; });
+      const std::vector<int> found = cells.find(line[0], line[1], margin);
+      EXPECT_EQ(std::adjacent_find(found.begin(), found.end(), std::greater_equal()), found.end()) << "not ascending";
       for (int k = 0; k < i; ++k)
         if (are_near(line, lines[static_cast<std::size_t>(k)], margin)) {
-          EXPECT_TRUE(found.contains(k)) << i << ", " << k;
+          EXPECT_TRUE(std::binary_search(found.begin(), found.end(), k)) << i << ", " << k;
         }
       cells.add(line[0], line[1]);
       lines.push_back(line);
@@ -53,14 +55,15 @@ TEST(InkCells, FindAllThatIsNear) {
   }
 }
 
-TEST(InkCells, AVisitEndsWhenItIsTold) {
+TEST(InkCells, FindThoseOfSomeDirections) {
   drawing::InkCells cells({0, 0}, {1, 1}, 0.1);
   EXPECT_TRUE(cells.empty());
-  for (int i = 0; i < 5; ++i) cells.add({0.5, 0.5}, {0.52, 0.5});
+  for (int i = 0; i < 20; ++i) cells.add({0.5, 0.5}, {0.52, 0.5}, i % 2);
   EXPECT_FALSE(cells.empty());
-  int visits = 0;
-  cells.visit({0.4, 0.5}, {0.6, 0.5}, 0.2, [&](int) { return ++visits < 3; });
-  EXPECT_EQ(visits, 3);
+  EXPECT_EQ(cells.find({0.4, 0.5}, {0.6, 0.5}, 0.2).size(), 20U);
+  const std::vector<int> odd = cells.find({0.4, 0.5}, {0.6, 0.5}, 0.2, 2);
+  EXPECT_EQ(odd.size(), 10U);
+  EXPECT_TRUE(std::all_of(odd.begin(), odd.end(), [](int number) { return number % 2 == 1; }));
 }
 
 }  // namespace

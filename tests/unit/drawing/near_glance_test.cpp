@@ -89,22 +89,24 @@ TEST(NearGlance, SeesTheLastLineAlongEachPiece) {
   EXPECT_LT(seen, members * 19 / 20);
 }
 
-// Members whose neighbours have their places are searched before those in between are.
+// What runs along members is found before those in between have their places, and then completed.
 TEST(NearAhead, FindsWhatTheSearchFinds) {
   const Taken taken(3);
   const auto members = static_cast<std::size_t>(
       std::count_if(taken.strength.begin(), taken.strength.end(), [](signed char strength) { return strength >= 0; }));
   drawing::KeptInk kept(taken.pieces, limits);
   drawing::NearAhead ahead;
-  std::size_t turn = 0, compared = 0;
+  std::size_t turn = 0, compared = 0, completed = 0;
   for (std::size_t line = 0; line < taken.glance.size(); ++line) {
     const drawing::MeasuredPolyline polyline = taken.glance[line];
     if (line % 8 == 0)
       ahead.look(taken.glance, kept, turn, taken.glance.first(std::min(line + 8, taken.glance.size())));
     for (std::size_t i = 0; i < polyline.size(); ++i, ++turn) {
-      if (polyline[i].after >= 0 && ahead.has_seen(polyline[i])) {
+      if (polyline[i].after >= 0) {
         drawing::NearParts found, expected;
         ahead.append(turn, found);
+        completed += ahead.has_seen(polyline[i]) ? 0 : 1;
+        if (!ahead.has_seen(polyline[i])) kept.find_newer(polyline, i, found);
         kept.find_near(polyline, i, expected);
         ASSERT_EQ(found.parts.size(), expected.parts.size());
         for (std::size_t k = 0; k < found.parts.size(); ++k) {
@@ -119,6 +121,7 @@ TEST(NearAhead, FindsWhatTheSearchFinds) {
   }
   EXPECT_EQ(turn, members);
   EXPECT_GT(compared, 50U);
+  EXPECT_GT(completed, 5U);
 }
 
 }  // namespace

@@ -227,5 +227,12 @@ TEST(Measure, Medians) {
   EXPECT_EQ(study::median_of({4, 1, 2, 3}), 2.5);
 }
 
+TEST(Measure, Quartiles) {
+  EXPECT_EQ(study::quartiles_of({}), (std::array<double, 2>{0, 0}));
+  EXPECT_EQ(study::quartiles_of({7}), (std::array<double, 2>{7, 7}));
+  EXPECT_EQ(study::quartiles_of({5, 1, 2, 4, 3}), (std::array<double, 2>{2, 4}));
+  EXPECT_EQ(study::quartiles_of({4, 1, 2, 3}), (std::array<double, 2>{1.75, 3.25}));
+}
+
 }  // namespace
 }  // namespace epura::test

@@ -67,5 +67,7 @@ Errors errors_of(const StudiedView& studied, const std::vector<EdgeTruth>& truth
 ViewMeasurements measure(const StudiedView& studied, std::span<const Contender> contenders, const StudyEffort& effort);
 
 double median_of(std::vector<double> values);
+/// The first and third quartile, between neighbouring values linearly; of no values, {0, 0}.
+std::array<double, 2> quartiles_of(std::vector<double> values);
 
 }  // namespace epura::study

@@ -2,7 +2,9 @@
 #include "study/paper/convergence.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -57,6 +59,26 @@ std::vector<InkLine> drawn_lines(const drawing::ViewDrawing& drawing) {
   return ink;
 }
 
+pipeline::RunOptions options_of(const PaperStudy& study) {
+  pipeline::RunOptions options;
+  options.plugin_path = study.plugin_path;
+  options.keeps_drawings = true;
+  return options;
+}
+
+struct TimedScene {
+  pipeline::DrawnScene scene;
+  double seconds;
+};
+
+TimedScene draw(const scene::SceneDescription& scene, const pipeline::RunOptions& options) {
+  const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
+  pipeline::Stopwatch watch;
+  const auto start = std::chrono::steady_clock::now();
+  pipeline::DrawnScene drawn = pipeline::draw_scene(scene, options, {silent, {}, watch});
+  return {std::move(drawn), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+}
+
 // The length of what is farther from the ink than `most`, piece by piece.
 double length_beyond(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink, double most) {
   constexpr double piece = 0.5;  // mm
@@ -75,6 +97,71 @@ double length_beyond(const std::vector<InkLine>& lines, const std::vector<InkLin
   return beyond;
 }
 
+// Beyond the stated error, lines are missed, or phantoms.
+void compare(const std::vector<InkLine>& ink, const std::vector<InkLine>& truth, PaperError& error) {
+  const double allowed = error.budget.total();
+  error.drawn = farthest_from_ink(ink, truth);
+  error.truth = farthest_from_ink(truth, ink);
+  if (error.truth > allowed) error.missed = length_beyond(truth, ink, allowed);
+  if (error.drawn > allowed) error.phantom = length_beyond(ink, truth, allowed);
+}
+
+// All bodies in one mesh.
+mesh::Soup mesh_of(const ClosedForm& form, int around) {
+  mesh::Soup all;
+  for (const RoundBody& body : form.bodies) {
+    const mesh::Soup one = mesh_of(body, around);
+    const int first = static_cast<int>(all.points.size());
+    all.points.insert(all.points.end(), one.points.begin(), one.points.end());
+    std::size_t begin = 0;
+    for (const int end : one.face_ends) {
+      for (; begin < static_cast<std::size_t>(end); ++begin) all.corners.push_back(first + one.corners[begin]);
+      all.end_face();
+    }
+  }
+  return all;
+}
+
+/// A way to draw a scene at a fineness.
+struct Way {
+  std::string name;
+  std::function<PaperRun()> compare;
+  std::function<double()> time;  ///< s
+};
+
+const Viewer isometric{false, {}, {1, -1, 1}};
+
+// Lines on the axes of an isometric view are put on the paper of a run of epura.
+std::vector<InkLine> on_paper_of(const PaperRun& run, const std::vector<InkLine>& lines) {
+  const Vec3 right = glm::normalize(Vec3(1, 1, 0)), up = glm::cross(glm::normalize(isometric.towards), right);
+  std::vector<std::vector<Vec3>> in_space;
+  for (const auto& [from, to] : lines) in_space.push_back({from.x * right + from.y * up, to.x * right + to.y * up});
+  return lines_on_paper(in_space, run.world_to_page);
+}
+
+std::vector<Way> ways_of(const ClosedForm& form, int around, const PaperStudy& study) {
+  std::vector<Way> ways;
+  for (std::size_t i = 0; i < paper_ways.size(); ++i)
+    ways.push_back({paper_ways[i], [&form, &study, around, i] { return draw_on_paper(form, around, i == 0, study); },
+                    [&form, &study, around, i] {
+                      const scene::SceneDescription scene = describe(form, around, i == 0);
+                      return draw(scene, options_of(study)).seconds;
+                    }});
+  if (form.projection != "isometric") return ways;
+  for (const Rival& rival : study.rivals)
+    ways.push_back({rival.name,
+                    [&form, &study, &rival, around] {
+                      PaperRun run = draw_on_paper(form, around, false, study);
+                      run.error = {};
+                      const std::vector<InkLine> truth =
+                          lines_on_paper(visible_lines(form, isometric, study.points), run.world_to_page);
+                      compare(on_paper_of(run, draw_by(rival, mesh_of(form, around)).lines), truth, run.error);
+                      return run;
+                    },
+                    [&form, &rival, around] { return draw_by(rival, mesh_of(form, around)).seconds; }});
+  return ways;
+}
+
 }  // namespace
 
 double PaperSeries::order() const {
@@ -91,27 +178,42 @@ PaperRun draw_on_paper(const ClosedForm& form, int around, bool recognises, cons
 
 PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, int around, bool recognises,
                           const PaperStudy& study, std::optional<double> max_error) {
-  pipeline::RunOptions options;
-  options.plugin_path = study.plugin_path;
-  options.keeps_drawings = options.judges = true;
+  pipeline::RunOptions options = options_of(study);
+  options.judges = true;
   options.max_error = max_error;
-  const scene::SceneDescription scene = describe(form, around, recognises);
-  const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
-  pipeline::Stopwatch watch;
-  const pipeline::DrawnScene drawn = pipeline::draw_scene(scene, options, {silent, {}, watch});
+  const pipeline::DrawnScene drawn = draw(describe(form, around, recognises), options).scene;
   PaperRun run{.around = around, .error = {}};
   for (const mesh::MeshReport& mesh : drawn.report.meshes) run.triangles += mesh.triangles;
   const drawing::ViewDrawing& drawing = drawn.sheets.front().drawings.front();
-  const std::vector<InkLine> ink = drawn_lines(drawing);
-  const std::vector<InkLine> truth =
-      lines_on_paper(visible_lines(truth_of, viewer_of(drawing.projection), study.points), drawing.world_to_page);
+  run.world_to_page = drawing.world_to_page;
   run.error.budget = drawn.report.errors.front();
-  const double allowed = run.error.budget.total();
-  run.error.drawn = farthest_from_ink(ink, truth);
-  run.error.truth = farthest_from_ink(truth, ink);
-  if (run.error.truth > allowed) run.error.missed = length_beyond(truth, ink, allowed);
-  if (run.error.drawn > allowed) run.error.phantom = length_beyond(ink, truth, allowed);
+  const std::vector<InkLine> truth =
+      lines_on_paper(visible_lines(truth_of, viewer_of(drawing.projection), study.points), run.world_to_page);
+  compare(drawn_lines(drawing), truth, run.error);
   return run;
+}
+
+std::vector<PaperSeries> measure_paper(const std::vector<ClosedForm>& forms, const std::vector<int>& finenesses,
+                                       int runs, const PaperStudy& study, const Progress& progress) {
+  std::vector<PaperSeries> all;
+  for (const ClosedForm& form : forms) {
+    progress.begin("measuring " + form.name);
+    std::vector<PaperSeries> series;
+    std::vector<std::vector<Way>> ways;  // by fineness
+    for (const int around : finenesses)
+      if (around >= form.coarsest) ways.push_back(ways_of(form, around, study));
+    if (ways.empty()) continue;
+    for (const Way& way : ways.front()) series.push_back({form.name, way.name});
+    for (int turn = 0; turn < runs; ++turn)
+      for (std::size_t f = 0; f < ways.size(); ++f)
+        for (std::size_t way = 0; way < series.size(); ++way) {
+          progress.expect_time();
+          if (turn == 0) series[way].runs.push_back(ways[f][way].compare());
+          series[way].runs[f].seconds.push_back(ways[f][way].time());
+        }
+    all.insert(all.end(), series.begin(), series.end());
+  }
+  return all;
 }
 
 }  // namespace epura::study

@@ -2,13 +2,16 @@
 // Error on paper of the whole way from a mesh to its drawing, against closed forms, over the fineness of the mesh.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "report/error_budget.hpp"
 #include "study/paper/closed_forms.hpp"
+#include "study/paper/rival.hpp"
 
 namespace epura::study {
 
@@ -27,21 +30,28 @@ struct PaperRun {
   int around;
   int triangles = 0;
   PaperError error;
+  std::vector<double> seconds{};  ///< from the mesh in memory to the lines on paper
+  Mat4 world_to_page{1};          ///< of the view; its rows have mm on paper
+  bool on_front = false;          ///< no other run of the scene is both faster and better
 };
 
 /// A scene with one way to draw it.
 struct PaperSeries {
   std::string scene;
-  bool recognises;  ///< surfaces of the part
+  std::string way;  ///< one of paper_ways, or the name of a rival
   std::vector<PaperRun> runs{};
   /// The order of convergence: the slope of the error over the length of facets, over the finer half of the runs.
   [[nodiscard]] double order() const;
 };
 
+/// Ways to draw a scene: with its surfaces recognised, or its triangles as they are.
+inline constexpr std::array paper_ways{"surfaces recognised", "triangles alone"};
+
 /// How scenes are drawn and compared.
 struct PaperStudy {
   std::vector<std::filesystem::path> plugin_path;
   int points = 4096;  ///< on each true line
+  std::vector<Rival> rivals{};
 };
 
 /// Draws a scene once. With `max_error`, as --max-error does; throws Error if that refuses.
@@ -51,5 +61,11 @@ PaperRun draw_on_paper(const ClosedForm& form, int around, bool recognises, cons
 /// The same, compared with the lines of another body.
 PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, int around, bool recognises,
                           const PaperStudy& study, std::optional<double> max_error = {});
+
+/// Draws each scene in both ways and by all rivals, who know isometric views only, at each fineness from its coarsest
+/// on: `runs` times, in turns, so that other load on the machine affects all alike. The first of the runs is compared
+/// with the truth.
+std::vector<PaperSeries> measure_paper(const std::vector<ClosedForm>& forms, const std::vector<int>& finenesses,
+                                       int runs, const PaperStudy& study, const Progress& progress);
 
 }  // namespace epura::study

@@ -2,7 +2,7 @@
 // Diagrams with two logarithmic axes, as sheets for any writer.
 #pragma once
 
-#include <optional>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,9 +11,10 @@
 namespace epura::study {
 
 struct PlotPoint {
-  Vec2 at;            ///< both positive
-  std::string label;  ///< beside it; may be empty
-  bool full = false;  ///< whether its mark is filled
+  Vec2 at;                                   ///< both positive
+  std::string label;                         ///< beside it; may be empty
+  bool on_front = false;                     ///< no other point is lower and farther left: filled, and joined by steps
+  std::array<double, 2> spread{at.x, at.x};  ///< of x: the bar through the mark
 };
 
 struct PlotCurve {
@@ -37,7 +38,9 @@ struct LogPlot {
   std::string note{};      ///< below the diagram
 };
 
-/// 205 x 120 mm. Curves are distinguished by their marks and lines, which are explained in a key.
+/// 205 x 120 mm. Curves are distinguished by their marks, lines and colours, which are explained in a key. No label
+/// lies on a mark, a line or another label; one that has no room beside its mark stands farther away, with a line that
+/// leads to it. Points of a curve whose marks overlap share a label.
 sheet::Sheet to_sheet(const LogPlot& plot);
 
 }  // namespace epura::study
