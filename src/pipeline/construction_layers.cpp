@@ -37,6 +37,7 @@ sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& o
   constexpr double from_border = 5, apart = 3;  // mm
   constexpr double farthest = 2;                // sizes of the views
   sheet::ConstructionRoom room{around.paper->grown(-from_border), around.boxes};
+  room.labels = room.area;
   std::vector<sheet::Rectangle> taken;
   std::optional<sheet::Rectangle> ink;
   for (std::size_t i = 0; i < views.size(); ++i) {

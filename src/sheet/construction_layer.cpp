@@ -124,7 +124,7 @@ struct Ink {
 class Draughtsman {
  public:
   Draughtsman(const ConstructionRoom& room, const DimensionStyle& style)
-      : room_(room), style_(style), space_(room.area) {
+      : room_(room), style_(style), space_(room.labels.value_or(room.area)) {
     for (const TurnedBox& box : room.taken) space_.add_lettering(box);
     for (const drawing::ViewDrawing* view : room.views)
       for (const drawing::Segment& segment : view->segments) space_.add_line(segment.from, segment.to);

@@ -21,6 +21,7 @@ struct ConstructionRoom {
   Rectangle area;                                    ///< lines end at its border
   std::vector<TurnedBox> taken{};                    ///< lettering and marks, which symbols avoid
   std::vector<const drawing::ViewDrawing*> views{};  ///< whose lines they avoid
+  std::optional<Rectangle> labels{};                 ///< where symbols may be; by default in the area
 };
 
 /// Layer "VIEW/construction". Figures beside the view and symbols that have no place in the room are left out, and
