@@ -186,6 +186,7 @@ TEST_F(SheetsWithConstructions, OfSeveralViewsAreClear) {
       scene.views.push_back(scene.views.front());
       scene.views.back().projection = {scene::parse_request(projection), "projection"};
     }
+    scene.sheets.front().size = {scene::parse_paper_size("A2", "sheet"), "sheet"};
     SheetWithLabels(scene).expect_clear("four views of " + model);
   }
 }
