@@ -114,27 +114,34 @@ double LabelRoom::cost_of(const Label& label, const Candidate& candidate, double
   return cost + (has_leader ? crossed_by_leader : crossing) * std::min(lines_.overlaps(tie), most_counted);
 }
 
-std::optional<LabelPlace> LabelRoom::best_place(const Label& label) const {
+// The cheapest first, by what they cost apart from what is there.
+std::vector<LabelRoom::Candidate> LabelRoom::candidates_for(const Label& label) const {
   std::vector<Candidate> candidates;
-  for (std::size_t a = 0; a < label.anchors.size(); ++a) {
-    const auto& [at, outwards] = label.anchors[a];
-    const double first = later_anchor * static_cast<double>(a);
-    if (label.inside) candidates.push_back({at, {at - label.size / 2.0, at + label.size / 2.0}, first});
-    const bool has_direction = outwards != Vec2(0, 0);
+  double first = 0;
+  for (const LabelAnchor& anchor : label.anchors) {
+    const auto add = [&](const Vec2& side, double step, double more) {
+      const auto box = beside(anchor, side, step, label, area_);
+      if (!box) return;
+      more += (label.inside ? not_inside : 0) + (needs_leader(anchor.at, *box) ? leader : 0);
+      candidates.push_back({anchor.at, *box, first + step + more});
+    };
+    if (label.inside)
+      candidates.push_back({anchor.at, {anchor.at - label.size / 2.0, anchor.at + label.size / 2.0}, first});
+    const bool has_direction = anchor.outwards != Vec2(0, 0);
     for (const double step : steps) {
-      const auto add = [&](const Vec2& side, double more) {
-        const auto box = beside(label.anchors[a], side, step, label, area_);
-        if (!box) return;
-        more += (label.inside ? not_inside : 0) + (needs_leader(at, *box) ? leader : 0);
-        candidates.push_back({at, *box, first + step + more});
-      };
-      if (has_direction) add(outwards, 0);
+      if (has_direction) add(anchor.outwards, step, 0);
       for (std::size_t s = 0; s < sides.size(); ++s)
-        add(sides[s], (has_direction ? not_outwards : 0) + later_side * static_cast<double>(s));
+        add(sides[s], step, (has_direction ? not_outwards : 0) + later_side * static_cast<double>(s));
     }
+    first += later_anchor;
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.base < b.base; });
+  return candidates;
+}
+
+std::optional<LabelPlace> LabelRoom::best_place(const Label& label) const {
+  const std::vector<Candidate> candidates = candidates_for(label);
   const Candidate* best = nullptr;
   double least = HUGE_VAL;
   for (const Candidate& candidate : candidates) {

@@ -57,6 +57,7 @@ class LabelRoom {
   struct Candidate;
   using Places = std::vector<std::optional<LabelPlace>>;
 
+  [[nodiscard]] std::vector<Candidate> candidates_for(const Label& label) const;
   [[nodiscard]] double cost_of(const Label& label, const Candidate& candidate, double bound) const;
   [[nodiscard]] std::optional<LabelPlace> best_place(const Label& label) const;
   Places placed_in_order(std::span<const Label> labels, std::span<const std::size_t> order);
