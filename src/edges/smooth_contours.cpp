@@ -19,9 +19,6 @@ namespace {
 
 using features::SurfaceKind;
 
-// Relative to the height of a triangle: the contour of a surface is no farther from that of its facets.
-constexpr double most_moved = 1;
-
 // Cosines this small of the angle between a normal and the projector count as 0.
 constexpr double along_projector = 1e-5;
 
@@ -32,6 +29,9 @@ bool is_smoothed(const scene::Placed& placed, int triangle) {
   if (kind == SurfaceKind::free_form) return placed.mesh->report.misoriented_edges == 0;
   return kind == SurfaceKind::sphere || kind == SurfaceKind::torus;
 }
+
+// Distance at which the bend of a surface is measured, as a fraction of its radius.
+constexpr double bend_step = 0.02;
 
 /// The contours of one model, in units of its file.
 class ModelContours {
@@ -61,21 +61,30 @@ class ModelContours {
     if (angle_at_[vertex] > part_angle_) return std::nullopt;
     const Vec3 from = mesh_.point(vertex);
     std::optional<Vec3> nearest;
-    int on_triangle = -1;
     for (const int t : sorted_triangles_at(vertex)) {
-      const auto line = contour_across(t);
-      if (!line) continue;
-      const Vec3 place = nearest_on_segment(from, (*line)[0], (*line)[1]);
-      if (glm::distance(place, from) > most_moved * height_of(t)) continue;
-      if (nearest && glm::distance(place, from) >= glm::distance(*nearest, from)) continue;
-      nearest = place;
-      on_triangle = t;
+      const auto place = surface_of(t).kind == SurfaceKind::free_form ? contour_in_free_form(t, from)
+                                                                      : contour_near(surface_of(t), from);
+      if (!place || glm::distance(*place, from) > farthest_from(vertex, t)) continue;
+      if (!nearest || glm::distance(*place, from) < glm::distance(*nearest, from)) nearest = place;
     }
-    if (!nearest) return std::nullopt;
-    const features::PartSurface& surface = surface_of(on_triangle);
-    if (surface.kind != SurfaceKind::free_form)
-      *nearest -= features::signed_distance(surface, *nearest) * features::normal_near(surface, *nearest);
     return nearest;
+  }
+
+  /// Returns how the surface of a torus bends along the projector through a place next to it: below 0 away from the
+  /// viewer, so that it hides its own contour there (Koenderink: What does the occluding contour tell us about solid
+  /// shape?, 1984); nothing for other surfaces, which bend one way everywhere.
+  [[nodiscard]] std::optional<double> bend_at(int vertex, const Vec3& place) const {
+    for (const int t : sorted_triangles_at(vertex)) {
+      const features::PartSurface& surface = surface_of(t);
+      if (surface.kind != SurfaceKind::torus) continue;
+      const auto contour = contour_near(surface, place);
+      if (!contour) return std::nullopt;
+      const Vec3 step = bend_step * surface.minor * glm::normalize(towards_viewer(*contour));
+      const double bend =
+          features::signed_distance(surface, *contour + step) + features::signed_distance(surface, *contour - step);
+      return glm::dot(normal_of(t), features::normal_near(surface, *contour)) < 0 ? -bend : bend;
+    }
+    return std::nullopt;
   }
 
   /// Whether an edge between two triangles of one face is a contour only because the tessellation turned one of them
@@ -93,6 +102,52 @@ class ModelContours {
   }
 
  private:
+  // Returns the point of the contour of a round surface next to a place: there, the normal is perpendicular to the
+  // projector. Nothing if the projector determines none.
+  [[nodiscard]] std::optional<Vec3> contour_near(const features::PartSurface& surface, const Vec3& place) const {
+    constexpr int rounds = 4;  // projectors through a centre depend on the place
+    std::optional<Vec3> found = place;
+    for (int round = 0; round < (central_ ? rounds : 1) && found; ++round) {
+      const Vec3 view = glm::normalize(towards_viewer(*found));
+      found = surface.kind == SurfaceKind::sphere  ? contour_of_sphere(surface, place, view)
+              : surface.kind == SurfaceKind::torus ? contour_of_torus(surface, place, view)
+                                                   : contour_of_cone(surface, place, view);
+    }
+    return found;
+  }
+
+  static std::optional<Vec3> contour_of_sphere(const features::PartSurface& sphere, const Vec3& place,
+                                               const Vec3& view) {
+    const Vec3 from = place - sphere.origin, out = from - glm::dot(from, view) * view;
+    const double length = glm::length(out);
+    if (!(length > along_projector * sphere.radius)) return std::nullopt;
+    return sphere.origin + sphere.radius / length * out;
+  }
+
+  // In the same half plane through the axis: only the part of the projector in it matters.
+  static std::optional<Vec3> contour_of_torus(const features::PartSurface& torus, const Vec3& place, const Vec3& view) {
+    const Vec3 from = place - torus.origin, out = from - glm::dot(from, torus.axis) * torus.axis;
+    const double away = glm::length(out);
+    if (!(away > along_projector * torus.radius)) return std::nullopt;
+    const Vec3 normal = glm::dot(view, torus.axis) / away * out - glm::dot(view, out) / away * torus.axis;
+    const double length = glm::length(normal),
+                 side = glm::dot(normal, features::normal_near(torus, place)) < 0 ? -1 : 1;
+    if (!(length > along_projector)) return std::nullopt;
+    return torus.origin + torus.radius / away * out + side * torus.minor / length * normal;
+  }
+
+  // Of a cone or cylinder, at the same height. The normal is that of the circle there, tilted by the slope.
+  static std::optional<Vec3> contour_of_cone(const features::PartSurface& cone, const Vec3& place, const Vec3& view) {
+    const double rise = glm::dot(view, cone.axis), height = glm::dot(place - cone.origin, cone.axis);
+    const Vec3 level = view - rise * cone.axis;
+    const double length = glm::length(level), cosine = cone.slope * rise / length;
+    if (!(length > along_projector) || !(std::abs(cosine) < 1)) return std::nullopt;
+    const Vec3 across = glm::cross(cone.axis, level) / length;
+    const double side = glm::dot(place - cone.origin, across) < 0 ? -1 : 1;
+    const Vec3 radial = cosine / length * level + side * std::sqrt(1 - cosine * cosine) * across;
+    return cone.origin + height * cone.axis + (cone.radius + cone.slope * height) * radial;
+  }
+
   [[nodiscard]] const features::PartSurface& surface_of(int triangle) const {
     return part_.faces[static_cast<std::size_t>(part_.face_of_triangle[triangle])].surface;
   }
@@ -111,6 +166,16 @@ class ModelContours {
   [[nodiscard]] Vec3 normal_of(int triangle) const {
     const auto [a, b, c] = mesh_.triangle(triangle);
     return glm::cross(mesh_.point(b) - mesh_.point(a), mesh_.point(c) - mesh_.point(a));
+  }
+
+  // How far the contour of the surface may be from that of the facets at a corner of a triangle: on round surfaces,
+  // some triangles away; the normals of a free form at the ends of a sliver are too uncertain to go along it.
+  [[nodiscard]] double farthest_from(int vertex, int triangle) const {
+    constexpr double triangles_away = 2;
+    if (surface_of(triangle).kind == SurfaceKind::free_form) return height_of(triangle);
+    const auto [a, b, c] = mesh_.triangle(triangle);
+    const auto [p, q] = vertex == a ? std::array{b, c} : vertex == b ? std::array{c, a} : std::array{a, b};
+    return triangles_away * glm::length(normal_of(triangle)) / glm::distance(mesh_.point(p), mesh_.point(q));
   }
 
   // Height above the longest side.
@@ -132,6 +197,13 @@ class ModelContours {
       if (part_.face_of_triangle[t] == part_.face_of_triangle[triangle]) sum += normal_of(t);
     const double length = glm::length(sum);
     return length > 0 ? sum / length : sum;
+  }
+
+  // The point nearest to `from` on the contour across a triangle.
+  [[nodiscard]] std::optional<Vec3> contour_in_free_form(int triangle, const Vec3& from) const {
+    const auto line = contour_across(triangle);
+    if (!line) return std::nullopt;
+    return nearest_on_segment(from, (*line)[0], (*line)[1]);
   }
 
   // The segment across a triangle along which interpolated normals are perpendicular to the projectors.
@@ -197,8 +269,14 @@ class MovedEnds {
       for (const int e : edges)
         for (const int v : drawn_.edges[e].vertex) visit(number(v), e);
     });
-    for (const int e : edges)
-      for (std::size_t end = 0; end < 2; ++end) drawn_.edges[e].shown[end] = shown[number(drawn_.edges[e].vertex[end])];
+    std::vector<std::optional<double>> bends(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      bends[i] = contours.bend_at(vertices[i] - first, places[i].value_or(placed.mesh->point(vertices[i] - first)));
+    for (const int e : edges) {
+      FeatureEdge& edge = drawn_.edges[e];
+      for (std::size_t end = 0; end < 2; ++end) edge.shown[end] = shown[number(edge.vertex[end])];
+      edge.hollow = hollow_part(bends[number(edge.vertex[0])], bends[number(edge.vertex[1])]);
+    }
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (shown[i] < 0) continue;
       std::vector<int> around;
@@ -210,6 +288,15 @@ class MovedEnds {
   }
 
  private:
+  // FeatureEdge::hollow of a contour with these bends at its ends.
+  static float hollow_part(const std::optional<double>& from, const std::optional<double>& to) {
+    if (!from || !to || (*from >= 0 && *to >= 0)) return 0;
+    if (*from < 0 && *to < 0) return 1;
+    const double cusp = *from / (*from - *to);
+    check(cusp >= 0 && cusp <= 1, "a cusp lies between the ends of a contour");
+    return static_cast<float>(*from < 0 ? cusp : cusp - 1);
+  }
+
   // Contours of the model inside smoothed faces, if they are entirely in the window.
   [[nodiscard]] std::vector<int> smoothed_edges(int model, double part_angle) const {
     const scene::Placed& placed = world_.models[model];

@@ -208,6 +208,30 @@ bool FoldRule::are_one_face(const std::array<int, 2>& edge, int triangle) const 
   });
 }
 
+// Both ways along the projector, such a surface is farther inside than where the projector touches it.
+bool FoldRule::is_hollow(const std::array<int, 2>& edge, const projection::Projection& projection) const {
+  constexpr double step = 0.05;  // of the radius of the tube
+  const Sheets sheets = sheets_at(edge);
+  const scene::Placed& placed = world_.models[std::max(sheets.model, 0)];
+  const auto scale = features::similarity_scale(placed.to_world);
+  if (sheets.bodies.empty() || placed.part == nullptr || !scale) return false;
+  const int triangle = sheets.bodies.front().front() - world_.first_triangle[sheets.model];
+  const auto face = static_cast<std::size_t>(placed.part->face_of_triangle[triangle]);
+  const features::PartSurface torus = features::moved(placed.part->faces[face].surface, placed.to_world, *scale);
+  if (torus.kind != features::SurfaceKind::torus) return false;
+  const double outside =
+      glm::dot(area(sheets.bodies.front().front()), features::normal_near(torus, world_.points[edge[0]])) < 0 ? -1 : 1;
+  const auto bends_away = [&](const Vec3& place) {
+    const Vec3 normal = features::normal_near(torus, place);
+    const Vec3 towards = projection.central ? projection.projector - place : projection.projector;
+    const Vec3 along = step * torus.minor * glm::normalize(towards - glm::dot(towards, normal) * normal);
+    const auto distance = [&](const Vec3& p) { return outside * features::signed_distance(torus, p); };
+    return distance(place + along) + distance(place - along) < 2 * distance(place);
+  };
+  const Vec3 from = world_.points[edge[0]], to = world_.points[edge[1]];
+  return bends_away(from) || bends_away(to) || bends_away((from + to) / 2.0);
+}
+
 Need FoldRule::outline(const std::array<int, 2>& edge) const {
   const Sheets sheets = sheets_at(edge);
   if (sheets.edge == nullptr || sheets.edge->cut == mesh::CutEdge::inside) return Need::possible;

@@ -48,6 +48,9 @@ class FoldRule {
   /// Whether a triangle and those that meet in an edge are all of one face of a part.
   [[nodiscard]] bool are_one_face(const std::array<int, 2>& edge, int triangle) const;
 
+  /// Whether an edge lies on a torus, at least in part, where that bends away from the viewer and hides its contour.
+  [[nodiscard]] bool is_hollow(const std::array<int, 2>& edge, const projection::Projection& projection) const;
+
   /// How low a triangle is: certainly without a plane, perhaps without one, or hardly visible.
   enum class Needle { surely, perhaps, hardly_seen };
   [[nodiscard]] bool is_needle(int triangle, Needle needle) const;

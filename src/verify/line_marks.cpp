@@ -157,6 +157,7 @@ bool LineMarks::continues(int crossing, int piece) const {
 bool LineMarks::is_fold_of_face(int crossing, int back, double step) const {
   const std::array<int, 2>& edge = slice_.crossings[crossing].edge;
   if (back < 0 || !rule_.are_one_face(edge, slice_.pieces[back].triangle)) return false;
+  if (rule_.is_hollow(edge, scene_.projection)) return true;
   double nearest = -HUGE_VAL, farthest = HUGE_VAL;
   for (const std::vector<int>& body : rule_.sheets_at(edge).bodies)
     for (const int triangle : body)

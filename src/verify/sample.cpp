@@ -37,12 +37,16 @@ PageLine page_line(const VerifyInput& input, const Viewing& viewing, const Toler
 void add_spans(const VerifyInput& input, int edge, std::vector<TestedSpan>& spans) {
   const visibility::HiddenSpans& hidden = input.hidden;
   double at = 0;
+  const edges::FeatureEdge& drawn = input.drawn.edges[edge];
   const auto add = [&](double from, double to, bool visible) {
-    if (from < to && (visible || !input.drawn.edges[edge].by_chance)) spans.push_back({edge, from, to, visible, -1});
+    if (from < to && (visible || !drawn.by_chance)) spans.push_back({edge, from, to, visible, -1});
   };
+  // Beyond a cusp, the surface hides its contour, whether its facets do or not.
+  const std::array<double, 2> hollow = drawn.hollow == 0 ? std::array{2.0, 2.0} : drawn.hollow_part();
   for (std::size_t i = hidden.first[edge]; i < hidden.first[edge + 1]; ++i) {
     add(at, hidden.spans[i][0], true);
-    add(hidden.spans[i][0], hidden.spans[i][1], false);
+    add(hidden.spans[i][0], std::min(hidden.spans[i][1], hollow[0]), false);
+    add(std::max(hidden.spans[i][0], hollow[1]), hidden.spans[i][1], false);
     at = hidden.spans[i][1];
   }
   add(at, 1, true);

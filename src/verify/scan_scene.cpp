@@ -42,7 +42,10 @@ Vec3 reference_of(const VerifyInput& input) {
 }  // namespace
 
 ScanScene::ScanScene(const VerifyInput& input, double precision)
-    : world(input.world), local(input.world.points.size()), vague_(input.world.points.size()) {
+    : world(input.world),
+      projection(input.projection),
+      local(input.world.points.size()),
+      vague_(input.world.points.size()) {
   const Vec3 reference = reference_of(input);
   const Sight<Bounded> sight = sight_of(input, reference);
   const Vec4 base = input.drawing.world_to_page * Vec4(reference, 1);

@@ -30,6 +30,7 @@ class ScanScene {
   ScanScene(const VerifyInput& input, double precision);
 
   const scene::World& world;
+  const projection::Projection& projection;
   Vec2 origin;              ///< position of the point of reference on the page, mm
   double page;              ///< mm of paper per unit of length in the world, at the point of reference
   double depth;             ///< the same for depth

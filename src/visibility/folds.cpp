@@ -125,8 +125,9 @@ void close_gaps(Spans& spans, double most) {
   spans = std::move(closed);
 }
 
-/// Adds spans to those of the edges with these numbers, which ascend.
-HiddenSpans with_spans(const HiddenSpans& hidden, const std::vector<std::size_t>& numbers, const HiddenSpans& more) {
+/// Adds spans to those of the edges with these numbers, which ascend, and closes gaps between them up to `most_gap`.
+HiddenSpans with_spans(const HiddenSpans& hidden, const std::vector<std::size_t>& numbers, const HiddenSpans& more,
+                       double most_gap) {
   HiddenSpans all{{0}, {}, hidden.undecided};
   all.first.reserve(hidden.first.size());
   all.spans.reserve(hidden.spans.size() + more.spans.size());
@@ -136,7 +137,7 @@ HiddenSpans with_spans(const HiddenSpans& hidden, const std::vector<std::size_t>
                 hidden.spans.begin() + static_cast<std::ptrdiff_t>(hidden.first[e + 1]));
     if (next < numbers.size() && numbers[next] == e) {
       for (std::size_t i = more.first[next]; i < more.first[next + 1]; ++i) add_span(spans, more.spans[i]);
-      if (more.first[next] < more.first[next + 1]) close_gaps(spans, narrow_end);
+      if (more.first[next] < more.first[next + 1]) close_gaps(spans, most_gap);
       ++next;
     }
     all.spans.insert(all.spans.end(), spans.begin(), spans.end());
@@ -145,10 +146,23 @@ HiddenSpans with_spans(const HiddenSpans& hidden, const std::vector<std::size_t>
   return all;
 }
 
+void hide_beyond_cusps(const edges::FeatureEdges& drawn, HiddenSpans& hidden) {
+  std::vector<std::size_t> numbers;
+  HiddenSpans parts{{0}, {}, {}};
+  for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
+    if (drawn.edges[e].hollow == 0) continue;
+    numbers.push_back(e);
+    parts.spans.push_back(drawn.edges[e].hollow_part());
+    parts.first.push_back(parts.spans.size());
+  }
+  if (!numbers.empty()) hidden = with_spans(hidden, numbers, parts, 0);
+}
+
 }  // namespace
 
 void hide_folds(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                 HiddenSpans& hidden, const Progress& progress) {
+  hide_beyond_cusps(drawn, hidden);
   std::vector<std::size_t> folds;
   for (std::size_t e = 0; e < drawn.edges.size(); ++e)
     if (drawn.edges[e].by_chance && is_visible_somewhere(hidden, e)) folds.push_back(e);
@@ -165,7 +179,7 @@ void hide_folds(const scene::World& world, const view::ProjectedScene& view, con
     }
   const HiddenSpans behind = find_hidden(world, faces, lines, progress);
   if (!behind.undecided.empty()) throw OutOfTime{"hiding lines"};
-  hidden = with_spans(hidden, numbers, behind);
+  hidden = with_spans(hidden, numbers, behind, narrow_end);
 }
 
 }  // namespace epura::visibility
