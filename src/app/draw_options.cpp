@@ -2,6 +2,7 @@
 #include "app/draw_options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -295,7 +296,13 @@ scene::Options<DrawOptions> one_model_options() {
   scene::Options<scene::ModelDescription> of_model = scene::model_options();
   std::erase_if(of_model, [](const scene::OptionInfo& option) { return option.flag == "--density"; });
   scene::append_options(all, of_model, &Draw::model);
-  scene::append_options(all, scene::sheet_options(), &Draw::sheet);
+  scene::Options<scene::SheetDescription> of_sheet = scene::sheet_options();
+  // What arranges chosen views and dimensions has no meaning.
+  constexpr std::array of_views{"angle", "layout", "fit", "decimals", "dimension_unit"};
+  std::erase_if(of_sheet, [&of_views](const scene::OptionInfo& option) {
+    return std::find(of_views.begin(), of_views.end(), option.key) != of_views.end();
+  });
+  scene::append_options(all, of_sheet, &Draw::sheet);
   append(all, title_options());
   append(all, format_options());
   append(all, run_options(), scene::Nature::run);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/picture.hpp"
 
+#include <memory>
 #include <utility>
 
 #include "app/commands.hpp"
@@ -10,6 +11,7 @@
 #include "app/draw_files.hpp"
 #include "base/error.hpp"
 #include "importer/read_model.hpp"
+#include "pipeline/kept_models.hpp"
 #include "pipeline/picture.hpp"
 
 namespace epura {
@@ -19,7 +21,7 @@ namespace {
 pipeline::PictureRequest request_of(const PictureOptions& options) {
   const std::string& file = options.draw.models.front();
   if (file == importer::standard_input)
-    throw Error(ErrorKind::input, file, "standard input can be read once, and a picture reads the model several times",
+    throw Error(ErrorKind::input, file, "standard input is one model, and a picture shows it twice",
                 "write the model to a file");
   pipeline::PictureRequest request{options.draw.model, options.projection, options.from, options.vertices,
                                    options.keeps_plane};
@@ -31,6 +33,7 @@ pipeline::PictureRequest request_of(const PictureOptions& options) {
 
 int draw_picture(PictureOptions options) {
   const pipeline::PictureRequest request = request_of(options);
+  options.draw.run.kept_models = std::make_shared<pipeline::KeptModels>();
   const auto describe_picture = [&](const Progress& progress) {
     const pipeline::Picture picture = pipeline::make_picture(request, options.draw.run, progress);
     scene::SceneDescription scene = pipeline::scene_of(picture, request);

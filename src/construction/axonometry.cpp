@@ -15,27 +15,74 @@ namespace {
 using scene::ConstructionKind;
 
 // Sizes of the figures, mm.
-constexpr double arm = 24, cube = 26, triangle = 26, baseline = 17, angle_radius = 11;
+constexpr double arm = 24, cube = 26, triangle = 26;
+constexpr double least_baseline = 17, beyond_arc = 1.5;
+constexpr double least_radius = 6, usual_radius = 9, largest_radius = 18, between_arcs = 2.5;
+constexpr double half_text = 2.65;  // of the height of an angle, with a gap
+constexpr double caption_below = 8;
 constexpr double seen_as_point = 1e-9;  // ratio of an axis along the projectors
 constexpr std::array names{"x", "y", "z"};
 
 std::string ratio_text(double ratio) { return format_rounded(ratio, 3); }
 
-// Degrees from the nearer side of the horizontal line through the origin, 0 to 90.
-double angle_of(const Vec2& image) {
-  return portable_atan2(std::abs(image.y), std::abs(image.x)) * 180 / std::numbers::pi;
+// From the nearer side of the horizontal line through the origin, 0 to 90 degrees, in radians.
+double angle_of(const Vec2& image) { return portable_atan2(std::abs(image.y), std::abs(image.x)); }
+
+// Neither horizontal nor upright.
+bool is_oblique(const Vec2& image) {
+  constexpr double least = 0.01 * std::numbers::pi / 180;
+  return angle_of(image) >= least && angle_of(image) <= std::numbers::pi / 2 - least;
 }
 
-// The angle of an axis to the horizontal, unless it is horizontal or upright.
-void add_angle(Figure& key, const Vec2& image, double radius) {
-  const double degrees = angle_of(image);
-  if (degrees < 0.01 || degrees > 89.99) return;
-  const double from = image.x > 0 ? 0 : std::numbers::pi;
-  const double to = std::remainder(portable_atan2(image.y, image.x) - from, 2 * std::numbers::pi) + from;
-  key.curves.push_back({{0, 0}, {radius, 0}, {0, radius}, std::min(from, to), std::max(from, to)});
-  const double middle = (from + to) / 2;
-  const Vec2 at = (radius + 1) * Vec2(portable_cos(middle), portable_sin(middle));
-  key.points.push_back({{format_rounded(degrees, 3) + "°"}, at, {0, 0}, false, true});
+// Of an axis in the picture, the tip.
+Vec2 arm_along(const Vec2& image) {
+  const double ratio = glm::length(image);
+  return image * (arm / std::max(ratio, 0.5) * std::min(ratio, 1.0));
+}
+
+/// The angle of an axis to the horizontal, in the figure.
+struct AxisAngle {
+  Vec2 tip;
+  double radius = 0;  ///< of its arc
+};
+
+// Where the number has room between the legs if possible, and not beyond the tip. Of angles in one corner, the greater
+// has the smaller arc, so that each number stands outside its arc and inside no smaller angle; it comes first.
+std::vector<AxisAngle> angles_between(const std::array<Vec2, 3>& images) {
+  std::vector<AxisAngle> angles;
+  for (const Vec2& image : images)
+    if (glm::length(image) > seen_as_point && is_oblique(image)) angles.push_back({arm_along(image)});
+  std::stable_sort(angles.begin(), angles.end(),
+                   [](const AxisAngle& a, const AxisAngle& b) { return angle_of(a.tip) < angle_of(b.tip); });
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    AxisAngle& one = angles[i];
+    one.radius = std::max(half_text / portable_tan(angle_of(one.tip) / 2) - 1, usual_radius);
+    one.radius = std::min({one.radius, glm::length(one.tip) - beyond_arc, largest_radius});
+    for (std::size_t j = 0; j < i; ++j)
+      if ((angles[j].tip.x > 0) == (one.tip.x > 0) && (angles[j].tip.y > 0) == (one.tip.y > 0))
+        one.radius = std::min(one.radius, angles[j].radius - between_arcs);
+    one.radius = std::max(one.radius, least_radius);
+  }
+  std::reverse(angles.begin(), angles.end());
+  return angles;
+}
+
+// With an arc each, and one base line on each side.
+void add_angles(Figure& key, const std::array<Vec2, 3>& images) {
+  std::array<double, 2> baselines{0, 0};  // on the left, on the right
+  for (const AxisAngle& angle : angles_between(images)) {
+    const double from = angle.tip.x > 0 ? 0 : std::numbers::pi;
+    const double to = std::remainder(portable_atan2(angle.tip.y, angle.tip.x) - from, 2 * std::numbers::pi) + from;
+    const std::string degrees = format_rounded(angle_of(angle.tip) * 180 / std::numbers::pi, 3) + "°";
+    key.curves.push_back(
+        {{0, 0}, {angle.radius, 0}, {0, angle.radius}, std::min(from, to), std::max(from, to), {degrees}});
+    const double reach = angle.radius + beyond_arc;
+    if (reach > glm::length(angle.tip)) key.lines.push_back({angle.tip, glm::normalize(angle.tip) * reach});
+    double& baseline = baselines[angle.tip.x > 0 ? 1 : 0];
+    baseline = std::max({baseline, least_baseline, reach});
+  }
+  if (baselines[0] > 0) key.lines.push_back({{0, 0}, {-baselines[0], 0}});
+  if (baselines[1] > 0) key.lines.push_back({{0, 0}, {baselines[1], 0}});
 }
 
 bool is_orthographic(const PicturePlane& plane) {
@@ -44,25 +91,23 @@ bool is_orthographic(const PicturePlane& plane) {
 
 Figure axes_figure(const PicturePlane& plane, const std::array<Vec2, 3>& images) {
   Figure key;
-  double radius = angle_radius;
+  double lowest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const double ratio = glm::length(images[i]);
     if (ratio <= seen_as_point) {
       key.points.push_back({{names[i]}, {0, 0}, {0, 0}, true, true});
       continue;
     }
-    const Vec2 tip = images[i] * (arm / std::max(ratio, 0.5) * std::min(ratio, 1.0));
+    const Vec2 tip = arm_along(images[i]);
+    lowest = std::min(lowest, tip.y);
     key.lines.push_back({{0, 0}, tip});
     key.points.push_back({{std::string(names[i]) + " " + ratio_text(ratio)}, tip, {0, 0}, false, true});
-    if (angle_of(images[i]) > 0.01 && angle_of(images[i]) < 89.99)
-      key.lines.push_back({{0, 0}, {images[i].x > 0 ? baseline : -baseline, 0}});
-    add_angle(key, images[i], radius);
-    radius += 2;
   }
+  add_angles(key, images);
   if (!is_orthographic(plane)) {
     const double slope = std::asin(glm::dot(glm::normalize(plane.projector), plane.n)) * 180 / std::numbers::pi;
-    key.points.push_back(
-        {{"projectors " + format_rounded(slope, 3) + "° to the picture"}, {arm / 2, -11}, {arm / 2, -11}, false, true});
+    const Vec2 below(0, lowest - caption_below);
+    key.points.push_back({{"projectors " + format_rounded(slope, 3) + "° to the picture"}, below, below, false, true});
   }
   return key;
 }
@@ -86,7 +131,7 @@ Figure ellipses_figure(const PicturePlane& plane, const std::array<Vec2, 3>& ima
     key.lines.push_back({nearest + q, nearest + p + q});
     Curve ellipse = ellipse_of(nearest + (p + q) / 2.0, p / 2.0, q / 2.0);
     const double major = glm::length(ellipse.u) / (cube / 2), minor = glm::length(ellipse.v) / (cube / 2);
-    key.points.push_back({{ratio_text(major) + ":" + ratio_text(minor)}, ellipse.centre, {0, 0}, false, true});
+    key.points.push_back({{ratio_text(major) + ":" + ratio_text(minor)}, ellipse.centre, ellipse.centre, false, true});
     key.curves.push_back(std::move(ellipse));
   }
   for (std::size_t i = 0; i < 3; ++i)

@@ -135,7 +135,7 @@ class Drafter {
 Figure Drafter::made() {
   name_points();
   for (const Request& request : requests_) {
-    if (by_change_of_planes(request)) {
+    if (request.item.by_change_of_planes) {
       add_auxiliary(request);
       continue;
     }
@@ -194,7 +194,7 @@ void Drafter::add_ground_line() {
   figure_.points.push_back({{"L"}, {left, y}, {right, y}, false, true});
   figure_.points.push_back({{"T"}, {right, y}, {left, y}, false, true});
   add_term(figure_, "LT", "ground line: where the horizontal and the vertical plane meet");
-  add_term(figure_, "A1 A2", "plan and elevation of the point A");
+  if (!named_.empty()) add_term(figure_, "A1 A2", "plan and elevation of the point A");
 }
 
 // One line for all points that are at the same place along LT.
@@ -283,8 +283,7 @@ void Drafter::add_traces(const Request& request) {
   const std::vector<Vec3> ring = in_space(epura_, request.elements);
   const Vec3 n = normal_of(ring);
   const double c = glm::dot(n, ring[0]);
-  const std::array<const char*, 5> greek{"α", "β", "γ", "δ", "ε"};
-  const std::string name = greek[static_cast<std::size_t>(planes_++) % greek.size()];
+  const std::string name = plane_name(planes_++);
   const auto add = [&](double across, double sign, const std::string& index) {
     if (std::hypot(n.x, across) <= flat) return;
     // From the point on LT where both meet; traces parallel to LT from any point of them.
@@ -298,8 +297,7 @@ void Drafter::add_traces(const Request& request) {
   add(n.y, -1, "1");
   add(n.z, 1, "2");
   add_term(figure_, name + "1 " + name + "2",
-           "traces of the plane of face " + std::to_string(request.item.numbers[0]) +
-               " in the horizontal and the vertical plane");
+           "traces of the plane " + plane_text(request) + " in the horizontal and the vertical plane");
 }
 
 // The face turns about its lowest horizontal line, the hinge, into a horizontal plane.
@@ -420,7 +418,7 @@ void Drafter::add_piercing(const Request& request) {
   figure_.terms.push_back({names, "where they meet " + line});
 }
 
-// Where the plane of a face cuts the other faces.
+// Where a plane cuts the faces, but for that of which it is.
 void Drafter::add_section(const Request& request) {
   const std::vector<Vec3> ring = in_space(epura_, request.elements);
   const Vec3 normal = normal_of(ring);
@@ -430,9 +428,10 @@ void Drafter::add_section(const Request& request) {
     figure_.lines.push_back({plan_of(cut[0]), plan_of(cut[1])});
     figure_.lines.push_back({elevation_of(cut[0]), elevation_of(cut[1])});
   }
-  if (cuts.empty()) refuse(request, "is a face whose plane cuts no other face", "choose another face");
+  if (cuts.empty()) refuse(request, "is a plane that cuts no face", "choose another plane");
   add_step(plan_of((cuts.front()[0] + cuts.front()[1]) / 2.0),
-           "lines in which the plane of face " + std::to_string(request.item.numbers[0]) + " cuts the other faces");
+           "lines in which the plane " + plane_text(request) + " cuts the " +
+               (request.item.has_element ? "other " : "") + "faces");
 }
 
 }  // namespace

@@ -8,8 +8,20 @@
 namespace epura::construction {
 
 void add_point(Figure& figure, Point point) {
-  const auto is_same = [&point](const Point& other) { return other.symbol == point.symbol; };
-  if (std::none_of(figure.points.begin(), figure.points.end(), is_same)) figure.points.push_back(std::move(point));
+  const double near = 1e-6 + 1e-12 * glm::length(point.at);  // mm
+  const auto has_symbol = [&point](const Point& other) {
+    return other.symbol == point.symbol ||
+           std::find(other.also.begin(), other.also.end(), point.symbol) != other.also.end();
+  };
+  if (std::any_of(figure.points.begin(), figure.points.end(), has_symbol)) return;
+  const auto is_there = [&](const Point& other) {
+    return other.marked && point.marked && glm::length(other.at - point.at) <= near;
+  };
+  const auto there = std::find_if(figure.points.begin(), figure.points.end(), is_there);
+  if (there != figure.points.end())
+    there->also.push_back(std::move(point.symbol));
+  else
+    figure.points.push_back(std::move(point));
 }
 
 void add_term(Figure& figure, const std::string& symbol, const std::string& meaning) {

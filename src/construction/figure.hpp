@@ -63,7 +63,8 @@ struct Figure {
   [[nodiscard]] bool empty() const { return points.empty() && lines.empty() && curves.empty() && keys.empty(); }
 };
 
-/// Adds a point unless there is one with this symbol.
+/// Adds a point unless there is one with this symbol; its symbol to that of a point in the same position if both are
+/// marked.
 void add_point(Figure& figure, Point point);
 /// Adds a row of the legend unless it is there.
 void add_term(Figure& figure, const std::string& symbol, const std::string& meaning);

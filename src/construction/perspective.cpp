@@ -26,9 +26,11 @@ Vec3 axis(int i) {
   return direction;
 }
 
+// Both ways along an axis and at any length, its name: they have one vanishing point.
 std::string index_of(const Vec3& direction) {
+  constexpr double along = 1e-12;  // sine
   for (int i = 0; i < 3; ++i)
-    if (direction == axis(i)) return std::string(1, "xyz"[i]);
+    if (glm::length(glm::cross(glm::normalize(direction), axis(i))) <= along) return std::string(1, "xyz"[i]);
   return format_number(direction.x) + "," + format_number(direction.y) + "," + format_number(direction.z);
 }
 
@@ -59,6 +61,7 @@ class Perspective {
   void add_true_length(const Request& request);
   void add_vanishing_lines(const Request& request);
   void add_ground_line(const Request& request);
+  void add_trace(const Request& request);
   void add_cone(const Request& request);
   void add_principal_point();
 
@@ -66,6 +69,7 @@ class Perspective {
   std::span<const Request> requests_;
   const Surroundings& around_;
   std::optional<PictureLine> horizon_;
+  int planes_ = 0, lengths_ = 0;
   Figure figure_{};
 };
 
@@ -95,6 +99,8 @@ void Perspective::make(const Request& request) {
       return add_vanishing_lines(request);
     case ConstructionKind::ground_line:
       return add_ground_line(request);
+    case ConstructionKind::traces:
+      return add_trace(request);
     case ConstructionKind::cone:
       return add_cone(request);
     default:
@@ -161,15 +167,11 @@ void Perspective::add_ray(const std::array<Vec3, 2>& edge, const Vec2& at) {
 
 // Of edges on one line, that nearest to the vanishing point is continued.
 void Perspective::add_rays(const Request& request) {
-  const auto add_terms = [&](const Vec3& direction, const Vec2& at) { add_vanishing_point(direction, at); };
   if (request.item.has_element) {
     const Vec3 direction = request.elements[1] - request.elements[0];
     const auto at = expect_vanishing_point(request, direction);
     if (!at) return;
-    int along = -1;
-    for (int i = 0; i < 3; ++i)
-      if (glm::length(glm::cross(glm::normalize(direction), axis(i))) <= on_line) along = i;
-    add_terms(along < 0 ? direction : axis(along), *at);
+    add_vanishing_point(direction, *at);
     return add_ray({request.elements[0], request.elements[1]}, *at);
   }
   constexpr double same = 1e6;  // steps of the angle for a unit of length
@@ -189,7 +191,7 @@ void Perspective::add_rays(const Request& request) {
   for (const auto& [key, found] : longest) {
     const Vec3 direction = axis(static_cast<int>(key[0]));
     const Vec2 at = *vanishing_point(plane_, direction);
-    add_terms(direction, at);
+    add_vanishing_point(direction, at);
     add_ray(found.second, at);
   }
 }
@@ -240,7 +242,7 @@ void Perspective::add_measuring_points(const Request& request) {
 
 // The length of an edge, cut off on the line through its trace parallel to the horizon by lines through M.
 void Perspective::add_true_length(const Request& request) {
-  if (by_change_of_planes(request))
+  if (request.item.by_change_of_planes)
     refuse(request, "is a change of planes, which only an épura has", "omit ':auxiliary', or draw --views epura");
   const PictureLine* line = expect_horizon(request);
   if (line == nullptr) return;
@@ -252,9 +254,10 @@ void Perspective::add_true_length(const Request& request) {
   const auto trace = trace_of_line(plane_, request.elements[0], request.elements[1]);
   if (!vp || !trace) return;
   const Vec2 m = measuring_point(plane_, *line, *vp);
+  const std::string index = ++lengths_ > 1 ? std::to_string(lengths_) : "";
   add_vanishing_point(direction, *vp);
   add_point(figure_, {{"M", index_of(direction)}, m, line->foot});
-  add_point(figure_, {{"T"}, *trace, plane_.origin});
+  add_point(figure_, {{"T", index}, *trace, plane_.origin});
   std::vector<Vec2> ends;
   for (const Vec3& end : request.elements) {
     const auto image = image_of(plane_, end);
@@ -266,8 +269,8 @@ void Perspective::add_true_length(const Request& request) {
   figure_.lines.push_back({*trace, *vp});
   const double a = glm::dot(ends[0] - *trace, line->along), b = glm::dot(ends[1] - *trace, line->along);
   figure_.lines.push_back({*trace + std::min({a, b, 0.0}) * line->along, *trace + std::max({a, b, 0.0}) * line->along});
-  add_point(figure_, {{"a"}, ends[0], ends[1]});
-  add_point(figure_, {{"b"}, ends[1], ends[0]});
+  add_point(figure_, {{"a", index}, ends[0], ends[1]});
+  add_point(figure_, {{"b", index}, ends[1], ends[0]});
   figure_.points.push_back(
       {{"TL " + format_rounded(glm::length(direction), 6)}, (ends[0] + ends[1]) / 2.0, ends[0], false, true});
   add_term(figure_, "T", "trace: where the line of the edge meets the picture");
@@ -299,6 +302,18 @@ void Perspective::add_ground_line(const Request& request) {
   }
   add_line_across(*line, {"GL"});
   add_term(figure_, "GL", "ground line: where the picture meets the ground below the models");
+}
+
+// The lines of the plane meet the picture on its trace; those that are parallel vanish on a parallel to it.
+void Perspective::add_trace(const Request& request) {
+  const std::vector<Vec3>& ring = request.elements;
+  Vec3 normal(0);
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) normal += glm::cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
+  const auto line = trace_of_plane(plane_, ring[0], glm::normalize(normal));
+  if (!line) refuse(request, "has no trace: the plane is parallel to the picture", "choose another plane");
+  const std::string name = plane_name(planes_++);
+  add_line_across(*line, {name});
+  add_term(figure_, name, "trace in the picture of the plane " + plane_text(request));
 }
 
 void Perspective::add_cone(const Request& request) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -27,14 +28,16 @@ bool is_clear(const construction::Figure& figure, const std::vector<sheet::Recta
   });
 }
 
-// Where the constructions of some views may be: in the free part of the sheet that holds the views and most of what is
-// constructed; of several, in the largest.
+// Where the constructions of some views may be: in the free part of the sheet, clear of other views and blocks, that
+// holds the views and most of what is constructed; of several, in the largest.
 sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& own, const sheet::Neighbours& around,
                                                const sheet::SheetFurniture& furniture,
-                                               std::span<const ViewResult> views) {
+                                               std::span<const ViewResult> views,
+                                               std::span<const sheet::Rectangle> blocks) {
   constexpr double from_border = 5, apart = 3;  // mm
   constexpr double farthest = 2;                // sizes of the views
   sheet::ConstructionRoom room{around.paper->grown(-from_border), around.boxes};
+  room.labels = room.area;
   std::vector<sheet::Rectangle> taken;
   std::optional<sheet::Rectangle> ink;
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -46,7 +49,8 @@ sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& o
       room.views.push_back(&views[i].drawing);
     }
   }
-  if (const auto blocks = sheet::block_boxes(furniture).all) taken.push_back(blocks->grown(apart));
+  if (const auto block = sheet::block_boxes(furniture).all) taken.push_back(block->grown(apart));
+  for (const sheet::Rectangle& block : blocks) taken.push_back(block.grown(apart));
   for (const sheet::Rectangle& one : taken) room.taken.push_back(sheet::turned_box(one));
   if (std::all_of(own.begin(), own.end(),
                   [&](std::size_t i) { return is_clear(views[i].drawing.construction, taken); })) {
@@ -68,36 +72,65 @@ sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& o
   return room;
 }
 
-// The legend of all constructions, if it is asked for or the sheet has a frame with text.
-void add_legend(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
-                std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
-  sheet::TextTable table;
-  bool wanted = input.plan.furniture.frame == FrameKind::full;
-  sheet::Layer* layer = nullptr;
-  sheet::ConstructionRoom room{around.paper->grown(-5), around.boxes};
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const construction::Figure& figure = views[i].drawing.construction;
-    room.taken.push_back(sheet::turned_box({views[i].drawing.min, views[i].drawing.max}));
+/// The legend of all constructions.
+struct Legend {
+  sheet::TextTable table{};
+  bool is_asked_for = false;
+};
+
+Legend legend_of(std::span<const ViewResult> views) {
+  Legend legend;
+  std::vector<std::vector<std::string>>& rows = legend.table.rows;
+  for (const ViewResult& view : views) {
+    const construction::Figure& figure = view.drawing.construction;
     if (figure.empty()) continue;
-    wanted = wanted || figure.legend;
-    if (layer == nullptr && !result.constructions[i].empty()) layer = &result.constructions[i].front();
+    legend.is_asked_for = legend.is_asked_for || figure.legend;
     for (const construction::Term& term : figure.terms)
       if (const std::vector<std::string> row{term.symbol, term.meaning};
-          std::find(table.rows.begin(), table.rows.end(), row) == table.rows.end())
-        table.rows.push_back(row);
+          std::find(rows.begin(), rows.end(), row) == rows.end())
+        rows.push_back(row);
   }
-  if (!wanted || layer == nullptr || table.rows.empty()) return;
-  sheet::DimensionStyle small = style;
-  small.text = legend_text;
-  const sheet::TableDrawing drawing(std::move(table), 1, small);
-  const auto corner = sheet::clear_position(room, drawing.size());
-  if (!corner) {
-    result.warnings.emplace_back(
-        "the sheet has no room for the legend of the constructions\n  hint: use a larger sheet");
-    return;
+  return legend;
+}
+
+// Where it touches neither views nor what is around them.
+std::optional<sheet::Rectangle> place_of_legend(const Vec2& size, const sheet::Neighbours& around,
+                                                std::span<const ViewResult> views) {
+  sheet::ConstructionRoom room{around.paper->grown(-5), around.boxes};
+  for (const ViewResult& view : views) room.taken.push_back(sheet::turned_box({view.drawing.min, view.drawing.max}));
+  const auto corner = sheet::clear_position(room, size);
+  return corner ? std::optional(sheet::Rectangle{*corner, *corner + size}) : std::nullopt;
+}
+
+/// The constructions of some views, by their numbers, and what is around with them.
+struct DrawnConstructions {
+  std::vector<std::pair<std::size_t, sheet::ConstructionLayer>> layers{};
+  sheet::Neighbours around{};
+};
+
+// First those with figures beside them, at which the lines of the others end.
+DrawnConstructions draw_constructions(const SheetInput& input, std::span<const ViewResult> views,
+                                      const sheet::DimensionStyle& style, sheet::Neighbours around,
+                                      std::vector<sheet::Rectangle> blocks) {
+  std::vector<std::size_t> order(views.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t i) { return !views[i].drawing.construction.keys.empty(); });
+  DrawnConstructions drawn;
+  for (const std::size_t i : order) {
+    const drawing::ViewDrawing& drawing = views[i].drawing;
+    if (drawing.construction.empty()) continue;
+    std::vector<std::size_t> own{i};
+    if (input.views.epura && input.views.epura->elevation == i) own.push_back(input.views.epura->plan);
+    const sheet::ConstructionRoom room = room_for_constructions(own, around, input.plan.furniture, views, blocks);
+    sheet::ConstructionLayer layer = sheet::construction_layer(drawing.name, drawing.construction, room, style);
+    const std::vector<sheet::TurnedBox> more = sheet::boxes_of(layer.layer, style.lettering);
+    around.boxes.insert(around.boxes.end(), more.begin(), more.end());
+    blocks.insert(blocks.end(), layer.keys.begin(), layer.keys.end());
+    drawn.layers.emplace_back(i, std::move(layer));
   }
-  drawing.draw(*layer, *corner + drawing.size(), "construction");
-  around.boxes.push_back(sheet::turned_box({*corner, *corner + drawing.size()}));
+  drawn.around = std::move(around);
+  return drawn;
 }
 
 }  // namespace
@@ -106,26 +139,41 @@ double legend_room(const construction::Figure& figure) {
   return figure.legend ? sheet::height_of_rows(figure.terms.size(), legend_text) + around_legend : 0;
 }
 
+// The legend has its place among what is constructed. If there is none, the constructions end at it.
 void add_constructions(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
                        std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const drawing::ViewDrawing& drawing = views[i].drawing;
-    if (drawing.construction.empty()) continue;
-    std::vector<std::size_t> own{i};
-    if (input.views.epura && input.views.epura->elevation == i) own.push_back(input.views.epura->plan);
-    sheet::ConstructionLayer drawn = sheet::construction_layer(
-        drawing.name, drawing.construction, room_for_constructions(own, around, input.plan.furniture, views), style);
-    if (drawn.without_place > 0)
-      result.warnings.push_back("there is no place for a figure beside the view '" + drawing.name +
-                                "'\n  hint: use a larger sheet or a smaller scale");
-    result.constructions[i].push_back(std::move(drawn.layer));
-  }
-  for (const std::vector<sheet::Layer>& layers : result.constructions)
-    for (const sheet::Layer& layer : layers) {
-      const std::vector<sheet::TurnedBox> more = sheet::boxes_of(layer, style.lettering);
-      around.boxes.insert(around.boxes.end(), more.begin(), more.end());
+  Legend legend = legend_of(views);
+  sheet::DimensionStyle small = style;
+  small.text = legend_text;
+  const bool has_legend =
+      !legend.table.rows.empty() && (legend.is_asked_for || input.plan.furniture.frame == FrameKind::full);
+  DrawnConstructions drawn = draw_constructions(input, views, style, around, {});
+  if (has_legend && !drawn.layers.empty()) {
+    const sheet::TableDrawing table(std::move(legend.table), 1, small);
+    auto place = place_of_legend(table.size(), drawn.around, views);
+    if (!place && legend.is_asked_for) {
+      place = place_of_legend(table.size(), around, views);
+      if (place) drawn = draw_constructions(input, views, style, around, {*place});
     }
-  add_legend(result, around, input, views, style);
+    if (place) {
+      table.draw(drawn.layers.front().second.layer, {place->min.x + table.size().x, place->max.y}, "construction");
+      drawn.around.boxes.push_back(sheet::turned_box(*place));
+    } else {
+      result.warnings.emplace_back(
+          "the sheet has no room for the legend of the constructions\n  hint: use a larger sheet");
+    }
+  }
+  around = std::move(drawn.around);
+  for (auto& [view, layer] : drawn.layers) {
+    const std::string& name = views[view].drawing.name;
+    if (layer.without_place > 0)
+      result.warnings.push_back("there is no place for a figure beside the view '" + name +
+                                "'\n  hint: use a larger sheet or a smaller scale");
+    for (const std::string& symbol : layer.unnamed)
+      result.warnings.push_back("there is no place for the label '" + symbol + "' of the view '" + name +
+                                "'\n  hint: use a larger sheet or a smaller scale");
+    result.constructions[view].push_back(std::move(layer.layer));
+  }
 }
 
 }  // namespace epura::pipeline

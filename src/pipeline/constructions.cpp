@@ -133,8 +133,20 @@ void add_face(Request& request, const scene::World& world) {
       construction::refuse(request, "names a face that is not flat", "choose a flat one");
 }
 
+// Three points of a plane, as far apart as the models are large.
+void add_plane(Request& request, const scene::World& world) {
+  const Vec3 n = glm::normalize(*request.item.direction);
+  const Vec3 least(std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? Vec3(1, 0, 0)
+                   : std::abs(n.y) <= std::abs(n.z)                                 ? Vec3(0, 1, 0)
+                                                                                    : Vec3(0, 0, 1));
+  const double size = std::max(glm::length(world.box.size()), 1.0);
+  const Vec3 u = glm::normalize(glm::cross(least, n)), v = glm::cross(n, u);
+  request.elements = {*request.item.at, *request.item.at + size * u, *request.item.at + size * v};
+}
+
 Request request_of(const scene::World& world, const scene::ConstructionItem& item, const std::string& where) {
   Request request{item, where};
+  if (item.at) add_plane(request, world);
   if (!item.has_element) return request;
   switch (scene::row_of(item.kind).argument) {
     case ConstructionArgument::edge:
@@ -145,6 +157,7 @@ Request request_of(const scene::World& world, const scene::ConstructionItem& ite
       request.elements.push_back(vertex_of(world, request, item.numbers[0]));
       break;
     case ConstructionArgument::face:
+    case ConstructionArgument::plane:
       add_face(request, world);
       break;
     default:

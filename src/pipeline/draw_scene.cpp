@@ -363,7 +363,7 @@ bool shows_parts(const SheetOfViews& views) {
 }
 
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
-  scene::World world = read_models(scene, read_options(scene, options, fineness), report.meshes, messages, progress);
+  scene::World world = read_models(scene, reading_of(scene, options, fineness), report.meshes, messages, progress);
   watch.lap("read");
   recognise_parts(world, scene, options, report, progress);
   if (std::any_of(sheets.begin(), sheets.end(), shows_parts))

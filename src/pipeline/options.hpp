@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct epura::scene::Words<epura::pipeline::Sandbox> {
 
 namespace epura::pipeline {
 
+struct KeptModels;
+
 struct RunOptions {
   std::vector<std::filesystem::path> plugin_path;        ///< more folders with projection plugins
   std::vector<projection::ProjectionEntry> projections;  ///< of the calling program, by name before those of plugins
@@ -60,7 +63,8 @@ struct RunOptions {
   bool error_note = false;      ///< sheets state above the title block how far lines may be from those of the part
   bool judges = false;          ///< finds the error budgets of the views
   bool keeps_drawings = false;  ///< in addition to the sheets
-  bool line_facts = false;      ///< the sheets tell what the model knows of their lines
+  std::shared_ptr<KeptModels> kept_models{};  ///< shared with other runs, which read the same files
+  bool line_facts = false;                    ///< the sheets tell what the model knows of their lines
 };
 
 }  // namespace epura::pipeline

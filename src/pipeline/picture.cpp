@@ -95,6 +95,7 @@ scene::ConstructionItem label_of(const Picture& picture, construction::SetUpPoin
   const std::string parameters = parameters_of(picture, named.quantity);
   if (named.quantity) point.meaning = meaning_of(picture, *named.quantity, point.symbol.starts_with("umax"));
   if (!parameters.empty()) point.meaning += " (" + parameters + ")";
+  if (point.symbol == "u") point.meaning = "to the right: " + list_of(picture.projection.u);
   if (point.symbol == "PP") point.meaning = "principal point: foot of the perpendicular from PRP";
   if (point.symbol.starts_with("N_"))
     point.meaning = "normalised volume (r, s, t), to which " + point.symbol + " maps the view volume" +
@@ -208,7 +209,7 @@ Picture make_picture(const PictureRequest& request, const RunOptions& options, c
   const DrawnScene drawn = draw_scene(own, run, {silent, progress, watch});
   const drawing::ViewDrawing& drawing = drawn.sheets.front().drawings.front();
   std::vector<mesh::MeshReport> reports;
-  const scene::World world = read_models(own, read_options(own, run), reports, silent, progress);
+  const scene::World world = read_models(own, reading_of(own, run), reports, silent, progress);
   const auto folders = projection::plugin_folders(options.plugin_path);
   Picture picture{{}, drawing.projection, {}, {}, {}};
   picture.entry = projection::find_projection(request.projection->name, folders, options.projections);

@@ -17,7 +17,7 @@ namespace epura::pipeline {
 scene::World read_world(const scene::SceneDescription& scene, const RunOptions& options, const Messages& messages,
                         Progress progress) {
   report::Report report;
-  scene::World world = read_models(scene, read_options(scene, options), report.meshes, messages, progress);
+  scene::World world = read_models(scene, reading_of(scene, options), report.meshes, messages, progress);
   recognise_parts(world, scene, options, report, progress);
   return world;
 }

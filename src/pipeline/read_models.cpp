@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "mesh/read.hpp"
 #include "pipeline/choose.hpp"
+#include "pipeline/kept_models.hpp"
 #include "pipeline/layout.hpp"
 #include "pipeline/omit_bodies.hpp"
 #include "pipeline/view_error.hpp"
@@ -85,15 +86,24 @@ double enlargement_of(const scene::ModelDescription& model) {
 }
 
 // If a scene file names the model, reading errors state where.
-importer::ReadModel read(const scene::ModelDescription& model, importer::ReadOptions options,
-                         const Progress& progress) {
-  if (model.soup != nullptr) return {mesh::make_mesh(*model.soup, *model.name, progress)};
-  options.tolerance /= enlargement_of(model);
+importer::ReadModel read_file(const scene::ModelDescription& model, const importer::ReadOptions& options,
+                              const Progress& progress) {
   const auto read_it = [&](const std::string& file) {
     if (model.content != nullptr) return importer::read_model(*model.content, file, model.import, options, progress);
     return importer::read_model(file, model.import, options, progress);
   };
   return model.file.where == *model.file ? read_it(*model.file) : at_place(model.file, read_it);
+}
+
+importer::ReadModel read(const scene::ModelDescription& model, const Reading& reading, const Progress& progress) {
+  if (model.soup != nullptr) return {mesh::make_mesh(*model.soup, *model.name, progress)};
+  importer::ReadOptions options = reading.options;
+  options.tolerance /= enlargement_of(model);
+  if (reading.kept == nullptr || model.content != nullptr) return read_file(model, options, progress);
+  const ReadingKey key{*model.file, model.import, options.tolerance, options.relative_tolerance};
+  const auto known = reading.kept->models.find(key);
+  if (known != reading.kept->models.end()) return known->second;
+  return reading.kept->models.emplace(key, read_file(model, options, progress)).first->second;
 }
 
 // The largest paper on which the views may be drawn. A drawing without a paper size is made as large as fits on A4.
@@ -144,7 +154,7 @@ void warn_about(const Messages& messages, const mesh::MeshReport& report, bool s
 
 }  // namespace
 
-importer::ReadOptions read_options(const scene::SceneDescription& scene, const RunOptions& options, double fineness) {
+Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double fineness) {
   constexpr double usual_error = 0.02;  // mm on paper
   const double error =
       (options.max_error ? part_for_facets(*options.max_error, options.arcs.has_value()) : usual_error) / fineness;
@@ -166,10 +176,10 @@ importer::ReadOptions read_options(const scene::SceneDescription& scene, const R
       read.relative_tolerance = read.relative_tolerance > 0 ? std::min(read.relative_tolerance, tolerance) : tolerance;
     }
   }
-  return read;
+  return {std::move(read), options.kept_models};
 }
 
-scene::World read_models(const scene::SceneDescription& scene, const importer::ReadOptions& options,
+scene::World read_models(const scene::SceneDescription& scene, const Reading& reading,
                          std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress) {
   const std::vector<scene::ModelDescription>& models = scene.models;
   progress.begin("reading", work_of(models));
@@ -181,7 +191,7 @@ scene::World read_models(const scene::SceneDescription& scene, const importer::R
   for (std::size_t i = 0; i < models.size(); ++i) {
     // Models that are not drawn keep their numbers.
     const bool drawn = is_drawn(models[i]);
-    importer::ReadModel model = drawn ? read(models[i], options, progress) : importer::ReadModel{};
+    importer::ReadModel model = drawn ? read(models[i], reading, progress) : importer::ReadModel{};
     const Mat4 place = place_of(models[i], model);
     if (drawn && models[i].soup == nullptr && without_unit.empty() && !models[i].unit.given() && !model.unit)
       without_unit = model.mesh.report.name;

@@ -2,6 +2,7 @@
 // Model files -> one world.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -14,14 +15,19 @@
 
 namespace epura::pipeline {
 
+/// How models are read.
+struct Reading {
+  importer::ReadOptions options{};
+  std::shared_ptr<KeptModels> kept{};  ///< null: every model is read
+};
+
 /// The precision that the drawings need so that no ink is off by more than RunOptions::max_error: from the given
 /// scales, otherwise from the paper on which the drawings must fit.
-importer::ReadOptions read_options(const scene::SceneDescription& scene, const RunOptions& options,
-                                   double fineness = 1);
+Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double fineness = 1);
 
 /// Reads and positions the models; appends a report for each to `reports`. Reports repairs. Faces of parts are those
 /// that the files declare.
-scene::World read_models(const scene::SceneDescription& scene, const importer::ReadOptions& options,
+scene::World read_models(const scene::SceneDescription& scene, const Reading& reading,
                          std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress);
 
 }  // namespace epura::pipeline

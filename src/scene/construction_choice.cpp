@@ -13,7 +13,7 @@ namespace epura::scene {
 namespace {
 
 // Farther points are mistakes, and their coordinates on paper have no digits of mm left.
-constexpr double farthest_label = 1e15;
+constexpr double farthest_point = 1e15;
 
 std::optional<int> parse_number_of_element(std::string_view text) {
   const auto number = parse_integer(text);
@@ -45,26 +45,45 @@ bool read_element(ConstructionItem& item, std::string_view text, bool is_edge) {
   return item.has_element = true;
 }
 
+std::optional<Vec3> parse_point(std::string_view text) {
+  const auto numbers = parse_numbers(text);
+  if (!numbers || numbers->size() != 3) return std::nullopt;
+  const auto is_within = [](double x) { return std::abs(x) <= farthest_point; };
+  if (!std::all_of(numbers->begin(), numbers->end(), is_within)) return std::nullopt;
+  return Vec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+}
+
+// [MODEL:]FACE, or X,Y,Z:NX,NY,NZ
+bool read_plane(ConstructionItem& item, std::string_view text) {
+  if (text.find(',') == std::string_view::npos) return read_element(item, text, false);
+  const auto parts = split(text, ':');
+  if (parts.size() != 2) return false;
+  item.at = parse_point(parts[0]);
+  item.direction = parse_direction(parts[1]);
+  return item.at && item.direction;
+}
+
 // SYMBOL:X,Y,Z
 bool read_label(ConstructionItem& item, std::string_view text) {
   const auto parts = split(text, ':');
-  const auto numbers = parse_numbers(parts.back());
-  if (parts.size() != 2 || parts[0].empty() || parts[0].front() == '_' || !numbers || numbers->size() != 3)
-    return false;
-  item.label = NamedPoint{std::string(parts[0]), {(*numbers)[0], (*numbers)[1], (*numbers)[2]}};
-  const auto is_within = [](double x) { return std::abs(x) <= farthest_label; };
-  return is_within(item.label->at.x) && is_within(item.label->at.y) && is_within(item.label->at.z);
+  if (parts.size() != 2 || parts[0].empty() || parts[0].front() == '_') return false;
+  const auto at = parse_point(parts[1]);
+  if (!at) return false;
+  item.label = NamedPoint{std::string(parts[0]), *at};
+  return true;
 }
 
-// What is found by a change of planes, too, may say so in its text, where its construction looks for it.
-std::string_view without_method(ConstructionKind kind, std::string_view text) {
-  const bool has_methods = kind == ConstructionKind::true_shape || kind == ConstructionKind::true_length;
+// What is found by a change of planes, too, may say so.
+std::string_view without_method(ConstructionItem& item, std::string_view text) {
   constexpr std::string_view method = ":auxiliary";
-  return has_methods && text.ends_with(method) ? text.substr(0, text.size() - method.size()) : text;
+  const bool has_methods = item.kind == ConstructionKind::true_shape || item.kind == ConstructionKind::true_length;
+  if (!has_methods || !text.ends_with(method)) return text;
+  item.by_change_of_planes = true;
+  return text.substr(0, text.size() - method.size());
 }
 
 bool read_argument(ConstructionItem& item, std::string_view text) {
-  text = without_method(item.kind, text);
+  text = without_method(item, text);
   switch (row_of(item.kind).argument) {
     case ConstructionArgument::none:
       return false;
@@ -79,6 +98,8 @@ bool read_argument(ConstructionItem& item, std::string_view text) {
     case ConstructionArgument::vertex:
     case ConstructionArgument::face:
       return read_element(item, text, false);
+    case ConstructionArgument::plane:
+      return read_plane(item, text);
     case ConstructionArgument::named_point:
       return read_label(item, text);
   }
@@ -101,6 +122,9 @@ std::string form_of(const ConstructionRow& row) {
       return word + ":[MODEL:]VERTEX as in JSON, such as " + word + ":0";
     case ConstructionArgument::face:
       return word + ":[MODEL:]FACE as in JSON, such as " + word + ":0";
+    case ConstructionArgument::plane:
+      return word + ":[MODEL:]FACE as in JSON, such as " + word + ":0, or " + word +
+             ":X,Y,Z:NX,NY,NZ, a point of the plane within 1e15 mm and its normal, such as " + word + ":0,0,10:1,0,1";
     case ConstructionArgument::named_point:
       return word + ":SYMBOL:X,Y,Z within 1e15 mm, such as " + word + ":A_1:0,0,10";
   }
@@ -128,23 +152,34 @@ ConstructionItem parse_construction(std::string_view text, const std::string& wh
 }
 
 std::vector<std::string> join_directions(const std::vector<std::string>& words) {
+  // How many pieces follow the first.
+  const auto pieces_after = [](const std::string& word) {
+    const std::size_t colon = word.find(':');
+    if (colon == std::string::npos || word.find(',') != std::string::npos) return 0;
+    for (const ConstructionRow& row : construction_rows) {
+      if (word.substr(0, colon) != row.word) continue;
+      if (row.argument == ConstructionArgument::plane) return 4;
+      if (row.argument == ConstructionArgument::direction || row.argument == ConstructionArgument::named_point)
+        return 2;
+    }
+    return 0;
+  };
+  // A number, or the last of a point and the first of a normal.
+  const auto is_piece = [](const std::string& word) {
+    const auto numbers = split(word, ':');
+    return numbers.size() <= 2 &&
+           std::all_of(numbers.begin(), numbers.end(), [](const auto& one) { return parse_number(one).has_value(); });
+  };
   std::vector<std::string> joined;
   int missing = 0;
   for (const std::string& word : words) {
-    if (missing > 0 && parse_number(word)) {
+    if (missing > 0 && is_piece(word)) {
       joined.back() += "," + word;
       --missing;
       continue;
     }
     joined.push_back(word);
-    const std::size_t colon = word.find(':');
-    const bool begins = colon != std::string::npos && word.find(',') == std::string::npos &&
-                        std::any_of(construction_rows.begin(), construction_rows.end(), [&](const auto& row) {
-                          return (row.argument == ConstructionArgument::direction ||
-                                  row.argument == ConstructionArgument::named_point) &&
-                                 word.substr(0, colon) == row.word;
-                        });
-    missing = begins ? 2 : 0;
+    missing = pieces_after(word);
   }
   return joined;
 }

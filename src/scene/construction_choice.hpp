@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which constructions of a projection are drawn: "horizon", "vp:1,1,0", "to-vp:0:3-7", "label:A:0,0,5".
+// Which constructions of a projection are drawn: "horizon", "vp:1,1,0", "to-vp:0:3-7", "section:0,0,9:1,0,1".
 #pragma once
 
 #include <array>
@@ -40,8 +40,8 @@ enum class ConstructionKind : std::uint8_t {
   label
 };
 
-/// What follows the word and a colon.
-enum class ConstructionArgument : std::uint8_t { none, direction, degrees, edge, vertex, face, named_point };
+/// What follows the word and a colon. A plane is that of a face, or has a point and a normal.
+enum class ConstructionArgument : std::uint8_t { none, direction, degrees, edge, vertex, face, plane, named_point };
 
 /// The drawings in which a kind has a meaning.
 enum class ConstructionFamily : std::uint8_t { any, central, parallel, epura, central_or_epura, not_epura };
@@ -78,12 +78,13 @@ inline constexpr std::array construction_rows = {
     ConstructionRow{ConstructionKind::trace_triangle, "trace-triangle", ConstructionFamily::parallel},
     ConstructionRow{ConstructionKind::corners, "corners", ConstructionFamily::epura},
     ConstructionRow{ConstructionKind::point, "point", ConstructionFamily::epura, ConstructionArgument::vertex, true},
-    ConstructionRow{ConstructionKind::traces, "traces", ConstructionFamily::epura, ConstructionArgument::face, true},
+    ConstructionRow{ConstructionKind::traces, "traces", ConstructionFamily::central_or_epura,
+                    ConstructionArgument::plane, true},
     ConstructionRow{ConstructionKind::true_shape, "true-shape", ConstructionFamily::epura, ConstructionArgument::face,
                     true},
     ConstructionRow{ConstructionKind::piercing, "piercing", ConstructionFamily::epura, ConstructionArgument::edge,
                     true},
-    ConstructionRow{ConstructionKind::section, "section", ConstructionFamily::epura, ConstructionArgument::face, true},
+    ConstructionRow{ConstructionKind::section, "section", ConstructionFamily::epura, ConstructionArgument::plane, true},
     ConstructionRow{ConstructionKind::label, "label", ConstructionFamily::not_epura, ConstructionArgument::named_point,
                     true},
 };
@@ -117,6 +118,8 @@ struct ConstructionItem {
   int model = 0;                     ///< of the edge, vertex or face
   std::array<int, 2> numbers{0, 0};  ///< in the file: the ends of the edge, the lower first; or the vertex or face
   bool has_element = false;          ///< an edge, vertex or face is given
+  std::optional<Vec3> at{};          ///< a point of the plane whose normal is `direction`
+  bool by_change_of_planes = false;  ///< instead of a rotation
   std::optional<NamedPoint> label{};
 
   bool operator==(const ConstructionItem&) const = default;

@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "sheet/free_rectangles.hpp"
 #include "sheet/furniture.hpp"
+#include "sheet/label_places.hpp"
 #include "sheet/line_styles.hpp"
 
 namespace epura::sheet {
@@ -21,27 +23,35 @@ using construction::Extent;
 using construction::Figure;
 using construction::Symbol;
 
-constexpr double mark_radius = 0.7;                     // mm, of the circle around a point
-constexpr double index_height = 0.7, index_drop = 0.3;  // of the height of the symbol
-constexpr double clear = 0.5;                           // mm between a symbol and lines
-constexpr double apart = 2, long_symbol = 18;           // mm between long symbols and others: they are not one text
-constexpr double arrow_shaft = 9;                       // mm
+constexpr double mark_radius = 0.7;                                       // mm, of the circle around a point
+constexpr double index_height = 0.7, index_drop = 0.3, descender = 0.27;  // of the height of the symbol
+constexpr double row_step = 1.6;                                          // likewise, from one base line to the next
+constexpr double apart = 2;                                               // mm between the legend and other lettering
+constexpr double leader_gap = 0.6;                                        // mm between a leader and its label
+constexpr double arrow_shaft = 9;                                         // mm
 constexpr int parts_of_circle = 180;
 constexpr double key_width = 78, key_gap = 8;  // mm: room for figures of constant size
 
-/// A symbol as texts, its lower left corner at the origin.
+/// A symbol as texts, the left end of its base line at the origin.
 struct Lettered {
-  std::vector<Text> texts;
+  std::vector<Text> texts{};
   Vec2 size{0, 0};
-  double drop = 0;  ///< of indices below the base line
+  double drop = 0;  ///< of indices and letters below the base line
 };
 
-void append(Lettered& lettered, const Symbol& symbol, const DimensionStyle& style) {
+// Whether a letter reaches below the base line.
+bool descends(std::string_view text) {
+  constexpr std::array letters{"g", "j", "p", "q", "y", ",", ";", "(", ")", "Q", "β", "γ"};
+  return std::any_of(letters.begin(), letters.end(),
+                     [text](const char* letter) { return text.find(letter) != std::string_view::npos; });
+}
+
+void add_symbol(Lettered& lettered, const Symbol& symbol, const DimensionStyle& style) {
   const auto add = [&](const std::string& text, double height, double drop) {
     if (text.empty()) return;
     lettered.texts.push_back({text, {lettered.size.x, -drop}, height, 0, Align::left, "construction"});
     lettered.size.x += style.lettering.width(text, height);
-    lettered.drop = std::max(lettered.drop, drop);
+    lettered.drop = std::max(lettered.drop, drop + (descends(text) ? descender * height : 0));
   };
   add(symbol.base, style.text, 0);
   add(symbol.index, index_height * style.text, index_drop * style.text);
@@ -51,12 +61,29 @@ void append(Lettered& lettered, const Symbol& symbol, const DimensionStyle& styl
 Lettered lettered(const Symbol& symbol, const std::vector<Symbol>& also, const std::string& rest,
                   const DimensionStyle& style) {
   Lettered all;
-  append(all, symbol, style);
+  add_symbol(all, symbol, style);
   for (const Symbol& other : also) {
-    append(all, {"≡"}, style);
-    append(all, other, style);
+    add_symbol(all, {"≡"}, style);
+    add_symbol(all, other, style);
   }
-  if (!rest.empty()) append(all, {" " + rest}, style);
+  if (!rest.empty()) add_symbol(all, {" " + rest}, style);
+  return all;
+}
+
+// Rows below each other, on the base line of the last.
+Lettered stacked(const std::vector<Lettered>& rows, const DimensionStyle& style) {
+  Lettered all;
+  double rise = row_step * style.text * static_cast<double>(rows.size() - 1);
+  all.size.y = rise + style.text;
+  for (const Lettered& row : rows) {
+    for (Text text : row.texts) {
+      text.at.y += rise;
+      all.texts.push_back(std::move(text));
+    }
+    all.size.x = std::max(all.size.x, row.size.x);
+    all.drop = row.drop;
+    rise -= row_step * style.text;
+  }
   return all;
 }
 
@@ -72,77 +99,96 @@ std::vector<double> angles_of(const construction::Curve& curve) {
   return angles;
 }
 
-// To a symbol that is so far from its point that another might be meant.
-std::optional<std::array<Vec2, 2>> leader_to(const Vec2& at, const Rectangle& symbol, double from) {
-  constexpr double near = 4, gap = 0.6;  // mm
-  const Vec2 end = glm::clamp(at, symbol.min - gap, symbol.max + gap);
-  const double length = glm::length(end - at);
-  if (length <= near) return std::nullopt;
-  return std::array<Vec2, 2>{at + (end - at) * (from / length), end};
-}
+bool is_closed(const construction::Curve& curve) { return curve.to - curve.from > 2 * std::numbers::pi - 1e-9; }
 
-/// Draws a figure into a layer, lines first, then symbols where they touch least.
+/// What is beyond the room, in one direction: its arrow on the border, and a row for each thing there.
+struct Beyond {
+  struct Row {
+    double distance;
+    Symbol symbol;
+    std::vector<Symbol> also;
+  };
+  Vec2 tip, tail;
+  std::vector<Row> rows{};
+};
+
+/// The ink of a figure.
+struct Ink {
+  std::vector<Stroke> strokes{};
+  std::vector<Fill> fills{};
+  std::vector<Text> texts{};
+  std::vector<std::string> unnamed{};  ///< symbols without a place
+};
+
+/// Draws a figure: first lines, marks and arrows, then the symbols among them.
 class Draughtsman {
  public:
-  Draughtsman(Layer& layer, const ConstructionRoom& room, const DimensionStyle& style)
-      : layer_(layer), room_(room), style_(style), taken_(room.taken) {}
+  Draughtsman(const ConstructionRoom& room, const DimensionStyle& style)
+      : room_(room), style_(style), space_(room.labels.value_or(room.area)) {
+    for (const TurnedBox& box : room.taken) space_.add_lettering(box);
+    for (const drawing::ViewDrawing* view : room.views)
+      for (const drawing::Segment& segment : view->segments) space_.add_line(segment.from, segment.to);
+  }
 
-  void draw(const Figure& figure);
-  void add_taken(const std::vector<TurnedBox>& boxes) { taken_.insert(taken_.end(), boxes.begin(), boxes.end()); }
+  Ink drawn(const Figure& figure);
 
  private:
-  struct Place {
-    Vec2 corner;  // lower left, of the symbol
-    std::size_t touched;
-  };
+  using Parts = std::vector<std::vector<double>>;  // of a curve: angles
 
   void add_line(const Vec2& from, const Vec2& to);
-  void draw_curve(const construction::Curve& curve);
+  [[nodiscard]] Parts parts_inside(const construction::Curve& curve) const;
+  void draw_lines(const Figure& figure);
+  void draw_curves(const Figure& figure);
+  void draw_points(const Figure& figure);
   void add_arc(const construction::Curve& curve, const std::vector<double>& angles);
   void mark(const Vec2& at);
   void point_to(const construction::Point& point);
-  [[nodiscard]] std::size_t touched_by(const Rectangle& box) const;
-  [[nodiscard]] std::size_t letters_under(const std::optional<std::array<Vec2, 2>>& leader) const;
-  [[nodiscard]] Place best_place(const Lettered& symbol, const Vec2& at, const Vec2& outwards, double from) const;
-  void letter(const Lettered& symbol, const std::vector<Vec2>& anchors, double from, const Vec2& outwards = {0, 0});
+  void draw_arrows();
+  void name(Lettered symbol, Label label);
+  void name_line(const construction::Line& line, const std::array<Vec2, 2>& part);
+  void name_curve(const construction::Curve& curve, const Parts& parts);
+  void name_curves(const Figure& figure, bool closed);
+  void name_point(const construction::Point& point, const Vec2& at);
+  void place_names();
+  [[nodiscard]] bool is_inside(const Vec2& p) const { return room_.area.holds({p, p}); }
   [[nodiscard]] Vec2 exit_towards(const construction::Point& point) const;
 
-  Layer& layer_;
   const ConstructionRoom& room_;
   const DimensionStyle& style_;
-  std::vector<TurnedBox> taken_;
-  std::vector<TurnedBox> letters_{};
-  std::vector<Vec2> arrow_tips_{};
+  LabelRoom space_;
+  Ink ink_{};
+  std::vector<Parts> parts_{};  // of each curve
+  std::vector<Beyond> beyond_{};
+  std::vector<Lettered> names_{};
+  std::vector<Label> labels_{};  // of these names
 };
 
 void Draughtsman::add_line(const Vec2& from, const Vec2& to) {
-  layer_.strokes.push_back(line(from, to));
-  taken_.push_back(line_box(from, to));
+  ink_.strokes.push_back(line(from, to));
+  space_.add_line(from, to);
 }
 
 // The parts of a curve that are in the room.
-void Draughtsman::draw_curve(const construction::Curve& curve) {
-  const auto is_inside = [&](double angle) {
-    const Vec2 p = on_curve(curve, angle);
-    return room_.area.holds({p, p});
-  };
+Draughtsman::Parts Draughtsman::parts_inside(const construction::Curve& curve) const {
+  const auto is_there = [&](double angle) { return is_inside(on_curve(curve, angle)); };
   // Between an angle inside and one outside.
   const auto border = [&](double inside, double outside) {
     constexpr int halvings = 50;
     for (int i = 0; i < halvings; ++i) {
       const double middle = (inside + outside) / 2;
-      (is_inside(middle) ? inside : outside) = middle;
+      (is_there(middle) ? inside : outside) = middle;
     }
     return inside;
   };
   const std::vector<double> angles = angles_of(curve);
+  Parts parts;
   std::vector<double> part;
   const auto finish = [&] {
-    if (part.size() > 1) add_arc(curve, part);
+    if (part.size() > 1) parts.push_back(part);
     part.clear();
   };
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    const bool inside = is_inside(angles[i]);
+    const bool inside = is_there(angles[i]);
     if (inside && part.empty() && i > 0) part.push_back(border(angles[i], angles[i - 1]));
     if (inside) part.push_back(angles[i]);
     if (inside || part.empty()) continue;
@@ -150,187 +196,217 @@ void Draughtsman::draw_curve(const construction::Curve& curve) {
     finish();
   }
   finish();
+  return parts;
 }
 
 void Draughtsman::add_arc(const construction::Curve& curve, const std::vector<double>& angles) {
   Stroke stroke;
   for (const double angle : angles) stroke.points.push_back(on_curve(curve, angle));
-  for (std::size_t i = 1; i < stroke.points.size(); ++i)
-    taken_.push_back(line_box(stroke.points[i - 1], stroke.points[i]));
+  for (std::size_t i = 1; i < stroke.points.size(); ++i) space_.add_line(stroke.points[i - 1], stroke.points[i]);
   stroke.curves = {
       {0, static_cast<int>(angles.size()) - 1, curve.centre, curve.u, curve.v, angles.front(), angles.back()}};
   if (angles.back() - angles.front() > 2 * std::numbers::pi - 1e-9) {
     stroke.closed = true;
     stroke.points.pop_back();
   }
-  layer_.strokes.push_back(std::move(stroke));
+  ink_.strokes.push_back(std::move(stroke));
 }
 
 void Draughtsman::mark(const Vec2& at) {
-  layer_.strokes.push_back(circle_at(at, mark_radius));
-  taken_.push_back(turned_box({at - mark_radius, at + mark_radius}));
+  ink_.strokes.push_back(circle_at(at, mark_radius));
+  space_.add_mark(turned_box({at - mark_radius, at + mark_radius}));
 }
 
-std::size_t Draughtsman::touched_by(const Rectangle& box) const {
-  const TurnedBox wide = turned_box(box.grown(clear));
-  auto touched = static_cast<std::size_t>(
-      std::count_if(taken_.begin(), taken_.end(), [&](const TurnedBox& other) { return overlap(wide, other); }));
-  const TurnedBox wider = turned_box(box.grown(apart));
-  const bool is_long = box.size().x > long_symbol;
-  touched += static_cast<std::size_t>(std::count_if(letters_.begin(), letters_.end(), [&](const TurnedBox& other) {
-    return (is_long || 2 * other.half.x > long_symbol) && overlap(wider, other);
-  }));
-  for (const drawing::ViewDrawing* view : room_.views) touched += static_cast<std::size_t>(ink_in(wide, *view));
-  constexpr std::size_t outside = 1000;
-  return touched + (room_.area.holds(box) ? 0 : outside);
+void Draughtsman::name(Lettered symbol, Label label) {
+  label.size = symbol.size + Vec2(0, symbol.drop);
+  names_.push_back(std::move(symbol));
+  labels_.push_back(std::move(label));
 }
 
-std::size_t Draughtsman::letters_under(const std::optional<std::array<Vec2, 2>>& leader) const {
-  if (!leader) return 0;
-  const TurnedBox line = line_box((*leader)[0], (*leader)[1]);
-  return static_cast<std::size_t>(std::count_if(letters_.begin(), letters_.end(),
-                                                [&line](const TurnedBox& other) { return overlap(line, other); }));
+// Endless lines are named near their ends.
+void Draughtsman::name_line(const construction::Line& line, const std::array<Vec2, 2>& part) {
+  constexpr std::array ends{0.03, 0.97, 0.1, 0.9, 0.2, 0.8, 0.3, 0.7, 0.5};
+  constexpr std::array middle{0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9};
+  Label label{};
+  for (const double t : line.extent == Extent::segment ? middle : ends)
+    label.anchors.push_back({part[0] + t * (part[1] - part[0])});
+  name(lettered(line.symbol, {}, "", style_), std::move(label));
 }
 
-// Around a point, near it first, and first outwards if that is a direction; `from` is kept free.
-Draughtsman::Place Draughtsman::best_place(const Lettered& symbol, const Vec2& at, const Vec2& outwards,
-                                           double from) const {
-  constexpr std::array<double, 11> steps{0.8, 2, 3.5, 5, 7, 9, 12, 16, 20, 25, 30};
-  constexpr std::array<std::array<double, 2>, 12> sides{{{1, 1},
-                                                         {-1, 1},
-                                                         {1, -1},
-                                                         {-1, -1},
-                                                         {0, 1},
-                                                         {1, 0},
-                                                         {0, -1},
-                                                         {-1, 0},
-                                                         {0.5, 1},
-                                                         {-0.5, 1},
-                                                         {0.5, -1},
-                                                         {-0.5, -1}}};
-  std::vector<Vec2> directions;
-  if (outwards != Vec2(0, 0)) directions.push_back(outwards);
-  for (const auto& [x, y] : sides) directions.emplace_back(x, y);
-  const Vec2 half = Vec2(symbol.size.x, symbol.size.y + symbol.drop) / 2.0;
-  Place best{at, ~std::size_t{0}};
-  for (const double step : steps)
-    for (const Vec2& side : directions) {
-      const Vec2 reach = half + (from + step) * (side.x != 0 && side.y != 0 ? std::numbers::sqrt2 / 2 : 1.0);
-      const Vec2 centre = at + side * reach;
-      const Rectangle box{centre - half, centre + half};
-      const std::size_t touched = touched_by(box) + letters_under(leader_to(at, box, from));
-      if (touched < best.touched) best = {centre - half + Vec2(0, symbol.drop), touched};
-      if (touched == 0) return best;
+// On the outer side, where the parts of the curve are longest.
+void Draughtsman::name_curve(const construction::Curve& curve, const Parts& parts) {
+  constexpr std::array all_around{0.5, 0.125, 0.375, 0.875, 0.625, 0.05, 0.2, 0.3, 0.45, 0.55, 0.7, 0.8, 0.95};
+  constexpr std::array middle{0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8};
+  Label label{};
+  Parts ordered = parts;
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const auto& a, const auto& b) { return a.back() - a.front() > b.back() - b.front(); });
+  for (const std::vector<double>& part : ordered)
+    for (const double t : is_closed(curve) ? std::span<const double>(all_around) : std::span<const double>(middle)) {
+      const Vec2 at = on_curve(curve, part.front() + t * (part.back() - part.front()));
+      label.anchors.push_back({at, glm::normalize(at - curve.centre)});
     }
-  return best;
+  name(lettered(curve.symbol, {}, "", style_), std::move(label));
 }
 
-// At the anchor where the symbol touches least.
-void Draughtsman::letter(const Lettered& symbol, const std::vector<Vec2>& anchors, double from, const Vec2& outwards) {
-  Place best{{0, 0}, ~std::size_t{0}};
-  Vec2 at(0, 0);
-  for (const Vec2& anchor : anchors) {
-    const Place place = best_place(symbol, anchor, outwards, from);
-    if (place.touched < best.touched) {
-      best = place;
-      at = anchor;
-    }
-    if (best.touched == 0) break;
-  }
-  if (const auto leader = leader_to(at, {best.corner - Vec2(0, symbol.drop), best.corner + symbol.size}, from))
-    add_line((*leader)[0], (*leader)[1]);
-  for (Text text : symbol.texts) {
-    text.at += best.corner;
-    taken_.push_back(box_of(text, style_.lettering));
-    letters_.push_back(taken_.back());
-    layer_.texts.push_back(std::move(text));
-  }
+void Draughtsman::name_curves(const Figure& figure, bool closed) {
+  for (std::size_t i = 0; i < figure.curves.size(); ++i)
+    if (const construction::Curve& curve = figure.curves[i];
+        !curve.symbol.empty() && is_closed(curve) == closed && !parts_[i].empty())
+      name_curve(curve, parts_[i]);
+}
+
+// Without a mark, it names what is around the point, or the end of a line that comes from its guide.
+void Draughtsman::name_point(const construction::Point& point, const Vec2& at) {
+  Label label{};
+  const bool has_direction = !point.marked && point.guide != point.at;
+  label.anchors.push_back({at, has_direction ? glm::normalize(point.at - point.guide) : Vec2(0, 0)});
+  label.from = point.marked ? mark_radius : 0;
+  label.inside = !point.marked && !has_direction;
+  name(lettered(point.symbol, point.also, "", style_), std::move(label));
 }
 
 // Where the line from its guide, or from the middle of the room, leaves the room.
 Vec2 Draughtsman::exit_towards(const construction::Point& point) const {
-  const bool has_guide = room_.area.holds({point.guide, point.guide}) && point.guide != point.at;
+  const bool has_guide = is_inside(point.guide) && point.guide != point.at;
   const Vec2 from = has_guide ? point.guide : room_.area.centre();
   const auto part = clipped({from, point.at}, room_.area);
   return part ? (*part)[1] : from;
 }
 
-// Several points in one direction have one arrow.
+// What lies in one direction has one arrow.
 void Draughtsman::point_to(const construction::Point& point) {
-  const Vec2 tip = exit_towards(point), direction = glm::normalize(point.at - tip);
-  const Vec2 tail = tip - arrow_shaft * direction;
-  const bool is_new = std::none_of(arrow_tips_.begin(), arrow_tips_.end(),
-                                   [&tip](const Vec2& other) { return glm::length(other - tip) < 0.5; });
-  if (is_new) {
-    arrow_tips_.push_back(tip);
-    add_line(tail, tip - style_.arrow() * direction);
-    layer_.fills.push_back(arrow_at(tip, direction, style_));
-    taken_.push_back(line_box(tail, tip));
-  }
-  const std::string far = distance_text(glm::length(point.at - tip));
-  letter(lettered(point.symbol, point.also, far, style_), {(tip + tail) / 2.0, tail}, 0);
+  constexpr double same = 0.5;  // mm
+  const Vec2 tip = exit_towards(point), away = point.at - tip;
+  auto found = std::find_if(beyond_.begin(), beyond_.end(),
+                            [&tip](const Beyond& other) { return glm::length(other.tip - tip) < same; });
+  if (found == beyond_.end()) found = beyond_.insert(found, {tip, tip - arrow_shaft * glm::normalize(away)});
+  found->rows.push_back({glm::length(away), point.symbol, point.also});
 }
 
-void Draughtsman::draw(const Figure& figure) {
-  const auto is_inside = [this](const Vec2& p) { return room_.area.holds({p, p}); };
-  std::vector<std::pair<const construction::Line*, std::array<Vec2, 2>>> named;
-  std::vector<const construction::Line*> missed;  // beyond the room
+void Draughtsman::draw_arrows() {
+  for (Beyond& beyond : beyond_) {
+    const Vec2 direction = glm::normalize(beyond.tip - beyond.tail), foot = beyond.tip - style_.arrow() * direction;
+    add_line(beyond.tail, foot);
+    ink_.fills.push_back(arrow_at(beyond.tip, direction, style_));
+    TurnedBox head = line_box(foot, beyond.tip);
+    head.half.y = glm::length(ink_.fills.back().rings[0][1] - foot);
+    space_.add_mark(head);
+    std::stable_sort(beyond.rows.begin(), beyond.rows.end(),
+                     [](const Beyond::Row& a, const Beyond::Row& b) { return a.distance < b.distance; });
+    std::vector<Lettered> rows;
+    for (const Beyond::Row& row : beyond.rows)
+      rows.push_back(lettered(row.symbol, row.also, distance_text(row.distance), style_));
+    Label label{};
+    label.anchors = {{(beyond.tail + foot) / 2.0}, {beyond.tail}};
+    name(stacked(rows, style_), std::move(label));
+  }
+}
+
+void Draughtsman::draw_lines(const Figure& figure) {
   for (const construction::Line& one : figure.lines) {
     const auto part = clipped(one, room_.area);
     if (part) add_line((*part)[0], (*part)[1]);
-    if (!one.symbol.empty() && part) named.emplace_back(&one, *part);
-    if (!one.symbol.empty() && !part && one.extent == Extent::line) missed.push_back(&one);
+    if (part || one.symbol.empty() || one.extent != Extent::line) continue;
+    const Vec2 middle = room_.area.centre(), along = glm::normalize(one.to - one.from);
+    point_to({one.symbol, one.from + glm::dot(middle - one.from, along) * along, middle});
   }
-  for (const construction::Curve& curve : figure.curves) draw_curve(curve);
-  for (const construction::Line* one : missed) {
-    const Vec2 middle = room_.area.centre(), along = glm::normalize(one->to - one->from);
-    point_to({one->symbol, one->from + glm::dot(middle - one->from, along) * along, middle});
-  }
-  for (const construction::Point& point : figure.points)
-    if (point.marked && is_inside(point.at)) mark(point.at);
-  for (const construction::Point& point : figure.points) {
-    if (is_inside(point.at))
-      letter(lettered(point.symbol, point.also, "", style_), {point.at}, point.marked ? mark_radius : 0,
-             point.marked || point.guide == point.at ? Vec2(0, 0) : glm::normalize(point.at - point.guide));
-    else if (!point.on_sheet)
-      point_to(point);
-  }
-  for (const auto& [one, part] : named) {
-    // Endless lines are lettered near their ends.
-    constexpr std::array ends{0.03, 0.97, 0.1, 0.9, 0.2, 0.8, 0.3, 0.7, 0.5};
-    constexpr std::array middle{0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9};
-    std::vector<Vec2> anchors;
-    for (const double t : one->extent == Extent::segment ? middle : ends)
-      anchors.push_back(part[0] + t * (part[1] - part[0]));
-    letter(lettered(one->symbol, {}, "", style_), anchors, 0);
-  }
+}
+
+void Draughtsman::draw_curves(const Figure& figure) {
   for (const construction::Curve& curve : figure.curves) {
-    if (curve.symbol.empty()) continue;
-    std::vector<Vec2> anchors;
-    for (const double t : {0.5, 0.125, 0.375, 0.875, 0.625, 0.05, 0.2, 0.3, 0.45, 0.55, 0.7, 0.8, 0.95})
-      if (const Vec2 p = on_curve(curve, curve.from + t * (curve.to - curve.from)); is_inside(p)) anchors.push_back(p);
-    letter(lettered(curve.symbol, {}, "", style_), anchors, 0);
+    const Parts& parts = parts_.emplace_back(parts_inside(curve));
+    for (const std::vector<double>& part : parts) add_arc(curve, part);
+    if (curve.symbol.empty() || !parts.empty()) continue;
+    const Vec2 middle = room_.area.centre();
+    Vec2 nearest = on_curve(curve, curve.from);
+    for (const double angle : angles_of(curve))
+      if (const Vec2 p = on_curve(curve, angle); glm::length(p - middle) < glm::length(nearest - middle)) nearest = p;
+    point_to({curve.symbol, nearest, middle});
   }
 }
 
-Figure moved(Figure figure, const Vec2& by) {
-  for (construction::Point& point : figure.points) point.at += by, point.guide += by;
-  for (construction::Line& one : figure.lines) one.from += by, one.to += by;
-  for (construction::Curve& curve : figure.curves) curve.centre += by;
-  return figure;
+// A point that stands for the end of a line on the sheet is where this line ends.
+void Draughtsman::draw_points(const Figure& figure) {
+  for (const construction::Point& point : figure.points) {
+    if (is_inside(point.at)) {
+      if (point.marked) mark(point.at);
+      name_point(point, point.at);
+    } else if (!point.on_sheet) {
+      point_to(point);
+    } else if (const auto part = clipped({point.guide, point.at}, room_.area); part && !point.marked) {
+      name_point(point, (*part)[1]);
+    } else {
+      ink_.unnamed.push_back(point.symbol.text());
+    }
+  }
 }
 
-// With room for its symbols.
-Rectangle box_of_key(const Figure& key) {
-  constexpr double lettering = 9;
-  Rectangle box = box_of(key, {{0, 0}, {0, 0}}, HUGE_VAL);
-  box.min -= Vec2(1.8 * lettering, lettering);
-  box.max += Vec2(1.8 * lettering, lettering);
-  return box;
+void Draughtsman::place_names() {
+  const std::vector<std::optional<LabelPlace>> places = space_.place(labels_);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    std::string all;
+    for (const Text& text : names_[i].texts) all += text.text;
+    if (!places[i]) {
+      ink_.unnamed.push_back(std::move(all));
+      continue;
+    }
+    const LabelPlace& place = *places[i];
+    if (place.has_leader) {
+      const Vec2 end = place.tie[1] + leader_gap * glm::normalize(place.tie[0] - place.tie[1]);
+      ink_.strokes.push_back(line(place.tie[0], end));
+      if (labels_[i].inside && !place.is_on_line) ink_.fills.push_back(dot_at(place.anchor));
+    }
+    for (Text& text : names_[i].texts) {
+      text.at += place.box.min + Vec2(0, names_[i].drop);
+      ink_.texts.push_back(std::move(text));
+    }
+  }
+}
+
+// Names that can stand in few places come first: in the corner of an angle, at an arrow, at a point.
+Ink Draughtsman::drawn(const Figure& figure) {
+  draw_lines(figure);
+  draw_curves(figure);
+  name_curves(figure, false);
+  draw_points(figure);
+  draw_arrows();
+  for (const construction::Line& one : figure.lines)
+    if (const auto part = clipped(one, room_.area); part && !one.symbol.empty()) name_line(one, *part);
+  name_curves(figure, true);
+  place_names();
+  return std::move(ink_);
+}
+
+void move_by(Ink& ink, const Vec2& by) {
+  for (Stroke& stroke : ink.strokes) {
+    for (Vec2& p : stroke.points) p += by;
+    for (drawing::CurvePart& curve : stroke.curves) curve.centre += by;
+  }
+  for (Fill& fill : ink.fills)
+    for (std::vector<Vec2>& ring : fill.rings)
+      for (Vec2& p : ring) p += by;
+  for (Text& text : ink.texts) text.at += by;
+}
+
+void add(ConstructionLayer& drawn, Ink ink) {
+  append(drawn.layer.strokes, std::move(ink.strokes));
+  append(drawn.layer.fills, std::move(ink.fills));
+  append(drawn.layer.texts, std::move(ink.texts));
+  append(drawn.unnamed, std::move(ink.unnamed));
+}
+
+std::optional<Rectangle> box_of_ink(const Layer& layer, const Lettering& lettering) {
+  std::optional<Rectangle> all;
+  for (const TurnedBox& box : boxes_of(layer, lettering)) all = all ? united(*all, around(box)) : around(box);
+  return all;
 }
 
 // Figures of their own: below each other on the left of the view, or where there is room.
-std::size_t draw_keys(Draughtsman& hand, const Figure& figure, const ConstructionRoom& room) {
+void add_keys(ConstructionLayer& drawn, const Figure& figure, const ConstructionRoom& room,
+              const DimensionStyle& style) {
+  constexpr double unlimited = 500;  // mm
+  const ConstructionRoom empty{{Vec2(-unlimited), Vec2(unlimited)}};
   std::vector<Rectangle> taken;
   Rectangle ink{{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
   for (const drawing::ViewDrawing* view : room.views) {
@@ -338,19 +414,27 @@ std::size_t draw_keys(Draughtsman& hand, const Figure& figure, const Constructio
     taken.push_back({view->min, view->max});
   }
   for (const TurnedBox& box : room.taken) taken.push_back(around(box));
-  std::size_t without_place = 0;
+  for (const TurnedBox& box : boxes_of(drawn.layer, style.lettering)) taken.push_back(around(box));
+  std::optional<Rectangle> above;
   for (const Figure& key : figure.keys) {
-    const Rectangle box = box_of_key(key);
-    const Vec2 towards(ink.min.x - box.size().x / 2 - key_gap, ink.max.y);
+    Ink own = Draughtsman(empty, style).drawn(key);
+    const Layer alone{{}, drawn.layer.style, own.strokes, own.fills, own.texts};
+    Rectangle box = *box_of_ink(alone, style.lettering);
+    box.min.y -= descender * style.text;
+    const Vec2 half = box.size() / 2.0;
+    const Vec2 towards = above ? Vec2(above->centre().x, above->min.y - key_gap - half.y)
+                               : Vec2(ink.min.x - half.x - key_gap, ink.max.y - half.y);
     const auto corner = nearest_free_position(room.area, taken, box.size(), towards);
     if (!corner) {
-      ++without_place;
+      ++drawn.without_place;
       continue;
     }
-    hand.draw(moved(key, *corner - box.min));
-    taken.push_back({*corner, *corner + box.size()});
+    move_by(own, *corner - box.min);
+    add(drawn, std::move(own));
+    above = Rectangle{*corner, *corner + box.size()};
+    taken.push_back(*above);
+    drawn.keys.push_back(*above);
   }
-  return without_place;
 }
 
 }  // namespace
@@ -423,9 +507,8 @@ ConstructionLayer construction_layer(const std::string& view, const Figure& figu
                                      const DimensionStyle& style) {
   const scene::SheetLine role = scene::SheetLine::construction;
   ConstructionLayer drawn{{view + "/" + scene::row_of(role).layer, line_style(role, {0, style.line}), {}}};
-  Draughtsman hand(drawn.layer, room, style);
-  hand.draw(figure);
-  drawn.without_place = draw_keys(hand, figure, room);
+  add(drawn, Draughtsman(room, style).drawn(figure));
+  add_keys(drawn, figure, room, style);
   return drawn;
 }
 

@@ -21,12 +21,16 @@ struct ConstructionRoom {
   Rectangle area;                                    ///< lines end at its border
   std::vector<TurnedBox> taken{};                    ///< lettering and marks, which symbols avoid
   std::vector<const drawing::ViewDrawing*> views{};  ///< whose lines they avoid
+  std::optional<Rectangle> labels{};                 ///< where symbols may be; by default in the area
 };
 
-/// Layer "VIEW/construction". Figures beside the view that have no place in the room are left out, and counted.
+/// Layer "VIEW/construction". Figures beside the view and symbols that have no place in the room are left out, and
+/// told.
 struct ConstructionLayer {
   Layer layer;
   std::size_t without_place = 0;
+  std::vector<std::string> unnamed{};  ///< symbols for which there is no place
+  std::vector<Rectangle> keys{};       ///< where the figures beside the view are
 };
 ConstructionLayer construction_layer(const std::string& view, const construction::Figure& figure,
                                      const ConstructionRoom& room, const DimensionStyle& style);

@@ -128,6 +128,31 @@ TEST_F(Constructions, EpurasShowTrueLengthsAndShapes) {
   EXPECT_NE(svg().find(">TL 6.40312<"), std::string::npos);
 }
 
+// The house is cut 4 above its floor: the section is a square as wide as the house, at that height.
+TEST_F(Constructions, EpurasAreCutByAnyPlane) {
+  const Outcome run = draw({"--views", "epura", "--construction", "section:3,3,4:0,0,-2,point:0", "--scale", "2:1"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const double floor = at("A_2").y, ground = at("L").y;
+  int in_plan = 0, in_elevation = 0;
+  const Json json = construction();
+  for (const Json& line : json["lines"].items) {
+    const Vec2 from = pair(line["from"]), to = pair(line["to"]);
+    if (std::abs(from.y - floor - 2 * 4) < 1e-9 && from.y == to.y) ++in_elevation;
+    if (from.y < ground - 2 && to.y < ground - 2 && std::abs(glm::length(to - from) - 2 * 10) < 1e-9) ++in_plan;
+  }
+  EXPECT_EQ(in_plan, 4);
+  EXPECT_EQ(in_elevation, 4);
+  EXPECT_NE(svg().find("with the normal 0,0,-2"), std::string::npos);
+  EXPECT_EQ(draw({"--views", "epura", "--construction", "section:3,3,99:0,0,1"}).code, 2) << "it cuts nothing";
+}
+
+TEST_F(Constructions, PlanesHaveTracesInPerspectives) {
+  const Outcome run = draw({"--projection", "two-point", "--construction", "traces:5,traces:0,0,5:1,1,1,legend"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(construction()["lines"].items.size(), 2U);
+  EXPECT_NE(svg().find(">trace in the picture of the plane of face 5<"), std::string::npos);
+}
+
 TEST_F(Constructions, AxonometriesHaveFiguresBesideThem) {
   const Outcome run = draw({"--projection", "isometric", "--construction", "axes,ellipses,trace-triangle"});
   ASSERT_EQ(run.code, 0) << run.err;
@@ -159,6 +184,9 @@ TEST_F(Constructions, BadRequestsAreRefusedInWords) {
   EXPECT_NE(refusal("two-point", "axes").find("has no meaning"), std::string::npos);
   EXPECT_NE(refusal("two-point", "horizont").find("did you mean 'horizon'"), std::string::npos);
   EXPECT_NE(refusal("two-point", "vp:0,0,0").find("is not a construction"), std::string::npos);
+  EXPECT_NE(refusal("two-point", "traces:0,0,1:0,0,0").find("a point of the plane"), std::string::npos);
+  EXPECT_NE(refusal("one-point", "traces:0,0,1:0,1,0").find("parallel to the picture"), std::string::npos);
+  EXPECT_NE(refusal("two-point", "true-length:0-1:auxiliary").find("change of planes"), std::string::npos);
   EXPECT_NE(refusal("isometric", "label:A_1:1e308,0,1e308").find("within 1e15 mm"), std::string::npos);
   EXPECT_NE(refusal("cavalier", "trace-triangle").find("parallel to the picture"), std::string::npos);
   EXPECT_EQ(draw({"--views", "front,left", "--layout", "monge"}).code, 2);

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "errors.hpp"
 #include "program.hpp"
+#include "projection/catalogue.hpp"
 
 namespace epura::test {
 namespace {
@@ -72,21 +73,29 @@ TEST_P(Golden, IsFoundRight) {
 INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(golden_cases()),
                          [](const auto& of) { return test_name(of.param); });
 
-// Projections seen from outside.
+// The pictures of docs/projections.md: all projections seen from outside, and a plugin with a mistake.
 class GoldenPicture : public testing::TestWithParam<std::string> {};
 
-TEST_P(GoldenPicture, IsDrawn) {
-  const std::string file = "pictures/" + GetParam() + ".svg";
-  const fs::path actual = fs::absolute("golden") / file;
-  fs::create_directories(actual.parent_path());
-  const Outcome run = epura(
-      {"picture", GetParam(), "tests/golden/models/house.obj", "--svg-text", "text", "-o", actual.string()}, root());
-  ASSERT_EQ(run.code, 0) << run.err;
-  expect_or_accept(golden_folder(file), actual);
+std::vector<std::string> pictures() {
+  std::vector<std::string> names{"wrong-centre"};
+  for (const projection::ProjectionEntry& entry : projection::load_catalogue({EPURA_TEST_PLUGINS}).entries)
+    names.push_back(entry.name);
+  return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Projections, GoldenPicture,
-                         testing::Values("one-point", "two-point", "three-point", "cabinet", "isometric"),
+TEST_P(GoldenPicture, IsDrawn) {
+  const Folder folder;
+  const std::string file = GetParam() + ".svg", actual = (folder / file).string();
+  std::vector<std::string> command{"picture", GetParam(), "samples/models/bracket.obj", "--plain", "--decimals", "2",
+                                   "-o",      actual};
+  if (GetParam() == "wrong-centre")
+    command = {"plugins", "check", EPURA_TEST_BAD_PLUGINS "/wrong-centre/wrong-centre.so", "--picture", actual};
+  const Outcome run = epura(command, root());
+  ASSERT_EQ(run.code, 0) << run.err;
+  expect_or_accept(root() / "docs/projections" / file, actual);
+}
+
+INSTANTIATE_TEST_SUITE_P(Projections, GoldenPicture, testing::ValuesIn(pictures()),
                          [](const auto& of) { return test_name(of.param); });
 
 // A run for which the C library takes no instructions that processors before 2013 lack.

@@ -16,6 +16,9 @@
 #include "base/error.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
+#include "pipeline/complete_scene.hpp"
+#include "pipeline/draw_scene.hpp"
+#include "pipeline/kept_models.hpp"
 #include "program.hpp"
 #include "projection/matrices.hpp"
 
@@ -206,6 +209,24 @@ TEST(Pictures, KeepAPlaneThatCutsTheModelOnRequest) {
   EXPECT_EQ(picture_of(request).set_up.plane, 0);
 }
 
+// From the set-up to the sheet: what is drawn does not need the file any more.
+TEST(Pictures, ReadTheModelOnce) {
+  const Folder folder;
+  const std::string file = folder.file("box.obj", read_file(sample("bracket.obj")));
+  const pipeline::PictureRequest request = request_for("cabinet", file);
+  pipeline::RunOptions options;
+  options.plugin_path = {EPURA_TEST_PLUGINS};
+  options.kept_models = std::make_shared<pipeline::KeptModels>();
+  scene::SceneDescription scene = pipeline::scene_of(pipeline::make_picture(request, options, {}), request);
+  std::filesystem::remove(file);
+  pipeline::complete_scene(scene);
+  pipeline::complete_sheets(scene);
+  const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
+  pipeline::Stopwatch watch;
+  EXPECT_FALSE(pipeline::draw_scene(scene, options, {silent, {}, watch}).sheets.empty());
+  EXPECT_EQ(options.kept_models->models.size(), 1U);
+}
+
 class DrawnPicture : public testing::Test {
  protected:
   Folder folder;
@@ -255,6 +276,8 @@ TEST_F(DrawnPicture, BadRequestsAreRefusedInWords) {
   EXPECT_TRUE(contains(refusal("cabinet", {"--vertices", "0,99999"}), "--vertices: "));
   EXPECT_TRUE(contains(refusal("cabinet", {"--vertices", "a"}), "'a' is not the number of a vertex"));
   EXPECT_TRUE(contains(refusal("cabinet", {"--from", "two-point"}), "is not parallel"));
+  for (const char* option : {"--layout", "--third-angle", "--fit", "--dimension-decimals", "--views"})
+    EXPECT_TRUE(contains(refusal("cabinet", {option}), std::string("unknown option '") + option)) << option;
   const Outcome empty =
       epura({"picture", "cabinet", folder.file("empty.obj", "v 0 0 0\n"), "-o", "x.svg"}, folder / "");
   EXPECT_EQ(empty.code, 2);

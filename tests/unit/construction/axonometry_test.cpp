@@ -39,8 +39,9 @@ Figure key(const PicturePlane& plane, const std::string& kind, double factor = 1
 }
 
 bool has(const Figure& figure, const std::string& symbol) {
-  return std::any_of(figure.points.begin(), figure.points.end(),
-                     [&](const Point& p) { return p.symbol.text() == symbol; });
+  const auto is_symbol = [&](const auto& of) { return of.symbol.text() == symbol; };
+  return std::any_of(figure.points.begin(), figure.points.end(), is_symbol) ||
+         std::any_of(figure.curves.begin(), figure.curves.end(), is_symbol);
 }
 
 TEST(Axonometry, IsometricAxesAreEquallyShortenedAt30Degrees) {
@@ -58,6 +59,34 @@ TEST(Axonometry, ObliqueAxesHaveTheirRatioAngleAndSlope) {
     EXPECT_TRUE(has(cavalier, symbol)) << symbol;
   for (const char* symbol : {"x 1", "y 0.5", "45°", "projectors 63.4° to the picture"})
     EXPECT_TRUE(has(cabinet, symbol)) << symbol;
+}
+
+// Each angle at its axis: the arc runs from the horizontal line to the axis and bears the angle between both.
+TEST(Axonometry, AnglesAreAtTheirAxes) {
+  const Vec3 n = glm::normalize(Vec3(0.7, -0.5, 0.4)), u = glm::normalize(glm::cross(Vec3(0, 0, 1), n));
+  for (const PicturePlane& plane :
+       {isometric(), oblique(0.5), parallel(u, glm::cross(n, u), n),
+        parallel(glm::normalize(u + 0.3 * glm::cross(n, u)), glm::normalize(glm::cross(n, u) - 0.3 * u), n)}) {
+    std::size_t oblique_axes = 0;
+    const Figure axes = key(plane, "axes");
+    for (const Vec2& image : axis_images(plane, 1)) {
+      const double degrees = std::atan2(std::abs(image.y), std::abs(image.x)) * 180 / std::numbers::pi;
+      if (degrees < 0.01 || degrees > 89.99) continue;
+      ++oblique_axes;
+      const auto is_its = [&](const Curve& arc) {
+        const double along = std::atan2(image.y, image.x);
+        const auto is_along = [&](double angle) {
+          return std::abs(std::remainder(angle - along, 2 * std::numbers::pi)) < 1e-9;
+        };
+        const double other = is_along(arc.from) ? arc.to : arc.from;
+        return (is_along(arc.from) || is_along(arc.to)) && std::abs(std::sin(other)) < 1e-9 &&
+               std::abs((arc.to - arc.from) * 180 / std::numbers::pi - degrees) < 1e-9 &&
+               std::abs(std::stod(arc.symbol.base) - degrees) < 0.05;
+      };
+      EXPECT_EQ(std::count_if(axes.curves.begin(), axes.curves.end(), is_its), 1) << degrees;
+    }
+    EXPECT_EQ(axes.curves.size(), oblique_axes);
+  }
 }
 
 // Points of the projected circle satisfy the equation of the ellipse.

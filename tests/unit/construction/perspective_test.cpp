@@ -154,10 +154,57 @@ TEST(Perspective, MeasuringPointsCutOffTrueLengths) {
   }
 }
 
+TEST(Perspective, TrueLengthsHaveTheirOwnPoints) {
+  const PicturePlane plane = two_point(20, 12, 1.6, 3);
+  const Vec3 from(1, 4, 0.5), to(3, 5, 0.5), other(0, 9, 0.5);
+  const Figure f = figure(plane, {request("true-length:0-1", {from, to}), request("true-length:0-2", {from, other})});
+  EXPECT_NEAR(glm::length(find(f, "a").at - find(f, "b").at), 3 * glm::length(to - from), 1e-9);
+  EXPECT_NEAR(glm::length(find(f, "a_2").at - find(f, "b_2").at), 3 * glm::length(other - from), 1e-9);
+}
+
 TEST(Perspective, TheGroundLineIsWhereThePictureMeetsTheGround) {
   const Figure f = figure(two_point(30, 10, 1.6, 2), {request("ground")});
   ASSERT_EQ(f.lines.size(), 1U);
   EXPECT_NEAR(f.lines[0].from.y, -3.2, 1e-12) << "the ground is 1.6 below the eye";
+}
+
+// By hand: the plane x + z = 4, seen in the picture y = 0 from y = -10, cuts it in u + v = 4.
+TEST(Perspective, TracesArePlanesInThePicture) {
+  const PicturePlane plane = on_page(central({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 10), 2);
+  const Figure f = figure(plane, {request("traces:0", {{4, 0, 0}, {0, 0, 4}, {0, 7, 4}, {4, 7, 0}})});
+  ASSERT_EQ(f.lines.size(), 1U);
+  const Line& trace = f.lines[0];
+  EXPECT_EQ(trace.symbol.text(), "α");
+  EXPECT_EQ(trace.extent, Extent::line);
+  for (const Vec2& p : {trace.from, trace.to}) EXPECT_NEAR(p.x + p.y, 2 * 4, 1e-12) << "at 2:1";
+}
+
+// The trace of a plane holds those of all its lines, and is parallel to its vanishing line.
+TEST(Perspective, TracesHoldThoseOfTheLinesOfThePlane) {
+  const PicturePlane plane = two_point(25, 12, 1.6, 3);
+  const std::vector<Vec3> ring{{1, 4, 0.5}, {3, 5, 0.2}, {2, 6, 3}};
+  const Figure f = figure(plane, {request("traces:0", ring)});
+  ASSERT_EQ(f.lines.size(), 1U);
+  const Vec2 along = glm::normalize(f.lines[0].to - f.lines[0].from), across(-along.y, along.x);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto at = trace_of_line(plane, ring[i], ring[(i + 1) % 3]);
+    ASSERT_TRUE(at);
+    EXPECT_NEAR(glm::dot(*at - f.lines[0].from, across), 0, 1e-9);
+  }
+  const auto vanishing = vanishing_line(plane, glm::cross(ring[1] - ring[0], ring[2] - ring[0]));
+  ASSERT_TRUE(vanishing);
+  EXPECT_NEAR(glm::dot(vanishing->along, across), 0, 1e-12);
+}
+
+// One direction has one vanishing point with one name; what coincides is named together.
+TEST(Perspective, VanishingPointsHaveOneName) {
+  const PicturePlane plane = two_point(30, 10, 1.6);
+  const Figure f = figure(plane, {request("vp:10,0,0"), request("vp:-1,0,0"), request("vp"), request("vp:2,2,0"),
+                                  request("vp:1,1,0"), request("to-vp:0-1", {{0, 5, 0}, {7, 5, 0}})});
+  std::vector<std::string> names;
+  for (const Point& point : f.points) names.push_back(point.symbol.text());
+  EXPECT_EQ(names, (std::vector<std::string>{"VP_x", "VP_y", "VP_2,2,0"}));
+  EXPECT_EQ(f.points.at(2).also.at(0).text(), "VP_1,1,0");
 }
 
 TEST(Perspective, TheConeOfVisionHasItsAngle) {
