@@ -93,6 +93,7 @@ class ModelContours {
     int on_triangle = -1;
     for (const int t : sorted_triangles_at(vertex)) {
       if (on_border_[vertex] != 0 && is_straight(placed_, t)) continue;
+      if (surface_of(t).kind == SurfaceKind::sphere) return on_sphere(vertex, t);
       const auto line = contour_across(t);
       if (!line) continue;
       const Vec3 place = nearest_on_segment(from, (*line)[0], (*line)[1]);
@@ -124,6 +125,32 @@ class ModelContours {
   }
 
  private:
+  // Returns the point nearest to a vertex of the circle in which projectors touch a sphere. Nothing if it is some
+  // facets away, or on the page farther than the sphere falls over so many: four times its sagitta over one.
+  [[nodiscard]] std::optional<Vec3> on_sphere(int vertex, int triangle) const {
+    constexpr double facets = 2;
+    constexpr int rounds = 4;  // projectors through a centre depend on the place
+    const features::PartSurface& sphere = surface_of(triangle);
+    const Vec3 from = mesh_.point(vertex), out = glm::normalize(from - sphere.origin);
+    Vec3 place = from, view(0);
+    for (int round = 0; round < (central_ ? rounds : 1); ++round) {
+      view = glm::normalize(towards_viewer(place));
+      const Vec3 normal = out - glm::dot(out, view) * view;
+      if (!(glm::length(normal) > along_projector)) return std::nullopt;
+      place = sphere.origin + sphere.radius * glm::normalize(normal);
+    }
+    double side = 0, sagitta = 0;
+    for (const int t : sorted_triangles_at(vertex))
+      for (const int corner : mesh_.triangle(t)) {
+        side = std::max(side, glm::distance(mesh_.point(corner), from));
+        sagitta = std::max(sagitta, -features::signed_distance(sphere, (mesh_.point(corner) + from) / 2.0));
+      }
+    const Vec3 moved = place - from;
+    const double on_page = glm::length(moved - glm::dot(moved, view) * view);
+    const bool is_near = glm::length(moved) <= facets * side && on_page <= 4 * facets * facets * sagitta;
+    return is_near ? std::optional(place) : std::nullopt;
+  }
+
   [[nodiscard]] const features::PartSurface& surface_of(int triangle) const {
     return part_.faces[static_cast<std::size_t>(part_.face_of_triangle[triangle])].surface;
   }

@@ -219,8 +219,7 @@ TEST(SmoothContours, OfASphereIsACircle) {
   const double sagitta = 10 * (1 - std::cos(pi / 16));
   const ShownContours shown = shown_contours(recognised(world_of(revolved(arc(10, 16), 24))), {0.3, -1, 0.45});
   EXPECT_GT(shown.places.size(), 30U);
-  // Across a facet the circle is interpolated: what is left is of second order.
-  for (const Vec2& place : shown.places) EXPECT_NEAR(glm::length(place), 10, sagitta / 8);
+  for (const Vec2& place : shown.places) EXPECT_NEAR(glm::length(place), 10, 1e-6);
   EXPECT_LT(shown.moved, 2 * sagitta);
   EXPECT_GT(shown.moved, 0);
 }
