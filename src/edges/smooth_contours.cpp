@@ -24,7 +24,7 @@ constexpr double most_moved = 1;
 
 // Seen by the viewer, the contour of a cylinder or cone is not farther from that of its facets than so many times the
 // mean height of the surface over them.
-constexpr double most_rises = 4;
+constexpr double most_rises = 16;
 
 // Cosines this small of the angle between a normal and the projector count as 0.
 constexpr double along_projector = 1e-5;
