@@ -62,6 +62,18 @@ void straighten(std::vector<Vec2>& points, bool closed, double tolerance) {
   }
 }
 
+// Where ends meet only nearly, the step between them has no direction of its own: it would look like a corner.
+void leave_out_steps(std::vector<Vec2>& points, bool closed, double touching) {
+  std::vector<Vec2> kept{points.front()};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const bool is_end = !closed && i + 1 == points.size(), is_step = glm::distance(points[i], kept.back()) <= touching;
+    if (is_end && is_step && kept.size() > 1) kept.pop_back();
+    if (is_end || !is_step) kept.push_back(points[i]);
+  }
+  if (closed && kept.size() > 1 && glm::distance(kept.back(), kept.front()) <= touching) kept.pop_back();
+  if (kept.size() >= (closed ? 3 : 2)) points = std::move(kept);
+}
+
 // Follows partners from the end `start` of a segment, towards the other end of the segment.
 Chain follow(const std::vector<Segment>& segments, const std::vector<End>& partner, End start,
              std::vector<bool>& used) {
@@ -110,6 +122,7 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
             "a closed chain closes");
       chain.points.pop_back();
     }
+    leave_out_steps(chain.points, chain.closed, touching);
     straighten(chain.points, chain.closed, tolerance);
     chains.push_back(std::move(chain));
   };

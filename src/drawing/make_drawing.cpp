@@ -8,7 +8,8 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "drawing/chains.hpp"
-#include "drawing/continue_contours.hpp"
+#include "drawing/circles_edge_on.hpp"
+#include "drawing/continue_lines.hpp"
 #include "drawing/edge_on.hpp"
 #include "drawing/ink.hpp"
 #include "drawing/meet_contours.hpp"
@@ -19,6 +20,8 @@ namespace epura::drawing {
 namespace {
 
 constexpr double coincident_cells = 4;
+// The part of the distance at which lines are one that nobody sees in a single line.
+constexpr double unseen = 0.1;
 
 std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::PaperMap& paper, bool keep_hidden,
                              const Progress& progress) {
@@ -162,6 +165,17 @@ void find_looks(std::vector<Piece>& pieces, const visibility::ResolvedView& line
   }
 }
 
+// Whether each piece is drawn in another place than its edge of the mesh.
+std::vector<char> are_moved(const std::vector<Piece>& pieces, const visibility::ResolvedView& lines) {
+  std::vector<char> moved;
+  moved.reserve(pieces.size());
+  for (const Piece& piece : pieces) {
+    const edges::FeatureEdge& edge = lines.drawn.edges[piece.edge];
+    moved.push_back(edge.shown[0] >= 0 || edge.shown[1] >= 0 ? 1 : 0);
+  }
+  return moved;
+}
+
 // Of lines that look the same, outlines of cut faces are the first, and steps the last to be drawn.
 signed char rank_of(const Piece& piece, const visibility::ResolvedView& lines, const NearLines& near) {
   Piece contour = piece;
@@ -187,18 +201,27 @@ double length_of_all(const std::vector<Piece>& pieces) {
   return length;
 }
 
-// Draws one line where a person sees one.
-std::vector<Piece> joined_where_near(std::vector<Piece> pieces, const visibility::ResolvedView& lines,
-                                     const NearLines& near, double touching, const Progress& progress) {
-  if (!(near.distance > 0)) return pieces;
+// Draws one line where a person sees one. Returns whether any ink is left out or added, but for what closes gaps that
+// rounding leaves.
+bool join_where_near(std::vector<Piece>& pieces, const visibility::ResolvedView& lines, const NearLines& near,
+                     const Coincidence& limits, const Progress& progress) {
+  if (!(near.distance > 0)) return false;
+  bool any = false;
+  const auto change = [&](double rounding, const auto& changed) {
+    const double before = length_of_all(pieces);
+    pieces = changed(std::move(pieces));
+    any = any || std::abs(length_of_all(pieces) - before) > rounding;
+  };
   const std::vector<signed char> ranks = ranks_of(pieces, lines, near);
-  pieces = join_near(std::move(pieces), ranks, near.distance, touching, progress);
+  change(0, [&](auto all) { return join_near(std::move(all), ranks, near.distance, limits.min, progress); });
   std::vector<int> models;
   models.reserve(pieces.size());
   for (const Piece& piece : pieces) models.push_back(lines.drawn.edges[piece.edge].model);
-  pieces = continue_contours(std::move(pieces), models, near.distance, progress);
+  const ContinuingLimits continuing{near.distance, limits.tolerance};
+  change(limits.min, [&](auto all) { return continue_lines(std::move(all), models, continuing, progress); });
   const std::vector<signed char> left = ranks_of(pieces, lines, near);
-  return drop_specks(std::move(pieces), left, near.distance, progress);
+  change(0, [&](auto all) { return drop_specks(std::move(all), left, near.distance, progress); });
+  return any;
 }
 
 }  // namespace
@@ -247,14 +270,12 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   drawing.contours_moved = lines.drawn.moved * paper.scale;
   meet_contours(lines, paper, 4 * limits.tolerance, pieces);
   find_looks(pieces, lines, options.near);
+  turn_glints(pieces, are_moved(pieces, lines), unseen * options.near.distance, progress);
+  if (options.near.distance > 0) drawing.joined_within = draw_circles_once(lines, paper, limits.min, pieces, progress);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
-  const std::size_t pieces_before = pieces.size();
-  const double length_before = length_of_all(pieces);
-  pieces = joined_where_near(std::move(pieces), lines, options.near, limits.min, progress);
-  // Where nothing is left out, all ink is in its place.
-  if (pieces.size() != pieces_before || length_of_all(pieces) != length_before)
-    drawing.joined_within = options.near.reach();
+  if (join_where_near(pieces, lines, options.near, limits, progress))
+    drawing.joined_within = std::max(drawing.joined_within, options.near.reach());
   drawing.coincident = limits.tolerance;
   add_segments(lines, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // to make room for the chains

@@ -75,10 +75,11 @@ void KeptInk::append(const std::vector<int>& numbers, const MeasuredPolyline& po
     if (!(to - from > touching)) continue;
     const std::array<float, 2>& facing = directions_[static_cast<std::size_t>(number)];
     if (!(std::abs(facing[0] * along.x + facing[1] * along.y) >= AlongLimits::least_cosine)) continue;
-    parts.push_back({{x(from), x(to)}, number});
+    const auto apart = [&](double u) { return std::abs(beside.value + u * beside.slope); };
+    parts.push_back({{x(from), x(to)}, number, {apart(from), apart(to)}});
     visibility::add_span(spans, parts.back().stretch);
     for (const double u : {from, to})
-      if (std::abs(beside.value + u * beside.slope) <= limits_.touching) contacts.push_back(x(u));
+      if (apart(u) <= limits_.touching) contacts.push_back(x(u));
     const double crossing = -beside.value / beside.slope;
     if (crossing > from && crossing < to) contacts.push_back(x(crossing));
   }

@@ -16,6 +16,7 @@ namespace epura::drawing {
 struct NearPart {
   Range stretch;
   int by;
+  Range apart;  ///< how far from it the ends of the stretch are, mm
 };
 
 /// What runs along members: the lists of one member after the other.

@@ -20,6 +20,9 @@ constexpr double shortest_run = 5;  // length from which a near part counts by i
 // 1.2 degrees or more separate, and so does an arc with a radius of up to 1250 from its tangent: nobody mistakes one
 // for the other.
 constexpr double farthest_contact = 50;
+// Where lines do not meet, so much of the distance at the ends of a near part tells that they bend apart there, rather
+// than that one of them ends or has a corner; and so much is close.
+constexpr double apart_at_ends = 0.9, close = 0.75;
 
 // Returns the parameters of a line, 0 at a and 1 at b, where it lies within a distance of the line p, q, a convex set.
 Range part_around(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q, double distance) {
@@ -93,7 +96,7 @@ visibility::Spans NearSearch::near_parts(std::size_t member, std::size_t turn) {
   ahead_.append(turn, found_);
   if (!ahead_.has_seen(own)) kept_.find_newer(polyline_, member, found_);
   for (const NearPart& part : found_.parts) {
-    near_.push_back({{member, part.stretch[0], part.stretch[1]}, part.by});
+    near_.push_back({{member, part.stretch[0], part.stretch[1]}, part.by, part.apart});
     visibility::add_span(spans, part.stretch);
   }
   contacts_.insert(contacts_.end(), found_.contacts.begin(), found_.contacts.end());
@@ -168,7 +171,7 @@ bool NearSearch::has_ink_around(const Stretch& stretch) {
     const auto [p, q] = kept_.parts().line(number);
     const auto [from, to] = part_around(a, b, p, q, reach);
     if (!(to > from)) continue;
-    near_.push_back({{stretch.member, stretch.from + from * size, stretch.from + to * size}, number});
+    near_.push_back({{stretch.member, stretch.from + from * size, stretch.from + to * size}, number, {reach, reach}});
     visibility::add_span(spans, {from, to});
     if (visibility::covers(spans, 0, 1)) return true;
   }
@@ -192,9 +195,28 @@ std::array<bool, 2> NearSearch::goes_on(const Run& run, bool is_closed) const {
   return {!(is_first && runs_.back()[1] >= polyline_.length()), !(is_last && runs_.front()[0] <= 0)};
 }
 
+// Returns where a line that bends towards another one and away again, as an arc beside its tangent, is closest to it;
+// nothing if it does not leave the distance gradually at both ends.
+std::optional<double> NearSearch::closest_approach(const Run& run) const {
+  std::array<double, 2> at_ends{HUGE_VAL, HUGE_VAL};
+  std::pair<double, double> closest{HUGE_VAL, 0};
+  for (const Near& near : near_) {
+    const std::array<double, 2> places{near.stretch.from, near.stretch.to};
+    if (places[0] < run[0] || places[1] > run[1]) continue;
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (places[end] == run[end]) at_ends[end] = std::min(at_ends[end], near.apart[end]);
+      closest = std::min(closest, {near.apart[end], places[end]});
+    }
+  }
+  const bool leaves = std::min(at_ends[0], at_ends[1]) >= apart_at_ends * limits_.distance;
+  return leaves && closest.first <= close * limits_.distance ? std::optional(closest.second) : std::nullopt;
+}
+
 NearSearch::Run NearSearch::between_contacts(const Run& run, const std::array<bool, 2>& goes_on) const {
   Run part = run;
   const double far = farthest_contact * limits_.distance;
+  if (goes_on[0] && goes_on[1] && run[1] - run[0] <= 2 * far)
+    if (const auto closest = closest_approach(run)) return {*closest, *closest};
   if (goes_on[0]) {
     const auto first = std::lower_bound(contacts_.begin(), contacts_.end(), run[0]);
     if (first != contacts_.end() && *first <= std::min(run[1], run[0] + far)) part[0] = *first;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,7 @@ class NearSearch {
   struct Near {
     Stretch stretch;
     int by;
+    Range apart;  ///< at its ends, mm
   };
   using Run = std::array<double, 2>;
   // Least number of members that are searched together before their polylines are added.
@@ -48,6 +50,7 @@ class NearSearch {
   [[nodiscard]] int nearest_kept(const Vec2& place) const;
   [[nodiscard]] bool is_bridge(const Vec2& from, const Vec2& to) const;
   [[nodiscard]] std::array<bool, 2> goes_on(const Run& run, bool is_closed) const;
+  [[nodiscard]] std::optional<double> closest_approach(const Run& run) const;
   [[nodiscard]] Run between_contacts(const Run& run, const std::array<bool, 2>& goes_on) const;
   void keep(const Stretch& stretch);
   void keep(const Run& run);

@@ -36,74 +36,124 @@ struct LineEnds {
 template <class Place, class Look, class Kind>
 LineEnds(int, Place, Look, Kind) -> LineEnds<Place, Look, Kind>;
 
-/// Joins the only two ends that meet in a point.
-inline void pair_up(End a, End b, std::vector<End>& partner) {
-  if (a == other(b)) return;
+/// Which lines are joined where only those are left that turn back there.
+enum class TurningBack { left_apart, joined };
+
+/// The cosine of the angle between the directions in which two lines leave a point, from which on they turn back there.
+inline constexpr double turning_back = 0.75;
+
+/// The direction in which a line leaves an end.
+template <class Ends>
+Vec2 leaving(const Ends& lines, End end) {
+  return glm::normalize(lines.place(other(end)) - lines.place(end));
+}
+
+/// Joins the only two ends that meet in a point. Returns false if they turn back there and are to be left apart.
+template <class Ends>
+bool pair_up(const Ends& lines, End a, End b, TurningBack rule, std::vector<End>& partner) {
+  if (a == other(b)) return true;
+  if (rule == TurningBack::left_apart && glm::dot(leaving(lines, a), leaving(lines, b)) > turning_back) return false;
   partner[a] = b;
   partner[b] = a;
+  return true;
 }
 
 /// Joins ends that meet in one point, while there are two left: first those that go on in nearly the same direction,
 /// as facets of a curve do, then those of one kind; the straightest pair first. Of pairs that are about as straight,
 /// one of one kind is preferred: a curve that touches another leaves it a little straighter than it goes on itself.
+/// Returns false if some are left that turn back there.
 template <class Ends>
-void pair_up(const Ends& lines, std::span<const End> ends, std::vector<End>& partner) {
+bool pair_up(const Ends& lines, std::span<const End> ends, TurningBack rule, std::vector<End>& partner) {
   constexpr std::size_t most_at_a_point = 64;  // beyond that, straightness is not worth a quadratic search
   constexpr double going_on = -0.75;           // cosine between the directions in which the lines leave the point
   constexpr double about = 0.02;               // difference of such cosines
-  if (ends.size() > most_at_a_point) return;
+  if (ends.size() > most_at_a_point) return true;
   std::vector<std::pair<End, Vec2>> left;  // with the direction in which the line leaves that end
   for (const End end : ends)
-    if (partner[end] == no_end) left.emplace_back(end, glm::normalize(lines.place(other(end)) - lines.place(end)));
-  using Pair = std::tuple<bool, double, End, End>;
+    if (partner[end] == no_end) left.emplace_back(end, leaving(lines, end));
+  using Pair = std::tuple<int, double, End, End>;
   while (left.size() >= 2) {
-    Pair best{true, HUGE_VAL, no_end, no_end};
+    Pair best{3, HUGE_VAL, no_end, no_end};
     for (std::size_t i = 0; i < left.size(); ++i)
       for (std::size_t j = i + 1; j < left.size(); ++j) {
         const auto& [a, direction_a] = left[i];
         const auto& [b, direction_b] = left[j];
         const double straightness = glm::dot(direction_a, direction_b);
-        const bool differ = lines.kind(a) != lines.kind(b), is_corner = straightness > going_on && differ;
-        if (a != other(b)) best = std::min(best, Pair(is_corner, straightness + (differ ? about : 0), a, b));
+        const bool differ = lines.kind(a) != lines.kind(b);
+        const int turn = straightness > turning_back ? 2 : straightness > going_on && differ ? 1 : 0;
+        if (a != other(b)) best = std::min(best, Pair(turn, straightness + (differ ? about : 0), a, b));
       }
     const End a = std::get<2>(best), b = std::get<3>(best);
-    if (a == no_end) return;
+    if (a == no_end) return true;
+    if (std::get<0>(best) == 2 && rule == TurningBack::left_apart) return false;
     partner[a] = b;
     partner[b] = a;
     std::erase_if(left, [a, b](const auto& l) { return l.first == a || l.first == b; });
   }
+  return true;
 }
 
-/// Returns for each end the end that continues it, or none. Ends up to `touching` mm apart meet if they meet no nearer
-/// one. Throws OutOfTime.
+/// Joins those ends of a list that meet.
 template <class Ends>
-std::vector<End> find_partners(const Ends& lines, double touching, const Progress& progress) {
-  std::vector<End> partner(static_cast<std::size_t>(lines.lines) * 2, no_end);
-  std::vector<End> alone(partner.size());
-  std::iota(alone.begin(), alone.end(), 0);
-  const auto join = [&](double cell, const Vec2& shift) {
+class EndPairing {
+ public:
+  EndPairing(const Ends& lines, const Progress& progress)
+      : lines_(lines), progress_(progress), partner_(static_cast<std::size_t>(lines.lines) * 2, no_end) {}
+
+  /// Ends up to `touching` mm apart meet if they meet no nearer one. Returns those that turn back where they meet, if
+  /// these are left apart.
+  std::vector<End> join(std::vector<End> ends, double touching, TurningBack rule) {
+    alone_ = std::move(ends);
+    turns_back_.assign(partner_.size(), 0);
+    // Where lines of two faces coincide, parts of both are drawn, with ends that differ by rounding: about 1e-13 mm.
+    join_in_cells(0x1p-30, Vec2(0), rule);
+    if (touching > 0x1p-30)
+      // Of four grids with cells of twice that distance, one has both ends in one cell.
+      for (const double x : {0.0, 0.5})
+        for (const double y : {0.0, 0.5}) join_in_cells(2 * touching, Vec2(x, y), rule);
+    std::vector<End> left;
+    for (End end = 0; end < static_cast<End>(partner_.size()); ++end)
+      if (turns_back_[end] != 0 && partner_[end] == no_end) left.push_back(end);
+    return left;
+  }
+
+  [[nodiscard]] std::vector<End> partners() && { return std::move(partner_); }
+
+ private:
+  void join_in_cells(double cell, const Vec2& shift, TurningBack rule) {
     const auto key = [&](int number) {
-      const auto look = lines.look(alone[number]);
-      const Vec2 at = lines.place(alone[number]) / cell + shift;
+      const auto look = lines_.look(alone_[number]);
+      const Vec2 at = lines_.place(alone_[number]) / cell + shift;
       std::array<double, look.size() + 2> all{std::round(at.x), std::round(at.y)};
       std::copy(look.begin(), look.end(), all.begin() + 2);
       return all;
     };
-    visit_same_keys(static_cast<int>(alone.size()), key, progress, [&](std::span<const int> numbers) {
-      if (numbers.size() == 2) return pair_up(alone[numbers[0]], alone[numbers[1]], partner);
+    visit_same_keys(static_cast<int>(alone_.size()), key, progress_, [&](std::span<const int> numbers) {
+      if (numbers.size() == 2 && pair_up(lines_, alone_[numbers[0]], alone_[numbers[1]], rule, partner_)) return;
       std::vector<End> ends;
-      for (const int number : numbers) ends.push_back(alone[number]);
-      pair_up(lines, ends, partner);
+      for (const int number : numbers) ends.push_back(alone_[number]);
+      if (pair_up(lines_, ends, rule, partner_)) return;
+      for (const End end : ends) turns_back_[end] = 1;
     });
-    std::erase_if(alone, [&](End end) { return partner[end] != no_end; });
-  };
-  // Where lines of two faces coincide, parts of both are drawn, with ends that differ by rounding: about 1e-13 mm.
-  join(0x1p-30, Vec2(0));
-  if (!(touching > 0x1p-30)) return partner;
-  // Of four grids with cells of twice that distance, one has both ends in one cell.
-  for (const double x : {0.0, 0.5})
-    for (const double y : {0.0, 0.5}) join(2 * touching, Vec2(x, y));
-  return partner;
+    std::erase_if(alone_, [&](End end) { return partner_[end] != no_end; });
+  }
+
+  const Ends& lines_;
+  const Progress& progress_;
+  std::vector<End> partner_, alone_{};
+  std::vector<char> turns_back_{};  ///< by end; calls for different points may be concurrent
+};
+
+/// Returns for each end the end that continues it, or none. Ends up to `touching` mm apart meet if they meet no nearer
+/// one, and no other that goes on there while the nearer one turns back. Throws OutOfTime.
+template <class Ends>
+std::vector<End> find_partners(const Ends& lines, double touching, const Progress& progress) {
+  EndPairing<Ends> pairing(lines, progress);
+  std::vector<End> ends(static_cast<std::size_t>(lines.lines) * 2);
+  std::iota(ends.begin(), ends.end(), 0);
+  std::vector<End> left = pairing.join(std::move(ends), touching, TurningBack::left_apart);
+  pairing.join(std::move(left), touching, TurningBack::joined);
+  return std::move(pairing).partners();
 }
 
 }  // namespace epura::drawing

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "base/error.hpp"
+#include "base/same_key.hpp"
 #include "drawing/kept_ink.hpp"
 #include "drawing/polylines.hpp"
 
@@ -17,12 +19,35 @@ namespace {
 // Width of the cells that tell where no specks are, as a multiple of the distance.
 constexpr double cells_a_distance = 8;
 
+/// Calls visit(ends) with the ends of pieces that lie in one point.
+template <class Visit>
+void visit_meetings(const std::vector<Piece>& pieces, const Progress& progress, const Visit& visit) {
+  const auto place = [&](int end) {
+    const Vec2& at = end % 2 == 0 ? pieces[line_of(end)].from : pieces[line_of(end)].to;
+    return std::array{std::round(at.x * 0x1p30), std::round(at.y * 0x1p30)};
+  };
+  visit_same_keys(2 * static_cast<int>(pieces.size()), place, progress, visit);
+}
+
+/// Returns for each link whether two other pieces that are drawn meet where it begins: they continue each other.
+std::vector<char> find_needless(const std::vector<Piece>& pieces, const Progress& progress) {
+  std::vector<char> needless(pieces.size(), 0);
+  visit_meetings(pieces, progress, [&](std::span<const int> ends) {
+    const auto others = std::count_if(ends.begin(), ends.end(), [&](End end) {
+      return pieces[line_of(end)].drawn && !is_link(pieces[line_of(end)]);
+    });
+    for (const End end : ends)
+      if (end % 2 == 0 && others >= 2) needless[line_of(end)] = is_link(pieces[line_of(end)]) ? 1 : 0;
+  });
+  return needless;
+}
+
 /// Returns for each piece whether it belongs to a polyline of at most `most` mm. Links alone connect others, unless
-/// they are too short for a gap to be seen.
+/// these continue each other anyway, or the link is too short for a gap to be seen.
 std::vector<char> find_short(const std::vector<Piece>& pieces, const std::vector<signed char>& strength, double most,
                              const Progress& progress) {
   constexpr double unseen = 0.1;
-  std::vector<char> is_short(pieces.size(), 0);
+  std::vector<char> is_short(pieces.size(), 0), needless;
   const Polylines lines(pieces, strength, progress);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     double length = 0;
@@ -33,7 +58,11 @@ std::vector<char> find_short(const std::vector<Piece>& pieces, const std::vector
       links_only = links_only && is_link(piece);
       if (length > most) break;
     }
-    if (length > (links_only ? unseen * most : most)) continue;
+    if (length > most) continue;
+    if (links_only && length > unseen * most) {
+      if (needless.empty()) needless = find_needless(pieces, progress);
+      if (needless[line_of(lines[i].front())] == 0) continue;
+    }
     for (const End end : lines[i]) is_short[line_of(end)] = strength[line_of(end)] >= 0 ? 1 : 0;
   }
   return is_short;
@@ -53,7 +82,32 @@ InkParts parts_of(const std::vector<Piece>& pieces, const std::vector<char>& wan
   return parts;
 }
 
+// The pieces that end at a place: how many are visible, and how many are not.
+using Meeting = std::array<int, 2>;
+
 }  // namespace
+
+void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, double most, const Progress& progress) {
+  std::vector<char> is_glint(pieces.size(), 0);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    is_glint[i] = is_moved[i] != 0 && pieces[i].drawn && length_of(pieces[i]) <= most ? 1 : 0;
+  if (std::find(is_glint.begin(), is_glint.end(), 1) == is_glint.end()) return;
+  std::vector<Meeting> meeting(2 * pieces.size());
+  visit_meetings(pieces, progress, [&](std::span<const int> ends) {
+    Meeting there{0, 0};
+    for (const End end : ends)
+      if (pieces[line_of(end)].drawn) ++there[pieces[line_of(end)].visible ? 0 : 1];
+    for (const End end : ends) meeting[end] = there;
+  });
+  std::vector<char> turns(pieces.size(), 0);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::size_t own = pieces[i].visible ? 0 : 1;
+    const auto is_between = [&](const Meeting& there) { return there[own] == 1 && there[1 - own] == 1; };
+    turns[i] = is_glint[i] != 0 && is_between(meeting[2 * i]) && is_between(meeting[2 * i + 1]) ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (turns[i] != 0) pieces[i].visible = !pieces[i].visible;
+}
 
 std::vector<Piece> drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, double distance,
                                const Progress& progress) {

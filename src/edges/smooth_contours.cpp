@@ -22,22 +22,51 @@ using features::SurfaceKind;
 // Relative to the height of a triangle: the contour of a surface is no farther from that of its facets.
 constexpr double most_moved = 1;
 
+// Seen by the viewer, the contour of a cylinder or cone is not farther from that of its facets than so many times the
+// mean height of the surface over them.
+constexpr double most_rises = 16;
+
 // Cosines this small of the angle between a normal and the projector count as 0.
 constexpr double along_projector = 1e-5;
 
-// Whether contours at a triangle are moved to the surface.
-bool is_smoothed(const scene::Placed& placed, int triangle) {
+SurfaceKind kind_at(const scene::Placed& placed, int triangle) {
   const int face = placed.part->face_of_triangle[triangle];
-  const SurfaceKind kind = placed.part->faces[static_cast<std::size_t>(face)].surface.kind;
+  return placed.part->faces[static_cast<std::size_t>(face)].surface.kind;
+}
+
+// Whether contours at a triangle are moved to the surface, wherever they end.
+bool is_smoothed(const scene::Placed& placed, int triangle) {
+  const SurfaceKind kind = kind_at(placed, triangle);
   if (kind == SurfaceKind::free_form) return placed.mesh->report.misoriented_edges == 0;
   return kind == SurfaceKind::sphere || kind == SurfaceKind::torus;
+}
+
+// Whether contours at a triangle are straight. They are moved to the surface at vertices inside the face.
+bool is_straight(const scene::Placed& placed, int triangle) {
+  const SurfaceKind kind = kind_at(placed, triangle);
+  return kind == SurfaceKind::cylinder || kind == SurfaceKind::cone;
+}
+
+// By vertex: whether a border of a face of the part passes through it.
+std::vector<char> vertices_on_borders(const scene::Placed& placed) {
+  std::vector<char> on_border(placed.mesh->points.size(), 0);
+  for (std::size_t e = 0; e < placed.mesh->edges.size(); ++e)
+    if (placed.part->border_at(static_cast<std::ptrdiff_t>(e)) != nullptr || placed.mesh->edges[e].count != 2)
+      for (const int v : placed.mesh->edges[e].vertex) on_border[v] = 1;
+  return on_border;
 }
 
 /// The contours of one model, in units of its file.
 class ModelContours {
  public:
-  ModelContours(const scene::Placed& placed, const projection::Projection& projection, double part_angle)
-      : mesh_(*placed.mesh), part_(*placed.part), central_(projection.central), part_angle_(part_angle) {
+  ModelContours(const scene::Placed& placed, const projection::Projection& projection, double part_angle,
+                const std::vector<char>& on_border)
+      : placed_(placed),
+        mesh_(*placed.mesh),
+        part_(*placed.part),
+        central_(projection.central),
+        part_angle_(part_angle),
+        on_border_(on_border) {
     const Mat4 to_file = glm::inverse(placed.to_world);
     projector_ = Vec3(to_file * Vec4(projection.projector, central_ ? 1 : 0));
     at_vertex_ = Groups<int>(mesh_.points.size(), [&](const auto& visit) {
@@ -63,11 +92,13 @@ class ModelContours {
     std::optional<Vec3> nearest;
     int on_triangle = -1;
     for (const int t : sorted_triangles_at(vertex)) {
+      if (on_border_[vertex] != 0 && is_straight(placed_, t)) continue;
       if (surface_of(t).kind == SurfaceKind::sphere) return on_sphere(vertex, t);
       const auto line = contour_across(t);
       if (!line) continue;
       const Vec3 place = nearest_on_segment(from, (*line)[0], (*line)[1]);
       if (glm::distance(place, from) > most_moved * height_of(t)) continue;
+      if (is_straight(placed_, t) && seen_length(place - from, from) > most_rises * rise_at(t)) continue;
       if (nearest && glm::distance(place, from) >= glm::distance(*nearest, from)) continue;
       nearest = place;
       on_triangle = t;
@@ -132,6 +163,16 @@ class ModelContours {
     return triangles;
   }
 
+  // The mean height of the surface over the facets of the face.
+  [[nodiscard]] double rise_at(int triangle) const {
+    return part_.faces[static_cast<std::size_t>(part_.face_of_triangle[triangle])].sagitta;
+  }
+
+  // The length of a step as the viewer sees it.
+  [[nodiscard]] double seen_length(const Vec3& step, const Vec3& from) const {
+    return glm::length(glm::cross(step, glm::normalize(towards_viewer(from))));
+  }
+
   [[nodiscard]] Vec3 towards_viewer(const Vec3& point) const { return central_ ? projector_ - point : projector_; }
 
   // Its length is twice the area.
@@ -179,10 +220,12 @@ class ModelContours {
     return count == 2 ? std::optional(std::array{met[0], met[1]}) : std::nullopt;
   }
 
+  const scene::Placed& placed_;
   const mesh::Mesh& mesh_;
   const features::PartFaces& part_;
   bool central_;
   double part_angle_;
+  const std::vector<char>& on_border_;
   Vec3 projector_;  ///< the centre of projection, or a direction towards the viewer
   Groups<int> at_vertex_;
   std::vector<double> angle_at_;
@@ -196,15 +239,16 @@ class MovedEnds {
 
   void move(int model, double part_angle) {
     const scene::Placed& placed = world_.models[model];
-    const std::vector<int> edges = smoothed_edges(model, part_angle);
+    const std::vector<char> on_border = vertices_on_borders(placed);
+    const std::vector<int> edges = smoothed_edges(model, part_angle, on_border);
     if (edges.empty()) return;
-    const ModelContours contours(placed, view_.projection, part_angle);
+    const ModelContours contours(placed, view_.projection, part_angle, on_border);
     for (const int e : edges) drawn_.edges[e].by_chance = contours.is_by_chance(triangles_at(drawn_.edges[e]));
     const int first = world_.first_vertex[model];
     std::vector<int> vertices;
     for (const int e : edges)
       for (const int v : drawn_.edges[e].vertex) vertices.push_back(v);
-    const std::vector<int> fixed = ends_of_others(model, edges);
+    const std::vector<int> fixed = fixed_ends(model, edges, on_border);
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     check(vertices.front() >= first && vertices.back() < static_cast<int>(view_.vertices.size()),
@@ -238,7 +282,8 @@ class MovedEnds {
 
  private:
   // Contours of the model inside smoothed faces, if they are entirely in the window.
-  [[nodiscard]] std::vector<int> smoothed_edges(int model, double part_angle) const {
+  [[nodiscard]] std::vector<int> smoothed_edges(int model, double part_angle,
+                                                const std::vector<char>& on_border) const {
     const scene::Placed& placed = world_.models[model];
     std::vector<int> found;
     const auto [first, last] = edges_of(model);
@@ -248,11 +293,28 @@ class MovedEnds {
       const features::PartBorder* border = placed.part->border_at(edge.mesh_edge);
       if (border != nullptr && border->angle > part_angle) continue;
       const std::span<const int> triangles = triangles_at(edge);
-      if (triangles.size() == 2 &&
-          std::any_of(triangles.begin(), triangles.end(), [&](int t) { return is_smoothed(placed, t); }))
-        found.push_back(e);
+      if (triangles.size() != 2) continue;
+      if (is_smoothed_at_ends(edge) || (is_straight_at(edge) && !is_on_border(edge, on_border))) found.push_back(e);
     }
     return found;
+  }
+
+  [[nodiscard]] bool is_smoothed_at_ends(const FeatureEdge& edge) const {
+    const std::span<const int> triangles = triangles_at(edge);
+    return std::any_of(triangles.begin(), triangles.end(),
+                       [&](int t) { return is_smoothed(world_.models[edge.model], t); });
+  }
+
+  [[nodiscard]] bool is_straight_at(const FeatureEdge& edge) const {
+    const std::span<const int> triangles = triangles_at(edge);
+    return std::any_of(triangles.begin(), triangles.end(),
+                       [&](int t) { return is_straight(world_.models[edge.model], t); });
+  }
+
+  // Whether both ends are on borders.
+  [[nodiscard]] bool is_on_border(const FeatureEdge& edge, const std::vector<char>& on_border) const {
+    const int first = world_.first_vertex[edge.model];
+    return on_border[edge.vertex[0] - first] != 0 && on_border[edge.vertex[1] - first] != 0;
   }
 
   [[nodiscard]] std::span<const int> triangles_at(const FeatureEdge& edge) const {
@@ -267,14 +329,19 @@ class MovedEnds {
     return {static_cast<int>(begin - drawn_.edges.begin()), static_cast<int>(end - drawn_.edges.begin())};
   }
 
-  // The ends of contours of the model that are not moved, in ascending order.
-  [[nodiscard]] std::vector<int> ends_of_others(int model, const std::vector<int>& smoothed) const {
+  // The ends of contours of the model that are not moved, in ascending order: of other contours, and those of straight
+  // ones on borders.
+  [[nodiscard]] std::vector<int> fixed_ends(int model, const std::vector<int>& smoothed,
+                                            const std::vector<char>& on_border) const {
     std::vector<int> ends;
     const auto [first, last] = edges_of(model);
     for (int e = first; e < last; ++e) {
       const FeatureEdge& edge = drawn_.edges[e];
-      if (edge.kind == EdgeKind::contour && !std::binary_search(smoothed.begin(), smoothed.end(), e))
-        ends.insert(ends.end(), edge.vertex.begin(), edge.vertex.end());
+      if (edge.kind != EdgeKind::contour) continue;
+      const bool stays = !std::binary_search(smoothed.begin(), smoothed.end(), e);
+      const bool ends_at_borders = !stays && !is_smoothed_at_ends(edge);
+      for (const int v : edge.vertex)
+        if (stays || (ends_at_borders && on_border[v - world_.first_vertex[model]] != 0)) ends.push_back(v);
     }
     std::sort(ends.begin(), ends.end());
     return ends;

@@ -33,7 +33,9 @@ class Completion {
     find_largest_folds();
     for (int f = 0; f < size(); ++f)
       if (is_loose(f)) join_smooth_neighbours(f);
-    join_narrow_triangles();
+    // Between a narrow triangle and its face, others may lie; more than a few are no chance of a tessellation.
+    constexpr int most_between = 8;
+    for (int i = 0; i < most_between && join_narrow_triangles(); ++i) continue;
     make_regions();
     give_slivers_away();
   }
@@ -119,8 +121,8 @@ class Completion {
   }
 
   // Narrow triangles between a long chord of a free form's border and a vertex close to it tilt. A set that contains
-  // only such triangles belongs to the face beyond one of their long sides.
-  void join_narrow_triangles() {
+  // only such triangles belongs to the face beyond one of their long sides. Returns whether there was any.
+  bool join_narrow_triangles() {
     const std::vector<int> members = count_members();
     struct Join {
       double fold = most_smooth;
@@ -140,8 +142,13 @@ class Completion {
       });
       if (is_wide) has_wide[root] = 1;
     }
+    bool any = false;
     for (int root = 0; root < size(); ++root)
-      if (joins[root].other >= 0 && has_wide[root] == 0) sets_.join(joins[root].facet, joins[root].other);
+      if (joins[root].other >= 0 && has_wide[root] == 0) {
+        sets_.join(joins[root].facet, joins[root].other);
+        any = true;
+      }
+    return any;
   }
 
   void make_regions() {

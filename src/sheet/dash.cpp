@@ -19,13 +19,28 @@ const Vec2& at(const std::vector<Vec2>& points, int index) {
   return points[static_cast<std::size_t>(index) % points.size()];
 }
 
-bool is_corner(const std::vector<Vec2>& points, int index, std::span<const drawing::CurvePart> curves) {
+// The point before or after another one (`step` is -1 or 1), if that is an end of the line or farther than `reach`;
+// otherwise the next one in that direction for which this holds.
+const Vec2& next_beyond(const std::vector<Vec2>& points, bool closed, int index, int step, double reach) {
+  const int count = static_cast<int>(points.size());
+  int next = index + count + step;
+  for (int i = 2; i < count && glm::distance(at(points, next), at(points, index)) <= reach; ++i) {
+    if (!closed && (next % count == 0 || next % count == count - 1)) break;
+    next += step;
+  }
+  return at(points, next);
+}
+
+// Steps no longer than `reach`, with which lines are joined that end beside each other, are no corners.
+bool is_corner(const std::vector<Vec2>& points, bool closed, int index, double reach,
+               std::span<const drawing::CurvePart> curves) {
   const int count = static_cast<int>(points.size());
   const auto inside = [&](const drawing::CurvePart& curve) {
     return curve.first < index % count && index % count < curve.last;
   };
   if (std::any_of(curves.begin(), curves.end(), inside)) return false;
-  const Vec2 in = at(points, index) - at(points, index + count - 1), out = at(points, index + 1) - at(points, index);
+  const Vec2 in = at(points, index) - next_beyond(points, closed, index, -1, reach);
+  const Vec2 out = next_beyond(points, closed, index, 1, reach) - at(points, index);
   constexpr double cosine = 0.8660254037844386;  // of 30 degrees
   return glm::dot(in, out) < cosine * glm::length(in) * glm::length(out);
 }
@@ -134,9 +149,11 @@ FittedDashes fit_crossings(double length, double width, bool closed, std::span<c
 std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double shortest,
                                     std::span<const drawing::CurvePart> curves) {
   const int count = static_cast<int>(points.size());
+  const double reach = shortest / 256;  // a tenth of a line's width
+  const auto turns = [&](int i) { return is_corner(points, closed, i, reach, curves); };
   int first = 0, last = count - 1;
   if (closed) {
-    while (first < count && !is_corner(points, first, curves)) ++first;
+    while (first < count && !turns(first)) ++first;
     if (first == count) return {{0, count, true}};
     last = first + count;
   }
@@ -146,8 +163,7 @@ std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed
 
   std::vector<DashRun> runs;
   for (int i = first + 1, begin = first; i <= last; ++i) {
-    const bool cut =
-        i < last && is_corner(points, i, curves) && length(begin, i) >= shortest && length(i, last) >= shortest;
+    const bool cut = i < last && turns(i) && length(begin, i) >= shortest && length(i, last) >= shortest;
     if (!cut && i < last) continue;
     runs.push_back({begin, i, false});
     begin = i;

@@ -36,6 +36,27 @@ TEST(Chains, JoinWhatTouchesWhicheverWayItRuns) {
   EXPECT_FALSE(chains[0].closed);
 }
 
+// At (10, 0) two ends meet exactly, but turn back; the line goes on at an end that differs by rounding.
+TEST(Chains, GoOnRatherThanTurnBack) {
+  const auto chains = drawing::chain_segments(
+      {segment({0, 0}, {10, 0}), segment({10, 0}, {0, 1}), segment({10, 5e-7}, {20, 0})}, 1e-9, 1e-6);
+  ASSERT_EQ(chains.size(), 2U);
+  const auto& longest = chains[chains[0].segments.size() == 2 ? 0 : 1];
+  EXPECT_EQ(longest.segments, (std::vector<int>{0, 2}));
+}
+
+TEST(Chains, TurnBackWhereNothingGoesOn) {
+  const auto chains = drawing::chain_segments({segment({0, 0}, {10, 0}), segment({10, 0}, {0, 1})}, 1e-9, 1e-6);
+  EXPECT_EQ(chains.size(), 1U);
+}
+
+TEST(Chains, HaveNoStepsWhereEndsMeetNearly) {
+  const auto chains = drawing::chain_segments(
+      {segment({0, 0}, {10, 0}), segment({10, 0}, {10, -8e-7}), segment({10, -8e-7}, {20, 5})}, 1e-9, 1e-6);
+  ASSERT_EQ(chains.size(), 1U);
+  EXPECT_EQ(chains[0].points.size(), 3U);
+}
+
 TEST(Chains, LooksAreNotMixed) {
   const auto chains = drawing::chain_segments({segment({0, 0}, {1, 0}), segment({1, 0}, {2, 0}, false),
                                                segment({2, 0}, {3, 0}, false, EdgeKind::wire), segment({3, 0}, {4, 0})},

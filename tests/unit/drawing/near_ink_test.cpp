@@ -267,6 +267,24 @@ TEST(NearInk, WhatStaysKeepsItsPlaceAndLooseEndsStayFew) {
   EXPECT_LE(after, before);
 }
 
+// An arc beside its tangent, which it does not meet, is near over 2 sqrt(2 r d) = 3.6 mm, but not one line with it.
+TEST(NearInk, LinesThatBendTowardsAnotherAndAwayStayWhole) {
+  for (const double apart : {0.01, 0.03, -0.01}) {
+    Pieces pieces;
+    add_line(pieces, {{-100, 20 + apart}, {100, 20 + apart}});
+    add_line(pieces, rim(20, 120, 0.5 + 0.25));
+    EXPECT_TRUE(unchanged(pieces)) << apart;
+  }
+}
+
+// The same distance over the same length, but with corners at both ends.
+TEST(NearInk, LinesBetweenCornersAreRemoved) {
+  Pieces pieces;
+  add_line(pieces, {{-100, 0}, {100, 0}});
+  add_line(pieces, {{-1.8, 10}, {-1.8, 0.03}, {1.8, 0.03}, {1.8, 10}});
+  EXPECT_NEAR(ink(pieces, true) - ink(joined(pieces), true), 3.6, 0.1);
+}
+
 TEST(NearInk, VisibleInkDoesNotDependOnHiddenInk) {
   std::mt19937 random(13);
   for (int round = 0; round < 200; ++round) {

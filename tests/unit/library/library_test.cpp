@@ -102,6 +102,48 @@ TEST(Library, APinInItsBoreHasNoTicksHoweverFineTheyAre) {
   for (const Line& line : drawing.views()[0].lines) EXPECT_NE(line.kind, EdgeKind::intersection);
 }
 
+// A disk at one height as a fan of triangles around its middle.
+void add_cap(Polygons& polygons, const Band& band, bool is_top) {
+  const int middle = static_cast<int>(polygons.points.size()), count = 2 * band.facets;
+  polygons.points.push_back({0, 0, is_top ? band.top : band.bottom});
+  const int first = middle - count + (is_top ? 1 : 0);
+  for (int i = 0; i < count; i += 2) {
+    const int one = first + i, next = first + (i + 2) % count;
+    polygons.faces.push_back(is_top ? std::vector{middle, one, next} : std::vector{middle, next, one});
+  }
+}
+
+// A mesher puts vertices between the rims, too, at any angle: seen along the axis, the facets peep out everywhere.
+TEST(Library, ACylinderAlongItsAxisIsOneCircleHoweverItIsMeshed) {
+  for (const double twist : {0.5, 0.31}) {
+    Polygons pin;
+    const Band lower{20, 0, 10, twist, 24}, upper{20, 10, 25, twist, 24};
+    add_band(pin, lower, false);
+    add_cap(pin, lower, false);
+    const int first = static_cast<int>(pin.points.size());
+    add_band(pin, upper, false);
+    for (int i = 0; i < 24; ++i) {
+      // Its lower rim is turned like the upper rim of the first band.
+      const double angle = 2 * M_PI * (i + twist) / 24 + 0.001, higher = angle + 2 * M_PI * twist / 24;
+      pin.points[first + 2 * i] = {20 * std::cos(angle), 20 * std::sin(angle), 10};
+      pin.points[first + 2 * i + 1] = {20 * std::cos(higher), 20 * std::sin(higher), 25};
+    }
+    add_cap(pin, upper, true);
+    const Drawing drawing = draw({.models = {{.polygons = pin}},
+                                  .views = {{.projection = "top", .name = "view", .hidden = HiddenLines::dashed}}},
+                                 settings());
+    for (const SheetLayer& layer : drawing.layers()) {
+      if (layer.name == "view/visible") {
+        ASSERT_EQ(layer.strokes.size(), 1U) << twist;
+        EXPECT_EQ(layer.strokes[0].front(), layer.strokes[0].back());
+      }
+      if (layer.name == "view/hidden") {
+        EXPECT_TRUE(layer.strokes.empty()) << twist;
+      }
+    }
+  }
+}
+
 TEST(Library, DrawsACubeInMemory) {
   const Drawing drawing = draw(in_memory(), settings());
   ASSERT_EQ(drawing.sheets(), 1);

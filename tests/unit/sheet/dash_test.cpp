@@ -69,6 +69,11 @@ TEST(Dash, CurvesHaveCornersAtTheirEndsOnly) {
   EXPECT_EQ(sheet::cut_at_corners(points, false, 6.75).size(), 3U);
 }
 
+TEST(Dash, StepsTooShortToBeSeenAreNoCorners) {
+  EXPECT_EQ(sheet::cut_at_corners({{0, 0}, {20, 0}, {20, 0.01}, {40, 1}}, false, 6.75).size(), 1u);
+  EXPECT_EQ(sheet::cut_at_corners({{0, 0}, {20, 0}, {20, 0.01}, {20, 20}}, false, 6.75).size(), 2u);
+}
+
 TEST(Dash, ClosedLinesBeginAtACorner) {
   // A square whose list of points begins in the middle of a side.
   const auto runs = sheet::cut_at_corners({{10, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0}}, true, 6.75);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "drawing/continue_contours.hpp"
+#include "drawing/continue_lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ constexpr double same_direction = 0.85;
 // A line approaches the end at which it continues another one over so many times its distance from it.
 constexpr double approach = 1.5;
 
-/// A contour followed from one of its ends.
+/// A line followed from one of its ends.
 struct LooseEnd {
   std::vector<End> members;  ///< at which its pieces are entered, in order
   Vec2 at, outwards;         ///< its place, and the direction in which the line would go on
@@ -37,7 +37,7 @@ struct Candidate {
   bool visible;
 };
 
-/// A position on a contour.
+/// A position on a line.
 struct Foot {
   std::size_t member;
   double part;  ///< of the member from where it is entered
@@ -46,8 +46,13 @@ struct Foot {
 
 class Continuation {
  public:
-  Continuation(std::vector<Piece>& pieces, const std::vector<int>& models, double distance)
-      : pieces_(pieces), models_(models), distance_(distance), is_dropped_(pieces.size(), 0), links_(pieces.size()) {}
+  Continuation(std::vector<Piece>& pieces, const std::vector<int>& models, const ContinuingLimits& limits)
+      : pieces_(pieces),
+        models_(models),
+        distance_(limits.distance),
+        touching_(limits.touching),
+        is_dropped_(pieces.size(), 0),
+        links_(pieces.size()) {}
 
   void run(const Progress& progress) {
     const Polylines lines(pieces_, std::vector<signed char>(pieces_.size(), 1), progress);
@@ -61,12 +66,12 @@ class Continuation {
     }
     for (const auto& [cost, one, two] : pairs()) {
       progress.expect_time();
-      if (is_joined_[one] == 0 && is_joined_[two] == 0 && (join(one, two) || join(two, one)))
-        is_joined_[one] = is_joined_[two] = 1;
+      if (is_joined_[one] != 0 || is_joined_[two] != 0 || cost <= touching_) continue;
+      if (join(one, two) || join(two, one)) is_joined_[one] = is_joined_[two] = 1;
     }
   }
 
-  /// Adds what is left of a contour, with the links at its ends. A link belongs to the point where it begins.
+  /// Adds what is left of a piece, with the links at its ends. A link belongs to the point where it begins.
   void add(std::size_t number, std::vector<Piece>& to) const {
     if (is_dropped_[number] != 0) return;
     const Piece& piece = pieces_[number];
@@ -154,7 +159,7 @@ class Continuation {
     return found;
   }
 
-  // The point of a contour that is nearest to `p`, within `reach` mm along it from its end.
+  // The point of a line that is nearest to `p`, within `reach` mm along it from its end.
   [[nodiscard]] Foot foot(const LooseEnd& line, const Vec2& p, double reach) const {
     Foot nearest{0, 0, glm::distance(p, line.at)};
     double walked = 0;
@@ -175,7 +180,7 @@ class Continuation {
     return end.distance <= distance_;
   }
 
-  // Moves a position on a contour away from its end, not to a link; nothing if the contour is too short.
+  // Moves a position on a line away from its end, not to a link; nothing if the line is too short.
   [[nodiscard]] std::optional<Foot> beyond(const LooseEnd& line, Foot at, double by) const {
     for (; at.member < line.members.size(); ++at.member, at.part = 0) {
       const double length = glm::distance(place(line.members[at.member]), place(other(line.members[at.member])));
@@ -188,7 +193,7 @@ class Continuation {
     return std::nullopt;
   }
 
-  // Makes the second contour begin where the first one ends.
+  // Makes the second line begin where the first one ends.
   bool join(std::size_t first, std::size_t second) {
     const LooseEnd& line = ends_[first];
     LooseEnd& cut = ends_[second];
@@ -201,7 +206,7 @@ class Continuation {
     const End entered = cut.members[begin->member];
     Piece& piece = pieces_[line_of(entered)];
     const auto side = static_cast<std::size_t>(entered % 2);
-    check(begin->part >= 0 && begin->part <= 1, "a contour is cut between its ends");
+    check(begin->part >= 0 && begin->part <= 1, "a line is cut between its ends");
     const Vec2 at = place(entered) + begin->part * (place(other(entered)) - place(entered));
     piece.s[side] += begin->part * (piece.s[1 - side] - piece.s[side]);
     (side == 0 ? piece.from : piece.to) = at;
@@ -209,34 +214,34 @@ class Continuation {
     return true;
   }
 
-  // Whether a short contour has been cut off up to here from its other end.
+  // Whether a short line has been cut off up to here from its other end.
   [[nodiscard]] bool is_cut_off(const LooseEnd& line, std::size_t member) const {
     return is_dropped_[line_of(line.members[member])] != 0;
   }
 
   std::vector<Piece>& pieces_;
   const std::vector<int>& models_;
-  double distance_;
+  double distance_, touching_;
   std::vector<LooseEnd> ends_;
   std::vector<char> is_joined_, is_dropped_;
-  std::vector<std::array<std::optional<Vec2>, 2>> links_;  ///< by piece and side: where another contour ends
+  std::vector<std::array<std::optional<Vec2>, 2>> links_;  ///< by piece and side: where another line ends
 };
 
 }  // namespace
 
-std::vector<Piece> continue_contours(std::vector<Piece> pieces, const std::vector<int>& models, double distance,
-                                     const Progress& progress) {
-  std::vector<std::size_t> numbers;  // of the contours
-  std::vector<Piece> contours;
+std::vector<Piece> continue_lines(std::vector<Piece> pieces, const std::vector<int>& models,
+                                  const ContinuingLimits& limits, const Progress& progress) {
+  std::vector<std::size_t> numbers;  // of the lines
+  std::vector<Piece> lines;
   std::vector<int> their_models;
   for (std::size_t i = 0; i < pieces.size(); ++i)
     if (pieces[i].drawn && pieces[i].kind == EdgeKind::contour) {
       numbers.push_back(i);
-      contours.push_back(pieces[i]);
+      lines.push_back(pieces[i]);
       their_models.push_back(models[i]);
     }
-  if (contours.empty() || !(distance > 0)) return pieces;
-  Continuation continuation(contours, their_models, distance);
+  if (lines.empty() || !(limits.distance > 0)) return pieces;
+  Continuation continuation(lines, their_models, limits);
   continuation.run(progress);
   std::vector<Piece> result;
   result.reserve(pieces.size());
@@ -247,7 +252,7 @@ std::vector<Piece> continue_contours(std::vector<Piece> pieces, const std::vecto
     else
       result.push_back(pieces[i]);
   }
-  check(next == numbers.size(), "every contour is continued or not");
+  check(next == numbers.size(), "every line is continued or not");
   return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "drawing/continue_contours.hpp"
+#include "drawing/continue_lines.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ std::vector<Vec2> arc(double from, double to, double radius = 20) {
 }
 
 Pieces continued(const Pieces& pieces) {
-  return drawing::continue_contours(pieces, std::vector<int>(pieces.size(), 0), distance);
+  return drawing::continue_lines(pieces, std::vector<int>(pieces.size(), 0), {distance, 1e-6});
 }
 
 std::size_t count_lines(const Pieces& pieces) {
@@ -65,7 +65,7 @@ bool is_unchanged(const Pieces& pieces) {
   });
 }
 
-TEST(ContinueContours, MakesOneLineOfPartsThatOverlap) {
+TEST(ContinueLines, MakesOneLineOfPartsThatOverlap) {
   Pieces pieces;
   for (int i = 0; i < 6; ++i) add(pieces, arc(0.3 * i, 0.3 * i + 0.34, i % 2 == 0 ? 20 : 20.03));
   const Pieces line = continued(pieces);
@@ -77,7 +77,7 @@ TEST(ContinueContours, MakesOneLineOfPartsThatOverlap) {
   EXPECT_NEAR(length, 20 * (0.3 * 5 + 0.34), 0.2);
 }
 
-TEST(ContinueContours, MakesOneLineOfPartsThatNearlyMeet) {
+TEST(ContinueLines, MakesOneLineOfPartsThatNearlyMeet) {
   Pieces pieces;
   for (int i = 0; i < 6; ++i) add(pieces, arc(0.3 * i, 0.3 * i + 0.296, i % 2 == 0 ? 20 : 20.03));
   const Pieces line = continued(pieces);
@@ -86,7 +86,7 @@ TEST(ContinueContours, MakesOneLineOfPartsThatNearlyMeet) {
 }
 
 // What is left of a piece lies on its edge; a link begins there.
-TEST(ContinueContours, KeepsPiecesOnTheirEdges) {
+TEST(ContinueLines, KeepsPiecesOnTheirEdges) {
   Pieces pieces;
   add(pieces, {{0, 0}, {10, 0}});
   add(pieces, {{9, 0.05}, {20, 0.05}});
@@ -104,7 +104,7 @@ TEST(ContinueContours, KeepsPiecesOnTheirEdges) {
   EXPECT_EQ(count_lines(line), 1U);
 }
 
-TEST(ContinueContours, DoesNotDependOnOrderAndDirection) {
+TEST(ContinueLines, DoesNotDependOnOrderAndDirection) {
   std::mt19937 random(5);
   Pieces pieces;
   for (int i = 0; i < 8; ++i) add(pieces, arc(0.3 * i, 0.3 * i + 0.33, i % 2 == 0 ? 20 : 20.02));
@@ -116,7 +116,7 @@ TEST(ContinueContours, DoesNotDependOnOrderAndDirection) {
   }
 }
 
-TEST(ContinueContours, LeavesOtherLinesAlone) {
+TEST(ContinueLines, LeavesOtherLinesAlone) {
   const auto two = [](const std::vector<Vec2>& second, const Pen& first_pen = {}, const Pen& second_pen = {}) {
     Pieces pieces;
     add(pieces, {{0, 0}, {10, 0}}, first_pen);
@@ -131,8 +131,9 @@ TEST(ContinueContours, LeavesOtherLinesAlone) {
   EXPECT_TRUE(is_unchanged(two({{10.05, 0}, {10.05, 9}}))) << "a corner";
   EXPECT_TRUE(is_unchanged(two({{10, 0.05}, {0, 1.5}}))) << "a cusp";
   EXPECT_TRUE(is_unchanged(two({{5, 0.05}, {20, 0.05}}))) << "a long way";
+  EXPECT_TRUE(is_unchanged(two({{10, 1e-7}, {20, 0}}))) << "meets it already";
   const Pieces others = two(beside);
-  EXPECT_EQ(drawing::continue_contours(others, {0, 1}, distance).size(), 2U);
+  EXPECT_EQ(drawing::continue_lines(others, {0, 1}, {distance, 1e-6}).size(), 2U);
 }
 
 // --- specks
@@ -192,6 +193,44 @@ TEST(Specks, MayBeLinksTooShortToBeSeen) {
     pieces.back().s = {1, 1};
     EXPECT_EQ(without_specks(pieces).size(), length < 0.01 ? 2U : 3U);
   }
+}
+
+TEST(Specks, MayBeLinksFromLinesThatGoOn) {
+  Pieces pieces;
+  add(pieces, {{0, 0}, {10, 0}});
+  add(pieces, {{4, 0.08}, {5, 0.08}, {6, 0.08}});
+  add(pieces, {{5, 0.08}, {5, 0.01}});
+  pieces.back().s = {1, 1};
+  EXPECT_EQ(without_specks(pieces).size(), 3U);
+}
+
+// --- glints
+
+Pieces line_with_a_part(double length, bool visible) {
+  Pieces pieces;
+  add(pieces, {{0, 0}, {5, 0}}, {!visible});
+  add(pieces, {{5, 0}, {5 + length, 0}}, {visible});
+  add(pieces, {{5 + length, 0}, {10, 0}}, {!visible});
+  return pieces;
+}
+
+std::size_t count_visible(Pieces pieces, bool is_moved = true) {
+  drawing::turn_glints(pieces, std::vector<char>(pieces.size(), is_moved ? 1 : 0), 0.01, {});
+  return static_cast<std::size_t>(
+      std::count_if(pieces.begin(), pieces.end(), [](const Piece& p) { return p.visible; }));
+}
+
+TEST(Glints, TakeOnTheVisibilityOfTheLineAroundThem) {
+  EXPECT_EQ(count_visible(line_with_a_part(0.005, true)), 0U);
+  EXPECT_EQ(count_visible(line_with_a_part(0.005, false)), 3U);
+  EXPECT_EQ(count_visible(line_with_a_part(0.05, true)), 1U) << "seen";
+  EXPECT_EQ(count_visible(line_with_a_part(0.005, true), false), 1U) << "in its place on the mesh";
+  Pieces corner = line_with_a_part(0.005, true);
+  add(corner, {{5, 0}, {5, 5}});
+  EXPECT_EQ(count_visible(corner), 2U) << "another visible line ends there";
+  Pieces last = line_with_a_part(0.005, true);
+  last.pop_back();
+  EXPECT_EQ(count_visible(last), 1U) << "the end of a line";
 }
 
 }  // namespace
