@@ -54,7 +54,7 @@ InkCells::InkCells(const Vec2& min, const Vec2& max, double least) {
   }
 }
 
-std::vector<int> InkCells::find(const Vec2& from, const Vec2& to, double margin, Sectors sectors) const {
+std::vector<int> InkCells::find(const Vec2& from, const Vec2& to, double margin, Sectors wanted) const {
   // Nearly all the time is spent waiting for memory. It is therefore asked for in all cells before the first is opened.
   std::vector<int> clusters, found;
   clusters.reserve(most_at_once);
@@ -71,7 +71,7 @@ std::vector<int> InkCells::find(const Vec2& from, const Vec2& to, double margin,
     const Cluster& cluster = clusters_[clusters[i]];
     ask_for(cluster.next);
     for (int at = 0; at < cluster.count; ++at)
-      if ((sectors >> cluster.sector[at] & 1) != 0) found.push_back(cluster.part[at]);
+      if ((wanted >> cluster.sector[at] & 1) != 0) found.push_back(cluster.part[at]);
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());

@@ -37,9 +37,9 @@ class InkCells {
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
   /// Returns the numbers of all parts within `margin` of a line, and of some others near it, ascending and without
-  /// duplicates; only those in `sectors` if it is given.
+  /// duplicates; only those in `wanted` if it is given.
   [[nodiscard]] std::vector<int> find(const Vec2& from, const Vec2& to, double margin,
-                                      Sectors sectors = ~Sectors{}) const;
+                                      Sectors wanted = ~Sectors{}) const;
 
  private:
   struct Level {
