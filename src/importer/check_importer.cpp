@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importer/check_importer.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/temporary_folder.hpp"
 #include "base/text.hpp"
 #include "importer/assemble.hpp"
 #include "mesh/read.hpp"
@@ -22,30 +20,6 @@ namespace epura::importer {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A temporary folder, removed by the destructor.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "epura-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-      throw Error(ErrorKind::output, name, "no folder for temporary files can be made", "set TMPDIR");
-    folder_ = name;
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code error;
-    fs::remove_all(folder_, error);
-  }
-  [[nodiscard]] fs::path file(const std::string& name, std::string_view bytes) const {
-    write_file(folder_ / name, bytes);
-    return folder_ / name;
-  }
-
- private:
-  fs::path folder_;
-};
 
 class Checker {
  public:
@@ -64,7 +38,7 @@ class Checker {
     });
     expect("refuses", "files that hold nothing are refused with a sentence", [&] {
       for (const std::string_view other : others())
-        if (const auto fault = fault_of_garbage(scratch_.file(name, other))) return *fault;
+        if (const auto fault = fault_of_garbage(written(name, other))) return *fault;
       return std::string();
     });
     for (const fs::path& model : models)
@@ -73,6 +47,11 @@ class Checker {
   }
 
  private:
+  [[nodiscard]] fs::path written(const std::string& name, std::string_view bytes) const {
+    write_file(scratch_ / name, bytes);
+    return scratch_ / name;
+  }
+
   static std::array<std::string_view, 4> others() {
     return {std::string_view(), std::string_view("\xff\xd8\xff\xe0\0\x10JFIF\0\1\1", 14),
             std::string_view("The quick brown fox jumps over the lazy dog.\n"),
@@ -110,11 +89,11 @@ class Checker {
     const std::string bytes = read_file(model);
     expect("survives", called + " cut short or damaged is read or refused", [&] {
       for (const std::size_t part : {1, 2, 3, 7}) {
-        fault_of_garbage(scratch_.file(name, std::string_view(bytes).substr(0, bytes.size() * part / 8)));
+        fault_of_garbage(written(name, std::string_view(bytes).substr(0, bytes.size() * part / 8)));
         std::string damaged = bytes;
         for (std::size_t i = damaged.size() * part / 8; i < damaged.size(); i += 997)
           damaged[i] = char(damaged[i] ^ 0x15);
-        fault_of_garbage(scratch_.file(name, damaged));
+        fault_of_garbage(written(name, damaged));
       }
       return std::string();
     });
@@ -184,7 +163,7 @@ class Checker {
   const double seconds_;
   const foreign::TellResult& tell_;
   std::vector<double> values_;
-  Scratch scratch_;
+  TemporaryFolder scratch_;
   std::vector<foreign::CheckResult> results_;
 };
 

@@ -2,6 +2,7 @@
 // Chooses the size and proportions of the cells into which a part of the page is divided.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -40,15 +41,27 @@ struct GridLimits {
 /// Halves cells along the axis that cuts fewer lines, as often as the limits allow: long parallel lines get long cells.
 CellGrid choose_grid(const PageBox& page, const Cuts& lines, const Cuts& areas, const GridLimits& limits);
 
-/// The same for lines with members `from` and `to`.
+/// The ends of a line: of an array of two, or of its members `from` and `to`.
+inline const std::array<Vec2, 2>& ends_of(const std::array<Vec2, 2>& line) { return line; }
+template <class Line>
+std::array<Vec2, 2> ends_of(const Line& line) {
+  return {line.from, line.to};
+}
+
+/// The same for lines.
 template <class Lines>
 CellGrid grid_over_lines(const Lines& lines, const GridLimits& limits) {
   PageBox page{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
-  for (const auto& line : lines)
-    page = {glm::min(page.min, glm::min(line.from, line.to)), glm::max(page.max, glm::max(line.from, line.to))};
+  for (const auto& line : lines) {
+    const auto [from, to] = ends_of(line);
+    page = {glm::min(page.min, glm::min(from, to)), glm::max(page.max, glm::max(from, to))};
+  }
   const Vec2 size = glm::max(page.max - page.min, Vec2(limits.side));
   Cuts cuts;
-  for (const auto& line : lines) cuts.add(glm::abs(line.to - line.from), size);
+  for (const auto& line : lines) {
+    const auto [from, to] = ends_of(line);
+    cuts.add(glm::abs(to - from), size);
+  }
   return choose_grid(page, cuts, {}, limits);
 }
 

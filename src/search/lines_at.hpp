@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -42,14 +41,7 @@ class LinesAt {
   // Cells hold a few lines each, unless lines are crowded.
   static CellGrid grid_over(std::span<const Line> lines, double margin) {
     constexpr double cells_a_line = 2, cuts_a_line = 8;
-    PageBox page{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
-    for (const auto& [from, to] : lines)
-      page = {glm::min(page.min, glm::min(from, to)), glm::max(page.max, glm::max(from, to))};
-    const double least = 4 * margin;
-    const Vec2 size = glm::max(page.max - page.min, Vec2(least));
-    Cuts cuts;
-    for (const auto& [from, to] : lines) cuts.add(glm::abs(to - from), size);
-    return choose_grid(page, cuts, {}, {cells_a_line * static_cast<double>(lines.size()) + 1, least, cuts_a_line, 0});
+    return grid_over_lines(lines, {cells_a_line * static_cast<double>(lines.size()) + 1, 4 * margin, cuts_a_line, 0});
   }
 
   CellGrid grid_;

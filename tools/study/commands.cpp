@@ -20,6 +20,17 @@ scene::ValueKind<Rival> any_rival() {
           [](const scene::TomlValue& value) { return parse_rival(scene::read_text(value)); }};
 }
 
+// The formats are those of study_report.hpp.
+template <class Study>
+scene::Option<Study> report_option() {
+  return scene::option<Study>(
+      {.flag = "-o,--output",
+       .help = "output file; its extension selects the format: html csv json pdf, or svg png for each diagram",
+       .required = true,
+       .repeatable = true},
+      &Study::outputs, file_name("FILE"));
+}
+
 scene::Options<StabilityOptions> stability_options() {
   using Study = StabilityOptions;
   return {
@@ -51,12 +62,7 @@ scene::Options<AccuracyOptions> accuracy_options() {
                             .required = true,
                             .repeatable = true},
                            &Study::scenes, file_name("SCENE...")),
-      scene::option<Study>(
-          {.flag = "-o,--output",
-           .help = "output file; its extension selects the format: html csv json pdf, or svg png for each diagram",
-           .required = true,
-           .repeatable = true},
-          &Study::outputs, file_name("FILE")),
+      report_option<Study>(),
       projections_option("projection of models, NAME[:key=value...]; repeat for more views", &Study::projections),
       plugin_path_option<Study>(&Study::plugin_path),
       scene::option<Study>({.flag = "--visibility",
@@ -80,12 +86,7 @@ scene::Options<AccuracyOptions> accuracy_options() {
 scene::Options<PaperOptions> paper_options() {
   using Study = PaperOptions;
   return {
-      scene::option<Study>(
-          {.flag = "-o,--output",
-           .help = "output file; its extension selects the format: html csv json pdf, or svg png for each diagram",
-           .required = true,
-           .repeatable = true},
-          &Study::outputs, file_name("FILE")),
+      report_option<Study>(),
       scene::option<Study>({.flag = "--body", .help = "only this body; may be repeated", .repeatable = true},
                            &Study::bodies, scene::any_text().shown_as("NAME")),
       scene::option<Study>({.flag = "--finest",

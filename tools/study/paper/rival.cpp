@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/temporary_folder.hpp"
 #include "base/text.hpp"
 
 namespace epura::study {
@@ -15,26 +16,6 @@ namespace epura::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that is removed in the end.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "epura-study-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw Error(ErrorKind::output, name, "cannot make a folder for files");
-    folder_ = name;
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  [[nodiscard]] fs::path operator/(const char* name) const { return folder_ / name; }
-
- private:
-  fs::path folder_;
-};
 
 std::string to_off(const mesh::Soup& mesh) {
   std::string text =
@@ -95,7 +76,7 @@ Rival parse_rival(const std::string& text) {
 }
 
 RivalDrawing draw_by(const Rival& rival, const mesh::Soup& mesh) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const fs::path model = scratch / "mesh.off", lines = scratch / "lines.txt", messages = scratch / "messages.txt";
   write_file(model, to_off(mesh));
   const std::string command =
