@@ -31,12 +31,11 @@ TEST_P(Paper, LinesAreWithinTheStatedError) {
     }
 }
 
-// Twice as many facets around have a quarter of the error. At a cusp, where a contour of a torus ends, they do not: its
-// end is that of the facets' contour, up to a facet away.
+// Twice as many facets around have a quarter of the error. At a cusp, they do not.
 TEST_P(Paper, ErrorsFallWithTheSquareOfTheFacets) {
   PaperSeries series{form.name, paper_ways[1]};
   for (const int around : {48, 96}) series.runs.push_back(draw_on_paper(form, around, false, laboratory));
-  EXPECT_GT(series.order(), form.name == "torus" ? 0.7 : 1.8);
+  EXPECT_GT(series.order(), form.has_cusps ? 0.7 : 1.8);
   EXPECT_LT(series.order(), 2.5);
 }
 

@@ -129,14 +129,50 @@ struct Way {
   std::function<double()> time;  ///< s
 };
 
-const Viewer isometric{false, {}, {1, -1, 1}};
+// Rivals draw isometric views: what other parallel views show of a mesh, theirs show of it in another position.
+struct Pose {
+  Mat3 to_rival;
+  Vec3 right, up;
+};
 
-// Lines on the axes of an isometric view are put on the paper of a run of epura.
-std::vector<InkLine> on_paper_of(const PaperRun& run, const std::vector<InkLine>& lines) {
-  const Vec3 right = glm::normalize(Vec3(1, 1, 0)), up = glm::cross(glm::normalize(isometric.towards), right);
+Pose pose_of(const projection::Projection& view) {
+  const Vec3 n = glm::normalize(Vec3(1, -1, 1)), right = glm::normalize(Vec3(1, 1, 0)), up = glm::cross(n, right);
+  const Mat3 isometric(right, up, n), own(view.u, view.v, view.n);
+  return {isometric * glm::transpose(own), view.u, view.v};
+}
+
+// Lines of a rival's view are put on the paper of a run of epura.
+std::vector<InkLine> on_paper_of(const PaperRun& run, const Pose& pose, const std::vector<InkLine>& lines) {
   std::vector<std::vector<Vec3>> in_space;
-  for (const auto& [from, to] : lines) in_space.push_back({from.x * right + from.y * up, to.x * right + to.y * up});
+  for (const auto& [from, to] : lines)
+    in_space.push_back({from.x * pose.right + from.y * pose.up, to.x * pose.right + to.y * pose.up});
   return lines_on_paper(in_space, run.world_to_page);
+}
+
+RivalDrawing draw_by(const Rival& rival, const ClosedForm& form, int around, const Mat3& to_rival) {
+  mesh::Soup mesh = mesh_of(form, around);
+  for (auto& p : mesh.points) {
+    const Vec3 q = to_rival * Vec3(p[0], p[1], p[2]);
+    p = {q.x, q.y, q.z};
+  }
+  return draw_by(rival, mesh, describe_bodies(form, to_rival));
+}
+
+// Nothing if the rival cannot draw the bodies.
+std::optional<Way> way_of(const Rival& rival, const ClosedForm& form, int around, const PaperStudy& study) {
+  const PaperRun own = draw_on_paper(form, around, false, study);
+  const Pose pose = pose_of(own.projection);
+  if (!draw_by(rival, form, around, pose.to_rival).can) return std::nullopt;
+  const auto compare_lines = [&form, &study, &rival, around, own, pose] {
+    PaperRun run = own;
+    run.error = {};
+    const std::vector<InkLine> truth =
+        lines_on_paper(visible_lines(form, viewer_of(run.projection), study.points), run.world_to_page);
+    compare(on_paper_of(run, pose, draw_by(rival, form, around, pose.to_rival).lines), truth, run.error);
+    return run;
+  };
+  const auto time = [&form, &rival, around, pose] { return draw_by(rival, form, around, pose.to_rival).seconds; };
+  return Way{rival.name, compare_lines, time};
 }
 
 std::vector<Way> ways_of(const ClosedForm& form, int around, const PaperStudy& study) {
@@ -147,18 +183,9 @@ std::vector<Way> ways_of(const ClosedForm& form, int around, const PaperStudy& s
                       const scene::SceneDescription scene = describe(form, around, i == 0);
                       return draw(scene, options_of(study)).seconds;
                     }});
-  if (form.projection != "isometric") return ways;
+  if (form.is_central()) return ways;
   for (const Rival& rival : study.rivals)
-    ways.push_back({rival.name,
-                    [&form, &study, &rival, around] {
-                      PaperRun run = draw_on_paper(form, around, false, study);
-                      run.error = {};
-                      const std::vector<InkLine> truth =
-                          lines_on_paper(visible_lines(form, isometric, study.points), run.world_to_page);
-                      compare(on_paper_of(run, draw_by(rival, mesh_of(form, around)).lines), truth, run.error);
-                      return run;
-                    },
-                    [&form, &rival, around] { return draw_by(rival, mesh_of(form, around)).seconds; }});
+    if (auto way = way_of(rival, form, around, study)) ways.push_back(std::move(*way));
   return ways;
 }
 
@@ -186,6 +213,7 @@ PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, in
   for (const mesh::MeshReport& mesh : drawn.report.meshes) run.triangles += mesh.triangles;
   const drawing::ViewDrawing& drawing = drawn.sheets.front().drawings.front();
   run.world_to_page = drawing.world_to_page;
+  run.projection = drawing.projection;
   run.error.budget = drawn.report.errors.front();
   const std::vector<InkLine> truth =
       lines_on_paper(visible_lines(truth_of, viewer_of(drawing.projection), study.points), run.world_to_page);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "projection/projection.hpp"
 #include "report/error_budget.hpp"
 #include "study/paper/closed_forms.hpp"
 #include "study/paper/rival.hpp"
@@ -32,7 +33,8 @@ struct PaperRun {
   PaperError error;
   std::vector<double> seconds{};  ///< from the mesh in memory to the lines on paper
   Mat4 world_to_page{1};          ///< of the view; its rows have mm on paper
-  bool on_front = false;          ///< no other run of the scene is both faster and better
+  projection::Projection projection{};
+  bool on_front = false;  ///< no other run of the scene is both faster and better
 };
 
 /// A scene with one way to draw it.
@@ -62,9 +64,9 @@ PaperRun draw_on_paper(const ClosedForm& form, int around, bool recognises, cons
 PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, int around, bool recognises,
                           const PaperStudy& study, std::optional<double> max_error = {});
 
-/// Draws each scene in both ways and by all rivals, who know isometric views only, at each fineness from its coarsest
-/// on: `runs` times, in turns, so that other load on the machine affects all alike. The first of the runs is compared
-/// with the truth.
+/// Draws each scene in both ways and, in parallel views, by all rivals that can, at each fineness from its coarsest on:
+/// `runs` times, in turns, so that other load on the machine affects all alike. The first of the runs is compared with
+/// the truth.
 std::vector<PaperSeries> measure_paper(const std::vector<ClosedForm>& forms, const std::vector<int>& finenesses,
                                        int runs, const PaperStudy& study, const Progress& progress);
 
