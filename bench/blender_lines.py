@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Visible lines of a mesh by Blender's Line Art, for comparison:
-    blender -b --factory-startup --python-exit-code 2 -P bench/blender_lines.py -- MODEL LINES.txt [intersection]
+    blender -b --factory-startup --python-exit-code 2 -P bench/blender_lines.py -- [intersections] MODEL LINES.txt
 
-Isometric; contours, creases from 30 degrees and open edges, and with `intersection` lines where faces cross. MODEL: .off,
+Isometric; contours, creases from 30 degrees and open edges, and with `intersections` lines where faces cross. MODEL: .off,
 or what Blender reads (.stl, .ply, .obj). Writes a row "x0 y0 x1 y1" for each line, in units of the model, as `epura study
 paper --rival` wants it, and prints the seconds of each stage on stderr: `hlr` is the evaluation of the modifier.
 """
@@ -79,7 +79,8 @@ def add_line_art(intersections):
     return lines
 
 
-def main(path, output, *options):
+def main(*arguments):
+    *options, path, output = arguments
     for item in list(bpy.data.objects):
         bpy.data.objects.remove(item)
     start = time.perf_counter()
@@ -90,7 +91,7 @@ def main(path, output, *options):
     look_at(model, right, up, viewer)
     bpy.context.view_layer.update()
     was_read = time.perf_counter()
-    lines = add_line_art("intersection" in options)
+    lines = add_line_art("intersections" in options)
     graph = bpy.context.evaluated_depsgraph_get()
     graph.update()
     drawn = lines.evaluated_get(graph).data

@@ -26,6 +26,7 @@ namespace {
 using namespace epura;
 
 constexpr int cannot_draw = 77;
+constexpr double curve_fineness = 1e7;
 
 gp_Ax2 read_frame(std::istream& row) {
   std::array<double, 9> n{};
@@ -75,7 +76,7 @@ int draw(const std::filesystem::path& mesh, const char* file) {
   const auto all = make_all(bodies);
   if (!all) return cannot_draw;
   const double made = bench::now();
-  const bench::ExactView view = bench::exact_view(*all, {1, -1, 1});
+  const bench::ExactView view = bench::exact_view(*all, {1, -1, 1}, curve_fineness);
   bench::say_seconds("read", made - start);
   bench::say_seconds("hlr", bench::now() - made);
   write_file(file, text_of(view));

@@ -83,7 +83,7 @@ RivalDrawing draw_by(const Rival& rival, const mesh::Soup& mesh, const std::stri
   write_file(model, to_off(mesh));
   write_file(scratch / "bodies.txt", bodies);
   const std::string command =
-      rival.command + ' ' + in_quotes(model) + ' ' + in_quotes(lines) + " 2>" + in_quotes(messages);
+      rival.command + ' ' + in_quotes(model) + ' ' + in_quotes(lines) + " >/dev/null 2>" + in_quotes(messages);
   const int status = std::system(command.c_str());
   const std::string said = read_file(messages);
   constexpr int cannot_draw = 77;
