@@ -73,6 +73,8 @@ epura::Settings settings_of(const py::dict& values) {
   };
   take("contact", settings.contact);
   take("wireframe", settings.wireframe);
+  take("max_error", settings.max_error);
+  take("error_note", settings.error_note);
   take("arcs", settings.arcs);
   take("centre_lines", settings.centre_lines);
   take("verify", settings.verify);
@@ -134,6 +136,13 @@ py::dict lines_of(const py::object& self, std::size_t view) {
 py::tuple view_facts(const epura::Drawing& drawing, std::size_t number) {
   const epura::DrawnView& view = drawing.views().at(number);
   return py::make_tuple(view.name, view.projection, view.sheet, view.scale, view.world_to_page);
+}
+
+py::dict error_of(const epura::Drawing& drawing, std::size_t number) {
+  py::dict terms;
+  for (const epura::ErrorTerm& term : drawing.views().at(number).error.terms)
+    terms[py::str(term.term)] = py::make_tuple(term.mm, term.by);
+  return terms;
 }
 
 py::list arcs_of(const epura::Drawing& drawing, std::size_t number) {
@@ -210,6 +219,7 @@ PYBIND11_MODULE(_core, module) {
       .def("view_count", [](const epura::Drawing& drawing) { return drawing.views().size(); })
       .def("view_facts", &view_facts)
       .def("lines", &lines_of)
+      .def("error", &error_of)
       .def("arcs", &arcs_of)
       .def("layers", &layers_of)
       .def("to_svg", [](const epura::Drawing& d, int s) { return unlocked([&] { return epura::to_svg(d, s); }); })

@@ -100,6 +100,8 @@ def draw(
     contact: Optional[float] = None,
     wireframe: bool = False,
     centre_lines: bool = False,
+    max_error: Optional[float] = None,
+    error_note: bool = False,
     arcs: Optional[float] = None,
     verify: Optional[int] = None,
     time_limit: Optional[float] = None,
@@ -116,9 +118,10 @@ def draw(
     "1:2"; `title`; `sheet`: other options of the sheet.
 
     Of every drawing: `contact`: distance below which faces touch; `wireframe`: no hidden lines are removed;
-    `centre_lines` of circular features; `arcs`: tolerance in mm within which arcs are recognised; `verify`: points at
-    which the drawing is tested; `time_limit`: seconds; `threads`: 0 for all cores; `plugin_path`: more folders with
-    plugins; `allow_outside`: scene files and models may name files outside their folders; `projections`: classes that
+    `max_error`: mm on paper by which lines may be off those of the part, with facets, arcs and decimals chosen for it;
+    `error_note`: the error is stated on sheets; `centre_lines` of circular features; `arcs`: tolerance in mm within
+    which arcs are recognised; `verify`: points at which the drawing is tested; `time_limit`: seconds; `threads`: 0 for
+    all cores; `plugin_path`: more folders with plugins; `allow_outside`: scene files and models may name files outside their folders; `projections`: classes that
     views use by name (epura.projection). `progress` is called with the name of a stage and its completed fraction;
     True shows a bar, if tqdm is installed.
 
@@ -126,10 +129,11 @@ def draw(
     """
     of_one = {"projection": projection, "parameters": parameters, "views": views, "hidden": hidden, "size": size,
               "scale": scale, "title": title, "sheet": sheet}
-    settings: Dict[str, Any] = {"wireframe": wireframe, "centre_lines": centre_lines, "threads": threads, "allow_outside": allow_outside,
+    settings: Dict[str, Any] = {"wireframe": wireframe, "centre_lines": centre_lines, "error_note": error_note,
+                                "threads": threads, "allow_outside": allow_outside,
                                 "plugin_path": [os.fspath(folder) for folder in plugin_path]}
-    settings.update({key: value for key, value in (("contact", contact), ("arcs", arcs), ("verify", verify),
-                                                   ("time_limit", time_limit)) if value is not None})
+    settings.update({key: value for key, value in (("contact", contact), ("max_error", max_error), ("arcs", arcs),
+                                                   ("verify", verify), ("time_limit", time_limit)) if value is not None})
     scene_file = _scene_file(model)
     if scene_file or isinstance(model, Scene):
         given = [name for name, value in of_one.items() if value is not None]

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from typing import List, NamedTuple, Tuple, Union
+from typing import Dict, List, NamedTuple, Tuple, Union
 
 import numpy as np
 
@@ -41,6 +41,8 @@ class DrawnView:
     `visible` (n). `model`, `body` (n): numbers from 0, -1 if there is none. `edge` (n, 2): its vertices in the model,
     -1 for intersections and cuts. `t` (n, 2): parameters of both ends along that edge in space.
     `arcs`: those found within the tolerance `arcs` of `draw`.
+    `error`: how far lines may be from those of the part, mm on paper; `error_terms`: what it consists of, the largest
+    first, each with its mm and "bound", "measured" or "estimated".
     `world_to_page` (4, 4): for a world point as a column, rows 0 and 1 over row 3 are mm on the sheet.
     """
 
@@ -60,6 +62,14 @@ class DrawnView:
         self.edge: np.ndarray = lines["edge"]
         self.t: np.ndarray = lines["t"]
         self._drawing, self._number = drawing, number
+
+    @property
+    def error_terms(self) -> Dict[str, Tuple[float, str]]:
+        return self._drawing.error(self._number)
+
+    @property
+    def error(self) -> float:
+        return sum(mm for mm, _ in self.error_terms.values())
 
     @property
     def arcs(self) -> List[Arc]:

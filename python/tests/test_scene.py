@@ -104,6 +104,16 @@ def test_models_in_memory_and_dimensions():
     assert texts.count("<path") > 10
 
 
+def test_views_state_their_error():
+    view = epura.draw(SAMPLES / "models" / "flange.obj", views=["top"]).views[0]
+    assert set(view.error_terms) >= {"surface", "hiding"} and view.error == pytest.approx(
+        sum(mm for mm, by in view.error_terms.values() if by in ("bound", "measured", "estimated")))
+    error = epura.draw(SAMPLES / "models" / "flange.obj", views=["top"], max_error=2 * view.error).views[0].error
+    assert error <= 2 * view.error
+    with pytest.raises(epura.InputError, match="max"):
+        epura.draw(SAMPLES / "models" / "flange.obj", views=["top"], max_error=1e-3)
+
+
 def test_drawings_have_layers_and_arcs():
     drawing = epura.draw(SAMPLES / "models" / "flange.obj", views=["top"], arcs=0.01)
     arcs = drawing.views[0].arcs
