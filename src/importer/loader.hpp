@@ -44,6 +44,9 @@ struct LoadedImporter {
 /// Returns nothing for a library of projections.
 std::vector<LoadedImporter> load_importers(const std::filesystem::path& library);
 
+/// The same of what a library returns, which must remain as long as the importers. May be null.
+std::vector<LoadedImporter> read_list(const epura_importer_list* list);
+
 /// Throws Error{input} with the importer's message if the file is invalid, and Error{plugin} if the importer violates
 /// the interface.
 Document read_by(const epura_importer& importer, const Reading& reading, const std::function<void(double)>& tell);
