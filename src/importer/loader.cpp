@@ -77,9 +77,14 @@ std::vector<LoadedImporter> read_list(const epura_importer_list* list) {
 }
 
 Document read_by(const epura_importer& importer, const Reading& reading, const std::function<void(double)>& tell) {
-  const epura_source source{sizeof(epura_source), static_cast<uint32_t>(std::max(reading.threads, 1)),
-                            reading.path.c_str(), reading.values.data(),
-                            reading.tolerance,    reading.relative_tolerance};
+  const epura_source source{sizeof(epura_source),
+                            static_cast<uint32_t>(std::max(reading.threads, 1)),
+                            reading.path.c_str(),
+                            reading.values.data(),
+                            reading.tolerance,
+                            reading.relative_tolerance,
+                            static_cast<uint32_t>(reading.may_leave),
+                            0};
   DocumentSink sink(tell);
   const char* sentence = nullptr;
   try {

@@ -30,6 +30,7 @@ struct Reading {
   std::vector<double> values;
   double tolerance = 0, relative_tolerance = 0;  ///< 0: no bound
   int threads = 1;
+  int may_leave = 0;    ///< the file may refer to files outside its folder
   int is_confined = 0;  ///< the process opens no other files any more
   /// What it opens if it is confined; nothing if the path leads to a file in memory.
   std::vector<std::filesystem::path> readable{};
