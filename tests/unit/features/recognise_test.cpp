@@ -285,6 +285,18 @@ TEST(RecogniseFaces, FreeFormsAreOneFace) {
   EXPECT_EQ(count(faces, features::BorderKind::sharp), 12);
 }
 
+TEST(RecogniseFaces, ASurfaceOfRevolutionOverACurveIsNoStackOfCones) {
+  // A baluster on a foot; its profile turns back three times.
+  std::vector<Vec2> profile{{0, -30}, {15, -30}, {15, 0}};
+  for (int i = 0; i <= 40; ++i) profile.emplace_back(8 + 2 * std::sin(0.3 * i) + 0.05 * i, 1.0 * i);
+  profile.emplace_back(0, 40);
+  const features::PartFaces part = recognise(revolved(profile, 48));
+  EXPECT_EQ(count(part, features::SurfaceKind::cone), 0);
+  EXPECT_EQ(count(part, features::SurfaceKind::cylinder), 1);
+  EXPECT_EQ(count(part, features::SurfaceKind::free_form), 1);
+  EXPECT_EQ(part.faces.size(), 5U);
+}
+
 TEST(RecogniseFaces, CurvesOfVaryingCurvatureAreNotRowsOfArcs) {
   constexpr int columns = 90, rows = 3;
   std::mt19937 random(1);
