@@ -119,6 +119,8 @@ typedef struct epura_source {
   const double* values;      /* values of the parameters in the order of the table, vectors flattened */
   double tolerance;          /* permitted deviation from curved surfaces, mm; 0: no bound */
   double relative_tolerance; /* the same as a fraction of the diagonal of the model's box; 0: no bound */
+  uint32_t may_leave;        /* not 0: the file may refer to files outside its folder */
+  uint32_t unused;
 } epura_source;
 
 /* One importer. */

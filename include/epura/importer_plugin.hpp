@@ -38,6 +38,7 @@ struct Source {
   unsigned threads = 1;
   double tolerance = 0, relative_tolerance = 0;
   const double* values = nullptr;  ///< values of the parameters
+  bool may_leave = false;          ///< the file may refer to files outside its folder
 
   /// Returns the permitted deviation from curved surfaces in mm, for a model whose box has this diagonal in mm.
   [[nodiscard]] double tolerance_of(double diagonal) const {
@@ -132,7 +133,11 @@ const char* read(const epura_source* source, const epura_sink* sink) noexcept {
   static thread_local std::string sentence;
   try {
     Sink to(*sink);
-    I::read(Source{source->path, source->threads, source->tolerance, source->relative_tolerance, source->values}, to);
+    // An older host has a shorter source.
+    const bool may_leave = source->size >= sizeof(epura_source) && source->may_leave != 0;
+    I::read(
+        Source{source->path, source->threads, source->tolerance, source->relative_tolerance, source->values, may_leave},
+        to);
     return nullptr;
   } catch (const std::exception& error) {
     sentence = error.what();

@@ -43,8 +43,7 @@ ImporterTable table_of(const epura_importer& row, std::size_t place) {
           .has_mark = row.recognises != nullptr ? 1 : 0};
 }
 
-const epura_importer_list& list_of(epura_importer_entry_point entry) {
-  const epura_importer_list* list = entry();
+void expect_sound(const epura_importer_list* list) {
   require(list != nullptr, EPURA_IMPORTER_ENTRY_POINT " returns nothing");
   require(list->abi == EPURA_IMPORTER_ABI_VERSION, "is built for importer ABI " + std::to_string(list->abi) +
                                                        ", this program has " +
@@ -53,7 +52,6 @@ const epura_importer_list& list_of(epura_importer_entry_point entry) {
                                                          std::to_string(sizeof(epura_importer_list)) + " bytes");
   require(list->count > 0 && list->importers != nullptr, "offers no importer");
   require(list->count <= foreign::most_rows, "claims to provide " + std::to_string(list->count) + " importers");
-  return *list;
 }
 
 }  // namespace
@@ -63,11 +61,15 @@ std::vector<LoadedImporter> load_importers(const std::filesystem::path& library)
   void* symbol = find_symbol(handle, EPURA_IMPORTER_ENTRY_POINT);
   if (symbol == nullptr && find_symbol(handle, EPURA_ENTRY_POINT) != nullptr) return {};
   require(symbol != nullptr, "is not a library of importers: it has no function " EPURA_IMPORTER_ENTRY_POINT);
-  const epura_importer_list& list = list_of(reinterpret_cast<epura_importer_entry_point>(symbol));
+  return read_list(reinterpret_cast<epura_importer_entry_point>(symbol)());
+}
+
+std::vector<LoadedImporter> read_list(const epura_importer_list* list) {
+  expect_sound(list);
   std::vector<LoadedImporter> importers;
   std::set<std::string> names;
-  for (std::size_t i = 0; i < list.count; ++i) {
-    const epura_importer& row = foreign::row_of(list.importers, i, "its list");
+  for (std::size_t i = 0; i < list->count; ++i) {
+    const epura_importer& row = foreign::row_of(list->importers, i, "its list");
     importers.push_back({table_of(row, i), &row});
     require(names.insert(row.name).second, std::string("offers two importers '") + row.name + "'");
   }
@@ -75,9 +77,14 @@ std::vector<LoadedImporter> load_importers(const std::filesystem::path& library)
 }
 
 Document read_by(const epura_importer& importer, const Reading& reading, const std::function<void(double)>& tell) {
-  const epura_source source{sizeof(epura_source), static_cast<uint32_t>(std::max(reading.threads, 1)),
-                            reading.path.c_str(), reading.values.data(),
-                            reading.tolerance,    reading.relative_tolerance};
+  const epura_source source{sizeof(epura_source),
+                            static_cast<uint32_t>(std::max(reading.threads, 1)),
+                            reading.path.c_str(),
+                            reading.values.data(),
+                            reading.tolerance,
+                            reading.relative_tolerance,
+                            static_cast<uint32_t>(reading.may_leave),
+                            0};
   DocumentSink sink(tell);
   const char* sentence = nullptr;
   try {

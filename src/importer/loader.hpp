@@ -30,6 +30,7 @@ struct Reading {
   std::vector<double> values;
   double tolerance = 0, relative_tolerance = 0;  ///< 0: no bound
   int threads = 1;
+  int may_leave = 0;    ///< the file may refer to files outside its folder
   int is_confined = 0;  ///< the process opens no other files any more
   /// What it opens if it is confined; nothing if the path leads to a file in memory.
   std::vector<std::filesystem::path> readable{};
@@ -43,6 +44,9 @@ struct LoadedImporter {
 /// Opens the library. If any of its importers is invalid, throws Error{plugin} with the reason, without the path.
 /// Returns nothing for a library of projections.
 std::vector<LoadedImporter> load_importers(const std::filesystem::path& library);
+
+/// The same of what a library returns, which must remain as long as the importers. May be null.
+std::vector<LoadedImporter> read_list(const epura_importer_list* list);
 
 /// Throws Error{input} with the importer's message if the file is invalid, and Error{plugin} if the importer violates
 /// the interface.

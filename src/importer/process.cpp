@@ -41,7 +41,7 @@ void pack_table(Pack& pack, Value& table) {
 template <class Pack, class Value>
 void pack_reading(Pack& pack, Value& reading) {
   pack(reading.path), pack(reading.values), pack(reading.tolerance), pack(reading.relative_tolerance);
-  pack(reading.threads), pack(reading.is_confined), pack(reading.readable);
+  pack(reading.threads), pack(reading.may_leave), pack(reading.is_confined), pack(reading.readable);
 }
 
 void pack_tables(Packer& pack, const std::vector<LoadedImporter>& importers) {

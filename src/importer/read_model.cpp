@@ -122,6 +122,7 @@ ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, 
       .tolerance = options.tolerance,
       .relative_tolerance = options.relative_tolerance,
       .threads = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency()),
+      .may_leave = options.allow_outside ? 1 : 0,
       .is_confined = options.is_confined ? 1 : 0,
       .readable = file ? std::vector<fs::path>() : readable_for(source.path, options.allow_outside)};
   std::error_code unknown;

@@ -21,8 +21,7 @@ using foreign::row_of;
 
 std::string number(std::size_t n) { return std::to_string(n); }
 
-const epura_projection_list& list_of(epura_entry_point entry) {
-  const epura_projection_list* list = entry();
+void expect_sound(const epura_projection_list* list) {
   require(list != nullptr, EPURA_ENTRY_POINT " returns nothing");
   require(list->abi == EPURA_ABI_VERSION,
           "is built for plugin ABI " + number(list->abi) + ", this program has " + number(EPURA_ABI_VERSION));
@@ -30,7 +29,6 @@ const epura_projection_list& list_of(epura_entry_point entry) {
           "its list is too short: " + number(list->size) + " of " + number(sizeof(epura_projection_list)) + " bytes");
   require(list->count > 0 && list->projections != nullptr, "provides no projection");
   require(list->count <= most_rows, "claims to provide " + number(list->count) + " projections");
-  return *list;
 }
 
 ProjectionEntry entry_of(const epura_projection& row, std::size_t place, const std::filesystem::path& path) {
@@ -57,11 +55,15 @@ std::vector<ProjectionEntry> read_plugin(const std::filesystem::path& path) {
   void* symbol = find_symbol(library, EPURA_ENTRY_POINT);
   if (symbol == nullptr && find_symbol(library, EPURA_IMPORTER_ENTRY_POINT) != nullptr) return {};
   require(symbol != nullptr, "is not a projection plugin: it has no function " EPURA_ENTRY_POINT);
-  const epura_projection_list& list = list_of(reinterpret_cast<epura_entry_point>(symbol));
+  return read_list(reinterpret_cast<epura_entry_point>(symbol)(), path);
+}
+
+std::vector<ProjectionEntry> read_list(const epura_projection_list* list, const std::filesystem::path& path) {
+  expect_sound(list);
   std::vector<ProjectionEntry> entries;
   std::set<std::string> names;
-  for (std::size_t i = 0; i < list.count; ++i) {
-    entries.push_back(entry_of(row_of(list.projections, i, "its list"), i, path));
+  for (std::size_t i = 0; i < list->count; ++i) {
+    entries.push_back(entry_of(row_of(list->projections, i, "its list"), i, path));
     require(names.insert(entries.back().name).second, "provides two projections '" + entries.back().name + "'");
   }
   return entries;

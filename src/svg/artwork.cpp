@@ -123,10 +123,11 @@ class Reader {
     return {{scale.x, 0}, {0, -scale.y}, {-origin.x * scale.x, art_.size.y + origin.y * scale.y}};
   }
 
-  void read_style_sheets(const pugi::xml_node& node) {
+  void read_style_sheets(const pugi::xml_node& node, int depth = 0) {
+    if (depth > deepest) refuse(node, "has too many groups in groups");
     for (const pugi::xml_node child : node.children()) {
       const std::string_view name = child.name();
-      if (name == "defs" || name == "g") read_style_sheets(child);
+      if (name == "defs" || name == "g") read_style_sheets(child, depth + 1);
       if (name != "style") continue;
       rules_.merge(read_rules(child.text().get()));
       if (!rules_.others.empty())

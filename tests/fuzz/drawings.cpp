@@ -9,7 +9,11 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "numbers.hpp"
+#include "report/format.hpp"
 #include "targets.hpp"
+#include "verify/verify.hpp"
 #include "wrong_span.hpp"
 
 namespace epura::fuzz {
@@ -20,30 +24,11 @@ using test::Point;
 using test::Result;
 using test::Shape;
 
-/// Numbers from bytes; zeros after their end.
-class Numbers {
- public:
-  explicit Numbers(const std::string& bytes) : bytes_(bytes) {}
-
-  [[nodiscard]] bool at_end() const { return next_ >= bytes_.size(); }
-  /// From 0 to `count` - 1.
-  int below(int count) { return (at_end() ? 0 : static_cast<unsigned char>(bytes_[next_++])) % count; }
-  /// A whole number from -`most` to `most`.
-  double whole(int most) { return below(2 * most + 1) - most; }
-  Vec3 vector(int most) {
-    const double x = whole(most), y = whole(most), z = whole(most);
-    return {x, y, z};
-  }
-
- private:
-  const std::string& bytes_;
-  std::size_t next_ = 0;
-};
-
 struct Scene {
   Shape shape;
   projection::Projection view;
   bool is_recognised;
+  edges::EdgeOptions options{};
 };
 
 [[noreturn]] void refuse(const char* reason) { throw Error(ErrorKind::input, "scene", reason); }
@@ -88,9 +73,25 @@ void add_boxes(Shape& shape, Numbers& numbers) {
   }
 }
 
+// What is drawn, and from which angle on folds are creases.
+edges::EdgeOptions options_of(int choice) {
+  edges::EdgeOptions options;
+  options.crease = choice / 2 % 2 == 0;
+  options.contour = choice / 4 % 2 == 0;
+  options.intersection = choice / 8 % 2 == 0;
+  options.tangent = choice / 16 % 2 == 1;
+  options.smooth = choice / 32 % 2 == 1;
+  constexpr std::array<double, 4> angles{30, 0, 90, 180};
+  options.crease_angle = angles[static_cast<std::size_t>(choice / 64)];
+  return options;
+}
+
 Scene scene_of(const std::string& bytes) {
   Numbers numbers(bytes);
-  Scene scene{{}, view_of(numbers), numbers.below(2) == 1};
+  Scene scene{{}, view_of(numbers), false};
+  const int choice = numbers.below(256);
+  scene.is_recognised = choice % 2 == 1;
+  scene.options = options_of(choice);
   if (numbers.below(2) == 0)
     add_triangles(scene.shape, numbers);
   else
@@ -101,7 +102,8 @@ Scene scene_of(const std::string& bytes) {
 
 Result draw(const Shape& shape, const Scene& scene) {
   scene::World world = test::world_of(shape);
-  return test::draw(scene.is_recognised ? test::recognised(std::move(world)) : std::move(world), scene.view);
+  return test::draw(scene.is_recognised ? test::recognised(std::move(world)) : std::move(world), scene.view,
+                    scene.options);
 }
 
 std::array<double, 2> ink_of(const Result& result) { return {result.visible(), result.hidden_length()}; }
@@ -111,6 +113,13 @@ void expect_same_ink(const Result& one, const Result& other, const char* sentenc
   const auto [other_visible, other_hidden] = ink_of(other);
   const double slack = 1e-7 * (visible + hidden);
   check(std::abs(visible - other_visible) <= slack && std::abs(hidden - other_hidden) <= slack, sentence);
+}
+
+bool are_same(const Result& one, const Result& other) {
+  return std::equal(one.drawing.segments.begin(), one.drawing.segments.end(), other.drawing.segments.begin(),
+                    other.drawing.segments.end(), [](const drawing::Segment& a, const drawing::Segment& b) {
+                      return a.from == b.from && a.to == b.to && a.visible == b.visible && a.edge == b.edge;
+                    });
 }
 
 void judge_hidden_lines(const std::string& bytes) {
@@ -141,11 +150,29 @@ void scale(const std::string& bytes) {
   scene.view.point *= factor;
   if (scene.view.central) scene.view.projector *= factor;
   const Result scaled = draw(scene.shape.scaled(factor), scene);
-  const auto &one = result.drawing.segments, &other = scaled.drawing.segments;
-  const bool same = std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const auto& a, const auto& b) {
-    return a.from == b.from && a.to == b.to && a.visible == b.visible && a.edge == b.edge;
-  });
-  check(same, "a power of two in size changes the drawing");
+  check(are_same(result, scaled), "a power of two in size changes the drawing");
+}
+
+void draw_on_threads(const std::string& bytes) {
+  const Scene scene = scene_of(bytes);
+  std::vector<Result> results;
+  for (const int threads : {1, 3}) {
+    const ThreadLimit limit(threads);
+    results.push_back(draw(scene.shape, scene));
+  }
+  check(are_same(results[0], results[1]), "the number of threads changes the drawing");
+}
+
+// As --verify does: points of lines, and lines across the page.
+void verify_drawing(const std::string& bytes) {
+  const Scene scene = scene_of(bytes);
+  const Result r = draw(scene.shape, scene);
+  if (r.drawing.segments.empty()) refuse("no lines");
+  const view::ViewLimits limits;
+  constexpr int samples = 50;
+  const report::Verification found = verify::verify({r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing},
+                                                    {r.view.extent, r.view.contact.touching}, samples, true);
+  check(found.is_right(), report::format_verification(found).c_str());
 }
 
 void copy(const std::string& bytes) {
@@ -158,8 +185,12 @@ void copy(const std::string& bytes) {
 }  // namespace
 
 std::span<const Target> drawings() {
-  static constexpr std::array<Target, 4> all{
-      {{"hidden-lines", judge_hidden_lines}, {"numbering", renumber}, {"scale", scale}, {"copies", copy}}};
+  static constexpr std::array<Target, 6> all{{{"hidden-lines", judge_hidden_lines},
+                                              {"numbering", renumber},
+                                              {"scale", scale},
+                                              {"copies", copy},
+                                              {"threads", draw_on_threads},
+                                              {"verify", verify_drawing}}};
   return all;
 }
 

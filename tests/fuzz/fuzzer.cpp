@@ -2,6 +2,7 @@
 // One target as libFuzzer runs it. Errors of the user are right answers; what ends the process is a finding.
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "base/error.hpp"
@@ -11,8 +12,8 @@
 extern "C" const char* __lsan_default_suppressions() { return "leak:libzip\n"; }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-  static const epura::fuzz::Target* target = epura::fuzz::target_named(EPURA_FUZZ_TARGET);
-  epura::check(target != nullptr, "there is no target " EPURA_FUZZ_TARGET);
+  static const std::optional<epura::fuzz::Target> target = epura::fuzz::target_named(EPURA_FUZZ_TARGET);
+  epura::check(target.has_value(), "there is no target " EPURA_FUZZ_TARGET);
   epura::fuzz::run(*target, std::string(reinterpret_cast<const char*>(bytes), count));
   return 0;
 }

@@ -10,20 +10,27 @@
 #include <vector>
 
 #include "app/batch/job_table.hpp"
+#include "app/batch/manifest.hpp"
 #include "app/batch/placeholders.hpp"
 #include "app/batch/shards.hpp"
+#include "app/command_line_options.hpp"
+#include "app/draw_options.hpp"
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "compare/comparison.hpp"
 #include "compare/read_pictures.hpp"
 #include "importer/assemble.hpp"
 #include "importer/loader.hpp"
 #include "importer/read_model.hpp"
 #include "mesh/read.hpp"
+#include "pipeline/shortcuts.hpp"
 #include "scene/choices.hpp"
 #include "scene/cutting_plane.hpp"
 #include "scene/details.hpp"
+#include "scene/role_styles.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/transform.hpp"
+#include "sheet/form.hpp"
 #include "targets.hpp"
 
 namespace epura::fuzz {
@@ -33,8 +40,8 @@ namespace {
 /// A file of this process, for functions that want a path.
 class OwnFile {
  public:
-  explicit OwnFile(const std::string& bytes)
-      : path_(std::filesystem::temp_directory_path() / ("epura-fuzz-" + std::to_string(::getpid()))) {
+  explicit OwnFile(const std::string& bytes, const std::string& extension = "")
+      : path_(std::filesystem::temp_directory_path() / ("epura-fuzz-" + std::to_string(::getpid()) + extension)) {
     std::ofstream(path_, std::ios::binary) << bytes;
   }
   OwnFile(const OwnFile&) = delete;
@@ -104,7 +111,7 @@ void read_scene(const std::string& bytes) {
 // The first byte selects what the other ones are a value of.
 void read_words(const std::string& bytes) {
   using Read = void (*)(const std::string& text);
-  static constexpr std::array<Read, 10> reads{
+  static constexpr std::array<Read, 11> reads{
       [](const std::string& text) { scene::parse_scale(text, "--scale"); },
       [](const std::string& text) { scene::parse_paper_size(text, "--sheet"); },
       [](const std::string& text) { scene::parse_break(text, "--break"); },
@@ -117,8 +124,52 @@ void read_words(const std::string& bytes) {
       [](const std::string& text) { scene::parse_transform(text); },
       [](const std::string& text) { importer::parse_model_request(text); },
       [](const std::string& text) { expect_known_placeholders(text, "--output"); },
-      [](const std::string& text) { parse_shard(text); }};
+      [](const std::string& text) { parse_shard(text); },
+      [](const std::string& text) { pipeline::parse_shortcuts(text); }};
   if (!bytes.empty()) reads[static_cast<unsigned char>(bytes.front()) % reads.size()](bytes.substr(1));
+}
+
+// A command line of `epura draw`: words between line ends.
+void read_options(const std::string& bytes) {
+  CLI::App app("", "epura");
+  const scene::Options<DrawOptions> options = draw_options();
+  for (const scene::OptionInfo& option : options) epura::define(app, option);
+  std::vector<std::string> words;
+  for (const std::string_view word : split(bytes, '\n'))
+    words.emplace(words.begin(), word);  // CLI11 wants them reversed
+  try {
+    app.parse(words);
+  } catch (const CLI::CallForHelp&) {
+    return;
+  } catch (const CLI::ParseError& error) {
+    refuse_wrong_use(app, error);
+  }
+  DrawOptions draw;
+  epura::read_options(app, options, draw);
+}
+
+// Frames and title blocks, and the logos in them.
+void read_template(const std::string& bytes) {
+  static const sheet::Lettering lettering;
+  const OwnFile file(bytes);
+  const std::string title(60, 'W');
+  const sheet::TitleBlock block{{{"title", title}, {"number", "7"}, {"owner", title}}, "1:2", "A3"};
+  sheet::draw_form(*sheet::read_form({file.path(), "--template"}), block, lettering);
+}
+
+void read_logo(const std::string& bytes) {
+  const OwnFile file(bytes, bytes.starts_with("\x89") ? ".png" : ".svg");
+  sheet::draw_logo(*sheet::read_logo({file.path(), "--logo"}), {{0, 0}, {30, 10}});
+}
+
+void read_style(const std::string& bytes) {
+  const OwnFile file(bytes);
+  scene::read_role_styles({file.path(), "--style"});
+}
+
+void read_records(const std::string& bytes) {
+  const OwnFile file(bytes);
+  epura::read_manifest(file.path());
 }
 
 void read_jobs(const std::string& bytes) {
@@ -139,7 +190,7 @@ void read_pdf(const std::string& bytes) { read_drawing(bytes, "drawing.pdf"); }
 }  // namespace
 
 std::span<const Target> readers() {
-  static constexpr std::array<Target, 13> all{{{"obj", read_obj},
+  static constexpr std::array<Target, 18> all{{{"obj", read_obj},
                                                {"stl", read_stl},
                                                {"ply", read_ply},
                                                {"off", read_off},
@@ -148,7 +199,12 @@ std::span<const Target> readers() {
                                                {"answer", read_answer},
                                                {"scene", read_scene},
                                                {"words", read_words},
+                                               {"options", read_options},
+                                               {"template", read_template},
+                                               {"logo", read_logo},
+                                               {"style", read_style},
                                                {"jobs", read_jobs},
+                                               {"records", read_records},
                                                {"json", read_json},
                                                {"svg", read_svg},
                                                {"pdf", read_pdf}}};

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "targets.hpp"
 
-#include <algorithm>
-
 #include "base/error.hpp"
 
 namespace epura::fuzz {
 
-const Target* target_named(std::string_view name) {
-  for (const std::span<const Target> some : {readers(), drawings()})
-    if (const auto found = std::find_if(some.begin(), some.end(), [&](const Target& t) { return t.name == name; });
-        found != some.end())
-      return &*found;
-  return nullptr;
+std::vector<Target> all_targets() {
+  std::vector<Target> all;
+  for (const std::span<const Target> some : {readers(), plugins(), drawings()})
+    all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+std::optional<Target> target_named(std::string_view name) {
+  for (const Target& target : all_targets())
+    if (target.name == name) return target;
+  return std::nullopt;
 }
 
 bool run(const Target& target, const std::string& bytes) {

@@ -2,9 +2,11 @@
 // What strangers hand to epura, as functions of bytes: for the fuzzers, and for the test that replays what they found.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace epura::fuzz {
 
@@ -18,11 +20,17 @@ struct Target {
 /// Files and texts of the user, and answers of processes with foreign code.
 std::span<const Target> readers();
 
+/// Tables and answers of plugins, and what users write for their parameters.
+std::span<const Target> plugins();
+
 /// Drawings of small meshes full of ties, against the truth and against themselves.
 std::span<const Target> drawings();
 
-/// Returns null if there is none.
-const Target* target_named(std::string_view name);
+/// All of them.
+std::vector<Target> all_targets();
+
+/// Returns nothing if there is none.
+std::optional<Target> target_named(std::string_view name);
 
 /// Runs a target. Returns whether the bytes were accepted. What is neither accepted nor refused ends the process.
 bool run(const Target& target, const std::string& bytes);

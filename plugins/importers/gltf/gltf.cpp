@@ -22,7 +22,7 @@ struct Gltf {
 
   static void read(const Source& source, Sink& sink) {
     std::string warning;
-    const tinygltf::Model model = load(source.path, warning);
+    const tinygltf::Model model = load(source, warning);
     constexpr double metre = 1000;
     sink.unit(metre);
     sink.up('y');

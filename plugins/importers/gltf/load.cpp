@@ -125,7 +125,8 @@ bool is_image(const fs::path& path) {
 /// Files to which a file refers. tinygltf passes decoded URIs, and puts no folder before them.
 class Companions {
  public:
-  explicit Companions(const fs::path& file) : folder_(fs::weakly_canonical(fs::absolute(file)).parent_path()) {}
+  Companions(const fs::path& file, bool may_leave)
+      : folder_(fs::weakly_canonical(fs::absolute(file)).parent_path()), may_leave_(may_leave) {}
 
   tinygltf::FsCallbacks callbacks() {
     return {[](const std::string& uri, void* self) { return !is_image(uri) && self != nullptr; },
@@ -159,13 +160,14 @@ class Companions {
     const fs::path whole = fs::weakly_canonical(folder_ / path);
     const bool is_inside =
         std::mismatch(folder_.begin(), folder_.end(), whole.begin(), whole.end()).first == folder_.end();
-    refuse_if(leaves || !is_inside, "lies outside its folder");
+    refuse_if(!may_leave_ && (leaves || !is_inside), "lies outside its folder");
     refuse_if(!fs::exists(whole), "is not there");
     refuse_if(!fs::is_regular_file(whole), "is no file");
     return whole;
   }
 
   fs::path folder_;
+  bool may_leave_;
   std::string fault_;
 };
 
@@ -184,14 +186,14 @@ void expect_version(const tinygltf::Model& model) {
 
 }  // namespace
 
-tinygltf::Model load(const std::string& path, std::string& warning) {
-  std::string bytes = whole_file(path);
+tinygltf::Model load(const Source& source, std::string& warning) {
+  std::string bytes = whole_file(source.path);
   if (bytes.substr(0, 3) == "\xef\xbb\xbf") bytes.erase(0, 3);
   const bool is_binary = std::string_view(bytes).substr(0, magic.size()) == magic;
   if (is_binary) expect_whole(bytes);
   expect_shallow(json_of(bytes, is_binary));
   prepare_compressed(bytes, is_binary);
-  Companions companions(path);
+  Companions companions(source.path, source.may_leave);
   tinygltf::TinyGLTF reader;
   reader.SetFsCallbacks(companions.callbacks());
   reader.SetImageLoader(leave_image_alone, nullptr);

@@ -50,6 +50,12 @@ std::string text_in(const JsonValue& object, const char* key) {
   return {found->value.GetString(), found->value.GetStringLength()};
 }
 
+// A job with a damaged code has failed.
+int exit_code_in(const JsonValue& object) {
+  const auto found = object.FindMember("code");
+  return found != object.MemberEnd() && found->value.IsInt() ? found->value.GetInt() : 1;
+}
+
 double number_in(const JsonValue& object, const char* key) {
   const auto found = object.FindMember(key);
   return found != object.MemberEnd() && found->value.IsNumber() ? found->value.GetDouble() : 0;
@@ -66,7 +72,7 @@ std::vector<WrittenFile> files_in(const JsonValue& object, const char* key) {
 void read_record(const JsonValue& object, JobRecords& records) {
   JobRecord record{.name = text_in(object, "job"),
                    .key = text_in(object, "key"),
-                   .code = static_cast<int>(number_in(object, "code")),
+                   .code = exit_code_in(object),
                    .seconds = number_in(object, "seconds"),
                    .megabytes = number_in(object, "MB")};
   record.outputs = files_in(object, "outputs");

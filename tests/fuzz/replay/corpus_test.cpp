@@ -18,12 +18,6 @@ void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
 
 namespace {
 
-std::vector<Target> all_targets() {
-  std::vector<Target> all;
-  for (const auto some : {readers(), drawings()}) all.insert(all.end(), some.begin(), some.end());
-  return all;
-}
-
 std::vector<std::filesystem::path> corpus_of(const Target& target) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(EPURA_FUZZ_CORPORA "/" + std::string(target.name)))

@@ -34,10 +34,12 @@ std::string gltf(const std::string& rest) {
          rest + "}";
 }
 
+enum class Use { model_or_scene, drawing, form };
+
 struct HostileFile {
   const char* name;
   std::string content;
-  bool is_compared = false;  ///< it is a drawing, otherwise a model or a scene
+  Use use = Use::model_or_scene;
 };
 void PrintTo(const HostileFile& file, std::ostream* out) { *out << file.name; }
 
@@ -46,6 +48,8 @@ constexpr int deep = 1000000;
 std::vector<HostileFile> hostile_files() {
   const std::string position = "property float x\nproperty float y\nproperty float z\n";
   const std::string face = "element face 1\nproperty list uint int vertex_indices\n";
+  const std::string groups = "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm'>" +
+                             repeated("<g>", deep) + repeated("</g>", deep) + "</svg>";
   return {
       {"vertices.ply", ply("element vertex 4000000000\n" + position, zeros)},
       {"faces.ply",
@@ -73,16 +77,22 @@ std::vector<HostileFile> hostile_files() {
       {"nested.toml", "a = " + repeated("[", deep)},
       {"tables.toml", repeated("[", deep)},
       {"keys.toml", "a" + repeated(".a", deep) + " = 1\n"},
-      {"nested.json", repeated("[", deep), true},
-      {"objects.json", repeated("{\"a\":", deep), true},
-      {"nested.svg", "<svg xmlns='http://www.w3.org/2000/svg'>" + repeated("<g>", deep), true},
+      {"nested.json", repeated("[", deep), Use::drawing},
+      {"objects.json", repeated("{\"a\":", deep), Use::drawing},
+      {"nested.svg", "<svg xmlns='http://www.w3.org/2000/svg'>" + repeated("<g>", deep), Use::drawing},
       {"entities.svg",
        "<!DOCTYPE svg [<!ENTITY a 'aaaaaaaaaa'><!ENTITY b '&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;'>"
        "<!ENTITY c '&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;'><!ENTITY d '&c;&c;&c;&c;&c;&c;&c;&c;&c;&c;'>"
        "<!ENTITY e '&d;&d;&d;&d;&d;&d;&d;&d;&d;&d;'><!ENTITY f '&e;&e;&e;&e;&e;&e;&e;&e;&e;&e;'>]>"
        "<svg xmlns='http://www.w3.org/2000/svg'><text>&f;&f;&f;&f;&f;&f;&f;&f;&f;&f;</text></svg>",
-       true},
-      {"nested.pdf", "%PDF-1.7\n1 0 obj\n" + repeated("[", deep) + "\nendobj\ntrailer<</Root 1 0 R>>\n", true},
+       Use::drawing},
+      {"groups.svg", groups, Use::drawing},
+      {"groups_in.svg", groups, Use::form},
+      {"texts_in.svg",
+       "<svg width='9mm' height='9mm'><text font-size='3'>" + repeated("<tspan>", deep) + repeated("</tspan>", deep) +
+           "</text></svg>",
+       Use::form},
+      {"nested.pdf", "%PDF-1.7\n1 0 obj\n" + repeated("[", deep) + "\nendobj\ntrailer<</Root 1 0 R>>\n", Use::drawing},
   };
 }
 
@@ -96,8 +106,13 @@ INSTANTIATE_TEST_SUITE_P(Files, Hostile, testing::ValuesIn(hostile_files()), [](
 TEST_P(Hostile, IsRefusedBeforeItTakesMemory) {
   const Folder folder;
   const std::string file = folder.file(GetParam().name, GetParam().content);
-  const Outcome run = GetParam().is_compared ? epura({"compare", file, file}, folder / "")
-                                             : epura({"draw", file, "-o", "x.svg"}, folder / "");
+  const std::vector<std::string> words =
+      GetParam().use == Use::drawing ? std::vector<std::string>{"compare", file, file}
+      : GetParam().use == Use::form
+          ? std::vector<std::string>{"draw", EPURA_TEST_SAMPLES "/models/bracket.obj", "--template", file, "-o",
+                                     "x.svg"}
+          : std::vector<std::string>{"draw", file, "-o", "x.svg"};
+  const Outcome run = epura(words, folder / "");
   EXPECT_TRUE(run.code == 2 || run.code == 3) << run.code << run.out << run.err;
   EXPECT_TRUE(contains(run.err, GetParam().name)) << run.err;
   EXPECT_FALSE(contains(run.err, "internal error") || contains(run.err, "crashes")) << run.err;

@@ -104,6 +104,24 @@ TEST_P(Whole, RingsAreOneCurve) {
   }
 }
 
+TEST(Arcs, OfAClosedLineThatBeginsInACurveMoveItsLinesWithItsPoints) {
+  // A slot, from the middle of one end.
+  std::vector<Vec2> slot = points_of(ellipse({20, 0}, 5, 5), 0, pi / 2, 8);
+  for (const Vec2& p : points_of(ellipse({0, 0}, 5, 5), pi / 2, 3 * pi / 2, 16)) slot.push_back(p);
+  for (const Vec2& p : points_of(ellipse({20, 0}, 5, 5), -pi / 2, 0, 8)) slot.push_back(p);
+  drawing::Chain chain = chain_of(slot, true);
+  slot.pop_back();
+  chain.segments.resize(slot.size());
+  for (std::size_t i = 0; i < slot.size(); ++i) chain.segments[i] = static_cast<int>(i);
+  find(chain);
+  EXPECT_EQ(chain.curves.size(), 2U);
+  ASSERT_EQ(chain.segments.size(), slot.size());
+  ASSERT_EQ(chain.points.size(), slot.size());
+  EXPECT_NE(chain.segments[0], 0);
+  for (std::size_t i = 0; i < slot.size(); ++i)
+    EXPECT_LT(glm::distance(chain.points[i], slot[static_cast<std::size_t>(chain.segments[i])]), 1e-9);
+}
+
 TEST(Arcs, PolygonsStayPolygons) {
   for (int n = 3; n < 12; ++n)
     for (const double flat : {1.0, 0.4}) {

@@ -45,6 +45,8 @@ TEST(Boundary, OfACircleCutsChords) {
   EXPECT_EQ(length_inside(c, {-10, 9}, {20, 9}), 0);  // touches
   EXPECT_EQ(length_inside(c, {-10, 10}, {20, 10}), 0);
   EXPECT_EQ(length_inside(c, {9, 4}, {20, 4}), 0);
+  // From just outside to very far away.
+  EXPECT_NEAR(length_inside(circle({0, 0}, 5), {-5.000001, 0}, {1e6, 0}), 10, 1e-9);
   // A tangent, of which the middle is on the circle up to rounding.
   EXPECT_EQ(length_inside(circle({100.5453125, 122.5}, 22), {108.54531250000001, 144.5}, {92.54531250000001, 144.5}),
             0);

@@ -64,6 +64,16 @@ TEST(Chains, LooksAreNotMixed) {
   EXPECT_EQ(chains.size(), 4U);
 }
 
+TEST(Chains, BodiesAndModelsAreNotMixed) {
+  std::vector<drawing::Segment> lines{segment({0, 0}, {1, 0}), segment({1, 0}, {2, 0}), segment({2, 0}, {3, 0})};
+  lines[1].body = 4;
+  EXPECT_EQ(drawing::chain_segments(lines, 1e-6).size(), 3U);
+  lines[1].body = -1;
+  EXPECT_EQ(drawing::chain_segments(lines, 1e-6).size(), 1U);
+  lines[2].model = 1;
+  EXPECT_EQ(drawing::chain_segments(lines, 1e-6).size(), 2U);
+}
+
 TEST(Chains, KindsThatLookTheSameAreMixed) {
   const auto chains = drawing::chain_segments(
       {segment({0, 0}, {1, 0}), segment({1, 0}, {2, 0.1}, true, EdgeKind::contour), segment({2, 0.1}, {3, 0})}, 1e-6);

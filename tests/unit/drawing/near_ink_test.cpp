@@ -80,6 +80,28 @@ int loose_ends(const Pieces& pieces) {
 }
 
 // Sagitta of 64 facets: r (1 - cos(pi / 64)) = 0.0012 r.
+TEST(NearInk, LinesThatRunAlongOneAnotherForAMomentStay) {
+  for (const double length : {0.3, 3.0}) {
+    Pieces pieces;
+    add(pieces, {0, 0}, {100, 0});
+    add_line(pieces, {{50, 9}, {50, 0.08}, {50 + length, 0.08}, {50 + length, 9}}, false);
+    const double removed = ink(pieces, false) - ink(joined(pieces), false);
+    if (length < 5 * distance)
+      EXPECT_NEAR(removed, 0, 1e-9);
+    else
+      EXPECT_GT(removed, length - 2 * distance);
+  }
+}
+
+TEST(NearInk, IsTakenAroundACornerOfLinesThatMeet) {
+  Pieces pieces;
+  add(pieces, {0, 0}, {50, 0});
+  add(pieces, {50, 0}, {50, 50});
+  // The corner is farther away than the distance.
+  add_line(pieces, {{0, -0.09}, {50.09, -0.09}, {50.09, 50}}, false);
+  EXPECT_EQ(ink(joined(pieces), false), 0);
+}
+
 TEST(NearInk, OfTwoRimsSeenAlongTheAxisOneIsDrawn) {
   for (const bool back_is_visible : {false, true}) {
     Pieces pieces;

@@ -215,6 +215,19 @@ TEST(Gltf, NothingOutsideTheFolderIsOpened) {
     EXPECT_EQ(refusal_with(uri), "refers to '" + uri + "', which is not opened: only files in its own folder are");
 }
 
+TEST(Gltf, FilesOutsideTheFolderAreOpenedIfThatIsAllowed) {
+  const Folder folder;
+  File file = cube_file();
+  file.uri = "../beside.bin";
+  std::filesystem::create_directory(folder / "inner");
+  folder.file("beside.bin", file.buffer.bytes);
+  importer::ReadOptions options;
+  options.plugin_path = {EPURA_TEST_IMPORTERS};
+  options.allow_outside = true;
+  const std::string path = folder.file("inner/m.gltf", file.json(true));
+  EXPECT_EQ(volume_of(importer::read_model(path, {}, options).mesh), 1);
+}
+
 TEST(Gltf, ImagesAreNotOpened) {
   File file = cube_file();
   file.rest += R"(,"images":[{"uri":"../../etc/passwd"},{"uri":"http://x/y.png"},{"uri":"gone.jpg"}])";
