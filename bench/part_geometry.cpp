@@ -36,7 +36,6 @@ namespace {
 
 constexpr double facet_angle = 0.35;                          // radians between facets, as set by exporters
 constexpr double tangent_angle = 5 * std::numbers::pi / 180;  // exporters are not precise
-constexpr double curve_fineness = 4000;                       // diagonal / deflection of exact curves as polylines
 
 double diagonal_of(const TopoDS_Shape& shape) {
   Bnd_Box box;
@@ -101,7 +100,7 @@ bool are_tangent(const TopoDS_Edge& edge, const std::array<TopoDS_Face, 2>& face
 
 class Curves {
  public:
-  explicit Curves(double deflection) : deflection_(deflection) {}
+  Curves(double deflection, double angle) : deflection_(deflection), angle_(angle) {}
 
   /// Appends the edges as polylines.
   void append(std::vector<PlaneLine>& lines, const TopoDS_Shape& edges) {
@@ -109,8 +108,8 @@ class Curves {
     BRepLib::BuildCurves3d(edges);
     for (TopExp_Explorer edge(edges, TopAbs_EDGE); edge.More(); edge.Next()) {
       try {
-        const GCPnts_TangentialDeflection points(BRepAdaptor_Curve(TopoDS::Edge(edge.Current())), 0.05, deflection_, 2,
-                                                 1e-9);
+        const GCPnts_TangentialDeflection points(BRepAdaptor_Curve(TopoDS::Edge(edge.Current())), angle_, deflection_,
+                                                 2, 1e-9);
         for (int i = 1; i < points.NbPoints(); ++i) {
           const gp_Pnt a = points.Value(i), b = points.Value(i + 1);
           lines.push_back({Vec2(a.X(), a.Y()), Vec2(b.X(), b.Y())});
@@ -124,7 +123,7 @@ class Curves {
   [[nodiscard]] int lost() const { return lost_; }
 
  private:
-  double deflection_;
+  double deflection_, angle_;
   int lost_ = 0;
 };
 
@@ -164,7 +163,7 @@ void mark_tangent_edges(const TopoDS_Shape& shape) {
   }
 }
 
-ExactView exact_view(const TopoDS_Shape& part, const Vec3& viewer) {
+ExactView exact_view(const TopoDS_Shape& part, const Vec3& viewer, double fineness) {
   const gp_Dir normal(viewer.x, viewer.y, viewer.z), z(0, 0, 1);
   const gp_Dir right = (normal.IsParallel(z, 1e-6) ? gp_Dir(0, 1, 0) : z).Crossed(normal), up = normal.Crossed(right);
   const Handle(HLRBRep_Algo) algorithm = new HLRBRep_Algo();
@@ -174,7 +173,7 @@ ExactView exact_view(const TopoDS_Shape& part, const Vec3& viewer) {
   algorithm->Hide();
 
   HLRBRep_HLRToShape found(algorithm);
-  Curves curves(diagonal_of(part) / curve_fineness);
+  Curves curves(diagonal_of(part) / fineness, 3 / std::sqrt(fineness));
   ExactView view{{right.X(), right.Y(), right.Z()}, {up.X(), up.Y(), up.Z()}, {}, {}, {}, {}, 0};
   for (const TopoDS_Shape& edges : {found.VCompound(), found.OutLineVCompound()}) curves.append(view.visible, edges);
   for (const TopoDS_Shape& edges : {found.HCompound(), found.OutLineHCompound()}) curves.append(view.hidden, edges);

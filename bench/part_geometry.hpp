@@ -44,7 +44,8 @@ struct ExactView {
 /// marks.
 void mark_tangent_edges(const TopoDS_Shape& shape);
 
-/// By Open CASCADE's exact hidden-line removal. `viewer` points to the viewer; z is up, or y for a view along z.
-ExactView exact_view(const TopoDS_Shape& part, const Vec3& viewer);
+/// By Open CASCADE's exact hidden-line removal. `viewer` points to the viewer; z is up, or y for a view along z. Curves
+/// become polylines within diagonal / `fineness`.
+ExactView exact_view(const TopoDS_Shape& part, const Vec3& viewer, double fineness = 4000);
 
 }  // namespace epura::bench

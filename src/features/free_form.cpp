@@ -290,6 +290,7 @@ class Rows {
 
   std::vector<char> find() {
     find_chains();
+    find_long_chains();
     // A row may only be recognised by the next one.
     for (bool changed = true; changed;) {
       changed = false;
@@ -312,7 +313,8 @@ class Rows {
   /// A region that is one facet wide; any other region has no sides here.
   struct Strip {
     std::vector<LongSide> sides;
-    double across = 0;  ///< total length of all long sides
+    std::vector<int> beyond{};  ///< facets beyond long sides without a sharp fold, also where it is flat
+    double across = 0;          ///< total length of all long sides
   };
 
   /// The sides of an inexact region along its generators; any other region has none here.
@@ -373,8 +375,9 @@ class Rows {
     const int other = facets_.facet_of[facets_.sides[triangle][side].neighbour];
     const double ratio = facets_.facets[other].width / facets_.facets[facets_.facet_of[triangle]].width;
     const double fold = facets_.fold_at(triangle, side);
-    if (ratio > 1 / row_ratio && ratio < row_ratio && fold > least_fold && fold < most_smooth)
-      strip.sides.push_back({other, length, fold, is_convex(facets_.facet_of[triangle], other)});
+    if (ratio < 1 / row_ratio || ratio > row_ratio || fold > most_smooth) return;
+    strip.beyond.push_back(other);
+    if (fold > least_fold) strip.sides.push_back({other, length, fold, is_convex(facets_.facet_of[triangle], other)});
   }
 
   // Whether a side runs along the generators rather than across them.
@@ -406,6 +409,38 @@ class Rows {
     return region < 0 ? !facets_.facets[facet].is_plane && !facets_.is_sliver(facet) : is_row_[region] != 0;
   }
 
+  // Many adjacent strips that turn back at few of them: a surface of revolution over a curve.
+  void find_long_chains() {
+    constexpr int least_rows = 8, most_turned_back = 4;  // one in so many
+    DisjointSets sets(strips_.size());
+    for (std::size_t r = 0; r < strips_.size(); ++r)
+      for (const int facet : strips_[r].beyond) {
+        const int other = region_of_[facet];
+        if (other >= 0 && strips_[other].across > 0) sets.join(static_cast<int>(r), other);
+      }
+    std::vector<int> turned_back(strips_.size());
+    for (std::size_t r = 0; r < strips_.size(); ++r) {
+      const auto turns = [&](bool convex) {
+        return std::any_of(strips_[r].sides.begin(), strips_[r].sides.end(),
+                           [&](const LongSide& side) { return side.convex == convex; });
+      };
+      if (turns(true) && turns(false)) ++turned_back[sets.root(static_cast<int>(r))];
+    }
+    mark_rows(sets, [&](int root, int members) {
+      return members >= least_rows && most_turned_back * turned_back[root] <= members;
+    });
+  }
+
+  template <class AreRows>
+  void mark_rows(DisjointSets& sets, const AreRows& are_rows) {
+    std::vector<int> members(strips_.size());
+    for (std::size_t r = 0; r < strips_.size(); ++r) ++members[sets.root(static_cast<int>(r))];
+    for (std::size_t r = 0; r < strips_.size(); ++r) {
+      const int root = sets.root(static_cast<int>(r));
+      if (are_rows(root, members[root])) is_row_[r] = 1;
+    }
+  }
+
   // Adjacent strips with folds of similar size. Designers make two or three in a row, but not this many.
   void find_chains() {
     constexpr int least_rows = 4;
@@ -427,10 +462,7 @@ class Rows {
         if (other >= 0 && !strips_[other].sides.empty()) sets.join(static_cast<int>(r), other);
       }
     }
-    std::vector<int> members(strips_.size());
-    for (std::size_t r = 0; r < strips_.size(); ++r) ++members[sets.root(static_cast<int>(r))];
-    for (std::size_t r = 0; r < strips_.size(); ++r)
-      if (members[sets.root(static_cast<int>(r))] >= least_rows) is_row_[r] = 1;
+    mark_rows(sets, [](int, int members) { return members >= least_rows; });
   }
 
   // Degrees. Fillets, which may be inexact, turn farther.

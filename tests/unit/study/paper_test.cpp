@@ -21,22 +21,29 @@ class Paper : public testing::TestWithParam<std::size_t> {
 
 // Neither is any line farther than stated, nor is the statement so large that it says nothing.
 TEST_P(Paper, LinesAreWithinTheStatedError) {
-  for (const bool recognises : {true, false})
+  for (const PaperWay way : {PaperWay::recognised, PaperWay::triangles, PaperWay::arcs})
     for (int around : {16, 48}) {
       around = std::max(around, form.coarsest);
-      const PaperRun run = draw_on_paper(form, around, recognises, laboratory);
-      EXPECT_LE(run.error.ink(), run.error.budget.total()) << recognises << around;
+      const PaperRun run = draw_on_paper(form, around, way, laboratory);
+      EXPECT_LE(run.error.ink(), run.error.budget.total()) << paper_ways[static_cast<std::size_t>(way)] << around;
       EXPECT_GT(run.error.ink(), 0);
-      EXPECT_LE(run.error.budget.total(), 25 * run.error.ink()) << recognises << around;
+      if (way == PaperWay::arcs) continue;
+      EXPECT_LE(run.error.budget.total(), 25 * run.error.ink()) << paper_ways[static_cast<std::size_t>(way)] << around;
     }
 }
 
-// Twice as many facets around have a quarter of the error. At a cusp, where a contour of a torus ends, they do not: its
-// end is that of the facets' contour, up to a facet away.
+// The outline of a recognised ball is a circle in closed form, however coarse its mesh is.
+TEST(PaperArcs, AreOnTheSurfaceOfABall) {
+  const ClosedForm form = closed_forms().front();
+  ASSERT_EQ(form.name, "sphere");
+  EXPECT_LT(draw_on_paper(form, 12, PaperWay::arcs, laboratory).error.ink(), 1e-3);
+}
+
+// Twice as many facets around have a quarter of the error. At a cusp, they do not.
 TEST_P(Paper, ErrorsFallWithTheSquareOfTheFacets) {
   PaperSeries series{form.name, paper_ways[1]};
-  for (const int around : {48, 96}) series.runs.push_back(draw_on_paper(form, around, false, laboratory));
-  EXPECT_GT(series.order(), form.name == "torus" ? 0.7 : 1.8);
+  for (const int around : {48, 96}) series.runs.push_back(draw_on_paper(form, around, PaperWay::triangles, laboratory));
+  EXPECT_GT(series.order(), form.has_cusps ? 0.7 : 1.8);
   EXPECT_LT(series.order(), 2.5);
 }
 
@@ -45,7 +52,7 @@ TEST_P(Paper, MaxErrorIsKeptOrRefused) {
   for (const int around : {16, 256}) {
     const double allowed = 0.2;
     try {
-      EXPECT_LE(draw_on_paper(form, around, true, laboratory, allowed).error.ink(), allowed);
+      EXPECT_LE(draw_on_paper(form, around, PaperWay::recognised, laboratory, allowed).error.ink(), allowed);
       ++kept;
     } catch (const Error& error) {
       ++refused;
@@ -60,10 +67,10 @@ TEST_P(Paper, MaxErrorIsKeptOrRefused) {
 TEST_P(Paper, ViolationsAreFound) {
   ClosedForm larger = form;
   for (RoundBody& body : larger.bodies) body.radius *= 1.02, body.top *= 1.02, body.tube *= 1.02;
-  const PaperRun wrong = compare_on_paper(form, larger, 64, true, laboratory);
+  const PaperRun wrong = compare_on_paper(form, larger, 64, PaperWay::recognised, laboratory);
   EXPECT_GT(wrong.error.ink(), wrong.error.budget.total());
   EXPECT_GT(wrong.error.missed + wrong.error.phantom, 0);
-  const PaperRun right = draw_on_paper(form, 64, true, laboratory);
+  const PaperRun right = draw_on_paper(form, 64, PaperWay::recognised, laboratory);
   report::ViewError forgetful = right.error.budget;
   using report::ErrorTerm;
   for (const ErrorTerm term : {ErrorTerm::surface, ErrorTerm::intersections, ErrorTerm::contours}) forgetful[term] = 0;

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/text.hpp"
 #include "features/least_squares.hpp"
 
 namespace epura::study {
@@ -16,7 +17,7 @@ constexpr double pi = std::numbers::pi;
 // Meshes are turned by this, so that no vertex lies on a contour by chance.
 constexpr double turned = 0.1;
 // A body hides what it covers by more than this, in its units.
-constexpr double least_depth = 1e-6;
+constexpr double least_depth = 1e-9;
 
 using Kind = RoundBody::Kind;
 
@@ -74,6 +75,47 @@ std::vector<SpaceCurve> contours_of_torus(const RoundBody& body, const Viewer& v
   return curves;
 }
 
+// Half the turns of the sombrero's profile up to its rim.
+constexpr double waves = 4;
+
+double profile_of_sombrero(const RoundBody& body, double r) {
+  const double s = waves * pi * r / body.radius;
+  return s == 0 ? body.height : body.height * std::sin(s) / s;
+}
+
+double slope_of_sombrero(const RoundBody& body, double r) {
+  const double k = waves * pi / body.radius, s = k * r;
+  return s < 1e-4 ? -body.height * k * s / 3 : body.height * k * (s * std::cos(s) - std::sin(s)) / (s * s);
+}
+
+// A normal is (-f'(r) cos a, -f'(r) sin a, 1): perpendicular to (d cos m, d sin m, z) where cos(a - m) is
+// z / (d f'(r)). For each range of radii in which there are such angles, a closed curve. Parallel projection only.
+std::vector<SpaceCurve> contours_of_sombrero(const RoundBody& body, const Viewer& viewer) {
+  constexpr int samples = 4096, halvings = 60;
+  const Vec3 towards = viewer.towards;
+  const double across = std::hypot(towards.x, towards.y), middle = std::atan2(towards.y, towards.x);
+  const auto cosine = [=](double r) { return towards.z / (across * slope_of_sombrero(body, r)); };
+  const auto is_within = [&](double r) { return std::abs(cosine(r)) <= 1; };
+  std::vector<SpaceCurve> curves;
+  double begin = 0;
+  for (int i = 1; i <= samples; ++i) {
+    double low = body.radius * (i - 1) / samples, high = body.radius * i / samples;
+    const bool was = is_within(low), is = is_within(high);
+    if (was == is) continue;
+    for (int k = 0; k < halvings; ++k) (is_within((low + high) / 2) == was ? low : high) = (low + high) / 2;
+    if (is) {
+      begin = high;
+      continue;
+    }
+    curves.emplace_back([=, end = low](double s) {
+      const double r = (begin + end) / 2 - (end - begin) / 2 * std::cos(2 * pi * s);
+      const double turn = std::acos(std::clamp(cosine(r), -1.0, 1.0));
+      return body.to_world(on_circle(r, middle + (s < 0.5 ? turn : -turn), profile_of_sombrero(body, r)));
+    });
+  }
+  return curves;
+}
+
 // The values of the parameter at which a ray is inside the ball, cylinder or cone of a quadric a t^2 + 2 b t + c < 0.
 struct Span {
   double from, to;
@@ -122,12 +164,30 @@ bool enters_torus(const RoundBody& body, const Vec3& p, const Vec3& d) {
   return false;
 }
 
+// A point of the sheet is in front of another if the ray from that one passes to its other side before the rim.
+bool crosses_sombrero(const RoundBody& body, const Vec3& p, const Vec3& d) {
+  constexpr int samples = 2000;
+  int side = 0;
+  for (int i = 1; i <= samples; ++i) {
+    const Vec3 q = p + d * (2.5 * body.radius * i / samples);
+    const double r = std::hypot(q.x, q.y);
+    if (r > body.radius) continue;
+    const double above = q.z - profile_of_sombrero(body, r);
+    if (std::abs(above) < least_depth) continue;
+    const int now = above > 0 ? 1 : -1;
+    if (side != 0 && now != side) return true;
+    side = now;
+  }
+  return false;
+}
+
 // A span is deep where the ray is inside by more than rounding: half of its length, squared, over the size.
 bool covers(const RoundBody& body, const Viewer& viewer, const Vec3& point) {
   const Vec3 p = body.to_frame(point);
   const Vec3 d =
       glm::normalize(viewer.central ? body.to_frame(viewer.eye) - p : body.direction_to_frame(viewer.towards));
   if (body.kind == Kind::torus) return enters_torus(body, p, d);
+  if (body.kind == Kind::sombrero) return crosses_sombrero(body, p, d);
   const auto span = body.kind == Kind::sphere ? inside(1, glm::dot(p, d), glm::dot(p, p) - body.radius * body.radius)
                                               : inside_frustum(body, p, d);
   if (!span) return false;
@@ -141,6 +201,12 @@ std::vector<Vec3> profile_of(const RoundBody& body, int around) {
   if (body.kind == Kind::frustum) {
     add(body.radius, 0);
     add(body.top, body.height);
+  } else if (body.kind == Kind::sombrero) {
+    const int rings = std::max(2, around / 3);
+    for (int i = 0; i <= rings; ++i) {
+      const double r = body.radius * i / rings;
+      add(r, profile_of_sombrero(body, r));
+    }
   } else if (body.kind == Kind::sphere) {
     const int bands = std::max(2, around / 2);
     for (int i = 0; i <= bands; ++i) {
@@ -167,6 +233,8 @@ std::vector<ClosedForm> closed_forms() {
   const RoundBody post{.kind = Kind::frustum, .radius = 20, .top = 20, .height = 60, .origin = {0, 0, -30}};
   RoundBody bar{.kind = Kind::frustum, .radius = 12, .top = 12, .height = 70, .origin = {-35, 0, 0}};
   bar.lying = true;
+  RoundBody beside = bar;
+  beside.origin.y = -32 - 1e-6;
   const RoundBody drum{.kind = Kind::frustum, .radius = 19.5, .top = 19.5, .height = 50, .origin = {0, 0, -25}};
   std::vector<SpaceCurve> pipes, caps;
   for (const double side : {-1.0, 1.0}) {
@@ -179,7 +247,22 @@ std::vector<ClosedForm> closed_forms() {
   return {{"sphere", "isometric", {ball}},
           {"cylinder", "isometric", {post}},
           {"cone", "isometric", {{.kind = Kind::frustum, .radius = 20, .top = 8, .height = 40}}},
-          {"torus", "isometric", {{.kind = Kind::torus, .radius = 20, .tube = 8}}},
+          {.name = "torus",
+           .projection = "isometric",
+           .bodies = {{.kind = Kind::torus, .radius = 20, .tube = 8}},
+           .has_cusps = true},
+          {.name = "sombrero",
+           .projection = "isometric",
+           .bodies = {{.kind = Kind::sombrero, .radius = 24, .height = 16}},
+           .coarsest = 96,
+           .has_cusps = true},
+          {"ball before a cone",
+           "isometric",
+           {{.kind = Kind::frustum, .radius = 20, .top = 8, .height = 40},
+            {.kind = Kind::sphere, .radius = 9, .origin = {30, -14, 40}}}},
+          {"ball above a drum", "isometric", {drum, {.kind = Kind::sphere, .radius = 12, .origin = {0, 0, 37 + 1e-6}}}},
+          {"cylinders side by side", "isometric", {post, beside}},
+          {"along its axis", "auxiliary:direction=3,-2,90", {post}},
           {"crossing cylinders", "isometric", {post, bar}, pipes},
           {"nearly tangent", "isometric", {ball, drum}, caps, 48},
           {"wide-angle", "look-at:eye=20,-9,12:ref=0,0,0", {ball}}};
@@ -218,6 +301,37 @@ mesh::Soup mesh_of(const RoundBody& body, int fineness) {
   return soup;
 }
 
+std::string describe_bodies(const ClosedForm& form, const Mat3& turn) {
+  std::string text;
+  const auto add = [&](const std::vector<double>& numbers) {
+    for (const double number : numbers) text += ' ' + format_number(number);
+  };
+  for (const RoundBody& body : form.bodies) {
+    switch (body.kind) {
+      case Kind::sphere:
+        text += "sphere";
+        add({body.radius});
+        break;
+      case Kind::frustum:
+        text += "frustum";
+        add({body.radius, body.top, body.height});
+        break;
+      case Kind::torus:
+        text += "torus";
+        add({body.radius, body.tube});
+        break;
+      case Kind::sombrero:
+        text += "sombrero";
+        add({body.radius, body.height});
+    }
+    for (const Vec3& v : {turn * body.origin, turn * (body.to_world({0, 0, 1}) - body.origin),
+                          turn * (body.to_world({1, 0, 0}) - body.origin)})
+      add({v.x, v.y, v.z});
+    text += '\n';
+  }
+  return text;
+}
+
 std::vector<SpaceCurve> lines_of(const ClosedForm& form, const Viewer& viewer) {
   std::vector<SpaceCurve> lines = form.crossings;
   const auto add = [&](std::vector<SpaceCurve> more) { lines.insert(lines.end(), more.begin(), more.end()); };
@@ -225,6 +339,12 @@ std::vector<SpaceCurve> lines_of(const ClosedForm& form, const Viewer& viewer) {
     const Viewer own = in_frame(body, viewer);
     if (body.kind == Kind::sphere) add({contour_of_sphere(body, own)});
     if (body.kind == Kind::torus) add(contours_of_torus(body, own));
+    if (body.kind == Kind::sombrero) {
+      add(contours_of_sombrero(body, own));
+      add({[body](double s) {
+        return body.to_world(on_circle(body.radius, 2 * pi * s, profile_of_sombrero(body, body.radius)));
+      }});
+    }
     if (body.kind != Kind::frustum) continue;
     add(contours_of_frustum(body, own));
     add({[body](double s) { return body.to_world(on_circle(body.radius, 2 * pi * s, 0)); },

@@ -12,19 +12,20 @@
 #include "pipeline/complete_scene.hpp"
 #include "pipeline/draw_scene.hpp"
 #include "scene/choices.hpp"
+#include "sheet/walk_stroke.hpp"
 #include "study/accuracy/ink_distance.hpp"
 
 namespace epura::study {
 
 namespace {
 
-scene::SceneDescription describe(const ClosedForm& form, int around, bool recognises) {
+scene::SceneDescription describe(const ClosedForm& form, int around, PaperWay way) {
   scene::SceneDescription scene;
   for (const RoundBody& body : form.bodies) {
     scene::ModelDescription model;
     model.soup = std::make_shared<const mesh::Soup>(mesh_of(body, around));
     model.name = {"body " + std::to_string(scene.models.size() + 1), "study"};
-    if (!recognises) model.surfaces = {Surfaces::mesh, "study"};
+    if (way == PaperWay::triangles) model.surfaces = {Surfaces::mesh, "study"};
     scene.models.push_back(std::move(model));
   }
   scene::ViewDescription view;
@@ -52,17 +53,41 @@ std::vector<InkLine> lines_on_paper(const std::vector<std::vector<Vec3>>& lines,
   return ink;
 }
 
-std::vector<InkLine> drawn_lines(const drawing::ViewDrawing& drawing) {
+constexpr double most_of_arcs = 0.01;  // mm between arcs and their chords
+
+// As polylines that are closer to the arcs than is measured.
+void add_curve(std::vector<InkLine>& ink, const drawing::CurvePart& curve) {
+  constexpr double step = 2e-3;  // radians
+  const int count = std::max(1, static_cast<int>(std::ceil(std::abs(curve.to - curve.from) / step)));
+  const auto at = [&](int i) {
+    const double angle = curve.from + (curve.to - curve.from) * i / count;
+    return curve.centre + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
+  };
+  for (int i = 0; i < count; ++i) ink.push_back({at(i), at(i + 1)});
+}
+
+std::vector<InkLine> drawn_lines(const sheet::Sheet& sheet) {
   std::vector<InkLine> ink;
-  for (const drawing::Segment& segment : drawing.segments)
-    if (segment.visible) ink.push_back({segment.from, segment.to});
+  for (const sheet::Layer& layer : sheet.layers)
+    for (const sheet::Stroke& stroke : layer.strokes) {
+      if (!stroke.kind) continue;
+      Vec2 at = stroke.points.front();
+      const auto line = [&](const Vec2& to) { ink.push_back({std::exchange(at, to), to}); };
+      const auto curve = [&](const drawing::CurvePart& part) {
+        add_curve(ink, part);
+        at = stroke.points[static_cast<std::size_t>(part.last) % stroke.points.size()];
+      };
+      sheet::walk_stroke(stroke, line, curve);
+      if (stroke.closed) line(stroke.points.front());
+    }
   return ink;
 }
 
-pipeline::RunOptions options_of(const PaperStudy& study) {
+pipeline::RunOptions options_of(const PaperStudy& study, PaperWay way) {
   pipeline::RunOptions options;
   options.plugin_path = study.plugin_path;
   options.keeps_drawings = true;
+  if (way == PaperWay::arcs) options.arcs = most_of_arcs;
   return options;
 }
 
@@ -129,36 +154,62 @@ struct Way {
   std::function<double()> time;  ///< s
 };
 
-const Viewer isometric{false, {}, {1, -1, 1}};
+// Rivals draw isometric views: what other parallel views show of a mesh, theirs show of it in another position.
+struct Pose {
+  Mat3 to_rival;
+  Vec3 right, up;
+};
 
-// Lines on the axes of an isometric view are put on the paper of a run of epura.
-std::vector<InkLine> on_paper_of(const PaperRun& run, const std::vector<InkLine>& lines) {
-  const Vec3 right = glm::normalize(Vec3(1, 1, 0)), up = glm::cross(glm::normalize(isometric.towards), right);
+Pose pose_of(const projection::Projection& view) {
+  const Vec3 n = glm::normalize(Vec3(1, -1, 1)), right = glm::normalize(Vec3(1, 1, 0)), up = glm::cross(n, right);
+  const Mat3 isometric(right, up, n), own(view.u, view.v, view.n);
+  return {isometric * glm::transpose(own), view.u, view.v};
+}
+
+// Lines of a rival's view are put on the paper of a run of epura.
+std::vector<InkLine> on_paper_of(const PaperRun& run, const Pose& pose, const std::vector<InkLine>& lines) {
   std::vector<std::vector<Vec3>> in_space;
-  for (const auto& [from, to] : lines) in_space.push_back({from.x * right + from.y * up, to.x * right + to.y * up});
+  for (const auto& [from, to] : lines)
+    in_space.push_back({from.x * pose.right + from.y * pose.up, to.x * pose.right + to.y * pose.up});
   return lines_on_paper(in_space, run.world_to_page);
+}
+
+RivalDrawing draw_by(const Rival& rival, const ClosedForm& form, int around, const Mat3& to_rival) {
+  mesh::Soup mesh = mesh_of(form, around);
+  for (auto& p : mesh.points) {
+    const Vec3 q = to_rival * Vec3(p[0], p[1], p[2]);
+    p = {q.x, q.y, q.z};
+  }
+  return draw_by(rival, mesh, describe_bodies(form, to_rival));
+}
+
+// Nothing if the rival cannot draw the bodies.
+std::optional<Way> way_of(const Rival& rival, const ClosedForm& form, int around, const PaperStudy& study) {
+  const PaperRun own = draw_on_paper(form, around, PaperWay::triangles, study);
+  const Pose pose = pose_of(own.projection);
+  if (!draw_by(rival, form, around, pose.to_rival).can) return std::nullopt;
+  const auto compare_lines = [&form, &study, &rival, around, own, pose] {
+    PaperRun run = own;
+    run.error = {};
+    const std::vector<InkLine> truth =
+        lines_on_paper(visible_lines(form, viewer_of(run.projection), study.points), run.world_to_page);
+    compare(on_paper_of(run, pose, draw_by(rival, form, around, pose.to_rival).lines), truth, run.error);
+    return run;
+  };
+  const auto time = [&form, &rival, around, pose] { return draw_by(rival, form, around, pose.to_rival).seconds; };
+  return Way{rival.name, compare_lines, time};
 }
 
 std::vector<Way> ways_of(const ClosedForm& form, int around, const PaperStudy& study) {
   std::vector<Way> ways;
-  for (std::size_t i = 0; i < paper_ways.size(); ++i)
-    ways.push_back({paper_ways[i], [&form, &study, around, i] { return draw_on_paper(form, around, i == 0, study); },
-                    [&form, &study, around, i] {
-                      const scene::SceneDescription scene = describe(form, around, i == 0);
-                      return draw(scene, options_of(study)).seconds;
-                    }});
-  if (form.projection != "isometric") return ways;
+  for (const PaperWay way : {PaperWay::recognised, PaperWay::triangles, PaperWay::arcs})
+    ways.push_back(
+        {paper_ways[static_cast<std::size_t>(way)],
+         [&form, &study, around, way] { return draw_on_paper(form, around, way, study); },
+         [&form, &study, around, way] { return draw(describe(form, around, way), options_of(study, way)).seconds; }});
+  if (form.is_central()) return ways;
   for (const Rival& rival : study.rivals)
-    ways.push_back({rival.name,
-                    [&form, &study, &rival, around] {
-                      PaperRun run = draw_on_paper(form, around, false, study);
-                      run.error = {};
-                      const std::vector<InkLine> truth =
-                          lines_on_paper(visible_lines(form, isometric, study.points), run.world_to_page);
-                      compare(on_paper_of(run, draw_by(rival, mesh_of(form, around)).lines), truth, run.error);
-                      return run;
-                    },
-                    [&form, &rival, around] { return draw_by(rival, mesh_of(form, around)).seconds; }});
+    if (auto way = way_of(rival, form, around, study)) ways.push_back(std::move(*way));
   return ways;
 }
 
@@ -171,25 +222,26 @@ double PaperSeries::order() const {
   return std::log(coarse.error.ink() / fine.error.ink()) / std::log(double(fine.around) / coarse.around);
 }
 
-PaperRun draw_on_paper(const ClosedForm& form, int around, bool recognises, const PaperStudy& study,
+PaperRun draw_on_paper(const ClosedForm& form, int around, PaperWay way, const PaperStudy& study,
                        std::optional<double> max_error) {
-  return compare_on_paper(form, form, around, recognises, study, max_error);
+  return compare_on_paper(form, form, around, way, study, max_error);
 }
 
-PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, int around, bool recognises,
+PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, int around, PaperWay way,
                           const PaperStudy& study, std::optional<double> max_error) {
-  pipeline::RunOptions options = options_of(study);
+  pipeline::RunOptions options = options_of(study, way);
   options.judges = true;
   options.max_error = max_error;
-  const pipeline::DrawnScene drawn = draw(describe(form, around, recognises), options).scene;
+  const pipeline::DrawnScene drawn = draw(describe(form, around, way), options).scene;
   PaperRun run{.around = around, .error = {}};
   for (const mesh::MeshReport& mesh : drawn.report.meshes) run.triangles += mesh.triangles;
   const drawing::ViewDrawing& drawing = drawn.sheets.front().drawings.front();
   run.world_to_page = drawing.world_to_page;
+  run.projection = drawing.projection;
   run.error.budget = drawn.report.errors.front();
   const std::vector<InkLine> truth =
       lines_on_paper(visible_lines(truth_of, viewer_of(drawing.projection), study.points), run.world_to_page);
-  compare(drawn_lines(drawing), truth, run.error);
+  compare(drawn_lines(drawn.sheets.front().sheet), truth, run.error);
   return run;
 }
 

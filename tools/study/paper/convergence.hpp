@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "projection/projection.hpp"
 #include "report/error_budget.hpp"
 #include "study/paper/closed_forms.hpp"
 #include "study/paper/rival.hpp"
@@ -32,7 +33,8 @@ struct PaperRun {
   PaperError error;
   std::vector<double> seconds{};  ///< from the mesh in memory to the lines on paper
   Mat4 world_to_page{1};          ///< of the view; its rows have mm on paper
-  bool on_front = false;          ///< no other run of the scene is both faster and better
+  projection::Projection projection{};
+  bool on_front = false;  ///< no other run of the scene is both faster and better
 };
 
 /// A scene with one way to draw it.
@@ -44,8 +46,10 @@ struct PaperSeries {
   [[nodiscard]] double order() const;
 };
 
-/// Ways to draw a scene: with its surfaces recognised, or its triangles as they are.
-inline constexpr std::array paper_ways{"surfaces recognised", "triangles alone"};
+/// Ways to draw a scene: with its surfaces recognised, or its triangles as they are; or recognised with arcs instead
+/// of their chords (`--arcs`).
+enum class PaperWay { recognised, triangles, arcs };
+inline constexpr std::array paper_ways{"surfaces recognised", "triangles alone", "recognised with arcs"};
 
 /// How scenes are drawn and compared.
 struct PaperStudy {
@@ -55,16 +59,16 @@ struct PaperStudy {
 };
 
 /// Draws a scene once. With `max_error`, as --max-error does; throws Error if that refuses.
-PaperRun draw_on_paper(const ClosedForm& form, int around, bool recognises, const PaperStudy& study,
+PaperRun draw_on_paper(const ClosedForm& form, int around, PaperWay way, const PaperStudy& study,
                        std::optional<double> max_error = {});
 
 /// The same, compared with the lines of another body.
-PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, int around, bool recognises,
+PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, int around, PaperWay way,
                           const PaperStudy& study, std::optional<double> max_error = {});
 
-/// Draws each scene in both ways and by all rivals, who know isometric views only, at each fineness from its coarsest
-/// on: `runs` times, in turns, so that other load on the machine affects all alike. The first of the runs is compared
-/// with the truth.
+/// Draws each scene in all ways and, in parallel views, by all rivals that can, at each fineness from its coarsest on:
+/// `runs` times, in turns, so that other load on the machine affects all alike. The first of the runs is compared with
+/// the truth.
 std::vector<PaperSeries> measure_paper(const std::vector<ClosedForm>& forms, const std::vector<int>& finenesses,
                                        int runs, const PaperStudy& study, const Progress& progress);
 

@@ -28,7 +28,7 @@ Table::Column column(const char* name, const char* meaning, bool is_number = tru
 Table table_of(const std::vector<PaperSeries>& all) {
   Table table{
       {column("scene", "what is drawn", false, false),
-       column("way", "with surfaces recognised, or of the triangles as they are", false),
+       column("way", "with surfaces recognised, and arcs on them, or of the triangles as they are", false),
        column("around", "facets around the body, or around the tube of a torus"), column("triangles", "of the mesh"),
        column("error_mm", "Hausdorff distance of the visible lines on paper, both ways"),
        column("drawn_mm", "of drawn lines from true ones"), column("true_mm", "of true lines from drawn ones"),

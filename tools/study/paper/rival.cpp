@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/paper/rival.hpp"
 
+#include <sys/wait.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -75,14 +77,17 @@ Rival parse_rival(const std::string& text) {
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
-RivalDrawing draw_by(const Rival& rival, const mesh::Soup& mesh) {
+RivalDrawing draw_by(const Rival& rival, const mesh::Soup& mesh, const std::string& bodies) {
   const TemporaryFolder scratch;
   const fs::path model = scratch / "mesh.off", lines = scratch / "lines.txt", messages = scratch / "messages.txt";
   write_file(model, to_off(mesh));
+  write_file(scratch / "bodies.txt", bodies);
   const std::string command =
-      rival.command + ' ' + in_quotes(model) + ' ' + in_quotes(lines) + " 2>" + in_quotes(messages);
+      rival.command + ' ' + in_quotes(model) + ' ' + in_quotes(lines) + " >/dev/null 2>" + in_quotes(messages);
   const int status = std::system(command.c_str());
   const std::string said = read_file(messages);
+  constexpr int cannot_draw = 77;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == cannot_draw) return {{}, 0, false};
   if (status != 0 || !fs::exists(lines))
     throw Error(ErrorKind::input, "--rival", rival.name + " failed: " + said, "run it by hand: " + rival.command);
   return {parse_lines(read_file(lines), rival.name), seconds_in(said)};
