@@ -32,6 +32,13 @@ struct FeatureEdge {
   int crossing;                      ///< index in FeatureEdges::crossings of such a line; otherwise -1
   std::array<int, 2> shown{-1, -1};  ///< vertices of the view at which its ends are drawn; -1: not moved
   bool by_chance = false;            ///< a contour of facets where their surface has none: drawn as an outline only
+  float hollow = 0;  ///< the part of a contour beyond a cusp, where its surface hides it: seen as an outline only; up
+                     ///< to 1 from its start if positive, from its end if negative
+
+  /// The parameters of that part.
+  [[nodiscard]] std::array<double, 2> hollow_part() const {
+    return hollow > 0 ? std::array{0.0, double{hollow}} : std::array{1.0 + double{hollow}, 1.0};
+  }
 };
 
 /// The triangles of a model that meet in an edge next to slivers: those at the edge and those beyond the slivers.

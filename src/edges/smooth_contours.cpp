@@ -19,7 +19,7 @@ namespace {
 
 using features::SurfaceKind;
 
-// Relative to the height of a triangle: the contour of a surface is no farther from that of its facets.
+// Relative to the size of a triangle: the contour of a surface is no farther from that of its facets.
 constexpr double most_moved = 1;
 
 // Seen by the viewer, the contour of a cylinder or cone is not farther from that of its facets than so many times the
@@ -97,7 +97,7 @@ class ModelContours {
       const auto line = contour_across(t);
       if (!line) continue;
       const Vec3 place = nearest_on_segment(from, (*line)[0], (*line)[1]);
-      if (glm::distance(place, from) > most_moved * height_of(t)) continue;
+      if (glm::distance(place, from) > most_moved * size_of(t)) continue;
       if (is_straight(placed_, t) && seen_length(place - from, from) > most_rises * rise_at(t)) continue;
       if (nearest && glm::distance(place, from) >= glm::distance(*nearest, from)) continue;
       nearest = place;
@@ -108,6 +108,22 @@ class ModelContours {
     if (surface.kind != SurfaceKind::free_form)
       *nearest -= features::signed_distance(surface, *nearest) * features::normal_near(surface, *nearest);
     return nearest;
+  }
+
+  /// Returns FeatureEdge::hollow of a contour between two triangles of a torus whose ends are drawn at these places.
+  /// Where the surface bends away from the viewer along the projector, it hides its own contour (Koenderink: What does
+  /// the occluding contour tell us about solid shape?, Perception 13, 1984).
+  [[nodiscard]] float hollow_part(std::span<const int> triangles, const std::array<Vec3, 2>& ends) const {
+    const int face = part_.face_of_triangle[triangles[0]];
+    const features::PartSurface& surface = surface_of(triangles[0]);
+    if (part_.face_of_triangle[triangles[1]] != face || !is_ring(surface) || !is_solid()) return 0;
+    const double outwards = part_.faces[static_cast<std::size_t>(face)].inwards ? -1 : 1;
+    const double from = outwards * bend_of_torus(surface, ends[0]), to = outwards * bend_of_torus(surface, ends[1]);
+    if (from >= 0 && to >= 0) return 0;
+    if (from < 0 && to < 0) return 1;
+    const double cusp = from / (from - to);
+    check(cusp >= 0 && cusp <= 1, "a cusp lies between the ends of a contour");
+    return static_cast<float>(from < 0 ? cusp : cusp - 1);
   }
 
   /// Whether an edge between two triangles of one face is a contour only because the tessellation turned one of them
@@ -125,6 +141,27 @@ class ModelContours {
   }
 
  private:
+  // Whether the viewer sees no face from inside.
+  [[nodiscard]] bool is_solid() const { return mesh_.report.open_edges == 0 && mesh_.report.misoriented_edges == 0; }
+
+  // A torus that does not meet itself. What bends inwards of another one is recognised by chance: nearly a sphere.
+  static bool is_ring(const features::PartSurface& surface) {
+    return surface.kind == SurfaceKind::torus && surface.minor < surface.radius;
+  }
+
+  // Returns the curvature of a torus along the projector through a point, times a positive factor: positive where it
+  // bends like a ball. By Euler, the curvatures around the tube, 1 / minor, and around the axis, which changes its sign
+  // at the top of the tube, add up by the squares of the components.
+  [[nodiscard]] double bend_of_torus(const features::PartSurface& torus, const Vec3& point) const {
+    const Vec3 from = point - torus.origin, out = from - glm::dot(from, torus.axis) * torus.axis;
+    const double away = glm::length(out);
+    if (!(away > 0)) return 0;
+    const Vec3 view = glm::normalize(towards_viewer(point)), normal = features::normal_near(torus, point);
+    const Vec3 around_axis = glm::cross(torus.axis, out) / away;
+    const double along_axis = glm::dot(view, around_axis), along_tube = glm::dot(view, glm::cross(normal, around_axis));
+    return along_tube * along_tube + along_axis * along_axis * (away - torus.radius) / away;
+  }
+
   // Returns the point nearest to a vertex of the circle in which projectors touch a sphere. Nothing if it is some
   // facets away, or on the page farther than the sphere falls over so many: four times its sagitta over one.
   [[nodiscard]] std::optional<Vec3> on_sphere(int vertex, int triangle) const {
@@ -181,12 +218,13 @@ class ModelContours {
     return glm::cross(mesh_.point(b) - mesh_.point(a), mesh_.point(c) - mesh_.point(a));
   }
 
-  // Height above the longest side.
-  [[nodiscard]] double height_of(int triangle) const {
+  // Height above the longest side; that side itself on tori, near whose cusps a contour of facets takes detours.
+  [[nodiscard]] double size_of(int triangle) const {
     const auto [a, b, c] = mesh_.triangle(triangle);
     const double longest =
         std::max({glm::distance(mesh_.point(a), mesh_.point(b)), glm::distance(mesh_.point(b), mesh_.point(c)),
                   glm::distance(mesh_.point(c), mesh_.point(a))});
+    if (is_ring(surface_of(triangle))) return longest;
     return longest > 0 ? glm::length(normal_of(triangle)) / longest : 0;
   }
 
@@ -268,8 +306,16 @@ class MovedEnds {
       for (const int e : edges)
         for (const int v : drawn_.edges[e].vertex) visit(number(v), e);
     });
-    for (const int e : edges)
-      for (std::size_t end = 0; end < 2; ++end) drawn_.edges[e].shown[end] = shown[number(drawn_.edges[e].vertex[end])];
+    for (const int e : edges) {
+      FeatureEdge& edge = drawn_.edges[e];
+      std::array<Vec3, 2> ends;
+      for (std::size_t end = 0; end < 2; ++end) {
+        const std::size_t i = number(edge.vertex[end]);
+        edge.shown[end] = shown[i];
+        ends[end] = shown[i] < 0 ? placed.mesh->point(edge.vertex[end] - first) : *places[i];
+      }
+      edge.hollow = contours.hollow_part(triangles_at(edge), ends);
+    }
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (shown[i] < 0) continue;
       std::vector<int> around;

@@ -208,6 +208,14 @@ bool FoldRule::are_one_face(const std::array<int, 2>& edge, int triangle) const 
   });
 }
 
+bool FoldRule::is_of_torus(int triangle) const {
+  const int model = world_.model_of_triangle(triangle);
+  const scene::Placed& placed = world_.models[model];
+  if (placed.part == nullptr || placed.mesh->uncut != nullptr) return false;
+  const int face = placed.part->face_of_triangle[triangle - world_.first_triangle[model]];
+  return placed.part->faces[face].surface.kind == features::SurfaceKind::torus;
+}
+
 Need FoldRule::outline(const std::array<int, 2>& edge) const {
   const Sheets sheets = sheets_at(edge);
   if (sheets.edge == nullptr || sheets.edge->cut == mesh::CutEdge::inside) return Need::possible;

@@ -48,6 +48,9 @@ class FoldRule {
   /// Whether a triangle and those that meet in an edge are all of one face of a part.
   [[nodiscard]] bool are_one_face(const std::array<int, 2>& edge, int triangle) const;
 
+  /// Whether a triangle is of a face of a part that is a torus.
+  [[nodiscard]] bool is_of_torus(int triangle) const;
+
   /// How low a triangle is: certainly without a plane, perhaps without one, or hardly visible.
   enum class Needle { surely, perhaps, hardly_seen };
   [[nodiscard]] bool is_needle(int triangle, Needle needle) const;

@@ -153,7 +153,7 @@ bool LineMarks::continues(int crossing, int piece) const {
 }
 
 // Whether a face of a part goes on behind its own facets, no farther than these are deep: as near the end of a contour,
-// or where a tessellation turns facets over.
+// or where a tessellation turns facets over; on a torus twice as far, as beyond a cusp.
 bool LineMarks::is_fold_of_face(int crossing, int back, double step) const {
   const std::array<int, 2>& edge = slice_.crossings[crossing].edge;
   if (back < 0 || !rule_.are_one_face(edge, slice_.pieces[back].triangle)) return false;
@@ -166,7 +166,7 @@ bool LineMarks::is_fold_of_face(int crossing, int back, double step) const {
         nearest = std::max(nearest, depth);
         farthest = std::min(farthest, depth);
       }
-  return step <= nearest - farthest;
+  return step <= (rule_.is_of_torus(slice_.pieces[back].triangle) ? 2 : 1) * (nearest - farthest);
 }
 
 bool LineMarks::is_vague(const Change& change) const {
@@ -190,7 +190,7 @@ void LineMarks::add_marks(const Change& change, std::vector<LineMark>& marks) co
   const int end = crossing_at(front, change.u);
   if (step > clear_step * limits_.contact + rounding) {
     if (end >= 0 && !continues(end, back) && !is_fold_of_face(end, back, step) &&
-        rule_.outline(slice_.crossings[end].edge) == Need::asked)
+        !scene_.is_left_out(slice_.crossings[end].edge) && rule_.outline(slice_.crossings[end].edge) == Need::asked)
       mark(end, true);
   } else if (end == goes_on && crossing_at(back, change.u) == goes_on) {
     const double contact = clear_step * limits_.contact / scene_.page;

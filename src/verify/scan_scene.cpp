@@ -42,10 +42,17 @@ Vec3 reference_of(const VerifyInput& input) {
 
 std::vector<std::array<int, 2>> left_out_of(const VerifyInput& input, double thread_depth) {
   std::vector<std::array<int, 2>> edges;
-  for (const edges::MeshEdgeOfModel& edge : edges::chamfer_circles(input.world, input.projection, thread_depth)) {
-    const int first = input.world.first_vertex[edge.model];
-    const auto& [a, b] = input.world.models[edge.model].mesh->edges[edge.mesh_edge].vertex;
+  const auto add = [&](int model, int mesh_edge) {
+    const int first = input.world.first_vertex[model];
+    const auto& [a, b] = input.world.models[model].mesh->edges[mesh_edge].vertex;
     edges.push_back({first + a, first + b});
+  };
+  for (const edges::MeshEdgeOfModel& edge : edges::chamfer_circles(input.world, input.projection, thread_depth))
+    add(edge.model, edge.mesh_edge);
+  // Where facets would turn over or fold back, the slices tell (LineMarks); not where a surface hides what is drawn.
+  for (const int e : input.hidden.by_surface) {
+    const edges::FeatureEdge& edge = input.drawn.edges[e];
+    if (!edge.by_chance && edge.hollow == 0) add(edge.model, edge.mesh_edge);
   }
   std::ranges::sort(edges);
   return edges;

@@ -17,8 +17,11 @@ namespace epura::visibility {
 namespace {
 
 // Distance of the tested line from the contour, as a fraction of the width of its facets.
-constexpr double beside = 1.0 / 64;
+constexpr double off_contour = 1.0 / 64;
 constexpr double least_cells = 4;
+// Depth of the tested line behind a contour that goes on beyond a cusp, as a multiple of that of its facets: the
+// surface is about as far behind as from one facet to the next.
+constexpr double beyond_cusp = 2;
 // At its ends, a fold is too narrow to lie beside the tested line: this fraction of the contour is not drawn either.
 constexpr double narrow_end = 0.25;
 
@@ -30,14 +33,29 @@ bool is_visible_somewhere(const HiddenSpans& hidden, std::size_t edge) {
   return visible;
 }
 
-/// Lines next to contours, on the side on which their facets are not.
-class Beside {
+/// Lines to be tested in place of contours.
+class TestedLines {
  public:
   /// Adds the ends of lines to `view`.
-  Beside(const scene::World& world, view::ProjectedScene& view) : world_(world), view_(view) {}
+  TestedLines(const scene::World& world, view::ProjectedScene& view) : world_(world), view_(view) {}
 
-  /// Returns nothing for contours without a length or facets on the page.
-  [[nodiscard]] std::optional<edges::FeatureEdge> line_at(const edges::FeatureEdge& contour) {
+  /// Returns a contour where it is drawn, in front of its facets.
+  [[nodiscard]] edges::FeatureEdge drawn(const edges::FeatureEdge& contour) {
+    double nearest = -HUGE_VAL, farthest = HUGE_VAL;
+    for (const view::PageVertex& corner : corners_at(contour)) {
+      nearest = std::max(nearest, corner.depth);
+      farthest = std::min(farthest, corner.depth);
+    }
+    edges::FeatureEdge line = contour;
+    for (std::size_t end = 0; end < 2; ++end)
+      line.vertex[end] = moved(contour.shown[end] < 0 ? contour.vertex[end] : contour.shown[end], {0, 0},
+                               farthest - nearest - 4 * view_.contact.touching);
+    return line;
+  }
+
+  /// Returns a line next to a contour, on the side on which its facets are not, behind them; nothing for contours
+  /// without a length or facets on the page.
+  [[nodiscard]] std::optional<edges::FeatureEdge> beside(const edges::FeatureEdge& contour) {
     const view::PageVertex from = view_.vertices[contour.vertex[0]], to = view_.vertices[contour.vertex[1]];
     const Vec2 along(to.x - from.x, to.y - from.y);
     const double length = glm::length(along);
@@ -50,9 +68,10 @@ class Beside {
       farthest = std::min(farthest, corner.depth);
     }
     if (side == 0) return std::nullopt;
-    const double away = std::max(beside * std::abs(side), least_cells * view_.cell) * (side > 0 ? -1 : 1);
+    const double away = std::max(off_contour * std::abs(side), least_cells * view_.cell) * (side > 0 ? -1 : 1);
     const Vec2 shift = away / length * Vec2(-along.y, along.x);
-    const double behind = nearest - farthest + 4 * view_.contact.touching;
+    const double facets = contour.by_chance ? 1 : beyond_cusp;
+    const double behind = facets * (nearest - farthest) + 4 * view_.contact.touching;
     edges::FeatureEdge line = contour;
     for (int& vertex : line.vertex) vertex = moved(vertex, shift, behind);
     return line;
@@ -114,58 +133,123 @@ view::ProjectedScene view_of(const scene::World& world, const view::ProjectedSce
   return some;
 }
 
-/// Closes gaps between spans, and at both ends, up to this length.
-void close_gaps(Spans& spans, double most) {
-  Spans closed;
-  for (const auto& [from, to] : spans) {
-    const double before = closed.empty() ? 0 : closed.back()[1];
-    add_span(closed, {from - before <= most ? before : from, to});
-  }
-  if (!closed.empty() && 1 - closed.back()[1] <= most) closed.back()[1] = 1;
-  spans = std::move(closed);
+/// The part of a contour that is no line of its surface.
+std::array<double, 2> doubtful_part(const edges::FeatureEdge& edge) {
+  return edge.by_chance ? std::array{0.0, 1.0} : edge.hollow_part();
 }
 
-/// Adds spans to those of the edges with these numbers, which ascend.
-HiddenSpans with_spans(const HiddenSpans& hidden, const std::vector<std::size_t>& numbers, const HiddenSpans& more) {
-  HiddenSpans all{{0}, {}, hidden.undecided};
+/// Returns what lies in a part. Gaps between spans, and at both ends of the part, are closed up to a length.
+Spans within(std::span<const std::array<double, 2>> spans, const std::array<double, 2>& part, double most_gap) {
+  Spans some;
+  for (const auto& [from, to] : spans) {
+    if (to <= part[0] || from >= part[1]) continue;
+    const double before = some.empty() ? part[0] : some.back()[1];
+    add_span(some, {from - before <= most_gap ? before : from, std::min(to, part[1])});
+  }
+  if (!some.empty() && part[1] - some.back()[1] <= most_gap) some.back()[1] = part[1];
+  return some;
+}
+
+/// Lines tested in place of some edges: the numbers of those edges ascend.
+struct Tests {
+  std::vector<std::size_t> numbers;
+  edges::FeatureEdges lines;
+
+  void add(std::size_t number, const edges::FeatureEdge& line) {
+    numbers.push_back(number);
+    lines.edges.push_back(line);
+  }
+};
+
+/// Adds to the hidden spans of each tested edge what `hides` returns for it and its line.
+template <class Hides>
+HiddenSpans with_spans(const HiddenSpans& hidden, const Tests& tests, const HiddenSpans& found, const Hides& hides) {
+  HiddenSpans all{{0}, {}, hidden.undecided, hidden.by_surface};
   all.first.reserve(hidden.first.size());
-  all.spans.reserve(hidden.spans.size() + more.spans.size());
+  all.spans.reserve(hidden.spans.size() + found.spans.size());
   std::size_t next = 0;
   for (std::size_t e = 0; e + 1 < hidden.first.size(); ++e) {
     Spans spans(hidden.spans.begin() + static_cast<std::ptrdiff_t>(hidden.first[e]),
                 hidden.spans.begin() + static_cast<std::ptrdiff_t>(hidden.first[e + 1]));
-    if (next < numbers.size() && numbers[next] == e) {
-      for (std::size_t i = more.first[next]; i < more.first[next + 1]; ++i) add_span(spans, more.spans[i]);
-      if (more.first[next] < more.first[next + 1]) close_gaps(spans, narrow_end);
+    if (next < tests.numbers.size() && tests.numbers[next] == e) {
+      const Spans more =
+          hides(e, std::span(found.spans).subspan(found.first[next], found.first[next + 1] - found.first[next]));
+      for (const auto& span : more) add_span(spans, span);
+      if (!more.empty()) all.by_surface.push_back(static_cast<int>(e));
       ++next;
     }
     all.spans.insert(all.spans.end(), spans.begin(), spans.end());
     all.first.push_back(all.spans.size());
   }
+  std::sort(all.by_surface.begin(), all.by_surface.end());
+  all.by_surface.erase(std::unique(all.by_surface.begin(), all.by_surface.end()), all.by_surface.end());
   return all;
+}
+
+HiddenSpans found_hidden(const scene::World& world, const view::ProjectedScene& faces, const Tests& tests,
+                         const Progress& progress) {
+  HiddenSpans found = find_hidden(world, faces, tests.lines, progress);
+  if (!found.undecided.empty()) throw OutOfTime{"hiding lines"};
+  return found;
+}
+
+/// Whether a contour is drawn on a torus, not on the mesh.
+bool is_drawn_on_torus(const scene::World& world, const edges::FeatureEdge& edge) {
+  if (edge.shown[0] < 0 && edge.shown[1] < 0) return false;
+  const scene::Placed& placed = world.models[edge.model];
+  const auto triangles = placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]);
+  return std::all_of(triangles.begin(), triangles.end(), [&](int t) {
+    const int face = placed.part->face_of_triangle[static_cast<std::size_t>(t)];
+    return placed.part->faces[static_cast<std::size_t>(face)].surface.kind == features::SurfaceKind::torus;
+  });
+}
+
+/// The visible edges that fulfil a condition.
+template <class Wanted>
+std::vector<std::size_t> visible_edges(const edges::FeatureEdges& drawn, const HiddenSpans& hidden,
+                                       const Wanted& wanted) {
+  std::vector<std::size_t> found;
+  for (std::size_t e = 0; e < drawn.edges.size(); ++e)
+    if (wanted(drawn.edges[e]) && is_visible_somewhere(hidden, e)) found.push_back(e);
+  return found;
+}
+
+// Of a mesh, all vertices of a contour near a cusp may be drawn beyond the place where another contour passes before
+// it.
+void hide_behind_own_face(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
+                          HiddenSpans& hidden, const Progress& progress) {
+  const std::vector<std::size_t> contours =
+      visible_edges(drawn, hidden, [&](const edges::FeatureEdge& edge) { return is_drawn_on_torus(world, edge); });
+  if (contours.empty()) return;
+  view::ProjectedScene faces = view_of(world, view, faces_with(world, drawn, contours));
+  TestedLines lines(world, faces);
+  Tests tests;
+  tests.lines.beside_slivers = drawn.beside_slivers;
+  for (const std::size_t e : contours) tests.add(e, lines.drawn(drawn.edges[e]));
+  const auto all = [](std::size_t, std::span<const std::array<double, 2>> spans) {
+    return Spans(spans.begin(), spans.end());
+  };
+  hidden = with_spans(hidden, tests, found_hidden(world, faces, tests, progress), all);
 }
 
 }  // namespace
 
 void hide_folds(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                 HiddenSpans& hidden, const Progress& progress) {
-  std::vector<std::size_t> folds;
-  for (std::size_t e = 0; e < drawn.edges.size(); ++e)
-    if (drawn.edges[e].by_chance && is_visible_somewhere(hidden, e)) folds.push_back(e);
+  hide_behind_own_face(world, view, drawn, hidden, progress);
+  const std::vector<std::size_t> folds =
+      visible_edges(drawn, hidden, [](const edges::FeatureEdge& edge) { return edge.by_chance || edge.hollow != 0; });
   if (folds.empty()) return;
   view::ProjectedScene faces = view_of(world, view, faces_with(world, drawn, folds));
-  Beside next_to(world, faces);
-  std::vector<std::size_t> numbers;
-  edges::FeatureEdges lines;
-  lines.beside_slivers = drawn.beside_slivers;
+  TestedLines lines(world, faces);
+  Tests tests;
+  tests.lines.beside_slivers = drawn.beside_slivers;
   for (const std::size_t e : folds)
-    if (const auto line = next_to.line_at(drawn.edges[e])) {
-      numbers.push_back(e);
-      lines.edges.push_back(*line);
-    }
-  const HiddenSpans behind = find_hidden(world, faces, lines, progress);
-  if (!behind.undecided.empty()) throw OutOfTime{"hiding lines"};
-  hidden = with_spans(hidden, numbers, behind);
+    if (const auto line = lines.beside(drawn.edges[e])) tests.add(e, *line);
+  const auto doubtful = [&](std::size_t e, std::span<const std::array<double, 2>> spans) {
+    return within(spans, doubtful_part(drawn.edges[e]), narrow_end);
+  };
+  hidden = with_spans(hidden, tests, found_hidden(world, faces, tests, progress), doubtful);
 }
 
 }  // namespace epura::visibility

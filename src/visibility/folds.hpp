@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contours of facets that a tessellation turned over, inside a surface that is not seen edge-on there.
+// Contours of facets where their surface has none, since a tessellation turned them over, or hides it, beyond a cusp.
 #pragma once
 
 #include "base/progress.hpp"
@@ -9,9 +9,10 @@
 
 namespace epura::visibility {
 
-/// Adds to `hidden` where such contours (FeatureEdge::by_chance) are no outlines: on the other side of them, their face
-/// goes on no farther behind than their facets are deep. To find out, lines next to them at that depth are tested like
-/// edges against such faces. Throws OutOfTime.
+/// Adds to `hidden` where such contours (FeatureEdge::by_chance, hollow) are no outlines: on the other side of them,
+/// their face goes on no farther behind than their facets are deep, or twice that beyond a cusp. To find out, lines
+/// next to them at that depth are tested like edges against such faces. Lines that are drawn on a torus, not on its
+/// facets, are tested against it where they are drawn. Throws OutOfTime.
 void hide_folds(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                 HiddenSpans& hidden, const Progress& progress = {});
 

@@ -159,11 +159,14 @@ void keep_decided(edges::FeatureEdges& drawn, HiddenSpans& hidden) {
   if (hidden.undecided.empty()) return;
   std::size_t kept = 0, spans = 0;
   auto next = hidden.undecided.begin();
+  std::vector<int> by_surface;
   for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
     if (next != hidden.undecided.end() && static_cast<std::size_t>(*next) == e) {
       ++next;
       continue;
     }
+    if (std::binary_search(hidden.by_surface.begin(), hidden.by_surface.end(), static_cast<int>(e)))
+      by_surface.push_back(static_cast<int>(kept));
     drawn.edges[kept] = drawn.edges[e];
     for (std::size_t i = hidden.first[e]; i < hidden.first[e + 1]; ++i) hidden.spans[spans++] = hidden.spans[i];
     hidden.first[++kept] = spans;
@@ -173,6 +176,7 @@ void keep_decided(edges::FeatureEdges& drawn, HiddenSpans& hidden) {
   hidden.first.resize(kept + 1);
   hidden.spans.resize(spans);
   hidden.undecided.clear();
+  hidden.by_surface = std::move(by_surface);
 }
 
 std::vector<int> all_but_longest(const view::ProjectedScene& view, const std::vector<edges::FeatureEdge>& edges,

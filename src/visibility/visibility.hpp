@@ -18,7 +18,8 @@ namespace epura::visibility {
 struct HiddenSpans {
   std::vector<std::size_t> first;
   std::vector<std::array<double, 2>> spans;
-  std::vector<int> undecided;  ///< edges not examined before time was up, ascending
+  std::vector<int> undecided;     ///< edges not examined before time was up, ascending
+  std::vector<int> by_surface{};  ///< edges that facets alone do not hide as far as this, ascending (folds.hpp)
 
   /// Calls `visit(from, to, visible)` for the parts of edge e from its first vertex to its second.
   template <class Visit>

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/parallel.hpp"
+#include "drawing/make_drawing.hpp"
 #include "report/format.hpp"
 #include "shapes.hpp"
 #include "verify/verify.hpp"
@@ -321,6 +322,29 @@ TEST(Outline, AnySizeAndPlace) {
     r.drawing.segments.erase(
         std::ranges::find_if(r.drawing.segments, [](const drawing::Segment& s) { return s.visible; }));
     EXPECT_GT(checked(r).missing, 0);
+  }
+}
+
+// The drawing ends at the cusps of the surface, and where one contour passes behind another: the judge looks at facets.
+TEST(Outline, ATorusIsRightAtItsCusps) {
+  std::vector<std::array<double, 2>> ring;
+  for (int i = 0; i <= 24; ++i) {
+    const double angle = 0.3 + 2 * std::numbers::pi * i / 24;
+    ring.push_back({20 + 8 * std::cos(angle), 8 * std::sin(angle)});
+  }
+  const scene::World torus = recognised(world_of(revolved(ring, 60)));
+  ASSERT_NE(torus.models[0].part, nullptr);
+  for (const Vec3& towards : {Vec3(1, -1, 1), Vec3(0.31, -0.62, 0.41), Vec3(0.2, -1, 0.5)}) {
+    Result r = draw(torus, orthographic(towards));
+    EXPECT_FALSE(r.hidden.by_surface.empty());
+    // It judges lines in their places on the mesh.
+    for (edges::FeatureEdge& edge : r.drawn.edges) edge.shown = {-1, -1};
+    r.drawing = drawing::make_drawing({r.world, r.view, r.drawn, r.hidden}, {1, Vec2(0)}, {"torus", false});
+    const report::OutlineCheck right = checked(r);
+    EXPECT_EQ(right.missing + right.unfounded, 0) << told(right);
+    // Lines that are left out are missed.
+    for (drawing::Segment& segment : r.drawing.segments) segment.visible = segment.visible && segment.from.y > 0;
+    EXPECT_GT(checked(r).missing, 100);
   }
 }
 

@@ -67,7 +67,9 @@ TEST(TimeLimit, DecidedEdgesKeepTheirSpans) {
   visibility::HiddenSpans hidden = r.hidden;
   // As if every third edge had to be left out: its spans go with it.
   for (std::size_t e = 0; e < drawn.edges.size(); e += 3) hidden.undecided.push_back(static_cast<int>(e));
+  hidden.by_surface = {2, 3, 5};  // the second and the fourth of those that are left
   visibility::keep_decided(drawn, hidden);
+  EXPECT_EQ(hidden.by_surface, (std::vector{1, 3}));
   EXPECT_TRUE(hidden.undecided.empty());
   ASSERT_EQ(hidden.first.size(), drawn.edges.size() + 1);
   std::size_t kept = 0;
