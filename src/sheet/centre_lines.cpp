@@ -31,6 +31,7 @@ constexpr double same_direction = 1e-4;  // radians
 constexpr double edge_on = 1e-4;         // relative to the radius
 constexpr double on_rim = 0.01;          // relative to the radius
 constexpr double least_opening = 0.25;   // part of a rim that is seen
+constexpr double whole_opening = 0.95;
 
 /// The image of a circle, in mm on paper.
 struct SeenCircle {
@@ -310,6 +311,12 @@ std::vector<Edge> visible_edges(const drawing::ViewDrawing& drawing) {
   return edges;
 }
 
+/// The part of a turn over which a rim is seen, and its points.
+struct SeenRim {
+  double turn = 0;
+  std::vector<Vec2> points{};
+};
+
 /// Decides which features have centre lines in a view.
 class Shown {
  public:
@@ -335,14 +342,16 @@ class Shown {
     return feature.enclosed && !has_hidden_lines(feature) && is_slanted(largest);
   }
 
-  /// The parts of a turn over which the rims of a feature are seen, by ring.
-  [[nodiscard]] std::vector<double> seen_rims(const scene::RoundFeature& feature) const {
+  /// What is seen of the rims of a feature, by ring.
+  [[nodiscard]] std::vector<SeenRim> seen_rims(const scene::RoundFeature& feature) const {
     const std::vector<SeenCircle> rings = see(view_.drawing, feature);
-    std::vector<double> seen(rings.size(), 0);
+    std::vector<SeenRim> seen(rings.size());
     visit_edges(feature, [&](const drawing::Segment& s) {
-      for (std::size_t i = 0; i < rings.size(); ++i)
-        if (rings[i].has(s.from) && rings[i].has(s.to))
-          seen[i] += std::abs(rings[i].angle_between(s.from, s.to)) / (2 * std::numbers::pi);
+      for (std::size_t i = 0; i < rings.size(); ++i) {
+        if (!rings[i].has(s.from) || !rings[i].has(s.to)) continue;
+        seen[i].turn += std::abs(rings[i].angle_between(s.from, s.to)) / (2 * std::numbers::pi);
+        seen[i].points.insert(seen[i].points.end(), {s.from, s.to});
+      }
       return true;
     });
     return seen;
@@ -397,23 +406,32 @@ struct Marks {
   std::vector<SeenCircle> rounds;  ///< pitch circles
 };
 
-// The axis of a feature that is seen only through its ends, where it passes through openings: `seen` is the part of
-// their rims that is seen, by ring.
-void add_in_openings(Marks& marks, const std::vector<SeenCircle>& rings, const std::vector<double>& seen) {
+// The axis of a feature that is seen only through its ends, where it passes through openings: `seen` is by ring.
+void add_in_openings(Marks& marks, const std::vector<SeenCircle>& rings, const std::vector<SeenRim>& seen) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
-    if (seen[i] < least_opening) continue;
+    if (seen[i].turn < least_opening) continue;
     const Vec2 along = glm::normalize(rings[i].axis);
-    marks.pieces.push_back(piece_about(rings[i].centre, along, rings[i].reach(along) + beyond));
+    Piece piece = piece_about(rings[i].centre, along, rings[i].reach(along) + beyond);
+    if (seen[i].turn < whole_opening) {
+      const auto places = values_of(seen[i].points, [&](const Vec2& p) { return place_along(piece.angle, p); });
+      const auto [low, high] = std::minmax_element(places.begin(), places.end());
+      piece.from = std::max(piece.from, *low - beyond);
+      piece.to = std::min(piece.to, *high + beyond);
+      piece.centred = false;
+    }
+    marks.pieces.push_back(piece);
   }
 }
 
-// The rings of the second end of a slot may be in the opposite order.
-std::vector<double> seen_rims(const Shown& shown, const scene::SlotFeature& slot) {
+// The rings of the second end of a slot may be in the opposite order. Each of them has half a rim.
+std::vector<SeenRim> seen_rims(const Shown& shown, const scene::SlotFeature& slot) {
   const auto& [one, other] = slot.ends;
-  std::vector<double> seen = shown.seen_rims(one), there = shown.seen_rims(other);
+  std::vector<SeenRim> seen = shown.seen_rims(one), there = shown.seen_rims(other);
   if (glm::dot(one.axis, other.axis) < 0) std::reverse(there.begin(), there.end());
-  // Each of them has half a rim.
-  for (std::size_t i = 0; i < std::min(seen.size(), there.size()); ++i) seen[i] += there[i];
+  for (std::size_t i = 0; i < std::min(seen.size(), there.size()); ++i) {
+    seen[i].turn += there[i].turn;
+    seen[i].points.insert(seen[i].points.end(), there[i].points.begin(), there[i].points.end());
+  }
   return seen;
 }
 
