@@ -11,6 +11,7 @@
 #include "drawing/circles_edge_on.hpp"
 #include "drawing/continue_lines.hpp"
 #include "drawing/edge_on.hpp"
+#include "drawing/forwards.hpp"
 #include "drawing/ink.hpp"
 #include "drawing/meet_contours.hpp"
 #include "drawing/specks.hpp"
@@ -22,6 +23,8 @@ namespace {
 constexpr double coincident_cells = 4;
 // The part of the distance at which lines are one that nobody sees in a single line.
 constexpr double unseen = 0.1;
+// The part of that distance within which a line goes back and forth on itself.
+constexpr double on_one_line = 0.5;
 
 std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::PaperMap& paper, bool keep_hidden,
                              const Progress& progress) {
@@ -224,6 +227,13 @@ bool join_where_near(std::vector<Piece>& pieces, const visibility::ResolvedView&
   return any;
 }
 
+// Where a contour is moved, it may change between visible and hidden that much too early or too late, unless a person
+// would see it.
+double longest_glint(double near, double moved) {
+  constexpr double seen = 2.5;  // multiple of the distance at which lines are one: half of the width of outlines
+  return std::max(unseen * near, std::min(seen * near, moved));
+}
+
 }  // namespace
 
 Vec2 position_on_paper(const view::ProjectedScene& view, const view::PaperMap& paper, const edges::FeatureEdge& edge,
@@ -270,7 +280,7 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   drawing.contours_moved = lines.drawn.moved * paper.scale;
   meet_contours(lines, paper, 4 * limits.tolerance, pieces);
   find_looks(pieces, lines, options.near);
-  turn_glints(pieces, are_moved(pieces, lines), unseen * options.near.distance, progress);
+  turn_glints(pieces, are_moved(pieces, lines), longest_glint(options.near.distance, drawing.contours_moved), progress);
   if (options.near.distance > 0) drawing.joined_within = draw_circles_once(lines, paper, limits.min, pieces, progress);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
@@ -283,6 +293,9 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   drawing.chains = chain_segments(drawing.segments, straight_mm, drawing.coincident, progress);
   if (options.least_crease > 0 && drop_short_creases(drawing, options.least_crease))
     drawing.chains = chain_segments(drawing.segments, straight_mm, drawing.coincident, progress);
+  if (options.near.distance > 0)
+    for (Chain& chain : drawing.chains)
+      chain.points = go_forwards(std::move(chain.points), chain.closed, on_one_line * options.near.distance);
 
   Vec2 max(-HUGE_VAL), low(HUGE_VAL);
   for (const Segment& s : drawing.segments) {

@@ -152,7 +152,21 @@ Reach reach_of(const PartSurface& surface, std::span<const Vec3> points, double 
   }
   const Places places = places_of(surface, points, false, allowance);
   reach.sweep = places.closed ? 360 : places.sweep * (180 / std::numbers::pi);
+  reach.middle = places.from + (places.sweep + turn) / 2;
   return reach;
+}
+
+bool passes_over(const PartSurface& surface, const std::array<Vec3, 3>& triangle, double angle) {
+  const auto across = square_to(surface.axis);
+  const double x = portable_cos(angle), y = portable_sin(angle);
+  const Vec3 out = x * across[0] + y * across[1], aside = x * across[1] - y * across[0];
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Vec3& corner : triangle) {
+    if (!(glm::dot(corner - surface.origin, out) > 0)) return false;
+    low = std::min(low, glm::dot(corner - surface.origin, aside));
+    high = std::max(high, glm::dot(corner - surface.origin, aside));
+  }
+  return low < 0 && high > 0;
 }
 
 RegionGrower::RegionGrower(const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions)

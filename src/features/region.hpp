@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -55,8 +56,13 @@ Places places_of(const PartSurface& surface, std::span<const Vec3> points, bool 
 /// The extent of points along the axis of a surface and around it.
 struct Reach {
   double from = HUGE_VAL, to = -HUGE_VAL;
-  double sweep = 0;  ///< degrees; 360 if no gap is larger than a step
+  double sweep = 0;   ///< degrees; 360 if no gap is larger than a step
+  double middle = 0;  ///< of the gap, radians
 };
+
+/// Whether a triangle of a surface passes over an angle around its axis.
+bool passes_over(const PartSurface& surface, const std::array<Vec3, 3>& triangle, double angle);
+
 Reach reach_of(const PartSurface& surface, std::span<const Vec3> points, double allowance);
 
 class RegionGrower {

@@ -29,6 +29,9 @@ constexpr double shortest_piece = 1;     // mm, of the pieces that other lines l
 constexpr double same_place = 0.02;      // mm
 constexpr double same_direction = 1e-4;  // radians
 constexpr double edge_on = 1e-4;         // relative to the radius
+constexpr double on_rim = 0.01;          // relative to the radius
+constexpr double least_opening = 0.25;   // part of a rim that is seen
+constexpr double whole_opening = 0.95;
 
 /// The image of a circle, in mm on paper.
 struct SeenCircle {
@@ -41,6 +44,17 @@ struct SeenCircle {
   [[nodiscard]] bool is_round() const {
     const double slack = 1e-4 * glm::dot(u, u);
     return slack > 0 && std::abs(glm::dot(u, u) - glm::dot(v, v)) <= slack && std::abs(glm::dot(u, v)) <= slack;
+  }
+  /// A point in units of the radius, in the plane of the circle.
+  [[nodiscard]] Vec2 local(const Vec2& p) const {
+    const Vec2 d = p - centre;
+    return Vec2(d.x * v.y - d.y * v.x, u.x * d.y - u.y * d.x) / (u.x * v.y - u.y * v.x);
+  }
+  /// Whether a point is on the image of the circle, or of a polygon instead of it.
+  [[nodiscard]] bool has(const Vec2& p) const { return std::abs(glm::length(local(p)) - 1) <= on_rim; }
+  [[nodiscard]] double angle_between(const Vec2& p, const Vec2& q) const {
+    const Vec2 a = local(p), b = local(q);
+    return portable_atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
   }
   /// How far the image reaches from its centre in a direction.
   [[nodiscard]] double reach(const Vec2& direction) const {
@@ -58,6 +72,8 @@ SeenCircle see(const drawing::ViewDrawing& drawing, const Vec3& axis, const scen
   return {image_of(drawing, ring.centre, 1), image_of(drawing, ring.radius * u, 0),
           image_of(drawing, ring.radius * glm::cross(axis, u), 0), image_of(drawing, ring.radius * axis, 0)};
 }
+
+bool is_slanted(const SeenCircle& circle) { return glm::length(circle.axis) > edge_on * circle.radius(); }
 
 std::vector<SeenCircle> see(const drawing::ViewDrawing& drawing, const scene::RoundFeature& feature) {
   std::vector<SeenCircle> circles;
@@ -156,8 +172,6 @@ std::vector<Piece> crosses(const std::vector<std::vector<SeenCircle>>& features)
   }
   return pieces;
 }
-
-bool is_slanted(const SeenCircle& circle) { return glm::length(circle.axis) > edge_on * circle.radius(); }
 
 // The axis through circles on one line: two that are apart, or one that is seen edge-on.
 std::optional<Piece> axis_through(std::span<const SeenCircle> circles) {
@@ -286,16 +300,22 @@ std::vector<Piece> uncovered(const std::vector<Piece>& pieces, std::span<const L
   return covers.rest();
 }
 
-using Edge = std::array<int, 3>;  // model, vertices
+using Edge = std::array<int, 4>;  // model, vertices, segment
 
 std::vector<Edge> visible_edges(const drawing::ViewDrawing& drawing) {
   std::vector<Edge> edges;
-  for (const drawing::Segment& s : drawing.segments)
-    if (s.visible && s.edge[0] >= 0)
-      edges.push_back({s.model, std::min(s.edge[0], s.edge[1]), std::max(s.edge[0], s.edge[1])});
+  for (std::size_t i = 0; i < drawing.segments.size(); ++i)
+    if (const drawing::Segment& s = drawing.segments[i]; s.visible && s.edge[0] >= 0)
+      edges.push_back({s.model, std::min(s.edge[0], s.edge[1]), std::max(s.edge[0], s.edge[1]), static_cast<int>(i)});
   std::sort(edges.begin(), edges.end());
   return edges;
 }
+
+/// The part of a turn over which a rim is seen, and its points.
+struct SeenRim {
+  double turn = 0;
+  std::vector<Vec2> points{};
+};
 
 /// Decides which features have centre lines in a view.
 class Shown {
@@ -313,11 +333,48 @@ class Shown {
   [[nodiscard]] bool shows(const scene::RoundFeature& feature) const {
     const std::vector<SeenCircle> rings = see(view_.drawing, feature);
     const SeenCircle& largest = largest_of(rings);
-    return 2 * largest.radius() >= least_diameter &&
-           (view_.styles(feature.model, body_of(feature)).hidden != HiddenLines::none || is_visible(feature, largest));
+    return 2 * largest.radius() >= least_diameter && (has_hidden_lines(feature) || is_visible(feature, largest));
+  }
+
+  /// Whether a feature is seen only through its ends, obliquely: its axis is behind the material around it.
+  [[nodiscard]] bool is_inside(const scene::RoundFeature& feature) const {
+    const SeenCircle largest = largest_of(see(view_.drawing, feature));
+    return feature.enclosed && !has_hidden_lines(feature) && is_slanted(largest);
+  }
+
+  /// What is seen of the rims of a feature, by ring.
+  [[nodiscard]] std::vector<SeenRim> seen_rims(const scene::RoundFeature& feature) const {
+    const std::vector<SeenCircle> rings = see(view_.drawing, feature);
+    std::vector<SeenRim> seen(rings.size());
+    visit_edges(feature, [&](const drawing::Segment& s) {
+      for (std::size_t i = 0; i < rings.size(); ++i) {
+        if (!rings[i].has(s.from) || !rings[i].has(s.to)) continue;
+        seen[i].turn += std::abs(rings[i].angle_between(s.from, s.to)) / (2 * std::numbers::pi);
+        seen[i].points.insert(seen[i].points.end(), {s.from, s.to});
+      }
+      return true;
+    });
+    return seen;
   }
 
  private:
+  [[nodiscard]] bool has_hidden_lines(const scene::RoundFeature& feature) const {
+    return view_.styles(feature.model, body_of(feature)).hidden != HiddenLines::none;
+  }
+
+  // Calls visit(segment) for visible lines between vertices of a feature, while it returns true.
+  template <class Visit>
+  void visit_edges(const scene::RoundFeature& feature, const Visit& visit) const {
+    const std::vector<int>& vertices = feature.vertices;
+    for (const int low : vertices) {
+      auto edge = std::lower_bound(edges_.begin(), edges_.end(), Edge{feature.model, low, 0, 0});
+      for (; edge != edges_.end() && (*edge)[0] == feature.model && (*edge)[1] == low; ++edge)
+        if (std::binary_search(vertices.begin(), vertices.end(), (*edge)[2]) &&
+            !visit(view_.drawing.segments[(*edge)[3]]))
+          return;
+    }
+  }
+
   // The named body that has lines at its vertices.
   [[nodiscard]] int body_of(const scene::RoundFeature& feature) const {
     for (const int vertex : feature.vertices) {
@@ -332,13 +389,9 @@ class Shown {
     const double length = glm::length(ring.axis), radius = ring.radius();
     if (feature.enclosed && length > edge_on * radius && ring.reach(ring.axis / length) <= edge_on * radius)
       return false;
-    const std::vector<int>& vertices = feature.vertices;
-    return std::any_of(vertices.begin(), vertices.end(), [&](int low) {
-      auto edge = std::lower_bound(edges_.begin(), edges_.end(), Edge{feature.model, low, 0});
-      for (; edge != edges_.end() && (*edge)[0] == feature.model && (*edge)[1] == low; ++edge)
-        if (std::binary_search(vertices.begin(), vertices.end(), (*edge)[2])) return true;
-      return false;
-    });
+    bool found = false;
+    visit_edges(feature, [&](const drawing::Segment&) { return !(found = true); });
+    return found;
   }
 
   const CentredView& view_;
@@ -353,8 +406,37 @@ struct Marks {
   std::vector<SeenCircle> rounds;  ///< pitch circles
 };
 
+// The axis of a feature that is seen only through its ends, where it passes through openings: `seen` is by ring.
+void add_in_openings(Marks& marks, const std::vector<SeenCircle>& rings, const std::vector<SeenRim>& seen) {
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    if (seen[i].turn < least_opening) continue;
+    const Vec2 along = glm::normalize(rings[i].axis);
+    Piece piece = piece_about(rings[i].centre, along, rings[i].reach(along) + beyond);
+    if (seen[i].turn < whole_opening) {
+      const auto places = values_of(seen[i].points, [&](const Vec2& p) { return place_along(piece.angle, p); });
+      const auto [low, high] = std::minmax_element(places.begin(), places.end());
+      piece.from = std::max(piece.from, *low - beyond);
+      piece.to = std::min(piece.to, *high + beyond);
+      piece.centred = false;
+    }
+    marks.pieces.push_back(piece);
+  }
+}
+
+// The rings of the second end of a slot may be in the opposite order. Each of them has half a rim.
+std::vector<SeenRim> seen_rims(const Shown& shown, const scene::SlotFeature& slot) {
+  const auto& [one, other] = slot.ends;
+  std::vector<SeenRim> seen = shown.seen_rims(one), there = shown.seen_rims(other);
+  if (glm::dot(one.axis, other.axis) < 0) std::reverse(there.begin(), there.end());
+  for (std::size_t i = 0; i < std::min(seen.size(), there.size()); ++i) {
+    seen[i].turn += there[i].turn;
+    seen[i].points.insert(seen[i].points.end(), there[i].points.begin(), there[i].points.end());
+  }
+  return seen;
+}
+
 // If seen in true shape: a line through both ends and another across each end; otherwise one axis in the middle.
-void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const scene::SlotFeature& slot) {
+void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const Shown& shown, const scene::SlotFeature& slot) {
   const auto [one, other] = slot.ends;
   const SeenCircle a = see(drawing, one.axis, one.rings.front()), b = see(drawing, other.axis, other.rings.front());
   if (a.is_round()) {
@@ -369,7 +451,10 @@ void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const scene::Sl
   const Vec3 half = 0.5 * (apart - glm::dot(apart, one.axis) * one.axis);
   scene::RoundFeature middle = one;
   for (scene::Ring& ring : middle.rings) ring.centre += half;
-  marks.features.push_back(see(drawing, middle));
+  if (shown.is_inside(one))
+    add_in_openings(marks, see(drawing, middle), seen_rims(shown, slot));
+  else
+    marks.features.push_back(see(drawing, middle));
 }
 
 Marks marks_of(const CentredView& view) {
@@ -390,10 +475,13 @@ Marks marks_of(const CentredView& view) {
       const Vec2 middle = image_of(view.drawing, features.pitch_circles[circle_of[i]].centre, 1);
       for (SeenCircle& ring : rings) ring.spoke = ring.centre - middle;
     }
-    marks.features.push_back(std::move(rings));
+    if (!largest_of(rings).is_round() && shown.is_inside(features.round[i]))
+      add_in_openings(marks, rings, shown.seen_rims(features.round[i]));
+    else
+      marks.features.push_back(std::move(rings));
   }
   for (const scene::SlotFeature& slot : features.slots)
-    if (shown.shows(slot.ends[0]) || shown.shows(slot.ends[1])) add_slot(marks, view.drawing, slot);
+    if (shown.shows(slot.ends[0]) || shown.shows(slot.ends[1])) add_slot(marks, view.drawing, shown, slot);
   for (const int c : circles) {
     const scene::PitchCircle& pitch = features.pitch_circles[c];
     marks.rounds.push_back(see(view.drawing, pitch.axis, {pitch.centre, pitch.radius}));

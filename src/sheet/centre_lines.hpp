@@ -28,7 +28,9 @@ struct CentredView {
 /// axis in its middle; in other directions, a feature has its axis if two of its circles lie apart. Rims on one line
 /// have one common axis. All lines extend 3 mm beyond the outline; overlapping ones are merged. Where a line of
 /// `drawn`, the view's other layers, coincides with them, it takes precedence. Features with a diameter of less than 3
-/// mm have no lines, nor have features that a model without hidden lines does not show. Throws OutOfTime.
+/// mm have no lines, nor have features that a model without hidden lines does not show. There, bores and slots that are
+/// seen obliquely have their axes only through ends of which a quarter of the rim is seen, 3 mm beyond what is seen.
+/// Throws OutOfTime.
 Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<const Layer> drawn,
                    const Progress& progress = {});
 

@@ -28,6 +28,22 @@ TEST(Holes, ABoreGoesThrough) {
 // Round blocks of radius 20 and height 30, bored from above.
 Part bored(const std::vector<Vec2>& bore) { return revolved(joined({{{0, 0}, {20, 0}, {20, 30}}, bore}), 36); }
 
+TEST(Holes, VerticesOfTheirWallsMayLieAtManyAngles) {
+  // Ten rings of facets of 11.25 degrees, each turned a little farther: together, their vertices have 320 angles, but
+  // none in the last two thirds of any facet of the rim.
+  std::vector<Vec2> wall;
+  for (int i = 0; i <= 9; ++i) wall.emplace_back(4, 30 - 10.0 / 3 * i);
+  Part part = revolved(joined({{{4, 0}, {20, 0}, {20, 30}}, wall}), 32);
+  part.triangulate().move([](const Vec3& p) {
+    const double angle = std::hypot(p.x, p.y) < 5 ? p.z / 30 / 3 * 2 * pi / 32 : 0;
+    return Vec3(p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle), p.z);
+  });
+  const auto holes = holes_of(part);
+  ASSERT_EQ(holes.size(), 1U);
+  EXPECT_TRUE(holes[0].through);
+  EXPECT_NEAR(holes[0].diameters.at(0), 8, 1e-9);
+}
+
 TEST(Holes, ADrillPointAndABottomEndThem) {
   for (const double tip : {12.0, 10.0}) {
     const auto holes = holes_of(bored({{4, 30}, {4, 12}, {0, tip == 12 ? 12 : tip}}));

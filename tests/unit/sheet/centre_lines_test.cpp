@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace epura {
 namespace {
@@ -171,6 +172,44 @@ TEST(CentreLines, WithoutHiddenLinesBoresAreNotSeenFromTheSide) {
   bore.enclosed = false;
   drawing.world_to_page = front.world_to_page;
   EXPECT_EQ(lines(drawing, scene::CentredFeatures{{bore}, {}, {}}, {}, HiddenLines::none).strokes.size(), 1U);
+}
+
+// The part of a circle about the z axis that is seen, from `first` to `last` of 72 chords, and the rest hidden.
+void add_rim(drawing::ViewDrawing& drawing, const scene::Ring& ring, int first_vertex, int first, int last) {
+  const auto place = [&](int i) {
+    const double angle = i * std::numbers::pi / 36;
+    return Vec2(drawing.world_to_page * Vec4(ring.centre + ring.radius * Vec3(std::cos(angle), std::sin(angle), 0), 1));
+  };
+  for (int i = 0; i < 72; ++i)
+    drawing.segments.push_back({place(i),
+                                place(i + 1),
+                                i >= first && i < last,
+                                EdgeKind::crease,
+                                0,
+                                {first_vertex + i, first_vertex + (i + 1) % 72},
+                                -1,
+                                {0, 1}});
+}
+
+TEST(CentreLines, WithoutHiddenLinesAxesOfBoresPassThroughVisibleRims) {
+  const double root = std::sqrt(0.5), reach = 10 * root + 3;
+  Round bore{0, {0, 0, 1}, {{{0, 0, 0}, 10}, {{0, 0, 40}, 10}}, {}, true};
+  for (int v = 0; v < 144; ++v) bore.vertices.push_back(v);
+  const auto lines_of = [&](int below, int above, HiddenLines hidden) {
+    drawing::ViewDrawing slanted = view({1, 0, 0}, {0, root, root});
+    add_rim(slanted, bore.rings[0], 0, 0, below);
+    add_rim(slanted, bore.rings[1], 72, 0, above);
+    return lines(slanted, scene::CentredFeatures{{bore}, {}, {}}, {}, hidden);
+  };
+  const Vec2 top_centre(0, 40 * root), axis(0, reach);
+  expect_spans(lines_of(0, 72, HiddenLines::none), {{top_centre - axis, top_centre + axis}});
+  // Of half a rim, the half above its centre: up to 3 mm beyond what is seen.
+  expect_spans(lines_of(17, 36, HiddenLines::none), {{top_centre - Vec2(0, 3), top_centre + axis}});
+  expect_spans(lines_of(0, 72, HiddenLines::dashed), {{-axis, top_centre + axis}});
+  expect_spans(lines_of(72, 72, HiddenLines::none), {{-axis, axis}, {top_centre - axis, top_centre + axis}});
+  EXPECT_TRUE(lines_of(0, 17, HiddenLines::none).strokes.empty());
+  bore.enclosed = false;
+  expect_spans(lines_of(0, 72, HiddenLines::none), {{-axis, top_centre + axis}});
 }
 
 TEST(CentreLines, SmallOnesAreLeftOut) {

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/forwards.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "base/nearest.hpp"
+
+namespace epura::drawing {
+
+namespace {
+
+// The most points that are passed in the opposite order at once.
+constexpr std::size_t most_at_once = 8;
+// By more than this part, the line must become shorter.
+constexpr double least_gain = 1e-9;
+
+// Whether a line turns back by 90 degrees or more at any of its points.
+bool turns_back(std::span<const Vec2> points) {
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    if (glm::dot(points[i] - points[i - 1], points[i + 1] - points[i]) < 0) return true;
+  return false;
+}
+
+double distance_to(std::span<const Vec2> line, const Vec2& point) {
+  double least = glm::distance(line.front(), point);
+  for (std::size_t i = 1; i < line.size(); ++i)
+    least = std::min(least, distance_to_segment(point, line[i - 1], line[i]));
+  return least;
+}
+
+// Whether points of a straight piece lie on a line within a distance; its ends do.
+bool lies_on(const Vec2& from, const Vec2& to, std::span<const Vec2> line, double distance) {
+  for (const double part : {0.25, 0.5, 0.75})
+    if (distance_to(line, from + part * (to - from)) > distance) return false;
+  return true;
+}
+
+// Whether a line, without its ends in the opposite order, is shorter and has the same ink within a distance.
+bool is_better_reversed(std::span<const Vec2> line, double distance) {
+  const std::size_t last = line.size() - 1;
+  const double now = glm::distance(line[0], line[1]) + glm::distance(line[last - 1], line[last]);
+  const double then = glm::distance(line[0], line[last - 1]) + glm::distance(line[1], line[last]);
+  if (!(now - then > least_gain * now)) return false;
+  std::vector<Vec2> reversed(line.begin(), line.end());
+  std::reverse(reversed.begin() + 1, reversed.end() - 1);
+  return lies_on(reversed[0], reversed[1], line, distance) &&
+         lies_on(reversed[last - 1], reversed[last], line, distance) && lies_on(line[0], line[1], reversed, distance) &&
+         lies_on(line[last - 1], line[last], reversed, distance);
+}
+
+}  // namespace
+
+std::vector<Vec2> go_forwards(std::vector<Vec2> points, bool closed, double distance) {
+  if (closed) points.push_back(points.front());
+  if (points.size() >= 4 && turns_back(points)) {
+    // Each change makes the line shorter, so that they come to an end; no line needs so many.
+    std::size_t changes_left = 4 * points.size();
+    for (std::size_t first = 1; first + 2 < points.size();) {
+      std::size_t count = 2;
+      const std::size_t most = std::min(most_at_once, points.size() - 1 - first);
+      while (count <= most && !is_better_reversed(std::span(points).subspan(first - 1, count + 2), distance)) ++count;
+      if (count > most || changes_left == 0) {
+        ++first;
+        continue;
+      }
+      --changes_left;
+      const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
+      std::reverse(begin, begin + static_cast<std::ptrdiff_t>(count));
+      first -= std::min(first - 1, most_at_once);
+    }
+  }
+  if (closed) points.pop_back();
+  return points;
+}
+
+}  // namespace epura::drawing

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/forwards.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace epura::drawing {
+namespace {
+
+using Points = std::vector<Vec2>;
+
+double length_of(const Points& points) {
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i - 1], points[i]);
+  return length;
+}
+
+// Points of a circle with a radius of 100, at these hundredths of a radian.
+Points on_circle(const std::vector<double>& places) {
+  Points points;
+  for (const double place : places) points.push_back(100.0 * Vec2(std::cos(place / 100), std::sin(place / 100)));
+  return points;
+}
+
+TEST(Forwards, PointsOfAnArcArePassedInTheirOrder) {
+  const Points arc = on_circle({0, 1, 2, 3, 4, 5, 6});
+  EXPECT_EQ(go_forwards(on_circle({0, 2, 1, 3, 4, 5, 6}), false, 0.05), arc);
+  EXPECT_EQ(go_forwards(on_circle({0, 3, 2, 1, 4, 5, 6}), false, 0.05), arc);
+  EXPECT_EQ(go_forwards(on_circle({0, 2, 1, 4, 3, 5, 6}), false, 0.05), arc);
+  EXPECT_EQ(go_forwards(arc, false, 0.05), arc);
+}
+
+TEST(Forwards, AClosedLineGoesOnceAround) {
+  std::vector<double> places;
+  for (int i = 0; i < 100; ++i) places.push_back(2 * std::numbers::pi * i);
+  const Points circle = on_circle(places);
+  std::swap(places[40], places[41]);
+  EXPECT_EQ(go_forwards(on_circle(places), true, 0.3), circle);
+}
+
+TEST(Forwards, ALineThatTurnsBackOnceStays) {
+  const Points cusp{{0, 0}, {2, 0}, {4, 0}, {3, 0.01}, {1, 0.02}};
+  EXPECT_EQ(go_forwards(cusp, false, 0.05), cusp);
+}
+
+TEST(Forwards, TeethHigherThanTheDistanceStay) {
+  const auto teeth = [](double height) {
+    return Points{{0, 0}, {1, height}, {0.8, 0}, {2, height}, {1.8, 0}, {3, height}};
+  };
+  EXPECT_EQ(go_forwards(teeth(0.5), false, 0.05), teeth(0.5));
+  const Points lower = go_forwards(teeth(0.01), false, 0.05);
+  EXPECT_LT(length_of(lower), 3.001);
+  EXPECT_EQ(lower.size(), 6U);
+}
+
+TEST(Forwards, TheEndsStay) {
+  const Points line{{1, 0}, {0, 0}, {2, 0}, {4, 0}, {3, 0}};
+  const Points forwards = go_forwards(line, false, 0.05);
+  EXPECT_EQ(forwards.front(), line.front());
+  EXPECT_EQ(forwards.back(), line.back());
+  EXPECT_EQ(go_forwards({{0, 0}, {1, 0}}, false, 1), (Points{{0, 0}, {1, 0}}));
+}
+
+}  // namespace
+}  // namespace epura::drawing
