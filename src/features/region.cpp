@@ -235,7 +235,8 @@ bool RegionGrower::spread(Region& region) {
   return region.facets.size() > before;
 }
 
-// A cone with a very small slope is a cylinder with inexact vertices.
+// A cone with a very small slope is a cylinder with inexact vertices, unless vertices lie on the cone much more
+// exactly.
 void RegionGrower::prefer_cylinder(Region& region) {
   constexpr double least_slope = 0.01;
   if (std::abs(region.surface.slope) > least_slope) return;
@@ -244,6 +245,7 @@ void RegionGrower::prefer_cylinder(Region& region) {
   cylinder.slope = 0;
   const double residual = refine(cylinder, points_of(region, most_fitted));
   if (residual > 2 * allowance_of(facets_, region.sagitta)) return;
+  if (residual > std::max(facets_.tolerance, 4 * region.residual)) return;
   region.surface = cylinder;
   region.residual = residual;
 }

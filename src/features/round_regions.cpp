@@ -349,13 +349,32 @@ class Search {
     rings_.push_back({*simpler, region.facets, seed});
   }
 
+  std::optional<Region> cone_along(std::span<const int> facets) {
+    const auto cone = begin_cone(facings_of(facets), points_of(facets));
+    return cone ? grower_.grow(*cone, facets) : std::nullopt;
+  }
+
+  // Along a slender cone, or a part of it, a cylinder may lie within tolerance: returns the cone if it goes on farther,
+  // or vertices lie on it much more exactly.
+  Region or_cone(Region region) {
+    if (region.surface.kind != SurfaceKind::cylinder || region.residual <= facets_.tolerance / 2) return region;
+    auto wider = cone_along(region.facets);
+    if (!wider || wider->facets.size() < region.facets.size() || !grower_.is_evident(*wider)) return region;
+    const bool is_better =
+        4 * wider->facets.size() >= 5 * region.facets.size() || 4 * wider->residual < region.residual;
+    return is_better ? std::move(*wider) : std::move(region);
+  }
+
   bool grow_from(int facet, const Few& beside) {
     const std::vector<int> nearby = around(facet, beside);
-    for (const Guess& g : guess(facet, beside, nearby)) {
+    const std::vector<Guess> guesses = guess(facet, beside, nearby);
+    for (const Guess& g : guesses) {
       auto region = grower_.grow(g.surface, g.seeds);
+      // No cone was tried where a cylinder explains all facets nearby.
+      if (!region && guesses.size() == 1 && g.surface.kind == SurfaceKind::cylinder) region = cone_along(nearby);
       if (!region) continue;
       if (grower_.is_evident(*region)) {
-        keep(std::move(*region), facet);
+        keep(or_cone(std::move(*region)), facet);
         return true;
       }
       if (region->surface.kind == SurfaceKind::sphere) remember_ring(*region, facet);

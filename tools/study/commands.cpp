@@ -47,6 +47,11 @@ scene::Options<StabilityOptions> stability_options() {
                            &Study::cases, scene::any_text().shown_as("IDS")),
       scene::option<Study>({.flag = "--size", .help = "factor for the number of parts in large scenes", .usual = "1"},
                            &Study::size, scene::number_between(0.01, 100, "").shown_as("F")),
+      scene::option<Study>(
+          {.flag = "--beyond",
+           .help = "continue each case until epura is wrong, refuses, or takes more than S seconds for a "
+                   "step; print where it ends, and why"},
+          &Study::beyond, scene::number_between(0.01, 3600, "s").shown_as("S")),
       threads_option<Study>(&Study::threads),
       scene::option<Study>({.flag = "--timings", .help = "print the time of each case"}, &Study::timings,
                            scene::truth()),

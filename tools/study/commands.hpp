@@ -18,6 +18,7 @@ struct StabilityOptions {
   std::string format;                ///< of "-"
   std::string cases;                 ///< ids separated by commas; empty: all
   double size = 1;                   ///< factor for the number of parts in large scenes
+  double beyond = 0;  ///< sweeps are continued until epura fails, or a step takes more seconds; 0: they are not
   int threads = 0;
   bool timings = false;
   ShowProgress progress = ShowProgress::automatic;

@@ -7,6 +7,7 @@
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "output/write.hpp"
@@ -66,9 +67,26 @@ void print_timings(Console& console, const stability::Report& report) {
   for (const stability::CaseReport& one : report) console.print(one.id + " " + format_fixed(one.seconds, 3) + " s\n");
 }
 
+// There is one arithmetic and nothing to plot.
+void study_limits(const StabilityOptions& options) {
+  if (!options.outputs.empty())
+    throw Error(ErrorKind::input, "--beyond", "it prints a table and writes no report", "omit -o");
+  ProgressBoard board;
+  Console console(board, shows_progress(options.progress));
+  const ThreadLimit threads(options.threads);
+  const std::vector<stability::Case> cases = chosen_cases(options.cases);
+  const auto limits = stability::find_limits(cases, options.size, options.beyond, Progress(board));
+  console.print("");  // clears the progress line
+  std::fputs(stability::to_text(limits).c_str(), stdout);
+}
+
 }  // namespace
 
 int study_stability(const StabilityOptions& options) {
+  if (options.beyond > 0) {
+    study_limits(options);
+    return 0;
+  }
   ProgressBoard board;
   Console console(board, shows_progress(options.progress));
   const Progress progress(board);

@@ -211,14 +211,28 @@ Shape revolved(const std::vector<std::array<double, 2>>& profile, int sides, boo
   return shape;
 }
 
-mesh::Mesh mesh_of(const Shape& shape, int digits) {
+Shape prism(const std::vector<Vec2>& outline, double height) {
+  const int n = static_cast<int>(outline.size());
+  Shape shape;
+  for (const double z : {0.0, height})
+    for (const Vec2& p : outline) shape.points.push_back({p.x, p.y, z});
+  std::vector<int> bottom, top;
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    shape.faces.push_back({i, j, n + j, n + i});
+    bottom.push_back(n - 1 - i);
+    top.push_back(n + i);
+  }
+  shape.faces.push_back(bottom);
+  shape.faces.push_back(top);
+  return shape;
+}
+
+namespace {
+
+mesh::Soup soup_of(const Shape& shape) {
   mesh::Soup soup;
   soup.points = shape.points;
-  if (digits > 0) {
-    soup.printed = true;
-    for (Point& p : soup.points)
-      for (double& c : p) c = *parse_number(format_rounded(c, digits));
-  }
   soup.face_body = shape.bodies;
   soup.wires = shape.wires;
   soup.format = "made";
@@ -226,6 +240,26 @@ mesh::Mesh mesh_of(const Shape& shape, int digits) {
     soup.corners.insert(soup.corners.end(), face.begin(), face.end());
     soup.face_ends.push_back(static_cast<int>(soup.corners.size()));
   }
+  return soup;
+}
+
+}  // namespace
+
+mesh::Mesh mesh_of(const Shape& shape, int digits) {
+  mesh::Soup soup = soup_of(shape);
+  if (digits > 0) {
+    soup.printed = true;
+    for (Point& p : soup.points)
+      for (double& c : p) c = *parse_number(format_rounded(c, digits));
+  }
+  return mesh::build_mesh(std::move(soup), "shape");
+}
+
+mesh::Mesh mesh_of_floats(Shape shape) {
+  for (Point& p : shape.points)
+    for (double& c : p) c = static_cast<float>(c);
+  mesh::Soup soup = soup_of(shape);
+  soup.single_precision = true;
   return mesh::build_mesh(std::move(soup), "shape");
 }
 

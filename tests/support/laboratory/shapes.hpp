@@ -52,8 +52,13 @@ Shape uv_sphere(int meridians, int bands);
 /// cos and sin, even at a pole; with `seam`, the points after a full turn are separate from the first ones.
 Shape revolved(const std::vector<std::array<double, 2>>& profile, int sides, bool seam = false);
 
+/// The body over an outline that runs counterclockwise, from z = 0 to `height`.
+Shape prism(const std::vector<Vec2>& outline, double height);
+
 /// `digits`: for a file that writes coordinates as text with this number of digits; 0: unchanged.
 mesh::Mesh mesh_of(const Shape& shape, int digits = 0);
+/// For a file of 32-bit coordinates.
+mesh::Mesh mesh_of_floats(Shape shape);
 scene::World world_of(const std::vector<Shape>& shapes);
 /// The same world with the faces of its parts, if they can be recognised.
 scene::World recognised(scene::World world);

@@ -218,6 +218,20 @@ TEST(RecogniseFaces, PoseAndUnitDoNotMatter) {
     }
 }
 
+TEST(RecogniseFaces, ASlenderConeIsOneFace) {
+  // Along a quarter of the cone, a cylinder lies within tolerance.
+  for (const double degrees : {0.1, 0.01, 0.004, 0.003, 0.002, 0.001, 0.0007, 0.0005}) {
+    const double slope = std::tan(degrees * pi / 180);
+    const features::PartFaces part = recognise(revolved({{0, 0}, {10, 0}, {10 - 20 * slope, 20}, {0, 20}}, 48));
+    ASSERT_EQ(part.faces.size(), 3U) << degrees;
+    const features::PartFace& face = only(part, features::SurfaceKind::cone);
+    EXPECT_NEAR(std::abs(face.surface.slope), slope, 1e-12) << degrees;
+  }
+  // Below tolerance, it is a cylinder.
+  const features::PartFaces pin = recognise(revolved({{0, 0}, {10, 0}, {10 - 1e-6, 20}, {0, 20}}, 48));
+  EXPECT_NEAR(only(pin, features::SurfaceKind::cylinder).surface.radius, 10, 1e-6);
+}
+
 TEST(RecogniseFaces, SinglePrecisionFarFromTheOrigin) {
   Part part = revolved(shaft_profile(5), 48);
   part.move([](const Vec3& p) { return p + Vec3(300, -500, 800); }).round_to_float();

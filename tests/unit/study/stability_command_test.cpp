@@ -41,6 +41,16 @@ TEST(StabilityCommand, PrintsTheTableOfTheDocumentation) {
   EXPECT_TRUE(contains(read_file(root() / "docs/numerics.md"), "$ epura study stability\n" + run.out + "```\n"));
 }
 
+TEST(StabilityCommand, ContinuesBeyondTheStepsOnRequest) {
+  const Folder folder;
+  const Outcome run = study({"--beyond", "300", "--cases", "R2,S1,D2"}, folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const char* row :
+       {"0.001       0.0001  wrong: radius", "1e-12       1e-13   refused: study: the plane cuts nothing",
+        "0.01        0.001   refused: dimension: its legs"})
+    EXPECT_TRUE(contains(run.out, row)) << run.out;
+}
+
 TEST(StabilityCommand, GivesTheSameBytesForAnyNumberOfThreads) {
   const Folder folder;
   const auto json = [&](const std::string& threads) {
@@ -62,6 +72,7 @@ TEST(StabilityCommand, WrongUsageIsRefused) {
   refused({"-o", "x.docx"}, "x.docx");
   refused({"-o", "-"}, "--format");
   refused({"--size", "0"}, "--size");
+  refused({"--beyond", "1", "-o", "x.csv"}, "--beyond");
   refused({"--sizes", "1"}, "did you mean '--size'?");
   EXPECT_TRUE(folder.names().empty());
   EXPECT_EQ(epura({"study"}, folder / "").code, 2);

@@ -16,12 +16,12 @@ namespace epura::stability {
 namespace {
 
 // The families of cases and how many each has.
-const std::vector<std::pair<char, int>> families{{'P', 16}, {'V', 13}, {'M', 37}};
+const std::vector<std::pair<char, int>> numbers{{'P', 16}, {'V', 13}, {'M', 37}, {'R', 9}, {'S', 3}, {'D', 5}};
 
 TEST(StabilityCases, AreAllThereInOrderWithEnoughSteps) {
   const std::vector<Case> cases = all_cases();
   std::size_t at = 0;
-  for (const auto& [family, last] : families)
+  for (const auto& [family, last] : numbers)
     for (int number = 1; number <= last; ++number, ++at) {
       ASSERT_LT(at, cases.size());
       EXPECT_EQ(cases[at].id, family + std::to_string(number));
@@ -83,6 +83,56 @@ TEST(StabilityVerdicts, AreBrokenWhereNothingComesOut) {
   EXPECT_EQ(report[0].breaks_at(Arithmetic::own), 1e-3);
   EXPECT_TRUE(test::contains(to_csv(report), "P1,1e-09,float32,,,,inf,,,broken,\"map: nothing, \"\"really\"\"\""));
   EXPECT_TRUE(test::contains(to_json(report, false), "\"error\": null"));
+}
+
+TEST(StabilityLimits, StepsGoOnAsTheyBegan) {
+  const auto beyond = [](std::vector<double> steps) { return step_beyond(steps); };
+  EXPECT_EQ(beyond({1, 1e-3, 1e-6}), 1e-7);
+  EXPECT_EQ(beyond({0.5, 20.5, 1e3}), 1e4);
+  EXPECT_EQ(beyond({5, 10, 100}), 200) << "counts are doubled";
+  EXPECT_EQ(beyond({8, 6, 4}), 2);
+  EXPECT_EQ(beyond({1, 1e7}), 1e8);
+  EXPECT_EQ(beyond({2, 1}), std::nullopt) << "there is no count below one";
+  EXPECT_EQ(beyond({1e-15, 0}), std::nullopt);
+  EXPECT_EQ(beyond({1, 2, -3}), std::nullopt);
+}
+
+// Steps beyond those of the case are wrong, refused or limited.
+TEST(StabilityLimits, AreWhereACaseFails) {
+  Case one{"P1", "planted", "error", {1e-12, 1e-11, 1e-10}, {}};
+  one.measure = [](const Lab& lab, double step) -> Measured {
+    EXPECT_EQ(lab.arithmetic, Arithmetic::own);
+    return {length("length", 2, 2 + 2 * step, 2)};
+  };
+  Case refuses = one, limited = one, kinds = one;
+  refuses.measure = [](const Lab&, double step) -> Measured {
+    if (step > 1e-8) throw Error(ErrorKind::input, "map", "nothing in front");
+    return {count("pieces", 1, 1)};
+  };
+  limited.measure = [](const Lab&, double step) -> Measured { return {{"length", 0, step, 1, 1e-9, 1}}; };
+  kinds.kinds = true;
+  const std::vector<CaseLimit> limits = find_limits(std::vector<Case>{one, refuses, limited, kinds}, 1, 100);
+  EXPECT_EQ(limits[0].end, End::wrong);
+  EXPECT_NEAR(limits[0].right, 1e-6, 1e-12);
+  EXPECT_NEAR(limits[0].first.value_or(0), 1e-5, 1e-12);
+  EXPECT_EQ(limits[1].end, End::refused);
+  EXPECT_EQ(limits[2].end, End::limited);
+  EXPECT_NEAR(limits[2].right, 1e-9, 1e-15);
+  EXPECT_EQ(limits[3].end, End::kinds);
+  EXPECT_EQ(limits[3].right, 1e-10);
+  const std::string text = to_text(limits);
+  for (const char* part : {"wrong: length 2.00002 instead of 2", "refused: map: nothing in front",
+                           "limited by rounding", "nothing lies beyond"})
+    EXPECT_TRUE(test::contains(text, part)) << text;
+}
+
+TEST(StabilityLimits, AreToldWhereNothingFails) {
+  Case one{"P1", "planted", "size", {1, 1e10, 1e20}, {}};
+  one.measure = [](const Lab&, double) { return Measured{count("pieces", 1, 1)}; };
+  const CaseLimit limit = find_limits({&one, 1}, 1, 100).front();
+  EXPECT_EQ(limit.end, End::numbers);
+  EXPECT_FALSE(limit.first);
+  EXPECT_EQ(find_limits({&one, 1}, 1, 0).front().end, End::slow);
 }
 
 // A planted error of one line in a drawing that is right without it.

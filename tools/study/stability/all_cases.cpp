@@ -10,9 +10,9 @@ namespace epura::stability {
 
 namespace {
 
-// P before V before M, then by number.
+// By family, then by number.
 std::pair<std::size_t, long long> place_of(const std::string& id) {
-  return {std::string_view("PVM").find(id.front()), parse_integer(std::string_view(id).substr(1)).value_or(0)};
+  return {families.find(id.front()), parse_integer(std::string_view(id).substr(1)).value_or(0)};
 }
 
 }  // namespace
@@ -20,7 +20,7 @@ std::pair<std::size_t, long long> place_of(const std::string& id) {
 std::vector<Case> all_cases() {
   std::vector<Case> all;
   for (auto* family : {projection_cases, viewer_cases, alignment_cases, line_cases, body_cases, surface_cases,
-                       size_cases, number_cases, modeller_cases, section_cases}) {
+                       size_cases, number_cases, modeller_cases, section_cases, recognition_cases, dimension_cases}) {
     std::vector<Case> cases = family();
     std::move(cases.begin(), cases.end(), std::back_inserter(all));
   }

@@ -128,12 +128,18 @@ std::vector<Case> number_cases() {
        "size of the large one",
        {1, 1e1, 1e2, 1e3, 1e4, 1e6, 1e8, 1e10, 1e12},
        small_beside_large},
-      {"M28", "faces that are none: NaN, infinity, no area, nothing", "kind", {0, 1, 2, 3, 4, 5, 6, 7, 8}, faults},
+      {"M28",
+       "faces that are none: NaN, infinity, no area, nothing",
+       "kind",
+       {0, 1, 2, 3, 4, 5, 6, 7, 8},
+       faults,
+       true},
       {"M29",
        "faces and vertices in any order, on any number of threads",
        "seed and threads",
        {1, 2, 3, 4, 5, 6, 7, 8, 16},
-       in_any_order},
+       in_any_order,
+       true},
   };
 }
 

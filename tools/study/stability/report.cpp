@@ -20,14 +20,6 @@ double excess(const Quantity& quantity) {
   return quantity.error() / std::max(quantity.allowed, std::numeric_limits<double>::min());
 }
 
-Outcome outcome_of(const Case& one, double step, const Lab& lab) {
-  try {
-    return {one.measure(lab, step), {}};
-  } catch (const Error& error) {
-    return {{}, error.what()};
-  }
-}
-
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
@@ -71,6 +63,14 @@ Verdict CaseReport::verdict(Arithmetic arithmetic) const {
   Verdict worst = Verdict::right;
   for (const Row& row : rows) worst = std::max(worst, row.outcomes[static_cast<std::size_t>(arithmetic)].verdict());
   return worst;
+}
+
+Outcome outcome_of(const Case& one, double step, const Lab& lab) {
+  try {
+    return {one.measure(lab, step), {}};
+  } catch (const Error& error) {
+    return {{}, error.what()};
+  }
 }
 
 Report run(std::span<const Case> cases, double size, Progress progress) {

@@ -54,6 +54,8 @@ struct CaseReport {
 
 using Report = std::vector<CaseReport>;
 
+Outcome outcome_of(const Case& one, double step, const Lab& lab);
+
 /// `size` scales the numbers of parts in large scenes.
 Report run(std::span<const Case> cases, double size, Progress progress = {});
 

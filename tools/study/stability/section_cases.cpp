@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes: cutting planes.
+// Cutting planes.
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -107,6 +108,60 @@ Measured cut_beside_a_vertex(const Lab& lab, double distance) {
   return measured;
 }
 
+double area_of(const scene::CutWorld& cut) {
+  double area = 0;
+  for (const scene::WorldCutFace& face : cut.faces)
+    for (const std::vector<int>& ring : face.rings) {
+      const mesh::Mesh& mesh = *cut.world.models[static_cast<std::size_t>(face.model)].mesh;
+      Vec3 sum(0);
+      for (std::size_t i = 0; i < ring.size(); ++i)
+        sum += glm::cross(mesh.point(ring[i]), mesh.point(ring[(i + 1) % ring.size()]));
+      area += glm::length(sum) / 2;
+    }
+  return area;
+}
+
+scene::CutWorld cut(const scene::World& world, const Vec3& point, const Vec3& normal) {
+  return scene::cut_world(world, scene::make_cutting_plane({{"A", "study"}, point, normal}));
+}
+
+// What is left of a unit cube is either nearly all of it, or a sheet as thin as the distance, whose upper and lower
+// sides coincide from above.
+Measured cut_beside_a_face(const Lab& lab, double distance) {
+  const scene::World world = world_of(box({0, 0, 0}, {1, 1, 1}));
+  Measured measured;
+  for (const double side : {1.0, -1.0}) {
+    const scene::CutWorld left = cut(world, {0, 0, 1 - distance}, {0, 0, side});
+    measured.push_back(length("area of the cut", 1, area_of(left), 1));
+    append(measured, lengths(lab.draw(left.world, {from_above()}), 4, 0));
+  }
+  return measured;
+}
+
+// Half of the upper face is cut off, in a wedge.
+Measured cut_at_an_angle_to_a_face(const Lab& lab, double degrees) {
+  const double a = degrees * M_PI / 180;
+  const scene::World world = world_of(box({0, 0, 0}, {1, 1, 1}));
+  const scene::CutWorld left = cut(world, {0.5, 0, 1}, {std::sin(a), 0, std::cos(a)});
+  return {length("area of the cut", 0.5 / std::cos(a), area_of(left), 1),
+          length("visible", 5, lab.draw(left.world, {from_above()}).visible(), 1)};
+}
+
+// The outline of the cut lies on the ball and in the plane, although facets lie inside.
+Measured cut_near_a_pole(const Lab& /*lab*/, double distance) {
+  const scene::World world = recognised(world_of(uv_sphere(64, 32)));
+  const Vec3 normal = glm::normalize(Vec3(0.3, -0.5, 0.8));
+  const scene::CutWorld left = cut(world, (1 - distance) * normal, normal);
+  double off = left.faces.empty() ? NAN : 0;
+  for (const scene::WorldCutFace& face : left.faces)
+    for (const std::vector<int>& ring : face.rings)
+      for (const int v : ring) {
+        const Vec3 p = left.world.models[0].mesh->point(v);
+        off = std::max({off, std::abs(glm::length(p) - 1), std::abs(glm::dot(p, normal) - (1 - distance))});
+      }
+  return {length("outline", 0, off, 1)};
+}
+
 }  // namespace
 
 std::vector<Case> section_cases() {
@@ -114,7 +169,22 @@ std::vector<Case> section_cases() {
            "prism cut beside a vertex",
            "distance of the plane from the vertex",
            {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 0},
-           cut_beside_a_vertex}};
+           cut_beside_a_vertex},
+          {"S1",
+           "cube cut beside a face",
+           "distance of the plane from the face",
+           {0.5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12},
+           cut_beside_a_face},
+          {"S2",
+           "cube cut at a small angle to a face",
+           "degrees",
+           {30, 10, 1, 1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10},
+           cut_at_an_angle_to_a_face},
+          {"S3",
+           "ball cut near a pole",
+           "distance of the plane from the pole",
+           {0.9, 0.5, 0.3, 0.1, 0.05, 0.02, 0.01, 0.003},
+           cut_near_a_pole}};
 }
 
 }  // namespace epura::stability

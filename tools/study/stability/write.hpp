@@ -5,12 +5,16 @@
 #include <string>
 
 #include "sheet/sheet.hpp"
+#include "study/stability/limits.hpp"
 #include "study/stability/report.hpp"
 
 namespace epura::stability {
 
 /// A table of all cases with the steps at which each arithmetic breaks; with `rows`, also every step.
 std::string to_text(const Report& report, bool rows);
+
+/// A table of where cases end, and why.
+std::string to_text(std::span<const CaseLimit> limits);
 
 /// One line for each quantity of each step and arithmetic.
 std::string to_csv(const Report& report);

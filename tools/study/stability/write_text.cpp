@@ -9,7 +9,7 @@ namespace epura::stability {
 
 namespace {
 
-constexpr int error_digits = 3;
+constexpr int error_digits = 3, limit_digits = 6;
 
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(text.size() + 1, width), ' ');
@@ -36,6 +36,27 @@ std::string row_line(const Row& row, std::size_t arithmetic) {
          padded(format_rounded(quantity->got, 9), 16) + "error " +
          padded(format_rounded(quantity->error(), error_digits), 10) + "allowed " +
          format_rounded(quantity->allowed, error_digits) + "\n";
+}
+
+// Why a case ends.
+std::string reason(const CaseLimit& limit) {
+  switch (limit.end) {
+    case End::kinds:
+      return "nothing lies beyond";
+    case End::numbers:
+      return "no end in the range of doubles";
+    case End::slow:
+      return "takes too long";
+    case End::refused:
+      return "refused: " + limit.outcome.failure;
+    case End::limited:
+    case End::wrong:
+      break;
+  }
+  const Quantity* quantity = limit.outcome.worst();
+  return std::string(limit.end == End::limited ? "limited by rounding: " : "wrong: ") + quantity->name + " " +
+         format_rounded(quantity->got, limit_digits) + " instead of " +
+         format_rounded(quantity->expected, limit_digits);
 }
 
 // Quotes text that could be taken for two fields (RFC 4180).
@@ -67,6 +88,14 @@ std::string to_text(const Report& report, bool rows) {
       for (std::size_t a = 0; a < arithmetics; ++a) text += row_line(row, a);
   }
   return text + "\nThe first step that is not right, of steps from mild to extreme; - where all are right.\n";
+}
+
+std::string to_text(std::span<const CaseLimit> limits) {
+  std::string text = padded("", 4) + padded("case", 56) + padded("right up to", 12) + "ends at\n";
+  for (const CaseLimit& limit : limits)
+    text += padded(limit.id, 4) + padded(limit.what, 56) + padded(step_text(limit.right), 12) +
+            padded(step_text(limit.first), 8) + reason(limit) + "\n";
+  return text;
 }
 
 std::string to_csv(const Report& report) {
