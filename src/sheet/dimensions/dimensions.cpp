@@ -176,7 +176,8 @@ class Placer {
 
   /// Takes out some of the first dimensions until none of these has conflicts, those with most of them first, and
   /// puts back those for which there is room then. Returns the numbers of the others.
-  std::vector<std::size_t> leave_out(std::size_t count) {
+  std::vector<std::size_t> leave_out(std::size_t count, const Progress& progress) {
+    count = std::min(count, placed_.size());
     std::vector<int> conflicts(count);
     for (std::size_t i = 0; i < count; ++i)
       if (placed_[i]) conflicts[i] = conflicts_of(i);
@@ -193,7 +194,8 @@ class Placer {
       left_out.push_back(number);
     }
     std::sort(left_out.begin(), left_out.end());
-    std::erase_if(left_out, [&](std::size_t i) { return finds_room(i) || makes_room(i, count); });
+    std::erase_if(left_out,
+                  [&](std::size_t i) { return !progress.is_out_of_time() && (finds_room(i) || makes_room(i, count)); });
     return left_out;
   }
 
@@ -310,7 +312,7 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
   Placer placer(measured, view.drawing, style, neighbours);
   placer.place_all(progress);
   std::vector<std::size_t> left_out;
-  if (!progress.is_out_of_time()) left_out = placer.leave_out(view.found);
+  if (!progress.is_out_of_time()) left_out = placer.leave_out(view.found, progress);
   PlacedDimensions placed = placer.result();
   std::vector<std::string> texts;
   for (const MeasuredDimension& one : measured) texts.push_back(one.text.line());
