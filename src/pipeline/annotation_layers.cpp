@@ -5,13 +5,13 @@
 #include <array>
 #include <iterator>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "pipeline/construction_layers.hpp"
 #include "pipeline/details.hpp"
+#include "pipeline/occupied_room.hpp"
 #include "sheet/balloons.hpp"
 #include "sheet/captions.hpp"
 #include "sheet/cutting_plane_line.hpp"
@@ -27,11 +27,21 @@ namespace epura::pipeline {
 namespace {
 
 // A drawing that lacks lines may lack its ends, so its overall dimensions are omitted.
-std::vector<scene::DimensionDescription> dimensions_of(const Annotations& annotations, const ViewResult& view) {
-  std::vector<scene::DimensionDescription> dimensions = annotations.dimensions;
-  if (!view.partial.stages.empty())
-    std::erase_if(dimensions, [](const auto& one) { return one.type.value == DimensionType::overall; });
-  return dimensions;
+struct WantedDimensions {
+  std::vector<scene::DimensionDescription> dimensions;
+  std::vector<std::size_t> numbers;  ///< in the annotations
+  std::size_t found = 0;             ///< how many of them, the first ones, nobody asked for
+};
+WantedDimensions dimensions_of(const Annotations& annotations, const ViewResult& view) {
+  WantedDimensions wanted;
+  for (std::size_t i = 0; i < annotations.dimensions.size(); ++i) {
+    const scene::DimensionDescription& one = annotations.dimensions[i];
+    if (!view.partial.stages.empty() && one.type.value == DimensionType::overall) continue;
+    wanted.dimensions.push_back(one);
+    wanted.numbers.push_back(i);
+    if (i < annotations.found) ++wanted.found;
+  }
+  return wanted;
 }
 
 // Unless the view leaves this place out.
@@ -72,11 +82,6 @@ std::vector<sheet::Layer> marks_of(std::span<const Annotations> annotations, std
   return marks;
 }
 
-void add_boxes(std::vector<sheet::TurnedBox>& boxes, const sheet::Layer& layer, const sheet::Lettering& lettering) {
-  const std::vector<sheet::TurnedBox> more = sheet::boxes_of(layer, lettering);
-  boxes.insert(boxes.end(), more.begin(), more.end());
-}
-
 // The lines around details in the views that they enlarge.
 sheet::Layer boundaries_of(std::span<const Annotations> annotations, std::span<const ViewResult> views) {
   sheet::Layer layer;
@@ -84,73 +89,6 @@ sheet::Layer boundaries_of(std::span<const Annotations> annotations, std::span<c
     for (const scene::DetailDescription& detail : annotations[i].details)
       layer.strokes.push_back(sheet::boundary_line(boundary_on_page(detail, views[i].drawing)));
   return layer;
-}
-
-// The centring marks inside the frame. ISO 5457
-std::vector<sheet::Rectangle> centring_marks(const sheet::SheetFurniture& furniture) {
-  constexpr double inside = 10;  // mm
-  if (furniture.frame != FrameKind::full) return {};
-  const sheet::Rectangle area = sheet::drawing_area(furniture.paper);
-  const Vec2 middle = Vec2(furniture.paper.width, furniture.paper.height) / 2.0;
-  std::vector<sheet::Rectangle> marks;
-  for (const double x : {area.min.x, area.max.x - inside}) marks.push_back({{x, middle.y}, {x + inside, middle.y}});
-  for (const double y : {area.min.y, area.max.y - inside}) marks.push_back({{middle.x, y}, {middle.x, y + inside}});
-  return marks;
-}
-
-// Objects on the sheet apart from the views.
-sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const std::vector<sheet::Text>& labels,
-                                const std::vector<sheet::Layer>& marks, const sheet::Lettering& lettering) {
-  const sheet::Paper& paper = furniture.paper;
-  sheet::Neighbours neighbours;
-  neighbours.paper = furniture.frame == FrameKind::none ? sheet::Rectangle{{0, 0}, {paper.width, paper.height}}
-                                                        : sheet::drawing_area(paper);
-  const sheet::BlockBoxes blocks = sheet::block_boxes(furniture);
-  for (const auto& box : {blocks.title_block, blocks.parts_list, blocks.revisions})
-    if (box) neighbours.boxes.push_back(sheet::turned_box(*box));
-  for (const sheet::Rectangle& mark : centring_marks(furniture)) neighbours.boxes.push_back(sheet::turned_box(mark));
-  for (const sheet::Text& label : labels) neighbours.boxes.push_back(sheet::box_of(label, lettering));
-  for (const sheet::Layer& mark : marks) add_boxes(neighbours.boxes, mark, lettering);
-  return neighbours;
-}
-
-sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const ViewResult> views, std::size_t view) {
-  for (std::size_t i = 0; i < views.size(); ++i)
-    if (i != view) neighbours.boxes.push_back(sheet::turned_box({views[i].drawing.min, views[i].drawing.max}));
-  return neighbours;
-}
-
-// Where centre lines of features will be, so that no text is on them.
-void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const ViewResult& view) {
-  constexpr double past = 3;  // mm
-  const drawing::ViewDrawing& drawing = view.drawing;
-  const auto page = [&drawing](const Vec3& p) { return drawing::position_on_page(drawing, p); };
-  const auto add = [&](const scene::RoundFeature& round) {
-    const Vec2 from = page(round.rings.front().centre), to = page(round.rings.back().centre);
-    double radius = 0;
-    for (const scene::Ring& ring : round.rings) radius = std::max(radius, ring.radius);
-    const double reach = radius * drawing.scale + past, length = glm::length(to - from);
-    if (length > past) {
-      const Vec2 along = (to - from) / length;
-      boxes.push_back(sheet::line_box(from - past * along, to + past * along));
-    } else {
-      boxes.push_back(sheet::line_box(from - Vec2(reach, 0), from + Vec2(reach, 0)));
-      boxes.push_back(sheet::line_box(from - Vec2(0, reach), from + Vec2(0, reach)));
-    }
-  };
-  const auto add_circle = [&](const scene::PitchCircle& circle) {
-    constexpr int parts = 48;
-    const Vec2 centre = page(circle.centre);
-    const auto at = [&](int i) {
-      return centre + circle.radius * drawing.scale * sheet::turned_to(2 * std::numbers::pi * i / parts);
-    };
-    const double tilt = glm::length(glm::cross(circle.axis, drawing.projection.n));
-    for (int i = 0; i < parts && tilt <= 1e-6; ++i) boxes.push_back(sheet::line_box(at(i), at(i + 1)));
-  };
-  for (const scene::RoundFeature& round : view.features.round) add(round);
-  for (const scene::PitchCircle& circle : view.features.pitch_circles) add_circle(circle);
-  for (const scene::SlotFeature& slot : view.features.slots)
-    for (const scene::RoundFeature& end : slot.ends) add(end);
 }
 
 // Faults of the dimensions of one view on paper. ISO 3098-1: lettering is at least 2.5 mm high.
@@ -163,22 +101,6 @@ void note_faults(std::vector<report::Finding>& findings, const std::string& view
     if (text.height < least_height) findings.push_back({report::FindingKind::small_text, view, "'" + text.text + "'"});
   if (!sheet::on_paper(placed.layer, {paper.width, paper.height}))
     findings.push_back({report::FindingKind::off_sheet, view, "dimensions extend beyond the sheet"});
-}
-
-// The parts of a sheet on which no table may lie.
-std::vector<sheet::Rectangle> taken_by(const std::vector<sheet::TurnedBox>& boxes, std::span<const ViewResult> views) {
-  constexpr std::size_t most = 200;  // of single boxes; the free room between more of them is small
-  std::vector<sheet::Rectangle> taken;
-  for (const ViewResult& view : views) taken.push_back({view.drawing.min, view.drawing.max});
-  const std::size_t count = taken.size();
-  for (const sheet::TurnedBox& box : boxes) {
-    const sheet::Rectangle one = sheet::around(box);
-    if (taken.size() < most)
-      taken.push_back(one);
-    else
-      taken[count] = sheet::united(taken[count], one);
-  }
-  return taken;
 }
 
 const scene::SheetDescription& sheet_of(const SheetInput& input) {
@@ -218,7 +140,7 @@ void add_tables(AnnotationLayers& result, sheet::Neighbours& around, const Sheet
     for (const sheet::HoleTable& table : input.annotations[i].tables) {
       sheet::Layer own;
       sheet::draw_origin(own, table, views[i].drawing, style);
-      const std::vector<sheet::Rectangle> taken = taken_by(around.boxes, views);
+      const std::vector<sheet::Rectangle> taken = taken_by(around, views);
       if (!add_table(own, table, captions, *around.paper, taken, style))
         result.warnings.push_back("the sheet has no room for the table of the holes in the view '" + table.view +
                                   "'\n  hint: use a larger sheet or a smaller scale");
@@ -293,15 +215,6 @@ std::vector<sheet::TurnedBox> reserved_for(const SheetInput& input, const sheet:
   return boxes;
 }
 
-// Symbols have many short lines, which are together in few boxes.
-void add_outlines(std::vector<sheet::TurnedBox>& boxes, const sheet::Layer& symbols) {
-  for (const sheet::Stroke& stroke : symbols.strokes) {
-    sheet::Rectangle box{stroke.points.front(), stroke.points.front()};
-    for (const Vec2& p : stroke.points) box = sheet::united(box, {p, p});
-    boxes.push_back(sheet::turned_box(box));
-  }
-}
-
 // Those that have ink.
 void add_layers(AnnotationLayers& result, sheet::Neighbours& around, sheet::CalloutLayers layers,
                 const sheet::Lettering& lettering) {
@@ -337,6 +250,79 @@ std::vector<sheet::Callout> attach(sheet::PlacedLayer& placed, std::span<const s
   std::sort(replaced.rbegin(), replaced.rend());
   for (const int arrow : replaced) placed.layer.fills.erase(placed.layer.fills.begin() + arrow);
   return callouts;
+}
+
+// Everything that is in the way of dimensions of a view.
+sheet::Neighbours in_the_way(sheet::Neighbours around, const SheetInput& input, std::span<const ViewResult> views,
+                             std::size_t view, const sheet::DimensionStyle& style) {
+  sheet::Neighbours neighbours = with_other_views(std::move(around), views, view);
+  if (dimensions_features(input.scene)) add_centre_lines(neighbours.boxes, views[view]);
+  for (const sheet::HoleTable& table : input.annotations[view].tables) {
+    sheet::Layer origin;
+    sheet::draw_origin(origin, table, views[view].drawing, style);
+    add_boxes(neighbours.boxes, origin, style.lettering);
+  }
+  return neighbours;
+}
+
+// "'⌀8', '20' and 3 others"
+std::string listed(const std::vector<std::string>& texts) {
+  constexpr std::size_t most = 8;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, texts.size()); ++i) list += (i > 0 ? ", '" : "'") + texts[i] + "'";
+  if (texts.size() > most) list += " and " + std::to_string(texts.size() - most) + " others";
+  return list;
+}
+
+void tell_left_out(AnnotationLayers& result, const sheet::PlacedLayer& placed, std::size_t count,
+                   const std::string& view) {
+  if (placed.left_out.empty()) return;
+  result.warnings.push_back("the sheet has no room for " + std::to_string(placed.left_out.size()) + " of the " +
+                            std::to_string(count) + " dimensions of the view '" + view +
+                            "', which are left out: " + listed(placed.texts_left_out) +
+                            "\n  hint: use a larger sheet or a larger scale, more views, or --dimensions hole-table");
+  for (const std::string& text : placed.texts_left_out)
+    result.findings.push_back({report::FindingKind::undimensioned, view, "there is no room for '" + text + "'"});
+}
+
+/// A view whose dimensions are placed.
+struct ViewToDimension {
+  const SheetInput& input;
+  std::span<const ViewResult> views;
+  std::size_t view;
+  std::span<const sheet::TurnedBox> reserved;  ///< for what has a given position
+};
+
+// Returns the callouts that are in line with dimensions.
+std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neighbours& around,
+                                           const ViewToDimension& of, const sheet::DimensionStyle& style,
+                                           const Budget& budget) {
+  const Annotations& annotations = of.input.annotations[of.view];
+  const drawing::ViewDrawing& drawing = of.views[of.view].drawing;
+  const sheet::Paper& paper = of.input.plan.furniture.paper;
+  const WantedDimensions wanted = dimensions_of(annotations, of.views[of.view]);
+  if (wanted.dimensions.empty()) return {};
+  sheet::Neighbours neighbours = in_the_way(around, of.input, of.views, of.view, style);
+  neighbours.boxes.insert(neighbours.boxes.end(), of.reserved.begin(), of.reserved.end());
+  sheet::PlacedLayer placed = sheet::place_dimensions({of.input.world, drawing, wanted.dimensions, wanted.found}, style,
+                                                      neighbours, budget.run.with_part_of_the_time(0.5));
+  note_faults(result.findings, drawing.name, placed, paper);
+  tell_left_out(result, placed, wanted.dimensions.size(), drawing.name);
+  for (const std::size_t number : placed.left_out) result.left_out[of.view].push_back(wanted.numbers[number]);
+  const std::size_t undrawn = wanted.dimensions.size() - placed.count;
+  if (undrawn > 0) {
+    budget.partial.add_stage("placing dimensions");
+    budget.partial.undrawn += static_cast<long long>(undrawn);
+  }
+  if (!sheet::on_paper(placed.layer, {paper.width, paper.height}))
+    result.warnings.push_back("dimensions of the view '" + drawing.name +
+                              "' extend beyond the sheet\n  hint: use a smaller scale or a larger sheet");
+  std::vector<sheet::Callout> attached;
+  if (undrawn == 0) attached = attach(placed, annotations.attached, style);
+  add_boxes(around.boxes, placed.layer, style.lettering);
+  for (const sheet::Text& text : placed.layer.texts) around.texts.push_back(sheet::box_of(text, style.lettering));
+  result.layers.push_back(std::move(placed.layer));
+  return attached;
 }
 
 /// Callouts by view.
@@ -402,7 +388,7 @@ void add_text_tables(AnnotationLayers& result, sheet::Neighbours& around, const 
     if (table.at.given()) add(table, *table.at - Vec2(0, table_drawing(table, style).size().y));
   for (const scene::TableDescription& table : tables) {
     if (table.at.given()) continue;
-    std::vector<sheet::Rectangle> taken = taken_by(around.boxes, views);
+    std::vector<sheet::Rectangle> taken = taken_by(around, views);
     const Vec2 towards = position_of(table.corner.value_or(scene::SheetCorner::top_right), *around.paper);
     if (const auto at = sheet::nearest_free_position(*around.paper, taken, table_drawing(table, style).size(), towards))
       add(table, *at);
@@ -440,7 +426,7 @@ void add_free_callouts(AnnotationLayers& result, sheet::Neighbours& around, cons
   }
   add_boxes(around.boxes, layers.notes, style.lettering);
   add_outlines(around.boxes, layers.symbols);
-  std::vector<sheet::Rectangle> taken = taken_by(around.boxes, views);
+  std::vector<sheet::Rectangle> taken = taken_by(around, views);
   const auto warn = [&result](const std::string& what) {
     result.warnings.push_back("the sheet has no room for " + what +
                               "\n  hint: use a larger sheet or a smaller scale, or give its position, 'at'");
@@ -453,7 +439,10 @@ void add_free_callouts(AnnotationLayers& result, sheet::Neighbours& around, cons
       warn(name_of(symbol));
   }
   const std::string heading(sheet::caption("notes", language_of(input)));
-  if (!notes.empty() && !add_general_notes(layers, notes, heading, room, taken, style)) warn("the general notes");
+  if (!notes.empty() && !add_general_notes(layers, notes, heading, room, taken, style)) {
+    warn("the general notes");
+    result.findings.push_back({report::FindingKind::off_sheet, "", "there is no room for the general notes"});
+  }
   add_layers(result, around, std::move(layers), style.lettering);
 }
 
@@ -514,33 +503,11 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     open_font();
     add_constructions(result, around, input, views, style());
   }
+  result.left_out.resize(views.size());
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const std::vector<scene::DimensionDescription> dimensions = dimensions_of(input.annotations[i], views[i]);
-    if (dimensions.empty()) continue;
+    if (input.annotations[i].dimensions.empty()) continue;
     open_font();
-    const drawing::ViewDrawing& drawing = views[i].drawing;
-    sheet::Neighbours neighbours = with_other_views(around, views, i);
-    neighbours.boxes.insert(neighbours.boxes.end(), reserved.begin(), reserved.end());
-    if (dimensions_features(input.scene)) add_centre_lines(neighbours.boxes, views[i]);
-    for (const sheet::HoleTable& table : input.annotations[i].tables) {
-      sheet::Layer origin;
-      sheet::draw_origin(origin, table, drawing, style());
-      add_boxes(neighbours.boxes, origin, *lettering);
-    }
-    sheet::PlacedLayer placed = sheet::place_dimensions({input.world, drawing, dimensions}, style(), neighbours,
-                                                        budget.run.with_part_of_the_time(0.5));
-    sheet::Layer& layer = placed.layer;
-    note_faults(result.findings, drawing.name, placed, paper);
-    if (const std::size_t left_out = dimensions.size() - placed.count; left_out > 0) {
-      budget.partial.add_stage("placing dimensions");
-      budget.partial.undrawn += static_cast<long long>(left_out);
-    }
-    if (!sheet::on_paper(layer, {paper.width, paper.height}))
-      result.warnings.push_back("dimensions of the view '" + drawing.name +
-                                "' extend beyond the sheet\n  hint: use a smaller scale or a larger sheet");
-    if (placed.count == dimensions.size()) attached[i] = attach(placed, input.annotations[i].attached, style());
-    add_boxes(around.boxes, layer, *lettering);
-    result.layers.push_back(std::move(layer));
+    attached[i] = add_dimensions(result, around, {input, views, i, reserved}, style(), budget);
   }
   if (lettering) {
     add_callouts(result, around, input, views, style(), std::move(attached));

@@ -17,6 +17,7 @@ namespace epura::pipeline {
 struct AnnotationLayers {
   std::vector<sheet::Layer> layers;  ///< dimensions of each view that has any, then the marks of sections
   std::vector<std::vector<sheet::Layer>> constructions;  ///< by view, to be painted first
+  std::vector<std::vector<std::size_t>> left_out;  ///< by view: numbers of dimensions for which the sheet has no room
   std::vector<std::string> warnings;
   std::vector<report::Finding> findings;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 
@@ -109,12 +110,15 @@ void add_dimensions(std::vector<Annotations>& annotations, const scene::World& w
   const auto here = [&views](const std::string& name) {
     return std::find_if(views.begin(), views.end(), [&](const scene::ViewDescription& v) { return *v.name == name; });
   };
-  const auto add = [&](const scene::DimensionDescription& dimension) {
+  std::vector<std::vector<scene::DimensionDescription>> found(views.size());
+  const auto add_to = [&](const scene::DimensionDescription& dimension, bool is_given) {
     const auto view = here(view_of(dimension, scene));
     if (view == views.end()) return;
     const auto number = std::size_t(view - views.begin());
-    annotations[number].dimensions.push_back(shown_dimension(dimension, world, sheet.plans[number].options));
+    auto& dimensions = is_given ? annotations[number].dimensions : found[number];
+    dimensions.push_back(shown_dimension(dimension, world, sheet.plans[number].options));
   };
+  const auto add = [&](const scene::DimensionDescription& dimension) { add_to(dimension, true); };
   const auto is_outside = [&](const scene::DimensionDescription& dimension) {
     const auto view = std::size_t(here(view_of(dimension, scene)) - views.begin());
     return view < views.size() && is_left_out(dimension, world, sheet.plans[view].options.breaks, seen[view]);
@@ -142,8 +146,14 @@ void add_dimensions(std::vector<Annotations>& annotations, const scene::World& w
         return std::move(plan.dimensions);
       };
       for (const scene::DimensionDescription& one : expanded())
-        if (!is_outside(one)) add(one);
+        if (!is_outside(one)) add_to(one, *dimension.type == DimensionType::overall);
     }
+  }
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    std::vector<scene::DimensionDescription>& dimensions = annotations[i].dimensions;
+    annotations[i].found = found[i].size();
+    dimensions.insert(dimensions.begin(), std::make_move_iterator(found[i].begin()),
+                      std::make_move_iterator(found[i].end()));
   }
 }
 

@@ -25,6 +25,7 @@ struct ViewArrow {
 
 struct Annotations {
   std::vector<scene::DimensionDescription> dimensions;
+  std::size_t found = 0;  ///< how many of them, the first ones, the scene does not ask for one by one
   std::vector<scene::CuttingSurface> planes;          ///< of sections marked in this view
   std::vector<sheet::HoleTable> tables{};             ///< of holes in this view
   std::vector<scene::DetailDescription> details{};    ///< of this view, shown by other views of the scene

@@ -284,6 +284,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   add_details(finished.sheet.layers, input, finished.drawings);
   if (!widths.styles.empty()) sheet::restyle(finished.sheet.layers, widths);
   finished.findings = std::move(beside.findings);
+  finished.left_out = std::move(beside.left_out);
   clear_labels(finished, furniture);
   std::move(beside.warnings.begin(), beside.warnings.end(), std::back_inserter(finished.warnings));
   return finished;

@@ -16,6 +16,7 @@
 #include "pipeline/compose.hpp"
 #include "pipeline/constructions.hpp"
 #include "pipeline/details.hpp"
+#include "pipeline/free_forms.hpp"
 #include "pipeline/line_facts.hpp"
 #include "pipeline/lint.hpp"
 #include "pipeline/mass.hpp"
@@ -63,6 +64,7 @@ struct Run {
   bool has_lines = false;
   std::string answers{};
   std::vector<sheet::DimensionsInView> dimensioned{};  ///< for lint
+  bool refers_to_models = false;                       ///< for free forms
   std::map<const scene::World*, std::optional<KnownIntersections>> intersections{};
 
   double fineness = 1;  ///< of imported surfaces, as a multiple of what --max-error usually needs
@@ -300,7 +302,8 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   expect_constructions(views, seen);
   views.items = items_of(whole, scene, views);
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
-  if (options.lint) add_all(dimensioned, anchored_dimensions(whole, views, seen, annotations));
+  std::vector<sheet::DimensionsInView> anchored;
+  if (options.lint) anchored = anchored_dimensions(whole, views, seen, annotations);
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
   set_least_threads(views, plan);
   tell_of_scales(messages, plan, scene.sheets[static_cast<std::size_t>(views.sheet)], views);
@@ -337,6 +340,8 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   report.cut_off = report.cut_off || !plan.on_paper;
   FinishedSheet sheet = compose(
       {whole, scene, views, plan, annotations, std::move(targets), balloons_of(views, items_seen)}, results, budget);
+  leave_out(anchored, sheet.left_out);
+  add_all(dimensioned, std::move(anchored));
   answers += sheet.answers = std::move(answers_of_sheet);
   if (options.line_facts)
     for (std::size_t i = 0; i < sheet.drawings.size(); ++i) add_line_facts(sheet.sheet, sheet.drawings[i], world(i));
@@ -370,6 +375,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
     world = replace_helical_threads(std::move(world), scene, messages, progress);
   place_threads(world, scene);
   complete_mass(scene, world);
+  refers_to_models = refer_to_models(scene, world);
   find_heights(world);
   watch.lap("features");
   const ShownWorlds worlds(std::move(world), scene, messages, progress);
@@ -379,7 +385,10 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
     sheet.states_error = options.error_note;
     finished.push_back(draw_sheet(worlds, std::move(sheet)));
   }
-  if (options.lint) add_all(report.findings, uncovered_sizes(worlds.main(), scene, dimensioned, progress));
+  if (options.lint) {
+    add_all(report.findings, uncovered_sizes(worlds.main(), scene, dimensioned, progress));
+    if (!refers_to_models) add_all(report.findings, undefined_free_forms(worlds.main(), scene));
+  }
   return finished;
 }
 

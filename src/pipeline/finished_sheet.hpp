@@ -20,8 +20,9 @@ struct FinishedSheet {
   std::vector<drawing::ViewDrawing> drawings{};  ///< in order of the views; empty if no target needs them
   std::vector<std::string> warnings{};           ///< requests that could not be met
   sheet::Paper paper{};
-  std::vector<report::Finding> findings{};  ///< faults of the dimensions on it
-  std::string answers{};                    ///< to the questions about its edges
+  std::vector<report::Finding> findings{};           ///< faults of the dimensions on it
+  std::vector<std::vector<std::size_t>> left_out{};  ///< by view: numbers of dimensions for which it has no room
+  std::string answers{};                             ///< to the questions about its edges
 };
 
 /// Marks a sheet as incomplete since time was over in a stage; a further call replaces the stage.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 
+#include "pipeline/free_forms.hpp"
 #include "scene/design_features.hpp"
 #include "scene/true_extents.hpp"
 
@@ -68,6 +69,12 @@ std::vector<sheet::DimensionsInView> anchored_dimensions(const scene::World& wor
   return views;
 }
 
+void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::vector<std::size_t>> numbers) {
+  for (std::size_t i = 0; i < views.size(); ++i)
+    for (auto number = numbers[i].rbegin(); number != numbers[i].rend(); ++number)
+      views[i].dimensions.erase(views[i].dimensions.begin() + static_cast<std::ptrdiff_t>(*number));
+}
+
 std::vector<report::Finding> uncovered_sizes(const scene::World& world, const scene::SceneDescription& scene,
                                              std::span<const sheet::DimensionsInView> views, const Progress& progress) {
   const scene::DesignFeatures features = scene::find_design_features(world, progress);
@@ -79,6 +86,13 @@ std::vector<report::Finding> uncovered_sizes(const scene::World& world, const sc
     findings.push_back({report::FindingKind::undimensioned, "", what});
   for (const sheet::DimensionsInView& view : views) find_cut_off(findings, scene, view);
   for (const std::string& what : coverage.repeated) findings.push_back({report::FindingKind::repeated, "", what});
+  return findings;
+}
+
+std::vector<report::Finding> undefined_free_forms(const scene::World& world, const scene::SceneDescription& scene) {
+  std::vector<report::Finding> findings;
+  for (const std::string& what : free_forms_without_tolerance(scene, world))
+    findings.push_back({report::FindingKind::undimensioned, "", what});
   return findings;
 }
 

@@ -19,8 +19,14 @@ std::vector<sheet::DimensionsInView> anchored_dimensions(const scene::World& wor
                                                          std::span<const view::ProjectedScene> seen,
                                                          std::span<const Annotations> annotations);
 
+/// Takes out dimensions by their numbers in each view.
+void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::vector<std::size_t>> numbers);
+
 /// Sizes of features that have no dimension, or several. Throws OutOfTime.
 std::vector<report::Finding> uncovered_sizes(const scene::World& world, const scene::SceneDescription& scene,
                                              std::span<const sheet::DimensionsInView> views, const Progress& progress);
+
+/// Faces of free form that no tolerance gives.
+std::vector<report::Finding> undefined_free_forms(const scene::World& world, const scene::SceneDescription& scene);
 
 }  // namespace epura::pipeline

@@ -19,7 +19,7 @@ struct Row {
   std::array<std::string_view, languages.size()> words;
 };
 
-constexpr std::array<Row, 31> rows{{
+constexpr std::array<Row, 32> rows{{
     {"owner",
      {"Legal owner", "Gesetzlicher Eigentümer", "Propriétaire légal", "Propietario legal", "Proprietário legal",
       "法的所有者"}},
@@ -62,6 +62,9 @@ constexpr std::array<Row, 31> rows{{
     {"change_date", {"Date", "Datum", "Date", "Fecha", "Data", "日付"}},
     {"changed_by", {"By", "Name", "Par", "Por", "Por", "担当"}},
     {"notes", {"Notes", "Hinweise", "Notes", "Notas", "Notas", "注記"}},
+    {"free_forms",
+     {"Free forms as in the 3D model", "Freiformflächen nach 3D-Modell", "Formes libres selon le modèle 3D",
+      "Formas libres según el modelo 3D", "Formas livres conforme o modelo 3D", "自由曲面は3Dモデルによる"}},
     {"error",
      {"Lines on paper within", "Linien auf Papier auf", "Traits sur papier à moins de", "Líneas en papel dentro de",
       "Linhas no papel dentro de", "紙面上の線の誤差"}},

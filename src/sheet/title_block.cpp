@@ -31,35 +31,73 @@ struct Cell {
   std::string caption{};  ///< of a field that is not in the standard
 };
 
-// The layout of the annex of ISO 7200, and a row above for data of the drawing rather than of the document.
-std::vector<Cell> standard_cells() {
-  return {{"owner", 0, 0, 55, 3 * row},
-          {"title", 55, 0, 68, 2 * row, title_height},
-          {"revision", 123, 0, 11, row},
-          {"date", 134, 0, 24, row},
-          {"language", 158, 0, 9, row},
-          {"sheet", 167, 0, 13, row},
-          {"number", 123, row, 57, row},
-          {"document_type", 55, 2 * row, 68, row},
-          {"status", 123, 2 * row, 57, row},
-          {"department", 0, 3 * row, 40, row},
-          {"technical_reference", 40, 3 * row, 43, row},
-          {"creator", 83, 3 * row, 48.5, row},
-          {"approver", 131.5, 3 * row, 48.5, row},
-          {"material", 0, 4 * row, 83, row},
-          {"mass", 83, 4 * row, 28, row},
-          {"scale", 111, 4 * row, 24, row},
-          {"size", 135, 4 * row, 20, row}};
+constexpr double right_part = 57, owner_width = 55;
+constexpr double symbol_width = 22, symbol_height = 2.5;
+
+// Adds those cells of a row that have a value or are required, beside each other and as wide together as the room;
+// their widths are in proportion.
+void add_row(std::vector<Cell>& cells, const std::vector<Cell>& row_of_cells, double left, double width) {
+  double sum = 0;
+  for (const Cell& cell : row_of_cells) sum += cell.width;
+  for (Cell cell : row_of_cells) {
+    cell.left = left;
+    cell.width *= width / sum;
+    left += cell.width;
+    cells.push_back(cell);
+  }
 }
-constexpr double standard_height = 5 * row;
+
+// The layout of the annex of ISO 7200, without optional cells that have no value, and above it data of the drawing
+// rather than of the document.
+std::vector<Cell> standard_cells(const TitleBlock& block) {
+  const auto given = [&block](std::vector<Cell> row_of_cells, std::vector<std::string> required) {
+    std::erase_if(row_of_cells, [&](const Cell& cell) {
+      return value_of(block, cell.name).empty() &&
+             std::find(required.begin(), required.end(), cell.name) == required.end();
+    });
+    return row_of_cells;
+  };
+  const double right = full_width - right_part;
+  std::vector<Cell> cells{{"owner", 0, 0, owner_width, 3 * row},
+                          {"title", owner_width, 0, right - owner_width, 2 * row, title_height},
+                          {"number", right, row, right_part, row}};
+  add_row(
+      cells,
+      given(
+          {{"revision", 0, 0, 11, row}, {"date", 0, 0, 24, row}, {"language", 0, 0, 9, row}, {"sheet", 0, 0, 13, row}},
+          {"date", "sheet"}),
+      right, right_part);
+  add_row(cells, given({{"document_type", 0, 2 * row, 68, row}, {"status", 0, 2 * row, 57, row}}, {"document_type"}),
+          owner_width, full_width - owner_width);
+  add_row(cells,
+          {{"creator", 0, 3 * row, 58, row},
+           {"approver", 0, 3 * row, 58, row},
+           {"scale", 0, 3 * row, 24, row},
+           {"size", 0, 3 * row, 18, row}},
+          0, full_width - symbol_width);
+  add_row(cells,
+          given({{"material", 0, 4 * row, 69, row},
+                 {"mass", 0, 4 * row, 28, row},
+                 {"department", 0, 4 * row, 40, row},
+                 {"technical_reference", 0, 4 * row, 43, row}},
+                {}),
+          0, full_width);
+  return cells;
+}
+
+double standard_height(const TitleBlock& block) {
+  double height = 0;
+  for (const Cell& cell : standard_cells(block)) height = std::max(height, cell.bottom + cell.height);
+  return height;
+}
+
 constexpr double height_below_logo = 8;  // of the room for the owner
-constexpr double symbol_left = 155, symbol_height = 2.5;
 
 using Field = std::pair<std::string, std::string>;
 
 // Fields without a standard cell, in their order.
 std::vector<Field> free_fields(const TitleBlock& block) {
-  const std::vector<Cell> cells = standard_cells();
+  const std::vector<Cell> cells = standard_cells(block);
   std::vector<Field> fields;
   for (const Field& field : block.fields) {
     const auto has_name = [&field](const Cell& cell) { return cell.name == field.first; };
@@ -70,7 +108,7 @@ std::vector<Field> free_fields(const TitleBlock& block) {
   return fields;
 }
 
-double block_height(std::size_t rows) { return standard_height + row * static_cast<double>(rows); }
+double height_of(std::size_t rows) { return row * static_cast<double>(rows); }
 
 std::size_t rows_for(std::size_t fields) { return (fields + columns_of_free_fields - 1) / columns_of_free_fields; }
 
@@ -88,14 +126,14 @@ bool is_named(const std::string& field) {
 }
 
 // Above the standard cells, the first at the top; the cells of the last row share its width.
-std::vector<Cell> free_cells(const std::vector<Field>& fields, std::size_t rows) {
+std::vector<Cell> free_cells(const std::vector<Field>& fields, std::size_t rows, double bottom) {
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < fields.size() && i < rows * columns_of_free_fields; ++i) {
     const std::size_t line = i / columns_of_free_fields, column = i % columns_of_free_fields;
     const std::size_t here = std::min<std::size_t>(columns_of_free_fields, fields.size() - i + column);
     const double width = full_width / static_cast<double>(here);
-    cells.push_back({fields[i].first, width * static_cast<double>(column), block_height(rows - 1 - line), width, row,
-                     value_height, is_named(fields[i].first) ? std::string() : caption_of(fields[i].first)});
+    cells.push_back({fields[i].first, width * static_cast<double>(column), bottom + height_of(rows - 1 - line), width,
+                     row, value_height, is_named(fields[i].first) ? std::string() : caption_of(fields[i].first)});
   }
   return cells;
 }
@@ -127,7 +165,7 @@ class Writer {
   }
 
   void draw_symbol() {
-    const Rectangle r = rectangle({"", symbol_left, 4 * row, full_width - symbol_left, row});
+    const Rectangle r = rectangle({"", full_width - symbol_width, 3 * row, symbol_width, row});
     divide({r.min.x, r.max.y}, r.min);
     if (r.max.y < box_.max.y) divide({r.min.x, r.max.y}, r.max);
     if (!block_.angle) return;
@@ -218,18 +256,18 @@ std::optional<Rectangle> title_block_box(const TitleBlock& block, const Paper& p
   if (block.place) return block.place;
   const Rectangle area = drawing_area(paper);
   const double width = std::min(full_width, area.size().x), most_height = area.size().y / 2;
-  if (width < least_width || standard_height > most_height) return std::nullopt;
+  const double least_height = standard_height(block);
+  if (width < least_width || least_height > most_height) return std::nullopt;
   std::size_t rows = rows_for(free_fields(block).size());
-  rows = std::min(rows, static_cast<std::size_t>((most_height - standard_height) / row));
+  rows = std::min(rows, static_cast<std::size_t>((most_height - least_height) / row));
   const Vec2 corner(area.max.x - width, area.min.y);
-  return Rectangle{corner, corner + Vec2(width, block_height(rows))};
+  return Rectangle{corner, corner + Vec2(width, least_height + height_of(rows))};
 }
 
 Rectangle logo_box(const Rectangle& title_block) {
-  const Cell owner = standard_cells().front();
-  const double width = owner.width * title_block.size().x / full_width;
+  const double width = owner_width * title_block.size().x / full_width;
   const Vec2 corner = title_block.min + Vec2(padding, height_below_logo);
-  return {corner, title_block.min + Vec2(width - padding, owner.height - caption_space)};
+  return {corner, title_block.min + Vec2(width - padding, 3 * row - caption_space)};
 }
 
 DrawnTitleBlock draw_title_block(const TitleBlock& block, const Paper& paper, const Lettering& lettering) {
@@ -239,11 +277,11 @@ DrawnTitleBlock draw_title_block(const TitleBlock& block, const Paper& paper, co
             {"the sheet is too small for a title block\n  hint: choose a size such as A4, or leave it out with "
              "frame plain"}};
   const std::vector<Field> fields = free_fields(block);
-  const auto rows = static_cast<std::size_t>((box->size().y - standard_height) / row + 0.5);
-  const std::vector<Cell> free = free_cells(fields, rows);
+  const auto rows = static_cast<std::size_t>((box->size().y - standard_height(block)) / row + 0.5);
+  const std::vector<Cell> free = free_cells(fields, rows, standard_height(block));
   check(free.size() <= fields.size(), "every field has one cell");
   Writer writer(block, *box, lettering);
-  for (const Cell& cell : standard_cells()) writer.draw(cell);
+  for (const Cell& cell : standard_cells(block)) writer.draw(cell);
   writer.draw_symbol();
   for (const Cell& cell : free) writer.draw(cell);
   writer.leave_out(fields.size() - free.size());

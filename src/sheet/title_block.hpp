@@ -14,7 +14,8 @@
 
 namespace epura::sheet {
 
-/// Content of a title block. Nothing is made up: a cell without a value has only its caption.
+/// Content of a title block. Nothing is made up: a required cell without a value has only its caption, and optional
+/// fields without values have no cells.
 struct TitleBlock {
   /// Names as in scene/title_fields.hpp; fields with other names go to separate rows, with their names as captions.
   std::vector<std::pair<std::string, std::string>> fields;
@@ -36,7 +37,7 @@ struct DrawnTitleBlock {
 
 /// The rectangle of the title block: in the lower right corner of the drawing area, 180 mm wide, or as wide as the area
 /// if that is narrower. Nothing if it would take up more than half of the area's height, or be less than 120 mm wide.
-/// It depends on the number of fields but not on their values, so it is known before the scale is.
+/// It depends on which fields have values but not on these, so it is known before the scale is.
 std::optional<Rectangle> title_block_box(const TitleBlock& block, const Paper& paper);
 
 /// The room for a logo in the cell of the owner of a title block in this rectangle.

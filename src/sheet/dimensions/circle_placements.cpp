@@ -15,18 +15,27 @@ constexpr int lengths = 24;
 constexpr double shortest = 8, longer = 4;  // leaders, mm
 constexpr double cost_of_length = 0.1;      // per millimetre of leader
 constexpr double cost_of_slope = 1;         // of a leader that is not at 45 degrees
+constexpr double steep = 0.5;               // cosine of its angle to the horizontal
+constexpr double cost_of_turn = 10;         // of a shoulder on the other side
 constexpr double cost_of_label_leader = 5;
 constexpr double cost_of_inside = 1, cost_of_crossing_it = 0.5;
 
-// A leader from a shoulder with the text to the arrow on the circle; a negative length lies inside the circle.
-PlacedDimension leader(const MeasuredCircle& circle, const DimensionText& text, const Vec2& direction, double length,
-                       const DimensionStyle& style) {
+/// A leader from a shoulder with the text to the arrow on the circle; a negative length lies inside the circle.
+struct Leader {
+  Vec2 direction;
+  double length;
+  bool turned = false;  ///< whether the shoulder is on the other side, as it may be where the leader is steep
+};
+
+PlacedDimension drawn(const Leader& leader, const MeasuredCircle& circle, const DimensionText& text,
+                      const DimensionStyle& style) {
+  const auto& [direction, length, turned] = leader;
   const Vec2 tip = circle.centre + circle.radius * direction;
   const Vec2 elbow = tip + length * direction;
   check(circle.radius >= 0, "a circle has a radius");
   const Vec2 outward = length < 0 ? -direction : direction;
   const double width = style.width(text) + 2 * style.above();
-  const Vec2 shoulder = elbow + Vec2(outward.x < 0 ? -width : width, 0);
+  const Vec2 shoulder = elbow + Vec2((outward.x < 0) != turned ? -width : width, 0);
   PlacedDimension dimension;
   dimension.strokes.emplace_back().points = {tip, elbow, shoulder};
   dimension.lines = {line_box(tip, elbow)};
@@ -91,8 +100,12 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
   for (int i = 0; i < directions; ++i) {
     // The middle of each part of an arc; for a circle, the diagonals are included.
     const double angle = circle.first + (whole ? i : i + 0.5) * circle.sweep / directions;
+    const Vec2 direction = turned_to(angle);
     const auto add = [&](double length, double cost) {
-      placements.push_back({leader(circle, measured.text, turned_to(angle), length, style), cost + slope_cost(angle)});
+      for (const bool turned : {false, true})
+        if (!turned || (length > 0 && !measured.offset && std::abs(direction.x) < steep))
+          placements.push_back({drawn({direction, length, turned}, circle, measured.text, style),
+                                cost + slope_cost(angle) + (turned ? cost_of_turn : 0)});
     };
     if (measured.offset) {
       add(*measured.offset, 0);

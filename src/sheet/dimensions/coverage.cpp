@@ -429,9 +429,8 @@ class CoverageFinder {
     });
   }
 
-  // Spheres, tori and free forms, whose sizes no dimension gives, and models without recognised faces.
+  // Spheres and tori, whose sizes no dimension gives, and models without recognised faces.
   void add_uncheckable() {
-    constexpr double all = 0.999;  // of the area
     for (std::size_t model = 0; model < subject_.world.models.size(); ++model) {
       const scene::Placed& placed = subject_.world.models[model];
       const std::string name = "model " + std::to_string(model);
@@ -440,9 +439,6 @@ class CoverageFinder {
         coverage_.undimensioned.push_back(name + ": nothing is recognised, so only overall sizes are checked");
         continue;
       }
-      if (placed.part->recognised < all)
-        coverage_.undimensioned.push_back(name + ": faces of free form, " +
-                                          format_fixed(100 * (1 - placed.part->recognised), 1) + " % of its area");
       add_doubly_curved(*part);
     }
   }

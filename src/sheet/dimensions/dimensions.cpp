@@ -139,65 +139,117 @@ std::vector<std::size_t> order_of(const std::vector<MeasuredDimension>& dimensio
   return order;
 }
 
-std::vector<std::optional<PlacedDimension>> place(const std::vector<MeasuredDimension>& dimensions,
-                                                  const drawing::ViewDrawing& drawing, const DimensionStyle& style,
-                                                  const Neighbours& neighbours, const Progress& progress) {
-  Surroundings surroundings{drawing, neighbours.paper, BoxIndex(neighbours.boxes)};
-  std::vector<std::optional<PlacedDimension>> placed(dimensions.size());
-  const auto place_one = [&](std::size_t i) {
-    const auto placements = [&](const auto& form) { return placements_of(form, dimensions[i], drawing, style); };
-    placed[i] = best_of(std::visit(placements, dimensions[i].form), surroundings);
-    std::visit([&](const auto& form) { check_ends(form, *placed[i]); }, dimensions[i].form);
-  };
-  const std::vector<std::size_t> order = order_of(dimensions);
-  for (const std::size_t i : order) {
-    if (progress.is_out_of_time()) break;
-    place_one(i);
-    surroundings.add(*placed[i]);
-    progress.advance(1);
+/// Places the dimensions of a view one after the other.
+class Placer {
+ public:
+  Placer(const std::vector<MeasuredDimension>& dimensions, const drawing::ViewDrawing& drawing,
+         const DimensionStyle& style, const Neighbours& neighbours)
+      : dimensions_(dimensions),
+        drawing_(drawing),
+        style_(style),
+        neighbours_(neighbours),
+        order_(order_of(dimensions)),
+        surroundings_{drawing, neighbours.paper, BoxIndex(neighbours.boxes)},
+        placed_(dimensions.size()) {
+    surroundings_.texts.add(neighbours.texts);
   }
-  // Those that later ones cross are placed anew, now that all others are known. No round makes anything worse.
-  constexpr int rounds = 3;
-  for (int round = 0; round < rounds; ++round)
-    for (const std::size_t i : order) {
-      if (!placed[i] || progress.is_out_of_time()) continue;
-      surroundings.remove(*placed[i]);
-      if (surroundings.cost(*placed[i], HUGE_VAL) >= cost_of_text) place_one(i);
-      surroundings.add(*placed[i]);
+
+  void place_all(const Progress& progress) {
+    for (const std::size_t i : order_) {
+      if (progress.is_out_of_time()) break;
+      place(i);
+      progress.advance(1);
     }
-  return placed;
-}
-
-bool any_overlap(const std::vector<TurnedBox>& boxes, const TurnedBox& box) {
-  return std::any_of(boxes.begin(), boxes.end(), [&](const TurnedBox& other) { return overlap(other, box); });
-}
-
-// Whether a dimension line or text shares its place with the other dimension, or a line of the other one crosses it.
-bool cross(const PlacedDimension& a, const PlacedDimension& b) {
-  const auto meets = [](const PlacedDimension& one, const PlacedDimension& other) {
-    return std::any_of(one.text_boxes.begin(), one.text_boxes.end(), [&other](const TurnedBox& text) {
-      return any_overlap(other.lines, text) || any_overlap(other.zones, text);
-    });
-  };
-  const bool zones =
-      std::any_of(a.zones.begin(), a.zones.end(), [&](const TurnedBox& zone) { return any_overlap(b.zones, zone); });
-  return zones || meets(a, b) || meets(b, a);
-}
-
-std::vector<std::string> crossings_of(const std::vector<std::optional<PlacedDimension>>& placed,
-                                      const std::vector<MeasuredDimension>& measured, const Neighbours& neighbours) {
-  const auto text_of = [&](std::size_t i) { return "'" + measured[i].text.line() + "'"; };
-  std::vector<std::string> sentences;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    if (!placed[i]) continue;
-    for (std::size_t j = i + 1; j < placed.size(); ++j)
-      if (placed[j] && cross(*placed[i], *placed[j])) sentences.push_back(text_of(i) + " and " + text_of(j));
-    if (std::any_of(placed[i]->text_boxes.begin(), placed[i]->text_boxes.end(),
-                    [&](const TurnedBox& text) { return any_overlap(neighbours.boxes, text); }))
-      sentences.push_back(text_of(i) + " and something else on the sheet");
+    // Those that later ones cross are placed anew, now that all others are known. No round makes anything worse.
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds; ++round)
+      for (const std::size_t i : order_) {
+        if (!placed_[i] || progress.is_out_of_time()) continue;
+        surroundings_.remove(*placed_[i]);
+        const bool is_crossed = surroundings_.cost(*placed_[i], HUGE_VAL) >= cost_of_text;
+        surroundings_.add(*placed_[i]);
+        if (!is_crossed) continue;
+        take(i);
+        place(i);
+      }
   }
-  return sentences;
-}
+
+  /// Takes out some of the first dimensions until none of these has conflicts, those with most of them first, and
+  /// puts back those for which there is room then. Returns the numbers of the others.
+  std::vector<std::size_t> leave_out(std::size_t count, const Progress& progress) {
+    count = std::min(count, placed_.size());
+    std::vector<int> conflicts(count);
+    for (std::size_t i = 0; i < count; ++i)
+      if (placed_[i]) conflicts[i] = conflicts_of(i);
+    std::vector<std::size_t> left_out;
+    for (;;) {
+      // Of several, the last one: overall dimensions are first.
+      const auto worst = std::max_element(conflicts.rbegin(), conflicts.rend());
+      if (worst == conflicts.rend() || *worst == 0) break;
+      const auto number = static_cast<std::size_t>(conflicts.rend() - worst) - 1;
+      for (std::size_t i = 0; i < count; ++i)
+        if (i != number && placed_[i] && cross(*placed_[i], *placed_[number])) --conflicts[i];
+      *worst = 0;
+      take(number);
+      left_out.push_back(number);
+    }
+    std::sort(left_out.begin(), left_out.end());
+    std::erase_if(left_out,
+                  [&](std::size_t i) { return !progress.is_out_of_time() && (finds_room(i) || makes_room(i, count)); });
+    return left_out;
+  }
+
+  PlacedDimensions result() { return std::move(placed_); }
+
+ private:
+  void place(std::size_t i) {
+    const auto placements = [&](const auto& form) { return placements_of(form, dimensions_[i], drawing_, style_); };
+    placed_[i] = best_of(std::visit(placements, dimensions_[i].form), surroundings_);
+    std::visit([&](const auto& form) { check_ends(form, *placed_[i]); }, dimensions_[i].form);
+    surroundings_.add(*placed_[i]);
+  }
+  void take(std::size_t i) {
+    surroundings_.remove(*placed_[i]);
+    placed_[i].reset();
+  }
+  bool finds_room(std::size_t i) {
+    place(i);
+    if (conflicts_of(i) == 0) return true;
+    take(i);
+    return false;
+  }
+  // Moves another one of the first ones. Rows take up so much room that others do not help them.
+  bool makes_room(std::size_t i, std::size_t count) {
+    const auto is_row = [&](std::size_t k) { return std::holds_alternative<MeasuredRow>(dimensions_[k].form); };
+    if (is_row(i)) return false;
+    for (std::size_t other = 0; other < count; ++other) {
+      if (!placed_[other] || is_row(other)) continue;
+      const PlacedDimension before = *placed_[other];
+      take(other);
+      if (finds_room(i)) {
+        if (finds_room(other)) return true;
+        take(i);
+      }
+      placed_[other] = before;
+      surroundings_.add(before);
+    }
+    return false;
+  }
+  [[nodiscard]] int conflicts_of(std::size_t number) const {
+    int count = faults_of(*placed_[number], drawing_, neighbours_);
+    for (std::size_t i = 0; i < placed_.size(); ++i)
+      if (i != number && placed_[i] && cross(*placed_[number], *placed_[i])) ++count;
+    return count;
+  }
+
+  const std::vector<MeasuredDimension>& dimensions_;
+  const drawing::ViewDrawing& drawing_;
+  const DimensionStyle& style_;
+  const Neighbours& neighbours_;
+  std::vector<std::size_t> order_;
+  Surroundings surroundings_;
+  PlacedDimensions placed_;
+};
 
 // U+2300, or the letter that replaces it.
 std::string diameter_sign(const Lettering& lettering) { return lettering.covers("⌀") ? "⌀" : "Ø"; }
@@ -257,9 +309,15 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
     expect_letters(measured.back().text.line(), dimension, style.lettering);
   }
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::dimension, {2 * style.line, style.line});
-  std::vector<std::optional<PlacedDimension>> placed = place(measured, view.drawing, style, neighbours, progress);
-  std::vector<std::string> crossings = crossings_of(placed, measured, neighbours);
-  std::size_t count = 0;
+  Placer placer(measured, view.drawing, style, neighbours);
+  placer.place_all(progress);
+  std::vector<std::size_t> left_out;
+  if (!progress.is_out_of_time()) left_out = placer.leave_out(view.found, progress);
+  PlacedDimensions placed = placer.result();
+  std::vector<std::string> texts;
+  for (const MeasuredDimension& one : measured) texts.push_back(one.text.line());
+  std::vector<std::string> crossings = crossings_of(placed, texts, view.drawing, neighbours);
+  std::size_t count = left_out.size();
   std::map<std::string, std::vector<DimensionEnd>> ends;
   for (std::size_t i = 0; i < placed.size(); ++i) {
     auto& dimension = placed[i];
@@ -267,10 +325,12 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
     for (DimensionEnd& end : dimension->ends)
       if (end.arrow) *end.arrow += static_cast<int>(layer.fills.size());
     if (!measured[i].name.empty()) ends[measured[i].name] = std::move(dimension->ends);
-    add_to(layer, std::move(*dimension), measured[i].text.line(), style);
+    add_to(layer, std::move(*dimension), texts[i], style);
     ++count;
   }
-  return {std::move(layer), count, std::move(crossings), std::move(ends)};
+  std::vector<std::string> without_room;
+  for (const std::size_t i : left_out) without_room.push_back(texts[i]);
+  return {std::move(layer), count, std::move(left_out), std::move(without_room), std::move(crossings), std::move(ends)};
 }
 
 Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours,

@@ -2,8 +2,8 @@
 // Dimensions of a view. ISO 129-1.
 #pragma once
 
+#include <cstddef>
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,8 +12,8 @@
 #include "drawing/drawing.hpp"
 #include "scene/description.hpp"
 #include "scene/scene.hpp"
+#include "sheet/dimensions/conflicts.hpp"
 #include "sheet/dimensions/marks.hpp"
-#include "sheet/rectangle.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura::sheet {
@@ -23,18 +23,15 @@ struct DimensionedView {
   const scene::World& world;
   const drawing::ViewDrawing& drawing;
   std::span<const scene::DimensionDescription> dimensions;
-};
-
-/// Items on the sheet near a view.
-struct Neighbours {
-  std::optional<Rectangle> paper{};  ///< limits for everything
-  std::vector<TurnedBox> boxes{};    ///< of other views, lettering, marks ...
+  std::size_t found = 0;  ///< how many of them, the first ones, nobody asked for: they are left out without room
 };
 
 /// The dimensions of a view on paper.
 struct PlacedLayer {
   Layer layer;
-  std::size_t count;                   ///< of its dimensions
+  std::size_t count;                  ///< of the dimensions for which there was time
+  std::vector<std::size_t> left_out;  ///< numbers of those without room
+  std::vector<std::string> texts_left_out;
   std::vector<std::string> crossings;  ///< a sentence for each dimension that something crosses
   /// Ends of the dimension lines that have a name; arrows are numbers of areas of the layer.
   std::map<std::string, std::vector<DimensionEnd>> ends{};
@@ -47,8 +44,9 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
 /// Layer "VIEW/dimensions" of a drawing in its final position: narrow lines, filled arrows, and texts. Values are the
 /// true measures in the world. Dimensions are outside the outline, small ones inside large ones, and avoid each other
 /// and their neighbours as far as possible; an offset is obeyed. Dimensions for which there is no
-/// time are omitted. Throws Error{input}: see sheet/dimensions/anchors.hpp and measure.hpp; also for characters missing
-/// from the font.
+/// time are omitted. Of those that were found, as many are left out as it takes that no text is on anything else and
+/// none is beyond the sheet. Throws Error{input}: see sheet/dimensions/anchors.hpp and measure.hpp; also for characters
+/// missing from the font.
 Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours = {},
                       const Progress& progress = {});
 

@@ -16,11 +16,19 @@ namespace epura::sheet {
 namespace {
 
 constexpr int levels = 24;
+constexpr int levels_of_shifted = 6;
 constexpr double cost_of_level = 1;
+constexpr double cost_of_shift = 0.1;       // per millimetre
 constexpr double cost_of_extension = 0.02;  // per millimetre of extension lines
 constexpr double origin_radius = 0.35;      // of the circle at a common origin, in lengths of an arrow
 constexpr double line_of_text = 1.5;        // between texts beside each other, in their heights
 constexpr double dot_below = 1.2;           // between arrows, in their lengths: nearer ones are dots
+
+// Whether the texts of a row with a common origin need more room than its places have.
+bool is_crowded(const MeasuredRow& row, const DimensionStyle& style) {
+  return row.arrangement == DimensionArrangement::ordinate &&
+         line_of_text * style.text * static_cast<double>(row.places.size()) > row.size();
+}
 
 // Positions of things of these sizes along a line, in order and as near to their wishes as they can be without
 // touching: isotonic regression by pooling neighbours.
@@ -50,14 +58,17 @@ std::vector<double> spread(const std::vector<double>& wishes, const std::vector<
 /// A row whose dimension lines are on one side of the view.
 class RowDrawer {
  public:
-  /// `distance`: of the first dimension line to the left of `along`, from the first place.
-  RowDrawer(const MeasuredRow& row, const std::vector<Vec2>& places, double distance, const DimensionStyle& style)
+  /// `distance`: of the first dimension line to the left of `along`, from the first place. `shift`: of crowded texts of
+  /// a common origin, along the row.
+  RowDrawer(const MeasuredRow& row, const std::vector<Vec2>& places, double distance, const DimensionStyle& style,
+            double shift = 0)
       : row_(row),
         places_(places),
         style_(style),
         across_(left_of(row.along)),
         away_(distance < 0 ? -1 : 1),
-        distance_(distance) {
+        distance_(distance),
+        shift_(shift) {
     for (const DimensionText& text : row.texts) height_ = std::max(height_, style.height(text));
   }
 
@@ -206,11 +217,12 @@ class RowDrawer {
     const Vec2 first = foot(0), out = away_ * across_;
     std::vector<double> wishes;
     for (std::size_t i = 0; i < places_.size(); ++i) wishes.push_back(at(i));
-    const std::vector<double> shifted = spread(wishes, std::vector<double>(wishes.size(), line_of_text * style_.text));
+    std::vector<double> shifted = spread(wishes, std::vector<double>(wishes.size(), line_of_text * style_.text));
+    for (double& position : shifted) position += shift_;
     const auto is_shifted = [&](std::size_t i) { return std::abs(shifted[i] - at(i)) > 1e-9; };
     bool any_shifted = false;
     for (std::size_t i = 0; i < wishes.size(); ++i) any_shifted = any_shifted || is_shifted(i);
-    const double jog = any_shifted ? style_.text : 0;
+    const double jog = any_shifted ? style_.text + std::abs(shift_) / 4 : 0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
       extend(i);
       const Vec2 end = foot(i) + style_.overshoot() * out;
@@ -256,7 +268,7 @@ class RowDrawer {
   const std::vector<Vec2>& places_;
   const DimensionStyle& style_;
   Vec2 across_;
-  double away_, distance_, height_ = 0;
+  double away_, distance_, shift_, height_ = 0;
   PlacedDimension drawn_;
   std::vector<Vec2> middles_;  ///< of texts
 };
@@ -291,8 +303,12 @@ std::vector<DimensionPlacement> placements_of(const MeasuredRow& row, const Meas
     for (const Vec2& place : places) extensions += outline - side * glm::dot(place - places.front(), across);
     for (int level = 0; level < levels; ++level) {
       const double distance = side * (outline + first_dimension + level * dimension_step(style.text));
-      placements.push_back(
-          {RowDrawer(row, places, distance, style).draw(), cost_of_extension * extensions + cost_of_level * level});
+      const double cost = cost_of_extension * extensions + cost_of_level * level;
+      placements.push_back({RowDrawer(row, places, distance, style).draw(), cost});
+      if (level >= levels_of_shifted || !is_crowded(row, style)) continue;
+      for (const double shift : {-10, 10, -20, 20, -30, 30, -40, 40})
+        placements.push_back(
+            {RowDrawer(row, places, distance, style, shift).draw(), cost + cost_of_shift * std::abs(shift)});
     }
   }
   return placements;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/conflicts.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace epura::sheet {
+
+namespace {
+
+bool any_overlap(const std::vector<TurnedBox>& boxes, const TurnedBox& box) {
+  return std::any_of(boxes.begin(), boxes.end(), [&](const TurnedBox& other) { return overlap(other, box); });
+}
+
+bool any_overlap(const std::vector<TurnedBox>& some, const std::vector<TurnedBox>& others) {
+  return std::any_of(some.begin(), some.end(), [&](const TurnedBox& box) { return any_overlap(others, box); });
+}
+
+}  // namespace
+
+bool cross(const PlacedDimension& a, const PlacedDimension& b) {
+  const auto covers = [](const PlacedDimension& one, const PlacedDimension& other) {
+    return any_overlap(one.text_boxes, other.lines) || any_overlap(one.text_boxes, other.zones);
+  };
+  return any_overlap(a.zones, b.zones) || covers(a, b) || covers(b, a);
+}
+
+bool meets(const PlacedDimension& dimension, const Neighbours& neighbours) {
+  return any_overlap(dimension.text_boxes, neighbours.boxes) || any_overlap(dimension.lines, neighbours.texts);
+}
+
+bool is_beyond(const PlacedDimension& dimension, const Neighbours& neighbours) {
+  const auto is_out = [&](const TurnedBox& box) { return !neighbours.paper->holds(around(box)); };
+  return neighbours.paper && (std::any_of(dimension.zones.begin(), dimension.zones.end(), is_out) ||
+                              std::any_of(dimension.lines.begin(), dimension.lines.end(), is_out));
+}
+
+bool is_on_lines(const PlacedDimension& dimension, const drawing::ViewDrawing& drawing) {
+  return std::any_of(dimension.text_boxes.begin(), dimension.text_boxes.end(),
+                     [&](const TurnedBox& text) { return ink_in(text, drawing) > 0; });
+}
+
+int faults_of(const PlacedDimension& dimension, const drawing::ViewDrawing& drawing, const Neighbours& neighbours) {
+  return (is_beyond(dimension, neighbours) ? 1 : 0) + (meets(dimension, neighbours) ? 1 : 0) +
+         (is_on_lines(dimension, drawing) ? 1 : 0);
+}
+
+std::vector<std::string> crossings_of(const PlacedDimensions& placed, const std::vector<std::string>& texts,
+                                      const drawing::ViewDrawing& drawing, const Neighbours& neighbours) {
+  const auto named = [&](std::size_t i) { return "'" + texts[i] + "'"; };
+  std::vector<std::string> sentences;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    if (!placed[i]) continue;
+    for (std::size_t j = i + 1; j < placed.size(); ++j)
+      if (placed[j] && cross(*placed[i], *placed[j])) sentences.push_back(named(i) + " and " + named(j));
+    if (meets(*placed[i], neighbours)) sentences.push_back(named(i) + " and something else on the sheet");
+    if (is_on_lines(*placed[i], drawing)) sentences.push_back(named(i) + " and lines of the view");
+  }
+  return sentences;
+}
+
+}  // namespace epura::sheet

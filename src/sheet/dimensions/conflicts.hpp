@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dimensions that cannot be read where they are, because something else is there.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "sheet/dimensions/marks.hpp"
+#include "sheet/rectangle.hpp"
+
+namespace epura::sheet {
+
+/// Items on the sheet near a view.
+struct Neighbours {
+  std::optional<Rectangle> paper{};  ///< limits for everything
+  std::vector<TurnedBox> boxes{};    ///< of other views, lettering, marks ...
+  std::vector<TurnedBox> texts{};    ///< those of lettering alone, through which no line goes
+};
+
+/// Whether a dimension line or text shares its place with the other dimension, or a line of the other one crosses it.
+bool cross(const PlacedDimension& a, const PlacedDimension& b);
+
+/// Whether a text of the dimension is on something else on the sheet, or one of its lines goes through a text there.
+bool meets(const PlacedDimension& dimension, const Neighbours& neighbours);
+
+/// Whether a line or text is beyond the limits of the sheet.
+bool is_beyond(const PlacedDimension& dimension, const Neighbours& neighbours);
+
+/// Whether lines of the view go through a text.
+bool is_on_lines(const PlacedDimension& dimension, const drawing::ViewDrawing& drawing);
+
+/// By dimension of a view; nothing for those that are not drawn.
+using PlacedDimensions = std::vector<std::optional<PlacedDimension>>;
+
+/// How many of the three faults above a dimension has where it is placed.
+int faults_of(const PlacedDimension& dimension, const drawing::ViewDrawing& drawing, const Neighbours& neighbours);
+
+/// A sentence for each conflict but the limits of the sheet; `texts` are those of the dimensions.
+std::vector<std::string> crossings_of(const PlacedDimensions& placed, const std::vector<std::string>& texts,
+                                      const drawing::ViewDrawing& drawing, const Neighbours& neighbours);
+
+}  // namespace epura::sheet
