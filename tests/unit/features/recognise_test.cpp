@@ -218,20 +218,6 @@ TEST(RecogniseFaces, PoseAndUnitDoNotMatter) {
     }
 }
 
-TEST(RecogniseFaces, ASlenderConeIsOneFace) {
-  // Along a quarter of the cone, a cylinder lies within tolerance.
-  for (const double degrees : {0.1, 0.01, 0.004, 0.003, 0.002, 0.001, 0.0007, 0.0005}) {
-    const double slope = std::tan(degrees * pi / 180);
-    const features::PartFaces part = recognise(revolved({{0, 0}, {10, 0}, {10 - 20 * slope, 20}, {0, 20}}, 48));
-    ASSERT_EQ(part.faces.size(), 3U) << degrees;
-    const features::PartFace& face = only(part, features::SurfaceKind::cone);
-    EXPECT_NEAR(std::abs(face.surface.slope), slope, 1e-12) << degrees;
-  }
-  // Below tolerance, it is a cylinder.
-  const features::PartFaces pin = recognise(revolved({{0, 0}, {10, 0}, {10 - 1e-6, 20}, {0, 20}}, 48));
-  EXPECT_NEAR(only(pin, features::SurfaceKind::cylinder).surface.radius, 10, 1e-6);
-}
-
 TEST(RecogniseFaces, SinglePrecisionFarFromTheOrigin) {
   Part part = revolved(shaft_profile(5), 48);
   part.move([](const Vec3& p) { return p + Vec3(300, -500, 800); }).round_to_float();
@@ -283,18 +269,6 @@ TEST(RecogniseFaces, FreeFormsAreOneFace) {
   EXPECT_EQ(count(faces, features::SurfaceKind::plane), 5);
   EXPECT_EQ(faces.faces.size(), 6U);
   EXPECT_EQ(count(faces, features::BorderKind::sharp), 12);
-}
-
-TEST(RecogniseFaces, ASurfaceOfRevolutionOverACurveIsNoStackOfCones) {
-  // A baluster on a foot; its profile turns back three times.
-  std::vector<Vec2> profile{{0, -30}, {15, -30}, {15, 0}};
-  for (int i = 0; i <= 40; ++i) profile.emplace_back(8 + 2 * std::sin(0.3 * i) + 0.05 * i, 1.0 * i);
-  profile.emplace_back(0, 40);
-  const features::PartFaces part = recognise(revolved(profile, 48));
-  EXPECT_EQ(count(part, features::SurfaceKind::cone), 0);
-  EXPECT_EQ(count(part, features::SurfaceKind::cylinder), 1);
-  EXPECT_EQ(count(part, features::SurfaceKind::free_form), 1);
-  EXPECT_EQ(part.faces.size(), 5U);
 }
 
 TEST(RecogniseFaces, CurvesOfVaryingCurvatureAreNotRowsOfArcs) {

@@ -27,7 +27,9 @@ TEST_P(Paper, LinesAreWithinTheStatedError) {
       const PaperRun run = draw_on_paper(form, around, way, laboratory);
       EXPECT_LE(run.error.ink(), run.error.budget.total()) << paper_ways[static_cast<std::size_t>(way)] << around;
       EXPECT_GT(run.error.ink(), 0);
-      if (way == PaperWay::arcs) continue;
+      // Arcs are far better than estimates; and contours of recognised tori end in their cusps, where the budget allows
+      // for a facet.
+      if (way == PaperWay::arcs || (way == PaperWay::recognised && form.has_cusps)) continue;
       EXPECT_LE(run.error.budget.total(), 25 * run.error.ink()) << paper_ways[static_cast<std::size_t>(way)] << around;
     }
 }
