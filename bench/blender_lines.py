@@ -59,6 +59,8 @@ def look_at(model, right, up, viewer):
     item.matrix_world = place
     bpy.context.scene.collection.objects.link(item)
     bpy.context.scene.camera = item
+    # What lies outside the picture is not drawn.
+    bpy.context.scene.render.resolution_x = bpy.context.scene.render.resolution_y = 1080
 
 
 def add_line_art(intersections):

@@ -15,7 +15,7 @@ cp "$root/docs/accuracy/renew" "$scratch/docs/accuracy"
 cd "$scratch"
 EPURA=$epura docs/accuracy/renew --runs 1
 # From the scene to the share that is undecided; from the scene to the length of phantoms.
-same() { diff <(grep -vE '^[^,]*,(Open CASCADE|Blender)' "$root/docs/accuracy/$1" | cut -d, -f"$2") <(cut -d, -f"$2" "docs/accuracy/$1"); }
+same() { diff <(grep -vE '^[^,]*,"?(Open CASCADE|Blender)' "$root/docs/accuracy/$1" | cut -d, -f"$2") <(cut -d, -f"$2" "docs/accuracy/$1"); }
 same report.csv 1-20
 same paper.csv 1-11
 diff <(cd "$root/docs/accuracy" && ls) <(ls docs/accuracy)
