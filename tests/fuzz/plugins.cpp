@@ -129,6 +129,15 @@ std::optional<std::string> answer(Numbers& numbers, epura_view& view) {
   return std::nullopt;
 }
 
+// Gives a row of a table its parameters, which are kept.
+template <class Row>
+void give_parameters(Row& row, std::deque<Table<epura_parameter>>& parameters, Numbers& numbers, Strings& strings) {
+  Table<epura_parameter>& own = parameters.emplace_back(numbers, 4);
+  fill(own.rows(), numbers, strings);
+  row.parameters = own.laid_out();
+  row.parameter_count = count_of(numbers, own.count());
+}
+
 // A library of projections: its table, values for its parameters as somebody writes them, its answers.
 void use_projections(const std::string& bytes) {
   Numbers numbers(bytes);
@@ -140,10 +149,7 @@ void use_projections(const std::string& bytes) {
     row.family = strings.of(numbers);
     row.summary = strings.of(numbers);
     row.reference = strings.of(numbers);
-    parameters.emplace_back(numbers, 4);
-    fill(parameters.back().rows(), numbers, strings);
-    row.parameters = parameters.back().laid_out();
-    row.parameter_count = count_of(numbers, parameters.back().count());
+    give_parameters(row, parameters, numbers, strings);
     row.project = numbers.below(32) == 31 ? nullptr : never_called;
   }
   const epura_projection_list list{
@@ -170,10 +176,7 @@ void use_importers(const std::string& bytes) {
     row.name = strings.of(numbers);
     row.summary = strings.of(numbers);
     row.extensions = strings.of(numbers);
-    parameters.emplace_back(numbers, 4);
-    fill(parameters.back().rows(), numbers, strings);
-    row.parameters = parameters.back().laid_out();
-    row.parameter_count = count_of(numbers, parameters.back().count());
+    give_parameters(row, parameters, numbers, strings);
     row.read = numbers.below(32) == 31 ? nullptr : never_read;
   }
   const epura_importer_list list{numbers.below(32) == 31 ? 2U : EPURA_IMPORTER_ABI_VERSION,

@@ -187,13 +187,14 @@ RivalDrawing draw_by(const Rival& rival, const ClosedForm& form, int around, con
 std::optional<Way> way_of(const Rival& rival, const ClosedForm& form, int around, const PaperStudy& study) {
   const PaperRun own = draw_on_paper(form, around, PaperWay::triangles, study);
   const Pose pose = pose_of(own.projection);
-  if (!draw_by(rival, form, around, pose.to_rival).can) return std::nullopt;
-  const auto compare_lines = [&form, &study, &rival, around, own, pose] {
+  const RivalDrawing drawing = draw_by(rival, form, around, pose.to_rival);
+  if (!drawing.can) return std::nullopt;
+  const auto compare_lines = [&form, &study, own, pose, lines = drawing.lines] {
     PaperRun run = own;
     run.error = {};
     const std::vector<InkLine> truth =
         lines_on_paper(visible_lines(form, viewer_of(run.projection), study.points), run.world_to_page);
-    compare(on_paper_of(run, pose, draw_by(rival, form, around, pose.to_rival).lines), truth, run.error);
+    compare(on_paper_of(run, pose, lines), truth, run.error);
     return run;
   };
   const auto time = [&form, &rival, around, pose] { return draw_by(rival, form, around, pose.to_rival).seconds; };

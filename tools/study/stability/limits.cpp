@@ -13,7 +13,6 @@ constexpr double largest_count = 1e6;
 // Coordinates are products of steps and sizes; beyond these steps, they would leave the range of doubles.
 constexpr double largest_step = 1e300, smallest_step = 1e-300;
 
-// Beyond its steps, or at one of them.
 End end_of(const Outcome& outcome) {
   if (outcome.measured.empty()) return End::refused;
   return outcome.verdict() == Verdict::limited ? End::limited : End::wrong;
