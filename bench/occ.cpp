@@ -15,6 +15,7 @@
 #include "mesh/read.hpp"
 #include "mesh/weld.hpp"
 #include "occ_hlr.hpp"
+#include "rows.hpp"
 #include "say.hpp"
 
 namespace {
@@ -84,14 +85,6 @@ std::string svg_of(const bench::Drawn& drawn) {
          layer("stroke-width='0.5'", drawn.visible) + "</svg>\n";
 }
 
-std::string text_of(const std::vector<Segment>& segments) {
-  std::string text;
-  for (const auto& [from, to] : segments)
-    text += format_number(from.x) + ' ' + format_number(from.y) + ' ' + format_number(to.x) + ' ' +
-            format_number(to.y) + '\n';
-  return text;
-}
-
 void draw(const char* model, const char* file) {
   const double start = bench::now();
   bench::TriangleMesh mesh = read_triangles(model);
@@ -99,7 +92,7 @@ void draw(const char* model, const char* file) {
   turn_to_isometric_view(mesh.points);
   const bench::Drawn drawn = bench::remove_hidden_lines(mesh, 30);
   const double done = bench::now();
-  write_file(file, std::filesystem::path(file).extension() == ".txt" ? text_of(drawn.visible) : svg_of(drawn));
+  write_file(file, std::filesystem::path(file).extension() == ".txt" ? bench::rows_of(drawn.visible) : svg_of(drawn));
   const double written = bench::now();
 
   bench::say_seconds("read", read - start);

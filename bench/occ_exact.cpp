@@ -19,6 +19,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "part_geometry.hpp"
+#include "rows.hpp"
 #include "say.hpp"
 
 namespace {
@@ -62,14 +63,6 @@ std::optional<TopoDS_Shape> make_all(const std::string& text) {
   return all;
 }
 
-std::string text_of(const bench::ExactView& view) {
-  std::string text;
-  for (const auto& [from, to] : view.visible)
-    text += format_number(from.x) + ' ' + format_number(from.y) + ' ' + format_number(to.x) + ' ' +
-            format_number(to.y) + '\n';
-  return text;
-}
-
 int draw(const std::filesystem::path& mesh, const char* file) {
   const std::string bodies = read_file(mesh.parent_path() / "bodies.txt");
   const double start = bench::now();
@@ -79,7 +72,7 @@ int draw(const std::filesystem::path& mesh, const char* file) {
   const bench::ExactView view = bench::exact_view(*all, {1, -1, 1}, curve_fineness);
   bench::say_seconds("read", made - start);
   bench::say_seconds("hlr", bench::now() - made);
-  write_file(file, text_of(view));
+  write_file(file, bench::rows_of(view.visible));
   return 0;
 }
 
