@@ -40,7 +40,8 @@ double perimeter_of_hull(std::vector<Vec2> points) {
   return perimeter;
 }
 
-// Outlines of recognised surfaces lie on these: farther out than those of facets, by up to their height times `stretch`.
+// Outlines of recognised surfaces lie on these: farther out than those of facets, by up to their height times
+// `stretch`.
 Measured convex_outline(const Result& result, double perimeter, double stretch) {
   const double height = scene::tessellation_error(result.world) * stretch;
   return lengths(result, perimeter, 0, guaranteed_part + 2 * M_PI * height / perimeter);

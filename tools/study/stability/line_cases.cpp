@@ -40,8 +40,8 @@ Measured beside_a_border(const HiddenLine& line, const Interval& expected, doubl
 }
 
 Measured almost_along_a_border(const Lab& lab, double e) {
-  const HiddenLine line =
-      lab.hidden_of_line(lab.world_of({plate(0, 0, 1, 1, 1), ground()}), from_above(), {-1, e * -1.5, 0}, {2, e * 1.5, 0});
+  const HiddenLine line = lab.hidden_of_line(lab.world_of({plate(0, 0, 1, 1, 1), ground()}), from_above(),
+                                             {-1, e * -1.5, 0}, {2, e * 1.5, 0});
   return beside_a_border(line, {0.5, 2.0 / 3}, 3 * e, {1.0 / 3, 2.0 / 3});
 }
 
@@ -54,8 +54,8 @@ Measured crossing_at_an_angle(const Lab& lab, double a) {
 
 // The contact tolerance lengthens the visible part of a piercing line.
 Measured piercing(const Lab& lab, double slope) {
-  const HiddenLine line =
-      lab.hidden_of_line(lab.world_of({plate(-2, -1, 2, 1, 0), ground()}), from_above(), {-1, 0, -slope}, {1, 0, slope});
+  const HiddenLine line = lab.hidden_of_line(lab.world_of({plate(-2, -1, 2, 1, 0), ground()}), from_above(),
+                                             {-1, 0, -slope}, {1, 0, slope});
   const double end = 0.5 - line.contact / (2 * slope);
   if (end > 0) return one_span(line, 0, end);
   return {count("hidden pieces", 0, static_cast<double>(line.spans.size()))};

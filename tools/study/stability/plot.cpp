@@ -19,8 +19,10 @@ constexpr Vec2 field_least(18, 15), field_most(108, 60);
 constexpr double label_height = 2.5, mark = 0.7;
 constexpr double least_decade = -18, most_decade = 2;  // of errors; values that are not finite are at the top
 
-const std::array<sheet::LineStyle, way_names.size()> curve_styles{
-    {{"plot-float32", 0.25, {0.6, 1.2}}, {"plot-double", 0.25, {3, 1}}, {"plot-epura", 0.5}, {"plot-recognised", 0.35, {4, 1, 1.5, 1}}}};
+const std::array<sheet::LineStyle, way_names.size()> curve_styles{{{"plot-float32", 0.25, {0.6, 1.2}},
+                                                                   {"plot-double", 0.25, {3, 1}},
+                                                                   {"plot-epura", 0.5},
+                                                                   {"plot-recognised", 0.35, {4, 1, 1.5, 1}}}};
 
 struct Plot {
   sheet::Lettering lettering;

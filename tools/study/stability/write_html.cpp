@@ -19,8 +19,14 @@ const std::string notes =
     "right in each way, of steps from mild to extreme; - where all are right.\n";
 
 Table summary(const Report& report) {
-  Table table{
-      {{"case", "", false}, {"what", "", false}, {"float32", ""}, {"double", ""}, {"epura", ""}, {"recognised", ""}, {"epura is", ""}}, {}};
+  Table table{{{"case", "", false},
+               {"what", "", false},
+               {"float32", ""},
+               {"double", ""},
+               {"epura", ""},
+               {"recognised", ""},
+               {"epura is", ""}},
+              {}};
   for (const CaseReport& one : report) {
     std::vector<std::string>& row = table.rows.emplace_back(std::vector<std::string>{one.id, one.what});
     for (std::size_t way = 0; way < way_names.size(); ++way) {

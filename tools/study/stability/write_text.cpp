@@ -28,8 +28,7 @@ std::string summary_line(const CaseReport& one) {
 std::string row_line(const Row& row, std::size_t way) {
   const Outcome& outcome = row.outcomes[way];
   std::string line = "  " + padded(format_rounded(row.step, error_digits), 10) +
-                     padded(std::string(way_names[way]), 9) +
-                     padded(std::string(name_of(outcome.verdict())), 9);
+                     padded(std::string(way_names[way]), 9) + padded(std::string(name_of(outcome.verdict())), 9);
   const Quantity* quantity = outcome.worst();
   if (quantity == nullptr) return line + outcome.failure + "\n";
   return line + padded(quantity->name, 16) + padded(format_rounded(quantity->expected, 9), 16) +
