@@ -121,8 +121,8 @@ std::optional<Fit> Line::along(const Ellipse& ellipse, const std::vector<Vec2>& 
     if (i == 0) continue;
     const double angle = ellipse.angle_of(points[i]);
     const double step = std::remainder(angle - previous, 2 * std::numbers::pi);
-    if (!(std::abs(step) <= (is_known ? most_known_step : most_step)) || !(step * fit.sweep >= 0) || step == 0)
-      return std::nullopt;
+    const double most = is_known ? most_known_step : most_step;
+    if (!(std::abs(step) <= most) || !(step * fit.sweep >= 0) || step == 0) return std::nullopt;
     fit.sweep += step;
     fit.longest_step = std::max(fit.longest_step, std::abs(step));
     steps.push_back(std::abs(step));

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "construction/figure.hpp"
+#include "drawing/places.hpp"
 #include "features/least_squares.hpp"
 #include "scene/placed_part.hpp"
 
@@ -133,21 +134,18 @@ class Finder {
 
  private:
   std::vector<int> circles_of(const Chain& chain) {
-    std::map<std::array<double, 4>, int> between;  // two points
+    Places<int> circles_of_middles(drawing_.coincident);
     for (const int number : chain.segments) {
       const Segment& segment = drawing_.segments[static_cast<std::size_t>(number)];
-      const int circle = circle_of(segment);
-      if (circle < 0) continue;
-      const Vec2 &a = segment.from, &b = segment.to;
-      between[{a.x, a.y, b.x, b.y}] = circle;
-      between[{b.x, b.y, a.x, a.y}] = circle;
+      if (const int circle = circle_of(segment); circle >= 0)
+        circles_of_middles.add((segment.from + segment.to) / 2.0, circle);
     }
-    if (between.empty()) return {};
+    if (circles_of_middles.empty()) return {};
     std::vector<int> circles;
     for (std::size_t i = 0; i < chain.points.size(); ++i) {
       const Vec2 &a = chain.points[i], &b = chain.points[(i + 1) % chain.points.size()];
-      const auto found = between.find({a.x, a.y, b.x, b.y});
-      circles.push_back(found == between.end() ? -1 : found->second);
+      const int* circle = circles_of_middles.find((a + b) / 2.0);
+      circles.push_back(circle == nullptr ? -1 : *circle);
     }
     return circles;
   }

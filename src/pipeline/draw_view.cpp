@@ -2,6 +2,7 @@
 #include "pipeline/draw_view.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/error.hpp"
@@ -9,6 +10,7 @@
 #include "drawing/broken_out.hpp"
 #include "drawing/clip_drawing.hpp"
 #include "drawing/cut_faces.hpp"
+#include "drawing/exact_contours.hpp"
 #include "drawing/symmetry.hpp"
 #include "drawing/thin.hpp"
 #include "edges/crossing_candidates.hpp"
@@ -103,9 +105,15 @@ drawing::NearLines near_lines(const ViewOptions& options) {
 drawing::CurveReport curves_of(const ViewOptions& options, const scene::World& world, drawing::ViewDrawing& drawing,
                                const Progress& progress) {
   const drawing::KnownCircles known = drawing::known_circles(world, drawing);
-  if (!options.max_error) return drawing::find_curves(drawing.chains, *options.arcs, known, progress);
-  const double part = row_of(report::ErrorTerm::curves).share * *options.max_error;
-  return drawing::find_curves(drawing.chains, std::min(*options.arcs, part / 4), known, progress, 0.75 * part);
+  double tolerance = *options.arcs, most_rise = HUGE_VAL;
+  if (options.max_error) {
+    const double part = row_of(report::ErrorTerm::curves).share * *options.max_error;
+    tolerance = std::min(tolerance, part / 4);
+    most_rise = 0.75 * part;
+  }
+  const drawing::CurveReport found = drawing::find_curves(drawing.chains, tolerance, known, progress, most_rise);
+  drawing::move_contours(world, drawing);
+  return found;
 }
 
 struct DrawnLines {
