@@ -8,10 +8,14 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
+#include "base/nearest.hpp"
 #include "drawing/conic_fit.hpp"
 #include "drawing/places.hpp"
 #include "scene/placed_part.hpp"
+#include "search/line_cells.hpp"
 
 namespace epura::drawing {
 
@@ -22,6 +26,8 @@ using features::SurfaceKind;
 
 // Millimetres between a line and the edge of the mesh that it shows; others are on the surface already.
 constexpr double same_place = 1e-6;
+// Lines at smaller angles do not cross.
+constexpr double least_sine = 1e-6;
 
 /// The generators of a cylinder or cone at which it turns away from the viewer: directions away from its axis.
 std::optional<std::array<Vec3, 2>> generators_of(const PartSurface& surface, const Vec3& towards_viewer) {
@@ -75,8 +81,103 @@ class Model {
   std::optional<scene::PlacedPart> part_;
 };
 
-// What hides a part of a contour would hide another part of the moved one.
-bool is_whole(const Segment& segment) { return std::abs(segment.t[1] - segment.t[0]) == 1; }
+struct Line {
+  Vec2 from, to;
+};
+
+double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+
+/// A contour of facets, and where it is on the surface.
+struct Moved {
+  Line facets, surface;
+  std::array<bool, 2> ends_in_edge;  ///< something hides the rest of the edge
+};
+
+/// Part of a line of the drawing that may hide others, as facets have it and as it is drawn.
+struct Occluder {
+  Line facets;
+  std::optional<Ellipse> arc{};
+  std::optional<Line> contour{};  ///< moved
+  bool crosses_faces = false;     ///< where two faces meet, which is as inaccurate as facets are
+
+  [[nodiscard]] bool is_moved() const { return arc || contour; }
+};
+
+// Where a line crosses what is drawn of an occluder, nearest to its beginning.
+std::optional<Vec2> crossing(const Line& line, const Occluder& occluder) {
+  const Vec2 along = glm::normalize(line.to - line.from);
+  double at = HUGE_VAL;
+  if (occluder.arc) {
+    const Ellipse& e = *occluder.arc;
+    const auto local = [&](const Vec2& p) {
+      return Vec2(glm::dot(p, e.u) / glm::dot(e.u, e.u), glm::dot(p, e.v) / glm::dot(e.v, e.v));
+    };
+    const Vec2 p = local(line.from - e.centre), d = local(along);
+    const double a = glm::dot(d, d), b = glm::dot(p, d), root = b * b - a * (glm::dot(p, p) - 1);
+    if (!(root >= 0)) return std::nullopt;
+    const double one = (-b - std::sqrt(root)) / a, other = (-b + std::sqrt(root)) / a;
+    at = std::abs(one) < std::abs(other) ? one : other;
+  } else {
+    const Line& other = occluder.contour ? *occluder.contour : occluder.facets;
+    const Vec2 direction = glm::normalize(other.to - other.from);
+    const double sine = cross(along, direction);
+    if (!(std::abs(sine) > least_sine)) return std::nullopt;
+    at = cross(other.from - line.from, direction) / sine;
+  }
+  return std::abs(at) <= glm::distance(occluder.facets.from, occluder.facets.to) ? std::optional(line.from + at * along)
+                                                                                 : std::nullopt;
+}
+
+/// The occluders at a place.
+class Occluders {
+ public:
+  explicit Occluders(std::vector<Occluder> all) : all_(std::move(all)) {
+    Vec2 min(HUGE_VAL), max(-HUGE_VAL);
+    for (const Occluder& one : all_) {
+      min = glm::min(min, glm::min(one.facets.from, one.facets.to));
+      max = glm::max(max, glm::max(one.facets.from, one.facets.to));
+    }
+    const int side = std::clamp(static_cast<int>(std::sqrt(all_.size())), 1, 512);
+    grid_ = {min, glm::max(max - min, Vec2(1)) / static_cast<double>(side), side, side};
+    in_cell_.resize(static_cast<std::size_t>(grid_.count()));
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      search::visit_cells(grid_, all_[i].facets.from, all_[i].facets.to, 0,
+                          [&](int cell, double, double) { in_cell_[static_cast<std::size_t>(cell)].push_back(i); });
+  }
+
+  // Whether a line that ends there would leave the line in which it meets another face.
+  [[nodiscard]] bool cross_faces_at(const Vec2& end, double distance) const {
+    const auto& here = at(end);
+    return std::any_of(here.begin(), here.end(), [&](std::size_t i) {
+      return all_[i].crosses_faces && distance_to_segment(end, all_[i].facets.from, all_[i].facets.to) <= distance;
+    });
+  }
+
+  // Where a moved line ends that ended within `distance` of an occluder; what has moved hides before what has not.
+  [[nodiscard]] std::optional<Vec2> end_of(const Line& line, const Vec2& end, double distance) const {
+    std::optional<Vec2> nearest;
+    for (const bool moved : {true, false}) {
+      for (const std::size_t i : at(end)) {
+        const Occluder& one = all_[i];
+        if (one.is_moved() != moved || distance_to_segment(end, one.facets.from, one.facets.to) > distance) continue;
+        const auto place = crossing(line, one);
+        if (place && (!nearest || glm::distance(*place, line.from) < glm::distance(*nearest, line.from)))
+          nearest = place;
+      }
+      if (nearest) return nearest;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] const std::vector<std::size_t>& at(const Vec2& place) const {
+    return in_cell_[static_cast<std::size_t>(grid_.cell(grid_.column(place.x), grid_.row(place.y)))];
+  }
+
+  std::vector<Occluder> all_;
+  search::CellGrid grid_{};
+  std::vector<std::vector<std::size_t>> in_cell_;
+};
 
 class Mover {
  public:
@@ -86,36 +187,67 @@ class Mover {
   }
 
   double move() {
+    std::vector<Moved> contours;
     for (const Segment& segment : drawing_.segments)
-      if (segment.kind == EdgeKind::contour && !is_link(segment)) add(segment);
-    if (!moved_.empty())
-      for (Chain& chain : drawing_.chains) move(chain);
+      if (segment.kind == EdgeKind::contour && !is_link(segment))
+        if (const auto moved = moved_contour(segment)) contours.push_back(*moved);
+    if (contours.empty()) return 0;
+    const Occluders occluders(all_occluders(contours));
+    for (const Moved& contour : contours) {
+      if ((contour.ends_in_edge[0] && occluders.cross_faces_at(contour.facets.from, drawing_.coincident)) ||
+          (contour.ends_in_edge[1] && occluders.cross_faces_at(contour.facets.to, drawing_.coincident)))
+        continue;
+      add_end(occluders, contour.facets.from, contour.surface, contour.ends_in_edge[0]);
+      add_end(occluders, contour.facets.to, {contour.surface.to, contour.surface.from}, contour.ends_in_edge[1]);
+    }
+    for (Chain& chain : drawing_.chains) move(chain);
     return farthest_;
   }
 
  private:
   [[nodiscard]] Vec2 on_page(const Vec3& point) const { return Vec2(drawing_.world_to_page * Vec4(point, 1)); }
 
-  void add(const Segment& segment) {
+  [[nodiscard]] std::optional<Moved> moved_contour(const Segment& segment) const {
     const auto edge = models_[static_cast<std::size_t>(segment.model)].inside(segment);
-    if (!edge || !is_whole(segment)) return;
+    if (!edge) return std::nullopt;
     const auto generators = generators_of(*edge->surface, towards_viewer_);
-    if (!generators) return;
+    if (!generators) return std::nullopt;
     const auto at = [&](double t) { return edge->ends[0] + t * (edge->ends[1] - edge->ends[0]); };
-    const Vec3 middle = at(0.5), out = middle - edge->surface->origin;
-    const Vec3& away =
-        glm::dot(out, (*generators)[0]) > glm::dot(out, (*generators)[1]) ? (*generators)[0] : (*generators)[1];
-    const std::array<Vec2, 2> ends{segment.from, segment.to};
-    std::array<Vec2, 2> moved{};
-    for (std::size_t i = 0; i < 2; ++i) {
-      const Vec3 point = at(segment.t[i]);
-      if (!(glm::distance(on_page(point), ends[i]) <= same_place)) return;
-      moved[i] = on_page(on_surface(*edge->surface, point, away));
+    const Vec3 out = at(0.5) - edge->surface->origin;
+    const bool first = glm::dot(out, (*generators)[0]) > glm::dot(out, (*generators)[1]);
+    const Vec3& away = (*generators)[first ? 0 : 1];
+    const Vec3 from = at(segment.t[0]), to = at(segment.t[1]);
+    if (!(glm::distance(on_page(from), segment.from) <= same_place)) return std::nullopt;
+    if (!(glm::distance(on_page(to), segment.to) <= same_place)) return std::nullopt;
+    const auto moved = [&](const Vec3& point) { return on_page(on_surface(*edge->surface, point, away)); };
+    const auto is_inside = [](double t) { return t != 0 && t != 1; };
+    return Moved{
+        {segment.from, segment.to}, {moved(from), moved(to)}, {is_inside(segment.t[0]), is_inside(segment.t[1])}};
+  }
+
+  // Visible lines as they are before any of them moves.
+  [[nodiscard]] std::vector<Occluder> all_occluders(const std::vector<Moved>& contours) const {
+    std::vector<Occluder> all;
+    for (const Moved& contour : contours) all.push_back({contour.facets, {}, contour.surface});
+    for (const Chain& chain : drawing_.chains) {
+      if (!chain.visible) continue;
+      const std::size_t count = chain.points.size();
+      for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < count; ++i)
+        all.push_back({{chain.points[i], chain.points[(i + 1) % count]}, {}, {}, chain.kind == EdgeKind::intersection});
+      for (const CurvePart& curve : chain.curves)
+        for (int i = curve.first; i < curve.last; ++i)
+          all[all.size() - count + (chain.closed ? 0 : 1) + static_cast<std::size_t>(i) % count].arc =
+              Ellipse{curve.centre, curve.u, curve.v};
     }
-    for (std::size_t i = 0; i < 2; ++i) {
-      moved_.add(ends[i], moved[i]);
-      farthest_ = std::max(farthest_, glm::distance(ends[i], moved[i]));
-    }
+    return all;
+  }
+
+  // `surface` begins at the end that moves.
+  void add_end(const Occluders& occluders, const Vec2& end, const Line& surface, bool ends_in_edge) {
+    Vec2 place = surface.from;
+    if (ends_in_edge) place = occluders.end_of(surface, end, drawing_.coincident).value_or(place);
+    moved_.add(end, place);
+    farthest_ = std::max(farthest_, glm::distance(end, place));
   }
 
   // Arcs through a place go on as they are; those that end there end where the contour touches them.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/nearest.hpp"
 #include "drawing/arcs.hpp"
 #include "drawing/curve_part.hpp"
 #include "laboratory/lab.hpp"
@@ -99,10 +100,31 @@ TEST(ExactContours, OfShaftsAndConesTouchTheirRims) {
     }
 }
 
-TEST(ExactContours, StayWhereSomethingHidesAPartOfThem) {
+// A shaft behind a bar and, on its other side, behind another shaft: what is left of its contours ends at theirs.
+TEST(ExactContours, EndWhereOtherLinesHideThem) {
   Shape shape = turned(1, 1, 3, 24);
-  shape.add(box({-3, -3, 1}, {3, -2, 1.5}));
-  EXPECT_EQ(draw(shape, orthographic({0.3, -1, 0.1})).moved, 0);
+  shape.add(box({-3, -3, 2}, {0, -2, 2.5}));
+  shape.add(turned(0.5, 0.5, 1, 16).moved(1, -2, 0.5));
+  const Vec3 towards = glm::normalize(Vec3(0.3, -1, 0.4));
+  const projection::Projection view = orthographic(towards);
+  const Drawn drawn = draw(shape, view);
+  const Vec2 axis(drawn.drawing.world_to_page * Vec4(0, 0, 0, 1));
+  int visible = 0, ends = 0;
+  for (const drawing::Chain& chain : drawn.drawing.chains)
+    for (const Line& line : straight_lines(chain)) {
+      const double away = std::abs(line.from.x - axis.x);
+      if (!chain.visible || std::abs(line.from.x - line.to.x) > 1e-6 || std::abs(away - drawn.mm) > 1e-2) continue;
+      EXPECT_NEAR(away, drawn.mm, 1e-6);
+      ++visible;
+      for (const Vec2& end : {line.from, line.to})
+        for (const auto& [y, z] : {std::pair(-3, 2.0), {-2, 2.5}}) {
+          const Vec2 left(drawn.drawing.world_to_page * Vec4(-3, y, z, 1));
+          const Vec2 right(drawn.drawing.world_to_page * Vec4(0, y, z, 1));
+          ends += distance_to_segment(end, left, right) < 1e-6 ? 1 : 0;
+        }
+    }
+  EXPECT_GE(visible, 3);
+  EXPECT_EQ(ends, 2);
 }
 
 TEST(ExactContours, OfPolygonsAreTheirEdges) {
