@@ -209,8 +209,8 @@ class Chords {
     chords_.push_back(*chord);
   }
 
-  /// Finds what stays of each piece. Returns by how much the circle rises over its chords, mm, if some chord that does
-  /// not stay has another place than those that do.
+  /// Finds what stays of each piece. Returns how far apart chords are at one angle, mm, if some chord that does not
+  /// stay has another place than those that do: they rise over each other, and their ends may lie beside the circle.
   double decide(const std::vector<Piece>& pieces, std::vector<std::optional<visibility::Spans>>& left,
                 const Progress& progress) const {
     std::vector<Piece> own;
@@ -222,7 +222,7 @@ class Chords {
     const Polylines lines(own, strength, progress);
     visibility::Spans covered;
     std::set<std::array<long, 2>> places;
-    double rise = 0;
+    double nearest = 1, farthest = 1;  // from the centre
     bool is_apart = false;
     for (const std::size_t line : lines.by_rank())
       for (const End end : lines[line]) {
@@ -230,10 +230,10 @@ class Chords {
         left[chord.piece] = uncovered(chord, covered);
         const bool is_new = places.insert(place_of(chord)).second, stays = *left[chord.piece] == whole;
         is_apart = is_apart || (is_new && !stays);
-        const double middle = std::abs(cross(chord.from, chord.to)) / glm::distance(chord.from, chord.to);
-        rise = std::max(rise, std::abs(1 - middle));
+        nearest = std::min(nearest, std::abs(cross(chord.from, chord.to)) / glm::distance(chord.from, chord.to));
+        farthest = std::max({farthest, glm::length(chord.from), glm::length(chord.to)});
       }
-    return is_apart ? rise * circle_.size() : 0;
+    return is_apart ? (farthest - nearest) * circle_.size() : 0;
   }
 
  private:

@@ -71,6 +71,9 @@ class Continuation {
     }
   }
 
+  /// Within which distance of what is cut off there is ink, mm.
+  [[nodiscard]] double within() const { return within_; }
+
   /// Adds what is left of a piece, with the links at its ends. A link belongs to the point where it begins.
   void add(std::size_t number, std::vector<Piece>& to) const {
     if (is_dropped_[number] != 0) return;
@@ -173,11 +176,13 @@ class Continuation {
     return nearest;
   }
 
-  // Whether what is cut off up to `end` runs along the other line.
-  [[nodiscard]] bool runs_along(const LooseEnd& cut, const Foot& end, const LooseEnd& line, double reach) const {
-    for (std::size_t i = 0; i <= end.member; ++i)
-      if (foot(line, place(cut.members[i]), reach).distance > distance_) return false;
-    return end.distance <= distance_;
+  // How far what is cut off up to `end` is from the other line.
+  [[nodiscard]] double distance_between(const LooseEnd& cut, const Foot& end, const LooseEnd& line,
+                                        double reach) const {
+    double farthest = end.distance;
+    for (std::size_t i = 0; i <= end.member && farthest <= distance_; ++i)
+      farthest = std::max(farthest, foot(line, place(cut.members[i]), reach).distance);
+    return farthest;
   }
 
   // Moves a position on a line away from its end, not to a link; nothing if the line is too short.
@@ -199,7 +204,8 @@ class Continuation {
     LooseEnd& cut = ends_[second];
     const double reach = 2 * glm::distance(line.at, cut.at) + 2 * distance_;
     const Foot end = foot(cut, line.at, reach);
-    if (!runs_along(cut, end, line, reach)) return false;
+    const double between = distance_between(cut, end, line, reach);
+    if (between > distance_) return false;
     const auto begin = beyond(cut, end, approach * end.distance);
     if (!begin || is_cut_off(line, 0) || is_cut_off(cut, begin->member)) return false;
     for (std::size_t i = 0; i < begin->member; ++i) is_dropped_[line_of(cut.members[i])] = 1;
@@ -211,6 +217,7 @@ class Continuation {
     piece.s[side] += begin->part * (piece.s[1 - side] - piece.s[side]);
     (side == 0 ? piece.from : piece.to) = at;
     if (at != line.at) links_[line_of(entered)][side] = line.at;
+    within_ = std::max(within_, between);
     return true;
   }
 
@@ -222,6 +229,7 @@ class Continuation {
   std::vector<Piece>& pieces_;
   const std::vector<int>& models_;
   double distance_, touching_;
+  double within_ = 0;
   std::vector<LooseEnd> ends_;
   std::vector<char> is_joined_, is_dropped_;
   std::vector<std::array<std::optional<Vec2>, 2>> links_;  ///< by piece and side: where another line ends
@@ -229,8 +237,8 @@ class Continuation {
 
 }  // namespace
 
-std::vector<Piece> continue_lines(std::vector<Piece> pieces, const std::vector<int>& models,
-                                  const ContinuingLimits& limits, const Progress& progress) {
+LeftInk continue_lines(std::vector<Piece> pieces, const std::vector<int>& models, const ContinuingLimits& limits,
+                       const Progress& progress) {
   std::vector<std::size_t> numbers;  // of the lines
   std::vector<Piece> lines;
   std::vector<int> their_models;
@@ -240,7 +248,7 @@ std::vector<Piece> continue_lines(std::vector<Piece> pieces, const std::vector<i
       lines.push_back(pieces[i]);
       their_models.push_back(models[i]);
     }
-  if (lines.empty() || !(limits.distance > 0)) return pieces;
+  if (lines.empty() || !(limits.distance > 0)) return {std::move(pieces)};
   Continuation continuation(lines, their_models, limits);
   continuation.run(progress);
   std::vector<Piece> result;
@@ -253,7 +261,7 @@ std::vector<Piece> continue_lines(std::vector<Piece> pieces, const std::vector<i
       result.push_back(pieces[i]);
   }
   check(next == numbers.size(), "every line is continued or not");
-  return result;
+  return {std::move(result), continuation.within()};
 }
 
 }  // namespace epura::drawing

@@ -18,7 +18,7 @@ struct ContinuingLimits {
 /// Where two contours of one model and visibility run in the same direction to ends that overlap or nearly meet, no
 /// farther than the distance apart, cuts off the overlap of one of them and makes it begin where the other one ends.
 /// `models` are by piece; pieces that are not drawn are left alone. Throws OutOfTime.
-std::vector<Piece> continue_lines(std::vector<Piece> pieces, const std::vector<int>& models,
-                                  const ContinuingLimits& limits, const Progress& progress = {});
+LeftInk continue_lines(std::vector<Piece> pieces, const std::vector<int>& models, const ContinuingLimits& limits,
+                       const Progress& progress = {});
 
 }  // namespace epura::drawing

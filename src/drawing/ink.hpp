@@ -24,6 +24,12 @@ struct Piece {
   bool is_step = false;     ///< FacesEdgeOn::has_step
 };
 
+/// What is left of pieces, and within which distance of what was removed there is ink, mm.
+struct LeftInk {
+  std::vector<Piece> pieces;
+  double within = 0;
+};
+
 /// Whether a piece leads from a point of its edge to another line.
 inline bool is_link(const Piece& p) { return p.s[0] == p.s[1]; }
 

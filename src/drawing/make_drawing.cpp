@@ -204,27 +204,27 @@ double length_of_all(const std::vector<Piece>& pieces) {
   return length;
 }
 
-// Draws one line where a person sees one. Returns whether any ink is left out or added, but for what closes gaps that
-// rounding leaves.
-bool join_where_near(std::vector<Piece>& pieces, const visibility::ResolvedView& lines, const NearLines& near,
-                     const Coincidence& limits, const Progress& progress) {
-  if (!(near.distance > 0)) return false;
-  bool any = false;
-  const auto change = [&](double rounding, const auto& changed) {
-    const double before = length_of_all(pieces);
-    pieces = changed(std::move(pieces));
-    any = any || std::abs(length_of_all(pieces) - before) > rounding;
-  };
+// Draws one line where a person sees one. Returns within which distance of ink that is left out there is ink, mm; 0 if
+// none is left out or added, but for what closes gaps that rounding leaves.
+double join_where_near(std::vector<Piece>& pieces, const visibility::ResolvedView& lines, const NearLines& near,
+                       const Coincidence& limits, const Progress& progress) {
+  if (!(near.distance > 0)) return 0;
   const std::vector<signed char> ranks = ranks_of(pieces, lines, near);
-  change(0, [&](auto all) { return join_near(std::move(all), ranks, near.distance, limits.min, progress); });
+  const double before = length_of_all(pieces);
+  pieces = join_near(std::move(pieces), ranks, near.distance, limits.min, progress);
+  double within = std::abs(length_of_all(pieces) - before) > 0 ? near.reach() : 0;
   std::vector<int> models;
   models.reserve(pieces.size());
   for (const Piece& piece : pieces) models.push_back(lines.drawn.edges[piece.edge].model);
-  const ContinuingLimits continuing{near.distance, limits.tolerance};
-  change(limits.min, [&](auto all) { return continue_lines(std::move(all), models, continuing, progress); });
+  // Ink that replaces other ink may be replaced in its turn: distances add up.
+  const auto take = [&](LeftInk left) {
+    pieces = std::move(left.pieces);
+    if (left.within > limits.tolerance) within += left.within;
+  };
+  take(continue_lines(std::move(pieces), models, {near.distance, limits.tolerance}, progress));
   const std::vector<signed char> left = ranks_of(pieces, lines, near);
-  change(0, [&](auto all) { return drop_specks(std::move(all), left, near.distance, progress); });
-  return any;
+  take(drop_specks(std::move(pieces), left, near.distance, progress));
+  return within;
 }
 
 // Where a contour is moved, it may change between visible and hidden that much too early or too late, unless a person
@@ -284,8 +284,8 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   if (options.near.distance > 0) drawing.joined_within = draw_circles_once(lines, paper, limits.min, pieces, progress);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
-  if (join_where_near(pieces, lines, options.near, limits, progress))
-    drawing.joined_within = std::max(drawing.joined_within, options.near.reach());
+  drawing.joined_within =
+      std::max(drawing.joined_within, join_where_near(pieces, lines, options.near, limits, progress));
   drawing.coincident = limits.tolerance;
   add_segments(lines, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // to make room for the chains

@@ -29,6 +29,8 @@ struct NearLines {
 
   /// For removed ink, there is ink that stays within this distance, mm.
   [[nodiscard]] double reach() const { return std::numbers::sqrt2 * distance; }
+  /// The same once lines are continued and specks are dropped, which may be the ink that stayed.
+  [[nodiscard]] double reach_in_all() const { return reach() + 2.5 * distance; }
 };
 
 /// Returns what is left of `pieces`, in their order. `strength` is by piece. Lines within `touching` mm meet. Throws

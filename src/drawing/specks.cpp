@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/same_key.hpp"
@@ -109,13 +110,13 @@ void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, 
     if (turns[i] != 0) pieces[i].visible = !pieces[i].visible;
 }
 
-std::vector<Piece> drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, double distance,
-                               const Progress& progress) {
+LeftInk drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, double distance,
+                    const Progress& progress) {
   const std::vector<char> is_short = find_short(pieces, strength, distance, progress);
-  if (std::find(is_short.begin(), is_short.end(), 1) == is_short.end()) return pieces;
+  if (std::find(is_short.begin(), is_short.end(), 1) == is_short.end()) return {std::move(pieces)};
   const InkParts specks = parts_of(pieces, is_short, distance);
   const search::OccupiedCells near_specks = specks.cells_within(distance, cells_a_distance * distance);
-  std::vector<std::array<bool, 2>> lies_on(pieces.size(), {false, false});  // by end
+  std::vector<std::array<double, 2>> away(pieces.size(), {HUGE_VAL, HUGE_VAL});  // from lines that stay, by end
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     if (is_short[p] != 0 || strength[p] < 0) continue;
     const std::array<Vec2, 2> line{pieces[p].from, pieces[p].to};
@@ -125,16 +126,22 @@ std::vector<Piece> drop_specks(std::vector<Piece> pieces, const std::vector<sign
       if (pieces[speck].visible && !pieces[p].visible) continue;
       for (std::size_t end = 0; end < 2; ++end) {
         const Vec2& at = specks.line(part)[end];
-        lies_on[speck][end] = lies_on[speck][end] || glm::distance(nearest_on(line, at), at) <= distance;
+        away[speck][end] = std::min(away[speck][end], glm::distance(nearest_on(line, at), at));
       }
     }
   }
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    if (!(lies_on[i][0] && lies_on[i][1])) pieces[kept++] = pieces[i];
+  double within = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const double farthest = std::max(away[i][0], away[i][1]);
+    if (farthest <= distance)
+      within = std::max(within, farthest + length_of(pieces[i]) / 2);
+    else
+      pieces[kept++] = pieces[i];
+  }
   check(kept <= pieces.size() && kept > 0, "a speck lies on lines that stay");
   pieces.resize(kept);
-  return pieces;
+  return {std::move(pieces), within};
 }
 
 }  // namespace epura::drawing

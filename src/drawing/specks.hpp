@@ -16,7 +16,7 @@ void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, 
 /// Drops polylines of at most `distance` mm whose ends both lie within that distance of longer lines that are drawn,
 /// and are visible if they are. Links that continue no line stay unless they are too short to be seen, or begin
 /// where other lines continue each other. `strength` is by piece: a negative one means no ink. Throws OutOfTime.
-std::vector<Piece> drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, double distance,
-                               const Progress& progress = {});
+LeftInk drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, double distance,
+                    const Progress& progress = {});
 
 }  // namespace epura::drawing

@@ -20,6 +20,9 @@ namespace {
 // Fraction of the time left after reading.
 constexpr double part_for_faces = 0.25;
 
+// Degrees.
+constexpr double flat = 0.005;
+
 // If no lines inside surfaces are drawn, there is nothing to distinguish.
 bool is_asked(const scene::ViewDescription& view) {
   const EdgeKinds kinds = view.edges.value_or({});
@@ -36,7 +39,6 @@ bool may_fit(const scene::World& world) {
 // Degrees: edges with a smaller fold angle are not distinguished from those inside faces. If only creases are
 // requested, fine tessellations have none.
 double least_fold(const scene::World& world, const scene::SceneDescription& scene, const RunOptions& options) {
-  constexpr double flat = 0.005;
   double least = edges::EdgeOptions().part_angle;
   const bool fit = may_fit(world);
   for (const scene::ViewDescription& view : scene.views) {
@@ -51,7 +53,9 @@ double least_fold(const scene::World& world, const scene::SceneDescription& scen
 
 std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, std::optional<double> least,
                                                    const Progress& progress) {
-  if (least && !features::has_shallow_folds(mesh, *least)) return nullptr;
+  // Contours of coarse facets are moved to the surface; those of very fine ones are on it.
+  constexpr int fine = 50000;
+  if (least && !features::has_shallow_folds(mesh, mesh.triangle_count() < fine ? flat : *least)) return nullptr;
   auto part = std::make_shared<features::PartFaces>(features::recognise_faces(mesh, {}, progress));
   return part->faces.empty() ? nullptr : part;
 }

@@ -223,7 +223,7 @@ double part_for_facets(double max_error, bool has_arcs) {
 }
 
 double join_within(double max_error, double usual) {
-  return std::min(usual, row_of(ErrorTerm::merging).share * max_error / drawing::NearLines{1}.reach());
+  return std::min(usual, row_of(ErrorTerm::merging).share * max_error / drawing::NearLines{1}.reach_in_all());
 }
 
 void choose_writing(output::VectorOptions& options, std::span<const Target> targets, double max_error, bool has_arcs) {
@@ -263,8 +263,8 @@ std::string sentence_of_choices(double max_error, bool has_arcs, const output::V
   const double curves = row_of(ErrorTerm::curves).share * max_error;
   return "max-error " + format_number(max_error) + " mm: facets of imported surfaces within " +
          format_rounded(part_for_facets(max_error, has_arcs), 3) + " mm, lines merged within " +
-         format_rounded(drawing::NearLines{join_within(max_error, ViewOptions{}.join_within)}.reach(), 3) + " mm, " +
-         (has_arcs ? "arcs within " + format_rounded(curves, 3) + " mm, " : "") +
+         format_rounded(drawing::NearLines{join_within(max_error, ViewOptions{}.join_within)}.reach_in_all(), 3) +
+         " mm, " + (has_arcs ? "arcs within " + format_rounded(curves, 3) + " mm, " : "") +
          std::to_string(options.decimals.value_or(output::usual_decimals)) +
          " decimals in SVG; hidden lines by the exact method\n";
 }

@@ -257,6 +257,7 @@ class FeatureFinder {
       add_rings(rings, round, *best);
       feature.vertices.insert(feature.vertices.end(), vertices_[i].begin(), vertices_[i].end());
       feature.enclosed = feature.enclosed && round.face.inwards && round.is_whole() && !round.cut;
+      feature.cut = feature.cut || round.cut;
     }
     std::sort(rings.begin(), rings.end());
     for (const auto& [height, radius] : rings) feature.rings.push_back({best->at(height), radius});

@@ -24,6 +24,7 @@ struct RoundFeature {
   std::vector<Ring> rings{};    ///< circles at the ends of its faces; at least one
   std::vector<int> vertices{};  ///< vertices of its faces or its rim, in the model's file; ascending
   bool enclosed = false;        ///< a whole bore or slot, not opened by a cut: visible only through its ends
+  bool cut = false;             ///< a plane cuts one of its faces
 };
 
 /// Two half cylinders and the planes between them, tangent to both: a slot, or a bar with round ends.

@@ -18,6 +18,9 @@
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
+#include "sheet/seen_circle.hpp"
+#include "sheet/seen_features.hpp"
+#include "visibility/spans.hpp"
 
 namespace epura::sheet {
 
@@ -27,65 +30,10 @@ constexpr double beyond = 3;             // mm
 constexpr double least_diameter = 3;     // mm
 constexpr double shortest_piece = 1;     // mm, of the pieces that other lines leave
 constexpr double same_place = 0.02;      // mm
+constexpr double short_of_end = 0.75;    // mm, by which facets of a rim may fall short of its circle
 constexpr double same_direction = 1e-4;  // radians
-constexpr double edge_on = 1e-4;         // relative to the radius
-constexpr double on_rim = 0.01;          // relative to the radius
 constexpr double least_opening = 0.25;   // part of a rim that is seen
 constexpr double whole_opening = 0.95;
-
-/// The image of a circle, in mm on paper.
-struct SeenCircle {
-  Vec2 centre;
-  Vec2 u, v;                    ///< images of two perpendicular radii
-  Vec2 axis;                    ///< image of the unit normal
-  std::optional<Vec2> spoke{};  ///< of a hole on a pitch circle: from the centre of the pitch circle to the hole
-
-  [[nodiscard]] double radius() const { return std::max(glm::length(u), glm::length(v)); }
-  [[nodiscard]] bool is_round() const {
-    const double slack = 1e-4 * glm::dot(u, u);
-    return slack > 0 && std::abs(glm::dot(u, u) - glm::dot(v, v)) <= slack && std::abs(glm::dot(u, v)) <= slack;
-  }
-  /// A point in units of the radius, in the plane of the circle.
-  [[nodiscard]] Vec2 local(const Vec2& p) const {
-    const Vec2 d = p - centre;
-    return Vec2(d.x * v.y - d.y * v.x, u.x * d.y - u.y * d.x) / (u.x * v.y - u.y * v.x);
-  }
-  /// Whether a point is on the image of the circle, or of a polygon instead of it.
-  [[nodiscard]] bool has(const Vec2& p) const { return std::abs(glm::length(local(p)) - 1) <= on_rim; }
-  [[nodiscard]] double angle_between(const Vec2& p, const Vec2& q) const {
-    const Vec2 a = local(p), b = local(q);
-    return portable_atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
-  }
-  /// How far the image reaches from its centre in a direction.
-  [[nodiscard]] double reach(const Vec2& direction) const {
-    return std::hypot(glm::dot(u, direction), glm::dot(v, direction));
-  }
-};
-
-Vec2 image_of(const drawing::ViewDrawing& drawing, const Vec3& p, double w) {
-  const Vec4 image = drawing.world_to_page * Vec4(p, w);
-  return Vec2(image.x, image.y) / drawing.world_to_page[3][3];
-}
-
-SeenCircle see(const drawing::ViewDrawing& drawing, const Vec3& axis, const scene::Ring& ring) {
-  const Vec3 u = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
-  return {image_of(drawing, ring.centre, 1), image_of(drawing, ring.radius * u, 0),
-          image_of(drawing, ring.radius * glm::cross(axis, u), 0), image_of(drawing, ring.radius * axis, 0)};
-}
-
-bool is_slanted(const SeenCircle& circle) { return glm::length(circle.axis) > edge_on * circle.radius(); }
-
-std::vector<SeenCircle> see(const drawing::ViewDrawing& drawing, const scene::RoundFeature& feature) {
-  std::vector<SeenCircle> circles;
-  for (const scene::Ring& ring : feature.rings) circles.push_back(see(drawing, feature.axis, ring));
-  return circles;
-}
-
-// The apex of a cone has a radius of 0 and looks the same from everywhere.
-const SeenCircle& largest_of(std::span<const SeenCircle> circles) {
-  return *std::max_element(circles.begin(), circles.end(),
-                           [](const SeenCircle& a, const SeenCircle& b) { return a.radius() < b.radius(); });
-}
 
 /// A piece of the line at offset * normal along the direction of `angle`; the normal is 90 degrees further.
 struct Piece {
@@ -198,7 +146,7 @@ std::vector<Piece> axes(const std::vector<std::vector<SeenCircle>>& features) {
     if (const auto piece = axis_through(circles)) pieces.push_back(*piece);
   };
   for (const std::vector<SeenCircle>& circles : features) {
-    if (!is_slanted(largest_of(circles))) continue;
+    if (!largest_of(circles).is_slanted()) continue;
     if (circles.size() == 1)
       rims.push_back(circles.front());
     else
@@ -300,105 +248,6 @@ std::vector<Piece> uncovered(const std::vector<Piece>& pieces, std::span<const L
   return covers.rest();
 }
 
-using Edge = std::array<int, 4>;  // model, vertices, segment
-
-std::vector<Edge> visible_edges(const drawing::ViewDrawing& drawing) {
-  std::vector<Edge> edges;
-  for (std::size_t i = 0; i < drawing.segments.size(); ++i)
-    if (const drawing::Segment& s = drawing.segments[i]; s.visible && s.edge[0] >= 0)
-      edges.push_back({s.model, std::min(s.edge[0], s.edge[1]), std::max(s.edge[0], s.edge[1]), static_cast<int>(i)});
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
-
-/// The part of a turn over which a rim is seen, and its points.
-struct SeenRim {
-  double turn = 0;
-  std::vector<Vec2> points{};
-};
-
-/// Decides which features have centre lines in a view.
-class Shown {
- public:
-  explicit Shown(const CentredView& view) : view_(view) {
-    const bool some_without_hidden =
-        view.styles.any([](const BodyStyle& style) { return style.hidden == HiddenLines::none; });
-    if (some_without_hidden) edges_ = visible_edges(view.drawing);
-    for (const drawing::Segment& s : view.drawing.segments)
-      if (s.body >= 0 && s.edge[0] >= 0)
-        for (const int vertex : s.edge) bodies_.push_back({s.model, vertex, s.body});
-    std::sort(bodies_.begin(), bodies_.end());
-  }
-
-  [[nodiscard]] bool shows(const scene::RoundFeature& feature) const {
-    const std::vector<SeenCircle> rings = see(view_.drawing, feature);
-    const SeenCircle& largest = largest_of(rings);
-    return 2 * largest.radius() >= least_diameter && (has_hidden_lines(feature) || is_visible(feature, largest));
-  }
-
-  /// Whether a feature is seen only through its ends, obliquely: its axis is behind the material around it.
-  [[nodiscard]] bool is_inside(const scene::RoundFeature& feature) const {
-    const SeenCircle largest = largest_of(see(view_.drawing, feature));
-    return feature.enclosed && !has_hidden_lines(feature) && is_slanted(largest);
-  }
-
-  /// What is seen of the rims of a feature, by ring.
-  [[nodiscard]] std::vector<SeenRim> seen_rims(const scene::RoundFeature& feature) const {
-    const std::vector<SeenCircle> rings = see(view_.drawing, feature);
-    std::vector<SeenRim> seen(rings.size());
-    visit_edges(feature, [&](const drawing::Segment& s) {
-      for (std::size_t i = 0; i < rings.size(); ++i) {
-        if (!rings[i].has(s.from) || !rings[i].has(s.to)) continue;
-        seen[i].turn += std::abs(rings[i].angle_between(s.from, s.to)) / (2 * std::numbers::pi);
-        seen[i].points.insert(seen[i].points.end(), {s.from, s.to});
-      }
-      return true;
-    });
-    return seen;
-  }
-
- private:
-  [[nodiscard]] bool has_hidden_lines(const scene::RoundFeature& feature) const {
-    return view_.styles(feature.model, body_of(feature)).hidden != HiddenLines::none;
-  }
-
-  // Calls visit(segment) for visible lines between vertices of a feature, while it returns true.
-  template <class Visit>
-  void visit_edges(const scene::RoundFeature& feature, const Visit& visit) const {
-    const std::vector<int>& vertices = feature.vertices;
-    for (const int low : vertices) {
-      auto edge = std::lower_bound(edges_.begin(), edges_.end(), Edge{feature.model, low, 0, 0});
-      for (; edge != edges_.end() && (*edge)[0] == feature.model && (*edge)[1] == low; ++edge)
-        if (std::binary_search(vertices.begin(), vertices.end(), (*edge)[2]) &&
-            !visit(view_.drawing.segments[(*edge)[3]]))
-          return;
-    }
-  }
-
-  // The named body that has lines at its vertices.
-  [[nodiscard]] int body_of(const scene::RoundFeature& feature) const {
-    for (const int vertex : feature.vertices) {
-      const auto found = std::lower_bound(bodies_.begin(), bodies_.end(), std::array{feature.model, vertex, 0});
-      if (found != bodies_.end() && (*found)[0] == feature.model && (*found)[1] == vertex) return (*found)[2];
-    }
-    return -1;
-  }
-
-  [[nodiscard]] bool is_visible(const scene::RoundFeature& feature, const SeenCircle& ring) const {
-    // The rims of a hole seen from the side are part of the outline, and do not show the hole.
-    const double length = glm::length(ring.axis), radius = ring.radius();
-    if (feature.enclosed && length > edge_on * radius && ring.reach(ring.axis / length) <= edge_on * radius)
-      return false;
-    bool found = false;
-    visit_edges(feature, [&](const drawing::Segment&) { return !(found = true); });
-    return found;
-  }
-
-  const CentredView& view_;
-  std::vector<Edge> edges_;
-  std::vector<std::array<int, 3>> bodies_;  ///< model, vertex and named body
-};
-
 /// What to draw in a view.
 struct Marks {
   std::vector<std::vector<SeenCircle>> features;
@@ -423,20 +272,57 @@ void add_in_openings(Marks& marks, const std::vector<SeenCircle>& rings, const s
   }
 }
 
-// The rings of the second end of a slot may be in the opposite order. Each of them has half a rim.
-std::vector<SeenRim> seen_rims(const Shown& shown, const scene::SlotFeature& slot) {
-  const auto& [one, other] = slot.ends;
-  std::vector<SeenRim> seen = shown.seen_rims(one), there = shown.seen_rims(other);
-  if (glm::dot(one.axis, other.axis) < 0) std::reverse(there.begin(), there.end());
-  for (std::size_t i = 0; i < std::min(seen.size(), there.size()); ++i) {
-    seen[i].turn += there[i].turn;
-    seen[i].points.insert(seen[i].points.end(), there[i].points.begin(), there[i].points.end());
+// Where lines are seen on both sides of an axis, and between such places, where something covers one side. Seen from
+// the side, one suffices, since the other contour is often an edge, too.
+visibility::Spans seen_about(const std::vector<SeenCircle>& rings, const std::array<visibility::Spans, 2>& sides) {
+  visibility::Spans any = sides[0], both;
+  for (const auto& span : sides[1]) visibility::add_span(any, span);
+  if (largest_of(rings).is_edge_on()) return any;
+  for (const auto& [from, to] : sides[0])
+    for (const auto& [begin, end] : sides[1])
+      if (std::max(from, begin) < std::min(to, end))
+        visibility::add_span(both, {std::max(from, begin), std::min(to, end)});
+  visibility::Spans seen;
+  for (const auto& span : both) {
+    if (!seen.empty() && visibility::covers(any, seen.back()[1], span[0]))
+      seen.back()[1] = span[1];
+    else
+      seen.push_back(span);
   }
   return seen;
 }
 
+// The axis of a feature, or of the parts of one, where it is seen.
+void add_where_seen(Marks& marks, const std::vector<SeenCircle>& rings, const SeenFeatures& seen,
+                    std::span<const scene::RoundFeature> parts) {
+  const auto axis = axis_through(rings);
+  if (!axis) return;
+  std::array<visibility::Spans, 2> sides;
+  for (const scene::RoundFeature& part : parts) seen.add_beside(part, {axis->at(0), axis->direction(), beyond}, sides);
+  for (const auto& [from, to] : seen_about(rings, sides)) {
+    Piece piece = *axis;
+    if (from > axis->from + short_of_end) piece.from = from;
+    if (to < axis->to - short_of_end) piece.to = to;
+    piece.centred = piece.from == axis->from && piece.to == axis->to;
+    if (piece.to - piece.from >= shortest_piece) marks.pieces.push_back(piece);
+  }
+}
+
+// The rings of the second end of a slot may be in the opposite order. Each of them has half a rim.
+std::vector<SeenRim> rims_of(const SeenFeatures& seen, const scene::SlotFeature& slot) {
+  const auto& [one, other] = slot.ends;
+  std::vector<SeenRim> rims = seen.rims(one), there = seen.rims(other);
+  if (glm::dot(one.axis, other.axis) < 0) std::reverse(there.begin(), there.end());
+  for (std::size_t i = 0; i < std::min(rims.size(), there.size()); ++i) {
+    rims[i].turn += there[i].turn;
+    rims[i].points.insert(rims[i].points.end(), there[i].points.begin(), there[i].points.end());
+  }
+  return rims;
+}
+
 // If seen in true shape: a line through both ends and another across each end; otherwise one axis in the middle.
-void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const Shown& shown, const scene::SlotFeature& slot) {
+void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const SeenFeatures& seen,
+              const scene::SlotFeature& slot) {
   const auto [one, other] = slot.ends;
   const SeenCircle a = see(drawing, one.axis, one.rings.front()), b = see(drawing, other.axis, other.rings.front());
   if (a.is_round()) {
@@ -451,14 +337,20 @@ void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const Shown& sh
   const Vec3 half = 0.5 * (apart - glm::dot(apart, one.axis) * one.axis);
   scene::RoundFeature middle = one;
   for (scene::Ring& ring : middle.rings) ring.centre += half;
-  if (shown.is_inside(one))
-    add_in_openings(marks, see(drawing, middle), seen_rims(shown, slot));
-  else
-    marks.features.push_back(see(drawing, middle));
+  const std::vector<SeenCircle> rings = see(drawing, middle);
+  if (seen.is_inside(one)) {
+    add_in_openings(marks, rings, rims_of(seen, slot));
+  } else if (seen.is_in_parts(one)) {
+    add_where_seen(marks, rings, seen, slot.ends);
+  } else {
+    marks.features.push_back(rings);
+  }
 }
 
+bool is_small(std::span<const SeenCircle> rings) { return 2 * largest_of(rings).radius() < least_diameter; }
+
 Marks marks_of(const CentredView& view) {
-  const Shown shown(view);
+  const SeenFeatures seen(view.drawing, view.styles);
   const scene::CentredFeatures& features = view.features;
   std::vector<int> circle_of(features.round.size(), -1);
   for (std::size_t c = 0; c < features.pitch_circles.size(); ++c)
@@ -466,8 +358,8 @@ Marks marks_of(const CentredView& view) {
   Marks marks;
   std::set<int> circles;
   for (std::size_t i = 0; i < features.round.size(); ++i) {
-    if (!shown.shows(features.round[i])) continue;
     std::vector<SeenCircle> rings = see(view.drawing, features.round[i]);
+    if (is_small(rings) || !seen.shows(features.round[i])) continue;
     const auto is_kept = [&](const SeenCircle& ring) { return view.drawing.breaks.keeps(ring.centre); };
     if (std::none_of(rings.begin(), rings.end(), is_kept)) continue;
     if (circle_of[i] >= 0 && largest_of(rings).is_round()) {
@@ -475,13 +367,16 @@ Marks marks_of(const CentredView& view) {
       const Vec2 middle = image_of(view.drawing, features.pitch_circles[circle_of[i]].centre, 1);
       for (SeenCircle& ring : rings) ring.spoke = ring.centre - middle;
     }
-    if (!largest_of(rings).is_round() && shown.is_inside(features.round[i]))
-      add_in_openings(marks, rings, shown.seen_rims(features.round[i]));
+    if (!largest_of(rings).is_round() && seen.is_inside(features.round[i]))
+      add_in_openings(marks, rings, seen.rims(features.round[i]));
+    else if (!largest_of(rings).is_round() && seen.is_in_parts(features.round[i]))
+      add_where_seen(marks, rings, seen, {&features.round[i], 1});
     else
       marks.features.push_back(std::move(rings));
   }
   for (const scene::SlotFeature& slot : features.slots)
-    if (shown.shows(slot.ends[0]) || shown.shows(slot.ends[1])) add_slot(marks, view.drawing, shown, slot);
+    if (!is_small(see(view.drawing, slot.ends[0])) && (seen.shows(slot.ends[0]) || seen.shows(slot.ends[1])))
+      add_slot(marks, view.drawing, seen, slot);
   for (const int c : circles) {
     const scene::PitchCircle& pitch = features.pitch_circles[c];
     marks.rounds.push_back(see(view.drawing, pitch.axis, {pitch.centre, pitch.radius}));

@@ -29,7 +29,9 @@ struct CentredView {
 /// have one common axis. All lines extend 3 mm beyond the outline; overlapping ones are merged. Where a line of
 /// `drawn`, the view's other layers, coincides with them, it takes precedence. Features with a diameter of less than 3
 /// mm have no lines, nor have features that a model without hidden lines does not show. There, bores and slots that are
-/// seen obliquely have their axes only through ends of which a quarter of the rim is seen, 3 mm beyond what is seen.
+/// seen obliquely have their axes only through ends of which a quarter of the rim is seen, 3 mm beyond what is seen;
+/// shafts and other features that are seen from outside, only where lines of theirs are seen on both sides of the axis,
+/// or on one if it is parallel to the paper.
 /// Throws OutOfTime.
 Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<const Layer> drawn,
                    const Progress& progress = {});

@@ -58,7 +58,7 @@ TEST(MaxError, IsKeptAndTold) {
   const Outcome run = draw_within("3", {"--verify"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(run.err,
-                       "max-error 3 mm: facets of imported surfaces within 2.1 mm, lines merged within 0.141 "
+                       "max-error 3 mm: facets of imported surfaces within 2.1 mm, lines merged within 0.391 "
                        "mm, 1 decimals in SVG; hidden lines by the exact method"))
       << run.err;
   EXPECT_TRUE(contains(run.err, "isometric: lines are within ")) << run.err;

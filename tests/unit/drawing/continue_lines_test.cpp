@@ -40,7 +40,7 @@ std::vector<Vec2> arc(double from, double to, double radius = 20) {
 }
 
 Pieces continued(const Pieces& pieces) {
-  return drawing::continue_lines(pieces, std::vector<int>(pieces.size(), 0), {distance, 1e-6});
+  return drawing::continue_lines(pieces, std::vector<int>(pieces.size(), 0), {distance, 1e-6}).pieces;
 }
 
 std::size_t count_lines(const Pieces& pieces) {
@@ -83,6 +83,26 @@ TEST(ContinueLines, MakesOneLineOfPartsThatNearlyMeet) {
   const Pieces line = continued(pieces);
   EXPECT_EQ(count_lines(line), 1U);
   expect_near(line, pieces);
+}
+
+// How far what is removed lies from the ink that is left is stated, not more than twice too large here.
+void expect_stated(const Pieces& pieces, const drawing::LeftInk& left) {
+  double farthest = 0;
+  for (const Piece& p : pieces)
+    for (int i = 0; i <= 64; ++i)
+      farthest = std::max(farthest, distance_from(left.pieces, p.from + i / 64.0 * (p.to - p.from)));
+  EXPECT_GT(farthest, 0.01);
+  EXPECT_LE(farthest, left.within);
+  EXPECT_LE(left.within, 2 * farthest);
+}
+
+TEST(ContinueLines, StatesHowFarInkIsMoved) {
+  Pieces pieces;
+  for (int i = 0; i < 6; ++i) add(pieces, arc(0.3 * i, 0.3 * i + 0.34, i % 2 == 0 ? 20 : 20.06));
+  expect_stated(pieces, drawing::continue_lines(pieces, std::vector<int>(pieces.size(), 0), {distance, 1e-6}));
+  Pieces one;
+  add(one, {{0, 0}, {10, 0}});
+  EXPECT_EQ(drawing::continue_lines(one, {0}, {distance, 1e-6}).within, 0);
 }
 
 // What is left of a piece lies on its edge; a link begins there.
@@ -133,13 +153,13 @@ TEST(ContinueLines, LeavesOtherLinesAlone) {
   EXPECT_TRUE(is_unchanged(two({{5, 0.05}, {20, 0.05}}))) << "a long way";
   EXPECT_TRUE(is_unchanged(two({{10, 1e-7}, {20, 0}}))) << "meets it already";
   const Pieces others = two(beside);
-  EXPECT_EQ(drawing::continue_lines(others, {0, 1}, {distance, 1e-6}).size(), 2U);
+  EXPECT_EQ(drawing::continue_lines(others, {0, 1}, {distance, 1e-6}).pieces.size(), 2U);
 }
 
 // --- specks
 
 Pieces without_specks(const Pieces& pieces) {
-  return drawing::drop_specks(pieces, std::vector<signed char>(pieces.size(), 1), distance);
+  return drawing::drop_specks(pieces, std::vector<signed char>(pieces.size(), 1), distance).pieces;
 }
 
 std::size_t left_of(const std::vector<Vec2>& speck, const Pen& pen, const Pen& line) {
@@ -155,6 +175,13 @@ TEST(Specks, AreDroppedOnOtherInk) {
   EXPECT_EQ(left_of(speck, {true, EdgeKind::crease}, {}), 0U);
   EXPECT_EQ(left_of(speck, {false}, {true}), 0U);
   EXPECT_EQ(left_of(speck, {true}, {false}), 2U) << "visible";
+}
+
+TEST(Specks, HaveInkWithinTheStatedDistance) {
+  Pieces pieces;
+  add(pieces, {{0, 0}, {10, 0}});
+  add(pieces, {{5, 0.05}, {5.02, 0.07}, {5.04, 0.04}});
+  expect_stated(pieces, drawing::drop_specks(pieces, {1, 1, 1}, distance));
 }
 
 TEST(Specks, StayElsewhere) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <epura/epura.hpp>
@@ -111,6 +113,45 @@ void add_cap(Polygons& polygons, const Band& band, bool is_top) {
     const int one = first + i, next = first + (i + 2) % count;
     polygons.faces.push_back(is_top ? std::vector{middle, one, next} : std::vector{middle, next, one});
   }
+}
+
+// A sphere about the origin, as a net of `around` meridians.
+Polygons net_of_sphere(double radius, int around) {
+  Polygons polygons;
+  const int rows = around / 2;
+  polygons.points.push_back({0, 0, -radius});
+  for (int row = 1; row < rows; ++row)
+    for (int i = 0; i < around; ++i) {
+      const double latitude = M_PI * (1.0 * row / rows - 0.5), angle = 2 * M_PI * i / around;
+      polygons.points.push_back({radius * std::cos(latitude) * std::cos(angle),
+                                 radius * std::cos(latitude) * std::sin(angle), radius * std::sin(latitude)});
+    }
+  polygons.points.push_back({0, 0, radius});
+  const auto at = [&](int row, int i) {
+    return row == 0 ? 0 : row == rows ? (rows - 1) * around + 1 : 1 + (row - 1) * around + i % around;
+  };
+  for (int row = 0; row < rows; ++row)
+    for (int i = 0; i < around; ++i) {
+      if (row > 0) polygons.faces.push_back({at(row, i), at(row, i + 1), at(row + 1, i)});
+      if (row + 1 < rows) polygons.faces.push_back({at(row, i + 1), at(row + 1, i + 1), at(row + 1, i)});
+    }
+  return polygons;
+}
+
+// No fold of a fine net is an edge; its surface is recognised nevertheless, for the sake of its contour.
+TEST(Library, ContoursOfFineNetsLieOnTheSurface) {
+  const Drawing drawing = draw({.models = {{.polygons = net_of_sphere(10, 96)}},
+                                .views = {{.projection = "isometric", .name = "view"}},
+                                .sheets = {{.scale = 2.0}}},
+                               settings());
+  const DrawnView& view = drawing.views().at(0);
+  std::array<double, 4> box{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  for (const Line& line : view.lines)
+    for (const auto& p : {line.from, line.to})
+      box = {std::min(box[0], p[0]), std::min(box[1], p[1]), std::max(box[2], p[0]), std::max(box[3], p[1])};
+  ASSERT_GT(view.lines.size(), 40U);
+  for (const Line& line : view.lines)
+    EXPECT_NEAR(std::hypot(line.from[0] - (box[0] + box[2]) / 2, line.from[1] - (box[1] + box[3]) / 2), 20, 0.002);
 }
 
 // A mesher puts vertices between the rims, too, at any angle: seen along the axis, the facets peep out everywhere.

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace epura {
 namespace {
@@ -208,8 +210,41 @@ TEST(CentreLines, WithoutHiddenLinesAxesOfBoresPassThroughVisibleRims) {
   expect_spans(lines_of(0, 72, HiddenLines::dashed), {{-axis, top_centre + axis}});
   expect_spans(lines_of(72, 72, HiddenLines::none), {{-axis, axis}, {top_centre - axis, top_centre + axis}});
   EXPECT_TRUE(lines_of(0, 17, HiddenLines::none).strokes.empty());
-  bore.enclosed = false;
-  expect_spans(lines_of(0, 72, HiddenLines::none), {{-axis, top_centre + axis}});
+}
+
+TEST(CentreLines, WithoutHiddenLinesAxesOfShaftsLieWhereBothSidesAreSeen) {
+  const double root = std::sqrt(0.5), reach = 10 * root + 3;
+  Round shaft{0, {0, 0, 1}, {{{0, 0, 0}, 10}, {{0, 0, 100}, 10}}, {}};
+  for (int v = 0; v < 144; ++v) shaft.vertices.push_back(v);
+  // Its upper rim is seen or not, and its contours at x = 10 and -10 up to a height on paper.
+  const auto lines_of = [&](bool rim, std::array<double, 2> right, std::array<double, 2> left, HiddenLines hidden) {
+    drawing::ViewDrawing slanted = view({1, 0, 0}, {0, root, root});
+    add_rim(slanted, shaft.rings[0], 0, 0, 0);
+    add_rim(slanted, shaft.rings[1], 72, 0, rim ? 72 : 0);
+    for (const auto& [x, ends, vertex] : {std::tuple(10.0, right, 0), std::tuple(-10.0, left, 36)})
+      slanted.segments.push_back(
+          {{x, ends[0]}, {x, ends[1]}, true, EdgeKind::contour, 0, {vertex, vertex + 72}, -1, {0, 1}});
+    return lines(slanted, scene::CentredFeatures{{shaft}, {}, {}}, {}, hidden);
+  };
+  const double upper = 100 * root;
+  expect_spans(lines_of(true, {50, upper}, {40, upper}, HiddenLines::none), {{{0, 47}, {0, upper + reach}}});
+  expect_spans(lines_of(true, {50, upper}, {40, upper}, HiddenLines::dashed), {{{0, -reach}, {0, upper + reach}}});
+  expect_spans(lines_of(false, {10, 20}, {10, 40}, HiddenLines::none), {{{0, 7}, {0, 23}}});
+  expect_spans(lines_of(true, {10, 20}, {0, 25}, HiddenLines::none),
+               {{{0, 7}, {0, 23}}, {{0, upper - reach}, {0, upper + reach}}});
+  // Something covers one side of its middle only.
+  expect_spans(lines_of(true, {0, 25}, {0, upper}, HiddenLines::none), {{{0, -3}, {0, upper + reach}}});
+  // Something covers its left half, and with it the axis.
+  EXPECT_TRUE(lines_of(false, {10, 20}, {40, 50}, HiddenLines::none).strokes.empty());
+  shaft.cut = true;  // lines of a section are not among its own
+  expect_spans(lines_of(true, {50, upper}, {40, upper}, HiddenLines::none), {{{0, -reach}, {0, upper + reach}}});
+}
+
+TEST(CentreLines, WithoutHiddenLinesAShaftFromTheSideIsSeenByOneContour) {
+  Round shaft{0, {0, 0, 1}, {{{0, 0, 0}, 10}, {{0, 0, 100}, 10}}, {1, 2}};
+  drawing::ViewDrawing drawing = front;
+  drawing.segments.push_back({{10, 30}, {10, 100}, true, EdgeKind::contour, 0, {1, 2}, -1, {0, 1}});
+  expect_spans(lines(drawing, scene::CentredFeatures{{shaft}, {}, {}}, {}, HiddenLines::none), {{{0, 27}, {0, 103}}});
 }
 
 TEST(CentreLines, SmallOnesAreLeftOut) {
