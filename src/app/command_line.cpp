@@ -94,6 +94,9 @@ int tell_exception() {
   ::_exit(broken_exit_code);
 }
 
+// The first of all that runs before main: CLI11 makes objects of its own there, for which memory may be missing, too.
+[[gnu::constructor(101)]] void expect_exceptions() { std::set_terminate(end_by_exception); }
+
 }  // namespace
 
 int run_command_line(const ProgramTexts& texts, std::vector<DefinedCommand> (*define)(CLI::App& program), int argc,
@@ -123,7 +126,6 @@ int run_program(const std::function<int()>& run) {
   mallopt(M_ARENA_MAX, 1);
   // A file at the limit of its size then fails like one on a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
-  std::set_terminate(end_by_exception);
   try {
     const int code = run();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

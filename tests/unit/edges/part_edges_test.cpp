@@ -305,24 +305,26 @@ TEST(SmoothContours, OfABallBeginWhereThoseOfItsShaftEnd) {
   EXPECT_GT(met, 12);
 }
 
-// The rim of half a ball is a crease, at which its contour ends where the mesh has a vertex.
-TEST(SmoothContours, EndAtCreases) {
-  Profile profile{{0, 0}};
-  for (int i = 0; i <= 8; ++i) profile.push_back({10 * std::cos(i * pi / 16), 10 * std::sin(i * pi / 16)});
-  profile.back()[0] = 0;
-  const scene::World world = recognised(world_of(revolved(profile, 24)));
-  int met = 0;
-  for (double turn = 0; turn < 15; turn += 1.3) {
-    const double a = turn * pi / 180;
-    view::ProjectedScene view = view::project_scene(world, orthographic({std::sin(a), -std::cos(a), 0.4}), {});
-    for (const edges::FeatureEdge& edge : edges::find_feature_edges(world, view, {}).edges)
-      for (std::size_t end = 0; end < 2; ++end) {
-        if (edge.kind != EdgeKind::contour || std::abs(world.points[edge.vertex[end]].z) > 1e-9) continue;
-        EXPECT_LT(edge.shown[end], 0) << turn;
-        ++met;
-      }
+// The rim of half a ball is a crease, or its border, at which its contour ends where the mesh has a vertex.
+TEST(SmoothContours, EndAtCreasesAndBorders) {
+  Profile closed{{0, 0}}, open;
+  for (int i = 0; i <= 8; ++i) open.push_back({i == 8 ? 0 : 10 * std::cos(i * pi / 16), 10 * std::sin(i * pi / 16)});
+  closed.insert(closed.end(), open.begin(), open.end());
+  for (const Profile& profile : {closed, open}) {
+    const scene::World world = recognised(world_of(revolved(profile, 24)));
+    int met = 0;
+    for (double turn = 0; turn < 15; turn += 1.3) {
+      const double a = turn * pi / 180;
+      view::ProjectedScene view = view::project_scene(world, orthographic({std::sin(a), -std::cos(a), 0.4}), {});
+      for (const edges::FeatureEdge& edge : edges::find_feature_edges(world, view, {}).edges)
+        for (const std::size_t end : {0U, 1U}) {
+          if (edge.kind != EdgeKind::contour || std::abs(world.points[edge.vertex[end]].z) > 1e-9) continue;
+          EXPECT_LT(edge.shown[end], 0) << turn;
+          ++met;
+        }
+    }
+    EXPECT_GT(met, 12);
   }
-  EXPECT_GT(met, 12);
 }
 
 // Seen almost along its axis, the normals of a shaft are perpendicular to the projectors everywhere, so that no contour

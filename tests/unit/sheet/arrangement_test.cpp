@@ -184,6 +184,15 @@ TEST(Arrangement, ViewsKeepTheirGivenPlaces) {
             1e-9);
 }
 
+TEST(Arrangement, SaysWhenGivenPlacesOverlap) {
+  auto views = views_of_box({front, pictorial});
+  for (const double x : {120.0, 320.0}) {
+    views[0].at = Vec2(100, 200);
+    views[1].at = Vec2(x, 200);
+    EXPECT_EQ(sheet::arrange(views, {1.0}, ProjectionAngle::first, a3()).inside, x > 200);
+  }
+}
+
 TEST(Arrangement, SecondViewOfAPlaceStandsBeside) {
   auto views = views_of_box({front, front, left});
   views[1].after.y = sheet::label_room;

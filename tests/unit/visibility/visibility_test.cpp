@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "shapes.hpp"
 
@@ -89,11 +90,10 @@ TEST(Hidden, OfALineThroughAPileOfPlates) {
   expect_hidden_as_directly(plates, from_above());
 }
 
-// A ground of many triangles covers whole cells of the search.
+// A ground of few or many triangles covers whole cells of the search.
 TEST(Hidden, OfLinesThroughACover) {
-  for (const double slope : {0.0, 0.4}) {
+  for (const auto& [slope, n] : {std::pair(0.0, 1), std::pair(0.4, 1), std::pair(0.0, 40), std::pair(0.4, 40)}) {
     Shape ground;
-    constexpr int n = 40;
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= n; ++i) ground.points.push_back({i / double(n), j / double(n), slope * i / n});
     for (int j = 0; j < n; ++j)
