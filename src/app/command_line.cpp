@@ -84,9 +84,10 @@ int tell_exception() {
 // Where an exception cannot go on: at the end of a thread, or out of a function that promises to throw none.
 [[noreturn]] void end_by_exception() {
   if (std::current_exception() != nullptr) ::_exit(tell_exception());
-  // There is none, or there was no memory for it.
+  // There is none, or no memory for it; or it cannot leave a function that promises to throw none, such as the one of
+  // libstdc++ that goes on to the next file of a folder. What these meet is missing memory, too.
   void* const volatile some = std::malloc(1 << 16);
-  if (some == nullptr) {
+  if (some == nullptr || std::uncaught_exceptions() > 0) {
     tell_no_memory();
     ::_exit(static_cast<int>(ErrorKind::input));
   }
