@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/error.hpp"
+
 namespace epura::drawing {
 
 namespace {
@@ -97,6 +99,7 @@ void InkCells::add(const Vec2& from, const Vec2& to, int sector) {
       head = static_cast<int>(clusters_.size()) - 1;
     }
     Cluster& cluster = clusters_[head];
+    check(cluster.count < Cluster::most, "a cluster has room for another part");
     cluster.part[cluster.count] = count_;
     cluster.sector[cluster.count] = static_cast<std::uint8_t>(sector);
     ++cluster.count;

@@ -219,6 +219,7 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
     bool any = false;
     search::TriangleOnGrid(grid, corners(view_.triangles[number]), slack)
         .visit_rows([&](const search::RowOfCells& row) {
+          check(row.from >= 0 && row.to < grid.columns, "a triangle is entered in cells of the grid");
           for (int column = row.from; column <= row.to; ++column) {
             const int cell = grid.cell(column, row.row);
             if (!(closest > load.deepest[cell]) || closest < level.cover[cell]) continue;
@@ -259,6 +260,7 @@ bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
       for (const Candidate& candidate : level.candidates[cell])
         if (sheets.add(view_.triangles[candidate.triangle()])) break;
       if (!(sheets.depth() > level.cover[cell])) continue;
+      check(sheets.depth() <= front_, "a cover is no nearer than what is nearest");
       level.cover[cell] = sheets.depth();
       any = true;
     }
