@@ -99,12 +99,12 @@ void InkCells::add(const Vec2& from, const Vec2& to, int sector) {
       head = static_cast<int>(clusters_.size()) - 1;
     }
     Cluster& cluster = clusters_[head];
-    check(cluster.count < Cluster::most, "a cluster has room for another part");
     cluster.part[cluster.count] = count_;
     cluster.sector[cluster.count] = static_cast<std::uint8_t>(sector);
     ++cluster.count;
   });
   ++count_;
+  check(heads_.size() % (tile_side * tile_side) == 0, "tiles are whole");
 }
 
 }  // namespace epura::drawing

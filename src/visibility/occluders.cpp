@@ -219,7 +219,6 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
     bool any = false;
     search::TriangleOnGrid(grid, corners(view_.triangles[number]), slack)
         .visit_rows([&](const search::RowOfCells& row) {
-          check(row.from >= 0 && row.to < grid.columns, "a triangle is entered in cells of the grid");
           for (int column = row.from; column <= row.to; ++column) {
             const int cell = grid.cell(column, row.row);
             if (!(closest > load.deepest[cell]) || closest < level.cover[cell]) continue;
@@ -239,6 +238,7 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
       }
     });
   });
+  check(level.candidates.size() == load.deepest.size(), "every cell has its candidates");
   parallel_for(level.candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) {
       progress_.expect_time();
