@@ -84,15 +84,19 @@ int tell_exception() {
 // Where an exception cannot go on: at the end of a thread, or out of a function that promises to throw none.
 [[noreturn]] void end_by_exception() {
   if (std::current_exception() != nullptr) ::_exit(tell_exception());
-  // There is none, or there was no memory for it.
+  // There is none, or no memory for it; or it cannot leave a function that promises to throw none, such as the one of
+  // libstdc++ that goes on to the next file of a folder. What these meet is missing memory, too.
   void* const volatile some = std::malloc(1 << 16);
-  if (some == nullptr) {
+  if (some == nullptr || std::uncaught_exceptions() > 0) {
     tell_no_memory();
     ::_exit(static_cast<int>(ErrorKind::input));
   }
   tell_broken("threads end before what they work on");
   ::_exit(broken_exit_code);
 }
+
+// The first of all that runs before main: CLI11 makes objects of its own there, for which memory may be missing, too.
+[[gnu::constructor(101)]] void expect_exceptions() { std::set_terminate(end_by_exception); }
 
 }  // namespace
 
@@ -123,7 +127,6 @@ int run_program(const std::function<int()>& run) {
   mallopt(M_ARENA_MAX, 1);
   // A file at the limit of its size then fails like one on a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
-  std::set_terminate(end_by_exception);
   try {
     const int code = run();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

@@ -200,6 +200,7 @@ CurvePart part_of(Chain& chain, const CurveRun<Fit>& run, double tolerance) {
       chain.points.back() = e.at(part.to);
     }
   }
+  check(0 <= part.first && part.first < part.last && part.last <= end, "an arc begins and ends on its line");
   return part;
 }
 

@@ -85,6 +85,7 @@ std::vector<Vec2> ring_inside(const Boundary& boundary, const std::vector<Vec2>&
     places.push_back(1);
     double before = 0;
     for (const double t : places) {
+      check(before <= t, "crossings of a line are in order");
       const Vec2 p = from + before * (to - from), q = t == 1 ? to : from + t * (to - from);
       if (boundary.round && !is_inside(boundary, (p + q) / 2.0))
         add_arc(ring, boundary, p, q);
@@ -133,6 +134,7 @@ std::vector<double> angles_at(const Boundary& boundary, const Vec2& centre, doub
           add_angle(angles, axis == 0 ? portable_atan2(across, side) : portable_atan2(side, across));
       }
   }
+  check(angles.size() <= 8, "a circle crosses each side of a boundary twice at most");
   std::sort(angles.begin(), angles.end());
   return angles;
 }

@@ -179,6 +179,7 @@ void add_freehand_limits(std::vector<Limit>& limits, const ViewDrawing& drawing,
     limit.from[across] = limit.meets[0] ? part.min[across] : extent[0];
     limit.to[across] = limit.meets[1] ? part.max[across] : extent[1];
     for (const Vec2& p : freehand_along(across, limit.from, limit.to)) limit.freehand.push_back(p + part.shift);
+    check(limit.freehand.size() >= 2, "a freehand line has two ends");
     limit.from += part.shift;
     limit.to += part.shift;
     limits.push_back(std::move(limit));
@@ -313,6 +314,7 @@ void break_drawing(ViewDrawing& drawing, const Breaks& breaks, const Progress& p
   for (const KeptPart& part : kept_parts(breaks)) {
     progress.expect_time();
     ViewDrawing kept = part_of(drawing, part, breaks, limits);
+    check(kept.broken_out.size() == broken_out.size(), "every part knows all broken-out sections");
     for (std::size_t i = 0; i < broken_out.size(); ++i)
       broken_out[i].lines.insert(broken_out[i].lines.end(), kept.broken_out[i].lines.begin(),
                                  kept.broken_out[i].lines.end());

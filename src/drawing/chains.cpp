@@ -55,6 +55,7 @@ void straighten(std::vector<Vec2>& points, bool closed, double tolerance) {
     points[kept++] = points[i];
     offsets = 0;
   }
+  check(closed || kept >= std::min<std::size_t>(n, 2), "an open line keeps its ends");
   if (kept >= 2) {
     points.erase(points.begin() + static_cast<std::ptrdiff_t>(kept), points.end());
   } else {

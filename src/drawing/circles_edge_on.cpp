@@ -171,6 +171,7 @@ visibility::Spans uncovered(const Chord& chord, visibility::Spans& covered) {
     add(to);
   });
   visit_turns(low, high, [&](double from, double to, double) { visibility::add_span(covered, {from, to}); });
+  check(parts.empty() || (parts.front()[0] >= 0 && parts.back()[1] <= 1), "parts of a chord lie on it");
   return parts;
 }
 
@@ -276,6 +277,10 @@ double draw_circles_once(const visibility::ResolvedView& lines, const view::Pape
     for (const auto& part : *left[i])
       if ((part[1] - part[0]) * length_of(pieces[i]) >= least) kept.push_back(part_of(pieces[i], part));
   }
+  const auto ink = [](const std::vector<Piece>& all) {
+    return std::accumulate(all.begin(), all.end(), 0.0, [](double sum, const Piece& p) { return sum + length_of(p); });
+  };
+  check(!(ink(kept) > ink(pieces) * (1 + 1e-9)), "drawing circles once adds no ink");
   pieces = std::move(kept);
   return rise;
 }

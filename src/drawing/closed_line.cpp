@@ -52,6 +52,7 @@ std::optional<Rings> rings_of(const std::vector<Piece>& pieces) {
   std::map<Vec2, std::vector<std::size_t>, decltype(less)> at(less);
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (const Vec2& end : pieces[i]) at[end].push_back(i);
+  check(at.size() <= 2 * pieces.size(), "a piece has two ends");
   std::vector<bool> used(pieces.size());
   Rings rings;
   for (std::size_t first = 0; first < pieces.size(); ++first) {
@@ -86,6 +87,7 @@ std::optional<Rings> common_area(const ClosedLine& line, const Rings& rings) {
       std::vector<Vec2> places;
       for (const ClosedLine::Crossing& crossing : line.crossings(from, to)) {
         places.push_back(crossing.at);
+        check(crossing.s >= 0 && crossing.s <= 1, "a side is crossed between its ends");
         on_line[static_cast<std::size_t>(crossing.side)].emplace_back(crossing.s, crossing.at);
       }
       add_pieces(pieces, {from, to}, places, inside);
@@ -286,6 +288,7 @@ std::vector<std::vector<Vec2>> ClosedLine::covered(Triangles by, Triangles not_b
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const auto [a, b] = side(i);
     for (const auto& [from, to] : difference(all[i], without[i])) {
+      check(from < to, "a covered part of a side goes forwards");
       const Vec2 begin = from == 0 ? a : a + from * (b - a), end = to == 1 ? b : a + to * (b - a);
       if (lines.empty() || lines.back().back() != begin) lines.push_back({begin});
       lines.back().push_back(end);

@@ -72,6 +72,7 @@ std::vector<CurvePart> curves_between(std::span<const CurvePart> curves, const s
       part.to = angles[static_cast<std::size_t>(high - shift - curve.first)];
       part.first = low - first;
       part.last = high - first;
+      check(part.first >= 0 && part.last <= last - first, "a part of a curve lies between the points wanted");
       parts.push_back(part);
     }
   }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 
+#include "base/error.hpp"
 #include "base/nearest.hpp"
 
 namespace epura::drawing {
@@ -66,6 +67,7 @@ std::vector<Vec2> go_forwards(std::vector<Vec2> points, bool closed, double dist
         continue;
       }
       --changes_left;
+      check(first >= 1 && first + count < points.size(), "the ends of a line stay where they are");
       const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
       std::reverse(begin, begin + static_cast<std::ptrdiff_t>(count));
       first -= std::min(first - 1, most_at_once);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 
 namespace epura::drawing {
@@ -52,6 +53,7 @@ std::vector<Vec2> even_curve(const std::vector<Vec2>& points) {
       even.push_back(a + (next - passed) / here * (b - a));
     passed += here;
   }
+  check(static_cast<int>(even.size()) <= count, "an even curve has no more points than wanted");
   return even;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/error.hpp"
+
 namespace epura::drawing {
 
 namespace {
@@ -102,6 +104,7 @@ void InkCells::add(const Vec2& from, const Vec2& to, int sector) {
     ++cluster.count;
   });
   ++count_;
+  check(heads_.size() % (tile_side * tile_side) == 0, "tiles are whole");
 }
 
 }  // namespace epura::drawing

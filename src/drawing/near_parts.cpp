@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "visibility/spans.hpp"
 
@@ -76,6 +77,7 @@ void KeptInk::append(const std::vector<int>& numbers, const MeasuredPolyline& po
     const std::array<float, 2>& facing = directions_[static_cast<std::size_t>(number)];
     if (!(std::abs(facing[0] * along.x + facing[1] * along.y) >= AlongLimits::least_cosine)) continue;
     const auto apart = [&](double u) { return std::abs(beside.value + u * beside.slope); };
+    check(from >= 0 && to <= 1, "ink beside a line is beside a part of it");
     parts.push_back({{x(from), x(to)}, number, {apart(from), apart(to)}});
     visibility::add_span(spans, parts.back().stretch);
     for (const double u : {from, to})
@@ -96,6 +98,7 @@ void NearAhead::look(const NearGlance& glance, KeptInk& kept, std::size_t first,
       std::size_t turn = first + i * size, line = glance.line_at(turn);
       for (std::size_t k = 0; k < size && turn < last; ++k, ++turn) {
         if (turn == glance.first(line + 1)) ++line;
+        check(turn >= glance.first(line) && turn < glance.first(line + 1), "a member is of the line that is looked at");
         const MeasuredPolyline polyline = glance[line];
         const std::size_t member = turn - glance.first(line);
         block.first[k] = {block.near.parts.size(), block.near.contacts.size()};

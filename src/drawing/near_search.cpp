@@ -45,6 +45,7 @@ Range part_around(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q, do
     limit(beside, from.y, along.y, -distance, distance);
     add(beside);
   }
+  check(!(all[0] <= all[1]) || (all[0] >= 0 && all[1] <= 1), "a part of a line lies on it");
   return all;
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/progress.hpp"
 #include "base/same_key.hpp"
 #include "base/vec.hpp"
@@ -86,6 +87,7 @@ bool pair_up(const Ends& lines, std::span<const End> ends, TurningBack rule, std
     const End a = std::get<2>(best), b = std::get<3>(best);
     if (a == no_end) return true;
     if (std::get<0>(best) == 2 && rule == TurningBack::left_apart) return false;
+    check(partner[a] == no_end && partner[b] == no_end && a != b, "an end has one partner");
     partner[a] = b;
     partner[b] = a;
     std::erase_if(left, [a, b](const auto& l) { return l.first == a || l.first == b; });

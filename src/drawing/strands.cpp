@@ -7,6 +7,7 @@
 #include <numeric>
 #include <span>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 
 namespace epura::drawing {
@@ -122,6 +123,7 @@ std::optional<double> place_of_cut(const Strands& strands, const Cut& cut) {
     } else if (const double y = cut.range(s)[0]; y > -HUGE_VAL)
       samples[count++] = y;
   }
+  check(count <= samples.size(), "there is room for both ends of each sample");
   std::sort(samples.begin(), samples.begin() + count);
   std::optional<double> best;
   std::size_t distance = count;

@@ -180,6 +180,7 @@ class ConvexityTest {
     const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
     const double volume = determinant(a, b, c);
     if (!(volume > 16 * rounding_of(a, b, c)) || !(area > 0)) return refute(body);
+    check(body.reach > 0, "a triangle with a volume is not in the middle of its body");
     raise(body.slimness, longest * longest / area);
     raise(body.flatness, body.reach * area / (0.9 * volume));
     const auto first = corners(body.first, body.middle());

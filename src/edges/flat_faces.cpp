@@ -94,6 +94,7 @@ class FlatFaces {
     std::vector<std::pair<int, int>> by_region;  // root and index in the list
     for (int i = 0; i < static_cast<int>(triangles_.size()); ++i)
       if (const int root = regions_.root(i); root != i) by_region.emplace_back(root, i);
+    check(by_region.size() < triangles_.size(), "the roots of regions are not listed with them");
     std::sort(by_region.begin(), by_region.end());
     std::vector<int> faces;
     int count = 0;

@@ -117,6 +117,8 @@ class GraphPatches {
       }
       patch_[t] = number[root];
     }
+    check(facing_of_patch_.size() * least_triangles <= world_.triangles.size(),
+          "patches have many triangles of their own");
   }
 
   // Whether the triangle has the corners a, b in this order.
@@ -226,12 +228,14 @@ class GraphPatches {
       const Vec2 origin = line_of(sides[start])[0];
       double area = 0, reach = 0;
       std::size_t count = 0;
-      for (std::size_t i = start; used[i] == 0; i = static_cast<std::size_t>(next[i]), ++count) {
+      std::size_t i = start;
+      for (; used[i] == 0; i = static_cast<std::size_t>(next[i]), ++count) {
         used[i] = 1;
         const auto [p, q] = line_of(sides[i]);
         area += (p.x - origin.x) * (q.y - origin.y) - (p.y - origin.y) * (q.x - origin.x);
         reach = std::max(reach, glm::dot(q - origin, q - origin));
       }
+      check(i == start, "an outline ends where it begins");
       constexpr double rounding = 0x1p-48;
       if (std::abs(area) <= static_cast<double>(count) * rounding * reach) return false;
       outlines += area > 0 ? 1 : 0;
@@ -261,6 +265,7 @@ class GraphPatches {
       }
       begin = end;
     }
+    check(std::find(next.begin(), next.end(), -1) == next.end(), "a side follows each side of an outline");
     return next;
   }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "scene/place_threads.hpp"
 #include "scene/round_faces.hpp"
@@ -170,6 +171,7 @@ std::optional<SeenThread> seen_thread(const scene::World& world, int model, cons
   if (threaded.is_partial && end > round.from && end < round.to) thread.end = end;
   thread.low -= reach_into(part, thread, false);
   thread.high += reach_into(part, thread, true);
+  check(thread.low < thread.high, "a thread is no shorter for reaching into its chamfers");
   return thread;
 }
 

@@ -11,6 +11,8 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <exception>
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -45,9 +47,16 @@ pid_t spawn(const std::filesystem::path& program, const std::vector<std::string>
   return failure == 0 ? child : -1;
 }
 
-// Without exit handlers. An exception must not go on to where the other process waits for the answers of this one.
+// Without exit handlers. An exception must not go on to where the other process waits for the answers of this one,
+// which tells that this one ends.
 [[noreturn]] void serve_and_exit(const std::function<void(int socket)>& serve, int socket) noexcept {
-  serve(socket);
+  try {
+    serve(socket);
+  } catch (const std::bad_alloc&) {
+    ::_exit(1);
+  } catch (...) {
+    std::terminate();
+  }
   ::_exit(0);
 }
 

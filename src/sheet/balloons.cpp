@@ -65,6 +65,7 @@ std::vector<Place> places_around(const Rectangle& view, double radius) {
       places.push_back({{r.min.x, y}, ring});
     }
   }
+  check(places.size() >= std::size_t{4} * rings, "balloons have places on all sides of a view");
   return places;
 }
 

@@ -32,7 +32,10 @@ class SymbolReader {
     const std::vector<std::string_view> words = split(symbol, ' ');
     for (std::size_t i = 0; i < words.size();) {
       const char kind = words[i++][0];
-      const auto number = [&] { return *parse_number(words[i++]); };
+      const auto number = [&] {
+        check(i < words.size(), "a symbol ends with a whole stroke");
+        return *parse_number(words[i++]);
+      };
       const auto point = [&] {
         const double x = number();
         return centre_ + unit_ * Vec2(x, number());

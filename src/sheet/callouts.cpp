@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/error.hpp"
 #include "sheet/fit_text.hpp"
 #include "sheet/line_styles.hpp"
 
@@ -368,8 +369,10 @@ CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> cal
   const double landing = style.text;
   Placer placer(view, neighbours);
   CalloutFaults faults;
+  std::size_t placed = 0;
   for (const Callout& callout : callouts) {
     if (!callout.at) continue;
+    ++placed;
     const Spot spot = placer.fixed(callout, landing);
     if (!placer.is_free(spot.box)) faults.crossings.push_back(callout.name);
     placer.add(spot);
@@ -382,10 +385,12 @@ CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> cal
       if (const auto spot = placer.best(callout, landing)) {
         placer.add(*spot);
         draw(layers, callout, *spot, style);
+        ++placed;
       } else {
         faults.without_place.push_back(callout.name);
       }
     }
+  check(placed + faults.without_place.size() == callouts.size(), "every callout is placed or reported");
   return faults;
 }
 

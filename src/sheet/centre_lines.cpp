@@ -118,6 +118,7 @@ std::vector<Piece> crosses(const std::vector<std::vector<SeenCircle>>& features)
       for (const Vec2& direction : {Vec2(1, 0), Vec2(0, 1)})
         pieces.push_back(piece_about(centre, direction, radius + beyond));
   }
+  check(pieces.size() <= 2 * round.size(), "a circle has two centre lines at most");
   return pieces;
 }
 
@@ -159,6 +160,7 @@ std::vector<Piece> axes(const std::vector<std::vector<SeenCircle>>& features) {
     for (const std::size_t i : group) circles.push_back(rims[i]);
     add_axis(circles);
   }
+  check(pieces.size() <= features.size(), "a feature has one axis at most");
   return pieces;
 }
 
@@ -354,7 +356,10 @@ Marks marks_of(const CentredView& view) {
   const scene::CentredFeatures& features = view.features;
   std::vector<int> circle_of(features.round.size(), -1);
   for (std::size_t c = 0; c < features.pitch_circles.size(); ++c)
-    for (const int hole : features.pitch_circles[c].holes) circle_of[hole] = static_cast<int>(c);
+    for (const int hole : features.pitch_circles[c].holes) {
+      check(hole >= 0 && hole < static_cast<int>(circle_of.size()), "holes on a pitch circle are round features");
+      circle_of[hole] = static_cast<int>(c);
+    }
   Marks marks;
   std::set<int> circles;
   for (std::size_t i = 0; i < features.round.size(); ++i) {
@@ -474,6 +479,7 @@ Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<
     const auto piece = inside(detail, whole);
     if (!piece) continue;
     const double length = piece->to - piece->from;
+    check(length > 0, "a centre line has a length");
     const Dashes dashes = piece->centred ? fit_centred(length, width, scene::long_dash_dot)
                                          : fit_open(length, width, scene::long_dash_dot);
     layer.strokes.push_back({{piece->at(piece->from), piece->at(piece->to)}, false, dashes});

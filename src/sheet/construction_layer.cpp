@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "sheet/free_rectangles.hpp"
@@ -344,6 +345,7 @@ void Draughtsman::draw_points(const Figure& figure) {
 
 void Draughtsman::place_names() {
   const std::vector<std::optional<LabelPlace>> places = space_.place(labels_);
+  check(places.size() == names_.size(), "every name has a label");
   for (std::size_t i = 0; i < places.size(); ++i) {
     std::string all;
     for (const Text& text : names_[i].texts) all += text.text;
@@ -432,6 +434,7 @@ void add_keys(ConstructionLayer& drawn, const Figure& figure, const Construction
     move_by(own, *corner - box.min);
     add(drawn, std::move(own));
     above = Rectangle{*corner, *corner + box.size()};
+    check(room.area.holds(*above, 1e-6), "a key is on the paper");
     taken.push_back(*above);
     drawn.keys.push_back(*above);
   }
@@ -500,6 +503,7 @@ Rectangle box_of(const Figure& figure, const Rectangle& ink, double farthest) {
     }
   for (const construction::Curve& curve : figure.curves)
     for (const double angle : angles_of(curve)) add(on_curve(curve, angle));
+  check(box.holds(ink), "a box contains the ink it is made for");
   return box;
 }
 

@@ -110,6 +110,7 @@ std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const scene::C
   }
   for (std::size_t leg = 0; leg < last; ++leg)
     trace.legs.push_back(glm::normalize(trace.corners[leg + 1] - trace.corners[leg]));
+  check(trace.legs.size() + 1 == trace.corners.size(), "a leg leads from corner to corner");
   return trace;
 }
 
@@ -180,6 +181,7 @@ std::vector<std::array<double, 2>> rest_of(const Stroke& stroke, const std::vect
     covered = std::max(covered, high);
   }
   if (covered < length) rest.push_back({covered, length});
+  check(rest.empty() || (rest.front()[0] >= 0 && rest.back()[1] <= length), "what is left of a line lies on it");
   return rest;
 }
 

@@ -386,6 +386,7 @@ std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* cons
     for (std::size_t q = 0; q < p; ++q)
       if (touch(parts[order[p]], parts[order[q]])) neighbours.push_back(chosen[q]);
     chosen.push_back(hatching_of(parts[order[p]], wishes[order[p]], neighbours));
+    check(chosen.back().spacing > 0, "hatching lines have a distance");
   }
   std::sort(chosen.begin(), chosen.end(), [](const Hatching& a, const Hatching& b) {
     return std::pair(a.model, a.body) < std::pair(b.model, b.body);

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/error.hpp"
+
 namespace epura::sheet {
 
 namespace {
@@ -195,6 +197,7 @@ std::vector<std::optional<LabelPlace>> LabelRoom::place(std::span<const Label> l
     least = missing;
     best = std::move(places);
   }
+  check(best.size() == labels.size(), "every label has a place or none");
   for (const std::optional<LabelPlace>& place : best)
     if (place) take(*place);
   return best;

@@ -111,6 +111,7 @@ std::optional<Layer> limit_lines(const drawing::ViewDrawing& view, const LineWid
   }
   for (const drawing::BrokenOut& broken_out : view.broken_out)
     for (const std::vector<Vec2>& line : broken_out.lines) {
+      check(line.size() >= 2, "a boundary of a broken-out section has two ends");
       Stroke& stroke = layer.strokes.emplace_back(Stroke{line});
       stroke.closed = line.front() == line.back();
       if (stroke.closed) stroke.points.pop_back();

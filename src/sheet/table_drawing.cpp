@@ -77,6 +77,7 @@ void TableDrawing::draw(Layer& layer, const Vec2& corner, const std::string& rol
     for (std::size_t i = begin; i < end; ++i) rows.push_back(&table_.rows[i]);
     std::vector<double> edges{left};
     for (const double width : widths_) edges.push_back(edges.back() + width);
+    check(edges.size() == widths_.size() + 1, "a table has an edge on both sides of each column");
     const double bottom = corner.y - static_cast<double>(rows.size()) * height;
     // The title is one cell.
     const double below_title = corner.y - (table_.title.empty() ? 0 : height);

@@ -71,6 +71,7 @@ std::vector<hb_script_t> scripts_of(const std::u32string& line) {
 std::vector<Item> items_of(const std::u32string& line, const ChooseFont& choose_font) {
   const std::vector<Level> levels = levels_of(line);
   const std::vector<hb_script_t> scripts = scripts_of(line);
+  check(levels.size() == line.size() && scripts.size() == line.size(), "each character has a level and a script");
   std::vector<Item> items;
   for (std::size_t begin = 0; begin < line.size();) {
     std::size_t end = begin + 1;

@@ -79,6 +79,7 @@ void CandidateTree::note_corners(const view::ProjectedScene& view, const std::ve
     }
     begin = end;
   }
+  check(max <= triangles.size(), "a triangle has a vertex at one of its corners");
   if (max < least_at_hub || max * part_at_hub < triangles.size()) return;
   hub_ = SeenFrom(view, view.grid[hub]);
   std::erase_if(joined_, [&](const auto& corner) { return hub_->is_at(view.grid[corner.first]); });

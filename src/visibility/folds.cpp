@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "visibility/spans.hpp"
 
 namespace epura::visibility {
@@ -181,6 +182,7 @@ HiddenSpans with_spans(const HiddenSpans& hidden, const Tests& tests, const Hidd
     all.spans.insert(all.spans.end(), spans.begin(), spans.end());
     all.first.push_back(all.spans.size());
   }
+  check(next == tests.numbers.size(), "every edge that was tested gets its spans");
   std::sort(all.by_surface.begin(), all.by_surface.end());
   all.by_surface.erase(std::unique(all.by_surface.begin(), all.by_surface.end()), all.by_surface.end());
   return all;

@@ -59,6 +59,7 @@ class Sheet {
         const auto triangles = world_.models[model].mesh->triangles_of(edge);
         const int u = world_.first_vertex[model] + edge.vertex[0];
         const int v = world_.first_vertex[model] + edge.vertex[1];
+        check(u < v, "an edge leads from its lower vertex to the higher one");
         const auto side_of = [&](int t) { return area(u, v, corner_beside(world_.first_triangle[model] + t, u, v)); };
         const std::int64_t side = side_of(triangles[0]);
         if (side == 0 || triangles.size() > 2) return std::nullopt;

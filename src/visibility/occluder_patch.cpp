@@ -43,6 +43,7 @@ bool OccluderPatch::add(const view::ViewTriangle& triangle) {
     alone = false;
   }
   const Sheet& whole = sheets_[root(sheet)];
+  check(whole.depth <= depth, "a sheet lies no nearer than any of its triangles");
   if (whole.open > 0 || (alone && !holds_middle(triangle))) return false;
   depth_ = whole.depth;
   return true;

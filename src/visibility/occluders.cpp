@@ -238,6 +238,7 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
       }
     });
   });
+  check(level.candidates.size() == load.deepest.size(), "every cell has its candidates");
   parallel_for(level.candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) {
       progress_.expect_time();
@@ -259,6 +260,7 @@ bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
       for (const Candidate& candidate : level.candidates[cell])
         if (sheets.add(view_.triangles[candidate.triangle()])) break;
       if (!(sheets.depth() > level.cover[cell])) continue;
+      check(sheets.depth() <= front_, "a cover is no nearer than what is nearest");
       level.cover[cell] = sheets.depth();
       any = true;
     }

@@ -98,6 +98,7 @@ HiddenSpans decide(const view::ProjectedScene& view, const edges::FeatureEdges& 
       progress.advance(end - part * chunk);
     }
   });
+  check(next == found.size(), "every part of the edges is taken once");
   put_in_order(found, order, hidden);
   for (std::size_t e = 0; e < count; ++e)
     if (decided[e] == 0) hidden.undecided.push_back(static_cast<int>(e));

@@ -328,6 +328,7 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
     add_to(layer, std::move(*dimension), texts[i], style);
     ++count;
   }
+  check(count <= measured.size(), "a dimension is drawn or left out");
   std::vector<std::string> without_room;
   for (const std::size_t i : left_out) without_room.push_back(texts[i]);
   return {std::move(layer), count, std::move(left_out), std::move(without_room), std::move(crossings), std::move(ends)};

@@ -141,6 +141,7 @@ MeasuredDimension row(const AnchoredDimension& dimension, const Sight& sight) {
     row.texts.push_back(text);
     if (!is_origin) all.add((all.pieces.empty() ? "" : ", ") + text.line());
   }
+  check(row.texts.size() + (is_chain ? 1 : 0) == row.places.size(), "a row has a text for each place or step");
   return {std::move(row), all, dimension.offset};
 }
 

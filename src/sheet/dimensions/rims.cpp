@@ -69,6 +69,7 @@ std::vector<Vec3> in_order_around(const std::vector<Vec3>& points, const feature
       largest = gap;
       first = i;
     }
+  check(largest * static_cast<double>(order.size()) >= 2 * std::numbers::pi * (1 - 1e-9), "the gaps are a whole turn");
   std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(first), order.end());
   std::vector<Vec3> sorted;
   for (const auto& [angle, i] : order) sorted.push_back(points[i]);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/length_reach.hpp"
 #include "sheet/dimensions/straight.hpp"
@@ -52,6 +53,7 @@ std::vector<double> spread(const std::vector<double>& wishes, const std::vector<
   std::vector<double> positions;
   for (const Pool& pool : pools)
     for (std::size_t i = 0; i < pool.count; ++i) positions.push_back(pool.mean() + offsets[positions.size()]);
+  check(positions.size() == wishes.size(), "every text of a row has a place");
   return positions;
 }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 
 namespace epura::sheet {
@@ -109,6 +110,7 @@ Station Stations::base_of(const Station& station) const {
     if (low == nullptr || rank(base, p) > rank(base, *low)) low = &p;
     if (high == nullptr || rank(base, p) < rank(base, *high)) high = &p;
   }
+  check(low != nullptr && high != nullptr, "a base has a place where it is measured from");
   base.point = *low;
   base.opposite = *high;
   base.point[base.axis] = base.opposite[base.axis] = base.at;
@@ -138,6 +140,7 @@ void Stations::add_row(std::vector<Station> row, const std::string& where, const
     if (equal) break;
   }
   if (!equal) return;
+  check(row.size() >= 2, "a row of equal steps has two places");
   const double pitch = std::abs(row[1].at - row[0].at);
   dimensions.push_back(distance(row.front(), row.back(), where));
   dimensions.back().text = {std::to_string(row.size() - 1) + "× " + length_text(pitch, notation) + " (=<>)", where};
@@ -172,6 +175,7 @@ std::vector<scene::DimensionDescription> Stations::arranged(std::span<const Stat
       dimension.anchors.emplace_back(row.stations[i].point);
       dimension.opposite.push_back(row.stations[i].opposite);
     }
+    check(dimension.opposite.size() == dimension.anchors.size(), "each place of a row has one on the other side");
     if (row.stations.size() > 1) dimension.arrangement = {arrangement, where};
     dimensions.push_back(std::move(dimension));
   }
@@ -195,6 +199,7 @@ std::vector<scene::DimensionDescription> Stations::dimensions(const scene::Dimen
         done[j] = 1;
       }
     add_row(std::move(row), where, notation, dimensions);
+    check(stations_of.size() < dimensions.size(), "every station is in a dimension");
     stations_of.resize(dimensions.size(), i);
   }
   return without_crowds(std::move(dimensions), stations_of, where);
@@ -225,6 +230,8 @@ std::vector<scene::DimensionDescription> Stations::without_crowds(std::vector<sc
     }
     if (in_row[i] == 0) kept.push_back(std::move(dimensions[i]));
   }
+  check(kept.size() + static_cast<std::size_t>(std::count(in_row.begin(), in_row.end(), 1)) == dimensions.size(),
+        "a dimension is kept or in a row");
   std::move(rows.begin(), rows.end(), std::back_inserter(kept));
   return kept;
 }

@@ -40,6 +40,17 @@ TEST(Progress, ManyThreadsAddUp) {
   EXPECT_EQ(standing.done, 8000U);
 }
 
+TEST(Progress, IsToldOncePerPercent) {
+  std::vector<double> told;
+  ProgressBoard board;
+  board.observe({.tell = [&](const std::string&, double part) { told.push_back(part); }});
+  const Progress progress(board);
+  progress.begin("counting", 1000);
+  for (int i = 0; i < 1000; ++i) progress.advance(1);
+  ASSERT_EQ(told.size(), 101U);
+  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_NEAR(told[i], double(i) / 100, 1.5e-3);
+}
+
 TEST(Progress, AStageBeginsAnew) {
   ProgressBoard board;
   const Progress progress(board);

@@ -191,9 +191,26 @@ TEST(Characters, ThatAreNoneAreReplacedOneByOne) {
     EXPECT_EQ(valid_utf8(utf8(code)), utf8(code)) << unsigned(code);
 }
 
+TEST(Characters, OfUtf16ArePairsOrAlone) {
+  const auto read = [](std::initializer_list<unsigned> units) {
+    std::string bytes = "\xFF\xFE";
+    for (const unsigned unit : units) bytes += {static_cast<char>(unit & 0xFF), static_cast<char>(unit >> 8)};
+    return without_byte_order_mark(bytes);
+  };
+  EXPECT_EQ(read({0xD83D, 0xDE00, 'a'}), utf8(0x1F600) + "a");
+  // Halves without the other one: before a character above and below the second halves, at the end, and the wrong way.
+  for (const unsigned next : {0xE000U, 0xFFFDU, 0x61U}) EXPECT_EQ(read({0xD83D, next}), u_fffd + utf8(next)) << next;
+  EXPECT_EQ(read({'a', 0xD83D}), std::string("a") + u_fffd);
+  EXPECT_EQ(read({0xDE00, 0xD83D}), std::string(u_fffd) + u_fffd);
+}
+
 TEST(Characters, ThatSteerTerminalsAreNotShown) {
   EXPECT_EQ(printable("\x1b[31m\x07\x7f\xC2\x9B\xE2\x80\xAE\xE2\x81\xA6\xFF"),
             std::string(u_fffd) + "[31m" + u_fffd + u_fffd + u_fffd + u_fffd + u_fffd + u_fffd);
+  for (const char32_t mark : {0x061C, 0x200E, 0x200F, 0x2028, 0x2029, 0x202A, 0x202E, 0x2066, 0x2069})
+    EXPECT_EQ(printable("a" + utf8(mark)), std::string("a") + u_fffd) << unsigned(mark);
+  for (const char32_t letter : {0x061B, 0x061D, 0x200D, 0x2010, 0x2027, 0x202F, 0x2065, 0x206A})
+    EXPECT_EQ(printable(utf8(letter)), utf8(letter)) << unsigned(letter);
   EXPECT_EQ(printable("\xC3\xA4\n\tb"), "\xC3\xA4\n\tb");
   EXPECT_EQ(one_line("\xC3\xA4\n\tb\r"), std::string("\xC3\xA4  b") + u_fffd);
 }

@@ -10,6 +10,7 @@
 
 #include "base/text.hpp"
 #include "compare/comparison.hpp"
+#include "compare/ink_parts.hpp"
 #include "errors.hpp"
 #include "plate.hpp"
 #include "sheet/paper.hpp"
@@ -250,6 +251,16 @@ TEST(Compare, RefusesWhatItWouldNotSee) {
   EXPECT_TRUE(contains(refusal(head + "<path transform='skewX(3)' d='M 0 0'/></svg>"), "transform"));
   EXPECT_TRUE(contains(refusal("<svg width='10' viewBox='0 0 10 10'/>"), "size"));
   EXPECT_TRUE(contains(refusal("<svg"), "not valid XML"));
+}
+
+// Even if both are continuous and equally wide.
+TEST(Looks, OfVisibleAndHiddenLinesDiffer) {
+  compare::Picture visible{{100, 100}}, hidden{{100, 100}};
+  visible.looks = {{.name = "visible", .visible = true, .width = 0.5}};
+  hidden.looks = {{.name = "hidden", .visible = false, .width = 0.5}};
+  EXPECT_EQ(compare::common_looks(visible, hidden).looks.size(), 2U);
+  hidden.looks[0].visible = true;
+  EXPECT_EQ(compare::common_looks(visible, hidden).looks.size(), 1U) << "names do not count";
 }
 
 }  // namespace

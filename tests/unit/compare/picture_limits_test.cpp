@@ -77,6 +77,12 @@ TEST(PictureLimits, NamesAndTexts) {
   EXPECT_TRUE(contains(refusal_of_svg(text), "text of more than 10000 bytes"));
 }
 
+TEST(PictureLimits, GroupsInGroups) {
+  const auto nested = [](int groups) { return repeated("<g>", groups) + path("M0 0h1") + repeated("</g>", groups); };
+  EXPECT_NO_THROW(compare::picture_of_svg(svg_with(nested(90)), "test.svg"));
+  EXPECT_TRUE(contains(refusal_of_svg(nested(110)), "too many nested groups"));
+}
+
 // Bits of Flate data, the lowest of each byte first. RFC 1951.
 class Bits {
  public:

@@ -48,6 +48,19 @@ TEST(FlatFaces, AreFoundWherePointsAreRounded) {
 
 TEST(FlatFaces, AreNoCones) { EXPECT_TRUE(faces_of(world_of(disk(1000, 0.1))).empty()); }
 
+// Neighbours lie in one plane, as far as contact tells; the strip as a whole does not.
+TEST(FlatFaces, AreNotGentlyCurved) {
+  const auto strip = [](double bend) {
+    Shape shape;
+    for (int i = 0; i <= 400; ++i)
+      for (const double y : {0.0, 0.01}) shape.points.push_back({i / 400.0, y, bend * i * i / 160000.0});
+    for (int i = 0; i < 400; ++i) shape.faces.push_back({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+    return shape;
+  };
+  EXPECT_EQ(faces_of(world_of(strip(0))), std::vector<int>(800, 0));
+  EXPECT_TRUE(faces_of(world_of(strip(1e-4))).empty());
+}
+
 TEST(FlatFaces, AreNotFoundWhereFew) { EXPECT_TRUE(faces_of(world_of(disk(100, 0))).empty()); }
 
 TEST(FlatFaces, OfTwoPlanesAreTwo) {

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <random>
+#include <set>
 #include <vector>
 
 #include "edges/find_edges.hpp"
@@ -159,6 +160,20 @@ TEST(Contacts, OfMatingFacesAreNoLines) {
   EXPECT_EQ(count_kinds(recognised(world_of(bolt_in_hole())))[EdgeKind::intersection], 0);
 }
 
+// A bolt that is thicker or thinner than its hole by less than its arcs are high, with vertices below those of the
+// hole.
+TEST(Contacts, OfMatingFacesMayDifferByTheHeightOfTheirArcs) {
+  const double sagitta = 10 * (1 - std::cos(pi / 12));
+  for (const double part : {-0.5, 0.3, 0.5}) {
+    const double radius = 10 + part * sagitta;
+    const std::vector<Shape> shapes{revolved({{10, 0}, {10, 10}, {10, 20}}, 12),
+                                    turned(revolved({{radius, -5}, {radius, 25}}, 12), 7)};
+    const scene::World world = world_of(shapes);
+    EXPECT_GT(count_kinds(world)[EdgeKind::intersection], 0) << part;
+    EXPECT_EQ(count_kinds(recognised(world))[EdgeKind::intersection], 0) << part;
+  }
+}
+
 TEST(Contacts, HoldForModelsThatAreScaledAndTurned) {
   scene::World world = recognised(world_of(bolt_in_hole()));
   Mat4 place(0);
@@ -258,6 +273,72 @@ TEST(SmoothContours, OfASphereIsACircle) {
   for (const Vec2& place : shown.places) EXPECT_NEAR(glm::length(place), 10, 1e-6);
   EXPECT_LT(shown.moved, 2 * sagitta);
   EXPECT_GT(shown.moved, 0);
+}
+
+// A shaft with a ball for its end, which meet in no crease: from any side, an end of a contour is drawn in one place,
+// that of the straight contour at the border.
+TEST(SmoothContours, OfABallBeginWhereThoseOfItsShaftEnd) {
+  Profile profile{{0, -20}, {10, -20}};
+  for (int i = 0; i <= 8; ++i) profile.push_back({10 * std::cos(i * pi / 16), 10 * std::sin(i * pi / 16)});
+  profile.back()[0] = 0;
+  const scene::World world = recognised(world_of(revolved(profile, 24)));
+  int met = 0;
+  for (double turn = 0; turn < 15; turn += 1.3) {
+    const double a = turn * pi / 180;
+    view::ProjectedScene view = view::project_scene(world, orthographic({std::sin(a), -std::cos(a), 0.4}), {});
+    const edges::FeatureEdges drawn = edges::find_feature_edges(world, view, {});
+    const auto height = [&](const edges::FeatureEdge& edge, std::size_t end) {
+      return world.points[edge.vertex[end]].z;
+    };
+    std::set<int> of_shaft;
+    for (const edges::FeatureEdge& edge : drawn.edges)
+      for (const std::size_t end : {0U, 1U})
+        if (edge.kind == EdgeKind::contour && std::abs(height(edge, end)) < 1e-9 && height(edge, 1 - end) < -1)
+          of_shaft.insert(edge.vertex[end]);
+    for (const edges::FeatureEdge& edge : drawn.edges)
+      for (const std::size_t end : {0U, 1U}) {
+        if (edge.kind != EdgeKind::contour || !of_shaft.contains(edge.vertex[end])) continue;
+        EXPECT_LT(edge.shown[end], 0) << turn;
+        ++met;
+      }
+  }
+  EXPECT_GT(met, 12);
+}
+
+// The rim of half a ball is a crease, or its border, at which its contour ends where the mesh has a vertex.
+TEST(SmoothContours, EndAtCreasesAndBorders) {
+  Profile closed{{0, 0}}, open;
+  for (int i = 0; i <= 8; ++i) open.push_back({i == 8 ? 0 : 10 * std::cos(i * pi / 16), 10 * std::sin(i * pi / 16)});
+  closed.insert(closed.end(), open.begin(), open.end());
+  for (const Profile& profile : {closed, open}) {
+    const scene::World world = recognised(world_of(revolved(profile, 24)));
+    int met = 0;
+    for (double turn = 0; turn < 15; turn += 1.3) {
+      const double a = turn * pi / 180;
+      view::ProjectedScene view = view::project_scene(world, orthographic({std::sin(a), -std::cos(a), 0.4}), {});
+      for (const edges::FeatureEdge& edge : edges::find_feature_edges(world, view, {}).edges)
+        for (const std::size_t end : {0U, 1U}) {
+          if (edge.kind != EdgeKind::contour || std::abs(world.points[edge.vertex[end]].z) > 1e-9) continue;
+          EXPECT_LT(edge.shown[end], 0) << turn;
+          ++met;
+        }
+    }
+    EXPECT_GT(met, 12);
+  }
+}
+
+// Seen almost along its axis, the normals of a shaft are perpendicular to the projectors everywhere, so that no contour
+// of it is there because of its facets alone.
+TEST(SmoothContours, WhereASurfaceFacesNowhereAreNotThereByChance) {
+  const scene::World world = recognised(world_of(revolved({{0, 0}, {10, 0}, {10, 30}, {10, 60}, {0, 60}}, 24)));
+  view::ProjectedScene view = view::project_scene(world, orthographic({4e-6, 1e-6, 1}, {0, 1, 0}), {});
+  int contours = 0;
+  for (const edges::FeatureEdge& edge : edges::find_feature_edges(world, view, {}).edges) {
+    if (edge.kind != EdgeKind::contour) continue;
+    ++contours;
+    EXPECT_FALSE(edge.by_chance);
+  }
+  EXPECT_GT(contours, 0);
 }
 
 TEST(SmoothContours, OfATorusLieWhereItIsSeenEdgeOn) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -64,6 +65,24 @@ TEST(Slivers, OfARowOfNeedlesOneSideIsDrawn) {
       creases += kind ? 1 : 0;
     EXPECT_EQ(creases, 1) << needles;
   }
+}
+
+// Whichever of its vertices come first in the file.
+TEST(Slivers, OfTwoNeedlesOneSideIsDrawnHoweverTheyAreNumbered) {
+  std::vector<int> order{2, 3, 4, 5};
+  do {
+    Shape roof = roof_with_needles(3, 1e-13), numbered = roof;
+    for (std::size_t i = 0; i < order.size(); ++i) numbered.points[std::size_t(order[i])] = roof.points[i + 2];
+    for (auto& face : numbered.faces)
+      for (int& v : face)
+        if (v >= 2) v = order[std::size_t(v) - 2];
+    const scene::World world = world_of(numbered);
+    const view::ProjectedScene view = view::project_scene(world, from_above(), {});
+    int creases = 0;
+    for (const auto& kind : edges::feature_edges(world, view, 0, {.contour = false, .boundary = false}))
+      creases += kind ? 1 : 0;
+    EXPECT_EQ(creases, 1) << testing::PrintToString(order);
+  } while (std::next_permutation(order.begin(), order.end()));
 }
 
 TEST(Slivers, AreTrianglesLowerThanThePageGridUnlessSeenEdgeOn) {

@@ -18,11 +18,12 @@ namespace {
 constexpr double crest = 10, length = 10;
 
 struct Shaft {
-  scene::World world = recognised(world_of(revolved({{0, 0}, {crest, 0}, {crest, 30}, {0, 30}}, 48)));
+  scene::World world;
   bool up = true;  // whether heights on its cylinder grow with z
   double root = scene::parse_thread("M20", "").minor() / 2;
 
-  Shaft() {
+  explicit Shaft(const std::vector<std::array<double, 2>>& profile = {{0, 0}, {crest, 0}, {crest, 30}, {0, 30}})
+      : world(recognised(world_of(revolved(profile, 48)))) {
     scene::Placed& placed = world.models[0];
     for (int face = 0; face < static_cast<int>(placed.part->faces.size()); ++face) {
       const features::PartSurface& surface = placed.part->faces[static_cast<std::size_t>(face)].surface;
@@ -87,6 +88,34 @@ TEST(ThreadLines, AreAtLeastTheGivenDepthApartAndNoneWhereThatIsTooMuch) {
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_NEAR(std::abs(lines[0][0].x), crest - 3, 1e-9);
   EXPECT_TRUE(shaft.lines(EdgeKind::thread, from_the_front, 0.51 * crest).empty());
+}
+
+// With a chamfer of 1 mm at its end. ISO 6410-1: seen along the axis, its circle is left out.
+TEST(ThreadLines, ReachIntoAChamferWhoseCircleIsNotDrawn) {
+  const Shaft shaft({{0, 0}, {crest - 1, 0}, {crest, 1}, {crest, 30}, {0, 30}});
+  const auto circles = edges::chamfer_circles(shaft.world, from_above(), 0);
+  EXPECT_EQ(circles.size(), 48U);
+  for (const edges::MeshEdgeOfModel& edge : circles)
+    for (const int v : shaft.world.models[0].mesh->edges[static_cast<std::size_t>(edge.mesh_edge)].vertex) {
+      const Vec3& p = shaft.world.points[static_cast<std::size_t>(v)];
+      EXPECT_NEAR(std::hypot(p.x, p.y), crest - 1, 1e-9);
+      EXPECT_EQ(p.z, 0);
+    }
+  EXPECT_TRUE(edges::chamfer_circles(shaft.world, from_the_front, 0).empty());
+  view::ProjectedScene view = view::project_scene(shaft.world, from_above(), {});
+  edges::FeatureEdges drawn;
+  for (const int edge : {circles[0].mesh_edge, circles[0].mesh_edge + 1})
+    drawn.edges.push_back({{0, 1}, {0, 1}, EdgeKind::crease, 0, edge, -1});
+  const bool both =
+      std::binary_search(circles.begin(), circles.end(), edges::MeshEdgeOfModel{0, circles[0].mesh_edge + 1});
+  edges::add_thread_lines(shaft.world, view, 0, drawn);
+  EXPECT_EQ(std::count_if(drawn.edges.begin(), drawn.edges.end(),
+                          [](const edges::FeatureEdge& edge) { return edge.mesh_edge >= 0; }),
+            both ? 0 : 1);
+  for (const auto& [from, to] : shaft.lines(EdgeKind::thread, from_the_front)) {
+    EXPECT_NEAR(std::min(from.z, to.z), 0, 1e-9);
+    EXPECT_NEAR(std::max(from.z, to.z), 1 + length, 1e-9);
+  }
 }
 
 TEST(ThreadLines, AreNoneInOtherViews) {

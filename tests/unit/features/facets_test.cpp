@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "features/recognise.hpp"
 #include "shapes.hpp"
 
@@ -45,6 +47,20 @@ TEST(Facets, VerticesInsideChordsAreNoPlacesOfASurface) {
   divide_side(part, 4, 5, 0.5);
   part.points.back() *= 0.99;
   EXPECT_GT(features::recognise_faces(part.mesh()).faces.size(), 3U);
+}
+
+TEST(Facets, AreTheSameWhicheverCornerOfATriangleComesFirst) {
+  Part part = revolved({{0, 0}, {5, 0}, {5, 8}, {0, 9}}, 12);
+  part.triangulate();
+  const features::Facets facets = features::make_facets(part.mesh());
+  for (const int turn : {1, 2}) {
+    Part other = part;
+    for (auto& face : other.faces) std::rotate(face.begin(), face.begin() + turn, face.end());
+    const features::Facets found = features::make_facets(other.mesh());
+    EXPECT_EQ(found.corners, facets.corners);
+    ASSERT_EQ(found.normals.size(), facets.normals.size());
+    for (std::size_t t = 0; t < found.normals.size(); ++t) EXPECT_EQ(found.normals[t], facets.normals[t]) << t;
+  }
 }
 
 }  // namespace

@@ -384,6 +384,11 @@ TEST(Library, FailuresNameTheMember) {
   scene.views[0].near = std::numeric_limits<double>::quiet_NaN();
   expect(scene, "views[0].near", "finite");
   scene = in_memory();
+  for (const double to : {2.0, 1.0}) {
+    scene.views[0].breaks = {{.axis = 0, .from = 2, .to = to}};
+    expect(scene, "views[0].breaks", "'from' that is not below 'to'");
+  }
+  scene = in_memory();
   scene.views[0].section = "A";
   expect(scene, "views[0].section", "there is no section 'A'");
   scene = in_memory();

@@ -260,5 +260,59 @@ TEST(Bodies, AreTheShellsOfRandomCells) {
   EXPECT_GT(with_touching, 200);
 }
 
+// From the z axis to a distance of 1, between two angles.
+Shape wedge(double from, double to) {
+  Shape shape;
+  for (const double z : {0.0, 1.0})
+    shape.points.insert(shape.points.end(),
+                        {{0, 0, z}, {std::cos(from), std::sin(from), z}, {std::cos(to), std::sin(to), z}});
+  shape.faces = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
+  return shape;
+}
+
+// Material begins twice before it ends: which faces belong together is uncertain, so that all of them do.
+TEST(Bodies, ThatOverlapAtAnEdgeAreJoinedWithAllThatTouchThere) {
+  EXPECT_EQ(built(welded({wedge(0, 1.5), wedge(2, 2.5), wedge(3.5, 4.5)})).report.bodies, 3);
+  EXPECT_EQ(built(welded({wedge(0, 1.5), wedge(0.8, 2.3), wedge(3.5, 4.5)})).report.bodies, 1);
+}
+
+// A prism that stands with one edge on a band.
+Shape with_prism(Shape band, int p, int q, const Vec3& up) {
+  const auto at = [&](int v) { return Vec3(band.points[v][0], band.points[v][1], band.points[v][2]); };
+  const Vec3 along = at(q) - at(p), aside = glm::cross(along, up);
+  const int first = static_cast<int>(band.points.size());
+  for (const int v : {p, q})
+    for (const double side : {-0.3, 0.3}) {
+      const Vec3 corner = at(v) + 0.5 * up + side * aside;
+      band.points.push_back({corner.x, corner.y, corner.z});
+    }
+  for (const std::vector<int>& face : {std::vector{p, first + 1, first},
+                                       {q, first + 2, first + 3},
+                                       {p, first, first + 2, q},
+                                       {q, first + 3, first + 1, p},
+                                       {first, first + 1, first + 3, first + 2}})
+    band.faces.push_back(face);
+  return band;
+}
+
+TEST(Bodies, OnAOneSidedSurfaceArePartsOfIt) {
+  const Shape band = moebius(12);
+  int edges = 0;
+  for (std::size_t f = 0; f < band.faces.size(); ++f)
+    for (std::size_t i = 0; i < band.faces[f].size(); ++i) {
+      const int p = band.faces[f][i], q = band.faces[f][(i + 1) % band.faces[f].size()];
+      const auto has = [p, q](const std::vector<int>& face) {
+        return std::count(face.begin(), face.end(), p) + std::count(face.begin(), face.end(), q) == 2;
+      };
+      if (std::count_if(band.faces.begin(), band.faces.end(), has) != 2) continue;
+      ++edges;
+      const auto at = [&](int v) { return Vec3(band.points[v][0], band.points[v][1], band.points[v][2]); };
+      const int other = band.faces[f][(i + 2) % band.faces[f].size()];
+      const Vec3 up = glm::normalize(glm::cross(at(q) - at(p), at(other) - at(p)));
+      for (const Vec3& side : {up, -up}) EXPECT_EQ(built(with_prism(band, p, q, side)).report.bodies, 1);
+    }
+  EXPECT_GT(edges, 6);
+}
+
 }  // namespace
 }  // namespace epura::test

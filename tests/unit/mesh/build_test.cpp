@@ -143,6 +143,12 @@ TEST(Build, NegativeZeroIsZeroInAnyCoordinate) {
   for (int i = 0; i < static_cast<int>(first.size()); ++i) ASSERT_EQ(first[i], i - i % 4);
 }
 
+TEST(Build, PlacesThatAreNoNumbersAreNobodysEqual) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = HUGE_VAL;
+  const mesh::Points points{{inf, 0, 0}, {1, 2, 3}, {inf, 0, 0}, {nan, 0, 0}, {1, 2, 3}, {nan, 0, 0}, {0, -inf, 0}};
+  EXPECT_EQ(mesh::same_places(points), (std::vector<int>{0, 1, 2, 3, 1, 5, 6}));
+}
+
 TEST(Build, DropsWhatIsNoFace) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = HUGE_VAL;
   const mesh::Mesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {nan, 0, 0}, {0, inf, 0}, {nan, 0, 0}},

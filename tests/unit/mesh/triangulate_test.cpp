@@ -71,5 +71,24 @@ TEST(Triangulate, ACombIsCovered) {
   expect_covered(comb, twice);
 }
 
+// Nothing is outside: no triangle is turned.
+void expect_no_turned_triangle(const Polygon& polygon) {
+  const std::vector<double> found = areas(polygon);
+  EXPECT_GE(*std::min_element(found.begin(), found.end()), 0);
+}
+
+// Its line touches corners and runs back on itself, so there is no ear at first.
+TEST(Triangulate, WithoutAnEarACornerWithoutAreaIsCut) {
+  expect_no_turned_triangle({{3, 3}, {0, 3}, {1, 3}, {3, 1}});
+  expect_no_turned_triangle({{1, 1}, {2, 2}, {0, 2}, {1, 1}, {1, 0}});
+  expect_no_turned_triangle({{1, 3}, {0, 3}, {1, 0}, {0, 3}, {0, 1}, {3, 2}});
+}
+
+TEST(Triangulate, AnEarIsInsideAtBothEndsOfItsDiagonal) {
+  expect_no_turned_triangle({{2, 3}, {3, 0}, {2, 2}, {0, 0}, {3, 0}});
+  expect_no_turned_triangle({{0, 0}, {1, 2}, {0, 1}, {0, 3}, {2, 0}, {0, 3}});
+  expect_no_turned_triangle({{2, 2}, {1, 3}, {1, 0}, {3, 1}, {1, 2}, {1, 1}, {1, 0}});
+}
+
 }  // namespace
 }  // namespace epura::test

@@ -96,7 +96,11 @@ TEST(DxfDimensions, HaveABlockWithTheirInk) {
   EXPECT_EQ(dimension.point(14), Vec2(70, 55));
   EXPECT_EQ(dimension.point(10), Vec2(70, 60));
   EXPECT_EQ(dimension.text(1), "20 \\U+007B\\U+2300\\U+007D");
-  EXPECT_EQ(table_of(dxf, "DIMSTYLE")[0].number(140), 3.5);
+  const DxfRecord& style = table_of(dxf, "DIMSTYLE")[0];
+  EXPECT_EQ(style.number(140), 3.5);
+  // Its handle has a code of its own.
+  EXPECT_EQ(style.all(105).size(), 1U);
+  EXPECT_TRUE(style.all(5).empty());
 }
 
 using Ezdxf = Rasters;

@@ -38,8 +38,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Refusal{"missing-symbol", "no function epura_projections_v1"},
                     Refusal{"no-list", "returns nothing"}, Refusal{"other-abi", "ABI 9, this program has 1"},
                     Refusal{"short-list", "too short: 8 of"}, Refusal{"empty-list", "provides no projection"},
-                    Refusal{"short-row", "rows of 8 bytes"}, Refusal{"no-name", "projection 1 has no name"},
-                    Refusal{"bad-name", "'Plain View'"}, Refusal{"no-function", "'plain' has no function"},
+                    Refusal{"long-list", "claims to provide 1001 projections"}, Refusal{"short-row", "rows of 8 bytes"},
+                    Refusal{"no-name", "projection 1 has no name"}, Refusal{"bad-name", "'Plain View'"},
+                    Refusal{"no-function", "'plain' has no function"},
                     Refusal{"bad-default", "'scale' has a default outside"}));
 
 TEST_P(refused_when_loaded, is_named_with_the_reason) {

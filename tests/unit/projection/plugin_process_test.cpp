@@ -3,6 +3,7 @@
 #include "projection/plugin_process.hpp"
 
 #include <poll.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
@@ -14,6 +15,7 @@
 
 #include "base/file.hpp"
 #include "base/shared_library.hpp"
+#include "foreign/messages.hpp"
 #include "foreign/packing.hpp"
 #include "projection/answer.hpp"
 #include "projection/loader.hpp"
@@ -142,6 +144,21 @@ TEST(a_plugin_process, begins_when_no_other_thread_is_loading) {
   EXPECT_EQ(::poll(&is_loaded, 1, 0), 1);
   other.join();
   ::close(ends[0]), ::close(ends[1]);
+}
+
+TEST(a_message, is_no_longer_than_its_reader_says) {
+  for (const std::size_t length : {10U, 11U}) {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()), 0);
+    foreign::Packer message;
+    for (std::size_t i = 0; i < length; ++i) message('x');
+    EXPECT_TRUE(foreign::send_message(ends[0], message));
+    foreign::Incoming incoming;
+    const foreign::Received received = incoming.receive(ends[1], {}, 10);
+    EXPECT_EQ(received, length == 10 ? foreign::Received::all : foreign::Received::nothing);
+    EXPECT_EQ(incoming.take(), length == 10 ? "xxxxxxxxxx" : "");
+    for (const int end : ends) close(end);
+  }
 }
 
 TEST(packed_values, end_where_the_bytes_end) {

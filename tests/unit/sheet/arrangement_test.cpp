@@ -149,6 +149,15 @@ TEST(Arrangement, PictorialViewKeepsTheScaleWhereThereIsRoom) {
   expect_tidy(made, a3());
 }
 
+// At two fifths of the scale of the others, it would leave them a third of theirs; a tenth is enough for it then.
+TEST(Arrangement, AVeryLargePictorialViewDoesNotMakeTheOthersSmall) {
+  const std::vector<sheet::ViewToPlace> views{view_of_box(front), view_of_box(pictorial, {2400, 1600, 800})};
+  const sheet::Arrangement made = sheet::arrange(views, {}, ProjectionAngle::first, a3());
+  EXPECT_GT(made.views[0].scale, 0.9);  // the drawing area is 277 high, the pictorial view 0.4 * 1067 at a scale of 0.4
+  EXPECT_LT(made.views[1].scale, 0.4 * made.views[0].scale);
+  expect_tidy(made, a3());
+}
+
 TEST(Arrangement, OnlyPictorialViewsStandInAGrid) {
   const auto made =
       sheet::arrange(views_of_box({pictorial, pictorial, pictorial, pictorial}), {}, ProjectionAngle::first, a3());
@@ -173,6 +182,15 @@ TEST(Arrangement, ViewsKeepTheirGivenPlaces) {
   EXPECT_LT(glm::length(made.views[2].scale * sheet::Rectangle{views[2].box.min, views[2].box.max}.centre() +
                         made.views[2].shift - Vec2(350, 220)),
             1e-9);
+}
+
+TEST(Arrangement, SaysWhenGivenPlacesOverlap) {
+  auto views = views_of_box({front, pictorial});
+  for (const double x : {120.0, 320.0}) {
+    views[0].at = Vec2(100, 200);
+    views[1].at = Vec2(x, 200);
+    EXPECT_EQ(sheet::arrange(views, {1.0}, ProjectionAngle::first, a3()).inside, x > 200);
+  }
 }
 
 TEST(Arrangement, SecondViewOfAPlaceStandsBeside) {

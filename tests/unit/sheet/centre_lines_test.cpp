@@ -10,6 +10,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "sheet/dash.hpp"
+
 namespace epura {
 namespace {
 
@@ -137,6 +139,31 @@ TEST(CentreLines, OverlappingOnesAreOneLine) {
   expect_spans(lines(top, {circle({0, 0, 0}, {0, 0, 1}, 5), circle({12, 0, 0}, {0, 0, 1}, 5),
                            circle({40, 0, -9}, {1, 0, 0}, 5), circle({14, 0, -9}, {1, 0, 0}, 5)}),
                {{{-8, 0}, {43, 0}}, {{0, -8}, {0, 8}}, {{12, -8}, {12, 8}}});
+}
+
+// A dash is in the middle of a line through one circle, but not of one through several.
+TEST(CentreLines, OverlappingOnesHaveNoDashInTheMiddleUnlessItIsThatOfAll) {
+  bool any = false;
+  for (double apart = 6; apart < 18; ++apart) {
+    const sheet::Layer layer = lines(top, {circle({0, 0, 0}, {0, 0, 1}, 10), circle({apart, 0, 0}, {0, 0, 1}, 7)});
+    ASSERT_EQ(layer.strokes.size(), 3U);
+    const double length = std::max(13.0, apart + 10) + 13;
+    const sheet::Dashes open = sheet::fit_open(length, 0.25, scene::long_dash_dot);
+    any = any || open != sheet::fit_centred(length, 0.25, scene::long_dash_dot);
+    for (const sheet::Stroke& stroke : layer.strokes)
+      if (stroke.points[0].y == stroke.points[1].y) {
+        EXPECT_EQ(stroke.dashes, open) << apart;
+      }
+  }
+  EXPECT_TRUE(any);
+}
+
+TEST(CentreLines, RemainsOfLessThanAMillimetreAreNotDrawn) {
+  for (const double left : {0.9, 1.1}) {
+    const sheet::Stroke edge{{{0, 20}, {43 - left, 20}}};
+    const std::vector<sheet::Layer> drawn{{"front/visible", {"visible", 0.5}, {edge}}};
+    EXPECT_EQ(lines(top, {circle({30, 20, 5}, {0, 0, 1}, 10)}, drawn).strokes.size(), left < 1 ? 1U : 2U);
+  }
 }
 
 TEST(CentreLines, OtherLinesWin) {

@@ -192,6 +192,12 @@ TEST(DimensionPlaces, ManyCircles) {
   expect_no_line_through_a_text(layer, top);
 }
 
+// Of the first model vertex' circle around the z axis.
+Vec2 circle_centre(const drawing::ViewDrawing& drawing) {
+  const Vec4 centre = drawing.world_to_page * Vec4(0, 0, 0, 1);
+  return Vec2(centre) / centre.w;
+}
+
 bool reaches_into(const sheet::Layer& layer, const sheet::Rectangle& box) {
   static const sheet::Lettering lettering;
   const std::vector<sheet::TurnedBox> boxes = sheet::boxes_of(layer, lettering);
@@ -215,6 +221,31 @@ TEST(DimensionPlaces, AwayFromNeighboursAndOnThePaper) {
   EXPECT_LT(past.texts.front().at.y, below.min.y);
   const sheet::Layer inside = layer({sheet::Rectangle{{0, 75}, {200, 200}}, {}});
   EXPECT_GT(inside.texts.front().at.y, 120);
+}
+
+// Between the corners of a rhombus that are as far from its top as from its bottom.
+TEST(DimensionPlaces, HorizontalOnesAreBelowIfNothingElseMatters) {
+  Shape rhombus;
+  rhombus.points = {{0, 0, 20}, {30, 0, 0}, {60, 0, 20}, {30, 0, 40}, {0, 9, 20}, {30, 9, 0}, {60, 9, 20}, {30, 9, 40}};
+  rhombus.faces = {{0, 1, 2, 3}, {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
+  const scene::World world = placed(rhombus);
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+  EXPECT_LT(layer_of(world, front, {dimension("linear", {0, 2}, "horizontal")}).texts.at(0).at.y, 80);
+}
+
+// A leader avoids a line in any of its directions, although it may cost as much as the whole leader not to.
+TEST(DimensionPlaces, LeadersGoWhereTheyCrossNothing) {
+  constexpr double half = 0.4;  // smaller than the room between circle and text
+  for (int quadrant = 0; quadrant < 4; ++quadrant) {
+    const double a = std::numbers::pi * (0.25 + 0.5 * quadrant), x = 6 * std::cos(a), y = 6 * std::sin(a) + 0.15;
+    Shape shape = cylinder(48, 3, 5);
+    shape.add(box({x - half, y - half, 0}, {x + half, y + half, 1}));
+    const scene::World world = placed(shape);
+    const drawing::ViewDrawing top = drawing_of(world, from_above());
+    const Vec2 centre = circle_centre(top);
+    const sheet::Layer layer = layer_of(world, top, {dimension("diameter", {0})});
+    EXPECT_FALSE(reaches_into(layer, {centre + Vec2(x, y) - Vec2(half), centre + Vec2(x, y) + Vec2(half)})) << quadrant;
+  }
 }
 
 TEST(DimensionPlaces, ArcsKnowTheirCircles) {

@@ -151,8 +151,8 @@ TEST(Hatch, OfTouchingPartsDiffersAndOfOnePartIsTheSame) {
 // Whichever comes first: a corner of one near a side of the other, and one part inside the other.
 TEST(Hatch, OfTouchingPartsDiffersFromBothSides) {
   const Ring square = rectangle(0, 0, 40, 40);
-  for (const Ring& other :
-       {Ring{{40.5, 20}, {70, 10}, {70, 30}}, Ring{{20, -0.5}, {30, -30}, {10, -30}}, rectangle(10, 10, 30, 30)})
+  for (const Ring& other : {Ring{{40.5, 20}, {70, 10}, {70, 30}}, Ring{{20, -0.5}, {30, -30}, {10, -30}},
+                            Ring{{-0.5, 20}, {-30, 30}, {-30, 10}}, rectangle(10, 10, 30, 30)})
     for (const bool first : {false, true}) {
       const auto hatching = choose(drawing_of({{0, first ? 0 : 1, {square}}, {0, first ? 1 : 0, {other}}}));
       ASSERT_EQ(hatching.size(), 2U);

@@ -22,6 +22,13 @@ TEST(InkDensity, IsLengthOverArea) {
   EXPECT_NEAR(density.along(line({{20, 10}, {60, 10}})), 0.25, 0.05);
 }
 
+// Borders of cells lie beside lines at distances of whole cells.
+TEST(InkDensity, CountsLinesAtRoundDistancesOnce) {
+  std::vector<drawing::Chain> chains;
+  for (int i = 0; i <= 10; ++i) chains.push_back(line({{0, 4.0 * i}, {40, 4.0 * i}}));
+  EXPECT_NEAR(sheet::InkDensity(chains, 4).along(chains[5]), 0.25, 0.02);
+}
+
 TEST(InkDensity, ClosedLinesAreClosed) {
   const std::vector<drawing::Chain> square = {line({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, true)};
   EXPECT_NEAR(sheet::InkDensity(square, 100).along(square[0]), 16 / (100.0 * 100), 1e-12);

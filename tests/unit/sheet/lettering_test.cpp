@@ -202,6 +202,18 @@ TEST(BorrowedLetters, HaveTheirMarksFromTheSameFont) {
   EXPECT_EQ(runs[1].characters, U"x\u0323");
 }
 
+// U+1A17, a mark of Buginese.
+TEST(BorrowedLetters, StayThoseOfTheirFontUnderAMarkThatNoFontHas) {
+  const OnlyDejaVu fonts;
+  const sheet::Lettering lettering;
+  ASSERT_EQ(lettering.missing("\u1A17").size(), 1U);
+  const std::vector<sheet::GlyphRun> plain = lettering.runs("☃", 5), marked = lettering.runs("☃\u1A17", 5);
+  ASSERT_EQ(plain.size(), 1U);
+  ASSERT_EQ(marked.size(), 1U);
+  EXPECT_EQ(marked[0].scale, plain[0].scale);
+  EXPECT_EQ(marked[0].glyphs.at(0).index, plain[0].glyphs.at(0).index);
+}
+
 TEST(Fonts, AreFoundByFamilyOrFile) {
   const sheet::Font family = sheet::find_font("OSIFont", "--font");
   EXPECT_EQ(family.file.filename(), "osifont.ttf");

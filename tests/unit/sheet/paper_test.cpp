@@ -21,6 +21,8 @@ TEST(Paper, ASizesLieOnTheirSideUnlessPortrait) {
   const sheet::Paper a4 = sheet::make_paper(scene::parse_paper_size("a4", "--sheet"), true);
   EXPECT_EQ(a4.width, 210);
   EXPECT_EQ(a4.height, 297);
+  EXPECT_EQ(a4.left, 20) << "for filing";
+  EXPECT_EQ(a4.other, 10);
   EXPECT_EQ(sheet::make_paper(scene::parse_paper_size("A0", "--sheet"), false).width, 1189);
 }
 

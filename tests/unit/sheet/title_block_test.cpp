@@ -128,6 +128,35 @@ TEST(TitleBlock, LongTextsAreCutAndSaid) {
   }
 }
 
+TEST(TitleBlock, AnEmptyFieldLeavesWhatTheProgramKnows) {
+  sheet::TitleBlock block;
+  block.scale = "1:2";
+  block.size = "A3";
+  block.fields = {{"scale", ""}, {"size", "odd"}};
+  EXPECT_EQ(sheet::value_of(block, "scale"), "1:2");
+  EXPECT_EQ(sheet::value_of(block, "size"), "odd");
+}
+
+// As many letters as fit, whatever their number of bytes.
+TEST(FitText, CutsBehindTheLastLetterThatFits) {
+  std::vector<std::string> letters{"A", "ä", "—", "b", "Ж", "€", "ö", "c", "ß",
+                                   "→", "d", "é", "—", "Ü", "i", "—", "l", "€"};
+  for (; letters.size() > 8; letters.erase(letters.begin())) {
+    std::string text;
+    for (const std::string& letter : letters) text += letter;
+    for (double width = 6; width < lettering().width(text, sheet::least_text_height); width += 0.41) {
+      const sheet::FittedText fitted = sheet::fit_text(text, width, 3.5, lettering());
+      ASSERT_TRUE(fitted.cut);
+      std::string expected, longer;
+      for (std::size_t i = 0; lettering().width(longer + "...", fitted.height) <= width; ++i) {
+        expected = longer;
+        longer += letters.at(i);
+      }
+      EXPECT_EQ(fitted.lines, std::vector<std::string>{expected + "..."}) << width;
+    }
+  }
+}
+
 // Drawings are found by their numbers.
 TEST(TitleBlock, NeverCutsTheNumber) {
   std::string number = "DRW-2026";

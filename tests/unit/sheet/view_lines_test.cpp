@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
 #include <string_view>
@@ -161,6 +163,65 @@ TEST(ViewLines, TangentEdgesAreNarrowAndShortOfOutlines) {
   EXPECT_EQ(layers[1].name, "front/tangent");
   EXPECT_EQ(layers[1].style.width, 0.25);
   EXPECT_EQ(layers[1].strokes[0].points, (std::vector<Vec2>{{10, 1}, {10, 20}}));
+}
+
+constexpr double step = std::numbers::pi / 6;
+const drawing::CurvePart quarter{0, 3, {0, 60}, {60, 0}, {0, 60}, -3 * step, 0};
+
+Vec2 on(const drawing::CurvePart& curve, double angle) {
+  return curve.centre + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
+}
+
+// Tangent edges that are arcs end short of outlines at both ends.
+TEST(ViewLines, ShortenedArcsRunFromPointToPoint) {
+  drawing::ViewDrawing drawing;
+  drawing.name = "front";
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 3; ++i) points.push_back(on(quarter, quarter.from + i * step));
+  add_chain(drawing, points, false, true);
+  drawing.chains[0].kind = EdgeKind::smooth;
+  drawing.chains[0].curves = {quarter};
+  add_chain(drawing, {points[0] - Vec2(0, 9), points[0] + Vec2(0, 9)}, false, true);
+  const std::vector<sheet::Layer> layers = sheet::view_layers(drawing, {0.5, 0.25}, all_bodies(HiddenLines::dashed));
+  const auto tangent = std::find_if(layers.begin(), layers.end(),
+                                    [](const sheet::Layer& layer) { return layer.name == "front/tangent"; });
+  ASSERT_NE(tangent, layers.end());
+  const sheet::Stroke& stroke = tangent->strokes.at(0);
+  ASSERT_EQ(stroke.curves.size(), 1U);
+  const drawing::CurvePart& curve = stroke.curves[0];
+  EXPECT_EQ(curve.first, 1);
+  EXPECT_EQ(curve.last, 3);
+  EXPECT_LT(glm::distance(on(curve, curve.from), stroke.points.at(1)), 1e-9);
+  EXPECT_LT(glm::distance(on(curve, curve.to), stroke.points.at(3)), 1e-9);
+}
+
+// Whether there is ink at a distance from the beginning of a line.
+bool has_ink(const sheet::Stroke& stroke, double place) {
+  if (stroke.pattern.empty())
+    return std::fmod(place, stroke.dashes.dash + stroke.dashes.gap) <= stroke.dashes.dash + 1e-9;
+  std::size_t i = 0;
+  for (double end = stroke.pattern[0]; i + 1 < stroke.pattern.size() && end < place - 1e-9; end += stroke.pattern[i])
+    ++i;
+  return i % 2 == 0;
+}
+
+// Behind an arc, places along the line are not those along its chords.
+TEST(ViewLines, CrossingsBehindAnArcHaveInk) {
+  const double length = 60 * 3 * step;
+  for (double place = 15; place < 55; place += 0.5) {
+    drawing::ViewDrawing drawing;
+    drawing.name = "front";
+    std::vector<Vec2> points;
+    for (int i = 0; i <= 3; ++i) points.push_back(on(quarter, quarter.from + i * step));
+    points.emplace_back(60, 120);
+    add_chain(drawing, points, false, false);
+    drawing.chains[0].curves = {quarter};
+    add_chain(drawing, {{50, 60 + place}, {70, 60 + place}}, false, true);
+    const std::vector<sheet::Layer> layers = sheet::view_layers(drawing, {0.5, 0.25}, all_bodies(HiddenLines::dashed));
+    const sheet::Stroke& stroke = layers.at(0).strokes.at(0);
+    ASSERT_EQ(stroke.points.size(), 5U);
+    EXPECT_TRUE(has_ink(stroke, length + place)) << place;
+  }
 }
 
 TEST(ViewLayers, OfBodiesWithAColourOrALayerOfTheirOwn) {

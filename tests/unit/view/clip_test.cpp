@@ -93,6 +93,19 @@ TEST(ProjectedScene, NearAndFarAreDistancesInFrontOfTheEye) {
   EXPECT_NEAR(edge->t[1], 0.75, 1e-15);
 }
 
+// The projection ends at y = 3 and y = 4.
+TEST(ProjectedScene, NearAndFarDoNotWidenTheLimitsOfAProjection) {
+  const scene::World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
+  projection::Projection limited = along_y();
+  limited.front = -2;
+  limited.back = -3;
+  view::ProjectedScene view = view::project_scene(world, limited, {.near = 2.0, .far = 4.5});
+  const auto edge = view::clip_edge(view, 2, 0);
+  ASSERT_TRUE(edge);
+  EXPECT_NEAR(edge->t[0], 0.25, 1e-15);
+  EXPECT_NEAR(edge->t[1], 0.5, 1e-15);
+}
+
 TEST(ProjectedScene, OfAParallelViewNearAndFarCountFromThePlane) {
   const scene::World world = world_of(box({0, 0, 0}, {1, 1, 8}));
   view::ProjectedScene view = view::project_scene(world, from_above(), {.near = -6.0, .far = -2.0});

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "shapes.hpp"
 #include "visibility/visibility.hpp"
 
@@ -70,6 +72,18 @@ TEST(OccluderPatch, LiesAsDeepAsTheDeepestPlaneInTheCell) {
   // The planes rise by 1/2 towards the middle; in the cell, the lowest place of each is half a unit beyond the top.
   EXPECT_LT(sheets.depth(), roofed.depth_above_first(0.75));
   EXPECT_NEAR(sheets.depth(), roofed.depth_above_first(0.75), 1e-6);
+}
+
+// Beside the top of a roof, the plane that falls away from it lies deepest, whichever comes first.
+TEST(OccluderPatch, LiesAsDeepAsTheDeepestOfItsPlanes) {
+  for (int first = 0; first < 4; ++first) {
+    Shape shape = roof(1);
+    std::rotate(shape.faces.begin(), shape.faces.begin() + first, shape.faces.end());
+    const Sheets roofed(shape);
+    visibility::OccluderPatch sheets(roofed.view, roofed.cell(0.3, 0, 0.5));
+    ASSERT_EQ(roofed.whole_after(sheets), 4) << first;
+    EXPECT_NEAR(sheets.depth(), roofed.depth_above_first(0.6), 1e-6) << first;
+  }
 }
 
 TEST(OccluderPatch, FoldsAndGapsLeaveItOpen) {

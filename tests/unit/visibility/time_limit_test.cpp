@@ -2,6 +2,7 @@
 // What stays undecided when time is over is left out; what is decided is as without a limit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -51,6 +52,27 @@ TEST(TimeLimit, TheLongestEdgesAreKept) {
   for (const int e : rest) longest = std::max(longest, length(e));
   EXPECT_GE(shortest, longest);
   EXPECT_EQ(visibility::all_but_longest(r.view, r.drawn.edges, r.drawn.edges.size() + 1), std::vector<int>());
+}
+
+// Edges come in parts of 256; the longest one is in the first part, though the last in the file.
+TEST(TimeLimit, LongEdgesComeFirst) {
+  std::vector<Shape> boxes;
+  for (int i = 0; i < 800; ++i) boxes.push_back(box({0, 0, 0}, {1, 1, 1}).moved(0.3 * i, -2.0 * i, 0.1 * i));
+  boxes.push_back(plate(-500, -2000, 500, 500, -300));
+  const Result r = draw(world_of(boxes), orthographic({1, -1, 1}));
+  const int longest = visibility::all_but_longest(r.view, r.drawn.edges, 1).front() == 0
+                          ? static_cast<int>(r.drawn.edges.size()) - 1
+                          : 0;
+  EXPECT_GT(longest, 256);
+  for (double limit = 1e-4; limit < 10; limit *= 1.2) {
+    try {
+      const visibility::HiddenSpans hidden = hidden_within(r, limit);
+      if (hidden.undecided.empty()) break;
+      EXPECT_FALSE(std::binary_search(hidden.undecided.begin(), hidden.undecided.end(), longest)) << limit;
+    } catch (const OutOfTime&) {  // not even the search could be prepared
+      continue;
+    }
+  }
 }
 
 TEST(TimeLimit, TheBoardSeesEveryEdge) {

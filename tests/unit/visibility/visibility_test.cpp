@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "shapes.hpp"
 
@@ -66,6 +67,85 @@ TEST(Hidden, IsWhatTheTrianglesHideOneByOne) {
     spans += hidden.spans.size();
   }
   EXPECT_GT(spans, 0U);
+}
+
+void expect_hidden_as_directly(const Shape& shape, const projection::Projection& projection) {
+  const Result r = draw(world_of(shape), projection);
+  const visibility::HiddenSpans directly = visibility::find_hidden_directly(r.world, r.view, r.drawn);
+  EXPECT_EQ(r.hidden.first, directly.first);
+  EXPECT_EQ(r.hidden.spans, directly.spans);
+  EXPECT_FALSE(directly.spans.empty());
+}
+
+// From above the first plate to below the last, at some places at once.
+TEST(Hidden, OfALineThroughAPileOfPlates) {
+  Shape plates;
+  for (int i = 0; i < 1000; ++i) plates.add(plate(0, 0, 1, 1, -1e-3 * i));
+  for (int i = 0; i < 40; ++i) {
+    const int first = static_cast<int>(plates.points.size());
+    const double x = 0.1 + 0.02 * i;
+    plates.points.insert(plates.points.end(), {{x, 0.2, 0.3 - 0.03 * i}, {x + 0.01, 0.8, -1.3 + 0.02 * i}});
+    plates.wires.push_back({first, first + 1});
+  }
+  expect_hidden_as_directly(plates, from_above());
+}
+
+// A ground of few or many triangles covers whole cells of the search.
+TEST(Hidden, OfLinesThroughACover) {
+  for (const auto& [slope, n] : {std::pair(0.0, 1), std::pair(0.4, 1), std::pair(0.0, 40), std::pair(0.4, 40)}) {
+    Shape ground;
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= n; ++i) ground.points.push_back({i / double(n), j / double(n), slope * i / n});
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const int at = j * (n + 1) + i;
+        ground.faces.push_back({at, at + 1, at + n + 2, at + n + 1});
+      }
+    for (int i = 0; i < 300; ++i) {
+      const int first = static_cast<int>(ground.points.size());
+      const double x = 0.05 + 0.003 * i, y = 0.05 + std::fmod(0.377 * i, 0.85), z = slope * x;
+      ground.points.insert(ground.points.end(), {{x, y, z + 0.2}, {x + 0.01, y + 0.03, z - 0.3}});
+      ground.wires.push_back({first, first + 1});
+    }
+    expect_hidden_as_directly(ground, from_above());
+  }
+}
+
+// Closer together than many of the lengths that are forgiven.
+TEST(Hidden, OfPlatesCloseBehindOneAnother) {
+  const auto stack = [](double apart) {
+    Shape plates;
+    for (int i = 0; i < 1500; ++i) plates.add(plate(1e-6 * i, 1e-6 * i, 1 + 1e-6 * i, 1 + 1e-6 * i, -apart * i));
+    return plates;
+  };
+  const view::ProjectedScene view = view::project_scene(world_of(stack(1e-6)), from_above(), {});
+  const double contact = view.contact.touching / (view.map.normalisation * view.map.unit);
+  expect_hidden_as_directly(stack(12 * contact), from_above());
+}
+
+// Two plates of one model over each other, of which the upper one is said to meet the edges of the lower one, too.
+TEST(OwnTriangles, NeverHideTheirEdges) {
+  const Shape above = plate(-1, -1, 2, 2, 1), below = plate(0, 0, 1, 1, 0);
+  for (const bool told : {false, true}) {
+    Shape both = below;
+    both.add(above);
+    Result r = draw(world_of(std::vector<Shape>{four_boxes().moved(9, 0, 0), both}), from_above());
+    for (const edges::FeatureEdge& edge : r.drawn.edges)
+      if (told) r.drawn.beside_slivers.push_back({edge.model, edge.mesh_edge, {2, 3}});
+    const visibility::HiddenSpans hidden = visibility::find_hidden(r.world, r.view, r.drawn);
+    const visibility::HiddenSpans directly = visibility::find_hidden_directly(r.world, r.view, r.drawn);
+    int covered = 0;
+    for (std::size_t e = 0; e < r.drawn.edges.size(); ++e) {
+      if (r.drawn.edges[e].model == 0) continue;
+      const visibility::OwnTriangles own(r.world, r.drawn, r.drawn.edges[e]);
+      const int first = r.world.first_triangle[1];
+      EXPECT_EQ(own.contain(first + 2) || own.contain(first + 3),
+                told || r.drawn.edges[e].vertex[0] >= r.world.first_vertex[1] + 4);
+      covered += static_cast<int>(hidden.first[e + 1] - hidden.first[e]);
+    }
+    EXPECT_EQ(covered, told ? 0 : 4);
+    EXPECT_EQ(hidden.spans, directly.spans);
+  }
 }
 
 TEST(Hidden, NothingInAWireframe) {
