@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/decimal_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace epura {
+namespace {
+
+std::string written(long long scaled, int decimals, LeadingZero zero) {
+  std::array<char, longest_decimal> buffer{};
+  return {buffer.data(), write_scaled(buffer.data(), scaled, decimals, zero)};
+}
+
+// Long division as on paper, independent of the code.
+std::string on_paper(long long scaled, int decimals, bool leading_zero) {
+  std::string digits = std::to_string(scaled);
+  const bool negative = digits.front() == '-';
+  if (negative) digits.erase(0, 1);
+  const auto places = static_cast<std::size_t>(decimals);
+  if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+  std::string whole = digits.substr(0, digits.size() - places), rest = digits.substr(digits.size() - places);
+  while (!rest.empty() && rest.back() == '0') rest.pop_back();
+  if (whole == "0" && !rest.empty() && !leading_zero) whole.clear();
+  return (negative ? "-" : "") + whole + (rest.empty() ? "" : "." + rest);
+}
+
+TEST(DecimalText, DividesByPowersOfTen) {
+  std::vector<long long> numbers{0, std::numeric_limits<long long>::max(), std::numeric_limits<long long>::min() + 1};
+  for (long long power = 1; power < 1'000'000'000'000'000'000 / 7; power *= 10)
+    for (const long long near : {power - 1, power, power + 1, 7 * power + 3, 4294967295 % power, 4294967295 + power})
+      for (const long long number : {near, -near}) numbers.push_back(number);
+  for (int i = 0; i < 20'000; ++i) numbers.push_back(i * 7919LL % 123'457);
+  for (const long long number : numbers)
+    for (int decimals = 0; decimals <= 6; ++decimals) {
+      EXPECT_EQ(written(number, decimals, LeadingZero::written), on_paper(number, decimals, true));
+      EXPECT_EQ(written(number, decimals, LeadingZero::omitted), on_paper(number, decimals, false));
+    }
+}
+
+TEST(DecimalText, FitsItsRoom) {
+  for (const long long number : {std::numeric_limits<long long>::min(), 4294967295LL, -4294967295LL}) {
+    std::array<char, longest_decimal + 8> buffer{};
+    write_scaled(buffer.data(), number, 6, LeadingZero::written);
+    for (std::size_t i = longest_decimal; i < buffer.size(); ++i) EXPECT_EQ(buffer[i], 0);
+  }
+}
+
+TEST(DecimalText, WritesWholeNumbers) {
+  std::array<char, longest_decimal> buffer{};
+  EXPECT_EQ(std::string(buffer.data(), write_whole(buffer.data(), 0)), "0");
+  EXPECT_EQ(std::string(buffer.data(), write_whole(buffer.data(), -1200)), "-1200");
+  EXPECT_EQ(std::string(buffer.data(), write_whole(buffer.data(), std::numeric_limits<long long>::min())),
+            "-9223372036854775808");
+}
+
+}  // namespace
+}  // namespace epura
