@@ -9,8 +9,8 @@
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "output/base64.hpp"
-#include "output/glyphs.hpp"
 #include "output/svg_path_text.hpp"
+#include "output/text_place.hpp"
 #include "output/xml_text.hpp"
 
 namespace epura::output {
