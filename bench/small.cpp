@@ -56,6 +56,8 @@ int main(int argc, char** argv) {
   const int n = static_cast<int>(*count);
   measure("projection of a plugin", n, "isometric", {});
   measure("the same, one thread", n, "isometric", {.threads = 1});
+  measure("plugin kept", n, "isometric", {.plugins = Plugins()});
+  measure("plugin kept, one thread", n, "isometric", {.threads = 1, .plugins = Plugins()});
   measure("projection of this program, one thread", n, "own-isometric",
           {.threads = 1, .projections = {own_projection()}});
 }
