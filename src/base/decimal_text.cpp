@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <system_error>
 
 namespace epura {
 
@@ -67,6 +68,13 @@ char* write_long(char* at, std::uint64_t value, int decimals, LeadingZero zero) 
   return at + decimals + 1;
 }
 
+template <class Number>
+const char* read(const char* at, const char* end, Number& value) {
+  const auto [behind, error] = std::from_chars(at, end, value);
+  const bool is_whole_word = behind == end || static_cast<unsigned char>(*behind) <= ' ';
+  return error == std::errc{} && is_whole_word ? behind : nullptr;
+}
+
 }  // namespace
 
 char* write_scaled(char* at, long long scaled, int decimals, LeadingZero zero) {
@@ -78,5 +86,9 @@ char* write_scaled(char* at, long long scaled, int decimals, LeadingZero zero) {
 }
 
 char* write_whole(char* at, long long value) { return write_scaled(at, value, 0, LeadingZero::written); }
+
+const char* read_number(const char* at, const char* end, double& value) { return read(at, end, value); }
+
+const char* read_number(const char* at, const char* end, long long& value) { return read(at, end, value); }
 
 }  // namespace epura

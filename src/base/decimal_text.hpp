@@ -19,4 +19,9 @@ char* write_scaled(char* at, long long scaled, int decimals, LeadingZero zero);
 /// Returns the end.
 char* write_whole(char* at, long long value);
 
+/// Reads the number with which a text begins, as parse_number does. Returns its end, at which there must be a blank,
+/// the end of a line or of the text; null if there is no such number.
+const char* read_number(const char* at, const char* end, double& value);
+const char* read_number(const char* at, const char* end, long long& value);
+
 }  // namespace epura

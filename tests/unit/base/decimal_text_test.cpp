@@ -4,9 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "base/text.hpp"
 
 namespace epura {
 namespace {
@@ -56,6 +61,27 @@ TEST(DecimalText, WritesWholeNumbers) {
   EXPECT_EQ(std::string(buffer.data(), write_whole(buffer.data(), -1200)), "-1200");
   EXPECT_EQ(std::string(buffer.data(), write_whole(buffer.data(), std::numeric_limits<long long>::min())),
             "-9223372036854775808");
+}
+
+// What is read is what parse_number makes of the whole word; what it refuses is not read.
+TEST(DecimalText, ReadsWholeWords) {
+  for (const std::string word : {"1", "-2.5", "1e-3", "1e999", "+1", "7/1", "1#", "nan", "-inf", "1,5", "", "-", "0x1"})
+    for (const std::string behind : {"", " 7", "\t", "\r\n", "\n", "\\\n", "#"}) {
+      const std::string text = word + behind;
+      double value = 0;
+      const char* const end = read_number(text.data(), text.data() + text.size(), value);
+      const bool is_word = behind.empty() || behind[0] <= ' ';
+      const auto expected = word.starts_with('+') || !is_word ? std::nullopt : parse_number(word);
+      ASSERT_EQ(end != nullptr, expected.has_value()) << text;
+      if (end == nullptr) continue;
+      EXPECT_EQ(end, text.data() + word.size());
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(value), std::bit_cast<std::uint64_t>(*expected));
+    }
+  const std::string whole = "12 1.5";
+  long long value = 0;
+  EXPECT_EQ(read_number(whole.data(), whole.data() + whole.size(), value), whole.data() + 2);
+  EXPECT_EQ(value, 12);
+  EXPECT_EQ(read_number(whole.data() + 3, whole.data() + whole.size(), value), nullptr);
 }
 
 }  // namespace
