@@ -15,7 +15,7 @@
 
 namespace epura {
 
-class Plugins::Content {
+class __attribute__((visibility("hidden"))) Plugins::Content {
  public:
   /// Adds the projections of the views of a scene to those of the calling program. Those that are not found are left to
   /// the drawing, which says so.
