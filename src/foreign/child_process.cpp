@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -47,7 +48,10 @@ pid_t spawn(const std::filesystem::path& program, const std::vector<std::string>
 
 // Without exit handlers. An exception must not go on to where the other process waits for the answers of this one.
 [[noreturn]] void serve_and_exit(const std::function<void(int socket)>& serve, int socket) noexcept {
-  serve(socket);
+  try {
+    serve(socket);
+  } catch (const std::bad_alloc&) {  // there may be no memory even to say so: the other process says how this one ends
+  }
   ::_exit(0);
 }
 

@@ -97,7 +97,7 @@ void take_precautions() {
   for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::signal(crash, SIG_DFL);
 }
 
-void serve(const std::filesystem::path& path, Confinement confinement, int socket) noexcept {
+void serve(const std::filesystem::path& path, Confinement confinement, int socket) {
   take_precautions();
   std::vector<ProjectionEntry> entries;
   bool goes_on = foreign::send_message(socket, foreign::message_or_reason([&](Packer& message) {
