@@ -46,6 +46,18 @@ class EPURA_PUBLIC Failure : public std::runtime_error {
   std::string place_, hint_;
 };
 
+/// Projection plugins whose processes stay from one drawing to the next: starting one takes ten times as long as a
+/// small drawing. Each is read once. Copies share the processes, which end with the last copy. Thread-safe.
+class EPURA_PUBLIC Plugins {
+ public:
+  class Content;
+  Plugins();
+  [[nodiscard]] Content& content() const noexcept { return *content_; }  ///< for the library itself
+
+ private:
+  std::shared_ptr<Content> content_;
+};
+
 /// Settings of a drawing.
 struct Settings {
   std::optional<double> contact{};  ///< distance below which faces touch and do not hide; automatic by default
@@ -59,6 +71,7 @@ struct Settings {
   std::optional<double> time_limit{};                ///< seconds; draws the longest edges first
   int threads = 0;                                   ///< 0: all cores. For concurrent calls, the lowest number applies
   std::vector<std::filesystem::path> plugin_path{};  ///< additional folders with projection plugins
+  std::optional<Plugins> plugins{};                  ///< for many drawings; otherwise, processes end with the call
   std::vector<OwnProjection> projections{};          ///< of this program, which views use by their names
   bool allow_outside = false;  ///< scene files and models may name files that do not lie below their folders
   /// Called when a stage begins and as it proceeds, with its name and the completed fraction, 0 to 1 (0 if unknown).
@@ -142,8 +155,8 @@ class EPURA_PUBLIC Drawing {
 };
 
 /// Draws a scene. Reads model files; does not write files, print, or handle signals. Thread-safe. Plugins are searched
-/// next to the library and in the folders that the program searches; they run in separate processes, which end with the
-/// call. Throws Failure and std::bad_alloc.
+/// next to the library and in the folders that the program searches; they run in separate processes. Throws Failure and
+/// std::bad_alloc.
 [[nodiscard]] EPURA_PUBLIC Drawing draw(const Scene& scene, const Settings& settings = {});
 
 /// Draws a scene that is given in the words of scene files; relative paths start at the current folder.

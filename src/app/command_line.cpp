@@ -107,6 +107,10 @@ int run_command_line(const ProgramTexts& texts, std::vector<DefinedCommand> (*de
   app.require_subcommand(1);
   app.footer(footer_of(texts));
   const std::vector<DefinedCommand> commands = define(app);
+  const CommandWords words(argv + 1, argv + argc);
+  for (const DefinedCommand& command : commands)
+    if (command.define_later)
+      command.app->preparse_callback([&command, &words](std::size_t) { command.define_later(&words); });
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,11 +32,12 @@ struct ProgramTexts {
 
 /// A CLI11 command, and the function to call when it is parsed.
 struct DefinedCommand {
-  const CLI::App* app;
+  CLI::App* app;
   std::function<int()> run;  ///< returns the exit code
   std::vector<scene::OptionInfo> options;
-  std::function<std::vector<scene::OptionInfo>()> define_later{};  ///< defines the options and returns them; if empty,
-                                                                   ///< they are those above
+  /// Given the words of a command line, defines the options that these need; otherwise defines and returns all. If
+  /// empty, they are those above, which are defined.
+  std::function<std::vector<scene::OptionInfo>(const CommandWords* words)> define_later{};
 };
 
 /// Defines a command that calls `run(part)` with the parsed options.
@@ -53,23 +55,27 @@ DefinedCommand define_command(CLI::App* app, scene::Options<Part> options, Run r
 }
 
 /// The same with a table that is made only if the command is chosen, or described: of long tables, nearly every run
-/// needs one at most.
+/// needs one at most, and few of its rows.
 template <class Part, class Run>
 DefinedCommand define_command(CLI::App* app, scene::Options<Part> (*table)(), Run run) {
-  const auto define_all = [app, table] {
-    const scene::Options<Part> options = table();
-    for (const scene::OptionInfo& option : options) define(*app, option);
-    return std::vector<scene::OptionInfo>(options.begin(), options.end());
+  const auto made = std::make_shared<scene::Options<Part>>();
+  const auto define_later = [app, table, made](const CommandWords* words) {
+    *made = table();
+    std::vector<const scene::OptionInfo*> rows;
+    for (const scene::OptionInfo& option : *made) rows.push_back(&option);
+    for (const scene::OptionInfo* option : words != nullptr ? needed_options(*words, rows) : rows)
+      define(*app, *option);
+    return words != nullptr ? std::vector<scene::OptionInfo>()
+                            : std::vector<scene::OptionInfo>(made->begin(), made->end());
   };
-  app->preparse_callback([define_all](std::size_t) { define_all(); });
   return {app,
-          [app, table, run = std::move(run)] {
+          [app, made, run = std::move(run)] {
             Part part;
-            read_options(*app, table(), part);
+            read_options(*app, *made, part);
             return run(part);
           },
           {},
-          define_all};
+          define_later};
 }
 
 /// Runs the chosen one of the commands that `define` adds to the program. Returns the exit code. Throws Error{input}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command_line_options.hpp"
 
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "base/error.hpp"
@@ -82,13 +84,36 @@ void define(CLI::App& app, const scene::OptionInfo& option) {
   if (!option.usual.empty()) added->default_str(option.usual);
 }
 
+std::vector<const scene::OptionInfo*> needed_options(const CommandWords& words,
+                                                     const std::vector<const scene::OptionInfo*>& rows) {
+  std::set<std::string_view> named;
+  for (const std::string_view word : words)
+    if (word.starts_with('-')) named.insert(word.substr(0, word.find('=')));
+  std::vector<const scene::OptionInfo*> needed;
+  std::size_t found = 0;
+  for (const scene::OptionInfo* row : rows) {
+    std::size_t times = 0;
+    for (const std::string_view name : split(row->flag, ',')) times += named.count(name);
+    for (const scene::Switch& one : row->switches) times += named.count(one.flag);
+    if (times > 0 || row->required || (!row->flag.empty() && is_argument(*row))) needed.push_back(row);
+    found += times;
+  }
+  return found == named.size() ? needed : rows;
+}
+
 std::vector<scene::TomlValue> given_values(const CLI::App& app, const scene::OptionInfo& option) {
+  const auto given = [&app](const std::string& name) {
+    const CLI::Option* found = app.get_option_no_throw(name);
+    return found != nullptr && found->count() > 0 ? found : nullptr;
+  };
   std::vector<scene::TomlValue> values;
   for (const scene::Switch& one : option.switches)
-    if (app.count(one.flag) > 0) values.push_back(scene::value_of_option(one.flag, one.word));
-  if (option.flag.empty() || app.count(name_of(option)) == 0) return values;
+    if (given(one.flag) != nullptr) values.push_back(scene::value_of_option(one.flag, one.word));
+  if (option.flag.empty()) return values;
   const std::string name = name_of(option);
-  const std::vector<std::string> texts = app.get_option(name)->results();
+  const CLI::Option* const found = given(name);
+  if (found == nullptr) return values;
+  const std::vector<std::string> texts = found->results();
   for (std::size_t i = option.repeatable ? 0 : texts.size() - 1; i < texts.size(); ++i) {
     if (!is_argument(option)) refuse_option_as_value(app, name, texts[i]);
     values.push_back(scene::value_of_option(name, texts[i]));

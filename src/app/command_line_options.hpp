@@ -16,8 +16,17 @@ std::string joined(const std::vector<std::string>& words);
 
 void define(CLI::App& app, const scene::OptionInfo& option);
 
-/// Returns the values of an option on the command line in order; only the last value if the option is not repeatable.
-/// Throws Error{input} if another option stands where a value is expected.
+/// The arguments of the program.
+using CommandWords = std::vector<std::string>;
+
+/// Returns the rows of a table that a command line names, is about without names, or must name. If a word with a dash
+/// is not exactly a name of the table, these are all: for help, for suggestions, and for short options in one word.
+/// CLI11 takes longer to define a hundred options than a small drawing takes.
+std::vector<const scene::OptionInfo*> needed_options(const CommandWords& words,
+                                                     const std::vector<const scene::OptionInfo*>& rows);
+
+/// Returns the values of an option on the command line in order; none if it is not defined; only the last value if the
+/// option is not repeatable. Throws Error{input} if another option stands where a value is expected.
 std::vector<scene::TomlValue> given_values(const CLI::App& app, const scene::OptionInfo& option);
 
 /// Must be called after `app` is parsed. Throws Error{input}.

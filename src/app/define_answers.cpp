@@ -47,7 +47,7 @@ void define_answers(CLI::App& program, const ProgramTexts& texts, std::vector<De
   const auto tables = std::make_shared<OptionTables>();
   const auto later = std::make_shared<std::vector<DefinedCommand>>();
   const auto describe = [&program, tables, later] {
-    for (const DefinedCommand& command : *later) tables->emplace(command.app, command.define_later());
+    for (const DefinedCommand& command : *later) tables->emplace(command.app, command.define_later(nullptr));
     return describe_command(program, *tables);
   };
 

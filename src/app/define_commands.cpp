@@ -59,27 +59,26 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
                      lint_options, lint),
       define_command(add("batch", "draw many models, each in a process of its own, and only those that changed"),
                      batch_options, batch),
-      define_command(add("info", "describe a model: size, bodies, faces, holes, repairs"), info_options(), info),
+      define_command(add("info", "describe a model: size, bodies, faces, holes, repairs"), info_options, info),
       define_command(add("compare", "report the visible differences between two drawings, models or scenes"),
-                     compare_options(), compare_files),
-      define_command(add("snapshot", "draw cases and compare them with expected drawings"), snapshot_options(),
-                     snapshot),
+                     compare_options, compare_files),
+      define_command(add("snapshot", "draw cases and compare them with expected drawings"), snapshot_options, snapshot),
       define_command(
           add("serve", "show a page in which projections are tried: sliders for their parameters, exact drawings"),
           serve_options, serve)};
   CLI::App* list = add("plugins", "list projections, show one, or check a plugin");
-  commands.push_back(define_command(list, plugins_options(), plugins));
+  commands.push_back(define_command(list, plugins_options, plugins));
   commands.push_back(
       define_command(add("picture", "draw a projection seen from outside: picture plane, projectors, volumes"),
-                     picture_options(), picture));
+                     picture_options, picture));
   commands.push_back(define_command(add("new-projection", "create a projection plugin: C++ source and CMake file"),
-                                    new_projection_options(), new_projection));
+                                    new_projection_options, new_projection));
   commands.push_back(
-      define_command(list->add_subcommand("check", "test a projection plugin"), check_plugin_options(), check_plugin));
+      define_command(list->add_subcommand("check", "test a projection plugin"), check_plugin_options, check_plugin));
   CLI::App* importers_list = add("importers", "list formats that plugins read, show one, or test an importer");
-  commands.push_back(define_command(importers_list, importers_options(), importers));
+  commands.push_back(define_command(importers_list, importers_options, importers));
   commands.push_back(define_command(importers_list->add_subcommand("check", "test an importer plugin"),
-                                    check_importer_options(), check_importer));
+                                    check_importer_options, check_importer));
   add("study", "measure accuracy and stability of epura (separate package: epura-study)");
   define_answers(program, program_texts(), commands);
   return commands;

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
+#include <atomic>
 #include <latch>
 #include <system_error>
 #include <thread>
@@ -33,6 +34,16 @@ bool can_begin(std::size_t threads) {
   return can;
 }
 
+/// Tried when threads are first wanted: small drawings want none, and asking oneTBB for the number of cores loads a
+/// library.
+bool may_use_threads() {
+  static std::atomic<bool> could_begin = false;
+  if (could_begin) return thread_limit() > 1;
+  const std::size_t limit = thread_limit();
+  if (limit > 1) could_begin = can_begin(limit - 1);
+  return could_begin;
+}
+
 void for_alone(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
   // As small as oneTBB makes them for one thread: stages report their progress between pieces.
   const std::size_t piece = std::max(grain, count / 16);
@@ -46,19 +57,20 @@ void parallel_for(std::size_t count, std::size_t grain, const std::function<void
     if (count > 0) body(0, count);
     return;
   }
-  if (thread_limit() == 1) return for_alone(count, grain, body);
+  if (!may_use_threads()) return for_alone(count, grain, body);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                     [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
 }
 
 void parallel_both(const std::function<void()>& first, const std::function<void()>& second) {
-  if (thread_limit() > 1) return tbb::parallel_invoke(first, second);
+  if (may_use_threads()) return tbb::parallel_invoke(first, second);
   first();
   second();
 }
 
 ThreadLimit::ThreadLimit(int threads) : control_(nullptr) {
-  std::size_t limit = threads > 0 ? static_cast<std::size_t>(threads) : thread_limit();
+  if (threads <= 0) return;
+  std::size_t limit = static_cast<std::size_t>(threads);
   if (!can_begin(limit - 1)) limit = 1;
   if (limit != thread_limit()) control_ = new tbb::global_control(tbb::global_control::max_allowed_parallelism, limit);
 }

@@ -59,4 +59,15 @@ fs::path own_folder() {
   return fs::is_directory(installed, error) ? installed : prefix / "lib/epura";
 }
 
+const void* own_symbol(const std::string& file, const char* name, const std::string& purpose) {
+  const fs::path path = own_folder() / file;
+  try {
+    const void* symbol = find_symbol(load_library(path, ErrorKind::output), name);
+    if (symbol == nullptr) throw Error(ErrorKind::output, "", "is a different library");
+    return symbol;
+  } catch (const Error& error) {
+    throw Error(error.kind(), path.string(), error.what(), purpose + ": reinstall epura");
+  }
+}
+
 }  // namespace epura

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "base/error.hpp"
 
@@ -23,5 +24,14 @@ void wait_for_other_loads();
 /// that contains this code, so that everything can be moved together. Empty if the system does not provide their
 /// location.
 std::filesystem::path own_folder();
+
+/// Returns a symbol of a library in that folder. Throws Error{output} with its path, and `purpose` in the hint.
+const void* own_symbol(const std::string& file, const char* name, const std::string& purpose);
+
+/// The same as a table of the library's functions.
+template <class Table>
+const Table& own_table(const std::string& file, const char* name, const std::string& purpose) {
+  return *static_cast<const Table*>(own_symbol(file, name, purpose));
+}
 
 }  // namespace epura

@@ -6,8 +6,9 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
+
+#include "base/decimal_text.hpp"
 
 namespace epura {
 
@@ -50,22 +51,6 @@ std::string format_exactly(double value, int decimals) {
   return text == "-0" ? "0" : text;
 }
 
-// Appends scaled / 10^decimals, without trailing zeros.
-void append_scaled(std::string& text, bool negative, std::uint64_t scaled, int decimals) {
-  std::array<char, 24> buffer{};
-  char* const end = buffer.data() + buffer.size();
-  char* begin = end;
-  negative = negative && scaled > 0;
-  for (; decimals > 0 && scaled % 10 == 0; --decimals) scaled /= 10;
-  for (int place = 0; scaled > 0 || place <= decimals; ++place) {
-    if (place == decimals && place > 0) *--begin = '.';
-    *--begin = static_cast<char>('0' + scaled % 10);
-    scaled /= 10;
-  }
-  if (negative) *--begin = '-';
-  text.append(begin, end);
-}
-
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text) { return parse_whole<double>(text); }
@@ -100,8 +85,12 @@ void append_fixed(std::string& text, double value, int decimals) {
     const double scaled = std::abs(value) * powers[static_cast<std::size_t>(decimals)];
     const double whole = std::floor(scaled + 0.5);
     // The last bits of the product may be wrong, which matters only halfway between two texts.
-    if (scaled < 1e11 && std::abs(scaled - whole) < 0.4999)
-      return append_scaled(text, value < 0, static_cast<std::uint64_t>(whole), decimals);
+    if (scaled < 1e11 && std::abs(scaled - whole) < 0.4999) {
+      std::array<char, longest_decimal> buffer{};
+      const auto rounded = static_cast<long long>(value < 0 ? -whole : whole);
+      text.append(buffer.data(), write_scaled(buffer.data(), rounded, decimals, LeadingZero::written));
+      return;
+    }
   }
   text += format_exactly(value, decimals);
 }

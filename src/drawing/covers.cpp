@@ -43,7 +43,8 @@ class CoverSearch {
   std::vector<Cover> find() const {
     progress_.begin("merging lines", pieces_.size());
     std::vector<std::vector<Cover>> found(directions_.size());
-    parallel_for(directions_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    const std::size_t grain = pieces_.size() > alone ? 1 : std::max<std::size_t>(directions_.size(), 1);
+    parallel_for(directions_.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         Strands strands = directions_.strands(i);
         const auto own = std::count_if(strands.begin(), strands.end(), [](const Strand& s) { return !s.is_guest; });

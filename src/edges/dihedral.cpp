@@ -44,10 +44,14 @@ int EdgeSurroundings::apex(const std::array<int, 2>& edge, int triangle) const {
 }
 
 std::array<Vec3, 2> normals_at(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second) {
+  return normals_beside(around, edge, {around.apex(edge, first), around.apex(edge, second)});
+}
+
+std::array<Vec3, 2> normals_beside(const EdgeSurroundings& around, const std::array<int, 2>& edge,
+                                   const std::array<int, 2>& apexes) {
   const Vec3 a = around.point(edge[0]);
   const Vec3 along = around.point(edge[1]) - a;
-  return {glm::cross(along, around.point(around.apex(edge, first)) - a),
-          glm::cross(around.point(around.apex(edge, second)) - a, along)};
+  return {glm::cross(along, around.point(apexes[0]) - a), glm::cross(around.point(apexes[1]) - a, along)};
 }
 
 double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second) {

@@ -39,6 +39,10 @@ const mesh::MeshEdge* find_edge(const EdgeSurroundings& around, const std::array
 /// triangles are coplanar and do not overlap.
 std::array<Vec3, 2> normals_at(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second);
 
+/// The same for triangles whose corners beside the edge are known.
+std::array<Vec3, 2> normals_beside(const EdgeSurroundings& around, const std::array<int, 2>& edge,
+                                   const std::array<int, 2>& apexes);
+
 /// Returns the angle in degrees by which the second triangle deviates from a flat continuation of the first one: 0
 /// flat, 180 folded back.
 double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second);

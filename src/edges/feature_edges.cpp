@@ -56,6 +56,13 @@ std::vector<char> moved_vertices(const EdgeSurroundings& around) {
   return moved;
 }
 
+/// The triangles that decide about an edge, with their corners beside it and their normals there.
+struct Pair {
+  int first, second;
+  std::array<int, 2> apexes;
+  std::array<Vec3, 2> normals;
+};
+
 struct Judge {
   EdgeSurroundings around;
   const view::ProjectedScene& view;
@@ -73,7 +80,10 @@ struct Judge {
   // The side of the edge on which the third corner of a triangle lies on the page: 1 left, -1 right, 0 on its line or
   // no farther than `reach` cells from it.
   [[nodiscard]] int side(const std::array<int, 2>& edge, int triangle, double reach) const {
-    const int corner = around.apex(edge, triangle);
+    return side_of(edge, around.apex(edge, triangle), reach);
+  }
+
+  [[nodiscard]] int side_of(const std::array<int, 2>& edge, int corner, double reach) const {
     // Corners that a clipping plane removes may lie anywhere.
     if (view.triangle_planes.empty() && around.uncut == nullptr) return side_on_grid(edge, corner, reach);
     const bool before_viewer = is_before_viewer(edge[0]) && is_before_viewer(edge[1]) && is_before_viewer(corner);
@@ -91,15 +101,15 @@ struct Judge {
   // Whether the edge is a contour: both triangles lie on one side of it, or one of them is seen edge-on. A triangle
   // whose third corner is on the line of this edge may still face the viewer at its other sides, so between two such
   // triangles the sign decides, however small; otherwise the contour would have a gap there.
-  [[nodiscard]] bool is_contour(const std::array<int, 2>& edge, int first, int second) const {
-    const int side_one = side(edge, first, edge_on);
-    const int side_two = side(edge, second, edge_on);
+  [[nodiscard]] bool is_contour(const std::array<int, 2>& edge, const Pair& pair) const {
+    const int side_one = side_of(edge, pair.apexes[0], edge_on);
+    const int side_two = side_of(edge, pair.apexes[1], edge_on);
     if (side_one != side_two) return side_one == 0 || side_two == 0;
     if (side_one != 0) return true;
-    const bool first_edge_on = is_edge_on(first), second_edge_on = is_edge_on(second);
+    const bool first_edge_on = is_edge_on(pair.first), second_edge_on = is_edge_on(pair.second);
     if (first_edge_on || second_edge_on) return first_edge_on != second_edge_on;
-    const int sign = side(edge, first, 0);
-    return sign != 0 && sign == side(edge, second, 0);
+    const int sign = side_of(edge, pair.apexes[0], 0);
+    return sign != 0 && sign == side_of(edge, pair.apexes[1], 0);
   }
 
   // Far enough in front of the viewer for positions on the page to keep their precision.
@@ -175,19 +185,16 @@ struct Judge {
     return true;
   }
 
-  // The triangles that decide about an edge, with their normals there.
-  struct Pair {
-    int first, second;
-    std::array<Vec3, 2> normals;
-  };
+  [[nodiscard]] Pair plain_pair(const std::array<int, 2>& ends, int first, int second) const {
+    const std::array<int, 2> apexes{around.apex(ends, first), around.apex(ends, second)};
+    return {first, second, apexes, normals_beside(around, ends, apexes)};
+  }
 
   [[nodiscard]] Pair pair_at(const std::array<int, 2>& ends, int first, int second) const {
-    const Pair plain{first, second, normals_at(around, ends, first, second)};
+    const Pair plain = plain_pair(ends, first, second);
     if (!(glm::dot(plain.normals[0], plain.normals[1]) < 0)) return plain;
-    if (const auto next = behind_pleat(ends, first, second))
-      return {first, *next, normals_at(around, ends, first, *next)};
-    if (const auto next = behind_pleat(ends, second, first))
-      return {*next, second, normals_at(around, ends, *next, second)};
+    if (const auto next = behind_pleat(ends, first, second)) return plain_pair(ends, first, *next);
+    if (const auto next = behind_pleat(ends, second, first)) return plain_pair(ends, *next, second);
     return plain;
   }
 
@@ -201,7 +208,7 @@ struct Judge {
     if (one.covered || two.covered) return border == EdgeKind::crease ? if_wanted(EdgeKind::crease) : std::nullopt;
     if (!one.triangle || !two.triangle) return if_wanted(EdgeKind::boundary);
     const Pair pair = pair_at(ends, *one.triangle, *two.triangle);
-    if (options.contour && is_contour(ends, pair.first, pair.second)) return EdgeKind::contour;
+    if (options.contour && is_contour(ends, pair)) return EdgeKind::contour;
     // A polygon of the file is one face, so its diagonals are not drawn.
     if (edge.diagonal) return std::nullopt;
     if (part != nullptr) return border && if_wanted(*border) ? border : if_wanted(EdgeKind::smooth);
@@ -316,13 +323,8 @@ struct Judge {
 
 // Hysteresis: of the edges that would be creases with the weak angle, those that are connected to a crease by others
 // of them become creases (Canny, A computational approach to edge detection, PAMI 1986).
-void continue_creases(const mesh::Mesh& mesh, const Judge& weak, std::vector<std::optional<EdgeKind>>& kinds,
-                      const Progress& progress) {
-  std::vector<char> is_weak(kinds.size(), 0);
-  parallel_for(kinds.size(), 4096, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e)
-      is_weak[e] = !kinds[e] && weak.kind_of(mesh.edges[e]) == EdgeKind::crease ? 1 : 0;
-  });
+void continue_creases(const mesh::Mesh& mesh, const std::vector<char>& is_weak,
+                      std::vector<std::optional<EdgeKind>>& kinds) {
   DisjointSets connected(mesh.points.size());
   const auto is_crease = [&](std::size_t e) { return kinds[e] == EdgeKind::crease; };
   for (std::size_t e = 0; e < kinds.size(); ++e)
@@ -364,16 +366,22 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
                     moved};
   const auto& edges = around.world.models[around.model].mesh->edges;
   check(is_tangent.empty() || is_tangent.size() == around.mesh().edges.size(), "every edge is tangent or not");
+  const bool has_weak = part == nullptr && options.crease && options.weak_angle < options.crease_angle;
+  Judge weak = judge;
+  if (has_weak) weak.crease = FoldLimit(options.weak_angle - angle_rounding);
   std::vector<std::optional<EdgeKind>> kinds(edges.size());
+  std::vector<char> is_weak(has_weak ? edges.size() : 0, 0);
   parallel_for(edges.size(), 4096, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) kinds[e] = judge.kind_of(edges[e]);
+    for (std::size_t e = begin; e < end; ++e) {
+      // What is no crease with the weak angle, is the same with the other.
+      kinds[e] = weak.kind_of(edges[e]);
+      if (!has_weak || kinds[e] != EdgeKind::crease) continue;
+      kinds[e] = judge.kind_of(edges[e]);
+      is_weak[e] = kinds[e] ? 0 : 1;
+    }
     progress.advance(end - begin);
   });
-  if (part == nullptr && options.crease && options.weak_angle < options.crease_angle) {
-    Judge weak = judge;
-    weak.crease = FoldLimit(options.weak_angle - angle_rounding);
-    continue_creases(*around.world.models[around.model].mesh, weak, kinds, progress);
-  }
+  if (has_weak) continue_creases(*around.world.models[around.model].mesh, is_weak, kinds);
   return kinds;
 }
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "foreign/folders.hpp"
 
+#include <dirent.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <memory>
 #include <string_view>
 #include <system_error>
 
@@ -48,13 +52,21 @@ std::vector<fs::path> plugin_folders(const std::vector<fs::path>& extra, const s
 }
 
 std::vector<fs::path> libraries_in(const fs::path& folder, std::vector<BadPlugin>& bad) {
-  std::error_code error;
   std::vector<fs::path> libraries;
-  for (fs::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
+  // The iterators of the standard library end the program if there is no memory for a name.
+  struct Close {
+    void operator()(DIR* open) const { ::closedir(open); }
+  };
+  const std::unique_ptr<DIR, Close> open(::opendir(folder.c_str()));
+  errno = open == nullptr ? errno : 0;
+  while (const dirent* const file = open == nullptr ? nullptr : ::readdir(open.get())) {
+    const fs::path path = folder / file->d_name;
     std::error_code unreadable;
-    if (file->path().extension() == ".so" && file->is_regular_file(unreadable)) libraries.push_back(file->path());
+    if (path.extension() == ".so" && fs::is_regular_file(path, unreadable)) libraries.push_back(path);
+    errno = 0;
   }
-  if (error) bad.push_back({folder, "is not a folder that can be read: " + error.message()});
+  if (const int failure = errno; failure != 0)
+    bad.push_back({folder, "is not a folder that can be read: " + std::generic_category().message(failure)});
   std::sort(libraries.begin(), libraries.end());
   return libraries;
 }

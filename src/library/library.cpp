@@ -13,6 +13,7 @@
 #include "library/convert.hpp"
 #include "library/describe_value.hpp"
 #include "library/guarded.hpp"
+#include "library/kept_plugins.hpp"
 #include "pipeline/complete_scene.hpp"
 #include "pipeline/draw_scene.hpp"
 #include "pipeline/targets.hpp"
@@ -41,8 +42,10 @@ Drawing draw_described(scene::SceneDescription scene, const Settings& settings) 
   ProgressBoard board;
   board.observe({settings.progress, settings.stop});
   pipeline::Stopwatch watch;
+  pipeline::RunOptions options = run_options_of(settings);
+  if (settings.plugins) settings.plugins->content().append_to(options.projections, scene, options.plugin_path);
   pipeline::DrawnScene drawn =
-      pipeline::draw_scene(scene, run_options_of(settings), {messages, Progress(board, settings.time_limit), watch});
+      pipeline::draw_scene(scene, options, {messages, Progress(board, settings.time_limit), watch});
   // A time belongs to a run, not to a drawing.
   for (report::PlanStep& step : drawn.report.plan) step.times = {};
   for (std::size_t i = 0; i < drawn.sheets.size(); ++i)

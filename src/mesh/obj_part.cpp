@@ -49,13 +49,22 @@ class ObjPartReader {
   void vertex() { part_.points.push_back(text_.point()); }
 
   void element(ObjElements& elements, const char* what) {
-    for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) corner(word, elements, what);
+    while (true) {
+      long long number = 0;
+      if (text_.take(number)) {
+        corner(number, elements, what);
+        continue;
+      }
+      const std::string_view word = text_.word();
+      if (word.empty()) break;
+      // "7", "7/1", "7//3", "7/1/3": only the vertex is used.
+      corner(text_.integer(word.substr(0, word.find('/')), "the number of the vertex"), elements, what);
+    }
     elements.ends.push_back(static_cast<int>(elements.corners.size()));
   }
 
-  // "7", "7/1", "7//3", "7/1/3": only the vertex is used. It may be defined later.
-  void corner(std::string_view word, ObjElements& elements, const char* what) {
-    const long long number = text_.integer(word.substr(0, word.find('/')), "the number of the vertex");
+  // The vertex may be defined later.
+  void corner(long long number, ObjElements& elements, const char* what) {
     if (number == 0) text_.fail(std::string(what) + " refers to vertex 0", "vertices are numbered from 1");
     if (number < 0) {
       elements.relative.push_back({elements.corners.size(), part_.points.size(), number, line()});

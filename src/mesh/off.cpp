@@ -63,9 +63,13 @@ void read_vertices(TextCursor& text, Soup& soup, long long count, Pace& pace) {
   soup.points.resize(static_cast<std::size_t>(count));
   for (long long v = 0; v < count; ++v) {
     auto& point = soup.points[static_cast<std::size_t>(v)];
-    point[0] = text.number(expect_word(text, "vertex", v, count));
+    const auto next = [&] {
+      double number = 0;
+      return text.take(number) ? number : text.number(expect_word(text, "vertex", v, count));
+    };
+    point[0] = next();
     const TextCursor first_line = text;
-    for (const std::size_t axis : {1, 2}) point[axis] = text.number(expect_word(text, "vertex", v, count));
+    for (const std::size_t axis : {1, 2}) point[axis] = next();
     // A vertex may continue on the next line; but if that line holds more numbers, they belong to the next vertex.
     if (text.line() != first_line.line() && !text.word().empty())
       first_line.fail("a coordinate of the vertex is missing");
@@ -78,11 +82,15 @@ void read_faces(TextCursor& text, Soup& soup, long long count, Pace& pace) {
   soup.corners.reserve(static_cast<std::size_t>(3 * count));
   soup.face_ends.reserve(static_cast<std::size_t>(count));
   for (long long f = 0; f < count; ++f) {
-    const long long corners = text.integer(expect_word(text, "face", f, count));
+    const auto next = [&] {
+      long long number = 0;
+      return text.take(number) ? number : text.integer(expect_word(text, "face", f, count));
+    };
+    const long long corners = next();
     if (corners < 0 || corners > static_cast<long long>(text.bytes_left()))
       text.fail("a face cannot have " + std::to_string(corners) + " corners");
     for (long long k = 0; k < corners; ++k) {
-      const long long index = text.integer(expect_word(text, "face", f, count));
+      const long long index = next();
       if (index < 0 || index >= static_cast<long long>(soup.points.size()))
         text.fail("a face refers to vertex " + std::to_string(index) + ", but there are " +
                       std::to_string(soup.points.size()),

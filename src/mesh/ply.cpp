@@ -83,7 +83,12 @@ class TextSource {
 
   template <class Take>
   void numbers(PlyType, long long count, const Take& take) {
-    for (long long k = 0; k < count; ++k) take(text_.number(next_word()));
+    for (long long k = 0; k < count; ++k) {
+      double number = 0;
+      if (!text_.take(number)) number = text_.number(next_word());
+      if (row_line_ == 0) row_line_ = text_.line();
+      take(number);
+    }
   }
 
   void end_element() {
@@ -112,7 +117,6 @@ class TextSource {
       if (word.empty() && missing_ != nullptr) fail_short_row();
       if (word.empty()) text_.fail("the file ends too early");
     }
-    if (row_line_ == 0) row_line_ = text_.line();
     return word;
   }
 

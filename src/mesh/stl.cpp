@@ -60,7 +60,8 @@ class TextReader {
     soup_.single_precision = true;
     soup_.printed = true;
     for (std::string_view word = text_.word_of_any_line(); !word.empty(); word = text_.word_of_any_line()) {
-      statement(to_lower(word), word);
+      // Nearly all programs write small letters.
+      if (!statement(word) && !statement(to_lower(word))) text_.fail(quoted(word) + " does not belong in a text STL");
       pace_.left(text_.bytes_left());
     }
     if (in_facet_) text_.fail("the file ends inside a facet", "is the file complete?");
@@ -72,14 +73,21 @@ class TextReader {
   }
 
  private:
-  void statement(const std::string& keyword, std::string_view word) {
-    if (keyword == "vertex") return vertex();
-    if (keyword == "facet") return begin_facet();
-    if (keyword == "endfacet") return end_facet();
-    if (keyword == "solid") return begin_solid();
-    if (keyword == "endsolid") return static_cast<void>(text_.rest_of_line());
-    if (keyword != "outer" && keyword != "loop" && keyword != "endloop")
-      text_.fail(quoted(word) + " does not belong in a text STL");
+  // Returns whether it is one.
+  bool statement(std::string_view keyword) {
+    if (keyword == "vertex")
+      vertex();
+    else if (keyword == "facet")
+      begin_facet();
+    else if (keyword == "endfacet")
+      end_facet();
+    else if (keyword == "solid")
+      begin_solid();
+    else if (keyword == "endsolid")
+      text_.rest_of_line();
+    else
+      return keyword == "outer" || keyword == "loop" || keyword == "endloop";
+    return true;
   }
 
   void begin_solid() {

@@ -106,8 +106,11 @@ long long TextCursor::integer(std::string_view word, std::string_view what) cons
 }
 
 std::array<double, 3> TextCursor::point() {
-  const double x = number(word(), "the x coordinate"), y = number(word(), "the y coordinate");
-  return {x, y, number(word(), "the z coordinate")};
+  constexpr std::array<std::string_view, 3> names{"the x coordinate", "the y coordinate", "the z coordinate"};
+  std::array<double, 3> point{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!take(point[axis])) point[axis] = number(word(), names[axis]);
+  return point;
 }
 
 void TextCursor::fail(const std::string& reason, const std::string& hint) const {

@@ -10,9 +10,9 @@
 
 namespace epura::output {
 
-/// Appends write(0), write(1) ... write(count - 1). Several calls run at the same time, but only a few results are kept
-/// in memory. Throws OutOfTime.
+/// Appends what write(0, part), write(1, part) ... write(count - 1, part) append to `part`. Several calls run at the
+/// same time, but only a few parts are kept in memory, in the same places again and again. Throws OutOfTime.
 void append_in_order(std::string& text, std::size_t count, const Progress& progress,
-                     const std::function<std::string(std::size_t)>& write);
+                     const std::function<void(std::size_t, std::string& part)>& write);
 
 }  // namespace epura::output

@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "output/glyphs.hpp"
 #include "output/metadata.hpp"
 #include "output/page_lines.hpp"
 #include "output/svg_lettering.hpp"
 #include "output/svg_path_text.hpp"
 #include "output/svg_paths.hpp"
+#include "output/text_place.hpp"
 #include "output/write.hpp"
 #include "output/xml_text.hpp"
 #include "scene/line_roles.hpp"

@@ -9,8 +9,8 @@
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "output/base64.hpp"
-#include "output/glyphs.hpp"
 #include "output/svg_path_text.hpp"
+#include "output/text_place.hpp"
 #include "output/xml_text.hpp"
 
 namespace epura::output {
@@ -32,6 +32,7 @@ void append_area(std::string& svg, const sheet::Fill& fill, double height) {
     for (std::size_t i = 1; i < ring.size(); ++i) path.line(on_page(ring[i]));
     path.close();
   }
+  path.end();
   svg += "\"/>\n";
 }
 
@@ -67,6 +68,7 @@ void append_outlines(std::string& svg, const sheet::Text& text, double height, c
       SvgPathText path(svg, decimals);
       for (std::size_t i = begin; i < std::min(begin + outlines_of_path, outlines.size()); ++i)
         append_outline(path, outlines[i], on_page);
+      path.end();
       svg += "\"/>";
     }
     return;
@@ -79,6 +81,7 @@ void append_outlines(std::string& svg, const sheet::Text& text, double height, c
     SvgPathText path(svg, decimals);
     for (const sheet::GlyphOutline& outline : lettering.outlines(part, text.height))
       append_outline(path, outline, on_page);
+    path.end();
     svg += "\"/>";
     start += along * lettering.width(part, text.height);
   }

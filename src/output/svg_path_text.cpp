@@ -4,13 +4,15 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/decimal_text.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 
 namespace epura::output {
 
-SvgPathText::SvgPathText(std::string& text, int decimals)
-    : text_(text), decimals_(decimals), parts_(std::pow(10, decimals)) {}
+SvgPathText::SvgPathText(std::string& text, int decimals) : text_(text), decimals_(decimals) {
+  for (int i = 0; i < decimals; ++i) parts_ *= 10;
+}
 
 void SvgPathText::move(const Vec2& point) {
   here_ = round(point);
@@ -44,6 +46,7 @@ void SvgPathText::arc(const Vec2& radii, double turn, bool clockwise, const Vec2
   constexpr int decimals_of_degree = 6;
   command('A');
   for (const long long radius : round(radii)) number(radius);
+  append_written();
   append_short(text_ += ' ', turn, decimals_of_degree);
   text_ += clockwise ? " 0 1" : " 0 0";
   here_ = round(end);
@@ -58,22 +61,43 @@ SvgPathText::Rounded SvgPathText::round(const Vec2& point) const {
 
 void SvgPathText::command(char letter) {
   if (letter == command_) return;
-  text_ += letter;
+  make_room();
+  *end_++ = letter;
   command_ = letter;
   after_number_ = false;
 }
 
 // A sign separates numbers as well as a space does.
 void SvgPathText::number(long long rounded) {
-  if (after_number_ && rounded >= 0) text_ += ' ';
-  append_short(text_, static_cast<double>(rounded) / parts_, decimals_);
+  make_room();
+  if (after_number_ && rounded >= 0) *end_++ = ' ';
   after_number_ = true;
+  constexpr long long largest_exact = 100'000'000'000;
+  if (std::abs(rounded) < largest_exact) {
+    end_ = write_scaled(end_, rounded, decimals_, LeadingZero::omitted);
+    return;
+  }
+  append_written();
+  append_short(text_, static_cast<double>(rounded) / parts_, decimals_);
+}
+
+void SvgPathText::make_room() {
+  if (static_cast<std::size_t>(written_.data() + written_.size() - end_) <= longest_decimal) append_written();
+}
+
+void SvgPathText::append_written() {
+  text_.append(written_.data(), end_);
+  end_ = written_.data();
 }
 
 long long parts_of(double millimetres, double parts) {
   constexpr double farthest = 1e12;
-  check(std::abs(millimetres) < farthest, "ink lies at infinity");
-  return std::llround(millimetres * parts);
+  if (!(std::abs(millimetres) < farthest)) check(false, "ink lies at infinity");
+  // Like std::llround, which is a call of a function: halves are rounded away from zero.
+  const double exact = millimetres * parts;
+  const auto whole = static_cast<long long>(exact);
+  const double rest = exact - static_cast<double>(whole);
+  return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
 }
 
 void append_short(std::string& text, double value, int decimals) {

@@ -15,6 +15,8 @@ namespace epura::output {
 class SvgPathText {
  public:
   SvgPathText(std::string& text, int decimals);
+  SvgPathText(const SvgPathText&) = delete;
+  SvgPathText& operator=(const SvgPathText&) = delete;
 
   void move(const Vec2& point);
   void line(const Vec2& point);
@@ -23,6 +25,8 @@ class SvgPathText {
   /// Part of an ellipse with its first axis turned by `turn` degrees; `clockwise` as seen on the page.
   void arc(const Vec2& radii, double turn, bool clockwise, const Vec2& end);
   void close();
+  /// Must be called last: until then, the end of the text is missing.
+  void end() { append_written(); }
 
  private:
   using Rounded = std::array<long long, 2>;
@@ -30,13 +34,18 @@ class SvgPathText {
   [[nodiscard]] Rounded round(const Vec2& point) const;
   void command(char letter);
   void number(long long rounded);
+  /// Appends what has been written since the last call. Pieces of a few characters would cost more than their digits.
+  void append_written();
+  void make_room();
 
   std::string& text_;
   int decimals_;
-  double parts_;  ///< per millimetre
+  double parts_ = 1;  ///< per millimetre
   Rounded here_{};
   char command_ = 0;
   bool after_number_ = false;
+  std::array<char, 1024> written_;  ///< not appended yet
+  char* end_ = written_.data();
 };
 
 /// The number of parts in a length, rounded; a millimetre has `parts` parts.

@@ -2,6 +2,7 @@
 #include "output/svg_paths.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/decimal_text.hpp"
 #include "base/text.hpp"
 #include "output/curve_pieces.hpp"
 #include "output/in_order.hpp"
@@ -20,7 +22,7 @@ namespace epura::output {
 
 namespace {
 
-constexpr std::size_t points_at_once = 8192;
+constexpr std::size_t points_at_once = 2048;
 // About 80 kB: libxml2 and programs based on it refuse files above 10 MB with attributes of some 100 kB.
 constexpr std::size_t most_points_of_path = 4000;
 
@@ -98,6 +100,7 @@ void append_line(std::string& svg, const sheet::Stroke& stroke, const SvgDocumen
       stroke, [&](const Vec2& point) { path.line(on_page(point)); },
       [&](const drawing::CurvePart& part) { append_arcs(path, part, document.height); });
   if (stroke.closed) path.close();
+  path.end();
 }
 
 // The common model of all edges; nothing if there are several, or no edges.
@@ -120,10 +123,17 @@ void append_origin(std::string& svg, const sheet::Stroke& stroke, std::optional<
   const std::optional<int> model = model_of(stroke.edges);
   if (model && !common_model) svg.append(" data-model=\"").append(std::to_string(*model)) += '"';
   svg += " data-edge=\"";
+  std::array<char, 3 * (longest_decimal + 1)> buffer;
   for (const sheet::ModelEdge& edge : stroke.edges) {
-    if (&edge != &stroke.edges.front()) svg += ' ';
-    if (!model) svg.append(std::to_string(edge.model)) += ':';
-    svg.append(std::to_string(edge.vertex[0])).append("-").append(std::to_string(edge.vertex[1]));
+    char* at = buffer.data();
+    if (&edge != &stroke.edges.front()) *at++ = ' ';
+    if (!model) {
+      at = write_whole(at, edge.model);
+      *at++ = ':';
+    }
+    at = write_whole(at, edge.vertex[0]);
+    *at++ = '-';
+    svg.append(buffer.data(), write_whole(at, edge.vertex[1]));
   }
   svg += '"';
 }
@@ -200,8 +210,7 @@ void append_paths(std::string& svg, const sheet::Layer& layer, const SvgDocument
     if (dashes != common.dashes) lines.append(" stroke-dasharray=\"").append(dashes) += '"';
     lines += " d=\"";
   };
-  const auto write = [&](Chunk chunk) {
-    std::string lines;
+  const auto write = [&](Chunk chunk, std::string& lines) {
     std::size_t begin = 0;
     for (const Part& part : chunk) {
       const bool first = &part == parts.data() || (&part)[-1].path != part.path;
@@ -221,9 +230,8 @@ void append_paths(std::string& svg, const sheet::Layer& layer, const SvgDocument
       lines += "/>\n";
     }
     progress.advance(chunk.size());
-    return lines;
   };
-  append_in_order(svg, chunks.size(), progress, [&](std::size_t i) { return write(chunks[i]); });
+  append_in_order(svg, chunks.size(), progress, [&](std::size_t i, std::string& lines) { write(chunks[i], lines); });
 }
 
 }  // namespace epura::output

@@ -127,13 +127,14 @@ class PluginProcess {
   PluginAnswer ask(const Question& question) {
     const std::lock_guard lock(mutex_);
     if (!process_.is_there()) start();
-    Packer words;
-    pack_question(words, question);
-    process_.send(words);
-    const std::string message = process_.receive_within(seconds_, most_bytes);
-    Unpacker unpack(message);
-    foreign::expect_no_reason(unpack);
-    return unpack_answer(unpack);
+    try {
+      return ask_process(question);
+    } catch (const Error&) {
+      // The process ends with the thread that started it, perhaps in this moment.
+      if (process_.is_there() || started_by_ == ::gettid()) throw;
+    }
+    start();
+    return ask_process(question);
   }
   void rest() {
     const std::lock_guard lock(mutex_);
@@ -142,17 +143,30 @@ class PluginProcess {
 
  private:
   std::vector<ProjectionEntry> start();
+  PluginAnswer ask_process(const Question& question);
 
   const std::filesystem::path path_;
   const double seconds_;
   const Confinement confinement_;
   std::mutex mutex_;
   foreign::ChildProcess process_;
+  pid_t started_by_ = 0;  ///< the thread
 };
 
 std::vector<ProjectionEntry> PluginProcess::start() {
   process_.fork([this](int socket) { serve(path_, confinement_, socket); });
+  started_by_ = ::gettid();
   return process_.receive_loaded(seconds_, most_bytes, unpack_table);
+}
+
+PluginAnswer PluginProcess::ask_process(const Question& question) {
+  Packer words;
+  pack_question(words, question);
+  process_.send(words);
+  const std::string message = process_.receive_within(seconds_, most_bytes);
+  Unpacker unpack(message);
+  foreign::expect_no_reason(unpack);
+  return unpack_answer(unpack);
 }
 
 }  // namespace

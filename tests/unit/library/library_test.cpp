@@ -71,6 +71,41 @@ TEST(Library, DrawsFilesInMemory) {
   EXPECT_NE(std::string(failure_of({.models = {{.file = "-"}}}).what()).find("No such file"), std::string::npos);
 }
 
+int child_processes() {
+  std::istringstream all(content("/proc/self/task/" + std::to_string(::getpid()) + "/children"));
+  int count = 0;
+  for (int child = 0; all >> child;) ++count;
+  return count;
+}
+
+TEST(Library, KeepsProcessesOfPluginsIfAsked) {
+  const std::string expected = to_svg(draw(in_memory(), settings()));
+  EXPECT_EQ(child_processes(), 0);
+  {
+    Settings keeping = settings();
+    keeping.plugins = Plugins();
+    const Scene other{.models = in_memory().models, .views = {{.projection = "top"}, {.projection = "iso"}}};
+    EXPECT_EQ(to_svg(draw(in_memory(), keeping)), expected);
+    EXPECT_EQ(child_processes(), 1);
+    EXPECT_EQ(to_svg(draw(in_memory(), keeping)), expected);
+    EXPECT_EQ(child_processes(), 1);
+    EXPECT_EQ(to_svg(draw(other, keeping)), to_svg(draw(other, settings())));
+    const Failure unknown = failure_of({.models = in_memory().models, .views = {{.projection = "isometrik"}}}, keeping);
+    EXPECT_EQ(unknown.hint(), "did you mean 'isometric'?") << unknown.what();
+  }
+  EXPECT_EQ(child_processes(), 0);
+}
+
+// A process of a plugin ends with the thread that started it.
+TEST(Library, StartsKeptPluginsAgain) {
+  Settings keeping = settings();
+  keeping.plugins = Plugins();
+  std::string first, second;
+  std::thread([&] { first = to_svg(draw(in_memory(), keeping)); }).join();
+  std::thread([&] { second = to_svg(draw(in_memory(), keeping)); }).join();
+  EXPECT_EQ(first, second);
+}
+
 // The side of a cylinder along z as a band of triangles, its upper rim turned by `twist` facets against the lower one.
 struct Band {
   double radius, bottom, top, twist;

@@ -15,7 +15,7 @@
 
 #include "base/text.hpp"
 #include "folder.hpp"
-#include "output/canvas.hpp"
+#include "output/cairo/canvas.hpp"
 #include "output/write.hpp"
 
 namespace epura {

@@ -9,9 +9,9 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "output/canvas.hpp"
-#include "output/glyphs.hpp"
-#include "output/write.hpp"
+#include "output/cairo/canvas.hpp"
+#include "output/cairo/glyphs.hpp"
+#include "output/cairo/library.hpp"
 
 namespace epura::output {
 
@@ -104,9 +104,9 @@ Vec2 pixels_of(const sheet::Sheet& sheet, double dpi) {
 
 }  // namespace
 
-std::string to_ps(const Pages& sheets, const Progress& progress) { return postscript(sheets, false, progress); }
+std::string make_ps(const Pages& sheets, const Progress& progress) { return postscript(sheets, false, progress); }
 
-std::string to_eps(const sheet::Sheet& sheet, const Progress& progress) {
+std::string make_eps(const sheet::Sheet& sheet, const Progress& progress) {
   std::string bytes = postscript({&sheet}, true, progress);
   // An EPS file is as large as its sheet: Cairo would omit the margins.
   const Vec2 whole = paper_size(sheet), size = Vec2(sheet.width, sheet.height) * points_per_millimetre;
@@ -116,7 +116,7 @@ std::string to_eps(const sheet::Sheet& sheet, const Progress& progress) {
   return bytes;
 }
 
-std::string to_png(const sheet::Sheet& sheet, double dpi, const Progress& progress) {
+std::string make_png(const sheet::Sheet& sheet, double dpi, const Progress& progress) {
   const Vec2 pixels = pixels_of(sheet, dpi);
   const Canvas canvas{dpi / 25.4, {0, sheet.height}, pixels};
   const CairoSurface surface(

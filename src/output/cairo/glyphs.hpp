@@ -4,19 +4,12 @@
 
 #include <cairo.h>
 
-#include <optional>
-
-#include "output/canvas.hpp"
+#include "output/cairo/canvas.hpp"
+#include "output/text_place.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura::output {
-
-/// The font if there are texts on the sheet: without text, no font is opened.
-std::optional<sheet::Lettering> lettering_of(const sheet::Sheet& sheet);
-
-/// Start of the base line of a text on the sheet, mm.
-Vec2 start_of(const sheet::Text& text, const sheet::Lettering& lettering);
 
 /// Draws the texts of a layer as text, which vector files keep as such, with the font embedded.
 void write_texts(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const sheet::Lettering& lettering);

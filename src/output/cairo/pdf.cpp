@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// PDF: Cairo draws each layer, and qpdf assembles them into pages.
+// PDF: Cairo draws each layer; qpdf assembles them into pages.
 #include <cairo-pdf.h>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "output/canvas.hpp"
-#include "output/glyphs.hpp"
+#include "output/cairo/canvas.hpp"
+#include "output/cairo/glyphs.hpp"
+#include "output/cairo/library.hpp"
 #include "output/metadata.hpp"
-#include "output/pdf/library.hpp"
-#include "output/write.hpp"
 
 namespace epura::output {
 
@@ -66,7 +65,7 @@ PdfPage page_of(const sheet::Sheet& sheet, std::size_t number, const Progress& p
 
 }  // namespace
 
-std::string to_pdf(const Pages& sheets, const Progress& progress) {
+PdfDocument make_pdf_layers(const Pages& sheets, const Progress& progress) {
   check(!sheets.empty(), "a PDF file without pages");
   PdfDocument document;
   for (std::size_t i = 0; i < sheets.size(); ++i) document.pages.push_back(page_of(*sheets[i], i + 1, progress));
@@ -74,7 +73,7 @@ std::string to_pdf(const Pages& sheets, const Progress& progress) {
   document.author = fact_of(*sheets.front(), "author");
   document.subject = description_of(*sheets.front());
   progress.expect_time();
-  return pdf_library().join_layers(document);
+  return document;
 }
 
 }  // namespace epura::output

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output/glyphs.hpp"
+#include "output/cairo/glyphs.hpp"
 
 #include <ft2build.h>
 
@@ -144,18 +144,6 @@ void add_outline(cairo_t* cairo, const sheet::GlyphOutline& outline, double unit
 }
 
 }  // namespace
-
-std::optional<sheet::Lettering> lettering_of(const sheet::Sheet& sheet) {
-  const bool written = std::any_of(sheet.layers.begin(), sheet.layers.end(),
-                                   [](const sheet::Layer& layer) { return !layer.texts.empty(); });
-  return written ? std::optional<sheet::Lettering>(std::in_place, sheet.font) : std::nullopt;
-}
-
-Vec2 start_of(const sheet::Text& text, const sheet::Lettering& lettering) {
-  const Vec2 along(std::cos(radians(text.angle)), std::sin(radians(text.angle)));
-  const double before = text.align == sheet::Align::left ? 0 : text.align == sheet::Align::middle ? 0.5 : 1;
-  return text.at - along * (before * lettering.width(text.text, text.height));
-}
 
 void write_texts(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const sheet::Lettering& lettering) {
   if (layer.texts.empty()) return;

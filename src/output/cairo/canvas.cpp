@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output/canvas.hpp"
+#include "output/cairo/canvas.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/shared_library.hpp"
+#include "output/cairo/library.hpp"
+#include "output/pdf/library.hpp"
+#include "output/write.hpp"
+
+namespace epura::output {
+
+namespace {
+
+const CairoLibrary& cairo_library() {
+  return own_table<CairoLibrary>(EPURA_CAIRO_LIBRARY, "epura_cairo_library", "epura needs it for PDF, PS, EPS and PNG");
+}
+
+}  // namespace
+
+std::string to_pdf(const Pages& sheets, const Progress& progress) {
+  return pdf_library().join_layers(cairo_library().make_pdf_layers(sheets, progress));
+}
+
+std::string to_ps(const Pages& sheets, const Progress& progress) { return cairo_library().make_ps(sheets, progress); }
+
+std::string to_eps(const sheet::Sheet& sheet, const Progress& progress) {
+  return cairo_library().make_eps(sheet, progress);
+}
+
+std::string to_png(const sheet::Sheet& sheet, double dpi, const Progress& progress) {
+  return cairo_library().make_png(sheet, dpi, progress);
+}
+
+}  // namespace epura::output
