@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
+#include "pipeline/choose.hpp"
 #include "pipeline/construction_layers.hpp"
 #include "pipeline/constructions.hpp"
 #include "pipeline/details.hpp"
@@ -300,10 +301,10 @@ void expect_room_for_lists(const SheetPlan& plan, const scene::SceneDescription&
 // Throws Error{input} for a logo without a place.
 void read_files(LayoutOptions& options, const scene::SheetDescription& sheet) {
   if (sheet.form.given()) {
-    options.form = sheet::read_form(sheet.form);
+    options.form = read_at_place(sheet.form, sheet::read_form);
     options.title_block->place = options.form->title_block;
   }
-  if (sheet.style.given()) options.styles = scene::read_role_styles(sheet.style);
+  if (sheet.style.given()) options.styles = read_at_place(sheet.style, scene::read_role_styles);
   if (!sheet.logo.given()) return;
   if (!options.title_block)
     throw Error(ErrorKind::input, sheet.logo.where, "the logo is in the title block, and there is none",
@@ -311,7 +312,7 @@ void read_files(LayoutOptions& options, const scene::SheetDescription& sheet) {
   if (options.form && !options.form->logo)
     throw Error(ErrorKind::input, sheet.logo.where, "the template " + *sheet.form + " has no place for a logo",
                 "give a rectangle the id or label 'logo'");
-  options.logo = sheet::read_logo(sheet.logo);
+  options.logo = read_at_place(sheet.logo, sheet::read_logo);
   options.title_block->has_logo = true;
 }
 

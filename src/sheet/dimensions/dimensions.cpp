@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -12,6 +13,7 @@
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/box_index.hpp"
 #include "sheet/dimensions/forms.hpp"
+#include "sheet/dimensions/ink_index.hpp"
 #include "sheet/dimensions/measure.hpp"
 #include "sheet/line_styles.hpp"
 
@@ -31,6 +33,7 @@ struct Surroundings {
   const drawing::ViewDrawing& drawing;
   std::optional<Rectangle> paper;
   BoxIndex others;
+  InkIndex ink{drawing};
   BoxIndex zones{others}, texts{}, lines{};
 
   void add(const PlacedDimension& dimension) {
@@ -57,9 +60,9 @@ struct Surroundings {
       cost += cost_of_text * texts.overlaps(line) + cost_of_crossing * zones.overlaps(line) +
               cost_of_other * others.overlaps(line);
     for (const TurnedBox& text : dimension.text_boxes)
-      if (cost < max && ink_in(text, drawing) > 0) cost += cost_of_text;
+      if (cost < max && ink.in(text) > 0) cost += cost_of_text;
     if (cost < max)
-      for (const TurnedBox& line : dimension.lines) cost += cost_of_ink * ink_in(line, drawing);
+      for (const TurnedBox& line : dimension.lines) cost += cost_of_ink * ink.in(line);
     return cost;
   }
 };
@@ -108,12 +111,11 @@ void check_ends(const Form& form, const PlacedDimension& dimension) {
     check(ends_at(form, end_of(arrow)), "a dimension ends at what it measures");
 }
 
-PlacedDimension best_of(std::vector<DimensionPlacement> placements, const Surroundings& surroundings) {
-  std::stable_sort(placements.begin(), placements.end(),
-                   [](const DimensionPlacement& a, const DimensionPlacement& b) { return a.cost < b.cost; });
-  DimensionPlacement* best = nullptr;
+// The placements are in ascending order of their cost.
+const PlacedDimension& best_of(const std::vector<DimensionPlacement>& placements, const Surroundings& surroundings) {
+  const DimensionPlacement* best = nullptr;
   double min = HUGE_VAL;
-  for (DimensionPlacement& placement : placements) {
+  for (const DimensionPlacement& placement : placements) {
     if (placement.cost >= min) break;
     const double cost = placement.cost + surroundings.cost(placement.dimension, min - placement.cost);
     if (cost >= min) continue;
@@ -121,7 +123,7 @@ PlacedDimension best_of(std::vector<DimensionPlacement> placements, const Surrou
     best = &placement;
   }
   check(best != nullptr, "a dimension has no place");
-  return std::move(best->dimension);
+  return best->dimension;
 }
 
 // Dimensions without a choice come first; then distances, small before large; then angles; then circles.
@@ -203,11 +205,23 @@ class Placer {
 
  private:
   void place(std::size_t i) {
-    const auto placements = [&](const auto& form) { return placements_of(form, dimensions_[i], drawing_, style_); };
-    placed_[i] = best_of(std::visit(placements, dimensions_[i].form), surroundings_);
+    placed_[i] = is_row(i) ? best_of(placements_of_row(i), surroundings_) : best_of(placements(i), surroundings_);
     std::visit([&](const auto& form) { check_ends(form, *placed_[i]); }, dimensions_[i].form);
     surroundings_.add(*placed_[i]);
   }
+  [[nodiscard]] std::vector<DimensionPlacement> placements(std::size_t i) const {
+    const auto of_form = [&](const auto& form) { return placements_of(form, dimensions_[i], drawing_, style_); };
+    std::vector<DimensionPlacement> all = std::visit(of_form, dimensions_[i].form);
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    return all;
+  }
+  // Rows are large, and tried again and again.
+  const std::vector<DimensionPlacement>& placements_of_row(std::size_t i) {
+    auto [known, is_new] = rows_.try_emplace(i);
+    if (is_new) known->second = placements(i);
+    return known->second;
+  }
+  [[nodiscard]] bool is_row(std::size_t i) const { return std::holds_alternative<MeasuredRow>(dimensions_[i].form); }
   void take(std::size_t i) {
     surroundings_.remove(*placed_[i]);
     placed_[i].reset();
@@ -220,7 +234,6 @@ class Placer {
   }
   // Moves another one of the first ones. Rows take up so much room that others do not help them.
   bool makes_room(std::size_t i, std::size_t count) {
-    const auto is_row = [&](std::size_t k) { return std::holds_alternative<MeasuredRow>(dimensions_[k].form); };
     if (is_row(i)) return false;
     for (std::size_t other = 0; other < count; ++other) {
       if (!placed_[other] || is_row(other)) continue;
@@ -249,6 +262,7 @@ class Placer {
   std::vector<std::size_t> order_;
   Surroundings surroundings_;
   PlacedDimensions placed_;
+  std::map<std::size_t, std::vector<DimensionPlacement>> rows_;
 };
 
 // U+2300, or the letter that replaces it.
