@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "base/error.hpp"
 #include "sheet/dimensions/anchors.hpp"
@@ -176,8 +177,8 @@ class Placer {
       }
   }
 
-  /// Takes out some of the first dimensions until none of these has conflicts, those with most of them first, and
-  /// puts back those for which there is room then. Returns the numbers of the others.
+  /// Takes out some of the first dimensions until none of these has conflicts, those with most of them first and rows,
+  /// which stand for many, last, and puts back those for which there is room then. Returns the numbers of the others.
   std::vector<std::size_t> leave_out(std::size_t count, const Progress& progress) {
     count = std::min(count, placed_.size());
     std::vector<int> conflicts(count);
@@ -185,13 +186,11 @@ class Placer {
       if (placed_[i]) conflicts[i] = conflicts_of(i);
     std::vector<std::size_t> left_out;
     for (;;) {
-      // Of several, the last one: overall dimensions are first.
-      const auto worst = std::max_element(conflicts.rbegin(), conflicts.rend());
-      if (worst == conflicts.rend() || *worst == 0) break;
-      const auto number = static_cast<std::size_t>(conflicts.rend() - worst) - 1;
+      const std::size_t number = worst_of(conflicts);
+      if (number == count || conflicts[number] == 0) break;
       for (std::size_t i = 0; i < count; ++i)
         if (i != number && placed_[i] && cross(*placed_[i], *placed_[number])) --conflicts[i];
-      *worst = 0;
+      conflicts[number] = 0;
       take(number);
       left_out.push_back(number);
     }
@@ -232,19 +231,50 @@ class Placer {
     take(i);
     return false;
   }
-  // Moves another one of the first ones. Rows take up so much room that others do not help them.
+  // Of several, the last one: overall dimensions are first.
+  [[nodiscard]] std::size_t worst_of(const std::vector<int>& conflicts) const {
+    std::size_t worst = conflicts.size();
+    const auto rank = [&](std::size_t i) { return std::pair(conflicts[i] > 0 && !is_row(i), conflicts[i]); };
+    for (std::size_t i = 0; i < conflicts.size(); ++i)
+      if (worst == conflicts.size() || rank(i) >= rank(worst)) worst = i;
+    return worst;
+  }
+  // Moves all that is where the row would be.
+  bool makes_room_for_row(std::size_t row, std::size_t count) {
+    place(row);
+    std::vector<std::size_t> moved;
+    bool all_move = faults_of(*placed_[row], drawing_, neighbours_) == 0;
+    for (std::size_t i = 0; i < placed_.size() && all_move; ++i) {
+      if (i == row || !placed_[i] || !cross(*placed_[row], *placed_[i])) continue;
+      all_move = i < count && !is_row(i);
+      moved.push_back(i);
+    }
+    if (all_move) {
+      const PlacedDimensions before = placed_;
+      for (const std::size_t i : moved) take(i);
+      if (std::all_of(moved.begin(), moved.end(), [&](std::size_t i) { return finds_room(i); })) return true;
+      for (const std::size_t i : moved) put_back(i, before[i]);
+    }
+    take(row);
+    return false;
+  }
+  void put_back(std::size_t i, const std::optional<PlacedDimension>& before) {
+    if (placed_[i]) take(i);
+    placed_[i] = before;
+    surroundings_.add(*before);
+  }
+  // Moves another one of the first ones.
   bool makes_room(std::size_t i, std::size_t count) {
-    if (is_row(i)) return false;
+    if (is_row(i)) return makes_room_for_row(i, count);
     for (std::size_t other = 0; other < count; ++other) {
       if (!placed_[other] || is_row(other)) continue;
-      const PlacedDimension before = *placed_[other];
+      const auto before = placed_[other];
       take(other);
       if (finds_room(i)) {
         if (finds_room(other)) return true;
         take(i);
       }
-      placed_[other] = before;
-      surroundings_.add(before);
+      put_back(other, before);
     }
     return false;
   }

@@ -251,6 +251,24 @@ TEST_F(AutomaticDimensions, WithoutRoomAreLeftOut) {
   EXPECT_FALSE(contains(checked.out, "crossing")) << checked.out;
 }
 
+// Notes cover nearly all of an A4 sheet, so that "auto" takes the next one.
+TEST_F(AutomaticDimensions, ChooseTheSheetThatHasRoom) {
+  folder.file("part.obj", plates()[3].obj);
+  std::string notes;
+  for (int y = 12; y < 205; y += 8)
+    notes += "[[note]]\ntext = '" + std::string(60, 'W') + "'\nat = [12, " + std::to_string(y) + "]\n";
+  const auto size_and_warning = [&](const std::string& size) {
+    folder.file("scene.toml", "[[model]]\nfile = 'part.obj'\n[sheet]\nframe = 'plain'\nsize = '" + size +
+                                  "'\n[[view]]\nprojection = 'top'\n[[dimension]]\ntype = 'auto'\n" + notes);
+    const Outcome run = epura({"draw", "scene.toml", "-o", "x.svg"}, folder / "");
+    const std::string svg = read_file(folder / "x.svg"), key = "viewBox=\"0 0 ";
+    const std::size_t begin = svg.find(key) + key.size();
+    return std::pair(svg.substr(begin, svg.find('"', begin) - begin), contains(run.err, "no room for"));
+  };
+  EXPECT_EQ(size_and_warning("A4"), std::pair(std::string("297 210"), true));
+  EXPECT_EQ(size_and_warning("auto"), std::pair(std::string("420 297"), false));
+}
+
 TEST_F(AutomaticDimensions, LintFindsTextsOnLines) {
   folder.file("part.obj", blocks()[2].obj);
   const auto run = [&](const char* offset) {
