@@ -302,6 +302,19 @@ TEST_F(AutomaticDimensions, LintFindsDimensionsOutsideADetail) {
   EXPECT_FALSE(contains(run("[36, 15, 8]"), sentence)) << "11 mm from the centre";
 }
 
+TEST_F(AutomaticDimensions, LintMissesChamfersAndSlopes) {
+  const auto missing = [&](const std::string& name) {
+    for (const KnownPart& part : blocks())
+      if (part.name == name) return lint(folder.file("part.obj", part.obj), "overall").out;
+    return std::string();
+  };
+  const std::string chamfer = missing("a chamfer"), slope = missing("a slope");
+  EXPECT_TRUE(contains(chamfer, "not dimensioned: chamfer: position along x (55)\n")) << chamfer;
+  EXPECT_TRUE(contains(chamfer, "not dimensioned: chamfer: position along z (25)\n")) << chamfer;
+  EXPECT_TRUE(contains(slope, "not dimensioned: slope: position along x (40)\n")) << slope;
+  EXPECT_TRUE(contains(slope, "not dimensioned: slope: position along z (20)\n")) << slope;
+}
+
 TEST_F(AutomaticDimensions, LintSaysWhatIsMissing) {
   const std::string part = folder.file("part.obj", plates()[4].obj);
   const Outcome run = lint(part, "overall");
