@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 
 #include "base/circle_fit.hpp"
 #include "base/curve_runs.hpp"
@@ -19,9 +20,11 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr int least_edges = 7;
+constexpr std::size_t least_known_corners = 3;  // of a line: its ends do not count
 constexpr double least_turn = 30 * degree;
 constexpr double much_better = 5;
 constexpr double most_step = 30.001 * degree;
+constexpr double most_known_step = 90.001 * degree;
 constexpr double least_radius_in_tolerances = 10;
 constexpr double least_radius = 0.05;  // mm; no line is narrower
 constexpr double most_radius = 1e5;    // mm
@@ -58,16 +61,18 @@ double angle_between(const Vec2& a, const Vec2& b) { return portable_atan2(cross
 struct Line {
   const Chain& chain;
   double tolerance;
+  const KnownCircles& known;
+  std::span<const int> circles;  ///< KnownCircles::of_chain
 
   [[nodiscard]] int before() const { return chain.closed ? 0 : 1; }
   [[nodiscard]] int size() const { return static_cast<int>(chain.points.size()) - 2 * before(); }
-  [[nodiscard]] const Vec2& point(int i) const {
-    return chain.points[static_cast<std::size_t>(before() + (i + size()) % size())];
-  }
+  [[nodiscard]] std::size_t place(int i) const { return static_cast<std::size_t>(before() + (i + size()) % size()); }
+  [[nodiscard]] const Vec2& point(int i) const { return chain.points[place(i)]; }
   [[nodiscard]] double turn(int i) const { return angle_between(point(i) - point(i - 1), point(i + 1) - point(i)); }
 
   // The shortest run that turns far enough or no longer turns in one direction.
   [[nodiscard]] int window(int first, int max) const {
+    if (first < max && fit_known(first, first + 1)) return first + 1;
     double turned = 0;
     for (int last = first + 2; last <= max; ++last) {
       const double turning = turn(last - 1);
@@ -78,17 +83,35 @@ struct Line {
     return max;
   }
 
+  // The known circle on which a whole run lies; -1 if there is none.
+  [[nodiscard]] int circle_of(int first, int last) const {
+    if (circles.empty()) return -1;
+    const auto circle = [&](int i) { return circles[place(i)]; };
+    for (int i = first + 1; i < last; ++i)
+      if (circle(i) != circle(first)) return -1;
+    return circle(first);
+  }
+
   // Whether a deviation is more than rounding.
   [[nodiscard]] bool is_noise(double deviation) const { return deviation > 0.02 * tolerance; }
+  [[nodiscard]] std::vector<Vec2> points_of(int first, int last) const {
+    std::vector<Vec2> points;
+    for (int i = first; i <= last; ++i) points.push_back(point(i));
+    return points;
+  }
   [[nodiscard]] std::optional<Fit> fit(int first, int last) const;
-  [[nodiscard]] std::optional<Fit> along(const Ellipse& ellipse, bool circle, const std::vector<Vec2>& points) const;
+  [[nodiscard]] std::optional<Fit> fit_known(int first, int last) const;
+  [[nodiscard]] std::optional<Fit> fit_any(int first, int last) const;
+  [[nodiscard]] std::optional<Fit> along(const Ellipse& ellipse, const std::vector<Vec2>& points,
+                                         bool is_known = false) const;
 };
 
 // Returns the fit if the corners lie on the curve in order.
-std::optional<Fit> Line::along(const Ellipse& ellipse, bool circle, const std::vector<Vec2>& points) const {
+std::optional<Fit> Line::along(const Ellipse& ellipse, const std::vector<Vec2>& points, bool is_known) const {
   const double min = std::max(least_radius, least_radius_in_tolerances * tolerance);
   if (!(std::min(glm::length(ellipse.u), glm::length(ellipse.v)) >= min)) return std::nullopt;
   if (!(std::max(glm::length(ellipse.u), glm::length(ellipse.v)) <= most_radius)) return std::nullopt;
+  const bool circle = glm::length(ellipse.u) == glm::length(ellipse.v);
   Fit fit{ellipse, circle, ellipse.angle_of(points.front()), 0, 0, 0, 0, tolerance};
   std::vector<double> steps, rises;
   double previous = fit.from;
@@ -98,7 +121,8 @@ std::optional<Fit> Line::along(const Ellipse& ellipse, bool circle, const std::v
     if (i == 0) continue;
     const double angle = ellipse.angle_of(points[i]);
     const double step = std::remainder(angle - previous, 2 * std::numbers::pi);
-    if (!(std::abs(step) <= most_step) || !(step * fit.sweep >= 0) || step == 0) return std::nullopt;
+    const double most = is_known ? most_known_step : most_step;
+    if (!(std::abs(step) <= most) || !(step * fit.sweep >= 0) || step == 0) return std::nullopt;
     fit.sweep += step;
     fit.longest_step = std::max(fit.longest_step, std::abs(step));
     steps.push_back(std::abs(step));
@@ -109,24 +133,35 @@ std::optional<Fit> Line::along(const Ellipse& ellipse, bool circle, const std::v
   fit.rise = *std::max_element(rises.begin(), rises.end());
   // Corners of a curve are evenly spaced, in angle or by their chords' deviation. An ellipse also passes through the
   // corners of a small fillet and the far ends of the straight lines beside it.
-  if (fit.rise > tolerance && !is_even(steps) && !is_even(rises)) return std::nullopt;
+  if (!is_known && fit.rise > tolerance && !is_even(steps) && !is_even(rises)) return std::nullopt;
   return std::abs(fit.sweep) <= 2 * std::numbers::pi + 1e-6 ? std::optional(fit) : std::nullopt;
 }
 
-std::optional<Fit> Line::fit(int first, int last) const {
+std::optional<Fit> Line::fit_known(int first, int last) const {
+  const int circle = circle_of(first, last);
+  if (circle < 0) return std::nullopt;
+  return along(known.ellipses[static_cast<std::size_t>(circle)], points_of(first, last), true);
+}
+
+std::optional<Fit> Line::fit_any(int first, int last) const {
   if (last - first < least_edges) return std::nullopt;
-  const bool whole = chain.closed && last - first == size();
-  std::vector<Vec2> points;
-  for (int i = first; i <= last; ++i) points.push_back(point(i));
+  const std::vector<Vec2> points = points_of(first, last);
   std::optional<Fit> found;
   if (const auto circle = fit_circle(points))
-    found = along({circle->centre, {circle->radius, 0}, {0, circle->radius}}, true, points);
+    found = along({circle->centre, {circle->radius, 0}, {0, circle->radius}}, points);
   if (!found || is_noise(found->deviation)) {
     const auto ellipse = fit_ellipse(points);
-    const auto other = ellipse ? along(*ellipse, false, points) : std::nullopt;
+    const auto other = ellipse ? along(*ellipse, points) : std::nullopt;
     // An ellipse always fits better, but much better only if the curve is one.
     if (!found || (other && much_better * other->deviation < found->deviation)) found = other;
   }
+  return found;
+}
+
+std::optional<Fit> Line::fit(int first, int last) const {
+  std::optional<Fit> found = fit_known(first, last);
+  if (!found) found = fit_any(first, last);
+  const bool whole = chain.closed && last - first == size();
   const bool round = found && std::abs(std::abs(found->sweep) - 2 * std::numbers::pi) < 1e-6;
   return found && round == whole ? found : std::nullopt;
 }
@@ -175,8 +210,8 @@ void begin_at(Chain& chain, int first) {
   if (side_by_side) std::rotate(chain.segments.begin(), chain.segments.begin() + first, chain.segments.end());
 }
 
-CurveReport find_in(Chain& chain, double tolerance, double most_rise) {
-  const Line line{chain, tolerance};
+CurveReport find_in(Chain& chain, Line line, double most_rise) {
+  const double tolerance = line.tolerance;
   const auto window = [&](int first, int max) { return line.window(first, max); };
   const auto fit = [&](int first, int last) { return line.fit(first, last); };
   std::vector<CurveRun<Fit>> runs = find_curve_runs<Fit>(line.size(), chain.closed, window, fit);
@@ -211,12 +246,16 @@ CurveReport& CurveReport::operator+=(const CurveReport& other) {
   return *this;
 }
 
-CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const Progress& progress, double most_rise) {
+CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const KnownCircles& known,
+                        const Progress& progress, double most_rise) {
   progress.begin("finding arcs", chains.size());
   std::vector<CurveReport> reports(chains.size());
   parallel_for(chains.size(), 64, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (chains[i].points.size() > least_edges) reports[i] = find_in(chains[i], tolerance, most_rise);
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::span<const int> circles = known.of_chain.empty() ? std::span<const int>() : known.of_chain[i];
+      if (chains[i].points.size() > least_edges || (!circles.empty() && chains[i].points.size() > least_known_corners))
+        reports[i] = find_in(chains[i], {chains[i], tolerance, known, circles}, most_rise);
+    }
     progress.advance(end - begin);
   });
   CurveReport all;

@@ -7,6 +7,7 @@
 
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
+#include "drawing/known_circles.hpp"
 
 namespace epura::drawing {
 
@@ -24,8 +25,9 @@ struct CurveReport {
 /// in one direction, in steps of at most 30 degrees of the curve's angle, so that polygons with fewer than twelve sides
 /// stay polygons; it has at least eight corners and turns by at least 30 degrees. An end of an open line that lies on a
 /// chord of the curve is moved onto the curve. A closed line is made to begin where no curve continues past its end.
-/// Curves that rise more than `most_rise` mm over a chord are left out. Throws OutOfTime.
-CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const Progress& progress = {},
-                        double most_rise = HUGE_VAL);
+/// On a known circle, two corners are enough, and steps may be up to 90 degrees. Curves that rise more than `most_rise`
+/// mm over a chord are left out. Throws OutOfTime.
+CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const KnownCircles& known = {},
+                        const Progress& progress = {}, double most_rise = HUGE_VAL);
 
 }  // namespace epura::drawing

@@ -2,6 +2,7 @@
 #include "pipeline/draw_view.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/error.hpp"
@@ -9,6 +10,7 @@
 #include "drawing/broken_out.hpp"
 #include "drawing/clip_drawing.hpp"
 #include "drawing/cut_faces.hpp"
+#include "drawing/exact_contours.hpp"
 #include "drawing/symmetry.hpp"
 #include "drawing/thin.hpp"
 #include "edges/crossing_candidates.hpp"
@@ -100,10 +102,18 @@ drawing::NearLines near_lines(const ViewOptions& options) {
 }
 
 // Under --max-error, neither the tolerance nor the rise over a chord takes more than its part.
-drawing::CurveReport curves_of(const ViewOptions& options, drawing::ViewDrawing& drawing, const Progress& progress) {
-  if (!options.max_error) return drawing::find_curves(drawing.chains, *options.arcs, progress);
-  const double part = row_of(report::ErrorTerm::curves).share * *options.max_error;
-  return drawing::find_curves(drawing.chains, std::min(*options.arcs, part / 4), progress, 0.75 * part);
+drawing::CurveReport curves_of(const ViewOptions& options, const scene::World& world, drawing::ViewDrawing& drawing,
+                               const Progress& progress) {
+  const drawing::KnownCircles known = drawing::known_circles(world, drawing);
+  double tolerance = *options.arcs, most_rise = HUGE_VAL;
+  if (options.max_error) {
+    const double part = row_of(report::ErrorTerm::curves).share * *options.max_error;
+    tolerance = std::min(tolerance, part / 4);
+    most_rise = 0.75 * part;
+  }
+  const drawing::CurveReport found = drawing::find_curves(drawing.chains, tolerance, known, progress, most_rise);
+  drawing::move_contours(world, drawing);
+  return found;
 }
 
 struct DrawnLines {
@@ -341,7 +351,7 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
     DrawnLines lines;
     lines.drawing = drawn_on(paper, drawn_, progress);
     if (options_.arcs && !options_.detail && !options_.breaks.any() && input_.broken_out.empty())
-      lines.curves = curves_of(options_, lines.drawing, progress);
+      lines.curves = curves_of(options_, input_.world, lines.drawing, progress);
     return lines;
   };
   const auto leave_out = [&](const std::string& stage) { return keep_longest(stage); };
@@ -367,7 +377,7 @@ void ViewRun::change(DrawnLines& lines, const Change& change_drawing) {
   const auto make = [&](const Progress& progress) {
     DrawnLines changed{lines.drawing, {}};
     change_drawing(changed.drawing, progress);
-    if (options_.arcs) changed.curves = curves_of(options_, changed.drawing, progress);
+    if (options_.arcs) changed.curves = curves_of(options_, input_.world, changed.drawing, progress);
     return changed;
   };
   const auto leave_out = [&](const std::string& stage) {

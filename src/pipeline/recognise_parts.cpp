@@ -44,9 +44,9 @@ double least_fold(const scene::World& world, const scene::SceneDescription& scen
     if (kinds.tangent || (kinds.intersection && fit)) return flat;
     least = std::min(least, view.crease_angle.value_or(least));
   }
-  // Outlines of cut faces are those of surfaces.
+  // Outlines of cut faces are those of surfaces, and so are arcs.
   const bool cut = !scene.sections.empty() || !scene.broken_outs.empty() || !scene.revolved.empty();
-  return cut || options.centre_lines || !scene.dimensions.empty() ? flat : std::max(least, flat);
+  return cut || options.centre_lines || options.arcs || !scene.dimensions.empty() ? flat : std::max(least, flat);
 }
 
 std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, std::optional<double> least,

@@ -13,12 +13,14 @@ namespace epura::study {
 
 namespace {
 
-std::vector<ClosedForm> chosen_forms(const std::vector<std::string>& names) {
-  std::vector<std::pair<std::string, ClosedForm>> all;
-  for (ClosedForm& form : closed_forms()) all.emplace_back(form.name, std::move(form));
-  std::vector<ClosedForm> chosen;
+std::vector<PaperScene> chosen_scenes(const std::vector<std::string>& names) {
+  std::vector<std::pair<std::string, PaperScene>> all;
+  for (const ClosedForm& form : closed_forms()) all.emplace_back(form.name, scene_of(form));
+  std::vector<PaperScene> chosen;
   for (const std::string& name : names) chosen.push_back(pipeline::choose("--body", name, all));
-  return names.empty() ? closed_forms() : chosen;
+  if (names.empty())
+    for (auto& [name, scene] : all) chosen.push_back(std::move(scene));
+  return chosen;
 }
 
 // Each twice as fine as the one before.
@@ -40,7 +42,7 @@ int study_paper(const PaperOptions& options) {
   PaperStudy study{options.plugin_path};
   study.rivals = options.rivals;
   const std::vector<PaperSeries> measured =
-      measure_paper(chosen_forms(options.bodies), finenesses_up_to(options.finest), options.runs, study, progress);
+      measure_paper(chosen_scenes(options.bodies), finenesses_up_to(options.finest), options.runs, study, progress);
   write_report(report_of(measured), targets, {}, progress);
   console.print("");  // clears the progress line
   return 0;

@@ -105,7 +105,7 @@ int study_stability(const StabilityOptions& options) {
   if (!to_stdout) std::fputs(to_text(report, !options.cases.empty()).c_str(), stdout);
   if (options.timings) print_timings(console, report);
   const bool broken = std::any_of(report.begin(), report.end(), [](const stability::CaseReport& one) {
-    return one.verdict(stability::Arithmetic::own) == stability::Verdict::broken;
+    return one.verdict() == stability::Verdict::broken;
   });
   return broken ? found_wrong_exit_code : 0;
 }

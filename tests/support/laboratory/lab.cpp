@@ -45,6 +45,12 @@ double Result::length(bool visible) const {
 
 double Result::merge_width() const { return drawing::coincidence_on_paper(view, {1, Vec2(0)}).tolerance * unit; }
 
+scene::World Lab::prepare(scene::World world) const {
+  return recognises ? recognised(std::move(world)) : std::move(world);
+}
+
+scene::World Lab::world_of(const std::vector<Shape>& shapes) const { return prepare(laboratory::world_of(shapes)); }
+
 Result Lab::draw(scene::World world, const Camera& camera, const edges::EdgeOptions& options) const {
   Result r{std::move(world), {}, {}, {}, {}, 1, {}};
   r.view = view_by(r.world, camera, arithmetic);

@@ -5,6 +5,7 @@
 #include "drawing/make_drawing.hpp"
 #include "edges/find_edges.hpp"
 #include "laboratory/arithmetic.hpp"
+#include "laboratory/shapes.hpp"
 #include "view/condition.hpp"
 #include "visibility/spans.hpp"
 #include "visibility/visibility.hpp"
@@ -53,8 +54,16 @@ struct HiddenLine {
 
 struct Lab {
   Arithmetic arithmetic = Arithmetic::own;
-  double size = 1;  ///< factor for the sizes of large scenes
+  double size = 1;          ///< factor for the sizes of large scenes
+  bool recognises = false;  ///< worlds have the faces of parts, where they can be recognised
 
+  /// The same by epura's own arithmetic, for comparison.
+  [[nodiscard]] Lab exact() const { return {Arithmetic::own, size, recognises}; }
+
+  /// With the faces of parts if this recognises any.
+  [[nodiscard]] scene::World prepare(scene::World world) const;
+  [[nodiscard]] scene::World world_of(const std::vector<Shape>& shapes) const;
+  [[nodiscard]] scene::World world_of(const Shape& shape) const { return world_of(std::vector<Shape>{shape}); }
   [[nodiscard]] Result draw(scene::World world, const Camera& camera, const edges::EdgeOptions& options = {}) const;
   [[nodiscard]] HiddenLine hidden_of_line(const scene::World& world, const projection::Projection& projection,
                                           const Vec3& from, const Vec3& to) const;

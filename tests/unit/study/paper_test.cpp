@@ -16,7 +16,7 @@ const PaperStudy laboratory{{EPURA_TEST_PLUGINS}, 2048};
 
 class Paper : public testing::TestWithParam<std::size_t> {
  protected:
-  const ClosedForm form = closed_forms()[GetParam()];
+  const PaperScene form = scene_of(closed_forms()[GetParam()]);
 };
 
 // Neither is any line farther than stated, nor is the statement so large that it says nothing.
@@ -36,7 +36,7 @@ TEST_P(Paper, LinesAreWithinTheStatedError) {
 
 // The outline of a recognised ball is a circle in closed form, however coarse its mesh is.
 TEST(PaperArcs, AreOnTheSurfaceOfABall) {
-  const ClosedForm form = closed_forms().front();
+  const PaperScene form = scene_of(closed_forms().front());
   ASSERT_EQ(form.name, "sphere");
   EXPECT_LT(draw_on_paper(form, 12, PaperWay::arcs, laboratory).error.ink(), 1e-3);
 }
@@ -67,9 +67,9 @@ TEST_P(Paper, MaxErrorIsKeptOrRefused) {
 
 // Planted: a body that is 2 % larger than its mesh, and a budget that forgets what facets do.
 TEST_P(Paper, ViolationsAreFound) {
-  ClosedForm larger = form;
+  ClosedForm larger = closed_forms()[GetParam()];
   for (RoundBody& body : larger.bodies) body.radius *= 1.02, body.top *= 1.02, body.tube *= 1.02;
-  const PaperRun wrong = compare_on_paper(form, larger, 64, PaperWay::recognised, laboratory);
+  const PaperRun wrong = compare_on_paper(form, scene_of(larger), 64, PaperWay::recognised, laboratory);
   EXPECT_GT(wrong.error.ink(), wrong.error.budget.total());
   EXPECT_GT(wrong.error.missed + wrong.error.phantom, 0);
   const PaperRun right = draw_on_paper(form, 64, PaperWay::recognised, laboratory);

@@ -36,10 +36,10 @@ TEST(StabilityCases, EpuraGetsThemRightAndOthersDoNot) {
   const Report report = run(all_cases(), 0.1);
   int single = 0, composed = 0;
   for (const CaseReport& one : report) {
-    const auto step = one.breaks_at(Arithmetic::own);
-    EXPECT_NE(one.verdict(Arithmetic::own), Verdict::broken) << one.id << " at " << step.value_or(0);
-    single += one.verdict(Arithmetic::single) == Verdict::broken ? 1 : 0;
-    composed += one.verdict(Arithmetic::composed) == Verdict::broken ? 1 : 0;
+    for (const Way way : {Way::own, Way::recognised})
+      EXPECT_NE(one.verdict(way), Verdict::broken) << one.id << " at " << one.breaks_at(way).value_or(0);
+    single += one.verdict(Way::single) == Verdict::broken ? 1 : 0;
+    composed += one.verdict(Way::composed) == Verdict::broken ? 1 : 0;
   }
   EXPECT_GE(single, 10);
   EXPECT_GE(composed, 2);
@@ -57,8 +57,8 @@ Case off_by_the_step(double rounding) {
 TEST(StabilityVerdicts, FollowFromErrors) {
   const std::vector<Case> cases{off_by_the_step(0)};
   const CaseReport found = run(cases, 1).front();
-  EXPECT_EQ(found.breaks_at(Arithmetic::own), 1e-5);
-  EXPECT_EQ(found.verdict(Arithmetic::own), Verdict::broken);
+  EXPECT_EQ(found.breaks_at(Way::own), 1e-5);
+  EXPECT_EQ(found.verdict(Way::own), Verdict::broken);
   const Outcome& outcome = found.rows[2].outcomes[0];
   EXPECT_EQ(outcome.worst()->name, "length");
   EXPECT_NEAR(outcome.error(), 1e-5, 1e-12);
@@ -79,8 +79,8 @@ TEST(StabilityVerdicts, AreBrokenWhereNothingComesOut) {
     return {count("pieces", 0, step > 1e-4 ? std::numeric_limits<double>::quiet_NaN() : 0)};
   };
   const Report report = run(std::vector<Case>{one}, 1);
-  EXPECT_EQ(report[0].breaks_at(Arithmetic::single), 1e-9);
-  EXPECT_EQ(report[0].breaks_at(Arithmetic::own), 1e-3);
+  EXPECT_EQ(report[0].breaks_at(Way::single), 1e-9);
+  EXPECT_EQ(report[0].breaks_at(Way::own), 1e-3);
   EXPECT_TRUE(test::contains(to_csv(report), "P1,1e-09,float32,,,,inf,,,broken,\"map: nothing, \"\"really\"\"\""));
   EXPECT_TRUE(test::contains(to_json(report, false), "\"error\": null"));
 }

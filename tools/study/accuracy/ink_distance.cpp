@@ -90,6 +90,25 @@ double farthest(const InkGrid& grid, const InkLine& line, double known) {
   return farthest(grid, {middle, line.to}, farthest(grid, {line.from, middle}, best));
 }
 
+// A piece of a line by its middle.
+struct Piece {
+  double distance, length;
+};
+
+std::vector<Piece> pieces_of(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink) {
+  constexpr double shortest = 0.5;  // mm
+  const InkGrid grid(ink);
+  std::vector<Piece> pieces;
+  for (const InkLine& line : lines) {
+    const double length = glm::distance(line.from, line.to);
+    const int parts = std::max(1, static_cast<int>(length / shortest));
+    for (int i = 0; i < parts; ++i)
+      pieces.push_back(
+          {grid.nearest(line.from + (line.to - line.from) * ((i + 0.5) / parts)).distance, length / parts});
+  }
+  return pieces;
+}
+
 }  // namespace
 
 double farthest_from_ink(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink) {
@@ -99,6 +118,22 @@ double farthest_from_ink(const std::vector<InkLine>& lines, const std::vector<In
   double known = 0;
   for (const InkLine& line : lines) known = farthest(grid, line, known);
   return known;
+}
+
+double distance_of_share(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink, double share) {
+  std::vector<Piece> pieces = pieces_of(lines, ink);
+  std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.distance < b.distance; });
+  double whole = 0, within = 0;
+  for (const Piece& piece : pieces) whole += piece.length;
+  for (const Piece& piece : pieces)
+    if ((within += piece.length) >= share * whole) return piece.distance;
+  return pieces.empty() ? 0 : pieces.back().distance;
+}
+
+double length_beyond(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink, double most) {
+  double beyond = 0;
+  for (const Piece& piece : pieces_of(lines, ink)) beyond += piece.distance > most ? piece.length : 0;
+  return beyond;
 }
 
 }  // namespace epura::study

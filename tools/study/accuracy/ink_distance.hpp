@@ -16,4 +16,10 @@ struct InkLine {
 /// most a thousandth. 0 without lines; infinite without ink.
 double farthest_from_ink(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink);
 
+/// The distance within which this share of the length of `lines` lies, piece by piece of 0.5 mm.
+double distance_of_share(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink, double share);
+
+/// The length of what is farther from the ink than `most`, piece by piece of 0.5 mm.
+double length_beyond(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink, double most);
+
 }  // namespace epura::study

@@ -8,7 +8,6 @@
 #include <memory>
 #include <utility>
 
-#include "base/nearest.hpp"
 #include "pipeline/complete_scene.hpp"
 #include "pipeline/draw_scene.hpp"
 #include "scene/choices.hpp"
@@ -19,27 +18,23 @@ namespace epura::study {
 
 namespace {
 
-scene::SceneDescription describe(const ClosedForm& form, int around, PaperWay way) {
+scene::SceneDescription describe(const PaperScene& paper, int around, PaperWay way) {
   scene::SceneDescription scene;
-  for (const RoundBody& body : form.bodies) {
+  for (mesh::Soup& mesh : paper.meshes(around)) {
     scene::ModelDescription model;
-    model.soup = std::make_shared<const mesh::Soup>(mesh_of(body, around));
+    model.soup = std::make_shared<const mesh::Soup>(std::move(mesh));
     model.name = {"body " + std::to_string(scene.models.size() + 1), "study"};
     if (way == PaperWay::triangles) model.surfaces = {Surfaces::mesh, "study"};
     scene.models.push_back(std::move(model));
   }
   scene::ViewDescription view;
-  view.projection = {scene::parse_request(form.projection), "study"};
+  view.projection = {scene::parse_request(paper.projection), "study"};
   view.hidden = {HiddenLines::none, "study"};
   view.join_within = {0, "study"};
   scene.views.push_back(std::move(view));
   pipeline::complete_scene(scene);
   pipeline::complete_sheets(scene);
   return scene;
-}
-
-Viewer viewer_of(const projection::Projection& projection) {
-  return projection.central ? Viewer{true, projection.projector, {}} : Viewer{false, {}, projection.projector};
 }
 
 std::vector<InkLine> lines_on_paper(const std::vector<std::vector<Vec3>>& lines, const Mat4& world_to_page) {
@@ -104,38 +99,36 @@ TimedScene draw(const scene::SceneDescription& scene, const pipeline::RunOptions
   return {std::move(drawn), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
 }
 
-// The length of what is farther from the ink than `most`, piece by piece.
-double length_beyond(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink, double most) {
-  constexpr double piece = 0.5;  // mm
-  double beyond = 0;
-  for (const InkLine& line : lines) {
-    const double length = glm::distance(line.from, line.to);
-    const int parts = std::max(1, static_cast<int>(length / piece));
-    for (int i = 0; i < parts; ++i) {
-      const Vec2 place = line.from + (line.to - line.from) * ((i + 0.5) / parts);
-      const bool near = std::any_of(ink.begin(), ink.end(), [&](const InkLine& one) {
-        return distance_to_segment(place, one.from, one.to) <= most;
-      });
-      beyond += near ? 0 : length / parts;
-    }
-  }
-  return beyond;
+// Known lines on the paper of a run.
+struct Truth {
+  std::vector<InkLine> drawn, all;  ///< all: with the optional ones
+  double share;
+};
+
+Truth truth_on_paper(const PaperScene& scene, const PaperRun& run, int points) {
+  const TrueLines lines = scene.lines(run.projection, points);
+  Truth truth{lines_on_paper(lines.drawn, run.world_to_page), lines_on_paper(lines.optional, run.world_to_page),
+              scene.share};
+  truth.all.insert(truth.all.end(), truth.drawn.begin(), truth.drawn.end());
+  return truth;
 }
 
 // Beyond the stated error, lines are missed, or phantoms.
-void compare(const std::vector<InkLine>& ink, const std::vector<InkLine>& truth, PaperError& error) {
+void compare(const std::vector<InkLine>& ink, const Truth& truth, PaperError& error) {
+  const auto distance = [&](const std::vector<InkLine>& lines, const std::vector<InkLine>& others) {
+    return truth.share < 1 ? distance_of_share(lines, others, truth.share) : farthest_from_ink(lines, others);
+  };
+  error.drawn = distance(ink, truth.all);
+  error.truth = distance(truth.drawn, ink);
   const double allowed = error.budget.total();
-  error.drawn = farthest_from_ink(ink, truth);
-  error.truth = farthest_from_ink(truth, ink);
-  if (error.truth > allowed) error.missed = length_beyond(truth, ink, allowed);
-  if (error.drawn > allowed) error.phantom = length_beyond(ink, truth, allowed);
+  error.missed = length_beyond(truth.drawn, ink, allowed);
+  error.phantom = length_beyond(ink, truth.all, allowed);
 }
 
 // All bodies in one mesh.
-mesh::Soup mesh_of(const ClosedForm& form, int around) {
+mesh::Soup joined(const std::vector<mesh::Soup>& bodies) {
   mesh::Soup all;
-  for (const RoundBody& body : form.bodies) {
-    const mesh::Soup one = mesh_of(body, around);
+  for (const mesh::Soup& one : bodies) {
     const int first = static_cast<int>(all.points.size());
     all.points.insert(all.points.end(), one.points.begin(), one.points.end());
     std::size_t begin = 0;
@@ -174,47 +167,62 @@ std::vector<InkLine> on_paper_of(const PaperRun& run, const Pose& pose, const st
   return lines_on_paper(in_space, run.world_to_page);
 }
 
-RivalDrawing draw_by(const Rival& rival, const ClosedForm& form, int around, const Mat3& to_rival) {
-  mesh::Soup mesh = mesh_of(form, around);
+RivalDrawing draw_by(const Rival& rival, const PaperScene& scene, int around, const Mat3& to_rival) {
+  mesh::Soup mesh = joined(scene.meshes(around));
   for (auto& p : mesh.points) {
     const Vec3 q = to_rival * Vec3(p[0], p[1], p[2]);
     p = {q.x, q.y, q.z};
   }
-  return draw_by(rival, mesh, describe_bodies(form, to_rival));
+  return draw_by(rival, mesh, scene.describe ? scene.describe(to_rival) : "");
 }
 
 // Nothing if the rival cannot draw the bodies.
-std::optional<Way> way_of(const Rival& rival, const ClosedForm& form, int around, const PaperStudy& study) {
-  const PaperRun own = draw_on_paper(form, around, PaperWay::triangles, study);
+std::optional<Way> way_of(const Rival& rival, const PaperScene& scene, int around, const PaperStudy& study) {
+  const PaperRun own = draw_on_paper(scene, around, PaperWay::triangles, study);
   const Pose pose = pose_of(own.projection);
-  const RivalDrawing drawing = draw_by(rival, form, around, pose.to_rival);
+  const RivalDrawing drawing = draw_by(rival, scene, around, pose.to_rival);
   if (!drawing.can) return std::nullopt;
-  const auto compare_lines = [&form, &study, own, pose, lines = drawing.lines] {
+  const auto compare_lines = [&scene, &study, own, pose, lines = drawing.lines] {
     PaperRun run = own;
     run.error = {};
-    const std::vector<InkLine> truth =
-        lines_on_paper(visible_lines(form, viewer_of(run.projection), study.points), run.world_to_page);
-    compare(on_paper_of(run, pose, lines), truth, run.error);
+    compare(on_paper_of(run, pose, lines), truth_on_paper(scene, run, study.points), run.error);
     return run;
   };
-  const auto time = [&form, &rival, around, pose] { return draw_by(rival, form, around, pose.to_rival).seconds; };
+  const auto time = [&scene, &rival, around, pose] { return draw_by(rival, scene, around, pose.to_rival).seconds; };
   return Way{rival.name, compare_lines, time};
 }
 
-std::vector<Way> ways_of(const ClosedForm& form, int around, const PaperStudy& study) {
+std::vector<Way> ways_of(const PaperScene& scene, int around, const PaperStudy& study) {
   std::vector<Way> ways;
   for (const PaperWay way : {PaperWay::recognised, PaperWay::triangles, PaperWay::arcs})
     ways.push_back(
         {paper_ways[static_cast<std::size_t>(way)],
-         [&form, &study, around, way] { return draw_on_paper(form, around, way, study); },
-         [&form, &study, around, way] { return draw(describe(form, around, way), options_of(study, way)).seconds; }});
-  if (form.is_central()) return ways;
+         [&scene, &study, around, way] { return draw_on_paper(scene, around, way, study); },
+         [&scene, &study, around, way] { return draw(describe(scene, around, way), options_of(study, way)).seconds; }});
+  if (scene.is_central()) return ways;
   for (const Rival& rival : study.rivals)
-    if (auto way = way_of(rival, form, around, study)) ways.push_back(std::move(*way));
+    if (auto way = way_of(rival, scene, around, study)) ways.push_back(std::move(*way));
   return ways;
 }
 
 }  // namespace
+
+PaperScene scene_of(const ClosedForm& form) {
+  PaperScene scene{form.name, form.projection, {}, {}};
+  scene.meshes = [form](int around) {
+    std::vector<mesh::Soup> meshes;
+    for (const RoundBody& body : form.bodies) meshes.push_back(mesh_of(body, around));
+    return meshes;
+  };
+  scene.lines = [form](const projection::Projection& view, int points) {
+    const Viewer viewer = view.central ? Viewer{true, view.projector, {}} : Viewer{false, {}, view.projector};
+    return TrueLines{visible_lines(form, viewer, points)};
+  };
+  scene.describe = [form](const Mat3& turn) { return describe_bodies(form, turn); };
+  scene.coarsest = form.coarsest;
+  scene.has_cusps = form.has_cusps;
+  return scene;
+}
 
 double PaperSeries::order() const {
   const std::size_t half = runs.size() / 2;
@@ -223,40 +231,38 @@ double PaperSeries::order() const {
   return std::log(coarse.error.ink() / fine.error.ink()) / std::log(double(fine.around) / coarse.around);
 }
 
-PaperRun draw_on_paper(const ClosedForm& form, int around, PaperWay way, const PaperStudy& study,
+PaperRun draw_on_paper(const PaperScene& scene, int around, PaperWay way, const PaperStudy& study,
                        std::optional<double> max_error) {
-  return compare_on_paper(form, form, around, way, study, max_error);
+  return compare_on_paper(scene, scene, around, way, study, max_error);
 }
 
-PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, int around, PaperWay way,
+PaperRun compare_on_paper(const PaperScene& scene, const PaperScene& truth_of, int around, PaperWay way,
                           const PaperStudy& study, std::optional<double> max_error) {
   pipeline::RunOptions options = options_of(study, way);
   options.judges = true;
   options.max_error = max_error;
-  const pipeline::DrawnScene drawn = draw(describe(form, around, way), options).scene;
+  const pipeline::DrawnScene drawn = draw(describe(scene, around, way), options).scene;
   PaperRun run{.around = around, .error = {}};
   for (const mesh::MeshReport& mesh : drawn.report.meshes) run.triangles += mesh.triangles;
   const drawing::ViewDrawing& drawing = drawn.sheets.front().drawings.front();
   run.world_to_page = drawing.world_to_page;
   run.projection = drawing.projection;
   run.error.budget = drawn.report.errors.front();
-  const std::vector<InkLine> truth =
-      lines_on_paper(visible_lines(truth_of, viewer_of(drawing.projection), study.points), run.world_to_page);
-  compare(drawn_lines(drawn.sheets.front().sheet), truth, run.error);
+  compare(drawn_lines(drawn.sheets.front().sheet), truth_on_paper(truth_of, run, study.points), run.error);
   return run;
 }
 
-std::vector<PaperSeries> measure_paper(const std::vector<ClosedForm>& forms, const std::vector<int>& finenesses,
+std::vector<PaperSeries> measure_paper(const std::vector<PaperScene>& scenes, const std::vector<int>& finenesses,
                                        int runs, const PaperStudy& study, const Progress& progress) {
   std::vector<PaperSeries> all;
-  for (const ClosedForm& form : forms) {
-    progress.begin("measuring " + form.name);
+  for (const PaperScene& scene : scenes) {
+    progress.begin("measuring " + scene.name);
     std::vector<PaperSeries> series;
     std::vector<std::vector<Way>> ways;  // by fineness
     for (const int around : finenesses)
-      if (around >= form.coarsest) ways.push_back(ways_of(form, around, study));
+      if (around >= scene.coarsest) ways.push_back(ways_of(scene, around, study));
     if (ways.empty()) continue;
-    for (const Way& way : ways.front()) series.push_back({form.name, way.name});
+    for (const Way& way : ways.front()) series.push_back({scene.name, way.name, {}, scene.share});
     for (int turn = 0; turn < runs; ++turn)
       for (std::size_t f = 0; f < ways.size(); ++f)
         for (std::size_t way = 0; way < series.size(); ++way) {

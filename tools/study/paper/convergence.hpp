@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Error on paper of the whole way from a mesh to its drawing, against closed forms, over the fineness of the mesh.
+// Error on paper of the whole way from a mesh to its drawing, against known lines, over the fineness of the mesh.
 #pragma once
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,10 +17,35 @@
 
 namespace epura::study {
 
+/// Visible lines in space.
+struct TrueLines {
+  std::vector<std::vector<Vec3>> drawn;
+  std::vector<std::vector<Vec3>> optional{};  ///< a drawing may have them: edges between faces that continue each other
+};
+
+/// Bodies with known surfaces in one view.
+struct PaperScene {
+  std::string name;
+  std::string projection;  ///< as on the command line
+  /// The meshes, with about `around` facets around a circle as large as the bodies.
+  std::function<std::vector<mesh::Soup>(int around)> meshes;
+  /// As polylines, each whole line with this number of points.
+  std::function<TrueLines(const projection::Projection&, int points)> lines;
+  /// The surfaces, turned by a matrix, for rivals that draw them; may be empty.
+  std::function<std::string(const Mat3& turn)> describe{};
+  int coarsest = 12;       ///< fineness from which facets are crossed as their surfaces are
+  bool has_cusps = false;  ///< contours end where they point at the viewer: those of facets end up to a facet away
+  double share = 1;        ///< errors are those of this share of the length of lines
+
+  [[nodiscard]] bool is_central() const { return projection.starts_with("look-at"); }
+};
+
+PaperScene scene_of(const ClosedForm& form);
+
 /// The distances between drawn and true visible lines, mm on paper.
 struct PaperError {
-  double drawn = 0;            ///< farthest point of a drawn line from the true ones
-  double truth = 0;            ///< farthest point of a true line from the drawn ones
+  double drawn = 0;            ///< farthest point of a drawn line from the true ones, or of a share of their length
+  double truth = 0;            ///< the same of true lines from the drawn ones
   double missed = 0;           ///< length of true lines that are farther from drawn ones than the budget
   double phantom = 0;          ///< length of drawn lines that are farther from true ones than the budget
   report::ViewError budget{};  ///< as the drawing reports it
@@ -42,6 +68,7 @@ struct PaperSeries {
   std::string scene;
   std::string way;  ///< one of paper_ways, or the name of a rival
   std::vector<PaperRun> runs{};
+  double share = 1;  ///< of the scene
   /// The order of convergence: the slope of the error over the length of facets, over the finer half of the runs.
   [[nodiscard]] double order() const;
 };
@@ -59,17 +86,17 @@ struct PaperStudy {
 };
 
 /// Draws a scene once. With `max_error`, as --max-error does; throws Error if that refuses.
-PaperRun draw_on_paper(const ClosedForm& form, int around, PaperWay way, const PaperStudy& study,
+PaperRun draw_on_paper(const PaperScene& scene, int around, PaperWay way, const PaperStudy& study,
                        std::optional<double> max_error = {});
 
 /// The same, compared with the lines of another body.
-PaperRun compare_on_paper(const ClosedForm& form, const ClosedForm& truth_of, int around, PaperWay way,
+PaperRun compare_on_paper(const PaperScene& scene, const PaperScene& truth_of, int around, PaperWay way,
                           const PaperStudy& study, std::optional<double> max_error = {});
 
 /// Draws each scene in all ways and, in parallel views, by all rivals that can, at each fineness from its coarsest on:
 /// `runs` times, in turns, so that other load on the machine affects all alike. The first of the runs is compared with
 /// the truth.
-std::vector<PaperSeries> measure_paper(const std::vector<ClosedForm>& forms, const std::vector<int>& finenesses,
+std::vector<PaperSeries> measure_paper(const std::vector<PaperScene>& scenes, const std::vector<int>& finenesses,
                                        int runs, const PaperStudy& study, const Progress& progress);
 
 }  // namespace epura::study

@@ -73,7 +73,9 @@ LogPlot diagram_of(const std::vector<PaperSeries>& scene, std::size_t number) {
   LogPlot plot{"plot-" + std::to_string(number),
                scene.front().scene,
                "seconds from mesh to drawing (median)",
-               "error on paper, mm",
+               scene.front().share < 1
+                   ? "error on paper of " + format_rounded(100 * scene.front().share, 4) + " % of the lines, mm"
+                   : "error on paper, mm",
                {}};
   for (const PaperSeries& series : scene) {
     PlotCurve curve{series.way + (series.runs.size() > 1 ? " (" + format_rounded(series.order(), 2) + ")" : ""), {}};

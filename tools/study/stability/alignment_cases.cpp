@@ -16,7 +16,7 @@ const Vec3 diagonal(1, 1, 1);
 Measured cube_along_its_diagonal(const Lab& lab, double cells) {
   Measured measured;
   for (const bool other : {false, true}) {
-    const Result result = lab.draw(world_of(fine_cube(static_cast<int>(cells), other)), {orthographic(diagonal)});
+    const Result result = lab.draw(lab.world_of(fine_cube(static_cast<int>(cells), other)), {orthographic(diagonal)});
     append(measured, lengths(result, 9 * r, 3 * r));
     measured.push_back(count("visible pieces", 9 * cells, result.pieces(true)));
   }
@@ -26,7 +26,7 @@ Measured cube_along_its_diagonal(const Lab& lab, double cells) {
 Measured cube_face_on(const Lab& lab, double cells) {
   Measured measured;
   for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, -1, 0)}) {
-    const Result result = lab.draw(world_of(fine_cube(static_cast<int>(cells))), {orthographic(axis)});
+    const Result result = lab.draw(lab.world_of(fine_cube(static_cast<int>(cells))), {orthographic(axis)});
     append(measured, lengths(result, 4, 0));
     measured.push_back(count("hidden pieces", 0, result.pieces(false)));
   }
@@ -36,19 +36,19 @@ Measured cube_face_on(const Lab& lab, double cells) {
 Measured cube_and_its_copy(const Lab& lab, double d) {
   Shape both = box({0, 0, 0}, {2, 2, 2});
   both.add(box({d, d, d}, {2 + d, 2 + d, 2 + d}));
-  const Result result = lab.draw(world_of(both), {orthographic(diagonal)}, {.intersection = false});
+  const Result result = lab.draw(lab.world_of(both), {orthographic(diagonal)}, {.intersection = false});
   return lengths(result, 18 * r, 6 * r);
 }
 
 Measured turned_cube(const Lab& lab, double angle) {
-  const Result result = lab.draw(world_of(box({0, 0, 0}, {1, 1, 1})), {orthographic({1 + angle, 1, 1 - angle})});
+  const Result result = lab.draw(lab.world_of(box({0, 0, 0}, {1, 1, 1})), {orthographic({1 + angle, 1, 1 - angle})});
   // Lengths on the page change by less than three times the angle.
   return lengths(result, 9 * r, 3 * r, guaranteed_part + 3 * angle);
 }
 
 // There must be one step where the larger plate is no longer in contact, but never specks.
 Measured plate_under_a_plate(const Lab& lab, double e) {
-  const scene::World world = world_of({plate(-0.5, -0.5, 0.5, 0.5, 0), plate(-1, -1, 1, 1, e)});
+  const scene::World world = lab.world_of({plate(-0.5, -0.5, 0.5, 0.5, 0), plate(-1, -1, 1, 1, e)});
   const Result result = lab.draw(world, {from_above()});
   const bool hidden = e > result.view.contact.touching / result.view.map.unit * result.unit;
   Measured measured = lengths(result, hidden ? 8 : 12, hidden ? 4 : 0);
@@ -66,7 +66,7 @@ Measured zigzag(const Lab& lab, double waves) {
     if (i > 0) sheet.faces.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
   }
   const edges::EdgeOptions folds{.contour = true, .boundary = false, .crease = true, .intersection = false};
-  return lengths(lab.draw(world_of(sheet), {orthographic({2, 0, 1})}, folds), waves, waves - 1);
+  return lengths(lab.draw(lab.world_of(sheet), {orthographic({2, 0, 1})}, folds), waves, waves - 1);
 }
 
 }  // namespace

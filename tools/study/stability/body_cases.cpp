@@ -18,14 +18,14 @@ const Vec3 diagonal(1, 1, 1);
 Measured boxes_in_contact(const Lab& lab, double at) {
   Shape both = box({at, at, at}, {at + 1, at + 1, at + 1});
   both.add(box({at + 1, at, at}, {at + 2, at + 1, at + 1}));
-  return lengths(lab.draw(world_of(both), {orthographic(diagonal)}), 14 * r, 5 * r);
+  return lengths(lab.draw(lab.world_of(both), {orthographic(diagonal)}), 14 * r, 5 * r);
 }
 
 // The edges of the two faces beside the gap are parallel on the page.
 Measured boxes_with_a_gap(const Lab& lab, double gap) {
   Shape both = box({0, 0, 0}, {1, 1, 1});
   both.add(box({1 + gap, 0, 0}, {2 + gap, 1, 1}));
-  const Result result = lab.draw(world_of(both), {orthographic(diagonal)});
+  const Result result = lab.draw(lab.world_of(both), {orthographic(diagonal)});
   const bool apart = gap * r * std::sqrt(0.75) > result.merge_width();
   return apart ? lengths(result, (16 + 2 * gap) * r, (7 - gap) * r) : lengths(result, 14 * r, 5 * r);
 }
@@ -33,7 +33,7 @@ Measured boxes_with_a_gap(const Lab& lab, double gap) {
 Measured cube_twice(const Lab& lab, double at) {
   Shape twice = triangulated_cube(false);
   twice.add(triangulated_cube(true));
-  return lengths(lab.draw(world_of(twice.moved(at, at, at)), {orthographic(diagonal)}), 9 * r, 3 * r);
+  return lengths(lab.draw(lab.world_of(twice.moved(at, at, at)), {orthographic(diagonal)}), 9 * r, 3 * r);
 }
 
 Measured faces_flipped_at_random(const Lab& lab, double seed) {
@@ -41,14 +41,14 @@ Measured faces_flipped_at_random(const Lab& lab, double seed) {
   Shape cube = triangulated_cube();
   for (auto& face : cube.faces)
     if (seed == 0 || random() % 2 == 0) std::swap(face[0], face[1]);
-  return lengths(lab.draw(world_of(cube), {orthographic(diagonal)}), 9 * r, 3 * r);
+  return lengths(lab.draw(lab.world_of(cube), {orthographic(diagonal)}), 9 * r, 3 * r);
 }
 
 Measured cavity_in_a_cube(const Lab& lab, double at) {
   Measured measured;
   for (const bool outward : {false, true}) {
     const Shape cube = cube_with_a_cavity(outward).moved(at, at, at);
-    append(measured, lengths(lab.draw(world_of(cube), {orthographic(diagonal)}), 27 * r, 15 * r));
+    append(measured, lengths(lab.draw(lab.world_of(cube), {orthographic(diagonal)}), 27 * r, 15 * r));
   }
   return measured;
 }
@@ -59,8 +59,8 @@ Measured crossing_plates(const Lab& lab, double slope) {
   Shape plates = plate(0, 0, 4, 2, 0);
   plates.add({{{1, 0.5, slope}, {3, 0.5, -slope}, {3, 1.5, -slope}, {1, 1.5, slope}}, {{0, 1, 2, 3}}, {}});
   const Camera camera{from_above()};
-  const Result without = lab.draw(world_of(plates), camera, {.intersection = false});
-  const Result with = lab.draw(world_of(plates), camera);
+  const Result without = lab.draw(lab.world_of(plates), camera, {.intersection = false});
+  const Result with = lab.draw(lab.world_of(plates), camera);
   const double longer = 2 * without.view.contact.touching / without.view.map.unit * without.unit / slope;
   Measured measured = lengths(without, 15 + longer, 3 - longer);
   append(measured, lengths(with, 16 + longer, 3 - longer));
@@ -79,7 +79,7 @@ Measured weave(const Lab& lab, double tilt) {
   bars.add(bar(6, 0, false, 0, 1));
   bars.add(bar(0, 6, true, 1, 0));
   bars.add(bar(1, 0, false, 1, 0));
-  return lengths(lab.draw(world_of(bars), {from_above()}), 64, 8);
+  return lengths(lab.draw(lab.world_of(bars), {from_above()}), 64, 8);
 }
 
 // Three triangles, with one side of the first split by a vertex of the others, rotated around that vertex.
@@ -89,7 +89,7 @@ Measured through_a_t_junction(const Lab& lab, double degrees) {
   const Shape junction{{turned(0.5, -1, 1), turned(0.5, 1, 1), turned(-1, 0, 1), turned(0.5, 0, 1), turned(2, 0, 1)},
                        {{0, 1, 2}, {0, 4, 3}, {3, 4, 1}},
                        {}};
-  const scene::World world = world_of({junction, plate(-4, -4, 4, 4, -1)});
+  const scene::World world = lab.world_of({junction, plate(-4, -4, 4, 4, -1)});
   return one_span(lab.hidden_of_line(world, from_above(), {-2.5 * c, -2.5 * s, 0}, {3.5 * c, 3.5 * s, 0}), 0.25, 0.75);
 }
 
@@ -103,7 +103,7 @@ Measured book(const Lab& lab, double pages) {
     all.add({{{0, 0, 0}, {x, 0, z}, {x, 1, z}, {0, 1, 0}}, {{0, 1, 2, 3}}, {}});
     if (x != 0) edges += 1;
   }
-  return lengths(lab.draw(world_of(all), {from_above()}), edges + 4 * std::cos(M_PI / (k + 1)), 0);
+  return lengths(lab.draw(lab.world_of(all), {from_above()}), edges + 4 * std::cos(M_PI / (k + 1)), 0);
 }
 
 // Two bars with different diagonals that overlap over a part of their lengths, seen from the front.
@@ -111,7 +111,7 @@ Measured overlapping_bars(const Lab& lab, double overlap) {
   Shape left = triangulated_cube(false), right = triangulated_cube(true);
   for (Point& p : left.points) p[0] *= 2;
   for (Point& p : right.points) p[0] = p[0] == 0 ? 2 - overlap : 3;
-  const Result result = lab.draw(world_of({left, right}), {orthographic({0, -1, 0})});
+  const Result result = lab.draw(lab.world_of({left, right}), {orthographic({0, -1, 0})});
   return lengths(result, 10, 0);
 }
 

@@ -30,7 +30,7 @@ Measured strips_over_strips(const Lab& lab, int n, int m, double width) {
   Shape strips;
   for (int i = 0; i < n; ++i) strips.add(plate(i, 0, i + width, m, 1));
   for (int j = 0; j < m; ++j) strips.add(plate(-0.5, j + 0.2, n, j + 0.2 + width, 0));
-  const Result result = lab.draw(world_of(strips), {from_above()});
+  const Result result = lab.draw(lab.world_of(strips), {from_above()});
   const double crossings = 1.0 * n * m;
   const double all = 2 * n * (m + width) + 2 * m * (n + 0.5 + width);
   Measured measured = lengths(result, all - 2 * crossings * width, 2 * crossings * width);
@@ -42,7 +42,7 @@ Measured strips_over_strips(const Lab& lab, int n, int m, double width) {
 Measured stack_of_plates(const Lab& lab, int n, double shift) {
   Shape stack;
   for (int i = 0; i < n; ++i) stack.add(plate(-shift * i, -shift * i, 1 - shift * i, 1 - shift * i, i));
-  const Result result = lab.draw(world_of(stack), {from_above()});
+  const Result result = lab.draw(lab.world_of(stack), {from_above()});
   const double visible = 2 * n + 2 + 2 * shift * (n - 1);
   return {length("visible", visible, result.visible(), visible)};
 }
@@ -50,7 +50,7 @@ Measured stack_of_plates(const Lab& lab, int n, double shift) {
 Measured plates_along_a_line(const Lab& lab, int n, double shift) {
   Shape stack;
   for (int i = 0; i < n; ++i) stack.add(plate(shift * i, shift * i, 1 + shift * i, 1 + shift * i, -shift * i));
-  const Result result = lab.draw(world_of(stack), {orthographic({1, -1, 1})});
+  const Result result = lab.draw(lab.world_of(stack), {orthographic({1, -1, 1})});
   const double side = std::sqrt(2.0 / 3), step = shift * std::sqrt(8.0 / 3);
   const double visible = (n + 3) * side + 2 * step * (n - 1);
   return {length("visible", visible, result.visible(), visible)};
@@ -63,7 +63,7 @@ Measured sliver_plate(const Lab& lab, int n) {
     strips.points.push_back({static_cast<double>(i) / n, 1, 1});
     if (i > 0) strips.faces.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
   }
-  const scene::World world = world_of({strips, plate(-1, -1, 2, 2, 0)});
+  const scene::World world = lab.world_of({strips, plate(-1, -1, 2, 2, 0)});
   return one_span(lab.hidden_of_line(world, from_above(), {-1, 0.3, 0.5}, {2, 0.6, 0.5}), 1.0 / 3, 2.0 / 3);
 }
 
@@ -112,7 +112,7 @@ Measured triangles_without_area(const Lab& lab, int cells, int parts) {
   const Shape cube = fine_cube(cells);
   OneSidedSplit split{parts, {cube.points, {}, {}}, {}};
   for (const auto& triangle : cube.faces) split.split(triangle);
-  const scene::World world = world_of(split.shape);
+  const scene::World world = lab.world_of(split.shape);
   Measured measured{count("open edges", 0, world.models[0].mesh->report.open_edges)};
   const Vec3 towards = glm::normalize(Vec3(3, -2, 1));
   double all = 0;  // four edges along each axis, one of them hidden
@@ -143,7 +143,7 @@ std::array<double, 2> chord(const std::vector<Point>& corners, double y) {
 
 Measured fan_over_chords(const Lab& lab, int n) {
   const Shape disk = fan(n);
-  const scene::World world = world_of({disk, plate(-2, -2, 2, 2, -1)});
+  const scene::World world = lab.world_of({disk, plate(-2, -2, 2, 2, -1)});
   Measured measured;
   for (const double c : {0.0, 0.25, 0.45}) {
     const auto [left, right] = chord({disk.points.begin() + 1, disk.points.end()}, c);
@@ -159,7 +159,7 @@ Measured stacked_copies(const Lab& lab, int n) {
     const double top = -static_cast<double>(i) / n, bottom = top - 0.5 / n;
     scene.add({{{0, 0, top}, {1, 0, top}, {1, 0, bottom}, {0, 0, bottom}}, {{0, 1, 2, 3}}, {}});
   }
-  const Result result = lab.draw(world_of(scene), {from_above()});
+  const Result result = lab.draw(lab.world_of(scene), {from_above()});
   Measured measured = lengths(result, 11, 0);
   measured.push_back(count("visible pieces", 5, result.pieces(true)));
   return measured;
@@ -249,7 +249,7 @@ Measured needles(const Lab& lab, int n) {
       expected += (to - from) * glm::distance(needle[e % 3], needle[(e + 1) % 3]);
     pieces += hidden[e].size();
   }
-  const Result result = lab.draw(world_of(shape), {from_above()});
+  const Result result = lab.draw(lab.world_of(shape), {from_above()});
   // Compared before lines are merged: near its tip, the two sides of a needle are one line.
   const auto found = static_cast<double>(result.hidden.spans.size()), wanted = static_cast<double>(pieces);
   return {length("hidden", expected, hidden_before_merging(result), std::max(expected, result.extent())),

@@ -41,6 +41,7 @@ Measured fan_over_chords(const Lab& lab, int n);
 Measured sphere_along_its_axis(const Lab& lab, int meridians, int bands);
 
 /// The outline of a convex surface without creases is entirely visible: the convex hull of its corners on the page.
+/// That of a recognised surface may be longer, within the height of its facets.
 Measured outline_of(const Lab& lab, const Shape& convex);
 
 /// From a centre at `distance` from its middle (infinite: in parallel projection), the outline of a sphere is entirely

@@ -4,12 +4,13 @@
 #include <map>
 #include <random>
 
+#include "scene/facet_heights.hpp"
 #include "study/stability/forms.hpp"
 
 namespace epura::stability {
 
 Measured sphere_along_its_axis(const Lab& lab, int meridians, int bands) {
-  const Result result = lab.draw(world_of(uv_sphere(meridians, bands)), {from_above()});
+  const Result result = lab.draw(lab.world_of(uv_sphere(meridians, bands)), {from_above()});
   Measured measured = lengths(result, 2 * meridians * std::sin(M_PI / meridians), 0);
   measured.push_back(count("chains", 1, static_cast<double>(result.drawing.chains.size())));
   measured.push_back(count("closed chains", 1, !result.drawing.chains.empty() && result.drawing.chains[0].closed));
@@ -39,6 +40,13 @@ double perimeter_of_hull(std::vector<Vec2> points) {
   return perimeter;
 }
 
+// Outlines of recognised surfaces lie on these: farther out than those of facets, by up to their height times
+// `stretch`.
+Measured convex_outline(const Result& result, double perimeter, double stretch) {
+  const double height = scene::tessellation_error(result.world) * stretch;
+  return lengths(result, perimeter, 0, guaranteed_part + 2 * M_PI * height / perimeter);
+}
+
 }  // namespace
 
 Measured outline_of(const Lab& lab, const Shape& convex) {
@@ -48,7 +56,7 @@ Measured outline_of(const Lab& lab, const Shape& convex) {
     const Vec3 x(point[0], point[1], point[2]);
     corners.emplace_back(glm::dot(p.u, x), glm::dot(p.v, x));
   }
-  return lengths(lab.draw(world_of(convex), {p}), perimeter_of_hull(std::move(corners)), 0);
+  return convex_outline(lab.draw(lab.world_of(convex), {p}), perimeter_of_hull(std::move(corners)), 1);
 }
 
 Measured sphere_from_anywhere(const Lab& lab, int meridians, int bands, double distance) {
@@ -63,7 +71,9 @@ Measured sphere_from_anywhere(const Lab& lab, int meridians, int bands, double d
     const double grown = central ? 1 / (1 - glm::dot(p.n, x) / distance) : 1;
     corners.push_back(grown * Vec2(glm::dot(p.u, x), glm::dot(p.v, x)));
   }
-  return lengths(lab.draw(world_of(sphere), {p}), perimeter_of_hull(std::move(corners)), 0);
+  // Of the distance from the middle on the page, at the contour.
+  const double stretch = central ? std::pow(1 - 1 / (distance * distance), -1.5) : 1;
+  return convex_outline(lab.draw(lab.world_of(sphere), {p}), perimeter_of_hull(std::move(corners)), stretch);
 }
 
 namespace {
@@ -108,7 +118,7 @@ Measured zonotope(const Lab& lab, int zones) {
   const projection::Projection view = orthographic({0.3, -0.8, 0.5});
   double sum = 0;
   for (const Vec3& s : segments) sum += std::hypot(glm::dot(s, view.u), glm::dot(s, view.v));
-  Measured measured = lengths(lab.draw(world_of(shape), {view}, {.smooth = true}), zones * sum, (zones - 2) * sum);
+  Measured measured = lengths(lab.draw(lab.world_of(shape), {view}, {.smooth = true}), zones * sum, (zones - 2) * sum);
   measured.push_back(count("corners", zones * (zones - 1) + 2, static_cast<double>(shape.points.size())));
   return measured;
 }
@@ -153,7 +163,7 @@ Measured sphere_in_a_stadium(const Lab& lab, int meridians, int bands, double si
   Shape stadium;
   double sides = 0;
   for (const double half : add_stadium(stadium, size)) sides += 8 * half;
-  const Result result = lab.draw(world_of({uv_sphere(meridians, bands), stadium}), {from_above()});
+  const Result result = lab.draw(lab.world_of({uv_sphere(meridians, bands), stadium}), {from_above()});
   const double outline = 2 * meridians * std::sin(M_PI / meridians);
   return {length("of the sphere", outline, visible_length(result, 0), result.extent()),
           length("of the stadium", sides, visible_length(result, 1), sides),

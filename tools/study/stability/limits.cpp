@@ -68,7 +68,7 @@ std::vector<CaseLimit> find_limits(std::span<const Case> cases, double size, dou
   progress.begin("cases", cases.size());
   std::vector<CaseLimit> limits;
   for (const Case& one : cases) {
-    limits.push_back(limit_of(one, {Arithmetic::own, size}, seconds));
+    limits.push_back(limit_of(one, lab_of(Way::own, size), seconds));
     progress.advance(1);
   }
   return limits;

@@ -40,22 +40,22 @@ Measured beside_a_border(const HiddenLine& line, const Interval& expected, doubl
 }
 
 Measured almost_along_a_border(const Lab& lab, double e) {
-  const HiddenLine line =
-      lab.hidden_of_line(world_of({plate(0, 0, 1, 1, 1), ground()}), from_above(), {-1, e * -1.5, 0}, {2, e * 1.5, 0});
+  const HiddenLine line = lab.hidden_of_line(lab.world_of({plate(0, 0, 1, 1, 1), ground()}), from_above(),
+                                             {-1, e * -1.5, 0}, {2, e * 1.5, 0});
   return beside_a_border(line, {0.5, 2.0 / 3}, 3 * e, {1.0 / 3, 2.0 / 3});
 }
 
 // The upper plate's border crosses the line at the angle a.
 Measured crossing_at_an_angle(const Lab& lab, double a) {
   const Shape upper{{{-1, -a, 1}, {1, a, 1}, {1, 1, 1}, {-1, 1, 1}}, {{0, 1, 2, 3}}, {}};
-  const HiddenLine line = lab.hidden_of_line(world_of({upper, ground()}), from_above(), {-2, 0, 0}, {2, 0, 0});
+  const HiddenLine line = lab.hidden_of_line(lab.world_of({upper, ground()}), from_above(), {-2, 0, 0}, {2, 0, 0});
   return beside_a_border(line, {0.25, 0.5}, 4 * a, {0.25, 0.75});
 }
 
 // The contact tolerance lengthens the visible part of a piercing line.
 Measured piercing(const Lab& lab, double slope) {
-  const HiddenLine line =
-      lab.hidden_of_line(world_of({plate(-2, -1, 2, 1, 0), ground()}), from_above(), {-1, 0, -slope}, {1, 0, slope});
+  const HiddenLine line = lab.hidden_of_line(lab.world_of({plate(-2, -1, 2, 1, 0), ground()}), from_above(),
+                                             {-1, 0, -slope}, {1, 0, slope});
   const double end = 0.5 - line.contact / (2 * slope);
   if (end > 0) return one_span(line, 0, end);
   return {count("hidden pieces", 0, static_cast<double>(line.spans.size()))};
@@ -66,14 +66,14 @@ Measured lying_in_a_plate(const Lab& lab, double slope) {
       {{-2, -1, -2 * slope}, {2, -1, 2 * slope}, {2, 1, 2 * slope}, {-2, 1, -2 * slope}}, {{0, 1, 2, 3}}, {}};
   const Vec3 from(-1, -0.3, -slope), to(1, 0.7, slope);
   const Shape below = ground().moved(0, 0, -4 * slope);
-  const HiddenLine line = lab.hidden_of_line(world_of({tilted, below}), from_above(), from, to);
+  const HiddenLine line = lab.hidden_of_line(lab.world_of({tilted, below}), from_above(), from, to);
   return {count("hidden pieces", 0, static_cast<double>(line.spans.size()))};
 }
 
 Measured behind_a_narrow_plate(const Lab& lab, double w) {
   const auto hidden = [&](const Shape& narrow) {
     double sum = 0;
-    const HiddenLine line = lab.hidden_of_line(world_of({narrow, ground()}), from_above(), {-1, 0, 0}, {1, 0, 0});
+    const HiddenLine line = lab.hidden_of_line(lab.world_of({narrow, ground()}), from_above(), {-1, 0, 0}, {1, 0, 0});
     for (const auto& [from, to] : line.spans) sum += 2 * (to - from);
     return sum;
   };
@@ -85,13 +85,13 @@ Measured behind_a_narrow_plate(const Lab& lab, double w) {
 // A corner of the fan lies at (1, 0); on the other side there is a corner or the middle of a side.
 Measured through_a_hub(const Lab& lab, double blades) {
   const int n = static_cast<int>(blades);
-  const HiddenLine line = lab.hidden_of_line(world_of({fan(n), ground()}), from_above(), {-2, 0, 0}, {2, 0, 0});
+  const HiddenLine line = lab.hidden_of_line(lab.world_of({fan(n), ground()}), from_above(), {-2, 0, 0}, {2, 0, 0});
   return one_span(line, (2 - (n % 2 == 0 ? 1 : std::cos(M_PI / n))) / 4, 0.75);
 }
 
 Measured through_a_bow_tie(const Lab& lab, double half) {
   const Shape bow{{{0, 0, 1}, {-half, 1, 1}, {half, 1, 1}, {-half, -1, 1}, {half, -1, 1}}, {{0, 2, 1}, {0, 3, 4}}, {}};
-  const HiddenLine line = lab.hidden_of_line(world_of({bow, ground()}), from_above(), {-1, 0, 0}, {1, 0, 0});
+  const HiddenLine line = lab.hidden_of_line(lab.world_of({bow, ground()}), from_above(), {-1, 0, 0}, {1, 0, 0});
   return {count("hidden pieces", 0, static_cast<double>(line.spans.size()))};
 }
 

@@ -16,7 +16,7 @@ const double r = std::sqrt(2.0 / 3.0);
 const Vec3 diagonal(1, 1, 1);
 
 Measured as_a_cube(const Lab& lab, const Shape& shape, int open_edges = 0) {
-  const Result result = lab.draw(world_of(shape), {orthographic(diagonal)});
+  const Result result = lab.draw(lab.world_of(shape), {orthographic(diagonal)});
   Measured measured = lengths(result, 9 * r, 3 * r);
   measured.push_back(count("open edges", open_edges, result.world.models[0].mesh->report.open_edges));
   return measured;
@@ -109,9 +109,9 @@ Measured t_junctions(const Lab& lab, double parts) {
 Measured five_digits(const Lab& lab, double sides) {
   const int n = static_cast<int>(sides);
   const Shape sphere = revolved(meridian(n / 2, 0), n);
-  const Result exact = Lab().draw(world_of(sphere), {orthographic({0.3, -0.8, 0.5})});
+  const Result exact = lab.exact().draw(lab.world_of(sphere), {orthographic({0.3, -0.8, 0.5})});
   scene::World world = scene::make_world({{std::make_shared<const mesh::Mesh>(mesh_of(sphere, 5)), Mat4(1.0)}});
-  const Result result = lab.draw(std::move(world), {orthographic({0.3, -0.8, 0.5})});
+  const Result result = lab.draw(lab.prepare(std::move(world)), {orthographic({0.3, -0.8, 0.5})});
   return lengths(result, exact.visible(), 0, 1e-3);
 }
 

@@ -20,14 +20,14 @@ const double r = std::sqrt(2.0 / 3.0);
 const Vec3 diagonal(1, 1, 1);
 
 Measured scaled_cube(const Lab& lab, double factor) {
-  const Result result = lab.draw(world_of(box({0, 0, 0}, {1, 1, 1}).scaled(factor)), {orthographic(diagonal)});
+  const Result result = lab.draw(lab.world_of(box({0, 0, 0}, {1, 1, 1}).scaled(factor)), {orthographic(diagonal)});
   return lengths(result, 9 * r * factor, 3 * r * factor);
 }
 
 // A quarter unit survives in doubles up to 2^50.
 Measured quarter_cube_far_away(const Lab& lab, double at) {
   const Shape cube = box({0, 0, 0}, {0.25, 0.25, 0.25}).moved(at, at, at);
-  const Result result = lab.draw(world_of(cube), {orthographic(diagonal)});
+  const Result result = lab.draw(lab.world_of(cube), {orthographic(diagonal)});
   Measured measured = lengths(result, 9 * r / 4, 3 * r / 4);
   measured.push_back(places(result));
   return measured;
@@ -36,7 +36,7 @@ Measured quarter_cube_far_away(const Lab& lab, double at) {
 // The window shows only the unit cube; the large cube is beside it on the page.
 Measured small_beside_large(const Lab& lab, double ratio) {
   const Shape large = box({-4, 2, 0}, {-3, 3, 1}).scaled(ratio);
-  const scene::World world = world_of({box({0, 0, 0}, {1, 1, 1}), large});
+  const scene::World world = lab.world_of({box({0, 0, 0}, {1, 1, 1}), large});
   projection::Projection p = orthographic(diagonal);
   p.window = projection::Window{{-1, -1}, {1, 1}};
   const Result result = lab.draw(world, {p});
@@ -71,7 +71,7 @@ Measured faults(const Lab& lab, double kind) {
   const double expected = empty ? 0 : 2 + std::sqrt(2.0);
   double visible = 0;
   try {
-    visible = lab.draw(world_of(with_faults(static_cast<int>(kind))), {from_above()}).visible();
+    visible = lab.draw(lab.world_of(with_faults(static_cast<int>(kind))), {from_above()}).visible();
   } catch (const Error&) {
     if (!empty) throw;
   }
@@ -101,9 +101,9 @@ Measured in_any_order(const Lab& lab, double seed) {
   Shape shape = uv_sphere(24, 12);
   shape.add(box({-0.5, -3, -0.5}, {0.5, 3, 0.5}));
   const Camera camera{orthographic({1, -2, 1.5})};
-  const Result plain = Lab().draw(world_of(shape), camera);
+  const Result plain = lab.exact().draw(lab.world_of(shape), camera);
   const ThreadLimit threads(static_cast<int>(seed));
-  const Result result = lab.draw(world_of(shuffled(shape, random)), camera);
+  const Result result = lab.draw(lab.world_of(shuffled(shape, random)), camera);
   Measured measured = lengths(result, plain.visible(), plain.hidden_length(), 1e-9);
   measured.push_back(count("hidden pieces", plain.pieces(false), result.pieces(false)));
   return measured;

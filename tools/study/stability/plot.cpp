@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors over the parameter: both logarithmic, one curve for each arithmetic, and the allowed error.
+// Errors over the parameter: both logarithmic, one curve for each way, and the allowed error.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,17 +19,19 @@ constexpr Vec2 field_least(18, 15), field_most(108, 60);
 constexpr double label_height = 2.5, mark = 0.7;
 constexpr double least_decade = -18, most_decade = 2;  // of errors; values that are not finite are at the top
 
-const std::array<sheet::LineStyle, arithmetics> curve_styles{
-    {{"plot-float32", 0.25, {0.6, 1.2}}, {"plot-double", 0.25, {3, 1}}, {"plot-epura", 0.5}}};
+const std::array<sheet::LineStyle, way_names.size()> curve_styles{{{"plot-float32", 0.25, {0.6, 1.2}},
+                                                                   {"plot-double", 0.25, {3, 1}},
+                                                                   {"plot-epura", 0.5},
+                                                                   {"plot-recognised", 0.35, {4, 1, 1.5, 1}}}};
 
 struct Plot {
   sheet::Lettering lettering;
   sheet::Layer field{"field", {"plot-field", 0.18}, {}, {}, {}};
   sheet::Layer allowed{"allowed", {"plot-allowed", 0.13, {6, 1, 0.5, 1}}, {}, {}, {}};
-  std::array<sheet::Layer, arithmetics> curves;
+  std::array<sheet::Layer, way_names.size()> curves;
 
   Plot() {
-    for (std::size_t a = 0; a < arithmetics; ++a) curves[a] = {"", curve_styles[a], {}, {}, {}};
+    for (std::size_t way = 0; way < way_names.size(); ++way) curves[way] = {"", curve_styles[way], {}, {}, {}};
   }
 };
 
@@ -118,18 +120,18 @@ void add_curve(sheet::Layer& layer, std::vector<Vec2> points) {
 void add_plot(Plot& plot, const Vec2& origin, const CaseReport& one) {
   const StepAxis axis(one.rows);
   add_field(plot, origin, one, axis);
-  for (std::size_t a = 0; a < arithmetics; ++a) {
+  for (std::size_t way = 0; way < way_names.size(); ++way) {
     std::vector<Vec2> errors, allowed;
     for (const Row& row : one.rows) {
-      const Outcome& outcome = row.outcomes[a];
+      const Outcome& outcome = row.outcomes[way];
       const Quantity* quantity = outcome.worst();
       errors.push_back(origin + Vec2(axis.place(row.step), height_of(outcome.error())));
-      add_mark(plot.curves[a], errors.back(), outcome.verdict());
+      add_mark(plot.curves[way], errors.back(), outcome.verdict());
       if (quantity != nullptr && quantity->allowed > 0)
         allowed.push_back(origin + Vec2(axis.place(row.step), height_of(quantity->allowed)));
     }
-    add_curve(plot.curves[a], std::move(errors));
-    if (static_cast<Arithmetic>(a) == Arithmetic::own) add_curve(plot.allowed, std::move(allowed));
+    add_curve(plot.curves[way], std::move(errors));
+    if (static_cast<Way>(way) == Way::own) add_curve(plot.allowed, std::move(allowed));
   }
 }
 
@@ -138,9 +140,9 @@ sheet::Sheet finished(Plot plot, const std::string& name, const Vec2& size) {
   plot.field.name = name + "/field";
   plot.allowed.name = name + "/allowed";
   sheet.layers = {plot.field, plot.allowed};
-  for (std::size_t a = 0; a < arithmetics; ++a) {
-    plot.curves[a].name = name + "/" + std::string(arithmetic_names[a]);
-    sheet.layers.push_back(plot.curves[a]);
+  for (std::size_t way = 0; way < way_names.size(); ++way) {
+    plot.curves[way].name = name + "/" + std::string(way_names[way]);
+    sheet.layers.push_back(plot.curves[way]);
   }
   return sheet;
 }

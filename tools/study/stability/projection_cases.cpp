@@ -13,7 +13,7 @@ namespace {
 
 const double root2 = std::sqrt(2.0);
 
-scene::World cube() { return world_of(box({0, 0, 0}, {1, 1, 1})); }
+scene::World cube(const Lab& lab) { return lab.world_of(box({0, 0, 0}, {1, 1, 1})); }
 
 // The eye at height h above the far face z = 0 of the unit cube, with the picture plane through the near face z = 1.
 projection::Projection over_the_cube(double h) {
@@ -23,7 +23,7 @@ projection::Projection over_the_cube(double h) {
 // The far face is a square of side (h - 1) / h inside that of the near face, and four edges join their corners. If the
 // two are too close to be distinguished, only one is left.
 Measured from_the_axis(const Lab& lab, double h) {
-  const Result result = lab.draw(cube(), {over_the_cube(h)});
+  const Result result = lab.draw(cube(lab), {over_the_cube(h)});
   const bool merged = 0.5 / h < result.merge_width();
   Measured measured = lengths(result, 4, merged ? 0 : 4 * ((h - 1) / h) + 2 * root2 / h);
   measured.push_back(places(result));
@@ -38,7 +38,7 @@ Measured open_box(const Lab& lab, double over) {
   const double h = 1 + over;
   Shape open = box({0, 0, 0}, {1, 1, 1});
   open.faces.erase(open.faces.begin() + 1);  // the near face z = 1
-  const Result result = lab.draw(world_of(open), {over_the_cube(h)});
+  const Result result = lab.draw(lab.world_of(open), {over_the_cube(h)});
   const bool merged = 0.5 / h < result.merge_width();
   return lengths(result, merged ? 4 : 4 + 4 * ((h - 1) / h) + 2 * root2 / h, 0);
 }
@@ -47,7 +47,7 @@ Measured open_box(const Lab& lab, double over) {
 Measured room_from_inside(const Lab& lab, double a) {
   projection::Projection inside = perspective({0, 0, 0}, {0, 0, -2}, {0, 0, 1}, {0, 1, 0});
   inside.window = projection::Window{{-a, -a}, {a, a}};
-  const Result result = lab.draw(world_of(box({-1, -1, -2}, {1, 1, 5})), {inside});
+  const Result result = lab.draw(lab.world_of(box({-1, -1, -2}, {1, 1, 5})), {inside});
   return lengths(result, 8 + 4 * root2 * (a - 1), 0);
 }
 
@@ -55,7 +55,7 @@ Measured floor_to_the_eye(const Lab& lab, double near) {
   projection::Projection p = perspective({0, 0, 1}, {0, 1, 1}, {0, -1, 0}, {0, 0, 1});
   p.window = projection::Window{{-1, -1}, {1, 1}};
   const Shape floor{{{-1, -5, 0}, {1, -5, 0}, {1, 10, 0}, {-1, 10, 0}}, {{0, 1, 2, 3}}, {}};
-  return lengths(lab.draw(world_of(floor), {p, {.near = near, .far = {}}}), 1.8 * root2 + 0.2, 0);
+  return lengths(lab.draw(lab.world_of(floor), {p, {.near = near, .far = {}}}), 1.8 * root2 + 0.2, 0);
 }
 
 // Plates, each ten times nearer than the last, of equal size on the page, each shifted over the one behind it.
@@ -67,7 +67,7 @@ Measured plates_over_decades(const Lab& lab, double decades) {
     const double shift = d * (plates - 1 - i);
     all.add(plate(shift, shift, 1 + shift, 1 + shift, -1).scaled(std::pow(10.0, 6 - i)));
   }
-  const Result result = lab.draw(world_of(all), {perspective({0, 0, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0})});
+  const Result result = lab.draw(lab.world_of(all), {perspective({0, 0, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0})});
   const double visible = 2 * plates + 2 + 2 * d * (plates - 1);
   return {length("visible", visible, result.visible(), visible), places(result)};
 }
@@ -83,7 +83,7 @@ Measured rails(const Lab& lab, double doublings) {
     if (j > 0) track.faces.push_back({2 * j - 2, 2 * j - 1, 2 * j + 1, 2 * j});
   }
   const Camera camera{perspective({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1})};
-  const Result result = lab.draw(world_of(track), camera, {.smooth = true});
+  const Result result = lab.draw(lab.world_of(track), camera, {.smooth = true});
   const double along = 2 * root2 * (1 - std::ldexp(1.0, -last));
   return lengths(result, along + 4 * (1 - std::ldexp(1.0, -(last + 1))), 0);
 }
@@ -92,7 +92,7 @@ Measured rails(const Lab& lab, double doublings) {
 Measured oblique_cube(const Lab& lab, double l) {
   projection::Projection p = orthographic({0, -1, 0});
   p.projector = {l * std::cos(0.4), -1, l * std::sin(0.4)};
-  const Result result = lab.draw(cube(), {p});
+  const Result result = lab.draw(cube(lab), {p});
   Measured measured = lengths(result, 6 + 3 * l, 2 + l);
   measured.push_back(places(result));
   return measured;
@@ -101,9 +101,9 @@ Measured oblique_cube(const Lab& lab, double l) {
 // A plane perpendicular to an axis, so that its point is moved exactly in it.
 Measured shifted_principal_point(const Lab& lab, double shift) {
   projection::Projection p = perspective({3, -4, 2}, {0, 0, 0}, {0, -1, 0}, {0, 0, 1});
-  const Result plain = Lab().draw(cube(), {p});
+  const Result plain = lab.exact().draw(cube(lab), {p});
   p.point.x = shift;
-  const Result result = lab.draw(cube(), {p});
+  const Result result = lab.draw(cube(lab), {p});
   Measured measured = lengths(result, plain.visible(), plain.hidden_length());
   measured.push_back(places(result));
   return measured;
@@ -124,9 +124,9 @@ double largest_change(const drawing::ViewDrawing& a, const drawing::ViewDrawing&
 // M_per is linear in the normal of the plane: scaling the normal scales the matrix by the same factor (seed 003, 3.10).
 Measured multiplied_matrix(const Lab& lab, double factor) {
   Camera camera{perspective({3, -4, 2}, {0.5, 0.5, 0.5}, {1, -2, 0.5}, {0, 0, 1})};
-  const Result plain = lab.draw(cube(), camera);
+  const Result plain = lab.draw(cube(lab), camera);
   camera.factor = factor;
-  const Result result = lab.draw(cube(), camera);
+  const Result result = lab.draw(cube(lab), camera);
   int exponent = 0;
   const bool power_of_two = std::abs(std::frexp(factor, &exponent)) == 0.5;
   return {length("places", 0, largest_change(plain.drawing, result.drawing, 1), plain.view.extent,

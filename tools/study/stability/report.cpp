@@ -34,6 +34,11 @@ std::string_view name_of(Verdict verdict) {
   return "broken";
 }
 
+Lab lab_of(Way way, double size) {
+  if (way == Way::recognised) return {Arithmetic::own, size, true};
+  return {static_cast<Arithmetic>(way), size};
+}
+
 Verdict Outcome::verdict() const {
   const Quantity* quantity = worst();
   return quantity == nullptr ? Verdict::broken : verdict_of(*quantity);
@@ -53,17 +58,19 @@ double Outcome::error() const {
   return quantity == nullptr ? std::numeric_limits<double>::infinity() : quantity->error();
 }
 
-std::optional<double> CaseReport::breaks_at(Arithmetic arithmetic) const {
+std::optional<double> CaseReport::breaks_at(Way way) const {
   for (const Row& row : rows)
-    if (row.outcomes[static_cast<std::size_t>(arithmetic)].verdict() != Verdict::right) return row.step;
+    if (row.outcomes[static_cast<std::size_t>(way)].verdict() != Verdict::right) return row.step;
   return std::nullopt;
 }
 
-Verdict CaseReport::verdict(Arithmetic arithmetic) const {
+Verdict CaseReport::verdict(Way way) const {
   Verdict worst = Verdict::right;
-  for (const Row& row : rows) worst = std::max(worst, row.outcomes[static_cast<std::size_t>(arithmetic)].verdict());
+  for (const Row& row : rows) worst = std::max(worst, row.outcomes[static_cast<std::size_t>(way)].verdict());
   return worst;
 }
+
+Verdict CaseReport::verdict() const { return std::max(verdict(Way::own), verdict(Way::recognised)); }
 
 Outcome outcome_of(const Case& one, double step, const Lab& lab) {
   try {
@@ -81,8 +88,8 @@ Report run(std::span<const Case> cases, double size, Progress progress) {
     CaseReport& found = report.emplace_back(CaseReport{one.id, one.what, one.parameter, {}, 0});
     for (const double step : one.steps) {
       Row& row = found.rows.emplace_back(Row{step, {}});
-      for (std::size_t a = 0; a < arithmetics; ++a)
-        row.outcomes[a] = outcome_of(one, step, {static_cast<Arithmetic>(a), size});
+      for (std::size_t way = 0; way < way_names.size(); ++way)
+        row.outcomes[way] = outcome_of(one, step, lab_of(static_cast<Way>(way), size));
     }
     found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     progress.advance(1);

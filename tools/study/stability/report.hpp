@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stability study: every case at every step by every arithmetic. Verdicts depend only on errors.
+// The stability study: every case at every step in every way. Verdicts depend only on errors.
 #pragma once
 
 #include <array>
@@ -14,6 +14,13 @@
 
 namespace epura::stability {
 
+/// How a case is drawn: from its triangles by each arithmetic, or by epura's own with the faces of recognised parts.
+enum class Way { single, composed, own, recognised };
+
+inline constexpr std::array<std::string_view, 4> way_names{"float32", "double", "epura", "recognised"};
+
+Lab lab_of(Way way, double size);
+
 enum class Verdict {
   right,
   limited,  ///< error larger than allowed, but explained by the rounding of the input
@@ -22,7 +29,7 @@ enum class Verdict {
 
 std::string_view name_of(Verdict verdict);
 
-/// The result of one arithmetic at one step.
+/// The result in one way at one step.
 struct Outcome {
   Measured measured;    ///< empty if there is no result
   std::string failure;  ///< the reason if there is no result
@@ -38,7 +45,7 @@ struct Outcome {
 
 struct Row {
   double step;
-  std::array<Outcome, arithmetics> outcomes;  ///< by Arithmetic
+  std::array<Outcome, way_names.size()> outcomes;  ///< by Way
 };
 
 struct CaseReport {
@@ -46,10 +53,12 @@ struct CaseReport {
   std::vector<Row> rows;
   double seconds = 0;
 
-  /// The first step that an arithmetic gets wrong; nothing if it gets all right.
-  [[nodiscard]] std::optional<double> breaks_at(Arithmetic arithmetic) const;
-  /// The worst of all steps.
-  [[nodiscard]] Verdict verdict(Arithmetic arithmetic) const;
+  /// The first step that goes wrong in one way; nothing if all are right.
+  [[nodiscard]] std::optional<double> breaks_at(Way way) const;
+  /// The worst of all steps in one way.
+  [[nodiscard]] Verdict verdict(Way way) const;
+  /// The worse of the two ways of epura.
+  [[nodiscard]] Verdict verdict() const;
 };
 
 using Report = std::vector<CaseReport>;

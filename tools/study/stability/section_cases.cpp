@@ -92,7 +92,7 @@ std::vector<Side> cut_sides(const ConvexBody& body, const scene::CuttingPlane& p
 // distance.
 Measured cut_beside_a_vertex(const Lab& lab, double distance) {
   const ConvexBody body = prism(11, 3);
-  const scene::World world = world_of(fans_of(body));
+  const scene::World world = lab.world_of(fans_of(body));
   const Vec3 viewer = glm::normalize(Vec3(1, -1, 1)), normal = glm::normalize(Vec3(0.21, -0.9, 0.37));
   Measured measured;
   for (const double side : {-distance, distance}) {
@@ -128,7 +128,7 @@ scene::CutWorld cut(const scene::World& world, const Vec3& point, const Vec3& no
 // What is left of a unit cube is either nearly all of it, or a sheet as thin as the distance, whose upper and lower
 // sides coincide from above.
 Measured cut_beside_a_face(const Lab& lab, double distance) {
-  const scene::World world = world_of(box({0, 0, 0}, {1, 1, 1}));
+  const scene::World world = lab.world_of(box({0, 0, 0}, {1, 1, 1}));
   Measured measured;
   for (const double side : {1.0, -1.0}) {
     const scene::CutWorld left = cut(world, {0, 0, 1 - distance}, {0, 0, side});
@@ -141,7 +141,7 @@ Measured cut_beside_a_face(const Lab& lab, double distance) {
 // Half of the upper face is cut off, in a wedge.
 Measured cut_at_an_angle_to_a_face(const Lab& lab, double degrees) {
   const double a = degrees * M_PI / 180;
-  const scene::World world = world_of(box({0, 0, 0}, {1, 1, 1}));
+  const scene::World world = lab.world_of(box({0, 0, 0}, {1, 1, 1}));
   const scene::CutWorld left = cut(world, {0.5, 0, 1}, {std::sin(a), 0, std::cos(a)});
   return {length("area of the cut", 0.5 / std::cos(a), area_of(left), 1),
           length("visible", 5, lab.draw(left.world, {from_above()}).visible(), 1)};

@@ -39,8 +39,8 @@ Shape renumbered(Shape shape, int first) {
 
 Measured renumbering(const Lab& lab, const Shape& shape, int first, int open_edges) {
   const Camera camera{orthographic({1, -2, 3})};
-  const Result plain = Lab().draw(world_of(shape), camera);
-  const Result result = lab.draw(world_of(renumbered(shape, first)), camera);
+  const Result plain = lab.exact().draw(lab.world_of(shape), camera);
+  const Result result = lab.draw(lab.world_of(renumbered(shape, first)), camera);
   Measured measured = lengths(result, plain.visible(), plain.hidden_length());
   measured.push_back(count("open edges", open_edges, result.world.models[0].mesh->report.open_edges));
   return measured;
@@ -54,7 +54,7 @@ Measured klein(const Lab& lab, double first) {
   const Shape bottle = klein_bottle(24, 16);
   Measured measured = renumbering(lab, bottle, static_cast<int>(first), 0);
   measured.push_back(
-      judged(lab.draw(world_of(renumbered(bottle, static_cast<int>(first))), {orthographic({1, -2, 3})})));
+      judged(lab.draw(lab.world_of(renumbered(bottle, static_cast<int>(first))), {orthographic({1, -2, 3})})));
   return measured;
 }
 
@@ -62,7 +62,7 @@ Measured klein(const Lab& lab, double first) {
 Measured hat(const Lab& lab, double elevation) {
   const double a = elevation * M_PI / 180;
   const Vec3 towards = elevation == 90 ? Vec3(0, 0, 1) : Vec3(0, -std::cos(a), std::sin(a));
-  const Result result = lab.draw(world_of(sombrero(3, 24)), {orthographic(towards, {0, 1, 1})}, {.smooth = true});
+  const Result result = lab.draw(lab.world_of(sombrero(3, 24)), {orthographic(towards, {0, 1, 1})}, {.smooth = true});
   Measured measured{judged(result)};
   if (elevation == 90) measured.push_back(length("hidden", 0, result.hidden_length(), result.extent()));
   return measured;
@@ -80,7 +80,7 @@ Measured prism_at_the_threshold(const Lab& lab, double sides) {
   }
   const edges::EdgeOptions creases{
       .contour = false, .boundary = false, .intersection = false, .crease_angle = 360.0 / n};
-  const Result result = lab.draw(world_of(prism), {orthographic({1, 0.3, 0.2})}, creases);
+  const Result result = lab.draw(lab.world_of(prism), {orthographic({1, 0.3, 0.2})}, creases);
   return {count("edges beyond all or none", 0,
                 static_cast<double>(result.drawn.edges.size() % static_cast<std::size_t>(n)))};
 }

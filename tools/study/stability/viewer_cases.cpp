@@ -12,15 +12,15 @@ namespace {
 
 const double r = std::sqrt(2.0 / 3.0);
 
-scene::World cube_at(double d) { return world_of(box({d, d, d}, {d + 1, d + 1, d + 1})); }
+scene::World cube_at(const Lab& lab, double d) { return lab.world_of(box({d, d, d}, {d + 1, d + 1, d + 1})); }
 
 Measured mirrored(const Lab& lab, double degrees) {
   Shape shape = box({0, 0, 0}, {1, 2, 3});
   shape.add(box({0.5, -1, 0.2}, {2, 0.5, 0.7}));
   const double a = degrees * M_PI / 180;
-  const Result plain = Lab().draw(world_of(shape), {orthographic({std::sin(a), -std::cos(a), 0.4})});
+  const Result plain = lab.exact().draw(lab.world_of(shape), {orthographic({std::sin(a), -std::cos(a), 0.4})});
   for (Point& p : shape.points) p[0] = -p[0];
-  const Result result = lab.draw(world_of(shape), {orthographic({-std::sin(a), -std::cos(a), 0.4})});
+  const Result result = lab.draw(lab.world_of(shape), {orthographic({-std::sin(a), -std::cos(a), 0.4})});
   Measured measured = lengths(result, plain.visible(), plain.hidden_length());
   measured.push_back(count("visible pieces", plain.pieces(true), result.pieces(true)));
   return measured;
@@ -29,8 +29,8 @@ Measured mirrored(const Lab& lab, double degrees) {
 Measured moved_together(const Lab& lab, double exponent) {
   const double d = std::ldexp(1.0, static_cast<int>(exponent));
   const Vec3 eye(3, -4, 2), normal(1, -2, 0.5), up(0, 0, 1);
-  const Result plain = Lab().draw(cube_at(0), {perspective(eye, Vec3(0), normal, up)});
-  const Result result = lab.draw(cube_at(d), {perspective(eye + d, Vec3(d), normal, up)});
+  const Result plain = lab.exact().draw(cube_at(lab, 0), {perspective(eye, Vec3(0), normal, up)});
+  const Result result = lab.draw(cube_at(lab, d), {perspective(eye + d, Vec3(d), normal, up)});
   Measured measured = lengths(result, plain.visible(), plain.hidden_length());
   measured.push_back(places(result));
   return measured;
@@ -39,7 +39,7 @@ Measured moved_together(const Lab& lab, double exponent) {
 // The plate appears as a line in front of the cube's front face and hides nothing of it: 4 edges and the plate's near
 // edge. The cube's rear face, and the edges to it, lie behind its front face.
 Measured eye_in_the_plane_of_a_plate(const Lab& lab, double e) {
-  const scene::World world = world_of({plate(-1, 1, 1, 2, 0), box({-0.5, 4, -0.5}, {0.5, 5, 0.5})});
+  const scene::World world = lab.world_of({plate(-1, 1, 1, 2, 0), box({-0.5, 4, -0.5}, {0.5, 5, 0.5})});
   return lengths(lab.draw(world, {perspective({0, 0, e}, {0, 1, e}, {0, -1, 0}, {0, 0, 1})}), 3,
                  0.8 + 0.1 * std::sqrt(2.0));
 }
@@ -51,7 +51,7 @@ Measured eye_over(const Lab& lab, const Shape& floor, double e, double visible, 
       {{-0.5, 4, e - 0.5}, {0.5, 4, e - 0.5}, {0.5, 4, e + 0.5}, {-0.5, 4, e + 0.5}}, {{0, 1, 2, 3}}, {}};
   projection::Projection p = perspective({0, 0, e}, {0, 1, e}, {0, -1, 0}, {0, 0, 1});
   p.window = projection::Window{{-0.5, -0.5}, {0.5, 0.5}};
-  return lengths(lab.draw(world_of({floor, target}), {p}), visible, hidden);
+  return lengths(lab.draw(lab.world_of({floor, target}), {p}), visible, hidden);
 }
 
 // The plate ends on the right below the eye, or extends around it.
@@ -68,12 +68,12 @@ Measured eye_on_a_plate(const Lab& lab, double e) {
 Measured near_plane_through_a_cube(const Lab& lab, double left) {
   const double far = 4, near = far - left;
   const projection::Projection p = perspective({0.5, -3, 0.5}, {0.5, -2, 0.5}, {0, -1, 0}, {0, 0, 1});
-  const Result result = lab.draw(cube_at(0), {p, {.near = near, .far = {}}});
+  const Result result = lab.draw(cube_at(lab, 0), {p, {.near = near, .far = {}}});
   return lengths(result, 4 / far + 2 * std::sqrt(2.0) * (1 / near - 1 / far), 0);
 }
 
 Measured far_eye(const Lab& lab, double h) {
-  return lengths(lab.draw(cube_at(0), {perspective(Vec3(h), Vec3(0), Vec3(1), {0, 0, 1})}), 9 * r, 3 * r, 1e-9);
+  return lengths(lab.draw(cube_at(lab, 0), {perspective(Vec3(h), Vec3(0), Vec3(1), {0, 0, 1})}), 9 * r, 3 * r, 1e-9);
 }
 
 }  // namespace

@@ -10,13 +10,13 @@
 
 namespace epura::stability {
 
-/// A table of all cases with the steps at which each arithmetic breaks; with `rows`, also every step.
+/// A table of all cases with the steps at which each way breaks; with `rows`, also every step.
 std::string to_text(const Report& report, bool rows);
 
 /// A table of where cases end, and why.
 std::string to_text(std::span<const CaseLimit> limits);
 
-/// One line for each quantity of each step and arithmetic.
+/// One line for each quantity of each step and way.
 std::string to_csv(const Report& report);
 
 /// docs/formats.md. Seconds only with `timings`: otherwise the same report gives the same bytes.

@@ -24,26 +24,26 @@ std::string outcome_of(const Outcome& outcome) {
   return text + ", \"quantities\": " + output::json_list(outcome.measured, quantity_of) + "}";
 }
 
-// {"float32": ..., "double": ..., "epura": ...}
+// {"float32": ..., "double": ..., "epura": ..., "recognised": ...}
 template <class Value>
-std::string by_arithmetic(const Value& value, const std::string& between) {
+std::string by_way(const Value& value, const std::string& between) {
   std::string text;
-  for (std::size_t a = 0; a < arithmetics; ++a)
-    text += (text.empty() ? "" : "," + between) + word(arithmetic_names[a]) + ": " + value(a);
+  for (std::size_t way = 0; way < way_names.size(); ++way)
+    text += (text.empty() ? "" : "," + between) + word(way_names[way]) + ": " + value(way);
   return text;
 }
 
 std::string row_of(const Row& row) {
   return "{\"step\": " + number(row.step) + ",\n     " +
-         by_arithmetic([&](std::size_t a) { return outcome_of(row.outcomes[a]); }, "\n     ") + "}";
+         by_way([&](std::size_t way) { return outcome_of(row.outcomes[way]); }, "\n     ") + "}";
 }
 
 std::string case_of(const CaseReport& one, bool timings) {
-  const auto breaks = [&](std::size_t a) { return number(one.breaks_at(static_cast<Arithmetic>(a))); };
-  const auto verdict = [&](std::size_t a) { return word(name_of(one.verdict(static_cast<Arithmetic>(a)))); };
+  const auto breaks = [&](std::size_t way) { return number(one.breaks_at(static_cast<Way>(way))); };
+  const auto verdict = [&](std::size_t way) { return word(name_of(one.verdict(static_cast<Way>(way)))); };
   std::string text = "{\"id\": " + word(one.id) + ", \"what\": " + word(one.what) +
-                     ", \"parameter\": " + word(one.parameter) + ",\n   \"breaks_at\": {" + by_arithmetic(breaks, " ") +
-                     "}, \"verdict\": {" + by_arithmetic(verdict, " ") + "},\n   ";
+                     ", \"parameter\": " + word(one.parameter) + ",\n   \"breaks_at\": {" + by_way(breaks, " ") +
+                     "}, \"verdict\": {" + by_way(verdict, " ") + "},\n   ";
   if (timings) text += "\"seconds\": " + number(one.seconds) + ", ";
   return text + "\"rows\": " + output::json_lines(one.rows, row_of, "\n    ") + "}";
 }

@@ -20,16 +20,15 @@ std::string step_text(const std::optional<double>& step) { return step ? format_
 
 std::string summary_line(const CaseReport& one) {
   std::string line = padded(one.id, 4) + padded(one.what, 62);
-  for (std::size_t a = 0; a < arithmetics; ++a)
-    line += padded(step_text(one.breaks_at(static_cast<Arithmetic>(a))), 10);
-  return line + std::string(name_of(one.verdict(Arithmetic::own))) + "\n";
+  for (std::size_t way = 0; way < way_names.size(); ++way)
+    line += padded(step_text(one.breaks_at(static_cast<Way>(way))), 10);
+  return line + std::string(name_of(one.verdict())) + "\n";
 }
 
-std::string row_line(const Row& row, std::size_t arithmetic) {
-  const Outcome& outcome = row.outcomes[arithmetic];
+std::string row_line(const Row& row, std::size_t way) {
+  const Outcome& outcome = row.outcomes[way];
   std::string line = "  " + padded(format_rounded(row.step, error_digits), 10) +
-                     padded(std::string(arithmetic_names[arithmetic]), 9) +
-                     padded(std::string(name_of(outcome.verdict())), 9);
+                     padded(std::string(way_names[way]), 9) + padded(std::string(name_of(outcome.verdict())), 9);
   const Quantity* quantity = outcome.worst();
   if (quantity == nullptr) return line + outcome.failure + "\n";
   return line + padded(quantity->name, 16) + padded(format_rounded(quantity->expected, 9), 16) +
@@ -78,14 +77,14 @@ std::string quantity_fields(const Quantity& q) {
 
 std::string to_text(const Report& report, bool rows) {
   std::string text = padded("", 4) + padded("case", 62);
-  for (const std::string_view name : arithmetic_names) text += padded(std::string(name), 10);
+  for (const std::string_view name : way_names) text += padded(std::string(name), 10);
   text += "verdict on epura\n";
   for (const CaseReport& one : report) {
     text += summary_line(one);
     if (!rows) continue;
     text += "  by " + one.parameter + "\n";
     for (const Row& row : one.rows)
-      for (std::size_t a = 0; a < arithmetics; ++a) text += row_line(row, a);
+      for (std::size_t way = 0; way < way_names.size(); ++way) text += row_line(row, way);
   }
   return text + "\nThe first step that is not right, of steps from mild to extreme; - where all are right.\n";
 }
@@ -99,12 +98,12 @@ std::string to_text(std::span<const CaseLimit> limits) {
 }
 
 std::string to_csv(const Report& report) {
-  std::string text = "case,step,arithmetic,quantity,expected,got,error,allowed,rounding,verdict,failure\n";
+  std::string text = "case,step,way,quantity,expected,got,error,allowed,rounding,verdict,failure\n";
   for (const CaseReport& one : report)
     for (const Row& row : one.rows)
-      for (std::size_t a = 0; a < arithmetics; ++a) {
-        const Outcome& outcome = row.outcomes[a];
-        const std::string head = one.id + "," + format_number(row.step) + "," + std::string(arithmetic_names[a]) + ",";
+      for (std::size_t way = 0; way < way_names.size(); ++way) {
+        const Outcome& outcome = row.outcomes[way];
+        const std::string head = one.id + "," + format_number(row.step) + "," + std::string(way_names[way]) + ",";
         for (const Quantity& q : outcome.measured) text += head + quantity_fields(q) + "\n";
         if (outcome.measured.empty()) text += head + ",,,inf,,,broken," + field(outcome.failure) + "\n";
       }

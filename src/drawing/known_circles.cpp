@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/known_circles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+
+#include "construction/figure.hpp"
+#include "drawing/places.hpp"
+#include "features/least_squares.hpp"
+#include "scene/placed_part.hpp"
+
+namespace epura::drawing {
+
+namespace {
+
+using features::PartSurface;
+using features::SurfaceKind;
+
+// Semi-axes that differ by less than this part are those of a circle.
+constexpr double equal = 1e-9;
+// Fewer edges would be on a circle by chance.
+constexpr std::size_t least_edges = 2;
+
+struct Circle {
+  Vec3 centre, axis;
+  double radius;
+};
+
+struct Axis {
+  Vec3 origin, direction;
+};
+
+// A ball is round about any axis: about the normal of a plane that cuts it, too.
+std::optional<Axis> axis_of(const PartSurface& surface, const PartSurface& other) {
+  if (surface.kind == SurfaceKind::sphere && other.kind == SurfaceKind::plane) return Axis{surface.origin, other.axis};
+  if (!scene::is_round(surface.kind) || surface.kind == SurfaceKind::sphere) return std::nullopt;
+  return Axis{surface.origin, surface.axis};
+}
+
+struct Range {
+  double least = HUGE_VAL, most = -HUGE_VAL;
+
+  void add(double value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  [[nodiscard]] double middle() const { return (least + most) / 2; }
+};
+
+std::optional<Circle> circle_about(const Axis& axis, std::span<const Vec3> points, double tolerance) {
+  Range height, radius;
+  for (const Vec3& p : points) {
+    const double along = glm::dot(p - axis.origin, axis.direction);
+    height.add(along);
+    radius.add(glm::distance(p, axis.origin + along * axis.direction));
+  }
+  if (!(std::max(height.most - height.least, radius.most - radius.least) <= 2 * tolerance)) return std::nullopt;
+  return Circle{axis.origin + height.middle() * axis.direction, axis.direction, radius.middle()};
+}
+
+// The circles of one model, by border of its part.
+class Circles {
+ public:
+  explicit Circles(const scene::Placed& placed) : placed_(&placed), part_(scene::place_part(placed)) {}
+
+  // Returns the border of an edge that is given by its vertices in the file; -1 if there is none.
+  [[nodiscard]] int border_of(std::array<int, 2> ends) const {
+    if (!part_ || ends[0] < 0) return -1;
+    if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
+    const mesh::Mesh& mesh = placed_->mesh->whole();
+    const mesh::MeshEdge* edge = mesh.edge_between(ends);
+    return edge == nullptr ? -1 : placed_->part->border_of_edge[static_cast<std::size_t>(edge - mesh.edges.data())];
+  }
+
+  [[nodiscard]] std::optional<Circle> circle_of(int number) const {
+    const features::PartBorder& border = placed_->part->borders[static_cast<std::size_t>(number)];
+    if (border.faces[0] < 0 || border.faces[0] == border.faces[1] || border.edges.size() < least_edges)
+      return std::nullopt;
+    const mesh::Mesh& mesh = placed_->mesh->whole();
+    std::vector<Vec3> points;
+    for (const int edge : border.edges)
+      for (const int vertex : mesh.edges[static_cast<std::size_t>(edge)].vertex)
+        points.emplace_back(placed_->to_world * Vec4(mesh.point(vertex), 1));
+    for (const int side : {0, 1}) {
+      const PartSurface& surface = surface_of(border.faces[static_cast<std::size_t>(side)]);
+      const auto axis = axis_of(surface, surface_of(border.faces[static_cast<std::size_t>(1 - side)]));
+      std::optional<Circle> circle = axis ? circle_about(*axis, points, part_->tolerance) : std::nullopt;
+      if (!circle) continue;
+      if (surface.kind == SurfaceKind::cylinder) circle->radius = surface.radius;
+      return circle;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] const PartSurface& surface_of(int face) const {
+    return part_->faces[static_cast<std::size_t>(face)].surface;
+  }
+
+  const scene::Placed* placed_;
+  std::optional<scene::PlacedPart> part_;
+};
+
+// Nothing for circles seen edge-on.
+std::optional<Ellipse> image_of(const Circle& circle, const Mat4& map) {
+  const auto [p, q] = features::square_to(circle.axis);
+  const auto radius = [&](const Vec3& direction) { return Vec2(map * Vec4(circle.radius * direction, 0)); };
+  const Vec2 centre(map * Vec4(circle.centre, 1));
+  const construction::Curve image = construction::ellipse_of(centre, radius(p), radius(q));
+  Ellipse ellipse{centre, image.u, image.v};
+  const double longer = glm::length(ellipse.u), shorter = glm::length(ellipse.v);
+  if (!(shorter > equal * longer)) return std::nullopt;
+  if (longer - shorter < equal * longer) ellipse = {centre, {longer, 0}, {0, longer}};
+  if (ellipse.u.x * ellipse.v.y < ellipse.u.y * ellipse.v.x) ellipse.v = -ellipse.v;
+  return ellipse;
+}
+
+/// Finds each circle once.
+class Finder {
+ public:
+  Finder(const scene::World& world, const ViewDrawing& drawing) : drawing_(drawing) {
+    for (const scene::Placed& placed : world.models) models_.emplace_back(placed);
+  }
+
+  KnownCircles find() {
+    for (const Chain& chain : drawing_.chains) found_.of_chain.push_back(circles_of(chain));
+    return std::move(found_);
+  }
+
+ private:
+  std::vector<int> circles_of(const Chain& chain) {
+    Places<int> circles_of_middles(drawing_.coincident);
+    for (const int number : chain.segments) {
+      const Segment& segment = drawing_.segments[static_cast<std::size_t>(number)];
+      if (const int circle = circle_of(segment); circle >= 0)
+        circles_of_middles.add((segment.from + segment.to) / 2.0, circle);
+    }
+    if (circles_of_middles.empty()) return {};
+    std::vector<int> circles;
+    for (std::size_t i = 0; i < chain.points.size(); ++i) {
+      const Vec2 &a = chain.points[i], &b = chain.points[(i + 1) % chain.points.size()];
+      const int* circle = circles_of_middles.find((a + b) / 2.0);
+      circles.push_back(circle == nullptr ? -1 : *circle);
+    }
+    return circles;
+  }
+
+  int circle_of(const Segment& segment) {
+    const Circles& model = models_[static_cast<std::size_t>(segment.model)];
+    const int border = model.border_of(segment.edge);
+    if (border < 0) return -1;
+    const auto [known, is_new] = numbers_.try_emplace({segment.model, border}, -1);
+    if (!is_new) return known->second;
+    const auto circle = model.circle_of(border);
+    const auto image = circle ? image_of(*circle, drawing_.world_to_page) : std::nullopt;
+    if (!image) return -1;
+    known->second = static_cast<int>(found_.ellipses.size());
+    found_.ellipses.push_back(*image);
+    return known->second;
+  }
+
+  const ViewDrawing& drawing_;
+  std::vector<Circles> models_{};
+  std::map<std::array<int, 2>, int> numbers_{};  // by model and border
+  KnownCircles found_{};
+};
+
+}  // namespace
+
+KnownCircles known_circles(const scene::World& world, const ViewDrawing& drawing) {
+  if (drawing.projection.central) return {};
+  return Finder(world, drawing).find();
+}
+
+}  // namespace epura::drawing
