@@ -344,6 +344,9 @@ std::string dxf_header(const sheet::Sheet& sheet, const std::vector<DxfBlock>& b
   dxf.add(30, 0);
   variable("$LIMMIN", 10, Vec2(0, 0));
   variable("$LIMMAX", 10, Vec2(sheet.width, sheet.height));
+  // LibreCAD takes the size of the paper from these.
+  variable("$PLIMMIN", 10, Vec2(0, 0));
+  variable("$PLIMMAX", 10, Vec2(sheet.width, sheet.height));
   variable("$LTSCALE", 40, 1.0);
   variable("$CELTSCALE", 40, 1.0);
   variable("$MEASUREMENT", 70, 1);  // metric

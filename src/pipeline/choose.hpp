@@ -36,4 +36,10 @@ auto at_place(const scene::Located<Value>& located, const Use& use) {
   }
 }
 
+/// The same for functions that read a file which they name themselves.
+template <class Read>
+auto read_at_place(const scene::LocatedText& file, const Read& read) {
+  return at_place(file, [&](const std::string&) { return read(file); });
+}
+
 }  // namespace epura::pipeline

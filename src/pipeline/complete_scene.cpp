@@ -70,7 +70,7 @@ void take_size_of_form(scene::SheetDescription& sheet) {
   if (sheet.frame.given() && *sheet.frame != FrameKind::automatic && *sheet.frame != FrameKind::full)
     throw Error(ErrorKind::input, sheet.frame.where, "a sheet with a template has the frame of that",
                 "omit the frame, or the template");
-  const Vec2 size = sheet::read_form(sheet.form)->art.size;
+  const Vec2 size = read_at_place(sheet.form, sheet::read_form)->art.size;
   const scene::PaperChoice own = sheet::paper_of_size(size);
   if (sheet.size.given() && sheet::size_name(*sheet.size) != sheet::size_name(own))
     throw Error(

@@ -52,19 +52,24 @@ constexpr double least_thread = 0.7;
 
 using WorldOfView = std::function<const scene::World&(std::size_t)>;
 
-/// The state of a run.
-struct Run {
-  scene::SceneDescription scene;
-  const RunOptions& options;
-  const Messages& messages;
-  Progress progress;
-  Stopwatch& watch;
+/// What the sheets of a run add to its result.
+struct Gathered {
   std::size_t views_left;  ///< not drawn yet
   report::Report report{};
   bool has_lines = false;
   std::string answers{};
   std::vector<sheet::DimensionsInView> dimensioned{};  ///< for lint
-  bool refers_to_models = false;                       ///< for free forms
+};
+
+/// The state of a run.
+struct Run {
+  scene::SceneDescription scene;
+  const RunOptions& options;
+  Messages messages;
+  Progress progress;
+  Stopwatch& watch;
+  Gathered gathered;
+  bool refers_to_models = false;  ///< for free forms
   std::map<const scene::World*, std::optional<KnownIntersections>> intersections{};
 
   double fineness = 1;  ///< of imported surfaces, as a multiple of what --max-error usually needs
@@ -82,6 +87,7 @@ struct Run {
   void choose_by_world(SheetOfViews& views, const ShownWorlds& worlds,
                        const std::vector<view::ProjectedScene>& seen) const;
   FinishedSheet draw_sheet(const ShownWorlds& worlds, SheetOfViews views);
+  FinishedSheet draw_sheet_with_room(const ShownWorlds& worlds, SheetOfViews views);
   std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
 
@@ -112,7 +118,7 @@ void Run::find_heights(const scene::World& world) {
   try {
     heights = scene::facet_heights(world, progress.with_part_of_the_time(part));
   } catch (const OutOfTime& cut) {
-    report.partial.add_stage(cut.stage);
+    gathered.report.partial.add_stage(cut.stage);
   }
 }
 
@@ -122,7 +128,7 @@ bool Run::may_be_finer() const {
   const auto is_imported = [](const mesh::MeshReport& mesh) {
     return !mesh.format.empty() && mesh::format_named(mesh.format) == nullptr;
   };
-  return fineness < finest && std::any_of(report.meshes.begin(), report.meshes.end(), is_imported);
+  return fineness < finest && std::any_of(gathered.report.meshes.begin(), gathered.report.meshes.end(), is_imported);
 }
 
 void Run::judge(const ViewResult& result) {
@@ -130,7 +136,7 @@ void Run::judge(const ViewResult& result) {
   using report::ErrorTerm;
   report::ViewError error = *result.error;
   error[ErrorTerm::writing] = options.writing_error;
-  report.errors.push_back(error);
+  gathered.report.errors.push_back(error);
   if (!options.max_error) return;
   const double by_facets = error[ErrorTerm::surface] + error[ErrorTerm::intersections] + error[ErrorTerm::contours];
   const double part = part_for_facets(*options.max_error, options.arcs.has_value());
@@ -142,27 +148,28 @@ void Run::judge(const ViewResult& result) {
 // For several views, the report has everything omitted for lack of time, and the verification that found most errors.
 void Run::note(const ViewResult& result) {
   warn_about(messages, result);
-  report.plan.insert(report.plan.end(), result.plan.begin(), result.plan.end());
-  has_lines = has_lines || !result.drawing.segments.empty();
-  if (report.tessellation && !result.drawing.projection.central)
-    report.tessellation->on_paper =
-        std::max(report.tessellation->on_paper, report.tessellation->error * result.drawing.scale);
+  gathered.report.plan.insert(gathered.report.plan.end(), result.plan.begin(), result.plan.end());
+  gathered.has_lines = gathered.has_lines || !result.drawing.segments.empty();
+  if (gathered.report.tessellation && !result.drawing.projection.central)
+    gathered.report.tessellation->on_paper =
+        std::max(gathered.report.tessellation->on_paper, gathered.report.tessellation->error * result.drawing.scale);
   judge(result);
   if (!result.verification) return;
-  if (!report.verification || report.verification->errors() < result.verification->errors())
-    report.verification = result.verification;
+  if (!gathered.report.verification || gathered.report.verification->errors() < result.verification->errors())
+    gathered.report.verification = result.verification;
 }
 
 void Run::note(const FinishedSheet& sheet) {
   for (const std::string& warning : sheet.warnings) messages.warn(warning);
-  if (options.lint) add_all(report.findings, sheet.findings);
+  if (options.lint) add_all(gathered.report.findings, sheet.findings);
   warn_about(messages, sheet.sheet);
 }
 
 // The sheet and the files use the time that views leave.
 ViewTime Run::time_of_next_view() {
   constexpr double views_for_the_rest = 0.25;
-  return {progress, progress.with_part_of_the_time(1 / (static_cast<double>(views_left--) + views_for_the_rest))};
+  return {progress,
+          progress.with_part_of_the_time(1 / (static_cast<double>(gathered.views_left--) + views_for_the_rest))};
 }
 
 std::string sentence_of_scale(const SheetPlan& plan) {
@@ -253,7 +260,7 @@ std::vector<view::ProjectedScene> Run::map_views(const WorldOfView& world, const
     const view::Condition map = view::condition_of(seen.back().projection, world(i).box, world(i).one_rounding);
     const report::ViewCondition condition{views.plans[i].options.name, map};
     warn_about(messages, condition);
-    if (options.explain) report.conditions.push_back(condition);
+    if (options.explain) gathered.report.conditions.push_back(condition);
     progress.advance(1);
   }
   watch.lap("view");
@@ -337,21 +344,62 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   }
   if (options.arcs) tell_of_curves(messages, results);
   if (!plan.inside) warn_about(messages, plan);
-  report.cut_off = report.cut_off || !plan.on_paper;
+  gathered.report.cut_off = gathered.report.cut_off || !plan.on_paper;
   FinishedSheet sheet = compose(
       {whole, scene, views, plan, annotations, std::move(targets), balloons_of(views, items_seen)}, results, budget);
+  sheet.next_size = plan.next_size;
   leave_out(anchored, sheet.left_out);
-  add_all(dimensioned, std::move(anchored));
-  answers += sheet.answers = std::move(answers_of_sheet);
+  add_all(gathered.dimensioned, std::move(anchored));
+  gathered.answers += sheet.answers = std::move(answers_of_sheet);
   if (options.line_facts)
     for (std::size_t i = 0; i < sheet.drawings.size(); ++i) add_line_facts(sheet.sheet, sheet.drawings[i], world(i));
   if (!partial.stages.empty()) mark_partial(sheet, partial.stages.front());
-  report.partial.add(partial);
+  gathered.report.partial.add(partial);
   if (!options.keeps_drawings) sheet.drawings = {};
   note(sheet);
-  report.plan.push_back(text_step(sheet.sheet, options.plan.text));
+  gathered.report.plan.push_back(text_step(sheet.sheet, options.plan.text));
   watch.lap("sheet");
   return sheet;
+}
+
+std::size_t left_out_of(const FinishedSheet& sheet) {
+  std::size_t count = 0;
+  for (const std::vector<std::size_t>& of_view : sheet.left_out) count += of_view.size();
+  return count;
+}
+
+// "auto" takes larger sheets as long as these leave out fewer dimensions.
+FinishedSheet Run::draw_sheet_with_room(const ShownWorlds& worlds, SheetOfViews views) {
+  if (!is_sized_by_scale(scene.sheets[static_cast<std::size_t>(views.sheet)])) return draw_sheet(worlds, views);
+  const Messages outside = messages;
+  const Gathered before = gathered;
+  const auto draw = [&] {
+    HeldMessages held;
+    messages = held.messages();
+    try {
+      FinishedSheet sheet = draw_sheet(worlds, views);
+      messages = outside;
+      return std::pair(std::move(sheet), std::move(held));
+    } catch (...) {
+      messages = outside;
+      held.tell(messages);
+      throw;
+    }
+  };
+  auto [best, told] = draw();
+  while (left_out_of(best) > 0 && best.next_size && !progress.is_out_of_time()) {
+    views.least_size = *best.next_size;
+    Gathered of_best = std::exchange(gathered, before);
+    auto [larger, told_of_larger] = draw();
+    if (left_out_of(larger) >= left_out_of(best) || !gathered.report.partial.stages.empty()) {
+      gathered = std::move(of_best);
+      break;
+    }
+    best = std::move(larger);
+    told = std::move(told_of_larger);
+  }
+  told.tell(messages);
+  return std::move(best);
 }
 
 void place_threads(scene::World& world, const scene::SceneDescription& scene) {
@@ -368,9 +416,10 @@ bool shows_parts(const SheetOfViews& views) {
 }
 
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
-  scene::World world = read_models(scene, reading_of(scene, options, fineness), report.meshes, messages, progress);
+  scene::World world =
+      read_models(scene, reading_of(scene, options, fineness), gathered.report.meshes, messages, progress);
   watch.lap("read");
-  recognise_parts(world, scene, options, report, progress);
+  recognise_parts(world, scene, options, gathered.report, progress);
   if (std::any_of(sheets.begin(), sheets.end(), shows_parts))
     world = replace_helical_threads(std::move(world), scene, messages, progress);
   place_threads(world, scene);
@@ -383,25 +432,26 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   std::vector<FinishedSheet> finished;
   for (SheetOfViews sheet : sheets) {
     sheet.states_error = options.error_note;
-    finished.push_back(draw_sheet(worlds, std::move(sheet)));
+    finished.push_back(draw_sheet_with_room(worlds, std::move(sheet)));
   }
   if (options.lint) {
-    add_all(report.findings, uncovered_sizes(worlds.main(), scene, dimensioned, progress));
-    if (!refers_to_models) add_all(report.findings, undefined_free_forms(worlds.main(), scene));
+    add_all(gathered.report.findings, uncovered_sizes(worlds.main(), scene, gathered.dimensioned, progress));
+    if (!refers_to_models) add_all(gathered.report.findings, undefined_free_forms(worlds.main(), scene));
   }
   return finished;
 }
 
 DrawnScene draw_once(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context,
                      const std::vector<SheetOfViews>& sheets, double fineness) {
-  Run run{scene, options, context.messages, context.progress, context.watch, scene.views.size()};
+  Run run{scene, options, context.messages, context.progress, context.watch, {scene.views.size()}};
   run.fineness = fineness;
-  run.report.plan.push_back(plugins_step(sheets));
+  run.gathered.report.plan.push_back(plugins_step(sheets));
   std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
   context.progress.expect_not_stopped();
   // An empty sheet is not a drawing.
-  if (!run.report.partial.stages.empty() && !run.has_lines) throw OutOfTime{run.report.partial.stages.front()};
-  return {std::move(finished), std::move(run.report), std::move(run.answers)};
+  if (!run.gathered.report.partial.stages.empty() && !run.gathered.has_lines)
+    throw OutOfTime{run.gathered.report.partial.stages.front()};
+  return {std::move(finished), std::move(run.gathered.report), std::move(run.gathered.answers)};
 }
 
 // Reads surfaces again, with finer facets, while these alone prevent --max-error.

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
+#include "pipeline/choose.hpp"
 #include "pipeline/construction_layers.hpp"
 #include "pipeline/constructions.hpp"
 #include "pipeline/details.hpp"
@@ -194,11 +195,6 @@ sheet::Arrangement arranged_on(const scene::PaperChoice& size, const LayoutOptio
   return sheet::arrange(views, options.scale, options.angle, room);
 }
 
-bool is_sized_by_scale(const scene::SheetDescription& sheet) {
-  const scene::PaperChoice::Kind kind = sheet.size.value_or({}).kind;
-  return kind == scene::PaperChoice::Kind::automatic || kind == scene::PaperChoice::Kind::automatic_ansi;
-}
-
 constexpr int largest = 4;
 
 // The sizes from which "auto" chooses, from 0, the smallest, to `largest`.
@@ -219,29 +215,40 @@ sheet::Arrangement in_best_orientation(const scene::PaperChoice& size, LayoutOpt
   return is_better ? other : best;
 }
 
+/// Views on paper whose size was given or chosen.
+struct OnPaper {
+  sheet::Arrangement arrangement;
+  scene::PaperChoice size;
+  std::optional<int> next_size{};  ///< as in SheetPlan
+};
+
 // Sheet and scale together: larger sheets are for parts that would be drawn too small on the smaller ones.
-sheet::Arrangement arranged_with_scale(const scene::SheetDescription& sheet, const LayoutOptions& options,
-                                       std::span<const sheet::ViewToPlace> views, scene::PaperChoice& size) {
-  constexpr std::array<std::pair<int, double>, 4> least_scales{{{0, 1}, {1, 0.5}, {2, 0.2}, {3, 0.1}}};
-  for (const auto& [rank, least_scale] : least_scales) {
-    size = size_of_rank(sheet, rank);
+OnPaper arranged_with_scale(const scene::SheetDescription& sheet, const LayoutOptions& options,
+                            std::span<const sheet::ViewToPlace> views, int least) {
+  constexpr std::array<double, largest> least_scales{1, 0.5, 0.2, 0.1};
+  for (int rank = least; rank < largest; ++rank) {
+    const scene::PaperChoice size = size_of_rank(sheet, rank);
     sheet::Arrangement arrangement = in_best_orientation(size, options, views, sheet.orientation.given());
-    if (arrangement.inside && arrangement.scale >= least_scale * (1 - 1e-9)) return arrangement;
+    if (arrangement.inside && arrangement.scale >= least_scales[static_cast<std::size_t>(rank)] * (1 - 1e-9))
+      return {std::move(arrangement), size, rank + 1};
   }
-  return in_best_orientation(size = size_of_rank(sheet, largest), options, views, sheet.orientation.given());
+  const scene::PaperChoice size = size_of_rank(sheet, largest);
+  return {in_best_orientation(size, options, views, sheet.orientation.given()), size};
 }
 
-// "auto": the smallest paper on which the views fit at a given scale. `size` is initially the usual size, and is set to
-// the chosen one.
-sheet::Arrangement arranged(const scene::SheetDescription& sheet, const LayoutOptions& options,
-                            std::span<const sheet::ViewToPlace> views, scene::PaperChoice& size) {
-  if (is_sized_by_scale(sheet) && options.scale.standard) return arranged_with_scale(sheet, options, views, size);
-  if (!is_sized_by_scale(sheet) || !options.scale.fixed) return arranged_on(size, options, views);
-  for (int rank = 0; rank < largest; ++rank) {
-    sheet::Arrangement arrangement = arranged_on(size = size_of_rank(sheet, rank), options, views);
-    if (arrangement.inside) return arrangement;
+// "auto": the smallest paper, from the `least` size on, on which the views fit at a given scale.
+OnPaper arranged(const scene::SheetDescription& sheet, const LayoutOptions& options,
+                 std::span<const sheet::ViewToPlace> views, int least) {
+  if (is_sized_by_scale(sheet) && options.scale.standard) return arranged_with_scale(sheet, options, views, least);
+  const scene::PaperChoice usual = usual_size(sheet, views.size());
+  if (!is_sized_by_scale(sheet) || !options.scale.fixed) return {arranged_on(usual, options, views), usual};
+  for (int rank = least; rank < largest; ++rank) {
+    const scene::PaperChoice size = size_of_rank(sheet, rank);
+    sheet::Arrangement arrangement = arranged_on(size, options, views);
+    if (arrangement.inside) return {std::move(arrangement), size, rank + 1};
   }
-  return arranged_on(size = size_of_rank(sheet, largest), options, views);
+  const scene::PaperChoice size = size_of_rank(sheet, largest);
+  return {arranged_on(size, options, views), size};
 }
 
 // Scale and paper size are filled in once they are known.
@@ -300,10 +307,10 @@ void expect_room_for_lists(const SheetPlan& plan, const scene::SceneDescription&
 // Throws Error{input} for a logo without a place.
 void read_files(LayoutOptions& options, const scene::SheetDescription& sheet) {
   if (sheet.form.given()) {
-    options.form = sheet::read_form(sheet.form);
+    options.form = read_at_place(sheet.form, sheet::read_form);
     options.title_block->place = options.form->title_block;
   }
-  if (sheet.style.given()) options.styles = scene::read_role_styles(sheet.style);
+  if (sheet.style.given()) options.styles = read_at_place(sheet.style, scene::read_role_styles);
   if (!sheet.logo.given()) return;
   if (!options.title_block)
     throw Error(ErrorKind::input, sheet.logo.where, "the logo is in the title block, and there is none",
@@ -311,7 +318,7 @@ void read_files(LayoutOptions& options, const scene::SheetDescription& sheet) {
   if (options.form && !options.form->logo)
     throw Error(ErrorKind::input, sheet.logo.where, "the template " + *sheet.form + " has no place for a logo",
                 "give a rectangle the id or label 'logo'");
-  options.logo = sheet::read_logo(sheet.logo);
+  options.logo = read_at_place(sheet.logo, sheet::read_logo);
   options.title_block->has_logo = true;
 }
 
@@ -337,6 +344,11 @@ LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfView
 
 }  // namespace
 
+bool is_sized_by_scale(const scene::SheetDescription& sheet) {
+  const scene::PaperChoice::Kind kind = sheet.size.value_or({}).kind;
+  return kind == scene::PaperChoice::Kind::automatic || kind == scene::PaperChoice::Kind::automatic_ansi;
+}
+
 scene::PaperChoice usual_size(const scene::SheetDescription& sheet, std::size_t views) {
   if (sheet.size.given() && !is_sized_by_scale(sheet)) return *sheet.size;
   return size_of_rank(sheet, views > 1 ? 1 : 0);
@@ -355,11 +367,11 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
                      std::span<const view::ProjectedScene> views, const std::vector<Annotations>& annotations) {
   LayoutOptions options = options_of(scene, sheet);
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.sheet)];
-  scene::PaperChoice size = usual_size(description, views.size());
-  expect_paper_for_lists(scene, options, size);
-  options.widths = sheet::line_widths(sheet::make_paper(size, false), options.styles);
+  const scene::PaperChoice usual = usual_size(description, views.size());
+  expect_paper_for_lists(scene, options, usual);
+  options.widths = sheet::line_widths(sheet::make_paper(usual, false), options.styles);
   const Views placing = views_to_place(world, sheet, views, annotations, options);
-  const sheet::Arrangement arrangement = arranged(description, options, placing.to_place, size);
+  const auto [arrangement, size, next_size] = arranged(description, options, placing.to_place, sheet.least_size);
   if (options.title_block) {
     options.title_block->scale = sheet::with_decimal_sign(sheet::ratio_text(arrangement.scale),
                                                           description.decimal_sign.value_or(DecimalSign::point));
@@ -372,7 +384,8 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
                  options.scale.standard,
                  arrangement.inside,
                  arrangement.on_paper,
-                 arrangement.fitting};
+                 arrangement.fitting,
+                 next_size};
   plan.furniture.parts_list = std::move(options.list);
   plan.furniture.revisions = std::move(options.revisions);
   plan.furniture.form = std::move(options.form);

@@ -26,7 +26,11 @@ struct SheetPlan {
   bool inside = true;               ///< all ink is within the margins
   bool on_paper = true;             ///< no ink is beyond the paper
   std::optional<double> fitting{};  ///< as in Arrangement
+  std::optional<int> next_size{};   ///< the least size of a larger sheet, if "auto" may choose that
 };
+
+/// Whether the size of the sheet is to be chosen.
+bool is_sized_by_scale(const scene::SheetDescription& sheet);
 
 /// The usual paper for so many views unless their scale needs a larger one, and the largest one that they may get.
 scene::PaperChoice usual_size(const scene::SheetDescription& sheet, std::size_t views);

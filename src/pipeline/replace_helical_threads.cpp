@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.hpp"
 #include "scene/helical_threads.hpp"
 #include "scene/placed_part.hpp"
 #include "sheet/dimensions/anchors.hpp"
@@ -44,9 +45,12 @@ std::ptrdiff_t open_edges_of(const mesh::Mesh& mesh) {
                        [](const mesh::MeshEdge& edge) { return edge.count != 2; });
 }
 
-// Replaces one of the threads of a model; nothing if none can be.
-std::optional<scene::HelicalThread> replace_one(scene::Placed& placed, double unit, const Progress& progress) {
-  for (scene::HelicalThread& thread : scene::find_helical_threads(*placed.mesh, *placed.part, unit)) {
+// Replaces one of the threads of a model; nothing if none can be. `others` are the helices that are no threads.
+std::optional<scene::HelicalThread> replace_one(scene::Placed& placed, double unit,
+                                                std::vector<scene::OtherHelix>& others, const Progress& progress) {
+  scene::HelicalForms forms = scene::find_helical_threads(*placed.mesh, *placed.part, unit);
+  others = std::move(forms.others);
+  for (scene::HelicalThread& thread : forms.threads) {
     mesh::Mesh mesh = *placed.mesh;
     if (!scene::replace_by_cylinder(mesh, *placed.part, thread)) continue;
     if (open_edges_of(mesh) > open_edges_of(*placed.mesh)) continue;
@@ -78,23 +82,39 @@ void tell(const Messages& messages, const std::vector<FoundThread>& found) {
                 "\n  hint: --surfaces mesh draws them as they are modelled");
 }
 
+// Each diameter and pitch once.
+void tell(const Messages& messages, const std::vector<scene::OtherHelix>& others) {
+  std::map<std::string, int> counts;
+  for (const scene::OtherHelix& one : others)
+    ++counts["⌀" + format_rounded(one.diameter, 4) + " with a pitch of " + format_rounded(one.pitch, 4)];
+  std::string list;
+  for (const auto& [text, count] : counts)
+    list += (list.empty() ? "" : ", ") + (count > 1 ? std::to_string(count) + "× " : "") + text;
+  messages.warn("helical faces are drawn as they are modelled, because ISO 261 has no such thread: " + list +
+                " mm\n  hint: model a cylinder and give it a [[thread]] to draw it as in ISO 6410-1");
+}
+
 }  // namespace
 
 scene::World replace_helical_threads(scene::World world, scene::SceneDescription& scene, const Messages& messages,
                                      const Progress& progress) {
   constexpr int most = 64;  // of a model: each costs a recognition
   std::vector<FoundThread> found;
+  std::vector<scene::OtherHelix> others;
   for (scene::Placed& placed : world.models) {
+    std::vector<scene::OtherHelix> of_model;
     const auto unit = scene::similarity_scale(placed.to_world);
     for (int i = 0; i < most && placed.part != nullptr && unit; ++i) {
-      const auto thread = replace_one(placed, *unit, progress);
+      const auto thread = replace_one(placed, *unit, of_model, progress);
       if (!thread) break;
       const Vec3 middle = thread->origin + (thread->low + thread->high) / 2 * thread->axis;
       found.push_back({thread->thread, Vec3(placed.to_world * Vec4(middle, 1)),
                        glm::normalize(Vec3(placed.to_world * Vec4(thread->axis, 0))), *unit * thread->crest,
                        *unit * (thread->high - thread->low) / 2});
     }
+    others.insert(others.end(), of_model.begin(), of_model.end());
   }
+  if (!others.empty()) tell(messages, others);
   if (found.empty()) return world;
   const bool had_wires = !world.wires.empty();
   world = scene::make_world(std::move(world.models), had_wires);

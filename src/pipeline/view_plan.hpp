@@ -33,6 +33,7 @@ struct SheetOfViews {
   std::vector<scene::ViewDescription> descriptions;
   std::vector<PlannedView> plans;
   bool states_error = false;          ///< above the title block
+  int least_size = 0;                 ///< from which "auto" chooses, of its sizes in ascending order
   std::vector<scene::Item> items{};   ///< of its parts list; empty: it has none
   std::optional<EpuraViews> epura{};  ///< if they have that layout
 };

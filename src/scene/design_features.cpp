@@ -103,6 +103,18 @@ class PartReader {
     }
   }
 
+  void add_bevels(const DesignFeatures& found, std::vector<DesignBevel>& bevels) const {
+    const std::vector<Cavity> cavities = cavities_of(found);
+    const std::vector<std::vector<Vec3>> corners = corners_of_planes();
+    for (std::size_t f = 0; f < part_.faces.size(); ++f) {
+      const Vec3& normal = part_.faces[f].surface.axis;
+      if (corners[f].empty() || axis_along(normal) >= 0 || is_inside(cavities, normal, corners[f])) continue;
+      for (int along = 0; along < 3; ++along)
+        if (std::abs(normal[along]) <= parallel)
+          if (const auto bevel = bevel_of(f, along, corners)) bevels.push_back(*bevel);
+    }
+  }
+
  private:
   // A drawing gives the depth of letters at most, no sizes of their walls.
   static PlacedPart without_letters(const Placed& placed, PlacedPart part) {
@@ -158,7 +170,41 @@ class PartReader {
     return cavities;
   }
 
-  // Of plane faces that are perpendicular to a world axis; empty for others.
+  // The axis of the world to which a plane face through all these corners is perpendicular, other than `along`; -1 if
+  // there is none.
+  [[nodiscard]] int axis_of_neighbour(const std::vector<Vec3>& edge, int along,
+                                      const std::vector<std::vector<Vec3>>& corners) const {
+    for (std::size_t f = 0; f < corners.size(); ++f) {
+      const int axis = corners[f].empty() ? -1 : axis_along(part_.faces[f].surface.axis);
+      const auto is_corner = [&](const Vec3& p) {
+        return std::find(corners[f].begin(), corners[f].end(), p) != corners[f].end();
+      };
+      if (axis >= 0 && axis != along && std::all_of(edge.begin(), edge.end(), is_corner)) return axis;
+    }
+    return -1;
+  }
+
+  [[nodiscard]] std::optional<DesignBevel> bevel_of(std::size_t face, int along,
+                                                    const std::vector<std::vector<Vec3>>& corners) const {
+    const double slack = 1e-5 * glm::length(world_.box.size());
+    const int b = (along + 1) % 3, c = (along + 2) % 3;
+    const auto [low, high] = std::minmax_element(corners[face].begin(), corners[face].end(),
+                                                 [b](const Vec3& p, const Vec3& q) { return p[b] < q[b]; });
+    DesignBevel bevel{model_, along, {*low, *high}, {-1, -1}, part_.faces[face].area};
+    bevel.ends[1][along] = bevel.ends[0][along];
+    for (const std::size_t end : {0U, 1U}) {
+      std::vector<Vec3> edge;
+      for (const Vec3& p : corners[face])
+        if (std::abs(p[b] - bevel.ends[end][b]) <= slack) edge.push_back(p);
+      bevel.across[end] = edge.size() < 2 ? -1 : axis_of_neighbour(edge, along, corners);
+      if (bevel.across[end] < 0) return std::nullopt;
+    }
+    const Vec3 span = bevel.ends[1] - bevel.ends[0];
+    bevel.is_chamfer = bevel.across[0] != bevel.across[1] && std::abs(std::abs(span[b]) - std::abs(span[c])) <= slack;
+    return bevel;
+  }
+
+  // Of plane faces that are parallel to a world axis; empty for others.
   [[nodiscard]] std::vector<std::vector<Vec3>> corners_of_planes() const {
     const Placed& placed = world_.models[model_];
     const mesh::Mesh& mesh = placed.mesh->whole();
@@ -166,7 +212,8 @@ class PartReader {
     for (int t = 0; t < mesh.triangle_count(); ++t) {
       const int face = placed.part->face_of_triangle[t];
       if (face < 0 || part_.faces[face].surface.kind != SurfaceKind::plane) continue;
-      if (axis_along(part_.faces[face].surface.axis) < 0) continue;
+      const Vec3 normal = glm::abs(part_.faces[face].surface.axis);
+      if (std::min({normal.x, normal.y, normal.z}) > parallel) continue;
       for (const int v : mesh.triangle(t)) vertices[face].insert(v);
     }
     std::vector<std::vector<Vec3>> corners(part_.faces.size());
@@ -402,6 +449,8 @@ bool are_equal(const DesignHole& a, const DesignHole& b) {
          are_same(a.thread, b.thread);
 }
 
+double DesignBevel::leg() const { return std::abs(ends[1][(along + 1) % 3] - ends[0][(along + 1) % 3]); }
+
 bool has_coaxial_cylinder(const DesignFeatures& features, const DesignCylinder& circle) {
   return std::any_of(features.cylinders.begin(), features.cylinders.end(), [&](const DesignCylinder& cylinder) {
     return !cylinder.inwards && cylinder.model == circle.model && are_same(cylinder.radius, circle.radius) &&
@@ -422,6 +471,7 @@ DesignFeatures find_design_features(const World& world, const Progress& progress
     PartReader reader(world, model, std::move(*part));
     reader.read(found);
     reader.add_levels(found, found.levels);
+    reader.add_bevels(found, found.bevels);
   }
   add_pitch_circles(centred, found);
   std::stable_sort(found.levels.begin(), found.levels.end(), [](const DesignLevel& a, const DesignLevel& b) {

@@ -125,6 +125,20 @@ struct DesignLevel {
   std::vector<Vec3> points;  ///< corners of the faces
 };
 
+/// A plane face that is parallel to one axis of the world only, between faces perpendicular to others: a chamfered
+/// corner, or a slope.
+struct DesignBevel {
+  int model;
+  int along;                  ///< the axis of the world
+  std::array<Vec3, 2> ends;   ///< on its edges at those faces
+  std::array<int, 2> across;  ///< the axes of the world to which these are perpendicular
+  double area;
+  bool is_chamfer = false;  ///< of 45 degrees, at a corner
+
+  /// The size of a chamfer along both axes.
+  [[nodiscard]] double leg() const;
+};
+
 struct DesignPitchCircle {
   int model;
   Vec3 centre, axis;
@@ -142,6 +156,7 @@ struct DesignFeatures {
   std::vector<DesignCone> cones;     ///< all others
   std::vector<DesignLevel> levels;   ///< by axis and place
   std::vector<DesignPitchCircle> pitch_circles;
+  std::vector<DesignBevel> bevels{};
 };
 
 /// Whether a shaft or boss of the same model has this axis and radius.

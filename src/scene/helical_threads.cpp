@@ -82,14 +82,14 @@ class ThreadFinder {
         of_face_[static_cast<std::size_t>(face)].push_back(static_cast<int>(t));
   }
 
-  std::vector<HelicalThread> find() {
+  HelicalForms find() {
     for (std::size_t f = 0; f < part_.faces.size(); ++f)
       if (is_free_form(part_.faces[f])) free_forms_.push_back(extent_of(f));
     if (free_forms_.empty()) return {};
     for (const PartFace& face : part_.faces)
       if (is_axis(face.surface.kind) && face.sweep >= 180 && !is_known(face.surface)) find_around(face.surface);
     for (const FaceExtent& form : free_forms_) find_in(form.face);
-    return std::move(found_);
+    return {std::move(found_), std::move(others_)};
   }
 
  private:
@@ -174,11 +174,13 @@ class ThreadFinder {
       const int t = of_face_[seed].front();
       if (visited[static_cast<std::size_t>(t)] != 0 || !may_belong(static_cast<int>(seed))) continue;
       const std::vector<int> triangles = connected(t, may_belong, visited);
-      if (auto thread = thread_of(around, triangles)) {
-        for (const int triangle : triangles) taken_[static_cast<std::size_t>(triangle)] = 1;
-        add_strips(around, *thread);
-        found_.push_back(std::move(*thread));
-      }
+      const std::size_t others = others_.size();
+      auto thread = thread_of(around, triangles);
+      if (!thread && others_.size() == others) continue;
+      for (const int triangle : triangles) taken_[static_cast<std::size_t>(triangle)] = 1;
+      if (!thread) continue;
+      add_strips(around, *thread);
+      found_.push_back(std::move(*thread));
     }
   }
 
@@ -208,16 +210,20 @@ class ThreadFinder {
     return {face, box.centre(), glm::length(box.size()) / 2};
   }
 
+  // Numbers below `count`. Even steps might meet the same column of a mesh again and again.
+  static std::size_t scattered(std::size_t i, std::size_t count) {
+    constexpr double golden = std::numbers::phi - 1;
+    const double turns = golden * static_cast<double>(i), place = turns - std::floor(turns);
+    return static_cast<std::size_t>(place * static_cast<double>(count));
+  }
+
   // Whether a few vertices of a face are where those of a thread around an axis may be.
   [[nodiscard]] bool may_be_around(const AroundAxis& around, const std::vector<int>& triangles) const {
     constexpr std::size_t samples = 16;
-    constexpr double golden = std::numbers::phi - 1;
     Range radius;
     Vec3 directions(0);
     for (std::size_t i = 0; i < samples && !triangles.empty(); ++i) {
-      // Even steps might meet the same column of a mesh again and again.
-      const double turns = golden * static_cast<double>(i), place = turns - std::floor(turns);
-      const int triangle = triangles[static_cast<std::size_t>(place * static_cast<double>(triangles.size()))];
+      const int triangle = triangles[scattered(i, triangles.size())];
       const Vec3 p = mesh_.point(mesh_.triangle(triangle)[0]) - around.origin;
       const Vec3 out = p - glm::dot(p, around.axis) * around.axis;
       radius.add(glm::length(out));
@@ -304,8 +310,7 @@ class ThreadFinder {
     return *inside_out_;
   }
 
-  [[nodiscard]] std::optional<HelicalThread> thread_of(const AroundAxis& around,
-                                                       const std::vector<int>& triangles) const {
+  std::optional<HelicalThread> thread_of(const AroundAxis& around, const std::vector<int>& triangles) {
     FaceReach reach;
     const std::vector<int> vertices = vertices_of(triangles);
     for (const int v : vertices) {
@@ -323,8 +328,12 @@ class ThreadFinder {
       if (const Vec3 p = mesh_.point(v); std::abs(around.radius(p) - crest) <= near)
         crests.emplace_back(around.turn(p), around.height(p));
     if (!goes_around(crests)) return std::nullopt;
-    const auto thread = best_size(crests, crest, internal, reach.height.to - reach.height.from);
-    if (!thread) return std::nullopt;
+    const double length = reach.height.to - reach.height.from;
+    const auto thread = best_size(crests, crest, internal, length);
+    if (!thread) {
+      if (const auto pitch = pitch_of(crests, length)) others_.push_back({2 * crest * unit_, *pitch * unit_});
+      return std::nullopt;
+    }
     return HelicalThread{around.origin,     around.axis,     internal, crest,
                          reach.height.from, reach.height.to, *thread,  triangles};
   }
@@ -346,6 +355,34 @@ class ThreadFinder {
       least = off;
     }
     return best;
+  }
+
+  // The largest pitch of which the crests are a helix, in units of the file, if they have enough turns of it: smaller
+  // ones may suit rows of vertices as well. Many more vertices than turns prevent that some pitch suits by chance.
+  [[nodiscard]] static std::optional<double> pitch_of(const std::vector<Vec2>& crests, double length) {
+    constexpr double step = 0.1, vertices_of_turn = 8;
+    constexpr std::size_t most_samples = 512;
+    if (crests.size() < least_vertices) return std::nullopt;
+    std::vector<Vec2> some;
+    for (std::size_t i = 0; i < std::min(most_samples, crests.size()); ++i)
+      some.push_back(crests[scattered(i, crests.size())]);
+    const auto order = [length](const std::vector<Vec2>& points, double turns) {
+      return std::max(order_along(points, length / turns, true), order_along(points, length / turns, false));
+    };
+    const double most = static_cast<double>(some.size()) / vertices_of_turn;
+    for (double turns = step; turns <= most; turns += step) {
+      if (order(some, turns) < least_order) continue;
+      while (order(some, turns + step) > order(some, turns)) turns += step;
+      double from = turns - step, to = turns + step;
+      while (to - from > 1e-6 * turns) {
+        const double low = from + (to - from) / 3, high = to - (to - from) / 3;
+        const bool is_above = order(crests, low) < order(crests, high);
+        (is_above ? from : to) = is_above ? low : high;
+      }
+      const double found = (from + to) / 2;
+      return found < least_turns ? std::nullopt : std::optional(length / found);
+    }
+    return std::nullopt;
   }
 
   // Whether a face is a cylinder around the axis.
@@ -404,11 +441,12 @@ class ThreadFinder {
   mutable std::optional<bool> inside_out_;
   std::vector<features::PartSurface> axes_;
   std::vector<HelicalThread> found_;
+  std::vector<OtherHelix> others_;
 };
 
 }  // namespace
 
-std::vector<HelicalThread> find_helical_threads(const mesh::Mesh& mesh, const features::PartFaces& part, double unit) {
+HelicalForms find_helical_threads(const mesh::Mesh& mesh, const features::PartFaces& part, double unit) {
   return ThreadFinder(mesh, part, unit).find();
 }
 

@@ -21,10 +21,20 @@ struct HelicalThread {
   std::vector<int> triangles;  ///< ascending
 };
 
+/// A helix whose pitch ISO 261 does not have for its diameter, at the crests; mm.
+struct OtherHelix {
+  double diameter, pitch;
+};
+
+struct HelicalForms {
+  std::vector<HelicalThread> threads;
+  std::vector<OtherHelix> others{};
+};
+
 /// Free forms around the axis of another round face, with vertices between two cylinders, are a thread if turning them
 /// by an angle moves them along the axis in proportion, by a pitch that ISO 261 has for their diameter, over at least
 /// two turns. `unit` is the length of the file's unit in mm.
-std::vector<HelicalThread> find_helical_threads(const mesh::Mesh& mesh, const features::PartFaces& part, double unit);
+HelicalForms find_helical_threads(const mesh::Mesh& mesh, const features::PartFaces& part, double unit);
 
 /// Puts the cylinder through its crests in the place of a thread: the faces at both ends are continued to its circles,
 /// or end there. Returns false, and leaves the mesh as it is, where they cannot be: the triangles of a thread have to

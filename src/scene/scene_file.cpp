@@ -229,9 +229,11 @@ void expect_cells(const TableDescription& table) {
     refuse(table.corner.where, "the table has a position and a corner", "omit 'corner', or 'at'");
 }
 
-// Links count as what they lead to: a scene file and a link can come from one stranger.
+// Links count as what they lead to: a scene file and a link can come from one stranger. Of a file that does not exist,
+// only the absolute path is complete.
 bool lies_below(const fs::path& file, const fs::path& folder) {
-  const fs::path whole = fs::weakly_canonical(file), above = fs::weakly_canonical(folder.empty() ? "." : folder);
+  const fs::path whole = fs::weakly_canonical(fs::absolute(file));
+  const fs::path above = fs::weakly_canonical(folder.empty() ? "." : folder);
   return std::mismatch(above.begin(), above.end(), whole.begin(), whole.end()).first == above.end();
 }
 

@@ -232,12 +232,20 @@ std::shared_ptr<const Form> read_form(const scene::LocatedText& file) {
   form->art = svg::read_artwork(read_file(*file), *file, area_names);
   const std::vector<std::string> known = known_fields();
   std::optional<Rectangle> fields;
+  const svg::Words* named = nullptr;  // the first one with another name
   for (const auto& item : form->art.items) {
     const auto* words = std::get_if<svg::Words>(&item);
-    if (words == nullptr || !is_field(words->name, known)) continue;
+    if (words == nullptr) continue;
+    if (!is_field(words->name, known)) {
+      if (named == nullptr && !words->name.empty()) named = words;
+      continue;
+    }
     const Rectangle place{words->at - Vec2(1), words->at + Vec2(1, words->size)};
     fields = fields ? united(*fields, place) : place;
   }
+  if (!fields && named != nullptr)
+    throw Error(ErrorKind::input, named->where, "the template has no field: '" + named->name + "' is none",
+                did_you_mean(named->name, known));
   if (!fields)
     throw Error(
         ErrorKind::input, *file, "the template has no field",

@@ -85,27 +85,27 @@ std::vector<Cell> standard_cells(const TitleBlock& block) {
   return cells;
 }
 
-double standard_height(const TitleBlock& block) {
-  double height = 0;
-  for (const Cell& cell : standard_cells(block)) height = std::max(height, cell.bottom + cell.height);
-  return height;
-}
-
 constexpr double height_below_logo = 8;  // of the room for the owner
 
 using Field = std::pair<std::string, std::string>;
 
-// Fields without a standard cell, in their order.
-std::vector<Field> free_fields(const TitleBlock& block) {
-  const std::vector<Cell> cells = standard_cells(block);
-  std::vector<Field> fields;
+/// What a title block shows, wherever it stands.
+struct Content {
+  std::vector<Cell> cells;  ///< standard ones
+  double height = 0;        ///< of these
+  std::vector<Field> free;  ///< fields without such a cell, in their order
+};
+
+Content content_of(const TitleBlock& block) {
+  Content content{standard_cells(block), 0, {}};
+  for (const Cell& cell : content.cells) content.height = std::max(content.height, cell.bottom + cell.height);
   for (const Field& field : block.fields) {
     const auto has_name = [&field](const Cell& cell) { return cell.name == field.first; };
     if (field.first != "supplementary_title" && !field.second.empty() &&
-        std::none_of(cells.begin(), cells.end(), has_name))
-      fields.push_back(field);
+        std::none_of(content.cells.begin(), content.cells.end(), has_name))
+      content.free.push_back(field);
   }
-  return fields;
+  return content;
 }
 
 double height_of(std::size_t rows) { return row * static_cast<double>(rows); }
@@ -241,6 +241,16 @@ class Writer {
   DrawnTitleBlock drawn_;
 };
 
+std::optional<Rectangle> box_of(const Content& content, const Paper& paper) {
+  const Rectangle area = drawing_area(paper);
+  const double width = std::min(full_width, area.size().x), most_height = area.size().y / 2;
+  if (width < least_width || content.height > most_height) return std::nullopt;
+  const auto most_rows = static_cast<std::size_t>((most_height - content.height) / row);
+  const std::size_t rows = std::min(rows_for(content.free.size()), most_rows);
+  const Vec2 corner(area.max.x - width, area.min.y);
+  return Rectangle{corner, corner + Vec2(width, content.height + height_of(rows))};
+}
+
 }  // namespace
 
 std::string value_of(const TitleBlock& block, const std::string& name) {
@@ -253,15 +263,7 @@ std::string value_of(const TitleBlock& block, const std::string& name) {
 }
 
 std::optional<Rectangle> title_block_box(const TitleBlock& block, const Paper& paper) {
-  if (block.place) return block.place;
-  const Rectangle area = drawing_area(paper);
-  const double width = std::min(full_width, area.size().x), most_height = area.size().y / 2;
-  const double least_height = standard_height(block);
-  if (width < least_width || least_height > most_height) return std::nullopt;
-  std::size_t rows = rows_for(free_fields(block).size());
-  rows = std::min(rows, static_cast<std::size_t>((most_height - least_height) / row));
-  const Vec2 corner(area.max.x - width, area.min.y);
-  return Rectangle{corner, corner + Vec2(width, least_height + height_of(rows))};
+  return block.place ? block.place : box_of(content_of(block), paper);
 }
 
 Rectangle logo_box(const Rectangle& title_block) {
@@ -271,20 +273,20 @@ Rectangle logo_box(const Rectangle& title_block) {
 }
 
 DrawnTitleBlock draw_title_block(const TitleBlock& block, const Paper& paper, const Lettering& lettering) {
-  const auto box = title_block_box(block, paper);
+  const Content content = content_of(block);
+  const auto box = block.place ? block.place : box_of(content, paper);
   if (!box)
     return {{},
             {"the sheet is too small for a title block\n  hint: choose a size such as A4, or leave it out with "
              "frame plain"}};
-  const std::vector<Field> fields = free_fields(block);
-  const auto rows = static_cast<std::size_t>((box->size().y - standard_height(block)) / row + 0.5);
-  const std::vector<Cell> free = free_cells(fields, rows, standard_height(block));
-  check(free.size() <= fields.size(), "every field has one cell");
+  const auto rows = static_cast<std::size_t>((box->size().y - content.height) / row + 0.5);
+  const std::vector<Cell> free = free_cells(content.free, rows, content.height);
+  check(free.size() <= content.free.size(), "every field has one cell");
   Writer writer(block, *box, lettering);
-  for (const Cell& cell : standard_cells(block)) writer.draw(cell);
+  for (const Cell& cell : content.cells) writer.draw(cell);
   writer.draw_symbol();
   for (const Cell& cell : free) writer.draw(cell);
-  writer.leave_out(fields.size() - free.size());
+  writer.leave_out(content.free.size() - free.size());
   return writer.result();
 }
 

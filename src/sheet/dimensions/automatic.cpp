@@ -48,6 +48,10 @@ std::vector<std::vector<const Feature*>> groups_of(const std::vector<Feature>& f
   return groups;
 }
 
+bool are_equal_chamfers(const scene::DesignBevel& a, const scene::DesignBevel& b) {
+  return a.model == b.model && a.along == b.along && are_same(a.leg(), b.leg());
+}
+
 std::string times(std::size_t count) { return count > 1 ? std::to_string(count) + "× " : ""; }
 
 class Planner {
@@ -75,6 +79,7 @@ class Planner {
     add_balls();
     add_chamfers();
     add_cones();
+    add_bevels();
     add_levels();
     for (DimensionDescription& dimension : stations_.dimensions(wanted_, notation_))
       dimensions_.push_back(std::move(dimension));
@@ -465,6 +470,39 @@ class Planner {
       dimension.direction = {horizontal ? DimensionDirection::horizontal : DimensionDirection::vertical, wanted_.where};
       for (const int end : {0, 1}) dimension.anchors.emplace_back(chamfer.ends[end] + chamfer.radii[end] * out);
     }
+  }
+
+  // Chamfered corners have a note; other slopes have the positions of their ends, those of the largest ones first.
+  void add_bevels() {
+    std::vector<scene::DesignBevel> chamfers, slopes;
+    for (const scene::DesignBevel& bevel : subject_.features.bevels)
+      (bevel.is_chamfer ? chamfers : slopes).push_back(bevel);
+    for (const auto& group : groups_of<scene::DesignBevel>(chamfers, are_equal_chamfers)) {
+      const NamedProjection* view = view_along(axis_of(group.front()->along), false);
+      if (view == nullptr) continue;
+      const auto* shown = uppermost<scene::DesignBevel>(
+          group, *view, [](const scene::DesignBevel& one) { return (one.ends[0] + one.ends[1]) / 2.0; });
+      DimensionDescription& dimension = add(DimensionType::linear, *view, times(group.size()) + "<>×45°");
+      dimension.direction = {DimensionDirection::horizontal, wanted_.where};
+      for (const Vec3& end : shown->ends) dimension.anchors.emplace_back(end);
+      // The other ends are on the faces at the corner.
+      for (const scene::DesignBevel* chamfer : group)
+        for (const int end : {0, 1}) stations_.know(chamfer->across[end], chamfer->ends[1 - end][chamfer->across[end]]);
+    }
+    std::stable_sort(slopes.begin(), slopes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
+    for (std::size_t i = 0; i < std::min(slopes.size(), most_of_a_kind); ++i) {
+      const NamedProjection* view = view_along(axis_of(slopes[i].along), false);
+      if (view == nullptr || slopes[i].area < least_area()) continue;
+      for (int axis = 0; axis < 3; ++axis)
+        for (const Vec3& end : slopes[i].ends)
+          if (axis != slopes[i].along) stations_.add({view, axis, end[axis], end, -1, end});
+    }
+  }
+
+  static Vec3 axis_of(int number) {
+    Vec3 axis(0);
+    axis[number] = 1;
+    return axis;
   }
 
   // The view in which a step is nearest to the viewer, so that little can hide it; the first one of several.

@@ -36,6 +36,7 @@ struct AutomaticPlan {
 /// Returns overall dimensions, as of overall_dimensions, and those of features:
 /// - holes, pitch circles, slots, arcs in a view along their axes; shafts and chamfers in a view across them
 /// - rounded edges of turned parts and ends of cones in a view across their axes; spheres where their outline is seen
+/// - chamfers of 45 degrees and ends of slopes in a view along them
 /// - positions of holes, slots and bosses and heights of steps from the left or lower end of the models in a view,
 ///   those of equally spaced ones as "3× 20 (=60)"; holes on a pitch circle have no others
 /// If an arrangement is wanted, positions along one axis are one row of dimensions. If a table of holes is wanted,

@@ -162,6 +162,10 @@ class CoverageFinder {
     for (const scene::DesignCone& cone : features.cones)
       if (const int axis = world_axis(cone.axis); axis >= 0)
         for (const Vec3& end : cone.ends) chains_[axis].add(end[axis], "end of a cone");
+    for (const scene::DesignBevel& bevel : features.bevels)
+      for (int axis = 0; axis < 3; ++axis)
+        for (const Vec3& end : bevel.ends)
+          if (axis != bevel.along) chains_[axis].add(end[axis], bevel.is_chamfer ? "chamfer" : "slope");
     for (const scene::DesignCylinder& cylinder : features.cylinders)
       if (const int axis = world_axis(cylinder.axis); axis >= 0 && cylinder.thread && cylinder.thread->length)
         chains_[axis].add(cylinder.thread->end[axis], "end of thread " + cylinder.thread->text);
@@ -358,6 +362,8 @@ class CoverageFinder {
       else if (axis >= 0)
         join_between(axis, dimension.points[0][axis], dimension.points[1][axis], dimension);
       if (axis >= 0 && dimension.type == DimensionType::aligned && repeats_of(dimension.text) > 1) join_slots(axis);
+      if (axis >= 0 && dimension.text.find("×45°") != std::string::npos)
+        join_chamfers(dimension, world_axis(view.projection.n));
     } else if (dimension.type == DimensionType::diameter) {
       if (dimension.is_label) join_label(dimension.circles.front());
       join_circles(dimension);
@@ -386,6 +392,19 @@ class CoverageFinder {
       });
       return labelled && is_at(size, {circle.centre, circle.axis, circle.radius, {}, true});
     });
+  }
+
+  // The note of a chamfer gives its size along both axes; "4×" those of all that are equal to it.
+  void join_chamfers(const AnchoredDimension& dimension, int along) {
+    const double leg = glm::length(dimension.points[1] - dimension.points[0]) / std::sqrt(2.0);
+    const bool many = repeats_of(dimension.text) > 1;
+    for (const scene::DesignBevel& bevel : subject_.features.bevels) {
+      if (!bevel.is_chamfer || bevel.along != along || !are_same(bevel.leg(), leg)) continue;
+      const double off = glm::length(bevel.ends[0] + bevel.ends[1] - dimension.points[0] - dimension.points[1]);
+      for (int other = 0; other < 3; ++other)
+        if (other != along && (many || off <= same_size * leg))
+          chains_[other].join(bevel.ends[0][other], bevel.ends[1][other]);
+    }
   }
 
   // The length of one of several equal slots joins the ends of all of them.

@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "base/error.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/box_index.hpp"
 #include "sheet/dimensions/forms.hpp"
+#include "sheet/dimensions/ink_index.hpp"
 #include "sheet/dimensions/measure.hpp"
 #include "sheet/line_styles.hpp"
 
@@ -31,6 +34,7 @@ struct Surroundings {
   const drawing::ViewDrawing& drawing;
   std::optional<Rectangle> paper;
   BoxIndex others;
+  InkIndex ink{drawing};
   BoxIndex zones{others}, texts{}, lines{};
 
   void add(const PlacedDimension& dimension) {
@@ -57,9 +61,9 @@ struct Surroundings {
       cost += cost_of_text * texts.overlaps(line) + cost_of_crossing * zones.overlaps(line) +
               cost_of_other * others.overlaps(line);
     for (const TurnedBox& text : dimension.text_boxes)
-      if (cost < max && ink_in(text, drawing) > 0) cost += cost_of_text;
+      if (cost < max && ink.in(text) > 0) cost += cost_of_text;
     if (cost < max)
-      for (const TurnedBox& line : dimension.lines) cost += cost_of_ink * ink_in(line, drawing);
+      for (const TurnedBox& line : dimension.lines) cost += cost_of_ink * ink.in(line);
     return cost;
   }
 };
@@ -108,12 +112,11 @@ void check_ends(const Form& form, const PlacedDimension& dimension) {
     check(ends_at(form, end_of(arrow)), "a dimension ends at what it measures");
 }
 
-PlacedDimension best_of(std::vector<DimensionPlacement> placements, const Surroundings& surroundings) {
-  std::stable_sort(placements.begin(), placements.end(),
-                   [](const DimensionPlacement& a, const DimensionPlacement& b) { return a.cost < b.cost; });
-  DimensionPlacement* best = nullptr;
+// The placements are in ascending order of their cost.
+const PlacedDimension& best_of(const std::vector<DimensionPlacement>& placements, const Surroundings& surroundings) {
+  const DimensionPlacement* best = nullptr;
   double min = HUGE_VAL;
-  for (DimensionPlacement& placement : placements) {
+  for (const DimensionPlacement& placement : placements) {
     if (placement.cost >= min) break;
     const double cost = placement.cost + surroundings.cost(placement.dimension, min - placement.cost);
     if (cost >= min) continue;
@@ -121,7 +124,7 @@ PlacedDimension best_of(std::vector<DimensionPlacement> placements, const Surrou
     best = &placement;
   }
   check(best != nullptr, "a dimension has no place");
-  return std::move(best->dimension);
+  return best->dimension;
 }
 
 // Dimensions without a choice come first; then distances, small before large; then angles; then circles.
@@ -174,8 +177,8 @@ class Placer {
       }
   }
 
-  /// Takes out some of the first dimensions until none of these has conflicts, those with most of them first, and
-  /// puts back those for which there is room then. Returns the numbers of the others.
+  /// Takes out some of the first dimensions until none of these has conflicts, those with most of them first and rows,
+  /// which stand for many, last, and puts back those for which there is room then. Returns the numbers of the others.
   std::vector<std::size_t> leave_out(std::size_t count, const Progress& progress) {
     count = std::min(count, placed_.size());
     std::vector<int> conflicts(count);
@@ -183,13 +186,11 @@ class Placer {
       if (placed_[i]) conflicts[i] = conflicts_of(i);
     std::vector<std::size_t> left_out;
     for (;;) {
-      // Of several, the last one: overall dimensions are first.
-      const auto worst = std::max_element(conflicts.rbegin(), conflicts.rend());
-      if (worst == conflicts.rend() || *worst == 0) break;
-      const auto number = static_cast<std::size_t>(conflicts.rend() - worst) - 1;
+      const std::size_t number = worst_of(conflicts);
+      if (number == count || conflicts[number] == 0) break;
       for (std::size_t i = 0; i < count; ++i)
         if (i != number && placed_[i] && cross(*placed_[i], *placed_[number])) --conflicts[i];
-      *worst = 0;
+      conflicts[number] = 0;
       take(number);
       left_out.push_back(number);
     }
@@ -203,11 +204,23 @@ class Placer {
 
  private:
   void place(std::size_t i) {
-    const auto placements = [&](const auto& form) { return placements_of(form, dimensions_[i], drawing_, style_); };
-    placed_[i] = best_of(std::visit(placements, dimensions_[i].form), surroundings_);
+    placed_[i] = is_row(i) ? best_of(placements_of_row(i), surroundings_) : best_of(placements(i), surroundings_);
     std::visit([&](const auto& form) { check_ends(form, *placed_[i]); }, dimensions_[i].form);
     surroundings_.add(*placed_[i]);
   }
+  [[nodiscard]] std::vector<DimensionPlacement> placements(std::size_t i) const {
+    const auto of_form = [&](const auto& form) { return placements_of(form, dimensions_[i], drawing_, style_); };
+    std::vector<DimensionPlacement> all = std::visit(of_form, dimensions_[i].form);
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    return all;
+  }
+  // Rows are large, and tried again and again.
+  const std::vector<DimensionPlacement>& placements_of_row(std::size_t i) {
+    auto [known, is_new] = rows_.try_emplace(i);
+    if (is_new) known->second = placements(i);
+    return known->second;
+  }
+  [[nodiscard]] bool is_row(std::size_t i) const { return std::holds_alternative<MeasuredRow>(dimensions_[i].form); }
   void take(std::size_t i) {
     surroundings_.remove(*placed_[i]);
     placed_[i].reset();
@@ -218,20 +231,50 @@ class Placer {
     take(i);
     return false;
   }
-  // Moves another one of the first ones. Rows take up so much room that others do not help them.
+  // Of several, the last one: overall dimensions are first.
+  [[nodiscard]] std::size_t worst_of(const std::vector<int>& conflicts) const {
+    std::size_t worst = conflicts.size();
+    const auto rank = [&](std::size_t i) { return std::pair(conflicts[i] > 0 && !is_row(i), conflicts[i]); };
+    for (std::size_t i = 0; i < conflicts.size(); ++i)
+      if (worst == conflicts.size() || rank(i) >= rank(worst)) worst = i;
+    return worst;
+  }
+  // Moves all that is where the row would be.
+  bool makes_room_for_row(std::size_t row, std::size_t count) {
+    place(row);
+    std::vector<std::size_t> moved;
+    bool all_move = faults_of(*placed_[row], drawing_, neighbours_) == 0;
+    for (std::size_t i = 0; i < placed_.size() && all_move; ++i) {
+      if (i == row || !placed_[i] || !cross(*placed_[row], *placed_[i])) continue;
+      all_move = i < count && !is_row(i);
+      moved.push_back(i);
+    }
+    if (all_move) {
+      const PlacedDimensions before = placed_;
+      for (const std::size_t i : moved) take(i);
+      if (std::all_of(moved.begin(), moved.end(), [&](std::size_t i) { return finds_room(i); })) return true;
+      for (const std::size_t i : moved) put_back(i, before[i]);
+    }
+    take(row);
+    return false;
+  }
+  void put_back(std::size_t i, const std::optional<PlacedDimension>& before) {
+    if (placed_[i]) take(i);
+    placed_[i] = before;
+    surroundings_.add(*before);
+  }
+  // Moves another one of the first ones.
   bool makes_room(std::size_t i, std::size_t count) {
-    const auto is_row = [&](std::size_t k) { return std::holds_alternative<MeasuredRow>(dimensions_[k].form); };
-    if (is_row(i)) return false;
+    if (is_row(i)) return makes_room_for_row(i, count);
     for (std::size_t other = 0; other < count; ++other) {
       if (!placed_[other] || is_row(other)) continue;
-      const PlacedDimension before = *placed_[other];
+      const auto before = placed_[other];
       take(other);
       if (finds_room(i)) {
         if (finds_room(other)) return true;
         take(i);
       }
-      placed_[other] = before;
-      surroundings_.add(before);
+      put_back(other, before);
     }
     return false;
   }
@@ -249,6 +292,7 @@ class Placer {
   std::vector<std::size_t> order_;
   Surroundings surroundings_;
   PlacedDimensions placed_;
+  std::map<std::size_t, std::vector<DimensionPlacement>> rows_;
 };
 
 // U+2300, or the letter that replaces it.

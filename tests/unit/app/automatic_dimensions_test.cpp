@@ -251,6 +251,24 @@ TEST_F(AutomaticDimensions, WithoutRoomAreLeftOut) {
   EXPECT_FALSE(contains(checked.out, "crossing")) << checked.out;
 }
 
+// Notes cover nearly all of an A4 sheet, so that "auto" takes the next one.
+TEST_F(AutomaticDimensions, ChooseTheSheetThatHasRoom) {
+  folder.file("part.obj", plates()[3].obj);
+  std::string notes;
+  for (int y = 12; y < 205; y += 8)
+    notes += "[[note]]\ntext = '" + std::string(60, 'W') + "'\nat = [12, " + std::to_string(y) + "]\n";
+  const auto size_and_warning = [&](const std::string& size) {
+    folder.file("scene.toml", "[[model]]\nfile = 'part.obj'\n[sheet]\nframe = 'plain'\nsize = '" + size +
+                                  "'\n[[view]]\nprojection = 'top'\n[[dimension]]\ntype = 'auto'\n" + notes);
+    const Outcome run = epura({"draw", "scene.toml", "-o", "x.svg"}, folder / "");
+    const std::string svg = read_file(folder / "x.svg"), key = "viewBox=\"0 0 ";
+    const std::size_t begin = svg.find(key) + key.size();
+    return std::pair(svg.substr(begin, svg.find('"', begin) - begin), contains(run.err, "no room for"));
+  };
+  EXPECT_EQ(size_and_warning("A4"), std::pair(std::string("297 210"), true));
+  EXPECT_EQ(size_and_warning("auto"), std::pair(std::string("420 297"), false));
+}
+
 TEST_F(AutomaticDimensions, LintFindsTextsOnLines) {
   folder.file("part.obj", blocks()[2].obj);
   const auto run = [&](const char* offset) {
@@ -282,6 +300,19 @@ TEST_F(AutomaticDimensions, LintFindsDimensionsOutsideADetail) {
   const std::string sentence = "ends outside the boundary of detail X (view 'detail-X')";
   EXPECT_TRUE(contains(run("[38, 15, 8]"), sentence)) << "13 mm from the centre";
   EXPECT_FALSE(contains(run("[36, 15, 8]"), sentence)) << "11 mm from the centre";
+}
+
+TEST_F(AutomaticDimensions, LintMissesChamfersAndSlopes) {
+  const auto missing = [&](const std::string& name) {
+    for (const KnownPart& part : blocks())
+      if (part.name == name) return lint(folder.file("part.obj", part.obj), "overall").out;
+    return std::string();
+  };
+  const std::string chamfer = missing("a chamfer"), slope = missing("a slope");
+  EXPECT_TRUE(contains(chamfer, "not dimensioned: chamfer: position along x (55)\n")) << chamfer;
+  EXPECT_TRUE(contains(chamfer, "not dimensioned: chamfer: position along z (25)\n")) << chamfer;
+  EXPECT_TRUE(contains(slope, "not dimensioned: slope: position along x (40)\n")) << slope;
+  EXPECT_TRUE(contains(slope, "not dimensioned: slope: position along z (20)\n")) << slope;
 }
 
 TEST_F(AutomaticDimensions, LintSaysWhatIsMissing) {

@@ -283,6 +283,14 @@ inline Loop rounded_rectangle(const Vec2& size, double radius) {
   return loop;
 }
 
+// Legs of 12 with a fillet of 8 between them.
+inline Loop angle() {
+  Loop outline{{0, 0}, {60, 0}, {60, 12}};
+  for (int i = 0; i <= k; ++i) outline.push_back(Vec2(20) - 8.0 * Vec2(sine(90.0 * i / k), cosine(90.0 * i / k)));
+  outline.insert(outline.end(), {{12, 50}, {0, 50}});
+  return outline;
+}
+
 inline std::string letters(int count) {
   return plate({60, 60}, count, 1, 20, [](const Vec2& c) { return Hole{{cross(c, 8, 2), 20}, {cross(c, 8, 2), 18}}; });
 }
@@ -319,6 +327,17 @@ struct KnownPart {
   std::vector<std::string> texts;  ///< all its dimensions
 };
 
+// Four holes of different kinds.
+inline std::string mixed_plate() {
+  Plate plate(20);
+  const auto cell = [&](double x, const Hole& hole) { plate.cell(square({x, 0}, {40, 40}), hole); };
+  cell(0, stepped_hole({{4, 20}, {4, 0}})({20, 20}));
+  cell(40, {{slot({60, 20}, 5, 12), 20}, {slot({60, 20}, 5, 12), 0}});
+  cell(80, stepped_hole({{7, 20}, {7, 14}, {4.5, 14}, {4.5, 0}})({100, 20}));
+  cell(120, stepped_hole({{6, 20}, {3, 17}, {3, 0}})({140, 20}));
+  return plate.obj();
+}
+
 inline std::vector<KnownPart> plates() {
   const auto drilled = [](double r, double top) { return stepped_hole({{r, top}, {r, 0}}); };
   return {
@@ -345,7 +364,19 @@ inline std::vector<KnownPart> plates() {
              [](const Vec2& c) {
                return Hole{{slot(c, 5, 20), 8}, {slot(c, 5, 20), 0}};
              }),
-       {"60", "40", "8", "2× R5", "20", "20", "20"}}};
+       {"60", "40", "8", "2× R5", "20", "20", "20"}},
+      {"two slots",
+       plate({50, 40}, 2, 1, 8,
+             [](const Vec2& c) {
+               return Hole{{slot(c, 4, 16), 8}, {slot(c, 4, 16), 0}};
+             }),
+       {"100", "40", "8", "4× R4", "2× 16", "17", "67", "20"}},
+      {"blind counterbores",
+       plate({40, 30}, 2, 1, 30, stepped_hole({{7, 30}, {7, 24}, {4, 24}, {4, 10}})),
+       {"80", "30", "30", "2× ⌀8 ↧20 ⌴⌀14 ↧6", "20", "60", "15"}},
+      {"holes of all kinds",
+       mixed_plate(),
+       {"160", "40", "20", "⌀8", "2× R5", "12", "⌀9 ⌴⌀14 ↧6", "⌀6 ⌵⌀12×90°", "20", "54", "100", "140", "20"}}};
 }
 
 inline std::vector<KnownPart> round_parts() {
@@ -368,6 +399,16 @@ inline std::vector<KnownPart> round_parts() {
            {"90", "⌀40", "⌀20", "30", "70"}},
           {"a cut cone", shaft({{0, 1e-9}, {0, 8}, {50, 25}, {60, 25}, {60, 1e-9}}), {"60", "⌀50", "⌀16", "50"}},
           {"a rounded edge", shaft(rounded_pin(20, 4, 50)), {"50", "⌀40", "R4"}},
+          {"a tube", shaft({{0, 6}, {0, 10}, {60, 10}, {60, 6}, {0, 6}}), {"60", "⌀20", "⌀12"}},
+          {"a bushing",
+           shaft({{0, 8}, {0, 20}, {10, 20}, {10, 14}, {50, 14}, {50, 8}, {0, 8}}),
+           {"50", "⌀40", "⌀28", "⌀16", "10"}},
+          {"a stepped bore",
+           shaft({{0, 1e-9}, {0, 20}, {60, 20}, {60, 12}, {45, 12}, {45, 8}, {20, 8}, {20, 1e-9}}),
+           {"60", "⌀40", "⌀16 ↧40 ⌴⌀24 ↧15"}},
+          {"a neck",
+           shaft({{0, 1e-9}, {0, 12}, {30, 12}, {30, 10}, {34, 10}, {34, 16}, {70, 16}, {70, 1e-9}}),
+           {"70", "⌀32", "⌀24", "⌀20", "30", "34"}},
           {"a ball", shaft(with_ball({{0, 1e-9}, {0, 10}, {40, 10}})), {"66.18", "S⌀30", "⌀20"}},
           {"a ball on a collar",
            shaft(with_ball({{0, 1e-9}, {0, 20}, {10, 20}, {10, 10}, {40, 10}})),
@@ -387,6 +428,19 @@ inline std::vector<KnownPart> blocks() {
       {"a tee",
        block({{20, 0}, {40, 0}, {40, 30}, {60, 30}, {60, 42}, {0, 42}, {0, 30}, {20, 30}}, 50),
        {"60", "42", "50", "20", "40", "30"}},
+      {"a chamfer", block({{0, 0}, {60, 0}, {60, 25}, {55, 30}, {0, 30}}, 20), {"60", "30", "20", "5×45°"}},
+      {"four chamfers",
+       block({{4, 0}, {56, 0}, {60, 4}, {60, 26}, {56, 30}, {4, 30}, {0, 26}, {0, 4}}, 20),
+       {"60", "30", "20", "4× 4×45°"}},
+      {"a chamfered step",
+       block({{0, 0}, {70, 0}, {70, 15}, {38, 15}, {38, 36}, {34, 40}, {0, 40}}, 30),
+       {"70", "40", "30", "38", "15", "4×45°"}},
+      {"a slope", block({{0, 0}, {60, 0}, {60, 20}, {40, 30}, {0, 30}}, 20), {"60", "30", "20", "40", "20"}},
+      {"a wedge", block({{0, 0}, {60, 0}, {45, 30}, {0, 30}}, 20), {"60", "30", "20", "45"}},
+      {"a dovetail",
+       block({{0, 0}, {80, 0}, {80, 30}, {50, 30}, {56, 18}, {24, 18}, {30, 30}, {0, 30}}, 25),
+       {"80", "30", "25", "24", "30", "50", "56", "18"}},
+      {"a fillet", block(angle(), 30), {"60", "50", "30", "12", "12", "R8"}},
       {"letters", letters(2), {"120", "60", "20", "18"}},
       {"a cross", letters(1), {"60", "60", "20", "18", "22", "28", "32", "38", "22", "28", "32", "38"}},
       {"rounded corners", block(rounded_rectangle({80, 50}, 12), 10), {"80", "50", "10", "4× R12"}}};

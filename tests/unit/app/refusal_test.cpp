@@ -98,6 +98,29 @@ TEST_F(Refusal, SceneFilesNameThePlaceOnce) {
                       {at + ":4:1: sheet 2 shows no view", "sheet = 2"});
 }
 
+// Each with the line of the scene file, and what would do.
+TEST_F(Refusal, WhatAScenesSheetsCannotHave) {
+  const auto refused = [&](const std::string& scene, const Words& said) {
+    folder.file("plain.svg", "<svg width=\"297mm\" height=\"210mm\"><rect width=\"9\" height=\"9\"/></svg>");
+    folder.file("roles.toml", "\n[hiden]\nwidth = 1\n");
+    folder.file("s.toml", "[[model]]\nfile = \"cube.obj\"\n" + scene);
+    expect_draw_refused({"s.toml"}, said);
+  };
+  const std::string section = "[[view]]\nprojection = \"left\"\nsection = \"A\"\n[[section]]\nname = \"A\"\n";
+  refused(section + "point = [5, 0, 0]\nnormal = [-1, 0, 0]\n",
+          {"s.toml:7:8: the cutting plane removes everything", "the models reach from 4 to 5 of its point"});
+  refused(section + "point = [5, 0, 0]\nnormal = [1, 0, 0]\n",
+          {"s.toml:7:8: the plane cuts nothing", "the models reach from -5 to -4 of its point"});
+  const std::string dimension = "[[view]]\nprojection = \"front\"\n[[dimension]]\ntype = \"overall\"\n";
+  refused(dimension + "tolerance = \"H99\"\n",
+          {"s.toml:7:13: 'H99' has no standard tolerance grade", "the grades of ISO 286-1 are 1 to 18"});
+  refused(dimension + "tolerance = \"H7/b99\"\n", {"s.toml:7:13: ", "hint: "});
+  const std::string view = "[[view]]\nprojection = \"front\"\n[sheet]\n";
+  refused(view + "template = \"plain.svg\"\n", {"s.toml:6:12: ", "plain.svg: the template has no field", "hint: give"});
+  refused(view + "style = \"roles.toml\"\n", {"s.toml:6:9: ", "roles.toml:2:2: 'hiden'", "did you mean 'hidden'?"});
+  refused(view + "logo = \"none.svg\"\n", {"s.toml:6:8: ", "none.svg", "check the path"});
+}
+
 TEST_F(Refusal, TargetsThatCannotBeWritten) {
   std::filesystem::create_directory(folder / "folder.svg");
   expect_refused({"draw", cube, "-o", "folder.svg"}, 4, {"folder.svg", "directory"});

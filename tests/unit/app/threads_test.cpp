@@ -170,6 +170,24 @@ TEST_F(ThreadDrawings, HelicalFacesAreDrawnAsThreads) {
   EXPECT_TRUE(contains(read_file(folder / "x.svg"), "aria-label=\"M10\""));
 }
 
+// Stretched by a tenth, the thread has a pitch of 1.65 mm, which M10 does not come with.
+TEST_F(ThreadDrawings, HelicesOfOtherPitchesAreTold) {
+  const std::string screw = read_file(EPURA_TEST_GOLDEN "/models/helical-screw.obj");
+  std::string stretched;
+  for (const std::string_view line : split(screw, '\n')) {
+    const std::size_t last = line.rfind(' ');
+    if (line.starts_with("v "))
+      stretched += std::string(line.substr(0, last + 1)) + format_number(1.1 * *parse_number(line.substr(last + 1)));
+    else
+      stretched += line;
+    stretched += '\n';
+  }
+  const Outcome run =
+      epura({"draw", folder.file("screw.obj", stretched), "--projection", "front", "-o", "x.svg"}, folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "ISO 261 has no such thread: ⌀10 with a pitch of 1.65 mm\n  hint: ")) << run.err;
+}
+
 // Words for the thread of a screw come before what its faces tell.
 TEST_F(ThreadDrawings, HelicalFacesMayHaveAThreadOfTheScene) {
   const std::string screw = EPURA_TEST_GOLDEN "/models/helical-screw.obj";

@@ -213,6 +213,13 @@ TEST(DxfNames, AreCleanAndDifferent) {
             (std::vector<std::string>{"a-b", "A-B-2", "0-2", "layer", "layer-2", "\\U+00E9"}));
 }
 
+// LibreCAD prints on paper of $PLIMMAX, without which it takes A4.
+TEST(Dxf, StatesTheSizeOfThePaper) {
+  const std::string dxf = output::to_dxf(random_sheet(420, 297));
+  for (const char* name : {"$EXTMAX", "$LIMMAX", "$PLIMMAX"})
+    EXPECT_NE(dxf.find(std::string("\n") + name + "\n10\n420\n20\n297\n"), std::string::npos) << name;
+}
+
 TEST(Dxf, ViewsAreBlocksOnRequest) {
   sheet::Sheet sheet = random_sheet(297, 210);
   sheet.layers.resize(1);

@@ -73,10 +73,12 @@ Part nut(double pitch, int turns = 5) {
   return part;
 }
 
-std::vector<scene::HelicalThread> threads_of(const Part& part, double unit = 1) {
+scene::HelicalForms forms_of(const Part& part, double unit = 1) {
   const mesh::Mesh mesh = part.mesh();
   return scene::find_helical_threads(mesh, features::recognise_faces(mesh), unit);
 }
+
+std::vector<scene::HelicalThread> threads_of(const Part& part, double unit = 1) { return forms_of(part, unit).threads; }
 
 double volume_of(const mesh::Mesh& mesh) {
   double volume = 0;
@@ -106,6 +108,22 @@ TEST(HelicalThreads, OfOtherPitchesAndShorterOnesAreNone) {
   EXPECT_TRUE(threads_of(screw(1.5, 1)).empty());
 }
 
+// They are told with diameter and pitch.
+TEST(HelicalThreads, OfOtherPitchesAreOtherHelices) {
+  for (const double pitch : {1.4, -1.4, 1.1, 3.0}) {
+    for (const Part& part : {screw(pitch), nut(pitch)}) {
+      const scene::HelicalForms forms = forms_of(part, 2);
+      EXPECT_TRUE(forms.threads.empty()) << pitch;
+      ASSERT_EQ(forms.others.size(), 1U) << pitch;
+      EXPECT_NEAR(forms.others[0].pitch, 2 * std::abs(pitch), 1e-3);
+    }
+    EXPECT_NEAR(forms_of(screw(pitch)).others.at(0).diameter, 2 * major_radius, 0.02);
+    EXPECT_NEAR(forms_of(nut(pitch)).others.at(0).diameter, 2 * minor_radius, 0.02);
+  }
+  EXPECT_TRUE(forms_of(screw(1.5)).others.empty());
+  EXPECT_TRUE(forms_of(screw(1.4, 1)).others.empty()) << "one turn is no thread";
+}
+
 // A shaft beside a nut, around whose axis the faces of the thread are not.
 TEST(HelicalThreads, AreFoundAroundTheirOwnAxes) {
   const Part shaft = moved(screw(1.5).move([](const Vec3& p) {
@@ -131,6 +149,7 @@ TEST(HelicalThreads, AreNotRings) {
                                                                   1.5 * k / steps};
     }
   EXPECT_TRUE(threads_of(bellows).empty());
+  EXPECT_TRUE(forms_of(bellows).others.empty());
 }
 
 // The crests of a screw are its major diameter, those of a hole the minor one.
@@ -141,7 +160,7 @@ TEST(HelicalThreads, BecomeCylindersOfClosedBodies) {
     const Part part = internal ? nut(1.5) : screw(1.5);
     mesh::Mesh mesh = part.mesh();
     const features::PartFaces faces = features::recognise_faces(mesh);
-    const auto threads = scene::find_helical_threads(mesh, faces, 1);
+    const auto threads = scene::find_helical_threads(mesh, faces, 1).threads;
     ASSERT_EQ(threads.size(), 1U);
     EXPECT_EQ(threads.front().internal, internal);
     const double radius = internal ? minor_radius : major_radius, height = internal ? 7.5 : 12;

@@ -112,6 +112,17 @@ TEST_F(Forms, NeedAField) {
     EXPECT_NE(std::string(error.what()).find("no field"), std::string::npos);
     EXPECT_NE(error.hint().find("title"), std::string::npos);
   }
+  try {
+    (void)form(
+        "<svg width=\"297mm\" height=\"210mm\">\n<text font-size=\"4\">Title</text>\n"
+        "<text id=\"titel\" font-size=\"4\"/></svg>");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("frame.svg:3: the template has no field: 'titel' is none"),
+              std::string::npos)
+        << error.what();
+    EXPECT_EQ(error.hint(), "did you mean 'title'?");
+  }
 }
 
 TEST_F(Forms, LogosKeepTheirProportions) {

@@ -99,6 +99,45 @@ TEST(TitleBlock, InventsNothing) {
   EXPECT_EQ(values(sheet::draw_title_block({}, paper("A3"), lettering())), std::vector<std::string>{"1/1"});
 }
 
+// Of every combination of optional fields. A cell is at the right of a vertical line, below a horizontal one.
+TEST(TitleBlock, HasNoEmptyOptionalCells) {
+  const std::vector<std::pair<std::string, std::string>> optional = {{"revision", "Rev."},
+                                                                     {"language", "Lang."},
+                                                                     {"status", "Document status"},
+                                                                     {"material", "Material"},
+                                                                     {"mass", "Mass"},
+                                                                     {"department", "Responsible department"},
+                                                                     {"technical_reference", "Technical reference"}};
+  const std::vector<std::string> required = {
+      "Created by",  "Approved by",          "Scale",         "Size",
+      "Legal owner", "Document type",        "Date of issue", "Title, supplementary title",
+      "Sheet",       "Identification number"};
+  for (unsigned given = 0; given < 1U << optional.size(); ++given) {
+    sheet::TitleBlock block;
+    std::vector<std::string> expected = required;
+    for (std::size_t i = 0; i < optional.size(); ++i) {
+      block.fields.emplace_back(optional[i].first, (given >> i & 1) != 0 ? "en" : "");
+      if ((given >> i & 1) != 0) expected.push_back(optional[i].second);
+    }
+    const sheet::Rectangle box = *sheet::title_block_box(block, paper("A3"));
+    EXPECT_EQ(box.size(), Vec2(180, given >> 3 == 0 ? 36 : 45)) << given << ": a row more for the last four";
+    const auto drawn = sheet::draw_title_block(block, paper("A3"), lettering());
+    expect_legible(drawn, box);
+    std::vector<std::string> captions;
+    for (const sheet::Text& text : drawn.ink.texts)
+      if (text.role == "caption") captions.push_back(text.text);
+    std::sort(captions.begin(), captions.end());
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(captions, expected) << given;
+    // Between lines and the border, no cell but that of the symbol is without a caption at its left upper corner.
+    std::size_t corners = 0;
+    for (const sheet::Stroke& stroke : drawn.ink.medium)
+      if (stroke.points[0].x == stroke.points[1].x) ++corners;
+    const std::size_t at_border = given >> 3 == 0 ? 2 : 3;
+    EXPECT_EQ(corners + at_border, captions.size() + 1) << given;
+  }
+}
+
 TEST(TitleBlock, ShowsEveryField) {
   sheet::TitleBlock block = filled("");
   for (auto& [name, value] : block.fields) value = name.substr(0, 3);
