@@ -28,6 +28,8 @@ using features::SurfaceKind;
 constexpr double same_place = 1e-6;
 // Lines at smaller angles do not cross.
 constexpr double least_sine = 1e-6;
+// Radians about the axis between the ends of a generator, which files round.
+constexpr double most_turn = 1e-3;
 
 /// The generators of a cylinder or cone at which it turns away from the viewer: directions away from its axis.
 std::optional<std::array<Vec3, 2>> generators_of(const PartSurface& surface, const Vec3& towards_viewer) {
@@ -40,6 +42,15 @@ std::optional<std::array<Vec3, 2>> generators_of(const PartSurface& surface, con
   const Vec3 u = across / length, v = glm::cross(surface.axis, u);
   const double sine = std::sqrt(1 - cosine * cosine);
   return std::array{cosine * u + sine * v, cosine * u - sine * v};
+}
+
+// Whether an edge runs along a generator rather than across facets.
+bool is_along_generator(const PartSurface& surface, const Vec3& from, const Vec3& to) {
+  const auto away = [&](const Vec3& point) {
+    const Vec3 out = point - surface.origin;
+    return glm::normalize(out - glm::dot(out, surface.axis) * surface.axis);
+  };
+  return glm::length(glm::cross(away(from), away(to))) < most_turn;
 }
 
 // The point of a surface at the height of another point, in a direction away from the axis.
@@ -99,6 +110,7 @@ struct Occluder {
   std::optional<Ellipse> arc{};
   std::optional<Line> contour{};  ///< moved
   bool crosses_faces = false;     ///< where two faces meet, which is as inaccurate as facets are
+  bool visible = true;
 
   [[nodiscard]] bool is_moved() const { return arc || contour; }
 };
@@ -145,11 +157,11 @@ class Occluders {
                           [&](int cell, double, double) { in_cell_[static_cast<std::size_t>(cell)].push_back(i); });
   }
 
-  // Whether a line that ends there would leave the line in which it meets another face.
-  [[nodiscard]] bool cross_faces_at(const Vec2& end, double distance) const {
-    const auto& here = at(end);
+  template <class Is>
+  [[nodiscard]] bool any_at(const Vec2& place, double distance, const Is& is) const {
+    const auto& here = at(place);
     return std::any_of(here.begin(), here.end(), [&](std::size_t i) {
-      return all_[i].crosses_faces && distance_to_segment(end, all_[i].facets.from, all_[i].facets.to) <= distance;
+      return is(all_[i]) && distance_to_segment(place, all_[i].facets.from, all_[i].facets.to) <= distance;
     });
   }
 
@@ -159,7 +171,9 @@ class Occluders {
     for (const bool moved : {true, false}) {
       for (const std::size_t i : at(end)) {
         const Occluder& one = all_[i];
-        if (one.is_moved() != moved || distance_to_segment(end, one.facets.from, one.facets.to) > distance) continue;
+        if (!one.visible || one.is_moved() != moved ||
+            distance_to_segment(end, one.facets.from, one.facets.to) > distance)
+          continue;
         const auto place = crossing(line, one);
         if (place && (!nearest || glm::distance(*place, line.from) < glm::distance(*nearest, line.from)))
           nearest = place;
@@ -194,9 +208,8 @@ class Mover {
     if (contours.empty()) return 0;
     const Occluders occluders(all_occluders(contours));
     for (const Moved& contour : contours) {
-      if ((contour.ends_in_edge[0] && occluders.cross_faces_at(contour.facets.from, drawing_.coincident)) ||
-          (contour.ends_in_edge[1] && occluders.cross_faces_at(contour.facets.to, drawing_.coincident)))
-        continue;
+      if (!can_move(occluders, contour.facets.from, contour.ends_in_edge[0])) continue;
+      if (!can_move(occluders, contour.facets.to, contour.ends_in_edge[1])) continue;
       add_end(occluders, contour.facets.from, contour.surface, contour.ends_in_edge[0]);
       add_end(occluders, contour.facets.to, {contour.surface.to, contour.surface.from}, contour.ends_in_edge[1]);
     }
@@ -209,7 +222,7 @@ class Mover {
 
   [[nodiscard]] std::optional<Moved> moved_contour(const Segment& segment) const {
     const auto edge = models_[static_cast<std::size_t>(segment.model)].inside(segment);
-    if (!edge) return std::nullopt;
+    if (!edge || !is_along_generator(*edge->surface, edge->ends[0], edge->ends[1])) return std::nullopt;
     const auto generators = generators_of(*edge->surface, towards_viewer_);
     if (!generators) return std::nullopt;
     const auto at = [&](double t) { return edge->ends[0] + t * (edge->ends[1] - edge->ends[0]); };
@@ -225,21 +238,31 @@ class Mover {
         {segment.from, segment.to}, {moved(from), moved(to)}, {is_inside(segment.t[0]), is_inside(segment.t[1])}};
   }
 
-  // Visible lines as they are before any of them moves.
+  // Lines as they are before any of them moves.
   [[nodiscard]] std::vector<Occluder> all_occluders(const std::vector<Moved>& contours) const {
     std::vector<Occluder> all;
     for (const Moved& contour : contours) all.push_back({contour.facets, {}, contour.surface});
     for (const Chain& chain : drawing_.chains) {
-      if (!chain.visible) continue;
       const std::size_t count = chain.points.size();
       for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < count; ++i)
-        all.push_back({{chain.points[i], chain.points[(i + 1) % count]}, {}, {}, chain.kind == EdgeKind::intersection});
+        all.push_back({{chain.points[i], chain.points[(i + 1) % count]},
+                       {},
+                       {},
+                       chain.kind == EdgeKind::intersection,
+                       chain.visible});
       for (const CurvePart& curve : chain.curves)
         for (int i = curve.first; i < curve.last; ++i)
           all[all.size() - count + (chain.closed ? 0 : 1) + static_cast<std::size_t>(i) % count].arc =
               Ellipse{curve.centre, curve.u, curve.v};
     }
     return all;
+  }
+
+  // Whether a contour still meets what it ends at: the arc of a rim, or what hides the rest of it.
+  [[nodiscard]] bool can_move(const Occluders& occluders, const Vec2& end, bool ends_in_edge) const {
+    if (!ends_in_edge)
+      return occluders.any_at(end, drawing_.coincident, [](const Occluder& one) { return one.arc.has_value(); });
+    return !occluders.any_at(end, drawing_.coincident, [](const Occluder& one) { return one.crosses_faces; });
   }
 
   // `surface` begins at the end that moves.
