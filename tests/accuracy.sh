@@ -18,5 +18,7 @@ EPURA=$epura docs/accuracy/renew --runs 1
 same() { diff <(grep -vE '^[^,]*,"?(Open CASCADE|Blender)' "$root/docs/accuracy/$1" | cut -d, -f"$2") <(cut -d, -f"$2" "docs/accuracy/$1"); }
 same report.csv 1-20
 same paper.csv 1-11
+# Parts are those of other programs: bench/part_errors.
+cp "$root"/docs/accuracy/parts* docs/accuracy
 diff <(cd "$root/docs/accuracy" && ls) <(ls docs/accuracy)
 diff <(grep -oE 'accuracy/[a-z]+-[0-9]+\.png' "$root/docs/accuracy.md" | sort) <(ls docs/accuracy/*.png | cut -d/ -f2- | sort)
