@@ -211,6 +211,18 @@ Shape revolved(const std::vector<std::array<double, 2>>& profile, int sides, boo
   return shape;
 }
 
+Shape frustum(double radius, double top, double height, int sides) {
+  Shape shape = revolved({{radius, 0}, {top, height}}, sides);
+  std::vector<int> below, above;
+  for (int i = 0; i < sides; ++i) {
+    below.push_back(sides - 1 - i);
+    above.push_back(sides + i);
+  }
+  shape.faces.push_back(below);
+  shape.faces.push_back(above);
+  return shape;
+}
+
 Shape prism(const std::vector<Vec2>& outline, double height) {
   const int n = static_cast<int>(outline.size());
   Shape shape;

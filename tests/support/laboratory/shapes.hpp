@@ -52,6 +52,9 @@ Shape uv_sphere(int meridians, int bands);
 /// cos and sin, even at a pole; with `seam`, the points after a full turn are separate from the first ones.
 Shape revolved(const std::vector<std::array<double, 2>>& profile, int sides, bool seam = false);
 
+/// A frustum of `sides` sides with its axis along z, from z = 0 to `height`; both ends are closed by polygons.
+Shape frustum(double radius, double top, double height, int sides);
+
 /// The body over an outline that runs counterclockwise, from z = 0 to `height`.
 Shape prism(const std::vector<Vec2>& outline, double height);
 

@@ -20,19 +20,6 @@ using namespace laboratory;
 
 constexpr double scale = 100;
 
-// With its axis along z, from z = 0.
-Shape turned(double radius, double top, double height, int sides) {
-  Shape shape = revolved({{radius, 0}, {top, height}}, sides);
-  std::vector<int> below, above;
-  for (int i = 0; i < sides; ++i) {
-    below.push_back(sides - 1 - i);
-    above.push_back(sides + i);
-  }
-  shape.faces.push_back(below);
-  shape.faces.push_back(above);
-  return shape;
-}
-
 struct Drawn {
   drawing::ViewDrawing drawing;
   double moved;  // mm
@@ -80,7 +67,7 @@ TEST(ExactContours, OfShaftsAndConesTouchTheirRims) {
   for (const int sides : {12, 17, 24, 48})
     for (const double top : {1.0, 0.5}) {
       const Vec3 towards = glm::normalize(Vec3(1.2, -1, 0.7));
-      const Drawn drawn = draw(turned(1, top, 3, sides), orthographic(towards));
+      const Drawn drawn = draw(frustum(1, top, 3, sides), orthographic(towards));
       EXPECT_GT(drawn.moved, 0);
       int lines = 0;
       for (const drawing::Chain& chain : drawn.drawing.chains) {
@@ -102,9 +89,9 @@ TEST(ExactContours, OfShaftsAndConesTouchTheirRims) {
 
 // A shaft behind a bar and, on its other side, behind another shaft: what is left of its contours ends at theirs.
 TEST(ExactContours, EndWhereOtherLinesHideThem) {
-  Shape shape = turned(1, 1, 3, 24);
+  Shape shape = frustum(1, 1, 3, 24);
   shape.add(box({-3, -3, 2}, {0, -2, 2.5}));
-  shape.add(turned(0.5, 0.5, 1, 16).moved(1, -2, 0.5));
+  shape.add(frustum(0.5, 0.5, 1, 16).moved(1, -2, 0.5));
   const Vec3 towards = glm::normalize(Vec3(0.3, -1, 0.4));
   const projection::Projection view = orthographic(towards);
   const Drawn drawn = draw(shape, view);
@@ -128,7 +115,7 @@ TEST(ExactContours, EndWhereOtherLinesHideThem) {
 }
 
 TEST(ExactContours, OfPolygonsAreTheirEdges) {
-  EXPECT_EQ(draw(turned(1, 1, 3, 8), orthographic({1.2, -1, 0.7})).moved, 0);
+  EXPECT_EQ(draw(frustum(1, 1, 3, 8), orthographic({1.2, -1, 0.7})).moved, 0);
 }
 
 }  // namespace

@@ -82,10 +82,7 @@ TEST(KnownCircles, AreThoseOfTheSurfaceWhereALineHidesTheirMiddle) {
 }
 
 TEST(KnownCircles, AreNoneOnPolygonsAndInCentralProjections) {
-  Shape octagon = revolved({{1, 0}, {1, 1}}, 8);
-  octagon.faces.push_back({7, 6, 5, 4, 3, 2, 1, 0});
-  octagon.faces.push_back({8, 9, 10, 11, 12, 13, 14, 15});
-  Drawn prism = draw(octagon, orthographic({1, 1, 1}));
+  Drawn prism = draw(frustum(1, 1, 1, 8), orthographic({1, 1, 1}));
   EXPECT_TRUE(curves_of(prism).empty());
   Drawn central = draw(rounded_plate(5), perspective({3, 3, 3}, {0, 0, 0}, {1, 1, 1}, {0, 0, 1}));
   EXPECT_TRUE(drawing::known_circles(central.world, central.drawing).ellipses.empty());

@@ -91,15 +91,7 @@ Measured slender_cone(const Lab& lab, double half_angle) {
   constexpr int sides = 48;
   constexpr double r = 10, height = 20;
   const double top = r - height * std::tan(half_angle * degree);
-  Shape shape = revolved({{r, 0}, {top, height}}, sides);
-  std::vector<int> below, above;
-  for (int i = 0; i < sides; ++i) {
-    below.push_back(sides - 1 - i);
-    above.push_back(sides + i);
-  }
-  shape.faces.push_back(below);
-  shape.faces.push_back(above);
-  const Recognised found = recognise(lab, shape);
+  const Recognised found = recognise(lab, frustum(r, top, height, sides));
   Measured measured{faces(found, 3)};
   for (const PartFace& face : found.part.faces)
     if (face.surface.kind != SurfaceKind::plane)
