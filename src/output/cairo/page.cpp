@@ -55,6 +55,19 @@ Vec2 paper_size(const sheet::Sheet& sheet) {
   return glm::max(glm::ceil(Vec2(sheet.width, sheet.height) * points_per_millimetre), Vec2(1, 1));
 }
 
+// `draw_texts`: write_texts or fill_texts.
+void draw_layers(const Pen& pen, const Canvas& canvas, const sheet::Sheet& sheet, decltype(write_texts)& draw_texts,
+                 const Progress& progress) {
+  const std::optional<sheet::Lettering> lettering = lettering_of(sheet);
+  for (const sheet::Layer& layer : sheet.layers) {
+    set_colour(pen, layer.style.colour);
+    draw_pictures(pen, canvas, layer);
+    draw_fills(pen, canvas, layer);
+    draw(pen, canvas, layer, progress);
+    if (lettering) draw_texts(pen, canvas, layer, *lettering);
+  }
+}
+
 void draw_page(const CairoSurface& surface, const sheet::Sheet& sheet, const Progress& progress) {
   const Vec2 whole = paper_size(sheet);
   cairo_ps_surface_set_size(surface.get(), whole.x, whole.y);
@@ -62,14 +75,7 @@ void draw_page(const CairoSurface& surface, const sheet::Sheet& sheet, const Pro
   const Canvas canvas{points_per_millimetre, {0, whole.y / points_per_millimetre}, whole};
   const Pen pen = make_pen(surface);
   begin_vector_file(pen, canvas);
-  const std::optional<sheet::Lettering> lettering = lettering_of(sheet);
-  for (const sheet::Layer& layer : sheet.layers) {
-    set_colour(pen, layer.style.colour);
-    draw_pictures(pen, canvas, layer);
-    draw_fills(pen, canvas, layer);
-    draw(pen, canvas, layer, progress);
-    if (lettering) write_texts(pen, canvas, layer, *lettering);
-  }
+  draw_layers(pen, canvas, sheet, write_texts, progress);
 }
 
 std::string postscript(const Pages& sheets, bool encapsulated, const Progress& progress) {
@@ -125,14 +131,7 @@ std::string make_png(const sheet::Sheet& sheet, double dpi, const Progress& prog
     const Pen pen = make_pen(surface);
     cairo_set_source_rgb(pen.get(), 1, 1, 1);
     cairo_paint(pen.get());
-    const std::optional<sheet::Lettering> lettering = lettering_of(sheet);
-    for (const sheet::Layer& layer : sheet.layers) {
-      set_colour(pen, layer.style.colour);
-      draw_pictures(pen, canvas, layer);
-      draw_fills(pen, canvas, layer);
-      draw(pen, canvas, layer, progress);
-      if (lettering) fill_texts(pen, canvas, layer, *lettering);
-    }
+    draw_layers(pen, canvas, sheet, fill_texts, progress);
   }
   PngBytes png{{}, progress};
   const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append_in_time, &png);
