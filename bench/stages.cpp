@@ -37,8 +37,8 @@ projection::Projection isometric() {
   return projection;
 }
 
-scene::World world_of(const mesh::Mesh& mesh) {
-  return scene::make_world({{std::make_shared<const mesh::Mesh>(mesh), Mat4(1.0)}});
+world::World world_of(const mesh::Mesh& mesh) {
+  return world::make_world({{std::make_shared<const mesh::Mesh>(mesh), Mat4(1.0)}});
 }
 
 constexpr edges::EdgeOptions mesh_edges{.intersection = false};
@@ -71,7 +71,7 @@ struct Run {
   std::string file;
   mesh::Soup soup;
   mesh::Mesh mesh;
-  scene::World world;
+  world::World world;
   view::ProjectedScene view;  ///< before edges add their points
   view::ProjectedScene seen;
   edges::FeatureEdges drawn;
@@ -115,7 +115,7 @@ std::vector<std::pair<std::string, Stage>> stages() {
   return {
       {"read", timed([](const Run& r) { DoNotOptimize(mesh::read_ply(r.file, "scene")); })},
       {"mesh", timed([](const Run& r) { DoNotOptimize(mesh::build_mesh(r.soup, "scene")); })},
-      {"scene", timed([](const Run& r) { DoNotOptimize(scene::make_world(r.world.models)); })},
+      {"scene", timed([](const Run& r) { DoNotOptimize(world::make_world(r.world.models)); })},
       {"view", timed([](const Run& r) { DoNotOptimize(view::project_scene(r.world, isometric(), {})); })},
       {"edges", [](benchmark::State& state, Run& r) { find_edges(state, r, mesh_edges); }},
       {"intersections", [](benchmark::State& state, Run& r) { find_edges(state, r, intersections); }},

@@ -5,7 +5,7 @@
 # followed by what tests and tools stand on (tests/support) and by those of tools/: src knows nothing of them.
 cmake_minimum_required(VERSION 3.25)
 
-set(order base search svg foreign mesh features importer scene projection view construction edges visibility drawing report sheet output verify explain
+set(order base search svg foreign mesh features importer scene world cut design projection view construction edges visibility drawing report sheet output verify explain
     compare pipeline library app laboratory oracle study)
 
 set(libraries OpenMesh utf8 tbb gmp dlfcn.h cairo pugixml rapidjson qpdf microhttpd CLI toml\\+\\+ ft2build.h)

@@ -22,8 +22,8 @@
 #include "output/json_text.hpp"
 #include "pipeline/targets.hpp"
 #include "scene/choices.hpp"
-#include "scene/mass.hpp"
 #include "sheet/notation.hpp"
+#include "world/mass.hpp"
 
 namespace epura {
 
@@ -46,8 +46,8 @@ struct ModelInfo {
   bool is_declared = false;  ///< faces are declared by the file; otherwise recognised
   std::vector<features::Hole> holes;
   std::vector<importer::TreePart> tree;
-  std::vector<scene::Solid> solids;             ///< in millimetres if the unit is known, or else in that of the file
-  std::optional<scene::MassProperties> mass{};  ///< of all bodies, if they are closed
+  std::vector<world::Solid> solids;             ///< in millimetres if the unit is known, or else in that of the file
+  std::optional<world::MassProperties> mass{};  ///< of all bodies, if they are closed
 
   [[nodiscard]] bool closed() const { return report.triangles > 0 && report.open_edges == 0; }
 };
@@ -105,11 +105,11 @@ void measure(ModelInfo& info, const mesh::Mesh& mesh, std::optional<double> dens
   const double scale = info.unit.value_or(1);
   Mat4 to_millimetres(scale);
   to_millimetres[3][3] = 1;
-  info.solids = scene::solids_of(mesh, to_millimetres);
+  info.solids = world::solids_of(mesh, to_millimetres);
   const bool closed = std::all_of(info.solids.begin(), info.solids.end(),
-                                  [](const scene::Solid& solid) { return solid.fault.empty(); });
+                                  [](const world::Solid& solid) { return solid.fault.empty(); });
   if (!closed || info.solids.empty()) return;
-  info.mass = scene::sum_of(info.solids, std::vector<double>(info.solids.size(), density.value_or(0)));
+  info.mass = world::sum_of(info.solids, std::vector<double>(info.solids.size(), density.value_or(0)));
 }
 
 ModelInfo info_of(const std::string& path, const InfoOptions& options) {
@@ -215,7 +215,7 @@ std::string mass_lines(const ModelInfo& info, const Rounded& rounded) {
   constexpr int digits = 6;
   if (info.solids.empty()) return {};
   if (!info.mass) {
-    for (const scene::Solid& solid : info.solids)
+    for (const world::Solid& solid : info.solids)
       if (!solid.fault.empty())
         return line_of("volume",
                        "none, as body " + std::to_string(solid.body) + " is not a closed solid: " + solid.fault);

@@ -214,7 +214,7 @@ void print_json(const projection::Projection& p, const view::ViewingModel& model
   std::fputs(viewing_json(p, model, more).c_str(), stdout);
 }
 
-Trace trace_of(int vertex, const std::string& file, const view::ProjectedScene& view, const scene::World& world,
+Trace trace_of(int vertex, const std::string& file, const view::ProjectedScene& view, const world::World& world,
                const view::ViewingModel& model) {
   const int count = world.first_vertex.back();
   if (vertex >= count)
@@ -254,7 +254,7 @@ int show_steps(const projection::ProjectionEntry& entry, const scene::Projection
                const PluginsOptions& options) {
   const importer::ModelRequest file = importer::parse_model_request(options.model);
   importer::ReadModel read = importer::read_model(file.path, file.parameters, {.plugin_path = options.plugin_path});
-  const scene::World world = scene::make_world({{std::make_shared<const mesh::Mesh>(std::move(read.mesh)), Mat4(1.0)}});
+  const world::World world = world::make_world({{std::make_shared<const mesh::Mesh>(std::move(read.mesh)), Mat4(1.0)}});
   const projection::Projection p = projection::make_projection(entry, request, world.box);
   const view::ProjectedScene view = view::project_scene(world, p, {});
   const view::ViewingModel model = view::viewing_model(view, world.box, viewport_scale);

@@ -16,8 +16,8 @@
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "drawing/polylines.hpp"
-#include "scene/placed_part.hpp"
 #include "visibility/spans.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::drawing {
 
@@ -68,8 +68,8 @@ struct OnCircle {
 /// The circles of one model.
 class Circles {
  public:
-  Circles(const scene::Placed& placed, const Vec3& viewer, const Mat4& map) : placed_(&placed) {
-    const auto part = scene::place_part(placed);
+  Circles(const world::Placed& placed, const Vec3& viewer, const Mat4& map) : placed_(&placed) {
+    const auto part = world::place_part(placed);
     if (!part) return;
     for (const features::PartFace& face : part->faces) {
       const auto circle = circle_of(face.surface, viewer, map);
@@ -78,7 +78,7 @@ class Circles {
       circle_of_face_.push_back(circle ? static_cast<int>(same - circles_.begin()) : -1);
       if (circle && same == circles_.end()) circles_.push_back(*circle);
     }
-    if (!circles_.empty()) face_of_triangle_ = scene::faces_of_triangles(placed);
+    if (!circles_.empty()) face_of_triangle_ = world::faces_of_triangles(placed);
   }
 
   [[nodiscard]] const Circle& operator[](int circle) const { return circles_[static_cast<std::size_t>(circle)]; }
@@ -109,7 +109,7 @@ class Circles {
     return cross(circle.u, circle.v) != 0 ? std::optional(circle) : std::nullopt;
   }
 
-  const scene::Placed* placed_;
+  const world::Placed* placed_;
   std::vector<Circle> circles_;
   std::vector<int> circle_of_face_;    ///< -1: none
   std::vector<int> face_of_triangle_;  ///< empty without circles
@@ -250,7 +250,7 @@ double draw_circles_once(const visibility::ResolvedView& lines, const view::Pape
   if (projection.central) return 0;
   const Mat4 map = view::world_to_page(lines.view, paper);
   std::vector<Circles> circles;
-  for (const scene::Placed& placed : lines.world.models)
+  for (const world::Placed& placed : lines.world.models)
     circles.emplace_back(placed, glm::normalize(projection.projector), map);
   std::map<std::array<int, 2>, Chords> chords;  // by model and circle
   for (std::size_t i = 0; i < pieces.size(); ++i) {

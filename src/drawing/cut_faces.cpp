@@ -13,7 +13,7 @@ namespace {
 constexpr double edge_on = 1e-9;
 
 // The corners of what a triangle has in front of the plane.
-std::vector<Vec3> in_front(const scene::World& world, int triangle, const scene::CuttingPlane& plane) {
+std::vector<Vec3> in_front(const world::World& world, int triangle, const scene::CuttingPlane& plane) {
   const std::array<int, 3>& corners = world.triangles[triangle];
   const auto height = [&](const Vec3& p) { return glm::dot(plane.normal, p - plane.point); };
   std::vector<Vec3> ring;
@@ -33,8 +33,8 @@ bool is_seen(const scene::CuttingPlane& plane, const projection::Projection& pro
   return glm::dot(plane.normal, to_viewer) > edge_on * glm::length(to_viewer);
 }
 
-std::vector<PaperTriangle> before_cuts_on_paper(const scene::World& world, const std::vector<std::vector<int>>& uncut,
-                                                const scene::CuttingSurface& surface, const Mat4& world_to_page) {
+std::vector<PaperTriangle> before_cuts_on_paper(const world::World& world, const std::vector<std::vector<int>>& uncut,
+                                                const cut::CuttingSurface& surface, const Mat4& world_to_page) {
   const bool is_positive = (world_to_page * Vec4(surface.plane.point, 1)).w > 0;
   std::vector<PaperTriangle> triangles;
   const auto add = [&](int triangle, const scene::CuttingPlane& plane) {
@@ -51,11 +51,11 @@ std::vector<PaperTriangle> before_cuts_on_paper(const scene::World& world, const
   return triangles;
 }
 
-std::vector<CutFace> cut_faces_on_paper(const std::vector<scene::WorldCutFace>& faces, const scene::CuttingPlane& plane,
+std::vector<CutFace> cut_faces_on_paper(const std::vector<cut::WorldCutFace>& faces, const scene::CuttingPlane& plane,
                                         view::ProjectedScene& view, const view::PaperMap& paper) {
   std::vector<CutFace> seen;
   if (!is_seen(plane, view.projection)) return seen;
-  for (const scene::WorldCutFace& face : faces) {
+  for (const cut::WorldCutFace& face : faces) {
     CutFace on_paper{face.model, face.body, {}};
     for (const std::vector<int>& ring : face.rings) {
       std::vector<Vec2> places;

@@ -4,15 +4,15 @@
 
 #include <vector>
 
+#include "cut/cut_world.hpp"
 #include "drawing/drawing.hpp"
-#include "scene/cut_world.hpp"
 #include "view/paper_map.hpp"
 
 namespace epura::drawing {
 
 /// Returns the visible cut faces, on paper. Seen from in front of the plane, where everything is removed, nothing hides
 /// them; seen from behind it, none is visible, and the result is empty. `view` is the view of the cut world.
-std::vector<CutFace> cut_faces_on_paper(const std::vector<scene::WorldCutFace>& faces, const scene::CuttingPlane& plane,
+std::vector<CutFace> cut_faces_on_paper(const std::vector<cut::WorldCutFace>& faces, const scene::CuttingPlane& plane,
                                         view::ProjectedScene& view, const view::PaperMap& paper);
 
 /// Whether the viewer looks at the side of the cut faces.
@@ -20,7 +20,7 @@ bool is_seen(const scene::CuttingPlane& plane, const projection::Projection& pro
 
 /// Returns what the triangles `uncut` of the cut world, by region, have in front of the surface, on paper. A viewer
 /// among them sees nothing of those that reach behind the eye.
-std::vector<PaperTriangle> before_cuts_on_paper(const scene::World& world, const std::vector<std::vector<int>>& uncut,
-                                                const scene::CuttingSurface& surface, const Mat4& world_to_page);
+std::vector<PaperTriangle> before_cuts_on_paper(const world::World& world, const std::vector<std::vector<int>>& uncut,
+                                                const cut::CuttingSurface& surface, const Mat4& world_to_page);
 
 }  // namespace epura::drawing

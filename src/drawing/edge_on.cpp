@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "scene/placed_part.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::drawing {
 
@@ -13,11 +13,11 @@ namespace {
 // Of a face seen edge-on, the part of its area that is seen.
 constexpr double most_seen = 0.02;
 
-std::vector<char> faces_edge_on(const scene::World& world, std::size_t model, const Vec3& viewer) {
-  const scene::Placed& placed = world.models[model];
+std::vector<char> faces_edge_on(const world::World& world, std::size_t model, const Vec3& viewer) {
+  const world::Placed& placed = world.models[model];
   if (placed.part == nullptr) return {};
   std::vector<double> seen(placed.part->faces.size(), 0), all(seen);
-  const std::vector<int> faces = scene::faces_of_triangles(placed);
+  const std::vector<int> faces = world::faces_of_triangles(placed);
   for (std::size_t t = 0; t < faces.size(); ++t) {
     if (faces[t] < 0) continue;
     const auto& [a, b, c] = world.triangles[static_cast<std::size_t>(world.first_triangle[model]) + t];
@@ -43,7 +43,7 @@ FacesEdgeOn::FacesEdgeOn(const visibility::ResolvedView& lines) : world_(lines.w
 bool FacesEdgeOn::has_step(const edges::FeatureEdge& edge) const {
   const std::vector<char>& edge_on = edge_on_[edge.model];
   if (edge.kind != EdgeKind::contour || edge.mesh_edge < 0 || edge_on.empty()) return false;
-  const scene::Placed& placed = world_.models[edge.model];
+  const world::Placed& placed = world_.models[edge.model];
   const mesh::Mesh& whole = placed.mesh->whole();
   const mesh::MeshEdge* found = &placed.mesh->edges[edge.mesh_edge];
   if (&whole != placed.mesh.get()) found = whole.edge_between(placed.mesh->origin_of(*found).vertex);

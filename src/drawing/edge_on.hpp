@@ -18,7 +18,7 @@ class FacesEdgeOn {
   [[nodiscard]] bool has_step(const edges::FeatureEdge& edge) const;
 
  private:
-  const scene::World& world_;
+  const world::World& world_;
   std::vector<std::vector<char>> edge_on_;  ///< of each model's faces; empty without recognised ones
 };
 

@@ -14,8 +14,8 @@
 #include "base/nearest.hpp"
 #include "drawing/conic_fit.hpp"
 #include "drawing/places.hpp"
-#include "scene/placed_part.hpp"
 #include "search/line_cells.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::drawing {
 
@@ -62,7 +62,7 @@ Vec3 on_surface(const PartSurface& surface, const Vec3& point, const Vec3& away)
 /// The cylinders and cones of a model.
 class Model {
  public:
-  explicit Model(const scene::Placed& placed) : placed_(&placed), part_(scene::place_part(placed)) {}
+  explicit Model(const world::Placed& placed) : placed_(&placed), part_(world::place_part(placed)) {}
 
   struct Edge {
     std::array<Vec3, 2> ends;  ///< in the world
@@ -88,8 +88,8 @@ class Model {
   }
 
  private:
-  const scene::Placed* placed_;
-  std::optional<scene::PlacedPart> part_;
+  const world::Placed* placed_;
+  std::optional<world::PlacedPart> part_;
 };
 
 struct Line {
@@ -195,9 +195,9 @@ class Occluders {
 
 class Mover {
  public:
-  Mover(const scene::World& world, ViewDrawing& drawing)
+  Mover(const world::World& world, ViewDrawing& drawing)
       : drawing_(drawing), towards_viewer_(glm::normalize(drawing.projection.projector)), moved_(drawing.coincident) {
-    for (const scene::Placed& placed : world.models) models_.emplace_back(placed);
+    for (const world::Placed& placed : world.models) models_.emplace_back(placed);
   }
 
   double move() {
@@ -303,7 +303,7 @@ class Mover {
 
 }  // namespace
 
-double move_contours(const scene::World& world, ViewDrawing& drawing) {
+double move_contours(const world::World& world, ViewDrawing& drawing) {
   return drawing.projection.central ? 0 : Mover(world, drawing).move();
 }
 

@@ -8,13 +8,13 @@
 #pragma once
 
 #include "drawing/drawing.hpp"
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::drawing {
 
 /// Moves contours in a parallel projection, and arcs that end there. Contours that end where they cross another face
 /// stay: that place is no more accurate than facets are. Call it after find_curves. Returns the largest distance moved,
 /// mm.
-double move_contours(const scene::World& world, ViewDrawing& drawing);
+double move_contours(const world::World& world, ViewDrawing& drawing);
 
 }  // namespace epura::drawing

@@ -12,7 +12,7 @@
 #include "construction/figure.hpp"
 #include "drawing/places.hpp"
 #include "features/least_squares.hpp"
-#include "scene/placed_part.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::drawing {
 
@@ -38,7 +38,7 @@ struct Axis {
 // A ball is round about any axis: about the normal of a plane that cuts it, too.
 std::optional<Axis> axis_of(const PartSurface& surface, const PartSurface& other) {
   if (surface.kind == SurfaceKind::sphere && other.kind == SurfaceKind::plane) return Axis{surface.origin, other.axis};
-  if (!scene::is_round(surface.kind) || surface.kind == SurfaceKind::sphere) return std::nullopt;
+  if (!world::is_round(surface.kind) || surface.kind == SurfaceKind::sphere) return std::nullopt;
   return Axis{surface.origin, surface.axis};
 }
 
@@ -66,7 +66,7 @@ std::optional<Circle> circle_about(const Axis& axis, std::span<const Vec3> point
 // The circles of one model, by border of its part.
 class Circles {
  public:
-  explicit Circles(const scene::Placed& placed) : placed_(&placed), part_(scene::place_part(placed)) {}
+  explicit Circles(const world::Placed& placed) : placed_(&placed), part_(world::place_part(placed)) {}
 
   // Returns the border of an edge that is given by its vertices in the file; -1 if there is none.
   [[nodiscard]] int border_of(std::array<int, 2> ends) const {
@@ -102,8 +102,8 @@ class Circles {
     return part_->faces[static_cast<std::size_t>(face)].surface;
   }
 
-  const scene::Placed* placed_;
-  std::optional<scene::PlacedPart> part_;
+  const world::Placed* placed_;
+  std::optional<world::PlacedPart> part_;
 };
 
 // Nothing for circles seen edge-on.
@@ -123,8 +123,8 @@ std::optional<Ellipse> image_of(const Circle& circle, const Mat4& map) {
 /// Finds each circle once.
 class Finder {
  public:
-  Finder(const scene::World& world, const ViewDrawing& drawing) : drawing_(drawing) {
-    for (const scene::Placed& placed : world.models) models_.emplace_back(placed);
+  Finder(const world::World& world, const ViewDrawing& drawing) : drawing_(drawing) {
+    for (const world::Placed& placed : world.models) models_.emplace_back(placed);
   }
 
   KnownCircles find() {
@@ -172,7 +172,7 @@ class Finder {
 
 }  // namespace
 
-KnownCircles known_circles(const scene::World& world, const ViewDrawing& drawing) {
+KnownCircles known_circles(const world::World& world, const ViewDrawing& drawing) {
   if (drawing.projection.central) return {};
   return Finder(world, drawing).find();
 }

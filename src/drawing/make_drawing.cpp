@@ -60,7 +60,7 @@ std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::
 }
 
 // Returns the edge of a file that a line shows; nothing for intersection lines and cuts through faces.
-std::optional<std::array<int, 2>> edge_in_file(const scene::World& world, const edges::FeatureEdge& edge) {
+std::optional<std::array<int, 2>> edge_in_file(const world::World& world, const edges::FeatureEdge& edge) {
   if (edge.mesh_edge < 0) return std::nullopt;
   const mesh::Mesh& mesh = *world.models[edge.model].mesh;
   const mesh::EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
@@ -68,7 +68,7 @@ std::optional<std::array<int, 2>> edge_in_file(const scene::World& world, const 
 }
 
 // Returns the named body of its model that a line belongs to; -1 if it is none.
-int body_of(const scene::World& world, const edges::FeatureEdges& drawn, const edges::FeatureEdge& edge) {
+int body_of(const world::World& world, const edges::FeatureEdges& drawn, const edges::FeatureEdge& edge) {
   const mesh::Mesh& mesh = *world.models[edge.model].mesh;
   if (mesh.report.body_names.empty()) return -1;
   if (edge.mesh_edge < 0)
@@ -92,7 +92,7 @@ Segment segment_of(const visibility::ResolvedView& lines, const Piece& piece, in
           body_of(lines.world, lines.drawn, edge)};
 }
 
-CrossingSegment cut_segment(const scene::World& world, const edges::FeatureEdge& edge, const std::array<double, 2>& t) {
+CrossingSegment cut_segment(const world::World& world, const edges::FeatureEdge& edge, const std::array<double, 2>& t) {
   const mesh::Mesh& mesh = *world.models[edge.model].mesh;
   const mesh::MeshEdge& cut = mesh.edges[edge.mesh_edge];
   const int first = world.first_vertex[edge.model];
@@ -103,7 +103,7 @@ CrossingSegment cut_segment(const scene::World& world, const edges::FeatureEdge&
           {p + t[0] * (q - p), p + t[1] * (q - p)}};
 }
 
-CrossingSegment crossing_segment(const scene::World& world, const edges::FaceCrossing& crossing,
+CrossingSegment crossing_segment(const world::World& world, const edges::FaceCrossing& crossing,
                                  const std::array<double, 2>& t) {
   CrossingSegment segment;
   for (int i = 0; i < 2; ++i) {
@@ -117,18 +117,18 @@ CrossingSegment crossing_segment(const scene::World& world, const edges::FaceCro
 }
 
 // Empty if the models have the same numbers as in the scene.
-std::vector<int> numbers_in_scene(const scene::World& world) {
+std::vector<int> numbers_in_scene(const world::World& world) {
   std::vector<int> numbers;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
     numbers.push_back(world.number_in_scene(model));
   const bool is_scene = std::all_of(world.models.begin(), world.models.end(),
-                                    [](const scene::Placed& placed) { return placed.copy_of < 0; });
+                                    [](const world::Placed& placed) { return placed.copy_of < 0; });
   return is_scene ? std::vector<int>() : numbers;
 }
 
 void add_segments(const visibility::ResolvedView& lines, const std::vector<Piece>& pieces, ViewDrawing& drawing,
                   const Progress& progress) {
-  const scene::World& world = lines.world;
+  const world::World& world = lines.world;
   const edges::FeatureEdges& drawn = lines.drawn;
   std::vector<int> crossing(pieces.size());  // number of crossings before each piece
   int crossings = 0;

@@ -13,7 +13,7 @@
 #include "base/groups.hpp"
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
-#include "scene/placed_part.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::edges {
 
@@ -31,7 +31,7 @@ using FaceOfModel = std::array<int, 2>;
 /// The recognised surfaces of a world, found by its triangles.
 class PlacedFaces {
  public:
-  explicit PlacedFaces(const scene::World& world) : world_(world), models_(world.models.size()) {
+  explicit PlacedFaces(const world::World& world) : world_(world), models_(world.models.size()) {
     for (std::size_t m = 0; m < models_.size(); ++m) place(world.models[m], models_[m]);
   }
 
@@ -60,15 +60,15 @@ class PlacedFaces {
     double scale = 1;
   };
 
-  static void place(const scene::Placed& placed, Model& model) {
-    const std::optional<double> scale = scene::similarity_scale(placed.to_world);
+  static void place(const world::Placed& placed, Model& model) {
+    const std::optional<double> scale = world::similarity_scale(placed.to_world);
     if (placed.part == nullptr || !scale) return;
     const std::vector<int>& faces = placed.part->face_of_triangle;
     const Groups<int> triangles(placed.part->faces.size(), [&](const auto& visit) {
       for (std::size_t t = 0; t < faces.size(); ++t) visit(static_cast<std::size_t>(faces[t]), static_cast<int>(t));
     });
     check(triangles.size() == placed.part->faces.size(), "every face has its triangles");
-    model = {scene::faces_of_triangles(placed), triangles, glm::inverse(placed.to_world), *scale};
+    model = {world::faces_of_triangles(placed), triangles, glm::inverse(placed.to_world), *scale};
   }
 
   // Greatest distance between facets and their surface, in units of the world.
@@ -77,7 +77,7 @@ class PlacedFaces {
   }
 
   [[nodiscard]] bool lies_on(const FaceOfModel& face, const FaceOfModel& other, double slack) const {
-    const scene::Placed& placed = world_.models[face[0]];
+    const world::Placed& placed = world_.models[face[0]];
     const mesh::Mesh& mesh = placed.mesh->whole();
     const Mat4 to_other = models_[other[0]].to_file * placed.to_world;
     const auto is_near = [&](int vertex) {
@@ -95,13 +95,13 @@ class PlacedFaces {
   [[nodiscard]] const features::PartFaces& part(const FaceOfModel& face) const { return *world_.models[face[0]].part; }
   [[nodiscard]] const features::PartFace& face_at(const FaceOfModel& face) const { return part(face).faces[face[1]]; }
 
-  const scene::World& world_;
+  const world::World& world_;
   std::vector<Model> models_;
 };
 
 class ContactJudge {
  public:
-  ContactJudge(const scene::World& world, double normalisation, double crease_angle)
+  ContactJudge(const world::World& world, double normalisation, double crease_angle)
       : world_(world), normalisation_(normalisation), crease_angle_(crease_angle), faces_(world) {}
 
   /// The two faces that cross there, in ascending order of model and number; nothing if one of them is not recognised.
@@ -131,7 +131,7 @@ class ContactJudge {
   }
 
  private:
-  const scene::World& world_;
+  const world::World& world_;
   double normalisation_, crease_angle_;
   PlacedFaces faces_;
 };
@@ -163,7 +163,7 @@ void judge_faces(const ContactJudge& judge, const std::vector<FaceCrossing>& cro
 
 }  // namespace
 
-std::vector<Contact> judge_contacts(const scene::World& world, double normalisation, double crease_angle,
+std::vector<Contact> judge_contacts(const world::World& world, double normalisation, double crease_angle,
                                     const std::vector<FaceCrossing>& crossings, const Progress& progress) {
   if (crossings.empty()) return {};
   const ContactJudge judge(world, normalisation, crease_angle);

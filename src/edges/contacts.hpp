@@ -8,7 +8,7 @@
 
 #include "base/progress.hpp"
 #include "edges/intersections.hpp"
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::edges {
 
@@ -23,7 +23,7 @@ enum class Contact : std::uint8_t {
 /// judged pair by pair: they touch if the angle at which they cross does not exceed the turn of their surfaces from
 /// facet to facet, which is taken from folds below `crease_angle`; free forms touch if most of their crossings do.
 /// `normalisation` is the same as for find_intersections.
-std::vector<Contact> judge_contacts(const scene::World& world, double normalisation, double crease_angle,
+std::vector<Contact> judge_contacts(const world::World& world, double normalisation, double crease_angle,
                                     const std::vector<FaceCrossing>& crossings, const Progress& progress);
 
 }  // namespace epura::edges

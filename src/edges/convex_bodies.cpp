@@ -64,7 +64,7 @@ struct Finding {
 
 class ConvexityTest {
  public:
-  ConvexityTest(const scene::World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact)
+  ConvexityTest(const world::World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact)
       : world_(world), points_(points), bodies_(bodies), contact_(contact), found_(bodies.box.size()) {
     for (std::size_t b = 0; b < found_.size(); ++b) found_[b].reach = glm::length(bodies.box[b].size());
   }
@@ -204,7 +204,7 @@ class ConvexityTest {
     return rise(body, body.flatness) + rounding <= contact_;
   }
 
-  const scene::World& world_;
+  const world::World& world_;
   std::span<const Vec3> points_;
   const BodyTable& bodies_;
   double contact_;
@@ -213,10 +213,10 @@ class ConvexityTest {
 
 }  // namespace
 
-BodyTable bodies_of(const scene::World& world, std::span<const Vec3> points) {
+BodyTable bodies_of(const world::World& world, std::span<const Vec3> points) {
   BodyTable bodies;
   bodies.of_triangle.reserve(world.triangles.size());
-  for (const scene::Placed& model : world.models) {
+  for (const world::Placed& model : world.models) {
     const int first = static_cast<int>(bodies.box.size());
     for (const int body : model.mesh->body) {
       const int number = first + body;
@@ -229,7 +229,7 @@ BodyTable bodies_of(const scene::World& world, std::span<const Vec3> points) {
   return bodies;
 }
 
-void keep_convex(const scene::World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact,
+void keep_convex(const world::World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact,
                  std::vector<char>& candidates) {
   check(candidates.size() == bodies.box.size(), "every body is marked or not");
   ConvexityTest(world, points, bodies, contact).run(candidates);

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::edges {
 
@@ -14,7 +14,7 @@ struct BodyTable {
   std::vector<int> of_triangle;  ///< by triangle of the world
   std::vector<Box> box;          ///< by body; empty if it has no triangles
 };
-BodyTable bodies_of(const scene::World& world, std::span<const Vec3> points);
+BodyTable bodies_of(const world::World& world, std::span<const Vec3> points);
 
 /// A body that is marked in `candidates` keeps its mark if it is closed, its surface encloses its middle exactly once,
 /// and it extends at most `contact` in front of the plane of any of its triangles, with planes and distances computed
@@ -30,7 +30,7 @@ BodyTable bodies_of(const scene::World& world, std::span<const Vec3> points);
 /// distance from c, and R is at most the sum over all inward folds of the angle times pi / 2 * r / rho, since a plane
 /// crosses an edge only once. (Local tests: Mehlhorn, Naeher, Seel, Seidel, Schilz, Schirra, Uhrig. Checking geometric
 /// programs. CGTA 1999.)
-void keep_convex(const scene::World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact,
+void keep_convex(const world::World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact,
                  std::vector<char>& candidates);
 
 }  // namespace epura::edges

@@ -64,7 +64,7 @@ std::vector<char> isolated_bodies(const std::vector<Box>& boxes, const Progress&
 
 using Corners = std::array<double, 9>;
 
-Corners corners_of(const scene::World& world, int triangle) {
+Corners corners_of(const world::World& world, int triangle) {
   Corners corners{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& p = world.points[world.triangles[triangle][i]];
@@ -76,7 +76,7 @@ Corners corners_of(const scene::World& world, int triangle) {
 // Coincident parts have the same crossings with other parts. Two copies are kept, since a face may cross a copy where
 // it does not cross its own neighbour. Further copies would only add copies of lines that come before them, and so are
 // not drawn.
-void drop_third_copies(const scene::World& world, const Progress& progress, std::vector<int>& triangles) {
+void drop_third_copies(const world::World& world, const Progress& progress, std::vector<int>& triangles) {
   if (world.models.size() < 3) return;  // no mesh has a triangle twice
   const std::vector<char> is_third = mark_third_copies(
       static_cast<int>(triangles.size()), [&](int i) { return corners_of(world, triangles[i]); }, progress);
@@ -89,7 +89,7 @@ void drop_third_copies(const scene::World& world, const Progress& progress, std:
 
 }  // namespace
 
-CrossingCandidates crossing_candidates(const scene::World& world, double normalisation, double contact,
+CrossingCandidates crossing_candidates(const world::World& world, double normalisation, double contact,
                                        const Progress& progress) {
   progress.expect_time();
   const UnsetVector<Vec3> points = normalised_points(world, normalisation);
@@ -112,7 +112,7 @@ CrossingCandidates crossing_candidates(const scene::World& world, double normali
   return {std::move(candidates), /*in_patches=*/true};
 }
 
-CrossingCandidates all_triangles(const scene::World& world) {
+CrossingCandidates all_triangles(const world::World& world) {
   std::vector<int> all(world.triangles.size());
   std::iota(all.begin(), all.end(), 0);
   return {std::move(all)};

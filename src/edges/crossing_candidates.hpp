@@ -4,7 +4,7 @@
 
 #include "base/progress.hpp"
 #include "edges/intersections.hpp"
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::edges {
 
@@ -22,10 +22,10 @@ namespace epura::edges {
 /// but two of coincident triangles: lines that only further copies would add are already drawn. Besides, the triangles
 /// of a patch that is a graph over a plane are not compared with each other (graph_patches.hpp). `normalisation` and
 /// `contact` are those of find_intersections. Throws OutOfTime.
-CrossingCandidates crossing_candidates(const scene::World& world, double normalisation, double contact,
+CrossingCandidates crossing_candidates(const world::World& world, double normalisation, double contact,
                                        const Progress& progress = {});
 
 /// Returns all triangles: the candidates without any shortcut.
-CrossingCandidates all_triangles(const scene::World& world);
+CrossingCandidates all_triangles(const world::World& world);
 
 }  // namespace epura::edges

@@ -4,13 +4,13 @@
 
 #include <array>
 
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::edges {
 
 /// One model of a world, with the data needed to classify its edges.
 struct EdgeSurroundings {
-  const scene::World& world;
+  const world::World& world;
   int model;
   double normalisation;  ///< power of two that scales lengths to about 1, so that their products stay in range
   /// The mesh before it was cut by a plane, if it is to be judged instead: edges and triangles below are those of this

@@ -37,9 +37,9 @@ std::vector<Vec3> mean_normals(const EdgeSurroundings& around) {
   return sums;
 }
 
-// By number: whether a vertex that a cut created was moved off its edge (scene/true_outline.hpp). Empty without a cut.
+// By number: whether a vertex that a cut created was moved off its edge (cut/true_outline.hpp). Empty without a cut.
 std::vector<char> moved_vertices(const EdgeSurroundings& around) {
-  const scene::Placed& placed = around.world.models[around.model];
+  const world::Placed& placed = around.world.models[around.model];
   const mesh::Mesh& cut = *placed.mesh;
   if (around.uncut == nullptr || placed.part == nullptr) return {};
   constexpr double rounding = 0x1p-40;
@@ -339,7 +339,7 @@ void continue_creases(const mesh::Mesh& mesh, const std::vector<char>& is_weak,
 
 }  // namespace
 
-std::vector<std::optional<EdgeKind>> feature_edges(const scene::World& world, const view::ProjectedScene& view,
+std::vector<std::optional<EdgeKind>> feature_edges(const world::World& world, const view::ProjectedScene& view,
                                                    int model, const EdgeOptions& options, const Progress& progress) {
   const EdgeSurroundings around{world, model, view.map.normalisation, world.models[model].mesh->uncut.get()};
   return feature_edges(view, options, around, Slivers(around, view, progress), progress);

@@ -17,7 +17,7 @@ namespace epura::edges {
 /// The orientation of faces is not used: an edge is a contour if its two triangles lie on the same side of it on the
 /// page, or if one of them is seen edge-on. Hence inside-out, one-sided and inconsistently oriented surfaces are drawn
 /// alike. Outlines of cuts are always drawn. Throws OutOfTime.
-std::vector<std::optional<EdgeKind>> feature_edges(const scene::World& world, const view::ProjectedScene& view,
+std::vector<std::optional<EdgeKind>> feature_edges(const world::World& world, const view::ProjectedScene& view,
                                                    int model, const EdgeOptions& options,
                                                    const Progress& progress = {});
 

@@ -37,7 +37,7 @@ std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Sliver
 
 void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, const EdgeOptions& options,
                     FeatureEdges& drawn, const Progress& progress) {
-  const scene::World& world = around.world;
+  const world::World& world = around.world;
   const int model = around.model;
   const mesh::Mesh* uncut = world.models[model].mesh->uncut.get();
   const EdgeSurroundings whole{world, model, around.normalisation, uncut};
@@ -63,7 +63,7 @@ void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, 
 }
 
 // Crossings that could not be judged in time count as not searched.
-void drop_contacts(const scene::World& world, double normalisation, double crease_angle, FeatureEdges& drawn,
+void drop_contacts(const world::World& world, double normalisation, double crease_angle, FeatureEdges& drawn,
                    const Progress& progress) {
   const std::vector<Contact> contacts = judge_contacts(world, normalisation, crease_angle, drawn.crossings, progress);
   check(contacts.size() == drawn.crossings.size(), "every crossing is judged");
@@ -75,7 +75,7 @@ void drop_contacts(const scene::World& world, double normalisation, double creas
   drawn.crossings = std::move(real);
 }
 
-void add_intersections(const scene::World& world, view::ProjectedScene& view, FeatureEdges& drawn) {
+void add_intersections(const world::World& world, view::ProjectedScene& view, FeatureEdges& drawn) {
   for (std::size_t i = 0; i < drawn.crossings.size(); ++i) {
     const FaceCrossing& crossing = drawn.crossings[i];
     const int a = view::add_point(view, crossing.ends[0]);
@@ -86,10 +86,10 @@ void add_intersections(const scene::World& world, view::ProjectedScene& view, Fe
   }
 }
 
-FeatureEdges edges_of_meshes(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+FeatureEdges edges_of_meshes(const world::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                              Progress& progress) {
   std::size_t edges = 0;
-  for (const scene::Placed& model : world.models) edges += model.mesh->edges.size();
+  for (const world::Placed& model : world.models) edges += model.mesh->edges.size();
   progress.begin("finding edges", edges);
   FeatureEdges drawn;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
@@ -117,7 +117,7 @@ void check_sound(const FeatureEdges& drawn, const view::ProjectedScene& view) {
   check(drawn.moved >= 0, "a distance is not negative");
 }
 
-void add_lines_in_faces(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+void add_lines_in_faces(const world::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                         FeatureEdges& drawn) {
   add_intersections(world, view, drawn);
   add_thread_lines(world, view, options.thread_depth, drawn);
@@ -126,12 +126,12 @@ void add_lines_in_faces(const scene::World& world, view::ProjectedScene& view, c
 
 }  // namespace
 
-FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 Progress progress) {
   return find_feature_edges(world, view, options, all_triangles(world), progress);
 }
 
-FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 const CrossingCandidates& candidates, Progress progress) {
   FeatureEdges drawn = edges_of_meshes(world, view, options, progress);
   if (options.intersection) {
@@ -146,7 +146,7 @@ FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene&
   return drawn;
 }
 
-FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 const std::vector<FaceCrossing>& intersections, Progress progress) {
   FeatureEdges drawn = edges_of_meshes(world, view, options, progress);
   if (options.intersection) drawn.crossings = intersections;

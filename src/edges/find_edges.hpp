@@ -58,16 +58,16 @@ struct FeatureEdges {
 
 /// If time runs out during the search for crossings, those found so far are returned; if it runs out before, OutOfTime
 /// is thrown. Vertices created by clipping and by crossings are added to `view`.
-FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 Progress progress = {});
 
 /// The same, with intersection lines only between the candidates (crossing_candidates.hpp).
-FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 const CrossingCandidates& candidates, Progress progress = {});
 
 /// The same, with the intersections that another view of the world has: which faces cross depends on the world, on
 /// `view.map.normalisation`, `view.contact.in_space` and `options.crease_angle` alone.
-FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 const std::vector<FaceCrossing>& intersections, Progress progress = {});
 
 /// Returns the intersections among the crossings, which come before those of threads.

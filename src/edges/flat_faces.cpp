@@ -21,7 +21,7 @@ constexpr double join_contacts = 4;
 
 class FlatFaces {
  public:
-  FlatFaces(const scene::World& world, std::span<const Vec3> points, double contact, const std::vector<int>& triangles)
+  FlatFaces(const world::World& world, std::span<const Vec3> points, double contact, const std::vector<int>& triangles)
       : world_(world), points_(points), contact_(contact), triangles_(triangles), regions_(triangles.size()) {}
 
   std::vector<int> find() {
@@ -110,7 +110,7 @@ class FlatFaces {
     return faces;
   }
 
-  const scene::World& world_;
+  const world::World& world_;
   std::span<const Vec3> points_;
   double contact_;
   const std::vector<int>& triangles_;
@@ -119,7 +119,7 @@ class FlatFaces {
 
 }  // namespace
 
-std::vector<int> flat_faces(const scene::World& world, std::span<const Vec3> points, double contact,
+std::vector<int> flat_faces(const world::World& world, std::span<const Vec3> points, double contact,
                             const std::vector<int>& triangles) {
   if (triangles.size() < least_triangles) return {};
   std::vector<int> faces = FlatFaces(world, points, contact, triangles).find();

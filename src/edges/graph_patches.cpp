@@ -46,7 +46,7 @@ struct BoundarySide {
 
 class GraphPatches {
  public:
-  GraphPatches(const scene::World& world, std::span<const Vec3> points, double contact,
+  GraphPatches(const world::World& world, std::span<const Vec3> points, double contact,
                const std::vector<int>& triangles, const std::vector<int>& taken)
       : world_(world),
         points_(points),
@@ -281,7 +281,7 @@ class GraphPatches {
     return patches;
   }
 
-  const scene::World& world_;
+  const world::World& world_;
   std::span<const Vec3> points_;
   double clearance_;
   const std::vector<int>& triangles_;
@@ -291,8 +291,8 @@ class GraphPatches {
 };
 
 // Patches hardly ever reach beyond a body.
-bool has_large_body(const scene::World& world) {
-  return std::any_of(world.models.begin(), world.models.end(), [](const scene::Placed& placed) {
+bool has_large_body(const world::World& world) {
+  return std::any_of(world.models.begin(), world.models.end(), [](const world::Placed& placed) {
     std::vector<std::size_t> count(static_cast<std::size_t>(placed.mesh->report.bodies) + 1, 0);
     for (const int body : placed.mesh->body)
       if (++count[static_cast<std::size_t>(body)] >= least_triangles) return true;
@@ -302,7 +302,7 @@ bool has_large_body(const scene::World& world) {
 
 }  // namespace
 
-std::vector<int> graph_patches(const scene::World& world, std::span<const Vec3> points, double contact,
+std::vector<int> graph_patches(const world::World& world, std::span<const Vec3> points, double contact,
                                const std::vector<int>& triangles, const std::vector<int>& taken) {
   if (triangles.size() < least_triangles || contact < least_contact || !has_large_body(world)) return {};
   std::vector<int> patches = GraphPatches(world, points, contact, triangles, taken).find();

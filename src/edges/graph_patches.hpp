@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::edges {
 
@@ -25,7 +25,7 @@ namespace epura::edges {
 ///
 /// Parts of boundaries count as apart if their distance is greater than `contact`, beside which rounding is small;
 /// without contact there are no patches.
-std::vector<int> graph_patches(const scene::World& world, std::span<const Vec3> points, double contact,
+std::vector<int> graph_patches(const world::World& world, std::span<const Vec3> points, double contact,
                                const std::vector<int>& triangles, const std::vector<int>& taken);
 
 }  // namespace epura::edges

@@ -35,11 +35,11 @@ struct Piece {
   std::array<Vec3, 2> ends;
 };
 
-Vec3 middle_of(const scene::World& world, double normalisation) { return world.box.centre() * normalisation; }
+Vec3 middle_of(const world::World& world, double normalisation) { return world.box.centre() * normalisation; }
 
 class Crossings {
  public:
-  Crossings(const scene::World& world, double normalisation, double contact)
+  Crossings(const world::World& world, double normalisation, double contact)
       : world_(world),
         normalisation_(normalisation),
         contact_(contact),
@@ -186,7 +186,7 @@ class Crossings {
     return Piece{{from, to}};
   }
 
-  const scene::World& world_;
+  const world::World& world_;
   double normalisation_, contact_;
   Vec3 middle_;
   UnsetVector<Vec3> points_;  ///< normalised and centred
@@ -207,7 +207,7 @@ bool boxes_overlap(const Box& a, const Box& b) {
          b.min.z <= a.max.z;
 }
 
-UnsetVector<Vec3> normalised_points(const scene::World& world, double normalisation) {
+UnsetVector<Vec3> normalised_points(const world::World& world, double normalisation) {
   const Vec3 middle = middle_of(world, normalisation);
   UnsetVector<Vec3> points(world.points.size());
   parallel_for(points.size(), 8192, [&](std::size_t begin, std::size_t end) {
@@ -216,7 +216,7 @@ UnsetVector<Vec3> normalised_points(const scene::World& world, double normalisat
   return points;
 }
 
-FaceCrossings find_intersections(const scene::World& world, double normalisation, double contact,
+FaceCrossings find_intersections(const world::World& world, double normalisation, double contact,
                                  const CrossingCandidates& candidates, Progress progress) {
   const std::vector<int>& triangles = candidates.triangles;
   if (triangles.empty()) return {{}, 1};

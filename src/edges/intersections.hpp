@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::edges {
 
@@ -35,11 +35,11 @@ struct CrossingCandidates {
 /// that only touch (a corner or an edge within `contact` of the other's plane) do not cross; an edge that lies in the
 /// other plane counts if its surface continues on the other side. `normalisation` is a power of two that scales the
 /// size of the world to about 1; `contact` is a normalised length. Only the candidates are searched.
-FaceCrossings find_intersections(const scene::World& world, double normalisation, double contact,
+FaceCrossings find_intersections(const world::World& world, double normalisation, double contact,
                                  const CrossingCandidates& candidates, Progress progress = {});
 
 /// Returns the points of the world as used by the search: normalised, with the middle of their box at the origin.
-UnsetVector<Vec3> normalised_points(const scene::World& world, double normalisation);
+UnsetVector<Vec3> normalised_points(const world::World& world, double normalisation);
 
 /// Whether a triangle with normalised corners is so low that its normal has no reliable direction. Such a triangle
 /// crosses nothing.

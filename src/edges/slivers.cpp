@@ -173,7 +173,7 @@ Exit Slivers::way_out(const std::array<int, 2>& edge, int triangle) const {
   return exit_at(around_, edge, triangle, middle_of(around_, edge));
 }
 
-double page_resolution(const scene::World& world, const view::ProjectedScene& view) {
+double page_resolution(const world::World& world, const view::ProjectedScene& view) {
   // Both ends of a line and the point compared with it were rounded to the grid.
   constexpr double grid = 2;
   const double resolution = std::max(grid * view.cell, world.rounding * view.map.normalisation * view.map.unit);

@@ -21,7 +21,7 @@ namespace epura::edges {
 
 /// Returns the distance on the page (view units) below which the side of a line on which a point lies is uncertain: the
 /// resolution of the page grid or, if larger, the effect of rounding in the files.
-double page_resolution(const scene::World& world, const view::ProjectedScene& view);
+double page_resolution(const world::World& world, const view::ProjectedScene& view);
 
 /// The continuation of a surface at an edge.
 struct Beyond {

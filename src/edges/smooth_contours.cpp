@@ -29,26 +29,26 @@ constexpr double most_rises = 16;
 // Cosines this small of the angle between a normal and the projector count as 0.
 constexpr double along_projector = 1e-5;
 
-SurfaceKind kind_at(const scene::Placed& placed, int triangle) {
+SurfaceKind kind_at(const world::Placed& placed, int triangle) {
   const int face = placed.part->face_of_triangle[triangle];
   return placed.part->faces[static_cast<std::size_t>(face)].surface.kind;
 }
 
 // Whether contours at a triangle are moved to the surface, wherever they end.
-bool is_smoothed(const scene::Placed& placed, int triangle) {
+bool is_smoothed(const world::Placed& placed, int triangle) {
   const SurfaceKind kind = kind_at(placed, triangle);
   if (kind == SurfaceKind::free_form) return placed.mesh->report.misoriented_edges == 0;
   return kind == SurfaceKind::sphere || kind == SurfaceKind::torus;
 }
 
 // Whether contours at a triangle are straight. They are moved to the surface at vertices inside the face.
-bool is_straight(const scene::Placed& placed, int triangle) {
+bool is_straight(const world::Placed& placed, int triangle) {
   const SurfaceKind kind = kind_at(placed, triangle);
   return kind == SurfaceKind::cylinder || kind == SurfaceKind::cone;
 }
 
 // By vertex: whether a border of a face of the part passes through it.
-std::vector<char> vertices_on_borders(const scene::Placed& placed) {
+std::vector<char> vertices_on_borders(const world::Placed& placed) {
   std::vector<char> on_border(placed.mesh->points.size(), 0);
   for (std::size_t e = 0; e < placed.mesh->edges.size(); ++e)
     if (placed.part->border_at(static_cast<std::ptrdiff_t>(e)) != nullptr || placed.mesh->edges[e].count != 2)
@@ -59,7 +59,7 @@ std::vector<char> vertices_on_borders(const scene::Placed& placed) {
 /// The contours of one model, in units of its file.
 class ModelContours {
  public:
-  ModelContours(const scene::Placed& placed, const projection::Projection& projection, double part_angle,
+  ModelContours(const world::Placed& placed, const projection::Projection& projection, double part_angle,
                 const std::vector<char>& on_border)
       : placed_(placed),
         mesh_(*placed.mesh),
@@ -258,7 +258,7 @@ class ModelContours {
     return count == 2 ? std::optional(std::array{met[0], met[1]}) : std::nullopt;
   }
 
-  const scene::Placed& placed_;
+  const world::Placed& placed_;
   const mesh::Mesh& mesh_;
   const features::PartFaces& part_;
   bool central_;
@@ -272,11 +272,11 @@ class ModelContours {
 /// Moves ends of contours.
 class MovedEnds {
  public:
-  MovedEnds(const scene::World& world, view::ProjectedScene& view, FeatureEdges& drawn)
+  MovedEnds(const world::World& world, view::ProjectedScene& view, FeatureEdges& drawn)
       : world_(world), view_(view), drawn_(drawn) {}
 
   void move(int model, double part_angle) {
-    const scene::Placed& placed = world_.models[model];
+    const world::Placed& placed = world_.models[model];
     const std::vector<char> on_border = vertices_on_borders(placed);
     const std::vector<int> edges = smoothed_edges(model, part_angle, on_border);
     if (edges.empty()) return;
@@ -330,7 +330,7 @@ class MovedEnds {
   // Contours of the model inside smoothed faces, if they are entirely in the window.
   [[nodiscard]] std::vector<int> smoothed_edges(int model, double part_angle,
                                                 const std::vector<char>& on_border) const {
-    const scene::Placed& placed = world_.models[model];
+    const world::Placed& placed = world_.models[model];
     std::vector<int> found;
     const auto [first, last] = edges_of(model);
     for (int e = first; e < last; ++e) {
@@ -418,18 +418,18 @@ class MovedEnds {
     return std::max(from_drawn, from_mesh);
   }
 
-  const scene::World& world_;
+  const world::World& world_;
   view::ProjectedScene& view_;
   FeatureEdges& drawn_;
 };
 
 }  // namespace
 
-void smooth_contours(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+void smooth_contours(const world::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                      FeatureEdges& drawn) {
   MovedEnds ends(world, view, drawn);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
-    const scene::Placed& placed = world.models[model];
+    const world::Placed& placed = world.models[model];
     // Contours of a cut mesh must end in the cutting plane.
     if (placed.part != nullptr && placed.mesh->uncut == nullptr) ends.move(model, options.part_angle);
   }

@@ -11,8 +11,8 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
-#include "scene/place_threads.hpp"
-#include "scene/round_faces.hpp"
+#include "design/place_threads.hpp"
+#include "design/round_faces.hpp"
 
 namespace epura::edges {
 
@@ -28,7 +28,7 @@ constexpr double least_chamfer = 0.8, widest_countersink = 1.15;
 
 /// A threaded cylinder, as far as a cut leaves it. Heights are along its axis.
 struct SeenThread {
-  const scene::RoundFace& round;
+  const design::RoundFace& round;
   const scene::ThreadedFace& thread;
   int model, triangle;  ///< one of its triangles in the world
   double root;          ///< radius on paper
@@ -93,14 +93,14 @@ class ThreadLines {
   FeatureEdges& drawn_;
 };
 
-int first_triangle_of(const scene::World& world, int model, const scene::PlacedPart& part, int face) {
+int first_triangle_of(const world::World& world, int model, const world::PlacedPart& part, int face) {
   const auto found = std::find(part.face_of_triangle.begin(), part.face_of_triangle.end(), face);
   return world.first_triangle[static_cast<std::size_t>(model)] +
          static_cast<int>(found - part.face_of_triangle.begin());
 }
 
 // Whether a cone that continues a threaded cylinder is the chamfer with which the thread begins or ends.
-bool is_chamfer_of(const SeenThread& thread, const scene::Continuation& cone) {
+bool is_chamfer_of(const SeenThread& thread, const design::Continuation& cone) {
   const double far = thread.crest() + cone.widening * cone.height;
   return thread.thread.internal ? cone.widening > 0 && far <= widest_countersink * thread.root
                                 : cone.widening < 0 && far >= least_chamfer * thread.root;
@@ -109,14 +109,14 @@ bool is_chamfer_of(const SeenThread& thread, const scene::Continuation& cone) {
 /// The chamfers of threads that are seen along their axes: the cylinder of each cone.
 using Chamfers = std::map<int, int>;
 
-void add_chamfers(const scene::PlacedPart& part, const SeenThread& thread, Chamfers& chamfers) {
+void add_chamfers(const world::PlacedPart& part, const SeenThread& thread, Chamfers& chamfers) {
   for (const bool high : {false, true})
-    if (const auto cone = scene::continuation_of(part, thread.thread.face, high); cone && is_chamfer_of(thread, *cone))
+    if (const auto cone = design::continuation_of(part, thread.thread.face, high); cone && is_chamfer_of(thread, *cone))
       chamfers.emplace(cone->face, thread.thread.face);
 }
 
 // Whether an edge is at the end of a chamfer that is away from its cylinder.
-bool is_far_end(std::span<const int> triangles, const scene::PlacedPart& part, const Chamfers& chamfers) {
+bool is_far_end(std::span<const int> triangles, const world::PlacedPart& part, const Chamfers& chamfers) {
   const auto face_of = [&](int triangle) { return part.face_of_triangle[static_cast<std::size_t>(triangle)]; };
   for (const int triangle : triangles) {
     const auto chamfer = chamfers.find(face_of(triangle));
@@ -128,7 +128,7 @@ bool is_far_end(std::span<const int> triangles, const scene::PlacedPart& part, c
   return false;
 }
 
-void add_circles(const scene::World& world, int model, const scene::PlacedPart& part, const Chamfers& chamfers,
+void add_circles(const world::World& world, int model, const world::PlacedPart& part, const Chamfers& chamfers,
                  std::vector<MeshEdgeOfModel>& circles) {
   const mesh::Mesh& mesh = *world.models[static_cast<std::size_t>(model)].mesh;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e)
@@ -139,19 +139,19 @@ void add_circles(const scene::World& world, int model, const scene::PlacedPart& 
 
 // How far the root reaches into a chamfer at one end of the cylinder, if the thread and what a cut leaves reach that
 // end.
-double reach_into(const scene::PlacedPart& part, const SeenThread& thread, bool high) {
-  const scene::RoundFace& round = thread.round;
+double reach_into(const world::PlacedPart& part, const SeenThread& thread, bool high) {
+  const design::RoundFace& round = thread.round;
   const double end = high ? round.face.to : round.face.from;
   const double slack = 1e-6 * (round.face.to - round.face.from);
   if (std::abs((high ? thread.high : thread.low) - end) > slack) return 0;
-  const auto chamfer = scene::continuation_of(part, thread.thread.face, high);
+  const auto chamfer = design::continuation_of(part, thread.thread.face, high);
   const double outwards = thread.thread.internal ? 1 : -1;  // how the radius changes from crest to root
   if (!chamfer || !(outwards * chamfer->widening > 0)) return 0;
   return std::min(chamfer->height, std::abs(thread.root - thread.crest()) / std::abs(chamfer->widening));
 }
 
-std::optional<SeenThread> seen_thread(const scene::World& world, int model, const scene::PlacedPart& part,
-                                      const scene::RoundFace& round, const scene::ThreadedFace& threaded,
+std::optional<SeenThread> seen_thread(const world::World& world, int model, const world::PlacedPart& part,
+                                      const design::RoundFace& round, const scene::ThreadedFace& threaded,
                                       double depth) {
   if (!round.has_its_axis()) return std::nullopt;
   const double crest = round.face.surface.radius;
@@ -186,16 +186,16 @@ bool is_along(const projection::Projection& projection, const SeenThread& thread
 
 // Calls `visit(model, part, thread)` for the threads of a world, and `done(model, part)` after those of each model.
 template <class Visit, class Done>
-void for_each_thread(const scene::World& world, double depth, Visit&& visit, Done&& done) {
+void for_each_thread(const world::World& world, double depth, Visit&& visit, Done&& done) {
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
-    const scene::Placed& placed = world.models[static_cast<std::size_t>(model)];
+    const world::Placed& placed = world.models[static_cast<std::size_t>(model)];
     if (placed.threads.empty()) continue;
-    const auto part = scene::place_part(placed);
+    const auto part = world::place_part(placed);
     if (!part) continue;
-    const std::vector<scene::RoundFace> rounds = scene::find_round_faces(world, model, *part);
+    const std::vector<design::RoundFace> rounds = design::find_round_faces(world, model, *part);
     for (const scene::ThreadedFace& thread : placed.threads) {
       const auto round = std::find_if(rounds.begin(), rounds.end(),
-                                      [&](const scene::RoundFace& one) { return one.number == thread.face; });
+                                      [&](const design::RoundFace& one) { return one.number == thread.face; });
       if (round == rounds.end()) continue;
       if (const auto seen = seen_thread(world, model, *part, *round, thread, depth)) visit(*part, *seen);
     }
@@ -205,24 +205,24 @@ void for_each_thread(const scene::World& world, double depth, Visit&& visit, Don
 
 }  // namespace
 
-std::vector<MeshEdgeOfModel> chamfer_circles(const scene::World& world, const projection::Projection& projection,
+std::vector<MeshEdgeOfModel> chamfer_circles(const world::World& world, const projection::Projection& projection,
                                              double depth) {
   std::vector<MeshEdgeOfModel> circles;
   if (!is_orthographic(projection)) return circles;
   Chamfers chamfers;
   for_each_thread(
       world, depth,
-      [&](const scene::PlacedPart& part, const SeenThread& thread) {
+      [&](const world::PlacedPart& part, const SeenThread& thread) {
         if (is_along(projection, thread)) add_chamfers(part, thread, chamfers);
       },
-      [&](int model, const scene::PlacedPart& part) {
+      [&](int model, const world::PlacedPart& part) {
         if (!chamfers.empty()) add_circles(world, model, part, chamfers, circles);
         chamfers.clear();
       });
   return circles;
 }
 
-void add_thread_lines(const scene::World& world, view::ProjectedScene& view, double depth, FeatureEdges& drawn) {
+void add_thread_lines(const world::World& world, view::ProjectedScene& view, double depth, FeatureEdges& drawn) {
   if (!is_orthographic(view.projection)) return;
   if (const auto circles = chamfer_circles(world, view.projection, depth); !circles.empty())
     std::erase_if(drawn.edges, [&](const FeatureEdge& edge) {
@@ -230,8 +230,8 @@ void add_thread_lines(const scene::World& world, view::ProjectedScene& view, dou
     });
   ThreadLines lines(view, drawn);
   for_each_thread(
-      world, depth, [&](const scene::PlacedPart&, const SeenThread& thread) { lines.add(thread); },
-      [](int, const scene::PlacedPart&) {});
+      world, depth, [&](const world::PlacedPart&, const SeenThread& thread) { lines.add(thread); },
+      [](int, const world::PlacedPart&) {});
 }
 
 }  // namespace epura::edges

@@ -20,13 +20,13 @@ struct MeshEdgeOfModel {
 
 /// Returns, in ascending order, the edges at the far ends of chamfers that are as deep as their threads and seen along
 /// the axis.
-std::vector<MeshEdgeOfModel> chamfer_circles(const scene::World& world, const projection::Projection& projection,
+std::vector<MeshEdgeOfModel> chamfer_circles(const world::World& world, const projection::Projection& projection,
                                              double depth);
 
 /// Adds the lines of threads in orthographic views along and across their axes; other views show the cylinders alone.
 /// Roots are at least `depth` from the crests; threads that are too small for that have no lines. Lines lie where they
 /// are seen: those of shafts on the surface towards the viewer, those of holes in the plane of the axis, which a
 /// section through it shows. The edges of `chamfer_circles` are removed.
-void add_thread_lines(const scene::World& world, view::ProjectedScene& view, double depth, FeatureEdges& drawn);
+void add_thread_lines(const world::World& world, view::ProjectedScene& view, double depth, FeatureEdges& drawn);
 
 }  // namespace epura::edges

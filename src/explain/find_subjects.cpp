@@ -72,8 +72,8 @@ std::string edges_at(const mesh::Mesh& mesh, int vertex) {
   return count > most_named ? text + " and " + std::to_string(count - most_named) + " more" : text;
 }
 
-const mesh::Mesh& checked_model(const scene::World& world, int model) {
-  const auto is_whole = [](const scene::Placed& placed) { return placed.copy_of < 0; };
+const mesh::Mesh& checked_model(const world::World& world, int model) {
+  const auto is_whole = [](const world::Placed& placed) { return placed.copy_of < 0; };
   const auto count = static_cast<int>(std::count_if(world.models.begin(), world.models.end(), is_whole));
   if (model >= count)
     throw Error(ErrorKind::input, option, "there is no model " + std::to_string(model),

@@ -55,7 +55,7 @@ std::string border_of(const ExplainInput& drawn_view, const Subject& subject, co
 }
 
 std::string fold_of(const ExplainInput& drawn_view, const Subject& subject, bool crease) {
-  const scene::Placed& placed = drawn_view.world.models[subject.model];
+  const world::Placed& placed = drawn_view.world.models[subject.model];
   if (placed.part != nullptr && placed.mesh->uncut == nullptr &&
       mesh_of(drawn_view, subject).edges[subject.mesh_edge].count == 2)
     return border_of(drawn_view, subject, *placed.part);

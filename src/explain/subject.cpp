@@ -8,13 +8,13 @@
 
 namespace epura::explain {
 
-FaceName face_of(const scene::World& world, int triangle) {
+FaceName face_of(const world::World& world, int triangle) {
   const int model = world.model_of_triangle(triangle);
   return {world.number_in_scene(model), world.models[model].mesh->polygon[triangle - world.first_triangle[model]]};
 }
 
 std::vector<FaceName> faces_at(const ExplainInput& drawn_view, const Subject& subject) {
-  const scene::World& world = drawn_view.world;
+  const world::World& world = drawn_view.world;
   std::vector<FaceName> faces;
   if (subject.mesh_edge < 0) {
     const int crossing = drawn_view.drawn.edges[subject.drawn].crossing;
@@ -51,7 +51,7 @@ std::string names_of(const std::vector<FaceName>& faces) {
   return text;
 }
 
-std::string owner_of(const scene::World& world, const FaceName& face) {
+std::string owner_of(const world::World& world, const FaceName& face) {
   const mesh::Mesh& mesh = *world.models[face[0]].mesh;
   const auto triangle = std::find(mesh.polygon.begin(), mesh.polygon.end(), face[1]) - mesh.polygon.begin();
   const std::string file = one_line(mesh.report.name);
@@ -67,7 +67,7 @@ std::string owner_of(const ExplainInput& drawn_view, const Subject& subject) {
 }
 
 std::array<Vec3, 2> ends_of(const ExplainInput& drawn_view, const Subject& subject) {
-  const scene::World& world = drawn_view.world;
+  const world::World& world = drawn_view.world;
   if (subject.mesh_edge < 0) return drawn_view.drawn.crossings[drawn_view.drawn.edges[subject.drawn].crossing].ends;
   const mesh::Mesh& mesh = *world.models[subject.model].mesh;
   const auto [a, b] = mesh.origin_of(mesh.edges[subject.mesh_edge]).vertex;

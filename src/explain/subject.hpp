@@ -13,10 +13,10 @@
 #include "drawing/drawing.hpp"
 #include "drawing/make_drawing.hpp"
 #include "edges/find_edges.hpp"
-#include "scene/scene.hpp"
 #include "view/paper_map.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/visibility.hpp"
+#include "world/world.hpp"
 
 namespace epura::explain {
 
@@ -38,7 +38,7 @@ struct Subject {
 using FaceName = std::array<int, 2>;
 
 /// Returns the face to which a triangle of the world belongs.
-FaceName face_of(const scene::World& world, int triangle);
+FaceName face_of(const world::World& world, int triangle);
 
 /// Returns the faces of the file that meet in an edge, without duplicates, or that cross in an intersection line.
 std::vector<FaceName> faces_at(const ExplainInput& drawn_view, const Subject& subject);
@@ -49,7 +49,7 @@ std::string name_of(const ExplainInput& drawn_view, const Subject& subject);
 std::string names_of(const std::vector<FaceName>& faces);
 
 /// Returns what a face belongs to: "part.step", or "'bolt' in part.step" if the bodies of the file have names.
-std::string owner_of(const scene::World& world, const FaceName& face);
+std::string owner_of(const world::World& world, const FaceName& face);
 /// The same of an edge: of its first face, or of the model if it bounds no face.
 std::string owner_of(const ExplainInput& drawn_view, const Subject& subject);
 

@@ -66,7 +66,7 @@ std::vector<sheet::Layer> marks_of(std::span<const Annotations> annotations, std
                                    const sheet::LineWidths& widths) {
   std::map<std::string, sheet::Layer> by_name;
   for (std::size_t i = 0; i < views.size(); ++i)
-    for (const scene::CuttingSurface& section : annotations[i].planes)
+    for (const cut::CuttingSurface& section : annotations[i].planes)
       if (auto mark = sheet::cutting_plane_line(views[i].drawing, section, widths))
         by_name.emplace(section.plane.name, std::move(*mark));
   std::vector<sheet::Layer> marks;

@@ -10,11 +10,11 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "design/design_features.hpp"
+#include "design/true_extents.hpp"
 #include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
 #include "pipeline/mass.hpp"
-#include "scene/design_features.hpp"
-#include "scene/true_extents.hpp"
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/automatic.hpp"
@@ -47,16 +47,16 @@ std::vector<sheet::NamedProjection> views_to_measure(std::span<const scene::View
 }
 
 // How an aligned section turns what is at a point of the models.
-Mat4 turn_at(const Vec3& point, const scene::World& world, const ViewOptions& options, const std::string& where) {
+Mat4 turn_at(const Vec3& point, const world::World& world, const ViewOptions& options, const std::string& where) {
   constexpr double on_plane = 1e-3;  // of the size: points are given with few decimals
-  if (const auto turn = scene::turn_at(*options.turned, point, on_plane * glm::length(world.box.size()))) return *turn;
+  if (const auto turn = cut::turn_at(*options.turned, point, on_plane * glm::length(world.box.size()))) return *turn;
   throw Error(ErrorKind::input, where,
               "view '" + options.name + "' shows an aligned section, which leaves this point of the models out",
               "choose a point on one of its planes, or behind it");
 }
 
 // Where a view shows a point of the models.
-Vec3 shown_at(const Vec3& point, const scene::World& world, const ViewOptions& options, const std::string& where) {
+Vec3 shown_at(const Vec3& point, const world::World& world, const ViewOptions& options, const std::string& where) {
   return options.turned ? Vec3(turn_at(point, world, options, where) * Vec4(point, 1)) : point;
 }
 
@@ -68,7 +68,7 @@ bool shows(const Vec3& n, const sheet::WorldCircle& circle, bool is_diameter) {
 }
 
 // A circle of the models as an aligned section shows it: turned with the anchor of its dimension.
-void turn_circle(scene::DimensionDescription& dimension, const scene::World& world, const ViewOptions& options) {
+void turn_circle(scene::DimensionDescription& dimension, const world::World& world, const ViewOptions& options) {
   const sheet::AnchoredDimension anchored = sheet::find_anchors(world, {&dimension, 1}).front();
   const Mat4 turn = turn_at(anchored.points.front(), world, options, dimension.where);
   std::vector<sheet::WorldCircle> circles = anchored.circles;
@@ -85,7 +85,7 @@ void turn_circle(scene::DimensionDescription& dimension, const scene::World& wor
 }
 
 // A dimension as a view shows it, whose parts may be turned. Throws Error{input} for exploded views.
-scene::DimensionDescription shown_dimension(scene::DimensionDescription dimension, const scene::World& world,
+scene::DimensionDescription shown_dimension(scene::DimensionDescription dimension, const world::World& world,
                                             const ViewOptions& options) {
   if (options.exploded)
     throw Error(ErrorKind::input, dimension.where, "view '" + options.name + "' is exploded and has no dimensions",
@@ -101,11 +101,11 @@ scene::DimensionDescription shown_dimension(scene::DimensionDescription dimensio
   return dimension;
 }
 
-void add_dimensions(std::vector<Annotations>& annotations, const scene::World& world,
+void add_dimensions(std::vector<Annotations>& annotations, const world::World& world,
                     const scene::SceneDescription& scene, const SheetOfViews& sheet,
                     std::span<const view::ProjectedScene> seen) {
   const std::vector<scene::ViewDescription>& views = sheet.descriptions;
-  std::optional<std::array<scene::Extent, 3>> extents;
+  std::optional<std::array<design::Extent, 3>> extents;
   const std::vector<sheet::NamedProjection> projections = views_to_measure(views, sheet.plans, seen);
   const auto here = [&views](const std::string& name) {
     return std::find_if(views.begin(), views.end(), [&](const scene::ViewDescription& v) { return *v.name == name; });
@@ -126,18 +126,18 @@ void add_dimensions(std::vector<Annotations>& annotations, const scene::World& w
   if (!scene.threads.empty() && sheet.sheet == 0 && !dimensions_features(scene)) {
     const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
     for (const scene::DimensionDescription& one :
-         sheet::thread_dimensions(scene.threads, projections, scene::find_design_features(world), notation))
+         sheet::thread_dimensions(scene.threads, projections, design::find_design_features(world), notation))
       if (!is_outside(one)) add(one);
   }
   for (const scene::DimensionDescription& dimension : scene.dimensions) {
     if (!is_open(dimension)) {
       add(dimension);
     } else if (dimension.view.given() ? here(*dimension.view) != views.end() : sheet.sheet == 0) {
-      if (!extents) extents = scene::true_extents(world);
+      if (!extents) extents = design::true_extents(world);
       const auto expanded = [&] {
         if (*dimension.type == DimensionType::overall)
           return sheet::overall_dimensions(dimension, projections, *extents);
-        const scene::DesignFeatures features = scene::find_design_features(world);
+        const design::DesignFeatures features = design::find_design_features(world);
         const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
         sheet::AutomaticPlan plan =
             sheet::automatic_dimensions(dimension, projections, {world, features, *extents}, notation);
@@ -181,7 +181,7 @@ void add_details(std::vector<Annotations>& annotations, const scene::SceneDescri
   }
 }
 
-void add_callouts(std::vector<Annotations>& annotations, const scene::World& world,
+void add_callouts(std::vector<Annotations>& annotations, const world::World& world,
                   const scene::SceneDescription& scene, const SheetOfViews& sheet) {
   for (const scene::CalloutDescription& callout : scene.callouts) {
     if (callout.dimension.given())
@@ -221,7 +221,7 @@ void add_balloons(std::vector<Annotations>& annotations, const scene::SceneDescr
 
 }  // namespace
 
-std::vector<Annotations> annotate(const scene::World& world, const scene::SceneDescription& scene,
+std::vector<Annotations> annotate(const world::World& world, const scene::SceneDescription& scene,
                                   const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
                                   const SectionSurfaces& sections) {
   std::vector<Annotations> annotations(sheet.descriptions.size());
@@ -247,7 +247,7 @@ bool dimensions_features(const scene::SceneDescription& scene) {
                      [](const auto& dimension) { return dimension.type.value == DimensionType::automatic; });
 }
 
-sheet::Notation notation_of(const scene::World& world, const scene::SheetDescription& sheet) {
+sheet::Notation notation_of(const world::World& world, const scene::SheetDescription& sheet) {
   const Vec3 size = world.box.max - world.box.min;
   const Unit unit = sheet.dimension_unit.value_or(Unit::mm);
   const int usual = sheet::usual_decimals(std::max({size.x, size.y, size.z}), unit);

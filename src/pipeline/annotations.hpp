@@ -25,9 +25,9 @@ struct ViewArrow {
 
 struct Annotations {
   std::vector<scene::DimensionDescription> dimensions;
-  std::size_t found = 0;  ///< how many of them, the first ones, the scene does not ask for one by one
-  std::vector<scene::CuttingSurface> planes;          ///< of sections marked in this view
-  std::vector<sheet::HoleTable> tables{};             ///< of holes in this view
+  std::size_t found = 0;                    ///< how many of them, the first ones, the scene does not ask for one by one
+  std::vector<cut::CuttingSurface> planes;  ///< of sections marked in this view
+  std::vector<sheet::HoleTable> tables{};   ///< of holes in this view
   std::vector<scene::DetailDescription> details{};    ///< of this view, shown by other views of the scene
   std::vector<ViewArrow> arrows{};                    ///< of auxiliary views beside this one
   std::vector<ViewCallout> callouts{};                ///< with leaders into this view
@@ -41,7 +41,7 @@ struct Annotations {
 /// some view of the sheet is marked in the first uncut view that sees its plane edge-on. Throws Error{input} for
 /// overall dimensions that no view shows, and for dimensions and leaders to points of the models in exploded views,
 /// where positions differ from `world`.
-std::vector<Annotations> annotate(const scene::World& world, const scene::SceneDescription& scene,
+std::vector<Annotations> annotate(const world::World& world, const scene::SceneDescription& scene,
                                   const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
                                   const SectionSurfaces& sections);
 
@@ -49,7 +49,7 @@ std::vector<Annotations> annotate(const scene::World& world, const scene::SceneD
 bool dimensions_features(const scene::SceneDescription& scene);
 
 /// How dimensions of a sheet are written.
-sheet::Notation notation_of(const scene::World& world, const scene::SheetDescription& sheet);
+sheet::Notation notation_of(const world::World& world, const scene::SheetDescription& sheet);
 
 /// Throws Error{input} for dimensions, leaders and balloons in views that do not exist, and for lists and notes on such
 /// sheets.

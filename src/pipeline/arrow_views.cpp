@@ -51,7 +51,7 @@ std::optional<std::size_t> parent_of(const SheetOfViews& sheet, std::size_t view
   return of.given() ? find_view(sheet, *of) : std::nullopt;
 }
 
-void orient_arrow_views(SheetOfViews& sheet, const std::function<const scene::World&(std::size_t)>& world) {
+void orient_arrow_views(SheetOfViews& sheet, const std::function<const world::World&(std::size_t)>& world) {
   for (std::size_t i = 0; i < sheet.plans.size(); ++i) {
     // A detail has the projection of the view that it enlarges.
     const auto& detail = sheet.plans[i].options.detail;

@@ -12,7 +12,7 @@ namespace epura::pipeline {
 
 /// Turns each view with a parent such that lines perpendicular to its direction of sight are parallel in both views.
 /// Throws Error{input} if the parent does not show that direction in true length, and if it is on another sheet.
-void orient_arrow_views(SheetOfViews& sheet, const std::function<const scene::World&(std::size_t)>& world);
+void orient_arrow_views(SheetOfViews& sheet, const std::function<const world::World&(std::size_t)>& world);
 
 /// The number of a view's parent on the sheet; nothing if it has none there.
 std::optional<std::size_t> parent_of(const SheetOfViews& sheet, std::size_t view);

@@ -35,7 +35,7 @@ std::string name_of(int axis) { return std::string(1, "xyz"[axis]); }
 /// A view as a map of the world to its plane.
 struct Plane {
   const view::ProjectedScene& seen;
-  const scene::World& world;
+  const world::World& world;
   Mat4 map = view::world_to_page(seen, view::make_paper_map(seen, 1, Vec2(0)));
   projection::Window drawn = view::drawn_box(seen);
 
@@ -80,7 +80,7 @@ void add_strip(Breaks& breaks, const Plane& plane, const scene::BreakChoice::Par
 }
 
 // Stretches along an axis of the world in which all faces are parallel to it: their section is constant.
-std::vector<std::array<double, 2>> constant_stretches(const scene::World& world, int axis) {
+std::vector<std::array<double, 2>> constant_stretches(const world::World& world, int axis) {
   std::vector<std::array<double, 2>> events;
   for (const auto& triangle : world.triangles) {
     const Vec3 &a = world.points[triangle[0]], &b = world.points[triangle[1]], &c = world.points[triangle[2]];
@@ -142,7 +142,7 @@ void put_in_order(std::vector<LeftOut>& strips) {
   strips = std::move(joined);
 }
 
-Vec3 point_of(const scene::Anchor& anchor, const scene::World& world) {
+Vec3 point_of(const scene::Anchor& anchor, const world::World& world) {
   const auto* vertex = std::get_if<std::array<int, 2>>(&anchor);
   if (vertex == nullptr) return std::get<Vec3>(anchor);
   return world.points[static_cast<std::size_t>(world.first_vertex[(*vertex)[0]] + (*vertex)[1])];
@@ -186,18 +186,18 @@ Breaks breaks_of(const scene::ViewDescription& view, const Plane& plane) {
 
 }  // namespace
 
-Breaks find_breaks(const scene::ViewDescription& view, const view::ProjectedScene& seen, const scene::World& world) {
+Breaks find_breaks(const scene::ViewDescription& view, const view::ProjectedScene& seen, const world::World& world) {
   if (view.detail.given() || !(view.breaks.given() || view.half.given())) return {};
   return breaks_of(view, Plane{seen, world});
 }
 
 void find_breaks(SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
-                 const std::function<const scene::World&(std::size_t)>& world) {
+                 const std::function<const world::World&(std::size_t)>& world) {
   for (std::size_t i = 0; i < seen.size(); ++i)
     sheet.plans[i].options.breaks = find_breaks(sheet.descriptions[i], seen[i], world(i));
 }
 
-bool is_left_out(const scene::DimensionDescription& dimension, const scene::World& world, const Breaks& breaks,
+bool is_left_out(const scene::DimensionDescription& dimension, const world::World& world, const Breaks& breaks,
                  const view::ProjectedScene& seen) {
   if (!breaks.any()) return false;
   const Plane plane{seen, world};

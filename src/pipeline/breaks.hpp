@@ -8,8 +8,8 @@
 #include "drawing/breaks.hpp"
 #include "pipeline/view_plan.hpp"
 #include "scene/description.hpp"
-#include "scene/scene.hpp"
 #include "view/projected_scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::pipeline {
 
@@ -21,14 +21,14 @@ inline constexpr double break_gap = 6;
 /// much as that width remains. Details are never broken. Throws Error{input} for pictorial views, for places on axes
 /// that the view does not show horizontally or vertically, and for breaks that leave nothing out, or everything.
 drawing::Breaks find_breaks(const scene::ViewDescription& view, const view::ProjectedScene& seen,
-                            const scene::World& world);
+                            const world::World& world);
 
 /// Finds what all views of a sheet leave out.
 void find_breaks(SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
-                 const std::function<const scene::World&(std::size_t)>& world);
+                 const std::function<const world::World&(std::size_t)>& world);
 
 /// Whether an automatic dimension measures to a point that the view leaves out.
-bool is_left_out(const scene::DimensionDescription& dimension, const scene::World& world, const drawing::Breaks& breaks,
+bool is_left_out(const scene::DimensionDescription& dimension, const world::World& world, const drawing::Breaks& breaks,
                  const view::ProjectedScene& seen);
 
 }  // namespace epura::pipeline

@@ -27,7 +27,7 @@ double area_of(const std::vector<Vec2>& ring) {
 
 }  // namespace
 
-std::vector<BrokenOutSection> cut_broken_outs(const scene::World& world, const scene::SceneDescription& scene,
+std::vector<BrokenOutSection> cut_broken_outs(const world::World& world, const scene::SceneDescription& scene,
                                               const scene::ViewDescription& view,
                                               const projection::Projection& projection, const Messages& messages) {
   std::string name = *view.name;
@@ -42,7 +42,7 @@ std::vector<BrokenOutSection> cut_broken_outs(const scene::World& world, const s
     plane.name = {"'" + name + "' (broken out)", one.point.where};
     plane.point = *one.point;
     plane.normal = projection.n;
-    sections.push_back({one, cut_section(world, scene::make_cutting_surface(plane), messages)});
+    sections.push_back({one, cut_section(world, cut::make_cutting_surface(plane), messages)});
   }
   return sections;
 }
@@ -68,7 +68,7 @@ drawing::ClosedLine line_on_page(const scene::BrokenOutDescription& description,
   return line;
 }
 
-std::vector<drawing::PaperTriangle> removed_on_paper(const scene::World& world, const CutSection& section,
+std::vector<drawing::PaperTriangle> removed_on_paper(const world::World& world, const CutSection& section,
                                                      const Mat4& world_to_page) {
   return drawing::before_cuts_on_paper(world, {edges::all_triangles(world).triangles}, section.surface, world_to_page);
 }

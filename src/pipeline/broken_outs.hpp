@@ -18,7 +18,7 @@ struct BrokenOutSection {
 
 /// The broken-out sections of a view, or of the view that it enlarges. Throws Error{input} for perspectives, and for
 /// planes that cut nothing; and OutOfTime.
-std::vector<BrokenOutSection> cut_broken_outs(const scene::World& world, const scene::SceneDescription& scene,
+std::vector<BrokenOutSection> cut_broken_outs(const world::World& world, const scene::SceneDescription& scene,
                                               const scene::ViewDescription& view,
                                               const projection::Projection& projection, const Messages& messages);
 
@@ -27,7 +27,7 @@ std::vector<BrokenOutSection> cut_broken_outs(const scene::World& world, const s
 drawing::ClosedLine line_on_page(const scene::BrokenOutDescription& description, const drawing::ViewDrawing& drawing);
 
 /// What a broken-out section removes, on paper.
-std::vector<drawing::PaperTriangle> removed_on_paper(const scene::World& world, const CutSection& section,
+std::vector<drawing::PaperTriangle> removed_on_paper(const world::World& world, const CutSection& section,
                                                      const Mat4& world_to_page);
 
 }  // namespace epura::pipeline

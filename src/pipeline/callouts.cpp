@@ -55,7 +55,7 @@ std::optional<Vec2> line_at(const drawing::ViewDrawing& drawing, const Vec2& p) 
 }
 
 // The depth of the nearest face at each point; nothing where there is none.
-std::vector<std::optional<double>> depths_at(const std::vector<PagePoint>& points, const scene::World& world,
+std::vector<std::optional<double>> depths_at(const std::vector<PagePoint>& points, const world::World& world,
                                              const Mat4& to_page) {
   std::vector<std::optional<double>> depths(points.size());
   for (const auto& triangle : world.triangles) {
@@ -82,7 +82,7 @@ std::vector<std::optional<double>> depths_at(const std::vector<PagePoint>& point
 
 // Depth in a parallel view by which a face must be nearer to hide a point: points on round faces are chosen on
 // the part, not on its facets.
-double slack_of(const scene::World& world, const drawing::ViewDrawing& drawing) {
+double slack_of(const world::World& world, const drawing::ViewDrawing& drawing) {
   const Mat4& map = drawing.world_to_page;
   return 0.01 * glm::length(world.box.size()) * glm::length(Vec3(map[0].z, map[1].z, map[2].z));
 }
@@ -152,7 +152,7 @@ scene::LeaderEnd end_of(const scene::CalloutDescription& callout, bool on_a_line
 
 std::string name_of(const scene::CalloutDescription& callout) { return std::visit(NameOf(), callout.content); }
 
-CalloutTargets find_targets(const scene::World& world, const drawing::ViewDrawing& drawing,
+CalloutTargets find_targets(const world::World& world, const drawing::ViewDrawing& drawing,
                             std::span<const ViewCallout> callouts) {
   CalloutTargets found;
   if (callouts.empty()) return found;

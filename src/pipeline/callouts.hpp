@@ -9,8 +9,8 @@
 
 #include "drawing/drawing.hpp"
 #include "scene/description.hpp"
-#include "scene/scene.hpp"
 #include "sheet/callouts.hpp"
+#include "world/world.hpp"
 
 namespace epura::pipeline {
 
@@ -31,7 +31,7 @@ struct CalloutTargets {
 /// Where the leaders of a view end; by default with an arrow on a line and with a dot on a face. `world` is what the
 /// view shows. Throws Error{input} for points that the view does not show: outside of its bodies and lines, left out,
 /// or behind the viewer; and for datums that are not on a line.
-CalloutTargets find_targets(const scene::World& world, const drawing::ViewDrawing& drawing,
+CalloutTargets find_targets(const world::World& world, const drawing::ViewDrawing& drawing,
                             std::span<const ViewCallout> callouts);
 
 /// The name of the view in which a callout with a leader or at a dimension stands.

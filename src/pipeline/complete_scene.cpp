@@ -5,18 +5,18 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "cut/revolved.hpp"
 #include "importer/read_model.hpp"
 #include "pipeline/annotations.hpp"
 #include "pipeline/choose.hpp"
 #include "scene/arrow_views.hpp"
 #include "scene/broken_outs.hpp"
 #include "scene/details.hpp"
-#include "scene/exploded_world.hpp"
-#include "scene/revolved.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/view_names.hpp"
 #include "sheet/form.hpp"
 #include "sheet/paper.hpp"
+#include "world/exploded_world.hpp"
 
 namespace epura::pipeline {
 
@@ -106,9 +106,9 @@ void complete_scene(scene::SceneDescription& scene) {
   scene::name_views(scene.views);
   scene::complete_details(scene);
   scene::complete_broken_outs(scene);
-  scene::complete_revolved(scene);
+  cut::complete_revolved(scene);
   scene::complete_letters(scene);
-  scene::expect_sound_moves(scene);
+  world::expect_sound_moves(scene);
   int sheets = 1;
   for (const scene::ViewDescription& view : scene.views) sheets = std::max(sheets, view.sheet.value_or(1));
   if (scene.sheets.empty()) scene.sheets.resize(static_cast<std::size_t>(sheets));

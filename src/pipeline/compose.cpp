@@ -264,7 +264,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
     append(finished.sheet.layers, budget.or_nothing([&](const Progress& progress) {
       std::vector<sheet::Layer> centre =
           centre_layers(results[i], input.views.plans[i].options, widths, lines, progress);
-      for (const scene::CuttingSurface& plane : input.annotations[i].planes)
+      for (const cut::CuttingSurface& plane : input.annotations[i].planes)
         if (const auto marks = sheet::cutting_plane_line(results[i].drawing, plane, widths))
           for (sheet::Layer& layer : centre) sheet::give_way(layer, *marks, widths);
       return centre;

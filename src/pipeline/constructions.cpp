@@ -70,7 +70,7 @@ std::string name_of(ConstructionFamily family) {
   }
 }
 
-const mesh::Mesh& model_of(const scene::World& world, const Request& request) {
+const mesh::Mesh& model_of(const world::World& world, const Request& request) {
   const int models = static_cast<int>(world.models.size());
   if (request.item.model >= models)
     construction::refuse(
@@ -79,11 +79,11 @@ const mesh::Mesh& model_of(const scene::World& world, const Request& request) {
   return world.models[static_cast<std::size_t>(request.item.model)].mesh->whole();
 }
 
-Vec3 vertex_of(const scene::World& world, const Request& request, int vertex) {
+Vec3 vertex_of(const world::World& world, const Request& request, int vertex) {
   return sheet::position_of(world, std::array<int, 2>{request.item.model, vertex}, request.where);
 }
 
-void add_edge(Request& request, const scene::World& world) {
+void add_edge(Request& request, const world::World& world) {
   const mesh::Mesh& mesh = model_of(world, request);
   for (const int vertex : request.item.numbers) request.elements.push_back(vertex_of(world, request, vertex));
   const mesh::MeshEdge* edge = mesh.edge_between(request.item.numbers);
@@ -115,7 +115,7 @@ std::vector<int> ring_of(const mesh::Mesh& mesh, int face) {
   return ring;
 }
 
-void add_face(Request& request, const scene::World& world) {
+void add_face(Request& request, const world::World& world) {
   constexpr double flat = 1e-6;  // part of the model's size
   const mesh::Mesh& mesh = model_of(world, request);
   const std::vector<int> ring = ring_of(mesh, request.item.numbers[0]);
@@ -134,7 +134,7 @@ void add_face(Request& request, const scene::World& world) {
 }
 
 // Three points of a plane, as far apart as the models are large.
-void add_plane(Request& request, const scene::World& world) {
+void add_plane(Request& request, const world::World& world) {
   const Vec3 n = glm::normalize(*request.item.direction);
   const Vec3 least(std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? Vec3(1, 0, 0)
                    : std::abs(n.y) <= std::abs(n.z)                                 ? Vec3(0, 1, 0)
@@ -144,7 +144,7 @@ void add_plane(Request& request, const scene::World& world) {
   request.elements = {*request.item.at, *request.item.at + size * u, *request.item.at + size * v};
 }
 
-Request request_of(const scene::World& world, const scene::ConstructionItem& item, const std::string& where) {
+Request request_of(const world::World& world, const scene::ConstructionItem& item, const std::string& where) {
   Request request{item, where};
   if (item.at) add_plane(request, world);
   if (!item.has_element) return request;
@@ -177,7 +177,7 @@ Request optional_request(const scene::ConstructionRow& row, const std::string& w
 }
 
 // Those that suit the part of the view, "all" as its members.
-std::vector<Request> requests_of(const scene::World& world, const scene::ViewDescription& view, Part part) {
+std::vector<Request> requests_of(const world::World& world, const scene::ViewDescription& view, Part part) {
   std::vector<Request> requests;
   for (const scene::ConstructionItem& item : view.construction.value_or({})) {
     if (item.kind == ConstructionKind::all) {
@@ -214,12 +214,12 @@ EdgeNames visible_edges(const drawing::ViewDrawing& drawing) {
   return names;
 }
 
-const Vec3& point_of(const scene::World& world, int model, int vertex) {
+const Vec3& point_of(const world::World& world, int model, int vertex) {
   return world.points[static_cast<std::size_t>(world.first_vertex[static_cast<std::size_t>(model)] + vertex)];
 }
 
 // Whether the triangles at an edge meet in an angle, or it is the border of a surface or a line.
-bool is_sharp(const scene::World& world, std::size_t model, const mesh::MeshEdge& edge) {
+bool is_sharp(const world::World& world, std::size_t model, const mesh::MeshEdge& edge) {
   constexpr double flattest = 0.8660254037844386;  // cosine of 30 degrees
   if (edge.diagonal) return false;
   if (edge.count != 2 || edge.wire) return true;
@@ -234,7 +234,7 @@ bool is_sharp(const scene::World& world, std::size_t model, const mesh::MeshEdge
 }
 
 // Where three sharp edges meet, or two at an angle: the corners of flat faces, not the vertices of round edges.
-std::vector<Vec3> corners_of(const scene::World& world) {
+std::vector<Vec3> corners_of(const world::World& world) {
   constexpr double least_turn = 0.7;  // sine of 45 degrees
   std::vector<Vec3> corners;
   for (std::size_t model = 0; model < world.models.size(); ++model) {
@@ -255,7 +255,7 @@ std::vector<Vec3> corners_of(const scene::World& world) {
 }
 
 // The faces only if an intersection needs them.
-construction::EpuraModels models_of(const scene::World& world, std::span<const Request> requests) {
+construction::EpuraModels models_of(const world::World& world, std::span<const Request> requests) {
   construction::EpuraModels models{corners_of(world), {}};
   const auto cuts = [](const Request& request) {
     return request.item.kind == ConstructionKind::piercing || request.item.kind == ConstructionKind::section;
@@ -339,7 +339,7 @@ void expect_constructions(const SheetOfViews& views, std::span<const view::Proje
   }
 }
 
-construction::Figure figure_of_view(const scene::World& world, const scene::ViewDescription& view,
+construction::Figure figure_of_view(const world::World& world, const scene::ViewDescription& view,
                                     const construction::PicturePlane& plane, double factor,
                                     const construction::Surroundings& around) {
   const std::vector<Request> requests = requests_of(world, view, plane.central ? Part::central : Part::parallel);
@@ -351,7 +351,7 @@ construction::Figure figure_of_view(const scene::World& world, const scene::View
   return figure;
 }
 
-construction::Figure figure_in_plane(const scene::World& world, const scene::ViewDescription& view,
+construction::Figure figure_in_plane(const world::World& world, const scene::ViewDescription& view,
                                      const view::ProjectedScene& seen) {
   const view::PaperMap map = view::make_paper_map(seen, 1, {0, 0});
   const auto plane = construction::picture_plane(seen.projection, view::world_to_page(seen, map), 1);
@@ -363,7 +363,7 @@ construction::Figure figure_in_plane(const scene::World& world, const scene::Vie
   return figure_of_view(world, view, plane, seen.projection.scale, around);
 }
 
-construction::Figure figure_on_paper(const scene::World& world, const scene::ViewDescription& view,
+construction::Figure figure_on_paper(const world::World& world, const scene::ViewDescription& view,
                                      const drawing::ViewDrawing& drawing) {
   const auto plane = construction::picture_plane(drawing.projection, drawing.world_to_page, drawing.scale);
   construction::Surroundings around{world.box, reach_of(plane, drawing), {}};
@@ -373,7 +373,7 @@ construction::Figure figure_on_paper(const scene::World& world, const scene::Vie
   return figure_of_view(world, view, plane, drawing.projection.scale, around);
 }
 
-std::array<projection::Window, 2> epura_boxes(const scene::World& world, const SheetOfViews& views,
+std::array<projection::Window, 2> epura_boxes(const world::World& world, const SheetOfViews& views,
                                               std::span<const view::ProjectedScene> seen) {
   constexpr double usual_size = 150, apart = 20;  // mm on paper
   const std::array<std::size_t, 2> places{views.epura->elevation, views.epura->plan};
@@ -410,7 +410,7 @@ std::array<projection::Window, 2> epura_boxes(const scene::World& world, const S
 }
 
 // Without other requests, all corners are named, if there are not too many.
-construction::Figure figure_of_epura(const scene::World& world, std::span<const scene::ViewDescription* const> views,
+construction::Figure figure_of_epura(const world::World& world, std::span<const scene::ViewDescription* const> views,
                                      const construction::Epura& epura) {
   std::vector<Request> requests;
   bool legend = false;

@@ -26,24 +26,24 @@ std::optional<EpuraViews> epura_views(const scene::SheetDescription& sheet, cons
 void expect_constructions(const SheetOfViews& views, std::span<const view::ProjectedScene> seen);
 
 /// The figure of a view on its own, of what fits its projection; `scale` as of drawing::ViewDrawing.
-construction::Figure figure_of_view(const scene::World& world, const scene::ViewDescription& view,
+construction::Figure figure_of_view(const world::World& world, const scene::ViewDescription& view,
                                     const construction::PicturePlane& plane, double factor,
                                     const construction::Surroundings& around);
 
 /// The same in the plane of the view, in units of the world, from the origin of view::drawn_box.
-construction::Figure figure_in_plane(const scene::World& world, const scene::ViewDescription& view,
+construction::Figure figure_in_plane(const world::World& world, const scene::ViewDescription& view,
                                      const view::ProjectedScene& seen);
 
 /// The same on paper.
-construction::Figure figure_on_paper(const scene::World& world, const scene::ViewDescription& view,
+construction::Figure figure_on_paper(const world::World& world, const scene::ViewDescription& view,
                                      const drawing::ViewDrawing& drawing);
 
 /// The boxes of elevation and plan with their constructions, as view::drawn_box.
-std::array<projection::Window, 2> epura_boxes(const scene::World& world, const SheetOfViews& views,
+std::array<projection::Window, 2> epura_boxes(const world::World& world, const SheetOfViews& views,
                                               std::span<const view::ProjectedScene> seen);
 
 /// The figure of an épura whose ground line ends at `ends`.
-construction::Figure figure_of_epura(const scene::World& world, std::span<const scene::ViewDescription* const> views,
+construction::Figure figure_of_epura(const world::World& world, std::span<const scene::ViewDescription* const> views,
                                      const construction::Epura& epura);
 
 }  // namespace epura::pipeline

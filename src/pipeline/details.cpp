@@ -60,7 +60,7 @@ sheet::Rectangle boundary_box(const scene::DetailDescription& detail, const view
 }
 
 projection::Window box_to_place(const ViewOptions& options, const view::ProjectedScene& view,
-                                const scene::World& world) {
+                                const world::World& world) {
   const projection::Window drawn = view::drawn_box(view);
   if (!options.detail) return drawn;
   const scene::DetailDescription& detail = *options.detail;

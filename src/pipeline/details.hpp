@@ -20,7 +20,7 @@ sheet::Rectangle boundary_box(const scene::DetailDescription& detail, const view
 /// The drawn box of a view in its plane; of a detail, the box of its boundary. Units and origin are those of
 /// view::drawn_box. Throws Error{input} for details of perspectives, and for those outside what the view shows.
 projection::Window box_to_place(const ViewOptions& options, const view::ProjectedScene& view,
-                                const scene::World& world);
+                                const world::World& world);
 
 /// Warns of details that are not larger than in the view that they enlarge.
 void warn_about_details(const Messages& messages, const SheetOfViews& views, const SheetPlan& plan);

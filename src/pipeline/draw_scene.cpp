@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "design/place_threads.hpp"
 #include "drawing/cut_faces.hpp"
 #include "mesh/read.hpp"
 #include "pipeline/annotations.hpp"
@@ -31,7 +32,6 @@
 #include "pipeline/tell.hpp"
 #include "pipeline/view_error.hpp"
 #include "pipeline/view_plan.hpp"
-#include "scene/place_threads.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/line_styles.hpp"
 #include "sheet/standard_scale.hpp"
@@ -50,7 +50,7 @@ void add_all(std::vector<Item>& list, const std::vector<Item>& more) {
 // Between the lines of crests and roots, mm; also at least two wide lines. ISO 6410-1.
 constexpr double least_thread = 0.7;
 
-using WorldOfView = std::function<const scene::World&(std::size_t)>;
+using WorldOfView = std::function<const world::World&(std::size_t)>;
 
 /// What the sheets of a run add to its result.
 struct Gathered {
@@ -70,16 +70,16 @@ struct Run {
   Stopwatch& watch;
   Gathered gathered;
   bool refers_to_models = false;  ///< for free forms
-  std::map<const scene::World*, std::optional<KnownIntersections>> intersections{};
+  std::map<const world::World*, std::optional<KnownIntersections>> intersections{};
 
   double fineness = 1;  ///< of imported surfaces, as a multiple of what --max-error usually needs
-  std::optional<scene::FacetHeights> heights{};
+  std::optional<world::FacetHeights> heights{};
 
   void note(const ViewResult& result);
   void note(const FinishedSheet& sheet);
   void judge(const ViewResult& result);
   [[nodiscard]] bool may_be_finer() const;
-  void find_heights(const scene::World& world);
+  void find_heights(const world::World& world);
   std::vector<std::vector<sheet::BalloonTarget>> balloons_of(
       const SheetOfViews& views, const std::vector<std::vector<std::optional<SeenPoint>>>& seen) const;
   ViewTime time_of_next_view();
@@ -111,12 +111,12 @@ class HeldMessages {
   std::vector<std::pair<bool, std::string>> held_;
 };
 
-void Run::find_heights(const scene::World& world) {
+void Run::find_heights(const world::World& world) {
   if (!options.judges && !options.max_error && !options.error_note) return;
   constexpr double part = 0.1;  // of the time left
   progress.begin("judging facets");
   try {
-    heights = scene::facet_heights(world, progress.with_part_of_the_time(part));
+    heights = world::facet_heights(world, progress.with_part_of_the_time(part));
   } catch (const OutOfTime& cut) {
     gathered.report.partial.add_stage(cut.stage);
   }
@@ -282,10 +282,10 @@ std::vector<std::vector<sheet::BalloonTarget>> Run::balloons_of(
 }
 
 // Of the parts list, if it is on this sheet.
-std::vector<scene::Item> items_of(const scene::World& world, const scene::SceneDescription& scene,
+std::vector<world::Item> items_of(const world::World& world, const scene::SceneDescription& scene,
                                   const SheetOfViews& views) {
   const bool has_list = scene.parts_list && scene.parts_list->sheet.value_or(1) == views.sheet + 1;
-  return has_list ? scene::find_items(world, scene.models) : std::vector<scene::Item>();
+  return has_list ? world::find_items(world, scene.models) : std::vector<world::Item>();
 }
 
 // However small the scale, the two lines of a thread are apart on paper.
@@ -295,10 +295,10 @@ void set_least_threads(SheetOfViews& views, const SheetPlan& plan) {
 }
 
 FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
-  const scene::World& whole = worlds.main();
+  const world::World& whole = worlds.main();
   const auto shown = [&](std::size_t view) -> const ShownWorld& { return worlds.of(views.descriptions[view]); };
   const auto section = [&](std::size_t view) { return section_of(shown(view).sections, views.descriptions[view]); };
-  const auto world = [&](std::size_t view) -> const scene::World& {
+  const auto world = [&](std::size_t view) -> const world::World& {
     return section(view) == nullptr ? shown(view).world : section(view)->cut.world;
   };
   orient_arrow_views(views, world);
@@ -402,11 +402,11 @@ FinishedSheet Run::draw_sheet_with_room(const ShownWorlds& worlds, SheetOfViews 
   return std::move(best);
 }
 
-void place_threads(scene::World& world, const scene::SceneDescription& scene) {
+void place_threads(world::World& world, const scene::SceneDescription& scene) {
   std::vector<Vec3> positions;
   for (const scene::ThreadDescription& thread : scene.threads)
     positions.push_back(sheet::position_of(world, *thread.at, thread.at.where));
-  scene::place_threads(world, scene.threads, positions);
+  design::place_threads(world, scene.threads, positions);
 }
 
 // Whether a sheet has more than pictures: these show helical threads as they are.
@@ -416,7 +416,7 @@ bool shows_parts(const SheetOfViews& views) {
 }
 
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
-  scene::World world =
+  world::World world =
       read_models(scene, reading_of(scene, options, fineness), gathered.report.meshes, messages, progress);
   watch.lap("read");
   recognise_parts(world, scene, options, gathered.report, progress);

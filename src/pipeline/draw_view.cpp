@@ -42,7 +42,7 @@ std::string why_not_clipped(const view::ProjectedScene& view) {
   return "everything lies inside the view volume";
 }
 
-report::PlanStep clip_step(const scene::World& world, const view::ProjectedScene& view, const ViewOptions& options) {
+report::PlanStep clip_step(const world::World& world, const view::ProjectedScene& view, const ViewOptions& options) {
   const bool cuts = !view.triangle_planes.empty();
   const bool run = cuts || (!options.leave_out.clip && !view.idle_planes.empty());
   return {"clip",
@@ -67,7 +67,7 @@ constexpr double part_for_candidates = 0.25;
 // Fraction of the time for lines; the rest is for drawing them.
 constexpr double part_for_hiding = 0.7;
 
-std::string why_searched(const scene::World& world, const ViewOptions& options, std::size_t candidates) {
+std::string why_searched(const world::World& world, const ViewOptions& options, std::size_t candidates) {
   const std::string all = std::to_string(world.triangles.size());
   if (!options.edges.intersection) return "not wanted";
   if (candidates == 0) return "all bodies are convex, and their boxes stand apart";
@@ -102,7 +102,7 @@ drawing::NearLines near_lines(const ViewOptions& options) {
 }
 
 // Under --max-error, neither the tolerance nor the rise over a chord takes more than its part.
-drawing::CurveReport curves_of(const ViewOptions& options, const scene::World& world, drawing::ViewDrawing& drawing,
+drawing::CurveReport curves_of(const ViewOptions& options, const world::World& world, drawing::ViewDrawing& drawing,
                                const Progress& progress) {
   const drawing::KnownCircles known = drawing::known_circles(world, drawing);
   double tolerance = *options.arcs, most_rise = HUGE_VAL;
@@ -156,8 +156,8 @@ class ViewRun {
     add_revolved(lines.drawing, options_.revolved);
     if (error) (*error)[report::ErrorTerm::curves] = lines.curves.deviation + lines.curves.bulge;
     auto features = budget_.or_nothing([&](const Progress& progress) {
-      return options_.centre_lines ? scene::find_centred_features(input_.world, options_.edges.crease_angle, progress)
-                                   : scene::CentredFeatures();
+      return options_.centre_lines ? design::find_centred_features(input_.world, options_.edges.crease_angle, progress)
+                                   : design::CentredFeatures();
     });
     return {{std::move(view_), std::move(drawn_), std::move(hidden_), paper},
             std::move(lines.drawing),
@@ -210,7 +210,7 @@ class ViewRun {
 };
 
 Candidates ViewRun::find_candidates(bool may_leave_out, const Progress& progress) const {
-  const scene::World& world = input_.world;
+  const world::World& world = input_.world;
   Candidates candidates{{}, {"intersections", false, "", count_of(world.triangles.size()), 0}};
   if (options_.edges.intersection)
     candidates.crossing = !may_leave_out ? edges::all_triangles(world) : timed(candidates.step.times.certificate, [&] {
@@ -399,7 +399,7 @@ std::optional<report::ViewError> ViewRun::judged(const DrawnLines& lines, const 
 
 // The view of the cut models, in the same place. It has no lines if there is no time for them.
 ViewResult ViewRun::cut_view(const BrokenOutSection& one) {
-  const scene::World& world = one.section.cut.world;
+  const world::World& world = one.section.cut.world;
   ViewOptions options = options_;
   options.detail.reset();
   options.breaks = {};
@@ -463,7 +463,7 @@ double ViewRun::break_view(DrawnLines& lines) {
 std::vector<std::array<Vec2, 2>> ViewRun::traces(const view::PaperMap& paper, const Progress& progress) {
   edges::FeatureEdges lines;
   lines.crossings = {{{}, {-1, -1}, 0}};
-  for (const scene::Trace& trace : input_.traces) {
+  for (const world::Trace& trace : input_.traces) {
     const int from = view::add_point(view_, trace[0]), to = view::add_point(view_, trace[1]);
     if (const auto clipped = view::clip_edge(view_, from, to))
       lines.edges.push_back({clipped->vertex, clipped->t, EdgeKind::wire, 0, -1, 0});

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "design/centred_features.hpp"
 #include "drawing/arcs.hpp"
 #include "drawing/breaks.hpp"
 #include "drawing/drawing.hpp"
@@ -20,15 +21,14 @@
 #include "pipeline/sections.hpp"
 #include "pipeline/shortcuts.hpp"
 #include "report/report.hpp"
-#include "scene/centred_features.hpp"
 #include "scene/description.hpp"
-#include "scene/exploded_world.hpp"
-#include "scene/facet_heights.hpp"
-#include "scene/scene.hpp"
 #include "sheet/view_lines.hpp"
 #include "view/paper_map.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/visibility.hpp"
+#include "world/exploded_world.hpp"
+#include "world/facet_heights.hpp"
+#include "world/world.hpp"
 
 namespace epura::pipeline {
 
@@ -37,10 +37,10 @@ struct ViewOptions {
   std::string name;
   view::ViewLimits limits;
   edges::EdgeOptions edges;
-  bool wireframe = false;                         ///< nothing is hidden
-  bool exploded = false;                          ///< bodies are not where dimensions find them
-  std::optional<scene::CuttingSurface> turned{};  ///< of an aligned section, whose parts are elsewhere, too
-  std::optional<double> max_error;                ///< mm; chords are drawn as arcs only if they rise less
+  bool wireframe = false;                       ///< nothing is hidden
+  bool exploded = false;                        ///< bodies are not where dimensions find them
+  std::optional<cut::CuttingSurface> turned{};  ///< of an aligned section, whose parts are elsewhere, too
+  std::optional<double> max_error;              ///< mm; chords are drawn as arcs only if they rise less
   sheet::BodyStyles styles;
   std::optional<int> verify;   ///< number of random points
   std::optional<double> arcs;  ///< tolerance in mm for recognising circles and ellipses
@@ -71,9 +71,9 @@ struct ViewResult {
   std::vector<report::PlanStep> plan;  ///< stages that were run, and omitted
   report::Partial partial;             ///< omitted for lack of time
   std::optional<report::Verification> verification;
-  std::optional<scene::CuttingSurface> section;  ///< shown by the view
+  std::optional<cut::CuttingSurface> section;  ///< shown by the view
   drawing::CurveReport curves{};
-  scene::CentredFeatures features{};         ///< for centre lines, if requested
+  design::CentredFeatures features{};        ///< for centre lines, if requested
   std::optional<report::ViewError> error{};  ///< if its input has heights of facets
   double unsymmetric = 0;                    ///< mm of lines that a half view leaves out and does not show mirrored
 };
@@ -110,14 +110,14 @@ struct KnownIntersections {
 };
 
 struct ViewInput {
-  const scene::World& world;  ///< the cut one if the view shows a section
+  const world::World& world;  ///< the cut one if the view shows a section
   const CutSection* section;  ///< null if it shows the whole
   const ViewOptions& options;
   PlaceOnPage place;
-  std::span<const scene::Trace> traces{};  ///< of moved bodies
+  std::span<const world::Trace> traces{};  ///< of moved bodies
   std::span<const BrokenOutSection> broken_out{};
   std::optional<KnownIntersections>* known = nullptr;  ///< of the world; null if no other view shows it
-  const scene::FacetHeights* heights = nullptr;        ///< of the uncut world; null if the view is not judged
+  const world::FacetHeights* heights = nullptr;        ///< of the uncut world; null if the view is not judged
 };
 
 /// Throws OutOfTime if time is over before there is a line to show; otherwise omissions are noted in the result.

@@ -9,9 +9,9 @@
 
 #include "base/text.hpp"
 #include "pipeline/annotations.hpp"
-#include "scene/placed_part.hpp"
 #include "sheet/captions.hpp"
 #include "sheet/dimensions/anchors.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::pipeline {
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double all = 0.999;  // of the area of a model
 
-bool has_free_forms(const scene::Placed& placed) {
+bool has_free_forms(const world::Placed& placed) {
   return placed.part != nullptr && placed.part->recognised > 0 && placed.part->recognised < all;
 }
 
@@ -47,9 +47,9 @@ bool is_on(const std::array<Vec3, 3>& corners, const Vec3& point, double slack) 
 /// The faces of free form of one model.
 class FreeForms {
  public:
-  FreeForms(const scene::World& world, int model) : world_(world), model_(model) {
-    const scene::Placed& placed = world.models[static_cast<std::size_t>(model)];
-    face_of_triangle_ = scene::faces_of_triangles(placed);
+  FreeForms(const world::World& world, int model) : world_(world), model_(model) {
+    const world::Placed& placed = world.models[static_cast<std::size_t>(model)];
+    face_of_triangle_ = world::faces_of_triangles(placed);
     for (const features::PartFace& face : placed.part->faces)
       open_.push_back(face.surface.kind == features::SurfaceKind::free_form);
   }
@@ -81,7 +81,7 @@ class FreeForms {
   }
 
  private:
-  const scene::World& world_;
+  const world::World& world_;
   int model_;
   std::vector<int> face_of_triangle_;
   std::vector<bool> open_;  ///< by face
@@ -106,7 +106,7 @@ std::string language_of(const scene::SheetDescription& sheet) {
 }
 
 // The share of the area of a model on free forms that no tolerance refers to.
-double open_share(const scene::SceneDescription& scene, const scene::World& world, std::size_t model) {
+double open_share(const scene::SceneDescription& scene, const world::World& world, std::size_t model) {
   FreeForms forms(world, static_cast<int>(model));
   for (const scene::CalloutDescription& callout : scene.callouts) {
     if (!is_surface_profile(callout)) continue;
@@ -120,7 +120,7 @@ double open_share(const scene::SceneDescription& scene, const scene::World& worl
 
 }  // namespace
 
-bool refer_to_models(scene::SceneDescription& scene, const scene::World& world) {
+bool refer_to_models(scene::SceneDescription& scene, const world::World& world) {
   if (!dimensions_features(scene)) return false;
   std::vector<std::size_t> models;
   for (std::size_t model = 0; model < world.models.size(); ++model)
@@ -133,7 +133,7 @@ bool refer_to_models(scene::SceneDescription& scene, const scene::World& world) 
   return true;
 }
 
-std::vector<std::string> free_forms_without_tolerance(const scene::SceneDescription& scene, const scene::World& world) {
+std::vector<std::string> free_forms_without_tolerance(const scene::SceneDescription& scene, const world::World& world) {
   std::vector<std::string> sentences;
   for (std::size_t model = 0; model < world.models.size(); ++model) {
     if (!has_free_forms(world.models[model])) continue;

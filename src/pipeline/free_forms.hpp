@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "scene/description.hpp"
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::pipeline {
 
 /// Adds a general note to the first sheet which says that free forms are those of the model, where features are to be
 /// dimensioned and nothing else tells it. Returns whether there is one.
-bool refer_to_models(scene::SceneDescription& scene, const scene::World& world);
+bool refer_to_models(scene::SceneDescription& scene, const world::World& world);
 
 /// A sentence for each model with free forms that no profile tolerance of a surface (ISO 1101) refers to: one with a
 /// leader is for its face, one without for all.
-std::vector<std::string> free_forms_without_tolerance(const scene::SceneDescription& scene, const scene::World& world);
+std::vector<std::string> free_forms_without_tolerance(const scene::SceneDescription& scene, const world::World& world);
 
 }  // namespace epura::pipeline

@@ -46,7 +46,7 @@ FrameKind frame_of(const scene::SheetDescription& sheet, std::size_t views, bool
 }
 
 // The position in the plane of a view of a point common to all views, the middle of the world.
-Vec2 common_point(const scene::World& world, const view::ProjectedScene& view) {
+Vec2 common_point(const world::World& world, const view::ProjectedScene& view) {
   const Mat4 to_plane = view::world_to_page(view, view::make_paper_map(view, 1, {0, 0}));
   const Vec4 p = to_plane * Vec4(world.box.centre(), 1);
   return Vec2(p) / p.w;
@@ -57,7 +57,7 @@ sheet::Room room_around(const Annotations& annotations, const projection::Projec
                         const sheet::LineWidths& widths) {
   sheet::Room room = sheet::dimension_room(annotations.dimensions, projection, usual_text_height);
   Vec2 marks(0, 0);
-  for (const scene::CuttingSurface& section : annotations.planes)
+  for (const cut::CuttingSurface& section : annotations.planes)
     marks = glm::max(marks, sheet::cutting_plane_room(projection, section, widths));
   for (const ViewArrow& arrow : annotations.arrows)
     marks = glm::max(marks, glm::abs(arrow.sight) * sheet::sight_arrow_room(widths));
@@ -82,7 +82,7 @@ struct Views {
 
 // The box of all ink, with the boundaries of details that the view marks and revolved sections.
 projection::Window whole_box(const ViewOptions& options, const Annotations& annotations,
-                             const view::ProjectedScene& view, const scene::World& world) {
+                             const view::ProjectedScene& view, const world::World& world) {
   projection::Window whole = box_to_place(options, view, world);
   for (const scene::DetailDescription& detail : annotations.details) {
     if (view.projection.central) continue;
@@ -135,7 +135,7 @@ void make_room_for_ground_line(sheet::ViewToPlace& view, bool is_elevation) {
   view.after.y += is_elevation ? symbols / 2 : symbols;
 }
 
-Views views_to_place(const scene::World& world, const SheetOfViews& sheet, std::span<const view::ProjectedScene> views,
+Views views_to_place(const world::World& world, const SheetOfViews& sheet, std::span<const view::ProjectedScene> views,
                      const std::vector<Annotations>& annotations, const LayoutOptions& layout) {
   Views result;
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -363,7 +363,7 @@ double dimension_text_height(const sheet::Paper& paper, std::size_t views) {
   return views > 1 && paper.width * paper.height <= a4 ? 2.5 : usual_text_height;
 }
 
-SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& scene, const SheetOfViews& sheet,
+SheetPlan plan_sheet(const world::World& world, const scene::SceneDescription& scene, const SheetOfViews& sheet,
                      std::span<const view::ProjectedScene> views, const std::vector<Annotations>& annotations) {
   LayoutOptions options = options_of(scene, sheet);
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.sheet)];

@@ -40,12 +40,12 @@ scene::PaperChoice largest_size(const scene::SheetDescription& sheet, std::size_
 double dimension_text_height(const sheet::Paper& paper, std::size_t views);
 
 /// Positions the views on a sheet, with room for their annotations. Throws Error{input} for invalid words.
-SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& scene, const SheetOfViews& sheet,
+SheetPlan plan_sheet(const world::World& world, const scene::SceneDescription& scene, const SheetOfViews& sheet,
                      std::span<const view::ProjectedScene> views, const std::vector<Annotations>& annotations);
 
 /// A sheet with positioned views, as input for drawing on it.
 struct SheetInput {
-  const scene::World& world;
+  const world::World& world;
   const scene::SceneDescription& scene;
   const SheetOfViews& views;
   const SheetPlan& plan;

@@ -32,7 +32,7 @@ struct PagePoint {
 /// Finds edges of the models of a view.
 class EdgeFinder {
  public:
-  EdgeFinder(const drawing::ViewDrawing& drawing, const scene::World& world)
+  EdgeFinder(const drawing::ViewDrawing& drawing, const world::World& world)
       : drawing_(drawing), world_(world), shown_(world.models.size()) {
     for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
       shown_[static_cast<std::size_t>(world.number_in_scene(model))].push_back(model);
@@ -40,7 +40,7 @@ class EdgeFinder {
 
   // In the world, also if a cut has left the vertex out.
   [[nodiscard]] Vec3 point(int model, int vertex) const {
-    const scene::Placed& placed = world_.models[static_cast<std::size_t>(model)];
+    const world::Placed& placed = world_.models[static_cast<std::size_t>(model)];
     if (placed.mesh->uncut != nullptr) return Vec3(placed.to_world * Vec4(placed.mesh->whole().point(vertex), 1));
     return world_.points[static_cast<std::size_t>(world_.first_vertex[static_cast<std::size_t>(model)] + vertex)];
   }
@@ -70,7 +70,7 @@ class EdgeFinder {
 
  private:
   const drawing::ViewDrawing& drawing_;
-  const scene::World& world_;
+  const world::World& world_;
   std::vector<std::vector<int>> shown_;  ///< models of the world, by number in the scene
 };
 
@@ -153,7 +153,7 @@ sheet::LineFacts facts_of(const sheet::Stroke& stroke, const EdgeFinder& finder)
 
 }  // namespace
 
-void add_line_facts(sheet::Sheet& sheet, const drawing::ViewDrawing& drawing, const scene::World& world) {
+void add_line_facts(sheet::Sheet& sheet, const drawing::ViewDrawing& drawing, const world::World& world) {
   const EdgeFinder finder(drawing, world);
   std::vector<sheet::Stroke*> strokes;
   for (sheet::Layer& layer : sheet.layers) {

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "drawing/drawing.hpp"
-#include "scene/scene.hpp"
 #include "sheet/sheet.hpp"
+#include "world/world.hpp"
 
 namespace epura::pipeline {
 
 /// Adds the facts of all strokes of a view that draw edges of a file; `world` is the one that the view shows.
-void add_line_facts(sheet::Sheet& sheet, const drawing::ViewDrawing& drawing, const scene::World& world);
+void add_line_facts(sheet::Sheet& sheet, const drawing::ViewDrawing& drawing, const world::World& world);
 
 }  // namespace epura::pipeline

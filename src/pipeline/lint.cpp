@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <string>
 
+#include "design/design_features.hpp"
+#include "design/true_extents.hpp"
 #include "pipeline/free_forms.hpp"
-#include "scene/design_features.hpp"
-#include "scene/true_extents.hpp"
 
 namespace epura::pipeline {
 
@@ -59,7 +59,7 @@ void find_cut_off(std::vector<report::Finding>& findings, const scene::SceneDesc
 
 }  // namespace
 
-std::vector<sheet::DimensionsInView> anchored_dimensions(const scene::World& world, const SheetOfViews& sheet,
+std::vector<sheet::DimensionsInView> anchored_dimensions(const world::World& world, const SheetOfViews& sheet,
                                                          std::span<const view::ProjectedScene> seen,
                                                          std::span<const Annotations> annotations) {
   std::vector<sheet::DimensionsInView> views;
@@ -75,10 +75,10 @@ void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::ve
       views[i].dimensions.erase(views[i].dimensions.begin() + static_cast<std::ptrdiff_t>(*number));
 }
 
-std::vector<report::Finding> uncovered_sizes(const scene::World& world, const scene::SceneDescription& scene,
+std::vector<report::Finding> uncovered_sizes(const world::World& world, const scene::SceneDescription& scene,
                                              std::span<const sheet::DimensionsInView> views, const Progress& progress) {
-  const scene::DesignFeatures features = scene::find_design_features(world, progress);
-  const auto extents = scene::true_extents(world);
+  const design::DesignFeatures features = design::find_design_features(world, progress);
+  const auto extents = design::true_extents(world);
   const sheet::Coverage coverage =
       sheet::find_coverage(views, {world, features, extents}, notation_of(world, scene.sheets.front()));
   std::vector<report::Finding> findings;
@@ -89,7 +89,7 @@ std::vector<report::Finding> uncovered_sizes(const scene::World& world, const sc
   return findings;
 }
 
-std::vector<report::Finding> undefined_free_forms(const scene::World& world, const scene::SceneDescription& scene) {
+std::vector<report::Finding> undefined_free_forms(const world::World& world, const scene::SceneDescription& scene) {
   std::vector<report::Finding> findings;
   for (const std::string& what : free_forms_without_tolerance(scene, world))
     findings.push_back({report::FindingKind::undimensioned, "", what});

@@ -15,7 +15,7 @@ namespace epura::pipeline {
 
 /// The dimensions of a sheet by view; `seen` and `annotations` are in the order of the views. Throws Error{input}: see
 /// sheet/dimensions/anchors.hpp.
-std::vector<sheet::DimensionsInView> anchored_dimensions(const scene::World& world, const SheetOfViews& sheet,
+std::vector<sheet::DimensionsInView> anchored_dimensions(const world::World& world, const SheetOfViews& sheet,
                                                          std::span<const view::ProjectedScene> seen,
                                                          std::span<const Annotations> annotations);
 
@@ -23,10 +23,10 @@ std::vector<sheet::DimensionsInView> anchored_dimensions(const scene::World& wor
 void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::vector<std::size_t>> numbers);
 
 /// Sizes of features that have no dimension, or several. Throws OutOfTime.
-std::vector<report::Finding> uncovered_sizes(const scene::World& world, const scene::SceneDescription& scene,
+std::vector<report::Finding> uncovered_sizes(const world::World& world, const scene::SceneDescription& scene,
                                              std::span<const sheet::DimensionsInView> views, const Progress& progress);
 
 /// Faces of free form that no tolerance gives.
-std::vector<report::Finding> undefined_free_forms(const scene::World& world, const scene::SceneDescription& scene);
+std::vector<report::Finding> undefined_free_forms(const world::World& world, const scene::SceneDescription& scene);
 
 }  // namespace epura::pipeline

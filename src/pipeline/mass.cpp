@@ -12,7 +12,7 @@ namespace epura::pipeline {
 
 namespace {
 
-std::string name_of(const scene::World& world, const scene::SceneDescription& scene, std::size_t model, int body) {
+std::string name_of(const world::World& world, const scene::SceneDescription& scene, std::size_t model, int body) {
   const mesh::Mesh& mesh = *world.models[model].mesh;
   const std::string& name = scene::name_of_body(mesh, body);
   if (!name.empty()) return "body '" + name + "'";
@@ -22,18 +22,18 @@ std::string name_of(const scene::World& world, const scene::SceneDescription& sc
 
 }  // namespace
 
-scene::MassProperties mass_of(const scene::World& world, const scene::SceneDescription& scene, bool wants_mass,
+world::MassProperties mass_of(const world::World& world, const scene::SceneDescription& scene, bool wants_mass,
                               const std::string& where) {
-  std::vector<scene::Solid> solids;
+  std::vector<world::Solid> solids;
   std::vector<double> densities;
   for (std::size_t m = 0; m < world.models.size(); ++m) {
-    const scene::Placed& placed = world.models[m];
-    for (scene::Solid& solid : scene::solids_of(placed.mesh->whole(), placed.to_world)) {
+    const world::Placed& placed = world.models[m];
+    for (world::Solid& solid : world::solids_of(placed.mesh->whole(), placed.to_world)) {
       const std::string name = name_of(world, scene, m, solid.body);
       if (!solid.fault.empty())
         throw Error(ErrorKind::input, where, name + " has no volume: " + solid.fault,
                     "export it as a closed solid, or leave it out");
-      densities.push_back(scene::density_of(placed, scene.models[m], solid.body));
+      densities.push_back(world::density_of(placed, scene.models[m], solid.body));
       if (wants_mass && !(densities.back() > 0))
         throw Error(ErrorKind::input, where, name + " has no density, so its mass is unknown",
                     "give one in kg/m³: --density 7850, or 'density' in its [[model]] or [[style]]");
@@ -42,10 +42,10 @@ scene::MassProperties mass_of(const scene::World& world, const scene::SceneDescr
   }
   if (solids.empty())
     throw Error(ErrorKind::input, where, "the models have no bodies, and no mass", "lines and points have no volume");
-  return scene::sum_of(solids, densities);
+  return world::sum_of(solids, densities);
 }
 
-void complete_mass(scene::SceneDescription& scene, const scene::World& world) {
+void complete_mass(scene::SceneDescription& scene, const world::World& world) {
   for (scene::SheetDescription& sheet : scene.sheets) {
     const DecimalSign sign = sheet.decimal_sign.value_or(DecimalSign::point);
     for (auto& [name, text] : sheet.title_block)

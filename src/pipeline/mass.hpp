@@ -5,17 +5,17 @@
 #include <string>
 
 #include "scene/description.hpp"
-#include "scene/mass.hpp"
-#include "scene/scene.hpp"
+#include "world/mass.hpp"
+#include "world/world.hpp"
 
 namespace epura::pipeline {
 
 /// Of all bodies. Throws Error{input} with `where` as the location for bodies that are not closed, and, if a mass is
 /// wanted, for bodies without a density.
-scene::MassProperties mass_of(const scene::World& world, const scene::SceneDescription& scene, bool wants_mass,
+world::MassProperties mass_of(const world::World& world, const scene::SceneDescription& scene, bool wants_mass,
                               const std::string& where);
 
 /// Replaces `auto` as the mass in a title block.
-void complete_mass(scene::SceneDescription& scene, const scene::World& world);
+void complete_mass(scene::SceneDescription& scene, const world::World& world);
 
 }  // namespace epura::pipeline

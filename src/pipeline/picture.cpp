@@ -159,7 +159,7 @@ std::vector<std::array<Vec2, 2>> image_of(const drawing::ViewDrawing& drawing) {
   return image;
 }
 
-std::vector<Vec3> points_of(const scene::World& world, const PictureRequest& request, const Picture& picture) {
+std::vector<Vec3> points_of(const world::World& world, const PictureRequest& request, const Picture& picture) {
   std::vector<Vec3> points;
   if (request.vertices.given()) {
     const int count = world.first_vertex.back();
@@ -209,7 +209,7 @@ Picture make_picture(const PictureRequest& request, const RunOptions& options, c
   const DrawnScene drawn = draw_scene(own, run, {silent, progress, watch});
   const drawing::ViewDrawing& drawing = drawn.sheets.front().drawings.front();
   std::vector<mesh::MeshReport> reports;
-  const scene::World world = read_models(own, reading_of(own, run), reports, silent, progress);
+  const world::World world = read_models(own, reading_of(own, run), reports, silent, progress);
   const auto folders = projection::plugin_folders(options.plugin_path);
   Picture picture{{}, drawing.projection, {}, {}, {}};
   picture.entry = projection::find_projection(request.projection->name, folders, options.projections);

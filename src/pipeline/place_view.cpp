@@ -14,15 +14,15 @@
 
 namespace epura::pipeline {
 
-scene::World read_world(const scene::SceneDescription& scene, const RunOptions& options, const Messages& messages,
+world::World read_world(const scene::SceneDescription& scene, const RunOptions& options, const Messages& messages,
                         Progress progress) {
   report::Report report;
-  scene::World world = read_models(scene, reading_of(scene, options), report.meshes, messages, progress);
+  world::World world = read_models(scene, reading_of(scene, options), report.meshes, messages, progress);
   recognise_parts(world, scene, options, report, progress);
   return world;
 }
 
-PlacedView place_view(const scene::World& world, const scene::SceneDescription& scene, const RunOptions& options) {
+PlacedView place_view(const world::World& world, const scene::SceneDescription& scene, const RunOptions& options) {
   check(scene.views.size() == 1 && scene.sections.empty() && scene.explosions.empty(),
         "one view shows the models whole");
   const SheetOfViews sheet = views_by_sheet(scene, plan_views(scene, options)).front();

@@ -7,12 +7,12 @@
 #include "pipeline/messages.hpp"
 #include "pipeline/options.hpp"
 #include "scene/description.hpp"
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::pipeline {
 
 /// The world that a drawing of the scene shows, uncut, with the faces of parts that decide which edges are drawn.
-scene::World read_world(const scene::SceneDescription& scene, const RunOptions& options, const Messages& messages,
+world::World read_world(const scene::SceneDescription& scene, const RunOptions& options, const Messages& messages,
                         Progress progress);
 
 struct PlacedView {
@@ -23,6 +23,6 @@ struct PlacedView {
 };
 
 /// Places the only view of a scene that neither cuts nor explodes its models, as its drawing does. Throws Error.
-PlacedView place_view(const scene::World& world, const scene::SceneDescription& scene, const RunOptions& options);
+PlacedView place_view(const world::World& world, const scene::SceneDescription& scene, const RunOptions& options);
 
 }  // namespace epura::pipeline

@@ -44,7 +44,7 @@ std::string size_text(double size) {
 }
 
 // Dimensions are in millimetres, and most formats have no unit. `without_unit`: the first model without one, or empty.
-void doubt_size(const Messages& messages, const scene::World& world, const std::string& without_unit) {
+void doubt_size(const Messages& messages, const world::World& world, const std::string& without_unit) {
   constexpr double least = 1, most = 10'000;  // mm
   const Vec3 size = world.box.max - world.box.min;
   const double largest = std::max({size.x, size.y, size.z});
@@ -55,7 +55,7 @@ void doubt_size(const Messages& messages, const scene::World& world, const std::
 }
 
 // A misspelt pattern must not pass for a drawing without such bodies.
-void warn_about_idle(const Messages& messages, const scene::SceneDescription& scene, const scene::World& world) {
+void warn_about_idle(const Messages& messages, const scene::SceneDescription& scene, const world::World& world) {
   for (const scene::StyleDescription& style : scene.styles) {
     bool any = false;
     for (std::size_t i = 0; i < scene.models.size() && !any; ++i) {
@@ -179,7 +179,7 @@ Reading reading_of(const scene::SceneDescription& scene, const RunOptions& optio
   return {std::move(read), options.kept_models};
 }
 
-scene::World read_models(const scene::SceneDescription& scene, const Reading& reading,
+world::World read_models(const scene::SceneDescription& scene, const Reading& reading,
                          std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress) {
   const std::vector<scene::ModelDescription>& models = scene.models;
   progress.begin("reading", work_of(models));
@@ -187,7 +187,7 @@ scene::World read_models(const scene::SceneDescription& scene, const Reading& re
   const bool says_wires = std::any_of(scene.views.begin(), scene.views.end(),
                                       [](const scene::ViewDescription& view) { return !view.edges.given(); });
   std::string without_unit;
-  std::vector<scene::Placed> placed;
+  std::vector<world::Placed> placed;
   for (std::size_t i = 0; i < models.size(); ++i) {
     // Models that are not drawn keep their numbers.
     const bool drawn = is_drawn(models[i]);
@@ -204,7 +204,7 @@ scene::World read_models(const scene::SceneDescription& scene, const Reading& re
     reports.push_back(placed.back().mesh->report);
     warn_about(messages, reports.back(), says_wires);
   }
-  scene::World world = scene::make_world(std::move(placed), wants_wires(scene));
+  world::World world = world::make_world(std::move(placed), wants_wires(scene));
   warn_about_idle(messages, scene, world);
   if (!scene.dimensions.empty()) doubt_size(messages, world, without_unit);
   return world;

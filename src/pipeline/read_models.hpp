@@ -11,7 +11,7 @@
 #include "pipeline/messages.hpp"
 #include "pipeline/options.hpp"
 #include "scene/description.hpp"
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::pipeline {
 
@@ -27,7 +27,7 @@ Reading reading_of(const scene::SceneDescription& scene, const RunOptions& optio
 
 /// Reads and positions the models; appends a report for each to `reports`. Reports repairs. Faces of parts are those
 /// that the files declare.
-scene::World read_models(const scene::SceneDescription& scene, const Reading& reading,
+world::World read_models(const scene::SceneDescription& scene, const Reading& reading,
                          std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress);
 
 }  // namespace epura::pipeline

@@ -11,7 +11,7 @@
 #include "edges/find_edges.hpp"
 #include "features/recognise.hpp"
 #include "pipeline/annotations.hpp"
-#include "scene/facet_heights.hpp"
+#include "world/facet_heights.hpp"
 
 namespace epura::pipeline {
 
@@ -30,15 +30,15 @@ bool is_asked(const scene::ViewDescription& view) {
 }
 
 // Round faces of bodies that fit into each other cross wherever their facets differ.
-bool may_fit(const scene::World& world) {
+bool may_fit(const world::World& world) {
   int bodies = 0;
-  for (const scene::Placed& placed : world.models) bodies += placed.mesh->report.bodies;
+  for (const world::Placed& placed : world.models) bodies += placed.mesh->report.bodies;
   return bodies > 1;
 }
 
 // Degrees: edges with a smaller fold angle are not distinguished from those inside faces. If only creases are
 // requested, fine tessellations have none.
-double least_fold(const scene::World& world, const scene::SceneDescription& scene, const RunOptions& options) {
+double least_fold(const world::World& world, const scene::SceneDescription& scene, const RunOptions& options) {
   double least = edges::EdgeOptions().part_angle;
   const bool fit = may_fit(world);
   for (const scene::ViewDescription& view : scene.views) {
@@ -62,7 +62,7 @@ std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, std::
 
 }  // namespace
 
-void recognise_parts(scene::World& world, const scene::SceneDescription& scene, const RunOptions& options,
+void recognise_parts(world::World& world, const scene::SceneDescription& scene, const RunOptions& options,
                      report::Report& report, Progress progress) {
   // Dimensions of features need faces even where folds alone identify all edges.
   std::optional<double> least;
@@ -78,20 +78,20 @@ void recognise_parts(scene::World& world, const scene::SceneDescription& scene, 
   try {
     parallel_for(wanted.size(), 1, limited, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        scene::Placed& placed = world.models[wanted[i]];
+        world::Placed& placed = world.models[wanted[i]];
         placed.part = part_of(*placed.mesh, least, limited);
         progress.advance(1);
       }
     });
-    if (const double error = scene::tessellation_error(world, limited); error > 0) report.tessellation = {error, 0};
+    if (const double error = world::tessellation_error(world, limited); error > 0) report.tessellation = {error, 0};
   } catch (const OutOfTime& cut) {
     report.partial.add_stage(cut.stage);
   }
   const bool any = std::any_of(world.models.begin(), world.models.end(),
-                               [](const scene::Placed& placed) { return placed.part != nullptr; });
+                               [](const world::Placed& placed) { return placed.part != nullptr; });
   if (wanted.empty() && !any) return;
   long long triangles = 0, faces = 0, models = 0;
-  for (const scene::Placed& placed : world.models) {
+  for (const world::Placed& placed : world.models) {
     triangles += placed.mesh->triangle_count();
     if (placed.part == nullptr) continue;
     faces += static_cast<long long>(placed.part->faces.size());

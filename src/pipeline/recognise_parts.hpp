@@ -6,13 +6,13 @@
 #include "pipeline/options.hpp"
 #include "report/report.hpp"
 #include "scene/description.hpp"
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::pipeline {
 
 /// Recognises faces that the file does not declare, if requested and useful, and adds a step to the plan of the report.
 /// Models for which there is no time are drawn as meshes, and reported. The report also has the error of tessellation.
-void recognise_parts(scene::World& world, const scene::SceneDescription& scene, const RunOptions& options,
+void recognise_parts(world::World& world, const scene::SceneDescription& scene, const RunOptions& options,
                      report::Report& report, Progress progress);
 
 }  // namespace epura::pipeline

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "base/text.hpp"
-#include "scene/helical_threads.hpp"
-#include "scene/placed_part.hpp"
+#include "design/helical_threads.hpp"
 #include "sheet/dimensions/anchors.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::pipeline {
 
@@ -30,7 +30,7 @@ struct FoundThread {
 };
 
 // Whether the cylinder of a thread is a face of a part, all around.
-bool has_cylinder(const features::PartFaces& part, const scene::HelicalThread& thread) {
+bool has_cylinder(const features::PartFaces& part, const design::HelicalThread& thread) {
   return std::any_of(part.faces.begin(), part.faces.end(), [&](const features::PartFace& face) {
     const features::PartSurface& surface = face.surface;
     return surface.kind == features::SurfaceKind::cylinder && face.sweep >= 359 && face.inwards == thread.internal &&
@@ -46,13 +46,13 @@ std::ptrdiff_t open_edges_of(const mesh::Mesh& mesh) {
 }
 
 // Replaces one of the threads of a model; nothing if none can be. `others` are the helices that are no threads.
-std::optional<scene::HelicalThread> replace_one(scene::Placed& placed, double unit,
-                                                std::vector<scene::OtherHelix>& others, const Progress& progress) {
-  scene::HelicalForms forms = scene::find_helical_threads(*placed.mesh, *placed.part, unit);
+std::optional<design::HelicalThread> replace_one(world::Placed& placed, double unit,
+                                                 std::vector<design::OtherHelix>& others, const Progress& progress) {
+  design::HelicalForms forms = design::find_helical_threads(*placed.mesh, *placed.part, unit);
   others = std::move(forms.others);
-  for (scene::HelicalThread& thread : forms.threads) {
+  for (design::HelicalThread& thread : forms.threads) {
     mesh::Mesh mesh = *placed.mesh;
-    if (!scene::replace_by_cylinder(mesh, *placed.part, thread)) continue;
+    if (!design::replace_by_cylinder(mesh, *placed.part, thread)) continue;
     if (open_edges_of(mesh) > open_edges_of(*placed.mesh)) continue;
     auto part = std::make_shared<features::PartFaces>(features::recognise_faces(mesh, {}, progress));
     if (!has_cylinder(*part, thread)) continue;
@@ -63,7 +63,7 @@ std::optional<scene::HelicalThread> replace_one(scene::Placed& placed, double un
   return std::nullopt;
 }
 
-bool is_described(const FoundThread& found, const scene::World& world, const scene::SceneDescription& scene) {
+bool is_described(const FoundThread& found, const world::World& world, const scene::SceneDescription& scene) {
   return std::any_of(scene.threads.begin(), scene.threads.end(), [&](const scene::ThreadDescription& thread) {
     const Vec3 off = sheet::position_of(world, *thread.at, thread.at.where) - found.middle;
     const double along = glm::dot(off, found.axis);
@@ -83,9 +83,9 @@ void tell(const Messages& messages, const std::vector<FoundThread>& found) {
 }
 
 // Each diameter and pitch once.
-void tell(const Messages& messages, const std::vector<scene::OtherHelix>& others) {
+void tell(const Messages& messages, const std::vector<design::OtherHelix>& others) {
   std::map<std::string, int> counts;
-  for (const scene::OtherHelix& one : others)
+  for (const design::OtherHelix& one : others)
     ++counts["⌀" + format_rounded(one.diameter, 4) + " with a pitch of " + format_rounded(one.pitch, 4)];
   std::string list;
   for (const auto& [text, count] : counts)
@@ -96,14 +96,14 @@ void tell(const Messages& messages, const std::vector<scene::OtherHelix>& others
 
 }  // namespace
 
-scene::World replace_helical_threads(scene::World world, scene::SceneDescription& scene, const Messages& messages,
+world::World replace_helical_threads(world::World world, scene::SceneDescription& scene, const Messages& messages,
                                      const Progress& progress) {
   constexpr int most = 64;  // of a model: each costs a recognition
   std::vector<FoundThread> found;
-  std::vector<scene::OtherHelix> others;
-  for (scene::Placed& placed : world.models) {
-    std::vector<scene::OtherHelix> of_model;
-    const auto unit = scene::similarity_scale(placed.to_world);
+  std::vector<design::OtherHelix> others;
+  for (world::Placed& placed : world.models) {
+    std::vector<design::OtherHelix> of_model;
+    const auto unit = world::similarity_scale(placed.to_world);
     for (int i = 0; i < most && placed.part != nullptr && unit; ++i) {
       const auto thread = replace_one(placed, *unit, of_model, progress);
       if (!thread) break;
@@ -117,7 +117,7 @@ scene::World replace_helical_threads(scene::World world, scene::SceneDescription
   if (!others.empty()) tell(messages, others);
   if (found.empty()) return world;
   const bool had_wires = !world.wires.empty();
-  world = scene::make_world(std::move(world.models), had_wires);
+  world = world::make_world(std::move(world.models), had_wires);
   std::vector<scene::ThreadDescription> added;
   for (const FoundThread& one : found) {
     if (is_described(one, world, scene)) continue;

@@ -5,14 +5,14 @@
 #include "base/progress.hpp"
 #include "pipeline/messages.hpp"
 #include "scene/description.hpp"
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::pipeline {
 
 /// Puts cylinders with threads of ISO 261 in the place of helical threads, adds their descriptions to the scene where
 /// it has none, and says so. Threads of other sizes, and those that end in other ways, stay as they are. Throws
 /// OutOfTime.
-scene::World replace_helical_threads(scene::World world, scene::SceneDescription& scene, const Messages& messages,
+world::World replace_helical_threads(world::World world, scene::SceneDescription& scene, const Messages& messages,
                                      const Progress& progress);
 
 }  // namespace epura::pipeline

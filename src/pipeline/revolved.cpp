@@ -27,14 +27,14 @@ void expect_edge_on(const scene::RevolvedDescription& one, const projection::Pro
 
 }  // namespace
 
-std::vector<RevolvedSection> cut_revolved(const scene::World& world, const scene::SceneDescription& scene,
+std::vector<RevolvedSection> cut_revolved(const world::World& world, const scene::SceneDescription& scene,
                                           const scene::ViewDescription& view,
                                           const projection::Projection& projection) {
   std::vector<RevolvedSection> sections;
   for (const scene::RevolvedDescription& one : scene.revolved) {
     if (*one.view != *view.name) continue;
     expect_edge_on(one, projection);
-    sections.push_back({one, scene::cut_face_at_point(world, one)});
+    sections.push_back({one, cut::cut_face_at_point(world, one)});
   }
   return sections;
 }

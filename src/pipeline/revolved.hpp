@@ -4,20 +4,20 @@
 
 #include <vector>
 
+#include "cut/revolved.hpp"
 #include "drawing/drawing.hpp"
 #include "projection/projection.hpp"
-#include "scene/revolved.hpp"
 
 namespace epura::pipeline {
 
 struct RevolvedSection {
   scene::RevolvedDescription description;
-  scene::FaceAtPoint face;
+  cut::FaceAtPoint face;
 };
 
 /// The revolved sections of a view. Throws Error{input} for perspectives, for views that do not see the cutting plane
 /// edge-on, and as scene::cut_face_at_point does.
-std::vector<RevolvedSection> cut_revolved(const scene::World& world, const scene::SceneDescription& scene,
+std::vector<RevolvedSection> cut_revolved(const world::World& world, const scene::SceneDescription& scene,
                                           const scene::ViewDescription& view, const projection::Projection& projection);
 
 /// The cut face, turned into the picture about the line in which its plane passes through the point: what pointed

@@ -21,12 +21,12 @@ std::string name_of(const CutSection& section, int model, int body) {
 }
 
 // An area that should have been hatched must not look hollow.
-void warn_about(const Messages& messages, const CutSection& section, const scene::OpenOutline& open) {
+void warn_about(const Messages& messages, const CutSection& section, const cut::OpenOutline& open) {
   messages.warn(name_of(section, open.model, open.body) + " has an outline in section " + section.surface.plane.name +
                 " that is open at " + format_point(open.end) + "; the area it would enclose is not hatched");
 }
 
-void warn_about(const Messages& messages, const CutSection& section, const scene::BridgedGaps& gaps) {
+void warn_about(const Messages& messages, const CutSection& section, const cut::BridgedGaps& gaps) {
   const std::string where = " wide at " + format_point(gaps.place);
   messages.warn(name_of(section, gaps.model, gaps.body) + " has " +
                 (gaps.count == 1 ? "a gap " + format_rounded(gaps.widest, 6) + where
@@ -50,14 +50,14 @@ void warn_about(const Messages& messages, const CutSection& section) {
 
 }  // namespace
 
-CutSection cut_section(const scene::World& world, const scene::CuttingSurface& surface, const Messages& messages,
+CutSection cut_section(const world::World& world, const cut::CuttingSurface& surface, const Messages& messages,
                        const Progress& progress) {
-  CutSection section{surface, scene::cut_world(world, surface, progress)};
+  CutSection section{surface, cut::cut_world(world, surface, progress)};
   warn_about(messages, section);
   return section;
 }
 
-CutSections cut_sections(const scene::World& world, const scene::SceneDescription& scene, const Messages& messages,
+CutSections cut_sections(const world::World& world, const scene::SceneDescription& scene, const Messages& messages,
                          const Progress& progress) {
   progress.begin("cutting sections", scene.sections.size());
   CutSections sections;
@@ -65,7 +65,7 @@ CutSections cut_sections(const scene::World& world, const scene::SceneDescriptio
     const std::string& name = *description.name;
     const auto shows = [&](const scene::ViewDescription& view) { return view.section.value == name; };
     if (std::none_of(scene.views.begin(), scene.views.end(), shows)) continue;
-    sections.try_emplace(name, cut_section(world, scene::make_cutting_surface(description), messages, progress));
+    sections.try_emplace(name, cut_section(world, cut::make_cutting_surface(description), messages, progress));
     progress.advance(1);
   }
   return sections;

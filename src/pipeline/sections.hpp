@@ -5,29 +5,29 @@
 #include <map>
 #include <string>
 
+#include "cut/cut_world.hpp"
 #include "pipeline/messages.hpp"
-#include "scene/cut_world.hpp"
 #include "scene/description.hpp"
 
 namespace epura::pipeline {
 
 struct CutSection {
-  scene::CuttingSurface surface;
-  scene::CutWorld cut;
+  cut::CuttingSurface surface;
+  cut::CutWorld cut;
 };
 
 /// Warns of open outlines. Throws Error{input} if the surface cuts nothing, and OutOfTime.
-CutSection cut_section(const scene::World& world, const scene::CuttingSurface& surface, const Messages& messages,
+CutSection cut_section(const world::World& world, const cut::CuttingSurface& surface, const Messages& messages,
                        const Progress& progress = {});
 
 /// Sections shown by some view, by name.
 using CutSections = std::map<std::string, CutSection>;
 /// Throws Error{input} for sections that cut nothing, and OutOfTime.
-CutSections cut_sections(const scene::World& world, const scene::SceneDescription& scene, const Messages& messages,
+CutSections cut_sections(const world::World& world, const scene::SceneDescription& scene, const Messages& messages,
                          const Progress& progress = {});
 
 /// Surfaces of sections by name.
-using SectionSurfaces = std::map<std::string, scene::CuttingSurface>;
+using SectionSurfaces = std::map<std::string, cut::CuttingSurface>;
 void add_surfaces(SectionSurfaces& surfaces, const CutSections& sections);
 
 /// The section shown by a view; null if it shows the whole.

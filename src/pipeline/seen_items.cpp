@@ -113,8 +113,8 @@ class Distances {
 /// The item of each body of the models; -1 for others.
 class ItemOfBody {
  public:
-  ItemOfBody(const scene::World& world, const std::vector<scene::Item>& items) : world_(world) {
-    for (const scene::Placed& model : world.models)
+  ItemOfBody(const world::World& world, const std::vector<world::Item>& items) : world_(world) {
+    for (const world::Placed& model : world.models)
       items_.emplace_back(static_cast<std::size_t>(std::max(model.mesh->report.bodies, 1)), -1);
     for (std::size_t i = 0; i < items.size(); ++i)
       for (const auto& [model, body] : items[i].bodies) set(model, body, static_cast<int>(i));
@@ -145,12 +145,12 @@ class ItemOfBody {
       own[static_cast<std::size_t>(body)] = item;
   }
 
-  const scene::World& world_;
+  const world::World& world_;
   std::vector<std::vector<int>> items_;
 };
 
 // Corners of triangles on the page with their depths, as if nothing were left out.
-std::optional<Corners> on_page(const scene::World& world, const Mat4& to_page, int triangle) {
+std::optional<Corners> on_page(const world::World& world, const Mat4& to_page, int triangle) {
   Corners corners;
   for (int i = 0; i < 3; ++i) {
     const Vec4 p = to_page * Vec4(world.points[world.triangles[triangle][i]], 1);
@@ -160,7 +160,7 @@ std::optional<Corners> on_page(const scene::World& world, const Mat4& to_page, i
   return corners;
 }
 
-void fill(NearestItems& nearest, const scene::World& world, const drawing::ViewDrawing& drawing,
+void fill(NearestItems& nearest, const world::World& world, const drawing::ViewDrawing& drawing,
           const ItemOfBody& items) {
   for (std::size_t m = 0; m < world.models.size(); ++m)
     for (int t = world.first_triangle[m]; t < world.first_triangle[m + 1]; ++t)
@@ -209,8 +209,8 @@ std::vector<drawing::ClosedLine> cut_out(const drawing::ViewDrawing& drawing) {
 
 }  // namespace
 
-std::vector<std::optional<SeenPoint>> seen_items(const scene::World& world, const drawing::ViewDrawing& drawing,
-                                                 const std::vector<scene::Item>& items) {
+std::vector<std::optional<SeenPoint>> seen_items(const world::World& world, const drawing::ViewDrawing& drawing,
+                                                 const std::vector<world::Item>& items) {
   constexpr double least = 0.7;  // mm between the end of a leader and lines
   const ItemOfBody of_body(world, items);
   const Grid grid = grid_on(drawing.breaks.restored(drawing.min), drawing.breaks.restored(drawing.max));

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
-#include "scene/items.hpp"
-#include "scene/scene.hpp"
 #include "sheet/balloons.hpp"
+#include "world/items.hpp"
+#include "world/world.hpp"
 
 namespace epura::pipeline {
 
@@ -22,8 +22,8 @@ struct SeenPoint {
 /// By item. On a face, as far from lines as possible; the faces are compared at the points of a grid. An item whose
 /// faces are too small or seen edge-on has a point on its longest visible line. `world` is what the view shows, with
 /// the bodies of the items.
-std::vector<std::optional<SeenPoint>> seen_items(const scene::World& world, const drawing::ViewDrawing& drawing,
-                                                 const std::vector<scene::Item>& items);
+std::vector<std::optional<SeenPoint>> seen_items(const world::World& world, const drawing::ViewDrawing& drawing,
+                                                 const std::vector<world::Item>& items);
 
 /// By view: the balloons of the items, each in the view of `seen` that shows it best; in `main`, if it shows it. Views
 /// in which nothing was looked for are empty. The numbers of items that no view shows are added to `missing`.

@@ -25,7 +25,7 @@ Numbers moves_in(const scene::ViewDescription& view, const scene::SceneDescripti
 
 }  // namespace
 
-ShownWorlds::ShownWorlds(scene::World world, const scene::SceneDescription& scene, const Messages& messages,
+ShownWorlds::ShownWorlds(world::World world, const scene::SceneDescription& scene, const Messages& messages,
                          const Progress& progress) {
   std::vector<std::string> names;
   for (const scene::ModelDescription& model : scene.models) names.push_back(scene::name_of(model));
@@ -38,7 +38,7 @@ ShownWorlds::ShownWorlds(scene::World world, const scene::SceneDescription& scen
     for (const std::size_t i : numbers) moves.push_back(scene.explosions[i]);
     ShownWorld shown;
     if (!moves.empty()) {
-      scene::ExplodedWorld exploded = scene::explode_world(world, moves, names);
+      world::ExplodedWorld exploded = world::explode_world(world, moves, names);
       shown.world = std::move(exploded.world);
       shown.traces = std::move(exploded.traces);
     } else if (views.size() == 1) {

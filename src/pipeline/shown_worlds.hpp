@@ -9,24 +9,24 @@
 
 #include "pipeline/messages.hpp"
 #include "pipeline/sections.hpp"
-#include "scene/exploded_world.hpp"
+#include "world/exploded_world.hpp"
 
 namespace epura::pipeline {
 
 struct ShownWorld {
-  scene::World world;
-  std::vector<scene::Trace> traces{};  ///< of moved bodies
+  world::World world;
+  std::vector<world::Trace> traces{};  ///< of moved bodies
   CutSections sections{};              ///< those of its views
 };
 
 class ShownWorlds {
  public:
   /// Throws as explode_world and cut_sections do.
-  ShownWorlds(scene::World world, const scene::SceneDescription& scene, const Messages& messages,
+  ShownWorlds(world::World world, const scene::SceneDescription& scene, const Messages& messages,
               const Progress& progress);
 
   /// The models to which dimensions refer: assembled, unless all views are exploded alike.
-  [[nodiscard]] const scene::World& main() const { return worlds_.front().world; }
+  [[nodiscard]] const world::World& main() const { return worlds_.front().world; }
   [[nodiscard]] const ShownWorld& of(const scene::ViewDescription& view) const {
     return worlds_[world_of_view_.at(*view.name)];
   }

@@ -75,7 +75,7 @@ class Judge {
     double& largest = error[ErrorTerm::contours];
     for (const edges::FeatureEdge& edge : judged_.edges.edges) {
       if (edge.kind != EdgeKind::contour || edge.mesh_edge < 0 || edge.shown[0] >= 0 || edge.shown[1] >= 0) continue;
-      const scene::Placed& placed = judged_.world.models[static_cast<std::size_t>(edge.model)];
+      const world::Placed& placed = judged_.world.models[static_cast<std::size_t>(edge.model)];
       const std::span<const int> beside =
           placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]);
       const int first = judged_.world.first_triangle[static_cast<std::size_t>(edge.model)];
@@ -99,7 +99,7 @@ class Judge {
 
   // Whether the neighbours of a triangle on the same surface are folded to both of its sides.
   [[nodiscard]] bool is_saddle(int model, int triangle) const {
-    const scene::Placed& placed = judged_.world.models[static_cast<std::size_t>(model)];
+    const world::Placed& placed = judged_.world.models[static_cast<std::size_t>(model)];
     const mesh::Mesh& mesh = *placed.mesh;
     if (placed.part != nullptr && !may_be_saddle(*placed.part, triangle)) return false;
     const int first = judged_.world.first_triangle[static_cast<std::size_t>(model)];
@@ -169,7 +169,7 @@ class Judge {
 
   // Where two faces of the part meet; or at the outline of a section, what is left of a face, and the cut face.
   [[nodiscard]] double off_border(const edges::FeatureEdge& edge) const {
-    const scene::Placed& placed = judged_.world.models[static_cast<std::size_t>(edge.model)];
+    const world::Placed& placed = judged_.world.models[static_cast<std::size_t>(edge.model)];
     const std::span<const int> beside =
         placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]);
     if (beside.size() != 2) return 0;
@@ -181,7 +181,7 @@ class Judge {
   }
 
   // Whether facets on both sides are of one surface.
-  [[nodiscard]] bool is_inside(const scene::Placed& placed, std::ptrdiff_t mesh_edge,
+  [[nodiscard]] bool is_inside(const world::Placed& placed, std::ptrdiff_t mesh_edge,
                                const std::array<int, 2>& both) const {
     if (placed.part != nullptr) {
       const features::PartBorder* border = placed.part->border_at(mesh_edge);

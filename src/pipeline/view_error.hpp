@@ -14,16 +14,16 @@
 #include "pipeline/options.hpp"
 #include "pipeline/targets.hpp"
 #include "report/error_budget.hpp"
-#include "scene/facet_heights.hpp"
 #include "view/paper_map.hpp"
 #include "view/projected_scene.hpp"
+#include "world/facet_heights.hpp"
 
 namespace epura::pipeline {
 
 /// A drawn view, to be judged.
 struct ViewToJudge {
-  const scene::World& world;           ///< the cut one if the view shows a section
-  const scene::FacetHeights& heights;  ///< of the uncut world
+  const world::World& world;           ///< the cut one if the view shows a section
+  const world::FacetHeights& heights;  ///< of the uncut world
   bool is_whole;                       ///< nothing is cut or moved: triangles are those of `heights`
   const view::ProjectedScene& view;
   const edges::FeatureEdges& edges;

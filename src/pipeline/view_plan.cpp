@@ -30,7 +30,7 @@ edges::EdgeOptions edge_options(const scene::ViewDescription& view) {
 }
 
 // The style of a body whose model and view say `usual`.
-sheet::BodyStyle style_of(const scene::Placed& placed, int body, const sheet::BodyStyle& usual, LayersBy layers) {
+sheet::BodyStyle style_of(const world::Placed& placed, int body, const sheet::BodyStyle& usual, LayersBy layers) {
   sheet::BodyStyle style = usual;
   if (!placed.styles.empty()) {
     const scene::StyleDescription& wanted = placed.styles[static_cast<std::size_t>(body)];
@@ -97,14 +97,14 @@ std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const 
 
 // Options of a model override those of the view, and styles of its bodies override both.
 sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::ViewDescription& view,
-                            const scene::World& world, const projection::Projection& projection) {
+                            const world::World& world, const projection::Projection& projection) {
   const bool is_pictorial = sheet::view_place(projection) == sheet::ViewPlace::pictorial;
   const LayersBy layers = view.layers.value_or(LayersBy::role);
   sheet::BodyStyles styles;
   for (std::size_t i = 0; i < world.models.size(); ++i) {
     const scene::ModelDescription& model =
         scene.models[static_cast<std::size_t>(world.number_in_scene(static_cast<int>(i)))];
-    const scene::Placed& placed = world.models[i];
+    const world::Placed& placed = world.models[i];
     sheet::BodyStyle usual;
     usual.line = model.line.value_or(usual.line);
     if (is_pictorial) usual.hidden = HiddenLines::none;
@@ -139,7 +139,7 @@ std::vector<SheetOfViews> views_by_sheet(const scene::SceneDescription& scene, c
   return sheets;
 }
 
-view::ProjectedScene project_scene(const scene::World& world, const PlannedView& plan,
+view::ProjectedScene project_scene(const world::World& world, const PlannedView& plan,
                                    const scene::ViewDescription& description) {
   const auto look = [&](const scene::ProjectionRequest&) {
     return view::project_scene(world, projection::make_projection(plan.entry, plan.request, world.box),

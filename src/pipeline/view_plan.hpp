@@ -8,7 +8,7 @@
 #include "pipeline/options.hpp"
 #include "projection/catalogue.hpp"
 #include "scene/description.hpp"
-#include "scene/items.hpp"
+#include "world/items.hpp"
 
 namespace epura::pipeline {
 
@@ -34,7 +34,7 @@ struct SheetOfViews {
   std::vector<PlannedView> plans;
   bool states_error = false;          ///< above the title block
   int least_size = 0;                 ///< from which "auto" chooses, of its sizes in ascending order
-  std::vector<scene::Item> items{};   ///< of its parts list; empty: it has none
+  std::vector<world::Item> items{};   ///< of its parts list; empty: it has none
   std::optional<EpuraViews> epura{};  ///< if they have that layout
 };
 
@@ -43,10 +43,10 @@ std::vector<SheetOfViews> views_by_sheet(const scene::SceneDescription& scene, c
 
 /// The styles of all bodies in a view. Pictorial views have no hidden lines unless these are requested (ISO 5456-3).
 sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::ViewDescription& view,
-                            const scene::World& world, const projection::Projection& projection);
+                            const world::World& world, const projection::Projection& projection);
 
 /// The projected world, not on paper yet. Throws Error{input} for parameter values that do not fit the world.
-view::ProjectedScene project_scene(const scene::World& world, const PlannedView& plan,
+view::ProjectedScene project_scene(const world::World& world, const PlannedView& plan,
                                    const scene::ViewDescription& description);
 
 }  // namespace epura::pipeline

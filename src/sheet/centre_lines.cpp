@@ -296,11 +296,11 @@ visibility::Spans seen_about(const std::vector<SeenCircle>& rings, const std::ar
 
 // The axis of a feature, or of the parts of one, where it is seen.
 void add_where_seen(Marks& marks, const std::vector<SeenCircle>& rings, const SeenFeatures& seen,
-                    std::span<const scene::RoundFeature> parts) {
+                    std::span<const design::RoundFeature> parts) {
   const auto axis = axis_through(rings);
   if (!axis) return;
   std::array<visibility::Spans, 2> sides;
-  for (const scene::RoundFeature& part : parts) seen.add_beside(part, {axis->at(0), axis->direction(), beyond}, sides);
+  for (const design::RoundFeature& part : parts) seen.add_beside(part, {axis->at(0), axis->direction(), beyond}, sides);
   for (const auto& [from, to] : seen_about(rings, sides)) {
     Piece piece = *axis;
     if (from > axis->from + short_of_end) piece.from = from;
@@ -311,7 +311,7 @@ void add_where_seen(Marks& marks, const std::vector<SeenCircle>& rings, const Se
 }
 
 // The rings of the second end of a slot may be in the opposite order. Each of them has half a rim.
-std::vector<SeenRim> rims_of(const SeenFeatures& seen, const scene::SlotFeature& slot) {
+std::vector<SeenRim> rims_of(const SeenFeatures& seen, const design::SlotFeature& slot) {
   const auto& [one, other] = slot.ends;
   std::vector<SeenRim> rims = seen.rims(one), there = seen.rims(other);
   if (glm::dot(one.axis, other.axis) < 0) std::reverse(there.begin(), there.end());
@@ -324,7 +324,7 @@ std::vector<SeenRim> rims_of(const SeenFeatures& seen, const scene::SlotFeature&
 
 // If seen in true shape: a line through both ends and another across each end; otherwise one axis in the middle.
 void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const SeenFeatures& seen,
-              const scene::SlotFeature& slot) {
+              const design::SlotFeature& slot) {
   const auto [one, other] = slot.ends;
   const SeenCircle a = see(drawing, one.axis, one.rings.front()), b = see(drawing, other.axis, other.rings.front());
   if (a.is_round()) {
@@ -337,8 +337,8 @@ void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const SeenFeatu
   }
   const Vec3 apart = other.rings.front().centre - one.rings.front().centre;
   const Vec3 half = 0.5 * (apart - glm::dot(apart, one.axis) * one.axis);
-  scene::RoundFeature middle = one;
-  for (scene::Ring& ring : middle.rings) ring.centre += half;
+  design::RoundFeature middle = one;
+  for (design::Ring& ring : middle.rings) ring.centre += half;
   const std::vector<SeenCircle> rings = see(drawing, middle);
   if (seen.is_inside(one)) {
     add_in_openings(marks, rings, rims_of(seen, slot));
@@ -353,7 +353,7 @@ bool is_small(std::span<const SeenCircle> rings) { return 2 * largest_of(rings).
 
 Marks marks_of(const CentredView& view) {
   const SeenFeatures seen(view.drawing, view.styles);
-  const scene::CentredFeatures& features = view.features;
+  const design::CentredFeatures& features = view.features;
   std::vector<int> circle_of(features.round.size(), -1);
   for (std::size_t c = 0; c < features.pitch_circles.size(); ++c)
     for (const int hole : features.pitch_circles[c].holes) {
@@ -379,11 +379,11 @@ Marks marks_of(const CentredView& view) {
     else
       marks.features.push_back(std::move(rings));
   }
-  for (const scene::SlotFeature& slot : features.slots)
+  for (const design::SlotFeature& slot : features.slots)
     if (!is_small(see(view.drawing, slot.ends[0])) && (seen.shows(slot.ends[0]) || seen.shows(slot.ends[1])))
       add_slot(marks, view.drawing, seen, slot);
   for (const int c : circles) {
-    const scene::PitchCircle& pitch = features.pitch_circles[c];
+    const design::PitchCircle& pitch = features.pitch_circles[c];
     marks.rounds.push_back(see(view.drawing, pitch.axis, {pitch.centre, pitch.radius}));
   }
   return marks;

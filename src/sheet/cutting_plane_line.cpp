@@ -77,7 +77,7 @@ Vec2 sight_at(const Mat4& map, const scene::CuttingPlane& plane, const Vec2& alo
   return glm::dot(seen, Vec2(map * Vec4(plane.normal, 0))) > 0 ? -seen : seen;
 }
 
-std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const scene::CuttingSurface& surface, double height) {
+std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const cut::CuttingSurface& surface, double height) {
   if (!sees_edge_on(parent.projection, surface)) return std::nullopt;
   const Mat4& map = parent.world_to_page;
   const scene::CuttingPlane& plane = surface.plane;
@@ -193,14 +193,14 @@ void add_leg(Layer& layer, const Vec2& from, const Vec2& to, const LineWidths& w
 
 }  // namespace
 
-bool sees_edge_on(const projection::Projection& projection, const scene::CuttingSurface& surface) {
+bool sees_edge_on(const projection::Projection& projection, const cut::CuttingSurface& surface) {
   if (projection.central) return false;
   const Vec3 towards = glm::normalize(projection.projector);
   return std::abs(glm::dot(towards, surface.plane.normal)) <= edge_on &&
          std::abs(glm::dot(towards, surface.along)) <= edge_on;
 }
 
-Vec2 cutting_plane_room(const projection::Projection& projection, const scene::CuttingSurface& surface,
+Vec2 cutting_plane_room(const projection::Projection& projection, const cut::CuttingSurface& surface,
                         const LineWidths& widths) {
   const Vec3 p = projection.projector;
   const auto on_view = [&](const Vec3& v) {
@@ -210,7 +210,7 @@ Vec2 cutting_plane_room(const projection::Projection& projection, const scene::C
   const double height = letter_widths * widths.narrow;
   if (surface.aligned) {
     Vec2 most(0, 0);
-    for (const scene::CutRegion* end : {&surface.regions.front(), &surface.regions.back()})
+    for (const cut::CutRegion* end : {&surface.regions.front(), &surface.regions.back()})
       most = glm::max(most, (past_outline + wide_end / 2 + letter_gap + 1) * height *
                                     on_view(along_trace(projection, *end->plane)) +
                                 arrow_length * height * on_view(end->plane->normal));
@@ -222,7 +222,7 @@ Vec2 cutting_plane_room(const projection::Projection& projection, const scene::C
   return room + (past_outline + wide_end + letter_gap + 1) * height * on_view(surface.plane.normal);
 }
 
-std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, const scene::CuttingSurface& surface,
+std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, const cut::CuttingSurface& surface,
                                         const LineWidths& widths) {
   const double height = letter_widths * widths.narrow;
   const auto trace = trace_of(parent, surface, height);
@@ -272,7 +272,7 @@ void give_way(Layer& centre, const Layer& cutting_plane, const LineWidths& width
   centre.strokes = std::move(remaining);
 }
 
-void add_dividing_lines(Layer& centre, const drawing::ViewDrawing& view, const scene::CuttingSurface& surface,
+void add_dividing_lines(Layer& centre, const drawing::ViewDrawing& view, const cut::CuttingSurface& surface,
                         const LineWidths& widths) {
   const Vec3 down = glm::cross(surface.along, surface.plane.normal);
   for (const Vec3& divide : surface.divides) {

@@ -21,7 +21,7 @@ std::vector<std::string> draw_parts_list(Layer& layer, const PartsList& list, co
   ListColumn item{named("item"), number_width, true, {}}, quantity{named("quantity"), number_width, true, {}};
   ListColumn name{named("name"), 0, false, {}}, material{named("material"), material_width, false, {}};
   ListColumn mass{named("mass"), mass_width, true, {}};
-  for (const scene::Item& one : list.items) {
+  for (const world::Item& one : list.items) {
     item.texts.push_back(std::to_string(item.texts.size() + 1));
     quantity.texts.push_back(std::to_string(one.quantity));
     name.texts.push_back(one.name);

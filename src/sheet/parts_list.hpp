@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "scene/items.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/notation.hpp"
 #include "sheet/rectangle.hpp"
 #include "sheet/sheet.hpp"
+#include "world/items.hpp"
 
 namespace epura::sheet {
 
 struct PartsList {
-  std::vector<scene::Item> items;
+  std::vector<world::Item> items;
   std::string language{};  ///< of the captions
   DecimalSign sign = DecimalSign::point;
 };

@@ -22,17 +22,17 @@ constexpr double angle_margin = 1e-3;
 // multiple of that angle.
 constexpr double clearly = 1.5;
 
-double size_of(const scene::World& world) {
+double size_of(const world::World& world) {
   const Vec3 size = world.box.size();
   return std::max({size.x, size.y, size.z});
 }
 
-double normalisation_of(const scene::World& world) {
+double normalisation_of(const world::World& world) {
   const double size = size_of(world);
   return size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
 }
 
-double precision_of(const scene::World& world) { return std::max(world.rounding, rounding * size_of(world)); }
+double precision_of(const world::World& world) { return std::max(world.rounding, rounding * size_of(world)); }
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return degrees * std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
@@ -40,7 +40,7 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 // Returns the border of the part that an edge belongs to, or null. An edge of a cut mesh has the border of its edge in
 // the whole mesh.
-const features::PartBorder* border_at(const scene::Placed& placed, const mesh::MeshEdge* edge) {
+const features::PartBorder* border_at(const world::Placed& placed, const mesh::MeshEdge* edge) {
   const mesh::Mesh& whole = placed.mesh->whole();
   if (edge != nullptr && &whole != placed.mesh.get()) edge = whole.edge_between(placed.mesh->origin_of(*edge).vertex);
   return edge != nullptr ? placed.part->border_at(edge - whole.edges.data()) : nullptr;
@@ -48,7 +48,7 @@ const features::PartBorder* border_at(const scene::Placed& placed, const mesh::M
 
 }  // namespace
 
-FoldRule::FoldRule(const scene::World& world, const edges::EdgeOptions& options, double small)
+FoldRule::FoldRule(const world::World& world, const edges::EdgeOptions& options, double small)
     : world_(world),
       options_(options),
       normalisation_(normalisation_of(world)),
@@ -146,7 +146,7 @@ double FoldRule::turn(int triangle) const {
 // it.
 std::optional<Need> FoldRule::between_faces(const std::array<int, 2>& edge, int first, int second) const {
   const int model = world_.model_of_triangle(first);
-  const scene::Placed& placed = world_.models[model];
+  const world::Placed& placed = world_.models[model];
   if (placed.part == nullptr || world_.model_of_triangle(second) != model) return std::nullopt;
   if (const features::PartBorder* border = border_at(placed, sheets_at(edge).edge)) {
     if (border->angle > options_.part_angle) return Need::asked;
@@ -199,7 +199,7 @@ bool FoldRule::ends_at_cut(const Sheets& sheets) const {
 
 bool FoldRule::are_one_face(const std::array<int, 2>& edge, int triangle) const {
   const int model = world_.model_of_triangle(triangle);
-  const scene::Placed& placed = world_.models[model];
+  const world::Placed& placed = world_.models[model];
   const Sheets sheets = sheets_at(edge);
   if (placed.part == nullptr || placed.mesh->uncut != nullptr || sheets.model != model) return false;
   const auto face = [&](int t) { return placed.part->face_of_triangle[t - world_.first_triangle[model]]; };
@@ -210,7 +210,7 @@ bool FoldRule::are_one_face(const std::array<int, 2>& edge, int triangle) const 
 
 bool FoldRule::is_of_torus(int triangle) const {
   const int model = world_.model_of_triangle(triangle);
-  const scene::Placed& placed = world_.models[model];
+  const world::Placed& placed = world_.models[model];
   if (placed.part == nullptr || placed.mesh->uncut != nullptr) return false;
   const int face = placed.part->face_of_triangle[triangle - world_.first_triangle[model]];
   return placed.part->faces[face].surface.kind == features::SurfaceKind::torus;

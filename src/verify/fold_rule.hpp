@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "edges/find_edges.hpp"
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::verify {
 
@@ -25,7 +25,7 @@ enum class Need {
 class FoldRule {
  public:
   /// `small` is the height of triangles that can hardly be seen, as a length in the world.
-  FoldRule(const scene::World& world, const edges::EdgeOptions& options, double small);
+  FoldRule(const world::World& world, const edges::EdgeOptions& options, double small);
 
   /// The triangles that meet in an edge, by body.
   struct Sheets {
@@ -70,7 +70,7 @@ class FoldRule {
   [[nodiscard]] bool same_polygon(int first, int second) const;
   [[nodiscard]] std::optional<Need> between_faces(const std::array<int, 2>& edge, int first, int second) const;
 
-  const scene::World& world_;
+  const world::World& world_;
   edges::EdgeOptions options_;
   double normalisation_;
   double precision_, small_;  ///< normalised

@@ -25,7 +25,7 @@ struct Met {
 };
 
 // Returns for each portion the number of its component: the triangles connected by common edges.
-std::vector<int> connected_parts(const scene::World& world, const std::vector<Portion>& portions) {
+std::vector<int> connected_parts(const world::World& world, const std::vector<Portion>& portions) {
   DisjointSets parts(portions.size());
   std::map<std::pair<int, int>, int> owner;
   for (int i = 0; i < static_cast<int>(portions.size()); ++i) {
@@ -40,7 +40,7 @@ std::vector<int> connected_parts(const scene::World& world, const std::vector<Po
 
 // Whether connected triangles cover the square. Unconnected triangles that merely abut on the page leave a gap when one
 // of them moves by less than the tolerance.
-bool covered(const scene::World& world, const std::vector<Portion>& portions) {
+bool covered(const world::World& world, const std::vector<Portion>& portions) {
   std::map<int, std::vector<ConvexPolygon>> parts;
   const std::vector<int> part = connected_parts(world, portions);
   for (std::size_t i = 0; i < portions.size(); ++i) parts[part[i]].push_back(portions[i].corner);

@@ -21,7 +21,7 @@ Sight<Bounded> sight_of(const VerifyInput& input, const Vec3& reference) {
 
 // The vertex nearest to the middle of the world, of those in front of the viewer.
 Vec3 reference_of(const VerifyInput& input) {
-  const scene::World& world = input.world;
+  const world::World& world = input.world;
   const projection::Projection& p = input.projection;
   const Vec3 middle = world.box.centre();
   const auto is_seen = [&](const Vec3& x) { return !p.central || glm::dot(p.n, p.projector - x) > 0; };

@@ -29,7 +29,7 @@ class ScanScene {
   /// `precision` is the required precision of positions on the page, mm; `thread_depth` as in EdgeOptions.
   ScanScene(const VerifyInput& input, double precision, double thread_depth);
 
-  const scene::World& world;
+  const world::World& world;
   Vec2 origin;              ///< position of the point of reference on the page, mm
   double page;              ///< mm of paper per unit of length in the world, at the point of reference
   double depth;             ///< the same for depth

@@ -16,7 +16,7 @@ std::array<int, 2> vertices_of(const VerifyInput& input, const edges::FeatureEdg
   return {first + vertex[0], first + vertex[1]};
 }
 
-// Whether a part of an edge lies on it. A cut moves its end onto the surface of the part (scene/true_outline.hpp).
+// Whether a part of an edge lies on it. A cut moves its end onto the surface of the part (cut/true_outline.hpp).
 bool is_between(const std::array<Vec3, 2>& part, const std::array<double, 2>& t, const Vec3& a, const Vec3& b) {
   const double rounding = 0x1p-44 * std::max(glm::length(a), glm::length(b));
   const auto lies_at = [&](std::size_t i) { return glm::distance(part[i], a + t[i] * (b - a)) <= rounding; };

@@ -6,15 +6,15 @@
 
 #include "drawing/drawing.hpp"
 #include "edges/find_edges.hpp"
-#include "scene/scene.hpp"
 #include "verify/sight.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/visibility.hpp"
+#include "world/world.hpp"
 
 namespace epura::verify {
 
 struct VerifyInput {
-  const scene::World& world;
+  const world::World& world;
   const projection::Projection& projection;
   const view::ViewLimits& limits;
   const edges::FeatureEdges& drawn;

@@ -28,7 +28,7 @@ constexpr double contact_part = 0x1p-29;
 constexpr double joined_part = 0x1p-44;
 
 // Adds the plane for `users`, or as an idle plane if it cuts nothing. Returns whether it cuts.
-bool add_plane(ProjectedScene& view, const scene::World& world, const ClipPlane& plane,
+bool add_plane(ProjectedScene& view, const world::World& world, const ClipPlane& plane,
                std::initializer_list<std::vector<int>*> users) {
   const int number = view.clipper.add_plane(plane);
   const auto is_cut = [&](const auto& corners) {
@@ -51,7 +51,7 @@ ClipPlane depth_plane(const ProjectedScene& view, double limit, double sign) {
 }
 
 // Returns whether something lies beside or behind the viewer.
-bool add_depth_planes(ProjectedScene& view, const scene::World& world, const ViewLimits& limits, Clipping clipping) {
+bool add_depth_planes(ProjectedScene& view, const world::World& world, const ViewLimits& limits, Clipping clipping) {
   const projection::Projection& p = view.projection;
   const double viewer = p.central ? glm::dot(p.n, p.projector - p.point) : 0;
   double front = p.front;
@@ -72,7 +72,7 @@ bool add_depth_planes(ProjectedScene& view, const scene::World& world, const Vie
   return around;
 }
 
-UnsetVector<ViewTriangle> clipped_triangles(ProjectedScene& view, const scene::World& world, Clipping clipping) {
+UnsetVector<ViewTriangle> clipped_triangles(ProjectedScene& view, const world::World& world, Clipping clipping) {
   // Idle planes come first: they cut off none of the world's own corners, whereas clipping creates corners that are
   // rounded.
   std::vector<int> planes = clipping == Clipping::everywhere ? view.idle_planes : std::vector<int>();
@@ -93,14 +93,14 @@ UnsetVector<ViewTriangle> clipped_triangles(ProjectedScene& view, const scene::W
 }
 
 // What the planes leave of the wires, as far as planes cut anything yet.
-std::vector<std::array<int, 2>> clipped_wires(ProjectedScene& view, const scene::World& world) {
+std::vector<std::array<int, 2>> clipped_wires(ProjectedScene& view, const world::World& world) {
   std::vector<std::array<int, 2>> wires;
   for (const auto& [a, b] : world.wires)
     if (const auto part = view.clipper.clip_edge(a, b, view.edge_planes)) wires.push_back(part->vertex);
   return wires;
 }
 
-projection::Window box_of(ProjectedScene& view, const scene::World& world) {
+projection::Window box_of(ProjectedScene& view, const world::World& world) {
   const std::vector<std::array<int, 2>> wires = clipped_wires(view, world);
   // Most vertices are corners of several triangles; each is divided once.
   std::vector<char> used(view.clipper.vertices.size(), 0);
@@ -127,7 +127,7 @@ projection::Window cone_of_vision(const ProjectedScene& view) {
   return {foot - reach, foot + reach};
 }
 
-void choose_window(ProjectedScene& view, const scene::World& world, bool around, Clipping clipping) {
+void choose_window(ProjectedScene& view, const world::World& world, bool around, Clipping clipping) {
   if (const auto& given = view.projection.window) {
     const double unit = view.projection.scale * view.map.normalisation;
     view.window = {given->min * unit - view.map.image, given->max * unit - view.map.image};
@@ -143,7 +143,7 @@ void choose_window(ProjectedScene& view, const scene::World& world, bool around,
 }
 
 // Adds min.x <= X/W <= max.x, and likewise for Y, as planes.
-void add_window_planes(ProjectedScene& view, const scene::World& world, const projection::Window& window,
+void add_window_planes(ProjectedScene& view, const world::World& world, const projection::Window& window,
                        std::vector<int>& user) {
   add_plane(view, world, {1, 0, 0, -window.min.x}, {&user});
   add_plane(view, world, {-1, 0, 0, window.max.x}, {&user});
@@ -182,7 +182,7 @@ void lay_out(ProjectedScene& view) {
   });
 }
 
-Contact contact_of(const scene::World& world, const ProjectedScene& view, std::optional<double> given) {
+Contact contact_of(const world::World& world, const ProjectedScene& view, std::optional<double> given) {
   const double unit = view.map.unit;
   const double rounding = world.rounding * view.map.normalisation;
   const double min = joined_part * view.extent;
@@ -198,7 +198,7 @@ Contact contact_of(const scene::World& world, const ProjectedScene& view, std::o
 
 }  // namespace
 
-ProjectedScene project_scene(const scene::World& world, const projection::Projection& projection,
+ProjectedScene project_scene(const world::World& world, const projection::Projection& projection,
                              const ViewLimits& limits, Clipping clipping) {
   const ViewMap map = make_view_map(projection, world.box);
   UnsetVector<Mapped> mapped(world.points.size());
@@ -208,7 +208,7 @@ ProjectedScene project_scene(const scene::World& world, const projection::Projec
   return project_scene(world, projection, limits, std::move(mapped), clipping);
 }
 
-ProjectedScene project_scene(const scene::World& world, const projection::Projection& projection,
+ProjectedScene project_scene(const world::World& world, const projection::Projection& projection,
                              const ViewLimits& limits, UnsetVector<Mapped> mapped, Clipping clipping) {
   ProjectedScene view;
   view.projection = projection;

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "base/unset_vector.hpp"
-#include "scene/scene.hpp"
 #include "view/clip.hpp"
 #include "view/view_map.hpp"
+#include "world/world.hpp"
 
 namespace epura::view {
 
@@ -82,12 +82,12 @@ struct ProjectedScene {
 enum class Clipping { where_needed, everywhere };
 
 /// Throws Error{input} if no part of the world lies in front of the viewer and inside the window.
-ProjectedScene project_scene(const scene::World& world, const projection::Projection& projection,
+ProjectedScene project_scene(const world::World& world, const projection::Projection& projection,
                              const ViewLimits& limits, Clipping clipping = Clipping::where_needed);
 
 /// The same with points of the world that the caller has mapped. They must be finite, in the coordinates of
 /// make_view_map(projection, world.box).
-ProjectedScene project_scene(const scene::World& world, const projection::Projection& projection,
+ProjectedScene project_scene(const world::World& world, const projection::Projection& projection,
                              const ViewLimits& limits, UnsetVector<Mapped> mapped,
                              Clipping clipping = Clipping::where_needed);
 

@@ -38,7 +38,7 @@ bool is_visible_somewhere(const HiddenSpans& hidden, std::size_t edge) {
 class TestedLines {
  public:
   /// Adds the ends of lines to `view`.
-  TestedLines(const scene::World& world, view::ProjectedScene& view) : world_(world), view_(view) {}
+  TestedLines(const world::World& world, view::ProjectedScene& view) : world_(world), view_(view) {}
 
   /// Returns a contour where it is drawn, in front of its facets.
   [[nodiscard]] edges::FeatureEdge drawn(const edges::FeatureEdge& contour) {
@@ -95,19 +95,19 @@ class TestedLines {
     return view::add_mapped_point(view_, place);
   }
 
-  const scene::World& world_;
+  const world::World& world_;
   view::ProjectedScene& view_;
 };
 
 /// The face of the part at a triangle of a model.
-int face_at(const scene::World& world, int model, int triangle) {
+int face_at(const world::World& world, int model, int triangle) {
   return world.models[model].part->face_of_triangle[static_cast<std::size_t>(triangle)];
 }
 
 /// Faces of parts, as model and face, sorted.
 using Faces = std::vector<std::array<int, 2>>;
 
-Faces faces_with(const scene::World& world, const edges::FeatureEdges& drawn, const std::vector<std::size_t>& numbers) {
+Faces faces_with(const world::World& world, const edges::FeatureEdges& drawn, const std::vector<std::size_t>& numbers) {
   Faces faces;
   for (const std::size_t e : numbers) {
     const edges::FeatureEdge& edge = drawn.edges[e];
@@ -121,7 +121,7 @@ Faces faces_with(const scene::World& world, const edges::FeatureEdges& drawn, co
 }
 
 /// The view without all other faces.
-view::ProjectedScene view_of(const scene::World& world, const view::ProjectedScene& view, const Faces& faces) {
+view::ProjectedScene view_of(const world::World& world, const view::ProjectedScene& view, const Faces& faces) {
   view::ProjectedScene some = view;
   const auto is_other = [&](const view::ViewTriangle& triangle) {
     const int model = world.model_of_triangle(triangle.source);
@@ -188,7 +188,7 @@ HiddenSpans with_spans(const HiddenSpans& hidden, const Tests& tests, const Hidd
   return all;
 }
 
-HiddenSpans found_hidden(const scene::World& world, const view::ProjectedScene& faces, const Tests& tests,
+HiddenSpans found_hidden(const world::World& world, const view::ProjectedScene& faces, const Tests& tests,
                          const Progress& progress) {
   HiddenSpans found = find_hidden(world, faces, tests.lines, progress);
   if (!found.undecided.empty()) throw OutOfTime{"hiding lines"};
@@ -196,9 +196,9 @@ HiddenSpans found_hidden(const scene::World& world, const view::ProjectedScene& 
 }
 
 /// Whether a contour is drawn on a torus, not on the mesh.
-bool is_drawn_on_torus(const scene::World& world, const edges::FeatureEdge& edge) {
+bool is_drawn_on_torus(const world::World& world, const edges::FeatureEdge& edge) {
   if (edge.shown[0] < 0 && edge.shown[1] < 0) return false;
-  const scene::Placed& placed = world.models[edge.model];
+  const world::Placed& placed = world.models[edge.model];
   const auto triangles = placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]);
   return std::all_of(triangles.begin(), triangles.end(), [&](int t) {
     const int face = placed.part->face_of_triangle[static_cast<std::size_t>(t)];
@@ -218,7 +218,7 @@ std::vector<std::size_t> visible_edges(const edges::FeatureEdges& drawn, const H
 
 // Of a mesh, all vertices of a contour near a cusp may be drawn beyond the place where another contour passes before
 // it.
-void hide_behind_own_face(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
+void hide_behind_own_face(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                           HiddenSpans& hidden, const Progress& progress) {
   const std::vector<std::size_t> contours =
       visible_edges(drawn, hidden, [&](const edges::FeatureEdge& edge) { return is_drawn_on_torus(world, edge); });
@@ -236,7 +236,7 @@ void hide_behind_own_face(const scene::World& world, const view::ProjectedScene&
 
 }  // namespace
 
-void hide_folds(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
+void hide_folds(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                 HiddenSpans& hidden, const Progress& progress) {
   hide_behind_own_face(world, view, drawn, hidden, progress);
   const std::vector<std::size_t> folds =

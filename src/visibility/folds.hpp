@@ -13,7 +13,7 @@ namespace epura::visibility {
 /// their face goes on no farther behind than their facets are deep, or twice that beyond a cusp. To find out, lines
 /// next to them at that depth are tested like edges against such faces. Lines that are drawn on a torus, not on its
 /// facets, are tested against it where they are drawn. Throws OutOfTime.
-void hide_folds(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
+void hide_folds(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                 HiddenSpans& hidden, const Progress& progress = {});
 
 }  // namespace epura::visibility

@@ -24,7 +24,7 @@ struct Border {
 
 class Sheet {
  public:
-  Sheet(const scene::World& world, const view::ProjectedScene& view) : world_(world), view_(view) {}
+  Sheet(const world::World& world, const view::ProjectedScene& view) : world_(world), view_(view) {}
 
   [[nodiscard]] bool is_one() const {
     if (is_closed() || !world_.wires.empty()) return false;
@@ -41,7 +41,7 @@ class Sheet {
   // edges than that allows.
   [[nodiscard]] bool is_closed() const {
     std::size_t edges = 0;
-    for (const scene::Placed& model : world_.models) edges += model.mesh->edges.size();
+    for (const world::Placed& model : world_.models) edges += model.mesh->edges.size();
     return 2 * edges <= 3 * world_.triangles.size();
   }
 
@@ -152,13 +152,13 @@ class Sheet {
     return high > 0 || (high == 0 && (low & 0xffffffff) != 0);
   }
 
-  const scene::World& world_;
+  const world::World& world_;
   const view::ProjectedScene& view_;
 };
 
 }  // namespace
 
-bool is_height_field(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn) {
+bool is_height_field(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn) {
   if (!view.triangle_planes.empty() || !view.edge_planes.empty() || !drawn.crossings.empty()) return false;
   return Sheet(world, view).is_one();
 }

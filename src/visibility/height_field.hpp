@@ -16,6 +16,6 @@ namespace epura::visibility {
 /// - sides with only one triangle form closed lines that neither cross nor touch, so every place is covered as often as
 ///   they wind around it; and exactly one of these lines has the same sense as the triangles, the others are holes.
 /// Then no place is covered twice. The test requires that nothing is clipped and that there are no intersection lines.
-bool is_height_field(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn);
+bool is_height_field(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn);
 
 }  // namespace epura::visibility

@@ -71,7 +71,7 @@ double greatest_depth(const view::ProjectedScene& view) {
 
 }  // namespace
 
-OccluderGrid::OccluderGrid(const scene::World& world, const view::ProjectedScene& view,
+OccluderGrid::OccluderGrid(const world::World& world, const view::ProjectedScene& view,
                            const std::vector<edges::FeatureEdge>& edges, const Progress& progress)
     : view_(view),
       edges_(edges),

@@ -50,7 +50,7 @@ struct CellSegment {
 class OccluderGrid {
  public:
   /// Throws OutOfTime.
-  OccluderGrid(const scene::World& world, const view::ProjectedScene& view,
+  OccluderGrid(const world::World& world, const view::ProjectedScene& view,
                const std::vector<edges::FeatureEdge>& edges, const Progress& progress = {});
 
   /// Calls `visit(CellSegment)` for the cells along an edge; together, the segments cover the whole edge.

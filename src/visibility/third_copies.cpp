@@ -30,7 +30,7 @@ std::vector<int> unmarked(const std::vector<char>& marks) {
 
 }  // namespace
 
-ThirdCopies::ThirdCopies(const scene::World& world, const view::ProjectedScene& view, const Progress& progress)
+ThirdCopies::ThirdCopies(const world::World& world, const view::ProjectedScene& view, const Progress& progress)
     : is_third_(view.triangles.size(), 0) {
   if (world.models.size() < 3) return;  // no mesh has a triangle twice
   is_third_ = mark_third_copies(

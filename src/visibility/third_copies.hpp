@@ -8,8 +8,8 @@
 #include "base/groups.hpp"
 #include "base/progress.hpp"
 #include "edges/find_edges.hpp"
-#include "scene/scene.hpp"
 #include "view/projected_scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::visibility {
 
@@ -19,7 +19,7 @@ namespace epura::visibility {
 class ThirdCopies {
  public:
   /// Throws OutOfTime.
-  ThirdCopies(const scene::World& world, const view::ProjectedScene& view, const Progress& progress);
+  ThirdCopies(const world::World& world, const view::ProjectedScene& view, const Progress& progress);
 
   /// All triangles of the view except third copies, ascending.
   [[nodiscard]] std::vector<int> others() const;

@@ -19,7 +19,7 @@ namespace epura::visibility {
 namespace {
 
 struct Occlusion {
-  const scene::World& world;
+  const world::World& world;
   const view::ProjectedScene& view;
   const OccluderGrid& occluders;
   const edges::FeatureEdges& drawn;
@@ -122,7 +122,7 @@ Spans hidden_by_all(const view::ProjectedScene& view, const PageEdge& line, cons
 
 }  // namespace
 
-OwnTriangles::OwnTriangles(const scene::World& world, const edges::FeatureEdges& drawn,
+OwnTriangles::OwnTriangles(const world::World& world, const edges::FeatureEdges& drawn,
                            const edges::FeatureEdge& edge) {
   if (edge.crossing >= 0) {
     check(edge.crossing < static_cast<int>(drawn.crossings.size()), "an intersection line has its crossing");
@@ -139,7 +139,7 @@ OwnTriangles::OwnTriangles(const scene::World& world, const edges::FeatureEdges&
   first_ = world.first_triangle[edge.model];
 }
 
-HiddenSpans find_hidden(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
+HiddenSpans find_hidden(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                         Progress progress) {
   progress.begin("finding occluders");
   const OccluderGrid occluders(world, view, drawn.edges, progress);
@@ -148,7 +148,7 @@ HiddenSpans find_hidden(const scene::World& world, const view::ProjectedScene& v
       view, drawn, [&](const edges::FeatureEdge& edge) { return hider.hidden_spans(edge); }, progress);
 }
 
-HiddenSpans find_hidden_directly(const scene::World& world, const view::ProjectedScene& view,
+HiddenSpans find_hidden_directly(const world::World& world, const view::ProjectedScene& view,
                                  const edges::FeatureEdges& drawn, Progress progress) {
   const auto spans_of = [&](const edges::FeatureEdge& edge) {
     return hidden_by_all(view, {edge.vertex[0], edge.vertex[1]}, OwnTriangles(world, drawn, edge));

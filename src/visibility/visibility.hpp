@@ -39,7 +39,7 @@ struct HiddenSpans {
 
 /// A view whose hidden lines have been found: the input of its drawing.
 struct ResolvedView {
-  const scene::World& world;
+  const world::World& world;
   const view::ProjectedScene& view;
   const edges::FeatureEdges& drawn;
   const HiddenSpans& hidden;
@@ -49,7 +49,7 @@ struct ResolvedView {
 class OwnTriangles {
  public:
   OwnTriangles() = default;  ///< none
-  OwnTriangles(const scene::World& world, const edges::FeatureEdges& drawn, const edges::FeatureEdge& edge);
+  OwnTriangles(const world::World& world, const edges::FeatureEdges& drawn, const edges::FeatureEdge& edge);
 
   /// Whether one of them is this triangle of the world.
   [[nodiscard]] bool contain(int triangle) const {
@@ -64,12 +64,12 @@ class OwnTriangles {
 /// Tests every edge against every triangle that meets it on the page. The result does not depend on the number of
 /// threads. Under a time limit, the longest edges come first, and those for which there is no time left stay undecided;
 /// OutOfTime is thrown if there is no time for a single one.
-HiddenSpans find_hidden(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
+HiddenSpans find_hidden(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                         Progress progress = {});
 
 /// Computes the same, to the last bit, without a search for possible occluders: every triangle is tested. For the
 /// longest few edges, where the search itself takes too long.
-HiddenSpans find_hidden_directly(const scene::World& world, const view::ProjectedScene& view,
+HiddenSpans find_hidden_directly(const world::World& world, const view::ProjectedScene& view,
                                  const edges::FeatureEdges& drawn, Progress progress = {});
 
 /// Removes the undecided edges from both, so that everything drawn is right.

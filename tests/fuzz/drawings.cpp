@@ -101,7 +101,7 @@ Scene scene_of(const std::string& bytes) {
 }
 
 Result draw(const Shape& shape, const Scene& scene) {
-  scene::World world = test::world_of(shape);
+  world::World world = test::world_of(shape);
   return test::draw(scene.is_recognised ? test::recognised(std::move(world)) : std::move(world), scene.view,
                     scene.options);
 }

@@ -67,7 +67,7 @@ TEST(Alignment, LineAlongABorderLeavesTheInkUnchanged) {
 }
 
 TEST(Alignment, LinePiercingAPlate) {
-  const scene::World world = world_of({plate(-2, -1, 2, 1, 0), ground()});
+  const world::World world = world_of({plate(-2, -1, 2, 1, 0), ground()});
   for (double slope = 1; slope > 1e-6; slope /= 10) {
     const auto spans = hidden_of_line(world, from_above(), {-1, 0, -slope}, {1, 0, slope});
     ASSERT_EQ(spans.size(), 1U) << slope;
@@ -81,13 +81,13 @@ TEST(Alignment, LinePiercingAPlate) {
 }
 
 TEST(Alignment, LineInAPlateIsVisible) {
-  const scene::World world = world_of({plate(-2, -1, 2, 1, 0), ground()});
+  const world::World world = world_of({plate(-2, -1, 2, 1, 0), ground()});
   EXPECT_TRUE(hidden_of_line(world, from_above(), {-1, -0.3, 0}, {1, 0.7, 0}).empty());
 }
 
 TEST(Alignment, LineBehindANarrowPlate) {
   for (double w = 1e-1; w > 1e-6; w /= 10) {
-    const scene::World world = world_of({plate(0, -1, w, 1, 1), ground()});
+    const world::World world = world_of({plate(0, -1, w, 1, 1), ground()});
     const auto behind = hidden_of_line(world, from_above(), {-1, 0, 0}, {1, 0, 0});
     ASSERT_EQ(behind.size(), 1U) << w;
     EXPECT_NEAR(2 * (behind[0][1] - behind[0][0]), w, 1e-9) << w;

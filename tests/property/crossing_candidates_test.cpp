@@ -73,7 +73,7 @@ TEST(Candidates, HaveAllIntersections) {
     std::vector<Shape> shapes;
     const int count = 1 + static_cast<int>(12 * bodies.number());
     for (int i = 0; i < count; ++i) shapes.push_back(bodies.body());
-    const scene::World world = world_of(shapes);
+    const world::World world = world_of(shapes);
     for (const double contact : {0.0, 0x1p-40, 0x1p-29, 0x1p-20, 0x1p-8}) {
       const edges::CrossingCandidates all = edges::all_triangles(world);
       const edges::CrossingCandidates candidates = edges::crossing_candidates(world, 0x1p-2, contact);
@@ -101,7 +101,7 @@ TEST(Candidates, AreTwoOfAllCopies) {
     shapes.push_back(box({0, 0, 0}, {2, 2, 2}));
     shapes.push_back(box({1, 1, 1}, {3, 3, 3}));
   }
-  const scene::World world = world_of(shapes);
+  const world::World world = world_of(shapes);
   const edges::CrossingCandidates candidates = edges::crossing_candidates(world, 0x1p-2, 0x1p-29);
   EXPECT_EQ(candidates.triangles.size(), 2U * 24);
   const auto places = [&](const edges::CrossingCandidates& triangles) {

@@ -36,7 +36,7 @@ TEST(ProjectionExtremes, PowersOfTwoScaleTheDrawingExactly) {
 
 TEST(ProjectionExtremes, EyeOnAVertexOrInAFace) {
   for (const Vec3& eye : {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0.25, 0.25, 0.25)}) {
-    const scene::World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({-1, 3, -1}, {2, 4, 2})});
+    const world::World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({-1, 3, -1}, {2, 4, 2})});
     const Result result = draw(world, perspective(eye, eye + Vec3(0, 1, 0), {0, -1, 0}, {0, 0, 1}));
     for (const drawing::Segment& s : result.drawing.segments) {
       EXPECT_TRUE(std::isfinite(s.from.x) && std::isfinite(s.from.y));

@@ -79,7 +79,7 @@ unsigned scene_count() {
 
 TEST_P(Scenes, SearchEqualsBruteForce) {
   for (unsigned seed = 1 + GetParam(); seed <= scene_count(); seed += parts) {
-    const scene::World world = world_of(soup(seed));
+    const world::World world = world_of(soup(seed));
     const std::vector<projection::Projection> views{
         orthographic({1, 1, 1}), orthographic({0.3, -1, 0.2}), from_above(),
         perspective({3, -2, 2}, {0, 0, 0}, {3, -2, 2}, {0, 0, 1}),
@@ -97,7 +97,7 @@ TEST(Search, EqualsBruteForceFromInside) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     // A room around the soup, so that there is always something in front of the eye.
-    const scene::World world = world_of({soup(seed), box({-1, -1, -1}, {3, 3, 3})});
+    const world::World world = world_of({soup(seed), box({-1, -1, -1}, {3, 3, 3})});
     expect_equal(draw(world, perspective({0.5, 0.5, 0.5}, {0.5, 0.7, 0.5}, {0.1, -1, 0.2}, {0, 0, 1})));
   }
 }
@@ -139,7 +139,7 @@ Shape stack(unsigned seed) {
 TEST(Search, EqualsBruteForceOnStacks) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const scene::World world = world_of(stack(seed));
+    const world::World world = world_of(stack(seed));
     expect_equal(draw(world, from_above()));
     expect_equal(draw(world, orthographic({0.1, -0.2, 1}), {.smooth = true}));
     expect_equal(draw(world, perspective({2, 1, 12}, {1.5, 1.5, 0}, {0.5, -0.5, 12}, {0, 1, 0})));
@@ -169,7 +169,7 @@ Shape slanted_stack(unsigned seed) {
 TEST(Search, EqualsBruteForceOnSlantedStacks) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const scene::World world = world_of(slanted_stack(seed));
+    const world::World world = world_of(slanted_stack(seed));
     expect_equal(draw(world, orthographic({1, -1, 1})));
     expect_equal(draw(world, orthographic({1, 1, 1}), {.smooth = true}));
     expect_equal(draw(world, orthographic({0.3, -0.8, 0.5})));
@@ -204,7 +204,7 @@ std::vector<Shape> leaning(std::vector<Shape> all, double angle) {
 TEST(Search, EqualsBruteForceOnCopies) {
   for (unsigned seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const scene::World world = world_of(std::vector<Shape>(4, soup(seed)));
+    const world::World world = world_of(std::vector<Shape>(4, soup(seed)));
     if (world.triangles.empty()) continue;  // all were rounded to nothing
     expect_equal(draw(world, orthographic({0.3, -1, 0.2})));
     expect_equal(draw(world, perspective({0.5, -0.5, 0.5}, {0.5, 0, 0.5}, {0, -1, 0}, {0, 0, 1})));
@@ -214,7 +214,7 @@ TEST(Search, EqualsBruteForceOnCopies) {
 TEST(Search, EqualsBruteForceOnEqualParts) {
   for (unsigned seed = 1; seed <= 2; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const scene::World world = world_of(equal_parts(seed)), slanted = world_of(leaning(equal_parts(seed), 0.7));
+    const world::World world = world_of(equal_parts(seed)), slanted = world_of(leaning(equal_parts(seed), 0.7));
     expect_equal(draw(world, from_above()));
     expect_equal(draw(world, orthographic({1, -1, 1})));
     expect_equal(draw(world, perspective({2, 1, 40}, {2, 1, 0}, {0, 0, 1}, {0, 1, 0})));
@@ -272,7 +272,7 @@ class ThinTriangles : public testing::TestWithParam<Thin> {};
 TEST_P(ThinTriangles, AreFoundAsByBruteForce) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const scene::World world = world_of(thin_triangles(GetParam(), seed));
+    const world::World world = world_of(thin_triangles(GetParam(), seed));
     expect_equal(draw(world, from_above(), {.intersection = false}));
     expect_equal(draw(world, orthographic({1, -1, 1}), {.intersection = false}));
     expect_equal(draw(world, orthographic({0.3, -0.8, 0.1}), {.smooth = true}));

@@ -20,9 +20,9 @@ scene::CuttingPlane plane_at(const Vec3& point, const Vec3& normal) {
   return scene::make_cutting_plane({{"A", "--section"}, point, normal});
 }
 
-Result draw_cut(const scene::World& world, const scene::CuttingPlane& plane, const projection::Projection& projection,
+Result draw_cut(const world::World& world, const scene::CuttingPlane& plane, const projection::Projection& projection,
                 const view::ViewLimits& limits = {}) {
-  return draw(scene::cut_world(world, plane).world, projection, {}, limits);
+  return draw(cut::cut_world(world, plane).world, projection, {}, limits);
 }
 
 // A tube of square section along y, closed by a wall at each end.
@@ -50,7 +50,7 @@ Shape cup(double from, double to) {
 const std::vector<Vec3> directions = {{1, -1, 1}, {-1, -2, 0.5}, {0.3, -1, -0.7}, {1, 1, 1}, {0, -1, 0}, {0, 0, 1}};
 
 TEST(Section, OfABoxLooksLikeTheShorterBox) {
-  const scene::World whole = world_of(box({0, 0, 0}, {4, 6, 4})), half = world_of(box({0, 2.5, 0}, {4, 6, 4}));
+  const world::World whole = world_of(box({0, 0, 0}, {4, 6, 4})), half = world_of(box({0, 2.5, 0}, {4, 6, 4}));
   for (const Vec3& direction : directions) {
     const Vec3 up = direction.z == 1 && direction.y == 0 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
     const Result cut = draw_cut(whole, plane_at({1, 2.5, 1}, {0, -1, 0}), orthographic(direction, up));
@@ -61,7 +61,7 @@ TEST(Section, OfABoxLooksLikeTheShorterBox) {
 }
 
 TEST(Section, OfAHollowBoxLooksLikeACup) {
-  const scene::World whole = world_of(hollow(-6, 6)), half = world_of(cup(0, 6));
+  const world::World whole = world_of(hollow(-6, 6)), half = world_of(cup(0, 6));
   for (const Vec3& direction : directions) {
     const Vec3 up = direction.z == 1 && direction.y == 0 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
     const Result cut = draw_cut(whole, plane_at({0, 0, 0}, {0, -1, 0}), orthographic(direction, up));
@@ -76,7 +76,7 @@ TEST(Section, OfAHollowBoxLooksLikeACup) {
 }
 
 TEST(Section, CutFacesHideWhatLiesBehind) {
-  const scene::World world = world_of({box({0, 0, 0}, {4, 4, 4}), box({1, 5, 1}, {3, 6, 3})});
+  const world::World world = world_of({box({0, 0, 0}, {4, 4, 4}), box({1, 5, 1}, {3, 6, 3})});
   const Result cut = draw_cut(world, plane_at({0, 2, 0}, {0, -1, 0}), orthographic({0, -1, 0}));
   EXPECT_NEAR(cut.visible(), 16, 1e-8);
   EXPECT_NEAR(cut.hidden_length(), 8, 1e-8);
@@ -88,7 +88,7 @@ TEST(Section, CutFacesHideWhatLiesBehind) {
 
 TEST(Section, WhatIsTakenAwayNeitherHidesNorCrosses) {
   // A wall in front of a box, and a bar that runs through the wall only.
-  const scene::World world =
+  const world::World world =
       world_of({box({-5, -3, -5}, {5, -2, 5}), box({0, -10, 0}, {1, -1, 1}), box({-1, 0, -1}, {2, 3, 2})});
   const scene::CuttingPlane plane = plane_at({0, 1, 0}, {0, -1, 0});
   const Result cut = draw_cut(world, plane, orthographic({0.1, -1, 0.2}));
@@ -99,7 +99,7 @@ TEST(Section, WhatIsTakenAwayNeitherHidesNorCrosses) {
 }
 
 TEST(Section, LinesSayWhereTheyAreInTheFile) {
-  const scene::World whole = world_of(box({0, 0, 0}, {4, 6, 4}));
+  const world::World whole = world_of(box({0, 0, 0}, {4, 6, 4}));
   const Result cut = draw_cut(whole, plane_at({1, 2.5, 1}, {0, -1, 0}), orthographic({1, -1, 1}));
   int along_y = 0, outline = 0;
   for (const drawing::Segment& segment : cut.drawing.segments) {
@@ -136,7 +136,7 @@ double ring_area(const std::vector<Vec2>& ring) {
 
 TEST(Section, FacesOnPaperAreSeenFromInFrontAndWithinTheWindow) {
   const scene::CuttingPlane plane = plane_at({1, 2.5, 1}, {0, -1, 0});
-  const scene::CutWorld cut = scene::cut_world(world_of(box({0, 0, 0}, {4, 6, 4})), plane);
+  const cut::CutWorld cut = cut::cut_world(world_of(box({0, 0, 0}, {4, 6, 4})), plane);
   projection::Projection front = orthographic({0, -1, 0});
   view::ProjectedScene view = view::project_scene(cut.world, front, {});
   const double unit = 1 / (view.map.normalisation * view.map.normalisation);
@@ -195,7 +195,7 @@ Shape cube_with_a_bore(int sides) {
 }
 
 // Faces and corners in another order; coordinates as a file of 32-bit floats has them, or as they are.
-scene::World numbered_anew(const Shape& shape, unsigned seed, bool floats) {
+world::World numbered_anew(const Shape& shape, unsigned seed, bool floats) {
   std::mt19937 random(seed);
   std::vector<int> number(shape.points.size());
   std::iota(number.begin(), number.end(), 0);
@@ -217,7 +217,7 @@ scene::World numbered_anew(const Shape& shape, unsigned seed, bool floats) {
     for (const int v : face) soup.corners.push_back(number[v]);
     soup.end_face();
   }
-  return scene::make_world({{std::make_shared<const mesh::Mesh>(mesh::build_mesh(std::move(soup), "test"))}});
+  return world::make_world({{std::make_shared<const mesh::Mesh>(mesh::build_mesh(std::move(soup), "test"))}});
 }
 
 std::vector<Shape> shapes_to_cut() {
@@ -233,7 +233,7 @@ TEST(Section, BesideAVertexChangesSteadilyAndKnowsNoOrderOfFaces) {
     for (const bool floats : {false, true})
       for (const std::size_t vertex : {std::size_t{1}, shape.points.size() / 2})
         for (const Vec3& normal : normals) {
-          const scene::World world = numbered_anew(shape, 0, floats), other = numbered_anew(shape, 7, floats);
+          const world::World world = numbered_anew(shape, 0, floats), other = numbered_anew(shape, 7, floats);
           const Vec3 at = world.points[static_cast<int>(vertex)];
           const Result through = draw_cut(world, plane_at(at, normal), view);
           for (const double distance : {1e-15, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 3e-7, 1e-6, 3e-6, 1e-5})

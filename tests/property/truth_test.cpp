@@ -58,7 +58,7 @@ std::vector<projection::Projection> views(Random& random, bool axes) {
 }
 
 void expect_right(const Shape& shape, Random& random, bool axes, const std::string& name) {
-  const scene::World world = world_of(shape);
+  const world::World world = world_of(shape);
   for (const projection::Projection& view : views(random, axes)) {
     const WrongSpan wrong = longest_wrong(draw(world, view));
     EXPECT_LT(wrong.longest, most_wrong) << name << (view.central ? " central " : " parallel ") << view.n.x << ","

@@ -35,13 +35,13 @@ using laboratory::triangulated_cube;
 using laboratory::uv_sphere;
 using laboratory::world_of;
 
-inline Result draw(scene::World world, const projection::Projection& projection, const edges::EdgeOptions& options = {},
+inline Result draw(world::World world, const projection::Projection& projection, const edges::EdgeOptions& options = {},
                    const view::ViewLimits& limits = {}) {
   return laboratory::Lab().draw(std::move(world), {projection, limits}, options);
 }
 
 /// Hidden spans of a straight line that belongs to no mesh.
-inline visibility::Spans hidden_of_line(const scene::World& world, const projection::Projection& projection,
+inline visibility::Spans hidden_of_line(const world::World& world, const projection::Projection& projection,
                                         const Vec3& from, const Vec3& to) {
   return laboratory::Lab().hidden_of_line(world, projection, from, to).spans;
 }

@@ -18,7 +18,7 @@ struct Studied {
   }
 };
 
-inline Studied study(scene::World world, const projection::Projection& projection,
+inline Studied study(world::World world, const projection::Projection& projection,
                      const edges::EdgeOptions& options = {}, const view::ViewLimits& limits = {}) {
   Result result = draw(std::move(world), projection, options, limits);
   return {std::move(result), options, {1, Vec2(0)}};

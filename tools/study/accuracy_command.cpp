@@ -98,7 +98,7 @@ class Study {
   std::vector<ViewMeasurements> measure_scene(const StudiedScene& scene) {
     pipeline::Stopwatch watch;
     std::vector<mesh::MeshReport> reports;
-    const scene::World world = pipeline::read_models(scene.description, {}, reports, messages_, progress_);
+    const world::World world = pipeline::read_models(scene.description, {}, reports, messages_, progress_);
     watch.lap("read");
     const pipeline::CutSections sections = pipeline::cut_sections(world, scene.description, messages_);
     std::vector<ViewMeasurements> measured;
@@ -108,9 +108,9 @@ class Study {
   }
 
  private:
-  void measure_sheet(const StudiedScene& scene, const scene::World& whole, const pipeline::CutSections& sections,
+  void measure_sheet(const StudiedScene& scene, const world::World& whole, const pipeline::CutSections& sections,
                      const pipeline::SheetOfViews& sheet, std::vector<ViewMeasurements>& measured) {
-    const auto world = [&](std::size_t i) -> const scene::World& {
+    const auto world = [&](std::size_t i) -> const world::World& {
       const pipeline::CutSection* section = pipeline::section_of(sections, sheet.descriptions[i]);
       return section == nullptr ? whole : section->cut.world;
     };

@@ -107,7 +107,7 @@ class SeenModel {
   }
 
   DrawOptions options_;
-  scene::World world_;
+  world::World world_;
 };
 
 // What this process inherits of the server's: its sockets.

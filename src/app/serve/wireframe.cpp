@@ -20,7 +20,7 @@ void append(std::string& bytes, const std::vector<Item>& items) {
 
 }  // namespace
 
-std::string wireframe_bytes(const scene::World& world, const view::ProjectedScene& any_view,
+std::string wireframe_bytes(const world::World& world, const view::ProjectedScene& any_view,
                             const edges::EdgeOptions& edges) {
   edges::EdgeOptions of_every_view = edges;
   of_every_view.contour = false;

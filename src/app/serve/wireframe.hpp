@@ -5,8 +5,8 @@
 #include <string>
 
 #include "edges/find_edges.hpp"
-#include "scene/scene.hpp"
 #include "view/projected_scene.hpp"
+#include "world/world.hpp"
 
 namespace epura {
 
@@ -14,7 +14,7 @@ namespace epura {
 /// edges, which a view has as contours; then the vertices, three doubles each; then the edges that every view has, two
 /// vertices each; then the others, with the third corners of their two triangles. Numbers are those of this machine,
 /// where the page is shown.
-std::string wireframe_bytes(const scene::World& world, const view::ProjectedScene& any_view,
+std::string wireframe_bytes(const world::World& world, const view::ProjectedScene& any_view,
                             const edges::EdgeOptions& edges);
 
 }  // namespace epura

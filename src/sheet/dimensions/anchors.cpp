@@ -55,7 +55,7 @@ std::optional<DimensionDirection> direction_of(const scene::DimensionDescription
   return *direction;
 }
 
-Vec3 place_of_vertex(const scene::World& world, const std::array<int, 2>& vertex, const std::string& where) {
+Vec3 place_of_vertex(const world::World& world, const std::array<int, 2>& vertex, const std::string& where) {
   const auto [model, number] = vertex;
   const int models = static_cast<int>(world.models.size());
   if (model < 0 || model >= models)
@@ -77,7 +77,7 @@ Vec3 place_of_vertex(const scene::World& world, const std::array<int, 2>& vertex
   return world.points[std::size_t(world.first_vertex[std::size_t(model)] + number)];
 }
 
-void expect_apart(const scene::World& world, const Vec3& a, const Vec3& b, const std::string& where) {
+void expect_apart(const world::World& world, const Vec3& a, const Vec3& b, const std::string& where) {
   if (glm::length(a - b) <= same_place * glm::length(world.box.size()))
     refuse(where, "two of its anchors are at the same place", "choose other vertices");
 }
@@ -93,14 +93,14 @@ void expect_offset(const AnchoredDimension& dimension) {
 /// Data of the models that dimensions need, computed on first use.
 struct Asked {
   Rims rims;
-  std::optional<std::array<scene::Extent, 3>> extents{};
+  std::optional<std::array<design::Extent, 3>> extents{};
 };
 
-void set_extent(AnchoredDimension& dimension, const scene::World& world, Asked& asked) {
+void set_extent(AnchoredDimension& dimension, const world::World& world, Asked& asked) {
   const int axis = axis_of(*dimension.direction);
-  if (!asked.extents) asked.extents = scene::true_extents(world);
-  const scene::Extent& extent = (*asked.extents)[axis];
-  const Box box = scene::box_of_faces(world);
+  if (!asked.extents) asked.extents = design::true_extents(world);
+  const design::Extent& extent = (*asked.extents)[axis];
+  const Box box = design::box_of_faces(world);
   dimension.points = {box.min, box.max};
   dimension.points[0][axis] = extent.from;
   dimension.points[1][axis] = extent.to;
@@ -119,7 +119,7 @@ std::optional<Tolerance> tolerance_of(const scene::DimensionDescription& descrip
   return tolerance;
 }
 
-AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene::DimensionDescription& description) {
+AnchoredDimension anchored(const world::World& world, Asked& asked, const scene::DimensionDescription& description) {
   const std::string& where = description.where;
   if (!description.type.given()) refuse(where, "the dimension has no type");
   const DimensionType type = *description.type;
@@ -156,14 +156,14 @@ AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene:
 
 }  // namespace
 
-Vec3 position_of(const scene::World& world, const scene::Anchor& anchor, const std::string& where) {
+Vec3 position_of(const world::World& world, const scene::Anchor& anchor, const std::string& where) {
   const auto* vertex = std::get_if<std::array<int, 2>>(&anchor);
   const Vec3 place = vertex ? place_of_vertex(world, *vertex, where) : std::get<Vec3>(anchor);
   if (!finite(place)) refuse(where, "the coordinates of an anchor are not finite");
   return place;
 }
 
-std::vector<AnchoredDimension> find_anchors(const scene::World& world,
+std::vector<AnchoredDimension> find_anchors(const world::World& world,
                                             std::span<const scene::DimensionDescription> dimensions,
                                             const Progress& progress) {
   Asked asked{Rims(world)};

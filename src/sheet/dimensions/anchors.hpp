@@ -9,10 +9,10 @@
 
 #include "base/progress.hpp"
 #include "base/vec.hpp"
+#include "design/true_extents.hpp"
 #include "scene/description.hpp"
-#include "scene/scene.hpp"
-#include "scene/true_extents.hpp"
 #include "sheet/dimensions/tolerance.hpp"
+#include "world/world.hpp"
 
 namespace epura::sheet {
 
@@ -40,21 +40,21 @@ struct AnchoredDimension {
   std::optional<double> offset;
   std::string text;  ///< "<>" stands for the measured value
   std::optional<Tolerance> tolerance{};
-  scene::ExtentForm form = scene::ExtentForm::length;  ///< of overall dimensions
-  bool is_label = false;                               ///< diameter: of a hole whose position is in a table
-  double beyond_vertices = 0;                          ///< how much more they measure than the mesh, which is drawn
-  std::optional<DimensionArrangement> arrangement{};   ///< of a linear dimension between several places
-  std::string name{};                                  ///< by which datums and frames refer to it; may be empty
+  design::ExtentForm form = design::ExtentForm::length;  ///< of overall dimensions
+  bool is_label = false;                                 ///< diameter: of a hole whose position is in a table
+  double beyond_vertices = 0;                            ///< how much more they measure than the mesh, which is drawn
+  std::optional<DimensionArrangement> arrangement{};     ///< of a linear dimension between several places
+  std::string name{};                                    ///< by which datums and frames refer to it; may be empty
 };
 
 /// The position of an anchor. Throws Error{input} with `where` as the location for vertices that do not exist or that
 /// belong to nothing, and for coordinates that are not finite.
-Vec3 position_of(const scene::World& world, const scene::Anchor& anchor, const std::string& where);
+Vec3 position_of(const world::World& world, const scene::Anchor& anchor, const std::string& where);
 
 /// In the order given; without those for which there is no time. Throws Error{input} that locates the dimension: for a
 /// direction that its type does not allow or that is missing, vertices that do not exist, anchors that coincide, and
 /// anchors that are not on a circle where one is required.
-std::vector<AnchoredDimension> find_anchors(const scene::World& world,
+std::vector<AnchoredDimension> find_anchors(const world::World& world,
                                             std::span<const scene::DimensionDescription> dimensions,
                                             const Progress& progress = {});
 

@@ -48,7 +48,7 @@ std::vector<std::vector<const Feature*>> groups_of(const std::vector<Feature>& f
   return groups;
 }
 
-bool are_equal_chamfers(const scene::DesignBevel& a, const scene::DesignBevel& b) {
+bool are_equal_chamfers(const design::DesignBevel& a, const design::DesignBevel& b) {
   return a.model == b.model && a.along == b.along && are_same(a.leg(), b.leg());
 }
 
@@ -63,8 +63,8 @@ class Planner {
         subject_(subject),
         notation_(notation),
         stations_(subject),
-        points_(scene::points_of_faces(subject.world)),
-        box_(scene::box_of_faces(subject.world)) {}
+        points_(design::points_of_faces(subject.world)),
+        box_(design::box_of_faces(subject.world)) {}
 
   AutomaticPlan plan() {
     DimensionDescription overall = wanted_;
@@ -149,12 +149,12 @@ class Planner {
 
   [[nodiscard]] std::string length(double value) const { return length_text(value, notation_); }
 
-  [[nodiscard]] std::string note_of(const scene::DesignHole& hole, std::size_t count) const {
+  [[nodiscard]] std::string note_of(const design::DesignHole& hole, std::size_t count) const {
     return times(count) + name_in_note(hole.thread) + recesses_of(hole, notation_);
   }
 
   void add_holes() {
-    for (const auto& group : groups_of<scene::DesignHole>(subject_.features.holes, scene::are_equal)) {
+    for (const auto& group : groups_of<design::DesignHole>(subject_.features.holes, design::are_equal)) {
       ++groups_;
       const NamedProjection* view = view_along(group.front()->axis, !group.front()->through);
       if (view == nullptr) continue;
@@ -163,10 +163,10 @@ class Planner {
         continue;
       }
       const auto* shown =
-          uppermost<scene::DesignHole>(group, *view, [](const scene::DesignHole& hole) { return hole.mouth; });
+          uppermost<design::DesignHole>(group, *view, [](const design::DesignHole& hole) { return hole.mouth; });
       add(DimensionType::diameter, *view, note_of(*group.front(), group.size())).circle = {
           shown->mouth, shown->axis, shown->called() / 2, {}};
-      for (const scene::DesignHole* hole : group)
+      for (const design::DesignHole* hole : group)
         if (hole->pitch_circle < 0) add_position(*view, hole->mouth, groups_);
     }
   }
@@ -182,8 +182,8 @@ class Planner {
   // The left or lower end of the models in a view along one of its directions; the axis of a round part.
   [[nodiscard]] double origin_along(const Vec3& direction) const {
     const int axis = world_axis(direction);
-    const scene::Extent& extent = subject_.extents[axis];
-    if (extent.form != scene::ExtentForm::length) return (extent.from + extent.to) / 2;
+    const design::Extent& extent = subject_.extents[axis];
+    if (extent.form != design::ExtentForm::length) return (extent.from + extent.to) / 2;
     return direction[axis] > 0 ? extent.from : extent.to;
   }
 
@@ -199,10 +199,10 @@ class Planner {
   }
 
   // Numbered from left to right, then upwards.
-  void add_to_table(std::vector<const scene::DesignHole*> group, const NamedProjection& view) {
+  void add_to_table(std::vector<const design::DesignHole*> group, const NamedProjection& view) {
     HoleTable& table = table_of(view);
     const Vec3 u = view.projection.u, v = view.projection.v, origin = table.origin;
-    const auto place = [&](const scene::DesignHole* hole) {
+    const auto place = [&](const design::DesignHole* hole) {
       return std::pair(glm::dot(hole->mouth - origin, u), glm::dot(hole->mouth - origin, v));
     };
     const double same = same_size * glm::length(box_.size());
@@ -213,7 +213,7 @@ class Planner {
     });
     const std::string letters = letters_of(labelled_++);
     for (std::size_t i = 0; i < group.size(); ++i) {
-      const scene::DesignHole& hole = *group[i];
+      const design::DesignHole& hole = *group[i];
       const auto [x, y] = place(&hole);
       const std::string label = letters + std::to_string(i + 1);
       const std::string size = hole.thread ? hole.thread->text : "⌀" + length(hole.diameter);
@@ -227,7 +227,7 @@ class Planner {
 
   void add_pitch_circles() {
     if (has_table()) return;
-    for (const scene::DesignPitchCircle& circle : subject_.features.pitch_circles) {
+    for (const design::DesignPitchCircle& circle : subject_.features.pitch_circles) {
       ++groups_;
       const NamedProjection* view = view_along(circle.axis, false);
       if (view == nullptr) continue;
@@ -237,48 +237,48 @@ class Planner {
   }
 
   // Whether an overall dimension is the diameter of a cylinder.
-  [[nodiscard]] bool is_overall(const scene::DesignCylinder& cylinder) const {
-    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const scene::Extent& extent) {
-      return extent.form == scene::ExtentForm::diameter && are_same(extent.size(), 2 * cylinder.radius) &&
+  [[nodiscard]] bool is_overall(const design::DesignCylinder& cylinder) const {
+    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const design::Extent& extent) {
+      return extent.form == design::ExtentForm::diameter && are_same(extent.size(), 2 * cylinder.radius) &&
              are_parallel(extent.axis, cylinder.axis) &&
              are_coaxial(extent.centre, extent.axis, cylinder.from, cylinder.radius);
     });
   }
 
   // The end of a cylinder from which extension lines to the outside are short.
-  [[nodiscard]] Vec3 outer_end(const scene::DesignCylinder& cylinder) const {
+  [[nodiscard]] Vec3 outer_end(const design::DesignCylinder& cylinder) const {
     const Vec3 middle = box_.centre();
     const auto off = [&](const Vec3& p) { return std::abs(glm::dot(p - middle, cylinder.axis)); };
     return off(cylinder.from) > off(cylinder.to) ? cylinder.from : cylinder.to;
   }
 
   void add_cylinders() {
-    std::vector<scene::DesignCylinder> left;
-    for (const scene::DesignCylinder& cylinder : subject_.features.cylinders)
+    std::vector<design::DesignCylinder> left;
+    for (const design::DesignCylinder& cylinder : subject_.features.cylinders)
       if (cylinder.inwards || !is_overall(cylinder)) left.push_back(cylinder);
-    const auto equal = [](const scene::DesignCylinder& a, const scene::DesignCylinder& b) {
+    const auto equal = [](const design::DesignCylinder& a, const design::DesignCylinder& b) {
       return a.inwards == b.inwards && a.model == b.model && are_same(a.radius, b.radius) &&
              are_parallel(a.axis, b.axis) && name_in_note(a.thread) == name_in_note(b.thread);
     };
-    for (const auto& group : groups_of<scene::DesignCylinder>(left, equal)) {
+    for (const auto& group : groups_of<design::DesignCylinder>(left, equal)) {
       ++groups_;
       const Vec3& axis = group.front()->axis;
       const NamedProjection* along = view_along(axis, false);
       const NamedProjection* across = group.front()->inwards ? nullptr : view_across(axis);
       const NamedProjection* view = across != nullptr ? across : along;
       if (view == nullptr) continue;
-      const scene::DesignCylinder& shown = *group.front();
+      const design::DesignCylinder& shown = *group.front();
       add(DimensionType::diameter, *view, times(group.size()) + name_in_note(shown.thread)).circle = {
           outer_end(shown), axis, shown.called(), {}};
       if (across != nullptr) add_thread_ends(group, *across);
       if (along == nullptr) continue;
-      for (const scene::DesignCylinder* cylinder : group) add_position(*along, cylinder->from, groups_);
+      for (const design::DesignCylinder* cylinder : group) add_position(*along, cylinder->from, groups_);
     }
   }
 
   // Useful lengths of threads, as positions of their ends.
-  void add_thread_ends(const std::vector<const scene::DesignCylinder*>& group, const NamedProjection& view) {
-    for (const scene::DesignCylinder* cylinder : group) {
+  void add_thread_ends(const std::vector<const design::DesignCylinder*>& group, const NamedProjection& view) {
+    for (const design::DesignCylinder* cylinder : group) {
       const int axis = world_axis(cylinder->axis);
       if (axis < 0 || !cylinder->thread || !cylinder->thread->length) continue;
       const bool horizontal = std::abs(view.projection.u[axis]) > 0.5;
@@ -289,15 +289,15 @@ class Planner {
   }
 
   void add_slots() {
-    const auto span = [](const scene::DesignSlot& slot) { return slot.centres[1] - slot.centres[0]; };
-    const auto equal = [&](const scene::DesignSlot& a, const scene::DesignSlot& b) {
+    const auto span = [](const design::DesignSlot& slot) { return slot.centres[1] - slot.centres[0]; };
+    const auto equal = [&](const design::DesignSlot& a, const design::DesignSlot& b) {
       return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis) &&
              are_same(glm::length(span(a)), glm::length(span(b))) &&
              are_parallel(glm::normalize(span(a)), glm::normalize(span(b)));
     };
-    for (const auto& group : groups_of<scene::DesignSlot>(subject_.features.slots, equal)) {
+    for (const auto& group : groups_of<design::DesignSlot>(subject_.features.slots, equal)) {
       ++groups_;
-      const scene::DesignSlot& slot = *group.front();
+      const design::DesignSlot& slot = *group.front();
       const NamedProjection* view = view_along(slot.axis, false);
       if (view == nullptr) continue;
       const Vec3 along = glm::normalize(span(slot)), out = glm::cross(slot.axis, along);
@@ -309,7 +309,7 @@ class Planner {
       const int axis = world_axis(along);
       if (axis >= 0)
         add(DimensionType::aligned, *view, times(group.size()) + "<>").anchors = {slot.centres[0], slot.centres[1]};
-      for (const scene::DesignSlot* one : group) {
+      for (const design::DesignSlot* one : group) {
         const double way = glm::dot(span(*one), view->projection.u + view->projection.v);
         const auto& [low, high] = std::pair(one->centres[way > 0 ? 0 : 1], one->centres[way > 0 ? 1 : 0]);
         add_position(*view, low, groups_);
@@ -322,10 +322,10 @@ class Planner {
   }
 
   void add_arcs() {
-    const auto equal = [](const scene::DesignArc& a, const scene::DesignArc& b) {
+    const auto equal = [](const design::DesignArc& a, const design::DesignArc& b) {
       return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
     };
-    auto groups = groups_of<scene::DesignArc>(subject_.features.arcs, equal);
+    auto groups = groups_of<design::DesignArc>(subject_.features.arcs, equal);
     std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
       return double(a.size()) * a.front()->radius > double(b.size()) * b.front()->radius;
     });
@@ -338,23 +338,23 @@ class Planner {
       const double sum = double(count) * group.front()->radius;
       if (view == nullptr || sum < least_radius * largest || in_view[view->name]++ >= most_radii) continue;
       const auto* shown =
-          uppermost<scene::DesignArc>(group, *view, [](const scene::DesignArc& arc) { return arc.points[4]; });
+          uppermost<design::DesignArc>(group, *view, [](const design::DesignArc& arc) { return arc.points[4]; });
       add(DimensionType::radius, *view, times(count) + "<>").circle = {shown->centre, shown->axis, shown->radius,
                                                                        shown->points};
     }
   }
 
-  [[nodiscard]] bool are_written_alike(const scene::DesignArc& a, const scene::DesignArc& b) const {
+  [[nodiscard]] bool are_written_alike(const design::DesignArc& a, const design::DesignArc& b) const {
     return length(a.radius) == length(b.radius);
   }
 
   // The number of fillets of the same radius whose form no view shows, such as those around a hexagon. The first group
   // that a view shows stands for them.
-  std::size_t unseen_arcs(const std::vector<std::vector<const scene::DesignArc*>>& groups,
-                          const scene::DesignArc& shown) const {
+  std::size_t unseen_arcs(const std::vector<std::vector<const design::DesignArc*>>& groups,
+                          const design::DesignArc& shown) const {
     std::size_t count = 0;
     for (const auto& group : groups) {
-      const scene::DesignArc& arc = *group.front();
+      const design::DesignArc& arc = *group.front();
       if (arc.model != shown.model || !are_written_alike(arc, shown)) continue;
       const bool is_seen = view_along(arc.axis, false) != nullptr;
       if (is_seen && &arc != &shown) return count;
@@ -374,7 +374,7 @@ class Planner {
   }
 
   // The first view that shows the section of a rounded edge, and the side of the axis on which it does.
-  [[nodiscard]] std::pair<const NamedProjection*, Vec3> view_of(const scene::DesignRound& round) const {
+  [[nodiscard]] std::pair<const NamedProjection*, Vec3> view_of(const design::DesignRound& round) const {
     for (const NamedProjection& view : views_) {
       const projection::Projection& projection = view.projection;
       if (!may_use(view)) continue;
@@ -387,11 +387,11 @@ class Planner {
 
   // Those whose radius is not that of a fillet with a dimension, to which they belong.
   void add_rounds() {
-    const auto equal = [](const scene::DesignRound& a, const scene::DesignRound& b) {
+    const auto equal = [](const design::DesignRound& a, const design::DesignRound& b) {
       return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
     };
-    for (const auto& group : groups_of<scene::DesignRound>(subject_.features.rounds, equal)) {
-      const scene::DesignRound& round = *group.front();
+    for (const auto& group : groups_of<design::DesignRound>(subject_.features.rounds, equal)) {
+      const design::DesignRound& round = *group.front();
       const auto [view, out] = view_of(round);
       if (view == nullptr || has_radius(round.radius)) continue;
       const projection::Projection& projection = view->projection;
@@ -402,11 +402,11 @@ class Planner {
 
   // Spheres that are no corners of fillets, in the first view that shows their outline.
   void add_balls() {
-    const auto equal = [](const scene::DesignBall& a, const scene::DesignBall& b) {
+    const auto equal = [](const design::DesignBall& a, const design::DesignBall& b) {
       return a.model == b.model && are_same(a.radius, b.radius);
     };
-    for (const auto& group : groups_of<scene::DesignBall>(subject_.features.balls, equal)) {
-      const scene::DesignBall& ball = *group.front();
+    for (const auto& group : groups_of<design::DesignBall>(subject_.features.balls, equal)) {
+      const design::DesignBall& ball = *group.front();
       if (has_radius(ball.radius) || is_overall(ball)) continue;
       const auto view = std::find_if(views_.begin(), views_.end(), [&](const NamedProjection& one) {
         return may_use(one) && std::abs(glm::dot(ball.middle, one.projection.n)) < 0.5;
@@ -425,15 +425,15 @@ class Planner {
   }
 
   // Whether an overall dimension is the diameter of a ball.
-  [[nodiscard]] bool is_overall(const scene::DesignBall& ball) const {
-    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const scene::Extent& extent) {
-      return extent.form == scene::ExtentForm::sphere && are_same(extent.size(), 2 * ball.radius);
+  [[nodiscard]] bool is_overall(const design::DesignBall& ball) const {
+    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const design::Extent& extent) {
+      return extent.form == design::ExtentForm::sphere && are_same(extent.size(), 2 * ball.radius);
     });
   }
 
   // Diameters and positions of the ends of cones, as far as no cylinder and no step has them.
   void add_cones() {
-    for (const scene::DesignCone& cone : subject_.features.cones) {
+    for (const design::DesignCone& cone : subject_.features.cones) {
       ++groups_;
       const NamedProjection* view = view_across(cone.axis);
       if (view == nullptr) continue;
@@ -441,10 +441,10 @@ class Planner {
       const bool horizontal = are_parallel(projection.u, cone.axis);
       const Vec3 out = horizontal ? -projection.v : projection.u;
       for (const int end : {0, 1}) {
-        const scene::DesignCylinder circle{cone.model, cone.ends[end],  cone.ends[end],
-                                           cone.axis,  cone.radii[end], false};
+        const design::DesignCylinder circle{cone.model, cone.ends[end],  cone.ends[end],
+                                            cone.axis,  cone.radii[end], false};
         if (!(circle.radius > 0)) continue;
-        if (!is_overall(circle) && !scene::has_coaxial_cylinder(subject_.features, circle))
+        if (!is_overall(circle) && !design::has_coaxial_cylinder(subject_.features, circle))
           add(DimensionType::diameter, *view, "<>").circle = {circle.from, circle.axis, circle.radius, {}};
         if (const int axis = world_axis(cone.axis); axis >= 0)
           stations_.add({view, axis, circle.from[axis], circle.from + circle.radius * out, -1,
@@ -454,12 +454,12 @@ class Planner {
   }
 
   void add_chamfers() {
-    const auto equal = [](const scene::DesignCone& a, const scene::DesignCone& b) {
+    const auto equal = [](const design::DesignCone& a, const design::DesignCone& b) {
       return a.model == b.model && are_same(glm::length(a.ends[1] - a.ends[0]), glm::length(b.ends[1] - b.ends[0])) &&
              are_same(a.angle, b.angle) && are_parallel(a.axis, b.axis);
     };
-    for (const auto& group : groups_of<scene::DesignCone>(subject_.features.chamfers, equal)) {
-      const scene::DesignCone& chamfer = *group.front();
+    for (const auto& group : groups_of<design::DesignCone>(subject_.features.chamfers, equal)) {
+      const design::DesignCone& chamfer = *group.front();
       const NamedProjection* view = view_across(chamfer.axis);
       if (view == nullptr) continue;
       const projection::Projection& projection = view->projection;
@@ -474,19 +474,19 @@ class Planner {
 
   // Chamfered corners have a note; other slopes have the positions of their ends, those of the largest ones first.
   void add_bevels() {
-    std::vector<scene::DesignBevel> chamfers, slopes;
-    for (const scene::DesignBevel& bevel : subject_.features.bevels)
+    std::vector<design::DesignBevel> chamfers, slopes;
+    for (const design::DesignBevel& bevel : subject_.features.bevels)
       (bevel.is_chamfer ? chamfers : slopes).push_back(bevel);
-    for (const auto& group : groups_of<scene::DesignBevel>(chamfers, are_equal_chamfers)) {
+    for (const auto& group : groups_of<design::DesignBevel>(chamfers, are_equal_chamfers)) {
       const NamedProjection* view = view_along(axis_of(group.front()->along), false);
       if (view == nullptr) continue;
-      const auto* shown = uppermost<scene::DesignBevel>(
-          group, *view, [](const scene::DesignBevel& one) { return (one.ends[0] + one.ends[1]) / 2.0; });
+      const auto* shown = uppermost<design::DesignBevel>(
+          group, *view, [](const design::DesignBevel& one) { return (one.ends[0] + one.ends[1]) / 2.0; });
       DimensionDescription& dimension = add(DimensionType::linear, *view, times(group.size()) + "<>×45°");
       dimension.direction = {DimensionDirection::horizontal, wanted_.where};
       for (const Vec3& end : shown->ends) dimension.anchors.emplace_back(end);
       // The other ends are on the faces at the corner.
-      for (const scene::DesignBevel* chamfer : group)
+      for (const design::DesignBevel* chamfer : group)
         for (const int end : {0, 1}) stations_.know(chamfer->across[end], chamfer->ends[1 - end][chamfer->across[end]]);
     }
     std::stable_sort(slopes.begin(), slopes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
@@ -506,7 +506,7 @@ class Planner {
   }
 
   // The view in which a step is nearest to the viewer, so that little can hide it; the first one of several.
-  [[nodiscard]] const NamedProjection* view_of(const scene::DesignLevel& level) const {
+  [[nodiscard]] const NamedProjection* view_of(const design::DesignLevel& level) const {
     Vec3 axis(0);
     axis[level.axis] = 1;
     const NamedProjection* best = nullptr;
@@ -534,7 +534,7 @@ class Planner {
 
   void add_levels() {
     std::map<std::pair<std::string, int>, std::vector<std::pair<double, Station>>> by_view;
-    for (const scene::DesignLevel& level : subject_.features.levels) {
+    for (const design::DesignLevel& level : subject_.features.levels) {
       const NamedProjection* view = view_of(level);
       if (view == nullptr || stations_.is_known(level.axis, level.at) || level.area < least_area()) continue;
       const bool horizontal = std::abs(view->projection.u[level.axis]) > 0.5;

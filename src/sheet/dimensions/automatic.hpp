@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "scene/design_features.hpp"
-#include "scene/true_extents.hpp"
+#include "design/design_features.hpp"
+#include "design/true_extents.hpp"
 #include "sheet/dimensions/hole_table.hpp"
 #include "sheet/dimensions/overall.hpp"
 #include "sheet/notation.hpp"
@@ -17,9 +17,9 @@ namespace epura::sheet {
 
 /// What is to be dimensioned.
 struct DimensionSubject {
-  const scene::World& world;
-  const scene::DesignFeatures& features;
-  const std::array<scene::Extent, 3>& extents;
+  const world::World& world;
+  const design::DesignFeatures& features;
+  const std::array<design::Extent, 3>& extents;
 };
 
 /// How many steps a view dimensions along one axis, and how many radii; more would not be legible. The largest count,

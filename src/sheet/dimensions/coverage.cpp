@@ -11,8 +11,8 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/text.hpp"
-#include "scene/placed_part.hpp"
 #include "sheet/dimensions/stations.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::sheet {
 
@@ -39,7 +39,7 @@ bool is_auxiliary(const std::string& text) { return !text.empty() && text.front(
 /// Places along one axis, joined by dimensions.
 class Chain {
  public:
-  Chain(const scene::Extent& extent, double slack) : slack_(slack), extent_(extent) {
+  Chain(const design::Extent& extent, double slack) : slack_(slack), extent_(extent) {
     add(extent.from, "");
     add(extent.to, "");
   }
@@ -91,7 +91,7 @@ class Chain {
   }
 
   double slack_;
-  scene::Extent extent_;
+  design::Extent extent_;
   std::vector<std::pair<double, std::string>> places_;
   DisjointSets sets_{0}, lengths_{0};
 };
@@ -149,29 +149,29 @@ class CoverageFinder {
   }
 
   void add_places() {
-    const scene::DesignFeatures& features = subject_.features;
-    for (const scene::DesignHole& hole : features.holes)
+    const design::DesignFeatures& features = subject_.features;
+    for (const design::DesignHole& hole : features.holes)
       add_place(hole.mouth, hole.axis, "hole ⌀" + length(hole.diameter));
-    for (const scene::DesignCylinder& cylinder : features.cylinders)
+    for (const design::DesignCylinder& cylinder : features.cylinders)
       add_place(cylinder.from, cylinder.axis, name_of(cylinder));
-    for (const scene::DesignSlot& slot : features.slots)
+    for (const design::DesignSlot& slot : features.slots)
       for (const Vec3& centre : slot.centres) add_place(centre, slot.axis, "slot R" + length(slot.radius));
-    for (const scene::DesignPitchCircle& circle : features.pitch_circles)
+    for (const design::DesignPitchCircle& circle : features.pitch_circles)
       add_place(circle.centre, circle.axis, "pitch circle ⌀" + length(2 * circle.radius));
-    for (const scene::DesignLevel& level : features.levels) chains_[level.axis].add(level.at, "step");
-    for (const scene::DesignCone& cone : features.cones)
+    for (const design::DesignLevel& level : features.levels) chains_[level.axis].add(level.at, "step");
+    for (const design::DesignCone& cone : features.cones)
       if (const int axis = world_axis(cone.axis); axis >= 0)
         for (const Vec3& end : cone.ends) chains_[axis].add(end[axis], "end of a cone");
-    for (const scene::DesignBevel& bevel : features.bevels)
+    for (const design::DesignBevel& bevel : features.bevels)
       for (int axis = 0; axis < 3; ++axis)
         for (const Vec3& end : bevel.ends)
           if (axis != bevel.along) chains_[axis].add(end[axis], bevel.is_chamfer ? "chamfer" : "slope");
-    for (const scene::DesignCylinder& cylinder : features.cylinders)
+    for (const design::DesignCylinder& cylinder : features.cylinders)
       if (const int axis = world_axis(cylinder.axis); axis >= 0 && cylinder.thread && cylinder.thread->length)
         chains_[axis].add(cylinder.thread->end[axis], "end of thread " + cylinder.thread->text);
   }
 
-  [[nodiscard]] std::string name_of(const scene::DesignCylinder& cylinder) const {
+  [[nodiscard]] std::string name_of(const design::DesignCylinder& cylinder) const {
     const std::string size = cylinder.thread ? cylinder.thread->text : "⌀" + length(2 * cylinder.radius);
     return (cylinder.inwards ? "bore " : "cylinder ") + size;
   }
@@ -193,8 +193,8 @@ class CoverageFinder {
   }
 
   void add_sizes() {
-    const scene::DesignFeatures& features = subject_.features;
-    for (const scene::DesignHole& hole : features.holes) {
+    const design::DesignFeatures& features = subject_.features;
+    for (const design::DesignHole& hole : features.holes) {
       std::string name = "hole " + (hole.thread ? hole.thread->text : "⌀" + length(hole.diameter));
       std::string kind = hole.thread ? name : "hole";
       std::vector<double> lengths{hole.called()};
@@ -209,7 +209,7 @@ class CoverageFinder {
       add_size({name, kind, lengths, hole.model, hole.mouth, hole.axis, hole.called() / 2, false,
                 hole.depth || hole.counterbore || hole.countersink});
     }
-    for (const scene::DesignCylinder& cylinder : features.cylinders)
+    for (const design::DesignCylinder& cylinder : features.cylinders)
       add_size({name_of(cylinder),
                 cylinder.thread    ? name_of(cylinder)
                 : cylinder.inwards ? "bore"
@@ -221,7 +221,7 @@ class CoverageFinder {
                 cylinder.called(),
                 false,
                 false});
-    for (const scene::DesignPitchCircle& circle : features.pitch_circles)
+    for (const design::DesignPitchCircle& circle : features.pitch_circles)
       add_size({"pitch circle ⌀" + length(2 * circle.radius),
                 "pitch circle",
                 {circle.radius},
@@ -231,9 +231,9 @@ class CoverageFinder {
                 circle.radius,
                 false,
                 false});
-    for (const scene::DesignCone& cone : features.cones)
+    for (const design::DesignCone& cone : features.cones)
       for (const int end : {0, 1}) add_end(cone, end);
-    for (const scene::DesignSlot& slot : features.slots)
+    for (const design::DesignSlot& slot : features.slots)
       add_size({"slot R" + length(slot.radius),
                 "slot",
                 {slot.radius},
@@ -243,7 +243,7 @@ class CoverageFinder {
                 slot.radius,
                 true,
                 false});
-    for (const scene::DesignArc& arc : features.arcs)
+    for (const design::DesignArc& arc : features.arcs)
       add_size({"radius R" + length(arc.radius),
                 "radius",
                 {arc.radius},
@@ -256,9 +256,9 @@ class CoverageFinder {
   }
 
   // A cylinder that continues a cone has the size of its end.
-  void add_end(const scene::DesignCone& cone, int end) {
-    const scene::DesignCylinder circle{cone.model, cone.ends[end], cone.ends[end], cone.axis, cone.radii[end], false};
-    if (circle.radius > 0 && !scene::has_coaxial_cylinder(subject_.features, circle))
+  void add_end(const design::DesignCone& cone, int end) {
+    const design::DesignCylinder circle{cone.model, cone.ends[end], cone.ends[end], cone.axis, cone.radii[end], false};
+    if (circle.radius > 0 && !design::has_coaxial_cylinder(subject_.features, circle))
       add_size({"end of a cone ⌀" + length(2 * circle.radius),
                 "end of a cone",
                 {circle.radius},
@@ -319,8 +319,8 @@ class CoverageFinder {
 
   // Whether an overall dimension is this diameter.
   [[nodiscard]] bool given_elsewhere(const CircleSize& size) const {
-    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const scene::Extent& extent) {
-      return extent.form == scene::ExtentForm::diameter && are_same(extent.size(), 2 * size.radius) &&
+    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const design::Extent& extent) {
+      return extent.form == design::ExtentForm::diameter && are_same(extent.size(), 2 * size.radius) &&
              are_parallel(extent.axis, size.axis) &&
              glm::length(glm::cross(size.centre - extent.centre, size.axis)) <= same_size * 10 * size.radius;
     });
@@ -328,9 +328,9 @@ class CoverageFinder {
 
   void join_between(int axis, double a, double b, const AnchoredDimension& dimension) {
     // What is symmetrical to the axis of a round part needs no position.
-    const scene::Extent& extent = subject_.extents[axis];
+    const design::Extent& extent = subject_.extents[axis];
     const double middle = (extent.from + extent.to) / 2;
-    if (extent.form != scene::ExtentForm::length && are_same(b - middle, middle - a)) chains_[axis].join(middle, a);
+    if (extent.form != design::ExtentForm::length && are_same(b - middle, middle - a)) chains_[axis].join(middle, a);
     const int parts = repeats_of(dimension.text);
     const bool is_row = parts > 1 && dimension.text.find('=') != std::string::npos;
     if (is_row)
@@ -374,9 +374,9 @@ class CoverageFinder {
   void join_label(const WorldCircle& circle) {
     labels_.push_back(circle);
     for (int axis = 0; axis < 3; ++axis) {
-      const scene::Extent& extent = subject_.extents[axis];
+      const design::Extent& extent = subject_.extents[axis];
       const double middle = (extent.from + extent.to) / 2;
-      const bool is_round = extent.form != scene::ExtentForm::length;
+      const bool is_round = extent.form != design::ExtentForm::length;
       if (std::abs(circle.axis[axis]) <= parallel)
         chains_[axis].join(is_round ? middle : extent.from, circle.centre[axis]);
     }
@@ -386,7 +386,7 @@ class CoverageFinder {
   [[nodiscard]] bool is_in_table(const CircleSize& size) const {
     return std::any_of(subject_.features.holes.begin(), subject_.features.holes.end(), [&](const auto& hole) {
       if (hole.pitch_circle < 0) return false;
-      const scene::DesignPitchCircle& circle = subject_.features.pitch_circles[std::size_t(hole.pitch_circle)];
+      const design::DesignPitchCircle& circle = subject_.features.pitch_circles[std::size_t(hole.pitch_circle)];
       const bool labelled = std::any_of(labels_.begin(), labels_.end(), [&](const WorldCircle& label) {
         return glm::length(label.centre - hole.mouth) <= same_size * label.radius;
       });
@@ -398,7 +398,7 @@ class CoverageFinder {
   void join_chamfers(const AnchoredDimension& dimension, int along) {
     const double leg = glm::length(dimension.points[1] - dimension.points[0]) / std::sqrt(2.0);
     const bool many = repeats_of(dimension.text) > 1;
-    for (const scene::DesignBevel& bevel : subject_.features.bevels) {
+    for (const design::DesignBevel& bevel : subject_.features.bevels) {
       if (!bevel.is_chamfer || bevel.along != along || !are_same(bevel.leg(), leg)) continue;
       const double off = glm::length(bevel.ends[0] + bevel.ends[1] - dimension.points[0] - dimension.points[1]);
       for (int other = 0; other < 3; ++other)
@@ -409,19 +409,19 @@ class CoverageFinder {
 
   // The length of one of several equal slots joins the ends of all of them.
   void join_slots(int axis) {
-    for (const scene::DesignSlot& slot : subject_.features.slots)
+    for (const design::DesignSlot& slot : subject_.features.slots)
       chains_[axis].join(slot.centres[0][axis], slot.centres[1][axis]);
   }
 
   // A diameter is the size along both axes across a shaft.
   void join_overall(int axis) {
-    const scene::Extent& extent = subject_.extents[axis];
+    const design::Extent& extent = subject_.extents[axis];
     for (int other = 0; other < 3; ++other) {
-      const scene::Extent& same = subject_.extents[other];
+      const design::Extent& same = subject_.extents[other];
       if (other != axis && !extent.is_same_as(same)) continue;
       if (!chains_[other].join_by_length(same.from, same.to) && other == axis)
         coverage_.repeated.push_back(std::string("overall size along ") + axis_names[axis]);
-      if (same.form != scene::ExtentForm::length) chains_[other].join(same.from, (same.from + same.to) / 2);
+      if (same.form != design::ExtentForm::length) chains_[other].join(same.from, (same.from + same.to) / 2);
     }
   }
 
@@ -431,7 +431,7 @@ class CoverageFinder {
         if (std::abs(circle.axis[axis]) > parallel) continue;
         const double middle = circle.centre[axis];
         for (const double side : {-circle.radius, circle.radius}) chains_[axis].join(middle, middle + side);
-        for (const scene::DesignHole& hole : subject_.features.holes)
+        for (const design::DesignHole& hole : subject_.features.holes)
           if (lies_on(hole.mouth, circle) && are_parallel(hole.axis, circle.axis))
             chains_[axis].join(middle, hole.mouth[axis]);
       }
@@ -443,17 +443,17 @@ class CoverageFinder {
 
   // Whether an overall dimension is the diameter of a ball of this size.
   [[nodiscard]] bool is_overall_sphere(const features::PartSurface& sphere) const {
-    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const scene::Extent& extent) {
-      return extent.form == scene::ExtentForm::sphere && are_same(extent.size(), 2 * sphere.radius);
+    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const design::Extent& extent) {
+      return extent.form == design::ExtentForm::sphere && are_same(extent.size(), 2 * sphere.radius);
     });
   }
 
   // Spheres and tori, whose sizes no dimension gives, and models without recognised faces.
   void add_uncheckable() {
     for (std::size_t model = 0; model < subject_.world.models.size(); ++model) {
-      const scene::Placed& placed = subject_.world.models[model];
+      const world::Placed& placed = subject_.world.models[model];
       const std::string name = "model " + std::to_string(model);
-      const auto part = placed.part == nullptr ? std::nullopt : scene::place_part(placed);
+      const auto part = placed.part == nullptr ? std::nullopt : world::place_part(placed);
       if (!part || !(placed.part->recognised > 0)) {
         coverage_.undimensioned.push_back(name + ": nothing is recognised, so only overall sizes are checked");
         continue;
@@ -463,7 +463,7 @@ class CoverageFinder {
   }
 
   // Parts of a fillet around a corner belong to it: a dimension of its radius gives theirs.
-  void add_doubly_curved(const scene::PlacedPart& part) {
+  void add_doubly_curved(const world::PlacedPart& part) {
     std::vector<features::PartSurface> seen;
     for (const features::PartFace& face : part.faces) {
       const features::PartSurface& surface = face.surface;

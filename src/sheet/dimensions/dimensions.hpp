@@ -11,16 +11,16 @@
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "scene/description.hpp"
-#include "scene/scene.hpp"
 #include "sheet/dimensions/conflicts.hpp"
 #include "sheet/dimensions/marks.hpp"
 #include "sheet/sheet.hpp"
+#include "world/world.hpp"
 
 namespace epura::sheet {
 
 /// A view in its final position, and the dimensions of it.
 struct DimensionedView {
-  const scene::World& world;
+  const world::World& world;
   const drawing::ViewDrawing& drawing;
   std::span<const scene::DimensionDescription> dimensions;
   std::size_t found = 0;  ///< how many of them, the first ones, nobody asked for: they are left out without room

@@ -341,9 +341,9 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   if (!(drawn > 0) || drawn < least - whole * value || drawn > value + beside + whole * value)
     refuse(dimension, "the view does not show all of the models along this axis",
            "omit --near and --far, and include contour in --edges");
-  const std::string sign = dimension.form == scene::ExtentForm::length   ? ""
-                           : dimension.form == scene::ExtentForm::sphere ? "S" + sight.notation.diameter
-                                                                         : sight.notation.diameter;
+  const std::string sign = dimension.form == design::ExtentForm::length   ? ""
+                           : dimension.form == design::ExtentForm::sphere ? "S" + sight.notation.diameter
+                                                                          : sight.notation.diameter;
   MeasuredLength length{ends[0], ends[1], along, left_of(along)};
   halve(length, sight, whole_ends);
   return {length, with_text(dimension, {value, sign}, sight.notation), dimension.offset};

@@ -83,7 +83,7 @@ Lines lines_of(std::span<const scene::DimensionDescription> dimensions, const pr
 
 std::vector<scene::DimensionDescription> overall_dimensions(const scene::DimensionDescription& overall,
                                                             std::span<const NamedProjection> views,
-                                                            const std::array<scene::Extent, 3>& extents) {
+                                                            const std::array<design::Extent, 3>& extents) {
   std::vector<scene::DimensionDescription> dimensions;
   const auto stands_already = [&](const Direction& direction) {
     return std::any_of(dimensions.begin(), dimensions.end(), [&](const scene::DimensionDescription& other) {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "design/true_extents.hpp"
 #include "projection/projection.hpp"
 #include "scene/description.hpp"
-#include "scene/true_extents.hpp"
 
 namespace epura::sheet {
 
@@ -25,7 +25,7 @@ struct NamedProjection {
 /// Throws Error{input} if nothing is left.
 std::vector<scene::DimensionDescription> overall_dimensions(const scene::DimensionDescription& overall,
                                                             std::span<const NamedProjection> views,
-                                                            const std::array<scene::Extent, 3>& extents);
+                                                            const std::array<design::Extent, 3>& extents);
 
 /// Millimetres on paper to be kept free around the ink of a view.
 struct Room {

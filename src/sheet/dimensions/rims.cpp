@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
-#include "scene/placed_circles.hpp"
+#include "world/placed_circles.hpp"
 
 namespace epura::sheet {
 
@@ -33,7 +33,7 @@ std::string text_of(const Vec3& p) {
 }
 
 // A rim perpendicular to the axis of a shaft or bore takes its size from it: vertices of a short arc are less accurate.
-void take_surface(WorldCircle& circle, const scene::PlacedPart& part) {
+void take_surface(WorldCircle& circle, const world::PlacedPart& part) {
   const double slack = roundness * circle.radius;
   double nearest = slack;
   const WorldCircle rim = circle;
@@ -81,8 +81,8 @@ std::vector<Vec3> in_order_around(const std::vector<Vec3>& points, const feature
 Rims::Model& Rims::of_model(int model) {
   const auto [at, first_time] = models_.try_emplace(model);
   if (!first_time) return at->second;
-  at->second.part = scene::place_part(world_.models[model]);
-  for (const mesh::MeshCircle& circle : scene::find_circles(world_, model)) {
+  at->second.part = world::place_part(world_.models[model]);
+  for (const mesh::MeshCircle& circle : world::find_circles(world_, model)) {
     WorldCircle placed{circle.centre, circle.axis, circle.radius, {}, circle.whole};
     for (const int v : circle.vertices) placed.rim.push_back(world_.points[world_.first_vertex[model] + v]);
     if (at->second.part) take_surface(placed, *at->second.part);
@@ -93,7 +93,7 @@ Rims::Model& Rims::of_model(int model) {
 
 std::vector<WorldCircle> Rims::of_faces(const std::array<int, 2>& vertex) {
   const auto [model, number] = vertex;
-  const std::optional<scene::PlacedPart>& part = of_model(model).part;
+  const std::optional<world::PlacedPart>& part = of_model(model).part;
   if (!part) return {};
   const int first = world_.first_triangle[model], last = world_.first_triangle[model + 1];
   const int wanted = world_.first_vertex[model] + number;

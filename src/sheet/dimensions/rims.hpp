@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "scene/description.hpp"
-#include "scene/placed_part.hpp"
 #include "sheet/dimensions/anchors.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::sheet {
 
 /// Finds the circles of a model on first use, and keeps them.
 class Rims {
  public:
-  explicit Rims(const scene::World& world) : world_(world) {}
+  explicit Rims(const world::World& world) : world_(world) {}
 
   /// Circles through a vertex, or of any model through a point of the world; they have the centre and radius of a
   /// recognised shaft or bore that ends there. For a vertex that is not on a rim, the circle of the shaft or bore on
@@ -31,12 +31,12 @@ class Rims {
   };
   struct Model {
     std::vector<Rim> rims;
-    std::optional<scene::PlacedPart> part;
+    std::optional<world::PlacedPart> part;
   };
   Model& of_model(int model);
   std::vector<WorldCircle> of_faces(const std::array<int, 2>& vertex);
 
-  const scene::World& world_;
+  const world::World& world_;
   std::map<int, Model> models_;
 };
 

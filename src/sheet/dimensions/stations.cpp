@@ -62,13 +62,13 @@ bool is_plain(const projection::Projection& projection) {
 
 Stations::Stations(const DimensionSubject& subject)
     : subject_(subject),
-      points_(scene::points_of_faces(subject.world)),
+      points_(design::points_of_faces(subject.world)),
       slack_(same_place * glm::length(subject.world.box.size())) {
   for (int axis = 0; axis < 3; ++axis) {
-    const scene::Extent& extent = subject.extents[axis];
+    const design::Extent& extent = subject.extents[axis];
     known_[axis] = {extent.from, extent.to};
     // The middle of a shaft needs no dimension.
-    if (extent.form != scene::ExtentForm::length) known_[axis].push_back((extent.from + extent.to) / 2);
+    if (extent.form != design::ExtentForm::length) known_[axis].push_back((extent.from + extent.to) / 2);
   }
 }
 
@@ -93,9 +93,9 @@ void Stations::add(const Station& station) {
 // Positions on a round part are measured from its axis.
 Station Stations::base_of(const Station& station) const {
   const projection::Projection& projection = station.view->projection;
-  const scene::Extent& extent = subject_.extents[station.axis];
+  const design::Extent& extent = subject_.extents[station.axis];
   const double way = is_horizontal(station) ? projection.u[station.axis] : projection.v[station.axis];
-  const bool from_axis = extent.form != scene::ExtentForm::length && station.group >= 0;
+  const bool from_axis = extent.form != design::ExtentForm::length && station.group >= 0;
   Station base = station;
   base.at = from_axis ? (extent.from + extent.to) / 2 : way > 0 ? extent.from : extent.to;
   if (from_axis) {
@@ -120,9 +120,9 @@ Station Stations::base_of(const Station& station) const {
 void Stations::add_row(std::vector<Station> row, const std::string& where, const Notation& notation,
                        std::vector<scene::DimensionDescription>& dimensions) const {
   const Station base = base_of(row.front());
-  const scene::Extent& extent = subject_.extents[base.axis];
+  const design::Extent& extent = subject_.extents[base.axis];
   // Both sides of a keyway, for example: their distance.
-  if (extent.form != scene::ExtentForm::length && base.group < 0)
+  if (extent.form != design::ExtentForm::length && base.group < 0)
     for (std::size_t i = 0; i < row.size(); ++i)
       for (std::size_t j = i + 1; j < row.size(); ++j)
         if (std::abs(row[i].at + row[j].at - extent.from - extent.to) <= slack_) {

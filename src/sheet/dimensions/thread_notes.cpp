@@ -22,24 +22,24 @@ struct ThreadGroup {
 };
 
 // Where its thread begins, from where extension lines to the outside are short.
-Vec3 begin_of(const scene::DesignCylinder& cylinder) {
+Vec3 begin_of(const design::DesignCylinder& cylinder) {
   const Vec3& end = cylinder.thread->end;
   return glm::distance(cylinder.from, end) > glm::distance(cylinder.to, end) ? cylinder.from : cylinder.to;
 }
 
-ThreadGroup group_of(int number, const scene::DesignFeatures& features, const Notation& notation) {
+ThreadGroup group_of(int number, const design::DesignFeatures& features, const Notation& notation) {
   ThreadGroup group;
-  const auto add = [&](const Vec3& centre, const Vec3& axis, const scene::DesignThread& thread, bool internal) {
+  const auto add = [&](const Vec3& centre, const Vec3& axis, const design::DesignThread& thread, bool internal) {
     if (group.count++ > 0) return false;
     group.circle = {centre, axis, thread.diameter / 2, {}};
     group.internal = internal;
     group.name = thread.text;
     return true;
   };
-  for (const scene::DesignHole& hole : features.holes)
+  for (const design::DesignHole& hole : features.holes)
     if (hole.thread && hole.thread->number == number && add(hole.mouth, hole.axis, *hole.thread, true))
       group.rest = recesses_of(hole, notation);
-  for (const scene::DesignCylinder& cylinder : features.cylinders)
+  for (const design::DesignCylinder& cylinder : features.cylinders)
     if (cylinder.thread && cylinder.thread->number == number &&
         add(begin_of(cylinder), cylinder.axis, *cylinder.thread, cylinder.inwards) && cylinder.thread->length)
       group.rest = " ↧" + length_text(*cylinder.thread->length, notation);
@@ -63,11 +63,11 @@ const NamedProjection* view_for(const scene::ThreadDescription& description, con
 
 }  // namespace
 
-std::string name_in_note(const std::optional<scene::DesignThread>& thread) { return thread ? thread->text : "<>"; }
+std::string name_in_note(const std::optional<design::DesignThread>& thread) { return thread ? thread->text : "<>"; }
 
 std::vector<scene::DimensionDescription> thread_dimensions(std::span<const scene::ThreadDescription> threads,
                                                            std::span<const NamedProjection> views,
-                                                           const scene::DesignFeatures& features,
+                                                           const design::DesignFeatures& features,
                                                            const Notation& notation) {
   std::vector<scene::DimensionDescription> dimensions;
   for (std::size_t i = 0; i < threads.size(); ++i) {

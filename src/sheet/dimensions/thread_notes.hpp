@@ -6,21 +6,21 @@
 #include <string>
 #include <vector>
 
+#include "design/design_features.hpp"
 #include "scene/description.hpp"
-#include "scene/design_features.hpp"
 #include "sheet/dimensions/overall.hpp"
 #include "sheet/notation.hpp"
 
 namespace epura::sheet {
 
 /// What a hole is called in a note: "<>", which stands for its diameter, or the thread in it.
-std::string name_in_note(const std::optional<scene::DesignThread>& thread);
+std::string name_in_note(const std::optional<design::DesignThread>& thread);
 
 /// Dimensions of the threads that have one of their own: of holes in a view along the axis, of shafts in one across it.
 /// Throws Error{input} for a given view that does not show the thread so.
 std::vector<scene::DimensionDescription> thread_dimensions(std::span<const scene::ThreadDescription> threads,
                                                            std::span<const NamedProjection> views,
-                                                           const scene::DesignFeatures& features,
+                                                           const design::DesignFeatures& features,
                                                            const Notation& notation);
 
 }  // namespace epura::sheet

@@ -104,7 +104,7 @@ UnsetVector<view::Mapped> map_points(std::span<const Vec3> points, const Camera&
   return map_by_own(points, map);
 }
 
-view::ProjectedScene view_by(const scene::World& world, const Camera& camera, Arithmetic arithmetic) {
+view::ProjectedScene view_by(const world::World& world, const Camera& camera, Arithmetic arithmetic) {
   if (arithmetic == Arithmetic::own) return view::project_scene(world, camera.projection, camera.limits);
   UnsetVector<view::Mapped> mapped = map_points(world.points, camera, world.box, arithmetic);
   if (!std::all_of(mapped.begin(), mapped.end(), is_sound))

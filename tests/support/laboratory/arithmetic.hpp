@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/scene.hpp"
 #include "view/projected_scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::laboratory {
 
@@ -34,6 +34,6 @@ UnsetVector<view::Mapped> map_points(std::span<const Vec3> points, const Camera&
                                      Arithmetic arithmetic);
 
 /// Throws Error{input} if a point leaves the range of the arithmetic, and like project_scene.
-view::ProjectedScene view_by(const scene::World& world, const Camera& camera, Arithmetic arithmetic);
+view::ProjectedScene view_by(const world::World& world, const Camera& camera, Arithmetic arithmetic);
 
 }  // namespace epura::laboratory

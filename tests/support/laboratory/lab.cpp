@@ -45,13 +45,13 @@ double Result::length(bool visible) const {
 
 double Result::merge_width() const { return drawing::coincidence_on_paper(view, {1, Vec2(0)}).tolerance * unit; }
 
-scene::World Lab::prepare(scene::World world) const {
+world::World Lab::prepare(world::World world) const {
   return recognises ? recognised(std::move(world)) : std::move(world);
 }
 
-scene::World Lab::world_of(const std::vector<Shape>& shapes) const { return prepare(laboratory::world_of(shapes)); }
+world::World Lab::world_of(const std::vector<Shape>& shapes) const { return prepare(laboratory::world_of(shapes)); }
 
-Result Lab::draw(scene::World world, const Camera& camera, const edges::EdgeOptions& options) const {
+Result Lab::draw(world::World world, const Camera& camera, const edges::EdgeOptions& options) const {
   Result r{std::move(world), {}, {}, {}, {}, 1, {}};
   r.view = view_by(r.world, camera, arithmetic);
   r.unit = 1 / r.view.map.normalisation;
@@ -63,7 +63,7 @@ Result Lab::draw(scene::World world, const Camera& camera, const edges::EdgeOpti
   return r;
 }
 
-HiddenLine Lab::hidden_of_line(const scene::World& world, const projection::Projection& projection, const Vec3& from,
+HiddenLine Lab::hidden_of_line(const world::World& world, const projection::Projection& projection, const Vec3& from,
                                const Vec3& to) const {
   view::ProjectedScene view = view_by(world, {projection}, arithmetic);
   const UnsetVector<view::Mapped> ends = map_points(std::array{from, to}, {projection}, world.box, arithmetic);

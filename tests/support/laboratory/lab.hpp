@@ -21,7 +21,7 @@ projection::Projection perspective(const Vec3& eye, const Vec3& point, const Vec
 
 /// All intermediate results of a drawing, in model units: page = plane coordinates.
 struct Result {
-  scene::World world;
+  world::World world;
   view::ProjectedScene view;
   edges::FeatureEdges drawn;
   visibility::HiddenSpans hidden;
@@ -61,11 +61,11 @@ struct Lab {
   [[nodiscard]] Lab exact() const { return {Arithmetic::own, size, recognises}; }
 
   /// With the faces of parts if this recognises any.
-  [[nodiscard]] scene::World prepare(scene::World world) const;
-  [[nodiscard]] scene::World world_of(const std::vector<Shape>& shapes) const;
-  [[nodiscard]] scene::World world_of(const Shape& shape) const { return world_of(std::vector<Shape>{shape}); }
-  [[nodiscard]] Result draw(scene::World world, const Camera& camera, const edges::EdgeOptions& options = {}) const;
-  [[nodiscard]] HiddenLine hidden_of_line(const scene::World& world, const projection::Projection& projection,
+  [[nodiscard]] world::World prepare(world::World world) const;
+  [[nodiscard]] world::World world_of(const std::vector<Shape>& shapes) const;
+  [[nodiscard]] world::World world_of(const Shape& shape) const { return world_of(std::vector<Shape>{shape}); }
+  [[nodiscard]] Result draw(world::World world, const Camera& camera, const edges::EdgeOptions& options = {}) const;
+  [[nodiscard]] HiddenLine hidden_of_line(const world::World& world, const projection::Projection& projection,
                                           const Vec3& from, const Vec3& to) const;
 };
 

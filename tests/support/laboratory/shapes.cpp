@@ -275,14 +275,14 @@ mesh::Mesh mesh_of_floats(Shape shape) {
   return mesh::build_mesh(std::move(soup), "shape");
 }
 
-scene::World world_of(const std::vector<Shape>& shapes) {
-  std::vector<scene::Placed> models;
+world::World world_of(const std::vector<Shape>& shapes) {
+  std::vector<world::Placed> models;
   for (const Shape& shape : shapes) models.push_back({std::make_shared<const mesh::Mesh>(mesh_of(shape)), Mat4(1.0)});
-  return scene::make_world(std::move(models));
+  return world::make_world(std::move(models));
 }
 
-scene::World recognised(scene::World world) {
-  for (scene::Placed& placed : world.models) {
+world::World recognised(world::World world) {
+  for (world::Placed& placed : world.models) {
     auto part = std::make_shared<const features::PartFaces>(features::recognise_faces(*placed.mesh));
     if (!part->faces.empty()) placed.part = std::move(part);
   }

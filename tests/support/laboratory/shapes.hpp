@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "world/world.hpp"
 
 namespace epura::laboratory {
 
@@ -62,9 +62,9 @@ Shape prism(const std::vector<Vec2>& outline, double height);
 mesh::Mesh mesh_of(const Shape& shape, int digits = 0);
 /// For a file of 32-bit coordinates.
 mesh::Mesh mesh_of_floats(Shape shape);
-scene::World world_of(const std::vector<Shape>& shapes);
+world::World world_of(const std::vector<Shape>& shapes);
 /// The same world with the faces of its parts, if they can be recognised.
-scene::World recognised(scene::World world);
-inline scene::World world_of(const Shape& shape) { return world_of(std::vector<Shape>{shape}); }
+world::World recognised(world::World world);
+inline world::World world_of(const Shape& shape) { return world_of(std::vector<Shape>{shape}); }
 
 }  // namespace epura::laboratory

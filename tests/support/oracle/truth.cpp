@@ -216,7 +216,7 @@ std::optional<std::array<double, 2>> part_along(const Face& face, const Line& li
 /// Positions of the world's triangles in doubles: finds those that may be in front of an edge.
 class TrianglePlaces {
  public:
-  TrianglePlaces(const scene::World& world, const ExactPage& page) : corners_(world.triangles.size()) {
+  TrianglePlaces(const world::World& world, const ExactPage& page) : corners_(world.triangles.size()) {
     const auto place = [&](std::size_t t) {
       const auto& [a, b, c] = world.triangles[t];
       return page.place({world.points[a], world.points[b], world.points[c]});

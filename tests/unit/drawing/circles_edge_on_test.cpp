@@ -40,7 +40,7 @@ Shape twisted_cylinder() {
 }
 
 // Vertices of declared faces lie beside the surface by as much as their file permits.
-scene::World with_vertex_moved_outwards(scene::World world, int vertex, double by) {
+world::World with_vertex_moved_outwards(world::World world, int vertex, double by) {
   auto mesh = std::make_shared<mesh::Mesh>(*world.models[0].mesh);
   Vec3& point = world.points[static_cast<std::size_t>(vertex)];
   point += by * glm::normalize(Vec3(point.x, point.y, 0));
@@ -51,7 +51,7 @@ scene::World with_vertex_moved_outwards(scene::World world, int vertex, double b
 
 TEST(CirclesEdgeOn, RemovedLinesHaveInkWithinTheStatedDistance) {
   for (const double moved : {0.0, 0.02}) {
-    const scene::World world = with_vertex_moved_outwards(recognised(world_of(twisted_cylinder())), 3, moved);
+    const world::World world = with_vertex_moved_outwards(recognised(world_of(twisted_cylinder())), 3, moved);
     const Result r = draw(world, from_above());
     drawing::DrawingOptions options{"top", true};
     options.near.distance = 0.01;

@@ -30,7 +30,7 @@ Shape rounded_plate(int facets) {
 }
 
 struct Drawn {
-  scene::World world;
+  world::World world;
   drawing::ViewDrawing drawing;
   double mm;  // of a unit of the model
 };

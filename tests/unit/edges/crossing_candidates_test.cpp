@@ -104,7 +104,7 @@ TEST(Candidates, AreBodiesThatAreInsideOutOrTwisted) {
 
 TEST(Candidates, AreBodiesThatRunTwiceAroundTheirMiddle) {
   // Every edge of it is folded outwards, and yet its faces cross.
-  const scene::World world = world_of(double_pyramid(5, 2));
+  const world::World world = world_of(double_pyramid(5, 2));
   EXPECT_EQ(edges::crossing_candidates(world, 1, contact).triangles.size(), 10U);
   EXPECT_FALSE(edges::find_intersections(world, 1, contact, edges::all_triangles(world)).found.empty());
 }
@@ -115,7 +115,7 @@ TEST(Candidates, AreNotTrianglesTooLowForAPlane) {
   Shape fan{{{0, 0, 0}, {0, 1, 1}, {1, 0, 1}}, {{0, 1, 2}}, {}};
   for (int i = 0; i <= needles; ++i) fan.points.push_back({1 + 1.0 * i / needles, 2 + 2.0 * i / needles, 0});
   for (int i = 0; i < needles; ++i) fan.faces.push_back({0, i + 3, i + 4});
-  const scene::World world = world_of(fan);
+  const world::World world = world_of(fan);
   EXPECT_EQ(edges::crossing_candidates(world, 0x1p-3, contact).triangles, std::vector<int>{0});
   EXPECT_TRUE(edges::find_intersections(world, 0x1p-3, contact, edges::all_triangles(world)).found.empty());
 }
@@ -126,7 +126,7 @@ TEST(Candidates, WithoutContactNothingIsCertain) {
 
 TEST(Candidates, ConvexBodiesLieBehindTheirPlanes) {
   for (const int sides : {3, 5, 17, 64, 1000}) {
-    const scene::World world = world_of(prism(sides));
+    const world::World world = world_of(prism(sides));
     const UnsetVector<Vec3> points = edges::normalised_points(world, 0.5);
     const edges::BodyTable bodies = edges::bodies_of(world, points);
     std::vector<char> convex(bodies.box.size(), 1);

@@ -20,7 +20,7 @@ Shape folded(double degrees) {
 
 TEST(Fold, IsTheAngleFromGoingOnFlatly) {
   for (const double degrees : {0.0, 1e-6, 1.0, 30.0, 89.0, 90.0, 135.0, 179.0, 180.0, -45.0}) {
-    const scene::World world = world_of(folded(degrees));
+    const world::World world = world_of(folded(degrees));
     const edges::EdgeSurroundings around{world, 0, 1};
     EXPECT_NEAR(edges::fold_angle(around, {0, 1}, 0, 1), std::abs(degrees), 1e-9) << degrees;
     EXPECT_NEAR(edges::fold_angle(around, {0, 1}, 1, 0), std::abs(degrees), 1e-9) << degrees;
@@ -30,13 +30,13 @@ TEST(Fold, IsTheAngleFromGoingOnFlatly) {
 TEST(Fold, DoesNotDependOnOrientation) {
   Shape shape = folded(50);
   std::swap(shape.faces[1][0], shape.faces[1][1]);
-  const scene::World world = world_of(shape);
+  const world::World world = world_of(shape);
   EXPECT_NEAR(edges::fold_angle({world, 0, 1}, {0, 1}, 0, 1), 50, 1e-9);
 }
 
 TEST(Fold, OfTinyAndHugeShapesIsTheSame) {
   for (const int k : {-500, 500}) {
-    const scene::World world = world_of(folded(50).scaled(std::ldexp(1.0, k)));
+    const world::World world = world_of(folded(50).scaled(std::ldexp(1.0, k)));
     EXPECT_NEAR(edges::fold_angle({world, 0, std::ldexp(1.0, -k)}, {0, 1}, 0, 1), 50, 1e-9) << k;
   }
 }
@@ -51,14 +51,14 @@ TEST(Fold, OfExactlyTheLimitReachesIt) {
 }
 
 TEST(Turn, OfASurfaceDoesNotCountItsCreases) {
-  const scene::World world = world_of(folded(50));
+  const world::World world = world_of(folded(50));
   EXPECT_NEAR(edges::turn_of_surface({world, 0, 1}, 0, 60), 50, 1e-9);
   EXPECT_EQ(edges::turn_of_surface({world, 0, 1}, 0, 40), 0);
 }
 
 TEST(Apex, BesideAPartOfAnEdgeIsFarthestFromItsLine) {
   const Shape shape{{{0, 0, 0}, {4, 0, 0}, {3, 0.5, 0}, {2, 2, 0}}, {{1, 2, 3}, {0, 1, 3}}, {}};
-  const scene::World world = world_of(shape);
+  const world::World world = world_of(shape);
   const edges::EdgeSurroundings around{world, 0, 1};
   EXPECT_EQ(around.apex({0, 1}, 0), 3);
   EXPECT_EQ(around.apex({0, 1}, 1), 3);

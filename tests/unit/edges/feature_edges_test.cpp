@@ -19,7 +19,7 @@ constexpr edges::EdgeOptions everything{.smooth = true};
 using Kinds = std::map<std::string, int>;
 
 // How many edges of each kind there are.
-Kinds kinds(const scene::World& world, const projection::Projection& projection,
+Kinds kinds(const world::World& world, const projection::Projection& projection,
             const edges::EdgeOptions& options = {}) {
   const view::ProjectedScene view = view::project_scene(world, projection, {});
   Kinds counts;
@@ -64,7 +64,7 @@ Shape ridge(const std::vector<double>& folds) {
 }
 
 TEST(FeatureEdges, AWeakCreaseContinuesACrease) {
-  const scene::World world = world_of(ridge({25, 25, 40, 25, 15, 25}));
+  const world::World world = world_of(ridge({25, 25, 40, 25, 15, 25}));
   const auto creases = [&](double weak) {
     return kinds(world, orthographic({0.1, 0.2, 1}), {.weak_angle = weak})["crease"];
   };
@@ -107,7 +107,7 @@ TEST(FeatureEdges, OnTheLineOfTheirEdgeTrianglesTurnByTheirOtherSides) {
   // rounding of the file tells, but far from the triangles' short sides: what is in front there is in front here.
   constexpr double r = 1e-6;
   for (const double lower : {0.8 * r, -0.8 * r}) {
-    scene::World world =
+    world::World world =
         world_of({{{0, 0, 0}, {10, 0, 0}, {0.3, lower, -3}, {9.7, 0.8 * r, 3}}, {{0, 1, 2}, {1, 0, 3}}, {}});
     world.rounding = r;
     EXPECT_EQ(kinds(world, from_above(), {.boundary = false})["contour"], lower > 0 ? 1 : 0) << lower;
@@ -131,7 +131,7 @@ TEST(FeatureEdges, WhereThreeFacesMeetIsACrease) {
 }
 
 // Two boxes that touch in the edge x = y = 1, as named groups of one file.
-scene::World touching_boxes(const std::vector<std::string>& names) {
+world::World touching_boxes(const std::vector<std::string>& names) {
   Shape boxes = box({0, 0, 0}, {1, 1, 1});
   boxes.add(box({1, 1, 0}, {2, 2, 1}));
   mesh::Soup soup;
@@ -142,7 +142,7 @@ scene::World touching_boxes(const std::vector<std::string>& names) {
     soup.end_face();
     soup.face_body.push_back(f < 6 ? 0 : static_cast<int>(names.size()) - 1);
   }
-  return scene::make_world(
+  return world::make_world(
       {{std::make_shared<const mesh::Mesh>(mesh::build_mesh(std::move(soup), "boxes")), Mat4(1.0)}});
 }
 
@@ -161,7 +161,7 @@ TEST(FeatureEdges, OrientationChangesNothing) {
 }
 
 TEST(FeatureEdges, OnlyWishedKindsAreNamed) {
-  const scene::World world = world_of(fan_of_three());
+  const world::World world = world_of(fan_of_three());
   EXPECT_EQ(kinds(world, orthographic(corner), {.boundary = false}), (Kinds{{"crease", 1}}));
   EXPECT_EQ(kinds(world, orthographic(corner), {.crease = false}), (Kinds{{"boundary", 9}}));
   // A contour that nobody wants as such is still a crease.
@@ -182,7 +182,7 @@ TEST(FeatureEdges, TheCreaseAngleIsTheAngleBetweenTheFaces) {
                  {}};
   };
   for (const double degrees : {1.0, 30.0, 60.0, 90.0}) {
-    const scene::World world = world_of(roof(degrees));
+    const world::World world = world_of(roof(degrees));
     EXPECT_EQ(kinds(world, from_above(), {.crease_angle = degrees})["crease"], 1) << degrees;
     EXPECT_EQ(kinds(world, from_above(), {.crease_angle = degrees + 0.01})["crease"], 0) << degrees;
   }
@@ -284,7 +284,7 @@ TEST(FeatureEdges, AFlatFaceOfVeryManyCornersHasItsBoundaryOnly) {
 
 TEST(FeatureEdges, BehindTheEyeSidesAreFoundWithoutDivision) {
   // The eye stands in a long box: the edges along the view run past it.
-  const scene::World world = world_of(box({-1, -5, -1}, {1, 5, 1}));
+  const world::World world = world_of(box({-1, -5, -1}, {1, 5, 1}));
   const projection::Projection p = perspective({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1});
   // From within every face turns inward alike: no contours.
   EXPECT_EQ(kinds(world, p), (Kinds{{"crease", 12}}));

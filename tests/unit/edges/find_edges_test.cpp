@@ -6,19 +6,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/cut_world.hpp"
+#include "cut/cut_world.hpp"
 #include "shapes.hpp"
 
 namespace epura::test {
 namespace {
 
-edges::FeatureEdges edges_of(const scene::World& world, view::ProjectedScene& view,
+edges::FeatureEdges edges_of(const world::World& world, view::ProjectedScene& view,
                              const edges::EdgeOptions& options = {}) {
   return edges::find_feature_edges(world, view, options);
 }
 
 TEST(FeatureEdges, KnowWhereTheyComeFrom) {
-  const scene::World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({3, 0, 0}, {4, 1, 1})});
+  const world::World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({3, 0, 0}, {4, 1, 1})});
   view::ProjectedScene view = view::project_scene(world, orthographic({1.1, -2, 1.3}), {});
   const edges::FeatureEdges drawn = edges_of(world, view);
   ASSERT_EQ(drawn.edges.size(), 24U);
@@ -36,7 +36,7 @@ TEST(FeatureEdges, KnowWhereTheyComeFrom) {
 TEST(FeatureEdges, CrossingPlatesHaveALineInCommon) {
   Shape plates = plate(-1, -1, 1, 1, 0);
   plates.add({{{0.25, -2, -1}, {0.25, 2, -1}, {0.25, 2, 1}, {0.25, -2, 1}}, {{0, 1, 2, 3}}, {}});
-  const scene::World world = world_of(plates);
+  const world::World world = world_of(plates);
   view::ProjectedScene view = view::project_scene(world, orthographic({1.1, -2, 1.3}), {});
   const edges::FeatureEdges drawn = edges_of(world, view);
   double length = 0;
@@ -61,7 +61,7 @@ TEST(FeatureEdges, CrossingPlatesHaveALineInCommon) {
 }
 
 TEST(FeatureEdges, OutsideTheWindowNothingIsDrawn) {
-  const scene::World world = world_of(plate(-10, -10, 10, 10, 0));
+  const world::World world = world_of(plate(-10, -10, 10, 10, 0));
   projection::Projection p = from_above();
   p.window = projection::Window{{0, 0}, {20, 20}};
   view::ProjectedScene view = view::project_scene(world, p, {});
@@ -74,9 +74,9 @@ TEST(FeatureEdges, OutsideTheWindowNothingIsDrawn) {
 // Of a plate that is cut at x = 2, the window shows what lies left of x = 5: of edges from -10 to 10, the part from 0.6
 // to 0.75.
 TEST(FeatureEdges, HaveTheParametersOfTheWholeEdgeWhereTheyAreCutTwice) {
-  const scene::World whole = world_of(plate(-10, -10, 10, 10, 0));
+  const world::World whole = world_of(plate(-10, -10, 10, 10, 0));
   const auto plane = scene::make_cutting_plane({{"A", "--section"}, Vec3(2, 0, 0), Vec3(-1, 0, 0)});
-  const scene::World world = scene::cut_world(whole, plane).world;
+  const world::World world = cut::cut_world(whole, plane).world;
   projection::Projection p = from_above();
   p.window = projection::Window{{-5, -20}, {5, 20}};
   view::ProjectedScene view = view::project_scene(world, p, {});

@@ -27,7 +27,7 @@ Shape disk(int blades, double hub_height, double lean = 0) {
   return shape;
 }
 
-std::vector<int> faces_of(const scene::World& world) {
+std::vector<int> faces_of(const world::World& world) {
   return edges::flat_faces(world, edges::normalised_points(world, 1), contact, edges::all_triangles(world).triangles);
 }
 
@@ -73,7 +73,7 @@ TEST(FlatFaces, OfTwoPlanesAreTwo) {
 }
 
 TEST(FlatFaces, OfSomeOfTheTrianglesHaveTheirPlaces) {
-  const scene::World world = world_of(disk(1000, 0));
+  const world::World world = world_of(disk(1000, 0));
   std::vector<int> some(500);
   std::iota(some.begin(), some.end(), 300);
   EXPECT_EQ(edges::flat_faces(world, edges::normalised_points(world, 1), contact, some), std::vector<int>(500, 0));

@@ -43,7 +43,7 @@ Shape surface(
 Vec3 hill(double u, double v) { return {u, v, 0.1 * std::sin(5 * u) * std::cos(7 * v)}; }
 
 std::vector<int> patches_of(const Shape& shape, const std::vector<int>& taken = {}) {
-  const scene::World world = world_of(shape);
+  const world::World world = world_of(shape);
   return edges::graph_patches(world, edges::normalised_points(world, 1), contact, edges::all_triangles(world).triangles,
                               taken);
 }
@@ -144,7 +144,7 @@ TEST(GraphPatches, AreApartFromThemselves) {
   EXPECT_EQ(count_of(patches_of(slotted(contact / 2))), 0U);
 }
 
-void expect_same_crossings(const scene::World& world, double normalisation, const std::string& what) {
+void expect_same_crossings(const world::World& world, double normalisation, const std::string& what) {
   const auto all = edges::find_intersections(world, normalisation, contact, edges::all_triangles(world));
   const auto some = edges::find_intersections(world, normalisation, contact,
                                               edges::crossing_candidates(world, normalisation, contact));
@@ -185,7 +185,7 @@ TEST(GraphPatches, ChangeNoCrossingsOfNoise) {
 }
 
 TEST(FeatureEdges, AreTheSameWithKnownIntersections) {
-  const scene::World world = world_of({surface(20, hill), surface(20, hill).moved(0.31, 0.17, 0.01)});
+  const world::World world = world_of({surface(20, hill), surface(20, hill).moved(0.31, 0.17, 0.01)});
   view::ProjectedScene one = view::project_scene(world, orthographic({1.1, -2, 1.3}), {}), other = one;
   const edges::FeatureEdges found = edges::find_feature_edges(world, one, {});
   const edges::FeatureEdges again = edges::find_feature_edges(world, other, {}, edges::intersections_of(found));

@@ -17,7 +17,7 @@ namespace {
 std::vector<edges::FaceCrossing> crossings(double begin, double contact) {
   const Shape upright{{{0, 0, -1}, {0, 0, 1}, {1, 0, 1}}, {{0, 1, 2}}, {}};
   const Shape level{{{begin, -1, 0}, {begin, 1, 0}, {3, 0, 0}}, {{0, 1, 2}}, {}};
-  const scene::World world = world_of(std::vector<Shape>{upright, level});
+  const world::World world = world_of(std::vector<Shape>{upright, level});
   return edges::find_intersections(world, 1, contact, edges::all_triangles(world)).found;
 }
 
@@ -34,7 +34,7 @@ TEST(Intersections, AreLongerThanContact) {
 }
 
 std::vector<edges::FaceCrossing> crossings_of(const std::vector<Shape>& shapes, double contact) {
-  const scene::World world = world_of(shapes);
+  const world::World world = world_of(shapes);
   return edges::find_intersections(world, 1, contact, edges::all_triangles(world)).found;
 }
 

@@ -11,8 +11,8 @@
 #include <set>
 #include <vector>
 
+#include "cut/cut_world.hpp"
 #include "edges/find_edges.hpp"
-#include "scene/cut_world.hpp"
 #include "shapes.hpp"
 
 namespace epura::test {
@@ -94,7 +94,7 @@ Shape rounded_foot(int rows, int sides) {
   return shape;
 }
 
-std::map<EdgeKind, int> count_kinds(const scene::World& world, const edges::EdgeOptions& options = {},
+std::map<EdgeKind, int> count_kinds(const world::World& world, const edges::EdgeOptions& options = {},
                                     const Vec3& from = corner) {
   view::ProjectedScene view = view::project_scene(world, orthographic(from), {});
   std::map<EdgeKind, int> count;
@@ -112,7 +112,7 @@ TEST(PartEdges, AShallowConeMeetsItsCylinderInACrease) {
 }
 
 TEST(PartEdges, NothingIsACreaseInsideACoarseCylinder) {
-  const scene::World world = world_of(cylinder(10, 0, 30, 12));
+  const world::World world = world_of(cylinder(10, 0, 30, 12));
   EXPECT_EQ(count_kinds(world, creases)[EdgeKind::crease], 3 * 12);
   EXPECT_EQ(count_kinds(recognised(world), creases)[EdgeKind::crease], 2 * 12);
 }
@@ -124,7 +124,7 @@ TEST(PartEdges, PrismsKeepTheirEdges) {
 
 TEST(PartEdges, ACreaseAngleHoldsForBordersToo) {
   const double slope = std::tan(15.6 * pi / 180);
-  const scene::World world =
+  const world::World world =
       recognised(world_of(revolved({{0, 0}, {20, 0}, {20, 30}, {20 - 10 * slope, 40}, {0, 40}}, 48)));
   edges::EdgeOptions options = creases;
   options.part_angle = 15.5;
@@ -142,7 +142,7 @@ TEST(PartEdges, OfARoundedRimAreTangent) {
     profile.push_back({15 + 5 * std::cos(a), 30 + 5 * std::sin(a)});
   }
   profile.push_back({0, 35});
-  const scene::World world = recognised(world_of(revolved(profile, 48)));
+  const world::World world = recognised(world_of(revolved(profile, 48)));
   edges::EdgeOptions options = creases;
   options.tangent = true;
   auto count = count_kinds(world, options);
@@ -168,23 +168,23 @@ TEST(Contacts, OfMatingFacesMayDifferByTheHeightOfTheirArcs) {
     const double radius = 10 + part * sagitta;
     const std::vector<Shape> shapes{revolved({{10, 0}, {10, 10}, {10, 20}}, 12),
                                     turned(revolved({{radius, -5}, {radius, 25}}, 12), 7)};
-    const scene::World world = world_of(shapes);
+    const world::World world = world_of(shapes);
     EXPECT_GT(count_kinds(world)[EdgeKind::intersection], 0) << part;
     EXPECT_EQ(count_kinds(recognised(world))[EdgeKind::intersection], 0) << part;
   }
 }
 
 TEST(Contacts, HoldForModelsThatAreScaledAndTurned) {
-  scene::World world = recognised(world_of(bolt_in_hole()));
+  world::World world = recognised(world_of(bolt_in_hole()));
   Mat4 place(0);
   place[0][1] = 25.4, place[1][2] = 25.4, place[2][0] = -25.4, place[3] = {3, 4, 5, 1};
-  std::vector<scene::Placed> models = world.models;
-  for (scene::Placed& model : models) model.to_world = place;
-  EXPECT_EQ(count_kinds(scene::make_world(models))[EdgeKind::intersection], 0);
+  std::vector<world::Placed> models = world.models;
+  for (world::Placed& model : models) model.to_world = place;
+  EXPECT_EQ(count_kinds(world::make_world(models))[EdgeKind::intersection], 0);
 }
 
 // How many ends of intersection lines lie where no other one does.
-int loose_ends(const scene::World& world) {
+int loose_ends(const world::World& world) {
   view::ProjectedScene view = view::project_scene(world, orthographic(corner), {});
   std::vector<Vec3> ends;
   for (const edges::FaceCrossing& crossing : edges::find_feature_edges(world, view, {}).crossings)
@@ -213,7 +213,7 @@ struct ShownContours {
   double moved;              ///< as the edges say; both in lengths of the world
 };
 
-ShownContours shown_contours(const scene::World& world, const Vec3& from) {
+ShownContours shown_contours(const world::World& world, const Vec3& from) {
   view::ProjectedScene view = view::project_scene(world, orthographic(from), {});
   const edges::FeatureEdges drawn = edges::find_feature_edges(world, view, {});
   // Page lengths by those of the world: the way between two points.
@@ -237,7 +237,7 @@ TEST(Contacts, AreFoundFromEitherFace) {
   edges::EdgeOptions options;
   options.contour = false;
   const auto crossings = [&](const std::vector<Shape>& shapes) {
-    const scene::World world = recognised(world_of(shapes));
+    const world::World world = recognised(world_of(shapes));
     view::ProjectedScene view = view::project_scene(world, orthographic(corner), {});
     const edges::FeatureEdges drawn = edges::find_feature_edges(world, view, options);
     return drawn.crossings.size();
@@ -247,9 +247,9 @@ TEST(Contacts, AreFoundFromEitherFace) {
 
 // Facets of a shaft of radius 10 are cut at x = 3, where its surface has y = +-sqrt(91).
 TEST(PartEdges, OutlinesOfCutsLieOnTheSurface) {
-  const scene::World whole = recognised(world_of(cylinder(10, 0, 30, 20)));
+  const world::World whole = recognised(world_of(cylinder(10, 0, 30, 20)));
   const auto plane = scene::make_cutting_plane({{"A", "--section"}, Vec3(3, 0, 0), Vec3(1, 0, 0)});
-  const scene::World world = scene::cut_world(whole, plane).world;
+  const world::World world = cut::cut_world(whole, plane).world;
   for (const Vec3& from : {Vec3(1, 0.2, 0.3), Vec3(0.1, -1, 0.2)}) {
     view::ProjectedScene view = view::project_scene(world, orthographic(from), {});
     double length = 0;
@@ -281,7 +281,7 @@ TEST(SmoothContours, OfABallBeginWhereThoseOfItsShaftEnd) {
   Profile profile{{0, -20}, {10, -20}};
   for (int i = 0; i <= 8; ++i) profile.push_back({10 * std::cos(i * pi / 16), 10 * std::sin(i * pi / 16)});
   profile.back()[0] = 0;
-  const scene::World world = recognised(world_of(revolved(profile, 24)));
+  const world::World world = recognised(world_of(revolved(profile, 24)));
   int met = 0;
   for (double turn = 0; turn < 15; turn += 1.3) {
     const double a = turn * pi / 180;
@@ -311,7 +311,7 @@ TEST(SmoothContours, EndAtCreasesAndBorders) {
   for (int i = 0; i <= 8; ++i) open.push_back({i == 8 ? 0 : 10 * std::cos(i * pi / 16), 10 * std::sin(i * pi / 16)});
   closed.insert(closed.end(), open.begin(), open.end());
   for (const Profile& profile : {closed, open}) {
-    const scene::World world = recognised(world_of(revolved(profile, 24)));
+    const world::World world = recognised(world_of(revolved(profile, 24)));
     int met = 0;
     for (double turn = 0; turn < 15; turn += 1.3) {
       const double a = turn * pi / 180;
@@ -330,7 +330,7 @@ TEST(SmoothContours, EndAtCreasesAndBorders) {
 // Seen almost along its axis, the normals of a shaft are perpendicular to the projectors everywhere, so that no contour
 // of it is there because of its facets alone.
 TEST(SmoothContours, WhereASurfaceFacesNowhereAreNotThereByChance) {
-  const scene::World world = recognised(world_of(revolved({{0, 0}, {10, 0}, {10, 30}, {10, 60}, {0, 60}}, 24)));
+  const world::World world = recognised(world_of(revolved({{0, 0}, {10, 0}, {10, 30}, {10, 60}, {0, 60}}, 24)));
   view::ProjectedScene view = view::project_scene(world, orthographic({4e-6, 1e-6, 1}, {0, 1, 0}), {});
   int contours = 0;
   for (const edges::FeatureEdge& edge : edges::find_feature_edges(world, view, {}).edges) {
@@ -385,7 +385,7 @@ std::vector<Vec3> visible_contour_of_torus(const Vec3& towards) {
 }
 
 // How far visible lines of a drawing of that torus are from its visible contour, at most.
-double farthest_of_torus(const scene::World& world, const Vec3& towards) {
+double farthest_of_torus(const world::World& world, const Vec3& towards) {
   const drawing::ViewDrawing drawing = draw(world, orthographic(towards)).drawing;
   std::vector<Vec2> contour;
   for (const Vec3& p : visible_contour_of_torus(towards)) contour.emplace_back(drawing.world_to_page * Vec4(p, 1));
@@ -403,7 +403,7 @@ double farthest_of_torus(const scene::World& world, const Vec3& towards) {
 TEST(SmoothContours, OfATorusEndInCusps) {
   const Vec3 towards(1, -1, 1);
   for (const int around : {24, 48}) {
-    const scene::World torus = world_of(turned(revolved(ring(20, 8, around), 5 * around / 2), 2));
+    const world::World torus = world_of(turned(revolved(ring(20, 8, around), 5 * around / 2), 2));
     EXPECT_LT(farthest_of_torus(recognised(torus), towards), 60.0 / around / around) << around;
     EXPECT_GT(farthest_of_torus(torus, towards), 8.0 / around) << around;
   }
@@ -413,13 +413,13 @@ TEST(SmoothContours, OfATorusEndInCusps) {
 TEST(SmoothContours, OfOpenSurfacesAreNotHollow) {
   Shape torus = turned(revolved(ring(20, 8, 48), 120), 2);
   torus.faces.erase(torus.faces.begin());
-  const scene::World world = recognised(world_of(torus));
+  const world::World world = recognised(world_of(torus));
   view::ProjectedScene view = view::project_scene(world, orthographic({1, -1, 1}), {});
   for (const edges::FeatureEdge& edge : edges::find_feature_edges(world, view, {}).edges) EXPECT_EQ(edge.hollow, 0);
 }
 
 TEST(SmoothContours, OfFacetsThatATessellationTurnsOverAreNotDrawn) {
-  const scene::World world = recognised(world_of(rounded_foot(8, 24)));
+  const world::World world = recognised(world_of(rounded_foot(8, 24)));
   const projection::Projection front = orthographic({0, -1, 0});
   view::ProjectedScene view = view::project_scene(world, front, {});
   const edges::FeatureEdges drawn = edges::find_feature_edges(world, view, {});

@@ -23,7 +23,7 @@ Shape roof_with_a_sliver() {
 }
 
 TEST(Slivers, AreCrossedToTheFaceBehind) {
-  const scene::World world = world_of(roof_with_a_sliver());
+  const world::World world = world_of(roof_with_a_sliver());
   const edges::Slivers slivers({world, 0, 1}, {0, 1, 0, 0});
   EXPECT_EQ(slivers.across({0, 1}, 0).triangle, 0) << "no sliver, nothing to cross";
   EXPECT_TRUE(slivers.across({0, 1}, 1).covered) << "its longest side is drawn by the two others";
@@ -39,7 +39,7 @@ TEST(Slivers, AreCrossedToTheFaceBehind) {
 TEST(Slivers, AtTheBorderHaveNothingBehindThem) {
   Shape shape = roof_with_a_sliver();
   shape.faces.erase(shape.faces.begin());
-  const scene::World world = world_of(shape);
+  const world::World world = world_of(shape);
   const edges::Beyond behind = edges::Slivers({world, 0, 1}, {1, 0, 0}).across({0, 4}, 0);
   EXPECT_FALSE(behind.triangle);
   EXPECT_FALSE(behind.covered);
@@ -58,7 +58,7 @@ Shape roof_with_needles(int needles, double width) {
 
 TEST(Slivers, OfARowOfNeedlesOneSideIsDrawn) {
   for (const int needles : {2, 3, 6}) {
-    const scene::World world = world_of(roof_with_needles(needles, 1e-13));
+    const world::World world = world_of(roof_with_needles(needles, 1e-13));
     const view::ProjectedScene view = view::project_scene(world, from_above(), {});
     int creases = 0;
     for (const auto& kind : edges::feature_edges(world, view, 0, {.contour = false, .boundary = false}))
@@ -76,7 +76,7 @@ TEST(Slivers, OfTwoNeedlesOneSideIsDrawnHoweverTheyAreNumbered) {
     for (auto& face : numbered.faces)
       for (int& v : face)
         if (v >= 2) v = order[std::size_t(v) - 2];
-    const scene::World world = world_of(numbered);
+    const world::World world = world_of(numbered);
     const view::ProjectedScene view = view::project_scene(world, from_above(), {});
     int creases = 0;
     for (const auto& kind : edges::feature_edges(world, view, 0, {.contour = false, .boundary = false}))
@@ -91,7 +91,7 @@ TEST(Slivers, AreTrianglesLowerThanThePageGridUnlessSeenEdgeOn) {
     shape.add({{{0, 0, 2}, {1, 0, 2}, {1, 1e-9, 2}}, {{0, 1, 2}}, {}});
     return shape;
   }();
-  const scene::World world = world_of(box_and_needle);
+  const world::World world = world_of(box_and_needle);
   const view::ProjectedScene view = view::project_scene(world, from_above(), {});
   const edges::Slivers slivers({world, 0, view.map.normalisation}, view);
   for (int t = 0; t < 12; ++t) EXPECT_FALSE(slivers.contain(t)) << t;
@@ -133,7 +133,7 @@ std::vector<std::array<double, 2>> profile_of(const std::string& name, double po
   return profile;
 }
 
-scene::World world_in(const Shape& shape, bool single_precision) {
+world::World world_in(const Shape& shape, bool single_precision) {
   mesh::Soup soup;
   soup.points = shape.points;
   soup.single_precision = single_precision;
@@ -144,7 +144,7 @@ scene::World world_in(const Shape& shape, bool single_precision) {
     soup.corners.insert(soup.corners.end(), face.begin(), face.end());
     soup.end_face();
   }
-  return scene::make_world(
+  return world::make_world(
       {{std::make_shared<const mesh::Mesh>(mesh::build_mesh(std::move(soup), "shape")), Mat4(1.0)}});
 }
 
@@ -154,7 +154,7 @@ TEST(Slivers, BetweenTwoOppositeCreasesAreNoStep) {
   const Shape square{{{0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}, {step, 0, step}},
                      {{0, 1, 2}, {0, 4, 1}, {0, 3, 4}, {4, 3, 1}},
                      {}};
-  const scene::World world = world_in(square, true);
+  const world::World world = world_in(square, true);
   const view::ProjectedScene view = view::project_scene(world, orthographic({1, -2, 3}), {});
   for (const auto& kind : edges::feature_edges(world, view, 0, {.boundary = false})) EXPECT_FALSE(kind);
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 // The tangent edges of the only model, as pairs of vertices.
-std::set<std::pair<int, int>> tangents(const scene::World& world) {
+std::set<std::pair<int, int>> tangents(const world::World& world) {
   const edges::EdgeOptions options{.contour = false, .boundary = false, .crease = false, .tangent = true};
   const view::ProjectedScene view = view::project_scene(world, orthographic({1.1, -2, 1.3}), {});
   const auto kinds = edges::feature_edges(world, view, 0, options);

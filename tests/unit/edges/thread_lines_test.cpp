@@ -18,13 +18,13 @@ namespace {
 constexpr double crest = 10, length = 10;
 
 struct Shaft {
-  scene::World world;
+  world::World world;
   bool up = true;  // whether heights on its cylinder grow with z
   double root = scene::parse_thread("M20", "").minor() / 2;
 
   explicit Shaft(const std::vector<std::array<double, 2>>& profile = {{0, 0}, {crest, 0}, {crest, 30}, {0, 30}})
       : world(recognised(world_of(revolved(profile, 48)))) {
-    scene::Placed& placed = world.models[0];
+    world::Placed& placed = world.models[0];
     for (int face = 0; face < static_cast<int>(placed.part->faces.size()); ++face) {
       const features::PartSurface& surface = placed.part->faces[static_cast<std::size_t>(face)].surface;
       if (surface.kind != features::SurfaceKind::cylinder) continue;

@@ -32,9 +32,9 @@ TEST(Explain, NamesBodies) {
   const std::string plates =
       "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nv 1 -1 5\nv 3 -1 5\nv 3 1 5\nv 1 1 5\n"
       "o base\nf 1 2 3 4\no lid\nf 5 6 7 8\n";
-  scene::Placed model;
+  world::Placed model;
   model.mesh = std::make_shared<const mesh::Mesh>(mesh::make_mesh(mesh::read_obj(plates, "plates"), "plates.obj"));
-  const Studied studied = study(scene::make_world({model}), from_above());
+  const Studied studied = study(world::make_world({model}), from_above());
   const std::string text = story(studied.view(), explain::ByVertices{0, {0, 1}});
   EXPECT_TRUE(text.starts_with("0:0-1 of 'base' in plates.obj, ")) << text;
   EXPECT_TRUE(contains(text, "by face 0:1 of 'lid' in plates.obj, 5 in front")) << text;

@@ -68,7 +68,7 @@ TEST(Hiders, TogetherHideWhatTheSearchFoundHidden) {
 TEST(TriangleBoxes, FindAllTrianglesThatMeetABoxAndNoOthers) {
   Shape plates;
   for (int i = 0; i < 300; ++i) plates.add(plate(i, 0, i + 0.5, 1, 0));
-  const scene::World world = world_of(plates);
+  const world::World world = world_of(plates);
   const view::ProjectedScene view = view::project_scene(world, from_above(), {});
   const explain::TriangleBoxes boxes(view);
   const double unit = view.map.normalisation;

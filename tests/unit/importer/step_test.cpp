@@ -175,8 +175,8 @@ TEST(StepImporter, DividesWiresAsItDividesEdges) {
   }
 }
 
-scene::World world_of(const importer::ReadModel& model) {
-  return scene::make_world({{std::make_shared<const mesh::Mesh>(model.mesh), Mat4(1.0), model.part}});
+world::World world_of(const importer::ReadModel& model) {
+  return world::make_world({{std::make_shared<const mesh::Mesh>(model.mesh), Mat4(1.0), model.part}});
 }
 
 TEST(StepImporter, WiresAreHiddenByFaces) {

@@ -14,12 +14,12 @@ namespace {
 
 constexpr sheet::LineWidths widths{0.5, 0.25};
 
-scene::CuttingSurface plane_at(const Vec3& point, const Vec3& normal) {
-  return scene::plane_surface(scene::make_cutting_plane({{"B", "--section"}, point, normal}));
+cut::CuttingSurface plane_at(const Vec3& point, const Vec3& normal) {
+  return cut::plane_surface(scene::make_cutting_plane({{"B", "--section"}, point, normal}));
 }
 
-scene::CuttingSurface stepped(const std::vector<Vec3>& path) {
-  return scene::make_cutting_surface({{"B", "a.toml"}, Vec3(0), Vec3(0, -1, 0), {path, "a.toml"}});
+cut::CuttingSurface stepped(const std::vector<Vec3>& path) {
+  return cut::make_cutting_surface({{"B", "a.toml"}, Vec3(0), Vec3(0, -1, 0), {path, "a.toml"}});
 }
 
 // Page coordinates are x and y of the world.
@@ -31,7 +31,7 @@ drawing::ViewDrawing from_top() {
 
 TEST(CuttingPlaneLine, CrossesTheInkAndEndsPastIt) {
   const drawing::ViewDrawing parent = from_top();
-  const scene::CuttingSurface plane = plane_at({0, 30, 0}, {0, -1, 0});
+  const cut::CuttingSurface plane = plane_at({0, 30, 0}, {0, -1, 0});
   const auto layer = sheet::cutting_plane_line(parent, plane, widths);
   ASSERT_TRUE(layer);
   EXPECT_EQ(layer->name, parent.name + "/cutting-plane");
@@ -90,7 +90,7 @@ TEST(CuttingPlaneLine, OfAnOffsetSectionHasWideTurns) {
 
 TEST(CuttingPlaneLine, OfAHalfSectionHasOneArrow) {
   const drawing::ViewDrawing parent = from_top();
-  const scene::CuttingSurface half = stepped({{0, 30, 0}, {30, 30, 0}, {30, 0, 0}});
+  const cut::CuttingSurface half = stepped({{0, 30, 0}, {30, 30, 0}, {30, 0, 0}});
   const auto layer = sheet::cutting_plane_line(parent, half, widths);
   ASSERT_TRUE(layer);
   EXPECT_EQ(layer->strokes.size(), 3U);
@@ -107,7 +107,7 @@ TEST(CuttingPlaneLine, OfAnAlignedSectionHasArrowsAcrossItsPlanes) {
   scene::SectionDescription section{{"B", "a.toml"}, Vec3(0), Vec3(0, -1, 0)};
   section.path = {std::vector<Vec3>{{0, 30, 0}, {30, 30, 0}, {40, 40, 0}}, "a.toml"};
   section.aligned = {true, "a.toml"};
-  const scene::CuttingSurface surface = scene::make_cutting_surface(section);
+  const cut::CuttingSurface surface = cut::make_cutting_surface(section);
   const auto layer = sheet::cutting_plane_line(parent, surface, widths);
   ASSERT_TRUE(layer);
   // A chain for each leg, and two arrows; two ends with heads, a turn of two legs.
@@ -131,7 +131,7 @@ TEST(CuttingPlaneLine, OfAnAlignedSectionHasArrowsAcrossItsPlanes) {
 }
 
 TEST(CuttingPlaneLine, IsNotWhereStepsAreSeenFromTheFront) {
-  const scene::CuttingSurface steps = stepped({{0, 25, 0}, {30, 25, 0}, {30, 35, 0}, {60, 35, 0}});
+  const cut::CuttingSurface steps = stepped({{0, 25, 0}, {30, 25, 0}, {30, 35, 0}, {60, 35, 0}});
   EXPECT_TRUE(sheet::sees_edge_on(from_above(), steps));
   EXPECT_FALSE(sheet::sees_edge_on(orthographic({1, 0, 0}, {0, 0, 1}), steps));
 }
@@ -160,7 +160,7 @@ TEST(CuttingPlaneLine, ReplacesCentreLines) {
 TEST(DividingLine, ReplacesCentreLinesOfAHalfSection) {
   drawing::ViewDrawing front =
       draw(world_of(box({0, 0, 0}, {40, 20, 10})), orthographic({0, -1, 0}, {0, 0, 1})).drawing;
-  const scene::CuttingSurface half = stepped({{0, 10, 0}, {20, 10, 0}, {20, 0, 0}});
+  const cut::CuttingSurface half = stepped({{0, 10, 0}, {20, 10, 0}, {20, 0, 0}});
   sheet::Layer centre = sheet::empty_layer("front", scene::SheetLine::centre, widths);
   const double x = (front.min.x + front.max.x) / 2;
   centre.strokes.push_back({{{x, front.min.y}, {x, front.max.y}}});

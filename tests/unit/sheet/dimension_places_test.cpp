@@ -45,7 +45,7 @@ Shape stairs(int steps) {
 }
 
 TEST(DimensionPlaces, LookLikeDimensions) {
-  const scene::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   const sheet::Layer layer =
       layer_of(world, front, {dimension("overall", {}, "width"), dimension("overall", {}, "height")});
@@ -71,7 +71,7 @@ TEST(DimensionPlaces, LookLikeDimensions) {
 }
 
 TEST(DimensionPlaces, SmallInsideLarge) {
-  const scene::World world = placed(stairs(3));  // boxes 36, 24 and 12 wide
+  const world::World world = placed(stairs(3));  // boxes 36, 24 and 12 wide
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
   std::vector<scene::DimensionDescription> dimensions{dimension("overall", {}, "width")};
   for (const int v : {9, 1, 17}) dimensions.push_back(dimension("linear", {0, v}, "horizontal"));
@@ -97,7 +97,7 @@ TEST(DimensionPlaces, SmallInsideLarge) {
 }
 
 TEST(DimensionPlaces, NeighboursShareALine) {
-  const scene::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   scene::DimensionDescription left = dimension("linear", {0}, "horizontal"),
                               right = dimension("linear", {1}, "horizontal");
@@ -108,7 +108,7 @@ TEST(DimensionPlaces, NeighboursShareALine) {
 }
 
 TEST(DimensionPlaces, ArrowsAndTextsGoOutsideWhereThereIsNoRoom) {
-  const scene::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   scene::DimensionDescription narrow = dimension("linear", {0}, "horizontal"), wide = narrow;
   narrow.anchors.emplace_back(Vec3(2.25, 0, 0));
@@ -128,7 +128,7 @@ TEST(DimensionPlaces, ArrowsAndTextsGoOutsideWhereThereIsNoRoom) {
 }
 
 TEST(DimensionPlaces, AnOffsetIsObeyed) {
-  const scene::World world = placed(wedge());
+  const world::World world = placed(wedge());
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   const auto page = [&](int v) { return Vec2(front.world_to_page * Vec4(world.points[std::size_t(v)], 1)); };
   const auto tip_of = [&](scene::DimensionDescription one, double offset) {
@@ -149,7 +149,7 @@ TEST(DimensionPlaces, AnOffsetIsObeyed) {
 }
 
 TEST(DimensionPlaces, LeadersOfAnOffset) {
-  const scene::World world = placed(cylinder(64, 20, 7));
+  const world::World world = placed(cylinder(64, 20, 7));
   const drawing::ViewDrawing top = drawing_of(world, from_above());
   scene::DimensionDescription radius = dimension("radius", {0});
   for (const double offset : {12.0, -12.0}) {
@@ -161,7 +161,7 @@ TEST(DimensionPlaces, LeadersOfAnOffset) {
 }
 
 TEST(DimensionPlaces, ManyAtOnce) {
-  const scene::World world = placed(wedge());
+  const world::World world = placed(wedge());
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
   const std::vector<scene::DimensionDescription> dimensions{
       dimension("linear", {0, 1}, "horizontal"), dimension("overall", {}, "width"),
@@ -181,7 +181,7 @@ TEST(DimensionPlaces, ManyCircles) {
     const double a = i * std::numbers::pi / 3;
     plates.add(cylinder(48, 6, 5).moved(35 * std::cos(a), 35 * std::sin(a), 10));
   }
-  const scene::World world = placed(plates);
+  const world::World world = placed(plates);
   const drawing::ViewDrawing top = drawing_of(world, from_above());
   std::vector<scene::DimensionDescription> dimensions{dimension("diameter", {0})};
   for (int i = 0; i < 6; ++i) dimensions.push_back(dimension("diameter", {128 + 96 * i}));
@@ -205,7 +205,7 @@ bool reaches_into(const sheet::Layer& layer, const sheet::Rectangle& box) {
 }
 
 TEST(DimensionPlaces, AwayFromNeighboursAndOnThePaper) {
-  const scene::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));  // (70, 80) to (130, 120)
   const std::vector<scene::DimensionDescription> width{dimension("overall", {}, "width")};
   const auto layer = [&](const sheet::Neighbours& neighbours) {
@@ -228,7 +228,7 @@ TEST(DimensionPlaces, HorizontalOnesAreBelowIfNothingElseMatters) {
   Shape rhombus;
   rhombus.points = {{0, 0, 20}, {30, 0, 0}, {60, 0, 20}, {30, 0, 40}, {0, 9, 20}, {30, 9, 0}, {60, 9, 20}, {30, 9, 40}};
   rhombus.faces = {{0, 1, 2, 3}, {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
-  const scene::World world = placed(rhombus);
+  const world::World world = placed(rhombus);
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   EXPECT_LT(layer_of(world, front, {dimension("linear", {0, 2}, "horizontal")}).texts.at(0).at.y, 80);
 }
@@ -240,7 +240,7 @@ TEST(DimensionPlaces, LeadersGoWhereTheyCrossNothing) {
     const double a = std::numbers::pi * (0.25 + 0.5 * quadrant), x = 6 * std::cos(a), y = 6 * std::sin(a) + 0.15;
     Shape shape = cylinder(48, 3, 5);
     shape.add(box({x - half, y - half, 0}, {x + half, y + half, 1}));
-    const scene::World world = placed(shape);
+    const world::World world = placed(shape);
     const drawing::ViewDrawing top = drawing_of(world, from_above());
     const Vec2 centre = circle_centre(top);
     const sheet::Layer layer = layer_of(world, top, {dimension("diameter", {0})});
@@ -249,7 +249,7 @@ TEST(DimensionPlaces, LeadersGoWhereTheyCrossNothing) {
 }
 
 TEST(DimensionPlaces, ArcsKnowTheirCircles) {
-  const scene::World world = placed(wedge());
+  const world::World world = placed(wedge());
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   const sheet::Layer layer = layer_of(world, front, {dimension("angular", {0, 1, 2})});
   const auto arc = std::find_if(layer.strokes.begin(), layer.strokes.end(),
@@ -294,8 +294,8 @@ TEST(OverallDimensions, EachOnceInTheClearestView) {
 
 TEST(OverallDimensions, AShaftHasOneDiameter) {
   const std::vector<sheet::NamedProjection> views{view("front", from_front), view("top", {0, 0, 1}, {0, 1, 0})};
-  const scene::Extent shaft{-40, 40, scene::ExtentForm::diameter, {0, 0, 0}, {0, 0, 1}};
-  const scene::Extent beside{-35, 45, scene::ExtentForm::diameter, {0, 5, 0}, {0, 0, 1}};
+  const design::Extent shaft{-40, 40, design::ExtentForm::diameter, {0, 0, 0}, {0, 0, 1}};
+  const design::Extent beside{-35, 45, design::ExtentForm::diameter, {0, 5, 0}, {0, 0, 1}};
   const scene::DimensionDescription open = dimension("overall", {});
   EXPECT_EQ(format_dimensions(sheet::overall_dimensions(open, views, {shaft, shaft, {0, 80}})),
             "width front height front ");
@@ -304,7 +304,7 @@ TEST(OverallDimensions, AShaftHasOneDiameter) {
 }
 
 TEST(OverallDimensions, HaveTheRoomThatWasKeptFree) {
-  const scene::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
   const projection::Projection front = orthographic(from_front);
   const drawing::ViewDrawing drawing = drawing_of(world, front);
   const std::vector<scene::DimensionDescription> dimensions{dimension("overall", {}, "width"),

@@ -17,8 +17,8 @@ namespace epura::test {
 
 inline const Vec3 from_front{0, -1, 0}, from_left{-1, 0, 0}, from_corner{1, -1, 1};
 
-inline scene::World placed(const Shape& shape, const std::string& steps = "") {
-  return scene::make_world({{std::make_shared<const mesh::Mesh>(mesh_of(shape)), scene::parse_transform(steps)}});
+inline world::World placed(const Shape& shape, const std::string& steps = "") {
+  return world::make_world({{std::make_shared<const mesh::Mesh>(mesh_of(shape)), scene::parse_transform(steps)}});
 }
 
 /// Its front is the triangle 40, 30, 50; 10 deep. Vertices 0 (right angle at 1) to 2, and 3 to 5 behind them.
@@ -48,7 +48,7 @@ inline Shape cylinder(int n, double radius, double height) {
 }
 
 /// A view in its place, `scale` mm for a unit of the world, its middle at (100, 100).
-inline drawing::ViewDrawing drawing_of(const scene::World& world, const projection::Projection& projection,
+inline drawing::ViewDrawing drawing_of(const world::World& world, const projection::Projection& projection,
                                        double scale = 1) {
   view::ProjectedScene view = view::project_scene(world, projection, {});
   const edges::FeatureEdges drawn = edges::find_feature_edges(world, view, {});
@@ -74,13 +74,13 @@ inline scene::DimensionDescription dimension(const std::string& type, const std:
   return description;
 }
 
-inline sheet::Layer layer_of(const scene::World& world, const drawing::ViewDrawing& drawing,
+inline sheet::Layer layer_of(const world::World& world, const drawing::ViewDrawing& drawing,
                              const std::vector<scene::DimensionDescription>& dimensions) {
   return sheet::dimension_layer({world, drawing, dimensions}, {sheet::Lettering(), 0.25});
 }
 
 /// What is written at the only dimension.
-inline std::string text_of(const scene::World& world, const drawing::ViewDrawing& drawing,
+inline std::string text_of(const world::World& world, const drawing::ViewDrawing& drawing,
                            const scene::DimensionDescription& dimension) {
   return layer_of(world, drawing, {dimension}).texts.at(0).text;
 }

@@ -13,7 +13,7 @@ namespace {
 void expect_at(const Vec2& p, const Vec2& q) { EXPECT_LT(glm::length(p - q), 1e-6) << p.x << ' ' << p.y; }
 
 TEST(Dimensions, LengthsOfATriangle) {
-  const scene::World world = placed(wedge());
+  const world::World world = placed(wedge());
   for (const double scale : {0.2, 1.0, 5.0}) {
     const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front), scale);
     EXPECT_EQ(text_of(world, front, dimension("aligned", {0, 2})), "50");
@@ -30,7 +30,7 @@ TEST(Dimensions, LengthsOfATriangle) {
 }
 
 TEST(Dimensions, AnglesOfATriangle) {
-  const scene::World world = placed(wedge());
+  const world::World world = placed(wedge());
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   EXPECT_EQ(text_of(world, front, dimension("angular", {0, 1, 2})), "36.87°");
   EXPECT_EQ(text_of(world, front, dimension("angular", {2, 0, 1})), "53.13°");
@@ -39,7 +39,7 @@ TEST(Dimensions, AnglesOfATriangle) {
 
 TEST(Dimensions, FollowTheModel) {
   for (const char* steps : {"", "rotate:y,30", "translate:1000,-300,20", "rotate:y,-200 translate:7,0,0"}) {
-    const scene::World world = placed(wedge(), steps);
+    const world::World world = placed(wedge(), steps);
     const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
     const sheet::Layer layer = layer_of(world, front, {dimension("aligned", {0, 2}), dimension("angular", {0, 1, 2})});
     EXPECT_EQ(layer.texts[0].text, "50") << steps;
@@ -59,7 +59,7 @@ TEST(Dimensions, FollowTheModel) {
 }
 
 TEST(Dimensions, CirclesSeenAsCircles) {
-  const scene::World world = placed(cylinder(64, 10, 7), "scale:2 translate:5,6,7");
+  const world::World world = placed(cylinder(64, 10, 7), "scale:2 translate:5,6,7");
   const drawing::ViewDrawing top = drawing_of(world, from_above());
   const sheet::Layer layer = layer_of(world, top, {dimension("diameter", {3}), dimension("radius", {70})});
   EXPECT_EQ(layer.texts[0].text, "⌀40");
@@ -73,7 +73,7 @@ TEST(Dimensions, CirclesSeenAsCircles) {
 }
 
 TEST(Dimensions, CirclesSeenEdgeOn) {
-  const scene::World world = placed(cylinder(64, 10, 60), "rotate:x,90 rotate:z,20");
+  const world::World world = placed(cylinder(64, 10, 60), "rotate:x,90 rotate:z,20");
   const drawing::ViewDrawing top = drawing_of(world, from_above());
   const sheet::Layer layer = layer_of(world, top, {dimension("diameter", {3})});
   EXPECT_EQ(layer.texts[0].text, "⌀20");
@@ -83,7 +83,7 @@ TEST(Dimensions, CirclesSeenEdgeOn) {
 }
 
 TEST(Dimensions, ACircleThroughAPointOfTheWorld) {
-  const scene::World world = placed(cylinder(64, 10, 7));
+  const world::World world = placed(cylinder(64, 10, 7));
   const drawing::ViewDrawing top = drawing_of(world, from_above());
   scene::DimensionDescription radius = dimension("radius", {});
   radius.anchors = {Vec3(0, 10, 7)};
@@ -91,7 +91,7 @@ TEST(Dimensions, ACircleThroughAPointOfTheWorld) {
 }
 
 TEST(Dimensions, TheTextMayBeAnother) {
-  const scene::World world = placed(wedge());
+  const world::World world = placed(wedge());
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   scene::DimensionDescription width = dimension("linear", {0, 1}, "horizontal");
   width.text = {"2x <> (<>)", "scene.toml:1:1"};
@@ -105,7 +105,7 @@ TEST(Dimensions, TheTextMayBeAnother) {
 
 TEST(Dimensions, TwoDecimalsAtMost) {
   const auto width_of = [](double width) {
-    const scene::World world = placed(box({0, 0, 0}, {width, 5, 5}));
+    const world::World world = placed(box({0, 0, 0}, {width, 5, 5}));
     return text_of(world, drawing_of(world, orthographic(from_front)), dimension("linear", {0, 1}, "horizontal"));
   };
   EXPECT_EQ(width_of(12.3456), "12.35");
@@ -115,7 +115,7 @@ TEST(Dimensions, TwoDecimalsAtMost) {
 }
 
 TEST(Dimensions, AxonometricViewsShowTrueLengthsAlongTheAxes) {
-  const scene::World world = placed(wedge());
+  const world::World world = placed(wedge());
   const drawing::ViewDrawing isometric = drawing_of(world, orthographic(from_corner));
   EXPECT_EQ(text_of(world, isometric, dimension("aligned", {0, 1})), "40");
   EXPECT_EQ(text_of(world, isometric, dimension("aligned", {1, 4})), "10");
@@ -126,7 +126,7 @@ TEST(Dimensions, AxonometricViewsShowTrueLengthsAlongTheAxes) {
 }
 
 TEST(Dimensions, ObliqueViewsShowTrueLengthsInTheirPlane) {
-  const scene::World world = placed(wedge());
+  const world::World world = placed(wedge());
   projection::Projection cavalier = orthographic(from_front);
   cavalier.projector = {std::sqrt(0.5), -1, std::sqrt(0.5)};
   const drawing::ViewDrawing drawing = drawing_of(world, cavalier);
@@ -144,7 +144,7 @@ struct Refusal {
   const char* reason;
 };
 
-void expect_refusals(const scene::World& world, const drawing::ViewDrawing& drawing,
+void expect_refusals(const world::World& world, const drawing::ViewDrawing& drawing,
                      const std::vector<Refusal>& refusals) {
   for (const Refusal& refusal : refusals) {
     const Error error = error_of([&] { text_of(world, drawing, refusal.dimension); });
@@ -154,7 +154,7 @@ void expect_refusals(const scene::World& world, const drawing::ViewDrawing& draw
 }
 
 TEST(Dimensions, RefusedForWhatTheViewShows) {
-  const scene::World world = placed(wedge());
+  const world::World world = placed(wedge());
   const Vec3 eye(60, -200, 50);
   const Refusal perspective_one{dimension("aligned", {0, 2}), "perspective"};
   expect_refusals(world, drawing_of(world, perspective(eye, {0, 0, 0}, {0, -1, 0}, {0, 0, 1})),
@@ -171,7 +171,7 @@ TEST(Dimensions, RefusedForWhatTheViewShows) {
 }
 
 TEST(Dimensions, RefusedForWhatTheySay) {
-  const scene::World world = placed(wedge());
+  const world::World world = placed(wedge());
   scene::DimensionDescription far_off = dimension("linear", {0, 1}, "horizontal"),
                               flat = dimension("angular", {0, 1, 2});
   far_off.offset = {1e300, ""};
@@ -200,14 +200,14 @@ TEST(Dimensions, RefusedForWhatTheySay) {
 }
 
 TEST(Dimensions, NoAngleBetweenLegsOnOneLine) {
-  const scene::World world = placed(box({0, 0, 0}, {10, 10, 10}));
+  const world::World world = placed(box({0, 0, 0}, {10, 10, 10}));
   scene::DimensionDescription angle = dimension("angular", {0, 1});
   angle.anchors.emplace_back(Vec3(20, 0, 0));
   expect_refusals(world, drawing_of(world, orthographic(from_front)), {{angle, "the angle is zero"}});
 }
 
 TEST(Dimensions, TheNearestCircleIsNamed) {
-  const scene::World world = placed(cylinder(64, 10, 7));
+  const world::World world = placed(cylinder(64, 10, 7));
   scene::DimensionDescription radius = dimension("radius", {});
   radius.anchors = {Vec3(14, 0, 7)};
   const Error error = error_of([&] { text_of(world, drawing_of(world, from_above()), radius); });
@@ -215,7 +215,7 @@ TEST(Dimensions, TheNearestCircleIsNamed) {
 }
 
 TEST(Dimensions, AnUnevenScaleLeavesNoCircle) {
-  const scene::World world = placed(cylinder(64, 10, 7), "scale:1,2,1");
+  const world::World world = placed(cylinder(64, 10, 7), "scale:1,2,1");
   const Error error = error_of([&] { text_of(world, drawing_of(world, from_above()), dimension("radius", {0})); });
   EXPECT_TRUE(contains(error.what(), "rim of a circle")) << error.what();
 }
@@ -223,11 +223,11 @@ TEST(Dimensions, AnUnevenScaleLeavesNoCircle) {
 TEST(Dimensions, OverallOnesOfAShaftAreItsDiameter) {
   // No corner of the polygon lies on x: it is 19.9 wide.
   const std::string steps = "rotate:z,5.625";
-  const scene::World world = recognised(placed(cylinder(32, 10, 7), steps));
+  const world::World world = recognised(placed(cylinder(32, 10, 7), steps));
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   EXPECT_EQ(text_of(world, front, dimension("overall", {}, "width")), "⌀20");
   EXPECT_EQ(text_of(world, front, dimension("overall", {}, "height")), "7");
-  const scene::World mesh = placed(cylinder(32, 10, 7), steps);
+  const world::World mesh = placed(cylinder(32, 10, 7), steps);
   EXPECT_EQ(text_of(mesh, drawing_of(mesh, orthographic(from_front)), dimension("overall", {}, "width")), "19.9");
   // What reaches as far as the part, or as its mesh, is whole; less is not.
   drawing::ViewDrawing less = front;
@@ -240,7 +240,7 @@ TEST(Dimensions, OverallOnesOfAShaftAreItsDiameter) {
 }
 
 TEST(Dimensions, VerticesOfRoundFacesHaveTheirCircle) {
-  const scene::World world = recognised(placed(cylinder(32, 10, 7), "scale:3"));
+  const world::World world = recognised(placed(cylinder(32, 10, 7), "scale:3"));
   EXPECT_EQ(text_of(world, drawing_of(world, from_above()), dimension("diameter", {3})), "⌀60");
   // Vertices in the middle of a bore lie on no rim.
   Shape two = cylinder(32, 10, 7);
@@ -253,12 +253,12 @@ TEST(Dimensions, VerticesOfRoundFacesHaveTheirCircle) {
     top.push_back(64 + i);
   }
   two.faces.push_back(top);
-  const scene::World long_one = recognised(placed(two));
+  const world::World long_one = recognised(placed(two));
   EXPECT_EQ(text_of(long_one, drawing_of(long_one, from_above()), dimension("radius", {40})), "R10");
 }
 
 TEST(Dimensions, OverallOnesWantAllOfTheModels) {
-  const scene::World world = placed(wedge());
+  const world::World world = placed(wedge());
   drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   std::erase_if(front.segments, [](const drawing::Segment& s) { return std::min(s.from.x, s.to.x) < 90; });
   expect_refusals(world, front, {{dimension("overall", {}, "width"), "does not show all of the models"}});

@@ -13,7 +13,7 @@ namespace epura::test {
 namespace {
 
 /// A box of 100 x 20 x 30 from the origin, in front view.
-scene::World beam() { return placed(box({0, 0, 0}, {100, 20, 30})); }
+world::World beam() { return placed(box({0, 0, 0}, {100, 20, 30})); }
 
 scene::DimensionDescription row(DimensionArrangement arrangement, const std::vector<double>& places) {
   scene::DimensionDescription description = dimension("linear", {}, "horizontal");
@@ -23,7 +23,7 @@ scene::DimensionDescription row(DimensionArrangement arrangement, const std::vec
 }
 
 std::vector<std::string> texts_of(const scene::DimensionDescription& description) {
-  const scene::World world = beam();
+  const world::World world = beam();
   std::vector<std::string> texts;
   for (const sheet::Text& text : layer_of(world, drawing_of(world, orthographic(from_front)), {description}).texts)
     texts.push_back(text.text);
@@ -53,7 +53,7 @@ TEST(RowDimensions, HaveTolerances) {
 
 // The arrows of parallel dimension lines are one step of 8 mm apart, short lines inside.
 TEST(RowDimensions, ParallelLinesAreInSteps) {
-  const scene::World world = beam();
+  const world::World world = beam();
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   const sheet::Layer layer = layer_of(world, front, {row(DimensionArrangement::baseline, {0, 90, 30, 60})});
   for (std::size_t i = 0; i < 3; ++i) {
@@ -86,7 +86,7 @@ void expect_clear(const sheet::Layer& layer, const std::string& what) {
 }
 
 TEST(RowDimensions, AreClearOfTheirTexts) {
-  const scene::World world = beam();
+  const world::World world = beam();
   const std::vector<std::vector<double>> places{
       {0, 20, 60, 90},          {0, 1, 2, 60, 62, 63}, {0, 3, 5, 9, 10, 14, 99},
       {50, 49, 51, 48, 0, 100}, {100, 97, 94, 30, 2},  {0, 7, 14, 21, 28, 35, 42, 49, 56, 63, 70, 77, 84, 91}};
@@ -107,7 +107,7 @@ TEST(RowDimensions, AreClearOfTheirTexts) {
 }
 
 TEST(RowDimensions, WithTwoPlacesOnOneLineAreRefused) {
-  const scene::World world = beam();
+  const world::World world = beam();
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   const Error error = error_of([&] { layer_of(world, front, {row(DimensionArrangement::chain, {0, 20, 20, 60})}); });
   EXPECT_STREQ(error.what(), "scene.toml:7: two of its places have the same extension line");
@@ -140,7 +140,7 @@ Shape sector(double degrees) {
 
 TEST(ArcDimensions, StateTheLengthOfTheArc) {
   for (const double degrees : {75.0, 90.0, 150.0, 270.0}) {
-    const scene::World world = placed(sector(degrees));
+    const world::World world = placed(sector(degrees));
     const drawing::ViewDrawing top = drawing_of(world, from_above());
     const sheet::Layer layer = layer_of(world, top, {dimension("arc", {3})});
     const double length = 50 * degrees * std::numbers::pi / 180;
@@ -158,7 +158,7 @@ TEST(ArcDimensions, StateTheLengthOfTheArc) {
 }
 
 TEST(ArcDimensions, OfWholeCirclesAreRefused) {
-  const scene::World world = placed(cylinder(64, 10, 7));
+  const world::World world = placed(cylinder(64, 10, 7));
   const drawing::ViewDrawing top = drawing_of(world, from_above());
   EXPECT_TRUE(contains(error_of([&] { layer_of(world, top, {dimension("arc", {3})}); }).what(),
                        "the view shows no arc at this place in its true form"));

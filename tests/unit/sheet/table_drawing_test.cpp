@@ -62,7 +62,7 @@ TEST(RevisionList, StandsOnTheListsBelow) {
   second.text = {"material", ""};
   second.date = {"2026-09-14", ""};
   sheet::SheetFurniture furniture{{420, 297, 20, 10}};
-  furniture.parts_list = sheet::PartsList{{scene::Item{"plate", 1}}};
+  furniture.parts_list = sheet::PartsList{{world::Item{"plate", 1}}};
   furniture.revisions = sheet::RevisionList{{first, second}, "en"};
   const sheet::BlockBoxes boxes = sheet::block_boxes(furniture);
   ASSERT_TRUE(boxes.parts_list && boxes.revisions && boxes.all);

@@ -88,7 +88,7 @@ scene::DimensionDescription with_tolerance(scene::DimensionDescription dimension
 }
 
 TEST(Tolerances, OfDimensions) {
-  const scene::World world = placed(wedge());
+  const world::World world = placed(wedge());
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   const auto width = dimension("overall", {}, "width");
   EXPECT_EQ(text_of(world, front, with_tolerance(width, "h7", "2× <> long")), "2× 40 h7 long");
@@ -105,7 +105,7 @@ TEST(Tolerances, OfDimensions) {
 
 // ISO 129-1: both deviations after the value, the upper one above, decimal signs one above the other.
 TEST(Tolerances, Stacked) {
-  const scene::World world = placed(wedge());
+  const world::World world = placed(wedge());
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   const sheet::Layer layer = layer_of(world, front, {with_tolerance(dimension("overall", {}, "width"), "+0.2 -0.1")});
   ASSERT_EQ(layer.texts.size(), 3U);

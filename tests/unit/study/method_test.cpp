@@ -15,7 +15,7 @@ namespace {
 study::Method method(const char* text) { return study::parse_method(text, "--visibility"); }
 
 // A tilted slab over bars in many directions: each bar's border is hidden in part.
-scene::World bars() {
+world::World bars() {
   Shape shape = box({-1, -0.7, 1}, {1, 0.7, 1.3});
   for (int i = -9; i <= 9; ++i) shape.add(box({-3, i * 0.31 - 0.05, -1 - 0.01 * i}, {3, i * 0.31 + 0.06, -0.5}));
   return world_of(shape);

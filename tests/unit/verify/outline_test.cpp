@@ -332,7 +332,7 @@ TEST(Outline, ATorusIsRightAtItsCusps) {
     const double angle = 0.3 + 2 * std::numbers::pi * i / 24;
     ring.push_back({20 + 8 * std::cos(angle), 8 * std::sin(angle)});
   }
-  const scene::World torus = recognised(world_of(revolved(ring, 60)));
+  const world::World torus = recognised(world_of(revolved(ring, 60)));
   ASSERT_NE(torus.models[0].part, nullptr);
   for (const Vec3& towards : {Vec3(1, -1, 1), Vec3(0.31, -0.62, 0.41), Vec3(0.2, -1, 0.5)}) {
     Result r = draw(torus, orthographic(towards));

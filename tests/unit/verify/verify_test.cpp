@@ -159,7 +159,7 @@ TEST(Verify, AMissingLineIsFound) {
 
 // What the near limit cuts away hides nothing.
 TEST(Verify, LimitsOfDepthAreRespected) {
-  const scene::World world = world_of(four_boxes());
+  const world::World world = world_of(four_boxes());
   for (const auto& [view, near] : {std::pair{orthographic({0.1, -1, 0.2}), -0.3}, std::pair{views().back(), 4.6}}) {
     const view::ViewLimits limits{near, {}};
     const Result r = draw(world, view, {}, limits);

@@ -70,7 +70,7 @@ TEST(Clip, BothEndsOfAnEdgeCanBeCut) {
 projection::Projection along_y() { return perspective({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}); }
 
 TEST(ProjectedScene, TheNearPlaneCutsEdgesInSpace) {
-  const scene::World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
+  const world::World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
   view::ProjectedScene view = view::project_scene(world, along_y(), {.near = 2.0, .far = {}});
   // From (-1, 1, -1) to (-1, 5, -1): y = 2 lies a quarter of the way in space.
   const auto edge = view::clip_edge(view, 0, 2);
@@ -85,7 +85,7 @@ TEST(ProjectedScene, TheNearPlaneCutsEdgesInSpace) {
 }
 
 TEST(ProjectedScene, NearAndFarAreDistancesInFrontOfTheEye) {
-  const scene::World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
+  const world::World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
   view::ProjectedScene view = view::project_scene(world, along_y(), {.near = 2.0, .far = 4.0});
   const auto edge = view::clip_edge(view, 2, 0);
   ASSERT_TRUE(edge);
@@ -95,7 +95,7 @@ TEST(ProjectedScene, NearAndFarAreDistancesInFrontOfTheEye) {
 
 // The projection ends at y = 3 and y = 4.
 TEST(ProjectedScene, NearAndFarDoNotWidenTheLimitsOfAProjection) {
-  const scene::World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
+  const world::World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
   projection::Projection limited = along_y();
   limited.front = -2;
   limited.back = -3;
@@ -107,7 +107,7 @@ TEST(ProjectedScene, NearAndFarDoNotWidenTheLimitsOfAProjection) {
 }
 
 TEST(ProjectedScene, OfAParallelViewNearAndFarCountFromThePlane) {
-  const scene::World world = world_of(box({0, 0, 0}, {1, 1, 8}));
+  const world::World world = world_of(box({0, 0, 0}, {1, 1, 8}));
   view::ProjectedScene view = view::project_scene(world, from_above(), {.near = -6.0, .far = -2.0});
   const auto edge = view::clip_edge(view, 0, 4);
   ASSERT_TRUE(edge);
@@ -115,14 +115,14 @@ TEST(ProjectedScene, OfAParallelViewNearAndFarCountFromThePlane) {
 }
 
 TEST(ProjectedScene, NothingBetweenNearAndFarIsWrongInput) {
-  const scene::World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
+  const world::World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
   for (const double far : {2.0, 1.0})
     EXPECT_EQ(error_of([&] { view::project_scene(world, along_y(), {.near = 2.0, .far = far}); }).where(),
               "near and far");
 }
 
 TEST(ProjectedScene, NothingBeforeTheEyeIsWrongInput) {
-  const scene::World world = world_of(box({-1, -5, -1}, {1, -1, 1}));
+  const world::World world = world_of(box({-1, -5, -1}, {1, -1, 1}));
   const Error error = error_of([&] { view::project_scene(world, along_y(), {}); });
   EXPECT_EQ(error.kind(), ErrorKind::input);
   EXPECT_TRUE(contains(error.what(), "in front of the viewer")) << error.what();
@@ -130,7 +130,7 @@ TEST(ProjectedScene, NothingBeforeTheEyeIsWrongInput) {
 }
 
 TEST(ProjectedScene, AWindowCutsEdgesButLeavesTrianglesAMargin) {
-  const scene::World world = world_of(plate(-10, -10, 10, 10, 0));
+  const world::World world = world_of(plate(-10, -10, 10, 10, 0));
   projection::Projection p = from_above();
   p.window = projection::Window{{-1, -2}, {3, 2}};
   view::ProjectedScene view = view::project_scene(world, p, {});
@@ -152,7 +152,7 @@ TEST(ProjectedScene, AWindowCutsEdgesButLeavesTrianglesAMargin) {
 }
 
 TEST(ProjectedScene, RingsEndAtTheWindow) {
-  const scene::World world = world_of(plate(-10, -10, 10, 10, 0));
+  const world::World world = world_of(plate(-10, -10, 10, 10, 0));
   const auto area_in = [&](const std::optional<projection::Window>& window) {
     projection::Projection p = from_above();
     p.window = window;
@@ -195,7 +195,7 @@ TEST(ProjectedScene, TheGridIsFineAndHoldsTheWindow) {
 }
 
 TEST(ProjectedScene, ContactIsFourCellsAndThatOfCommonCornersIsRounding) {
-  scene::World world = world_of(plate(-10, -10, 10, 10, 0));
+  world::World world = world_of(plate(-10, -10, 10, 10, 0));
   const view::Contact exact = view::project_scene(world, from_above(), {}).contact;
   EXPECT_EQ(exact.touching, 4 * view::project_scene(world, from_above(), {}).cell);
   EXPECT_EQ(exact.joined, std::ldexp(view::project_scene(world, from_above(), {}).extent, -44));

@@ -141,7 +141,7 @@ TEST(ViewMap, RefersToAPointWellInFrontOfTheViewer) {
 }
 
 TEST(PaperMap, OneMatrixGoesTheWholeWay) {
-  const scene::World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
+  const world::World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
   for (const projection::Projection& p : projections()) {
     const view::ProjectedScene view = view::project_scene(world, p, {});
     const double scale = 12.5;
@@ -169,7 +169,7 @@ TEST(PaperMap, OneMatrixGoesTheWholeWay) {
 }
 
 TEST(ViewingModel, OfAllStepsIsTheMapOfDrawings) {
-  const scene::World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
+  const world::World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
   const Vec2 corner(30, 20);
   for (const projection::Projection& p : projections()) {
     const view::ProjectedScene view = view::project_scene(world, p, {});
@@ -189,7 +189,7 @@ TEST(ViewingModel, OfAllStepsIsTheMapOfDrawings) {
 }
 
 TEST(PaperMap, VanishingPointsAreImagesOfTheAxes) {
-  const scene::World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
+  const world::World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
   for (const projection::Projection& p : projections()) {
     const view::ProjectedScene view = view::project_scene(world, p, {});
     const view::PaperMap paper = view::make_paper_map(view, 3, {100, 70});

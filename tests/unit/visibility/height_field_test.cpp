@@ -93,7 +93,7 @@ TEST(OneSheet, EndsWhereARampReachesItsBeginning) {
 }
 
 TEST(OneSheet, IsNotClipped) {
-  const scene::World world = world_of(field(6, wavy));
+  const world::World world = world_of(field(6, wavy));
   view::ProjectedScene view =
       view::project_scene(world, perspective({3, -4, 6}, {3, 3, 0}, {0, -1, 1}, {0, 0, 1}), {.near = {}, .far = 9.0});
   const edges::FeatureEdges drawn = edges::find_feature_edges(world, view, {});

@@ -13,7 +13,7 @@ namespace {
 
 struct Sheets {
   Vec2 first;  // vertex, in the world
-  scene::World world;
+  world::World world;
   view::ProjectedScene view;
 
   explicit Sheets(const Shape& shape)

@@ -12,7 +12,7 @@ namespace epura::test {
 namespace {
 
 // Unit plates, each a millionth to the right, behind and below the last.
-scene::World stack(int plates) {
+world::World stack(int plates) {
   Shape shape;
   for (int i = 0; i < plates; ++i) {
     const double shift = 1e-6 * i;
@@ -21,7 +21,7 @@ scene::World stack(int plates) {
   return world_of(shape);
 }
 
-double tries_of_an_edge(const scene::World& world, const projection::Projection& projection) {
+double tries_of_an_edge(const world::World& world, const projection::Projection& projection) {
   const Result r = draw(world, projection);
   const visibility::OccluderGrid occluders(r.world, r.view, r.drawn.edges);
   long tries = 0;
@@ -36,7 +36,7 @@ double tries_of_an_edge(const scene::World& world, const projection::Projection&
 
 // Before half of the 2 * 4000 triangles lies the average edge.
 TEST(OcclusionQuery, TriesFewTrianglesOfAStackWhereverItIsSeenFrom) {
-  const scene::World world = stack(4000);
+  const world::World world = stack(4000);
   for (const Vec3& towards_viewer : {Vec3(1, -1, 1), Vec3(1, 1, 1), Vec3(0.3, -0.8, 0.5), Vec3(0, 0, 1)})
     EXPECT_LT(tries_of_an_edge(world, orthographic(towards_viewer, {0, 1, 0.1})), 100);
 }
@@ -94,7 +94,7 @@ TEST(OcclusionQuery, TriesFewTrianglesOfOnePlane) {
 
 TEST(OcclusionQuery, HasNoMoreCandidatesOfManyCopiesThanOfTwo) {
   const auto most_candidates = [](int copies) {
-    const scene::World world =
+    const world::World world =
         world_of(std::vector<Shape>(static_cast<std::size_t>(copies), box({0, 0, 0}, {1, 2, 3})));
     const Result r = draw(world, orthographic({0.3, -0.8, 0.5}));
     const visibility::OccluderGrid occluders(r.world, r.view, r.drawn.edges);

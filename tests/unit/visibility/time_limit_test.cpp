@@ -108,7 +108,7 @@ TEST(TimeLimit, DecidedEdgesKeepTheirSpans) {
 }
 
 TEST(TimeLimit, TheSearchForIntersectionsTellsHowFarItCame) {
-  const scene::World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.5, 0.5}, {2, 2, 2})});
+  const world::World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.5, 0.5}, {2, 2, 2})});
   ProgressBoard board;
   const edges::FaceCrossings all =
       edges::find_intersections(world, 1, 1e-9, edges::all_triangles(world), Progress(board, 1000));

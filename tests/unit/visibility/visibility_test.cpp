@@ -16,7 +16,7 @@ namespace {
 Shape ground() { return plate(-4, -4, 4, 4, -10); }
 
 TEST(Hidden, IsWhatLiesBehindAFace) {
-  const scene::World world = world_of({plate(0, 0, 1, 1, 1), ground()});
+  const world::World world = world_of({plate(0, 0, 1, 1, 1), ground()});
   const auto behind = hidden_of_line(world, from_above(), {-1, 0.5, 0}, {3, 0.5, 0});
   ASSERT_EQ(behind.size(), 1U);
   EXPECT_NEAR(behind[0][0], 0.25, 1e-9);
@@ -57,7 +57,7 @@ TEST(Hidden, SpansOfEveryEdgeAscendAndDoNotTouch) {
 TEST(Hidden, IsWhatTheTrianglesHideOneByOne) {
   std::size_t spans = 0;
   for (const Shape& shape : {four_boxes(), uv_sphere(24, 12), klein_bottle(24, 12), sombrero(3, 12)}) {
-    const scene::World world = world_of(shape);
+    const world::World world = world_of(shape);
     view::ProjectedScene view = view::project_scene(world, orthographic({1.1, -2, 1.3}), {});
     const edges::FeatureEdges drawn = edges::find_feature_edges(world, view, {});
     const visibility::HiddenSpans hidden = visibility::find_hidden(world, view, drawn);
@@ -216,7 +216,7 @@ TEST(Wires, InFacesAreSeenWholly) {
 }
 
 int hidden_spans_below(double gap, std::optional<double> contact) {
-  const scene::World world = world_of({plate(0, 0, 1, 1, gap), ground()});
+  const world::World world = world_of({plate(0, 0, 1, 1, gap), ground()});
   view::ProjectedScene view = view::project_scene(world, from_above(), {.contact = contact});
   const int a = view::add_point(view, {-1, 0.5, 0});
   const int b = view::add_point(view, {2, 0.5, 0});
@@ -239,7 +239,7 @@ TEST(Contact, IsOtherwiseAFewCellsOfTheGrid) {
 }
 
 TEST(Contact, FollowsTheScaleOfTheProjection) {
-  const scene::World world = world_of(plate(0, 0, 1, 1, 0));
+  const world::World world = world_of(plate(0, 0, 1, 1, 0));
   projection::Projection p = from_above();
   const view::ProjectedScene plain = view::project_scene(world, p, {.contact = 0.1});
   p.scale = 3;
@@ -249,7 +249,7 @@ TEST(Contact, FollowsTheScaleOfTheProjection) {
 }
 
 TEST(Contact, OfSinglePrecisionModelsIsTheirRounding) {
-  scene::World world = world_of(plate(0, 0, 1, 1, 0));
+  world::World world = world_of(plate(0, 0, 1, 1, 0));
   const view::ProjectedScene fine = view::project_scene(world, from_above(), {});
   world.rounding = 0x1p-22;
   const view::ProjectedScene coarse = view::project_scene(world, from_above(), {});
@@ -260,7 +260,7 @@ TEST(Contact, OfSinglePrecisionModelsIsTheirRounding) {
 
 // Their lines cross its sides many lengths away, nearly in parallel.
 TEST(Hidden, ShortLinesInALargeFaceAreNotHidden) {
-  const scene::World world =
+  const world::World world =
       world_of(Shape{{{-13.497063, 58.462204, 0}, {0, 900, 0}, {-394.534032, 808.914642, 0}}, {{0, 1, 2}}, {}});
   std::mt19937 random(1);
   const auto any = [&](double from, double to) { return from + (to - from) * static_cast<double>(random()) / 0x1p32; };

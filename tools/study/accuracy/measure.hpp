@@ -18,7 +18,7 @@ namespace epura::study {
 /// A view of a scene with its drawn edges.
 struct StudiedView {
   std::string scene, name;
-  const scene::World& world;
+  const world::World& world;
   const view::ProjectedScene& view;
   const view::ViewLimits& limits;
   const edges::FeatureEdges& drawn;

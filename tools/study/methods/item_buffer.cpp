@@ -130,7 +130,7 @@ ByTile<Thing> sort_into_tiles(std::size_t count, int tiles, const Find& find) {
 
 class ItemBuffer {
  public:
-  ItemBuffer(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
+  ItemBuffer(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
              double density)
       : world_(world), view_(view), drawn_(drawn), density_(density) {
     Vec2 min(HUGE_VAL), max(-HUGE_VAL);
@@ -237,7 +237,7 @@ class ItemBuffer {
     return spans;
   }
 
-  const scene::World& world_;
+  const world::World& world_;
   const view::ProjectedScene& view_;
   const edges::FeatureEdges& drawn_;
   double density_;
@@ -249,7 +249,7 @@ class ItemBuffer {
 
 }  // namespace
 
-visibility::HiddenSpans find_hidden_by_item_buffer(const scene::World& world, const view::ProjectedScene& view,
+visibility::HiddenSpans find_hidden_by_item_buffer(const world::World& world, const view::ProjectedScene& view,
                                                    const edges::FeatureEdges& drawn, double density,
                                                    Progress progress) {
   progress.begin("hiding lines");

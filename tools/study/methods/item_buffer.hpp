@@ -13,7 +13,7 @@
 namespace epura::study {
 
 /// `density`: pixels per view unit. The buffer is created and used tile by tile, so memory does not grow with it.
-visibility::HiddenSpans find_hidden_by_item_buffer(const scene::World& world, const view::ProjectedScene& view,
+visibility::HiddenSpans find_hidden_by_item_buffer(const world::World& world, const view::ProjectedScene& view,
                                                    const edges::FeatureEdges& drawn, double density,
                                                    Progress progress = {});
 

@@ -103,7 +103,7 @@ std::string text_of(const Method& method) {
   return name_of(method.algorithm) + (turned.empty() ? "" : ":") + turned;
 }
 
-visibility::HiddenSpans find_hidden(const scene::World& world, const view::ProjectedScene& view,
+visibility::HiddenSpans find_hidden(const world::World& world, const view::ProjectedScene& view,
                                     const edges::FeatureEdges& drawn, const Method& method, double mm) {
   switch (method.algorithm) {
     case Algorithm::exact:

@@ -38,7 +38,7 @@ std::string parameters_of(const Method& method);
 std::string text_of(const Method& method);
 
 /// Computes hidden spans by any method. A view unit is `mm` mm long on paper.
-visibility::HiddenSpans find_hidden(const scene::World& world, const view::ProjectedScene& view,
+visibility::HiddenSpans find_hidden(const world::World& world, const view::ProjectedScene& view,
                                     const edges::FeatureEdges& drawn, const Method& method, double mm);
 
 }  // namespace epura::study

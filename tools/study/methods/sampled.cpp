@@ -23,7 +23,7 @@ constexpr double most_points = 1e9;
 /// Tests the points of one edge.
 class Lookup {
  public:
-  Lookup(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
+  Lookup(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
          const visibility::OccluderGrid& occluders, const edges::FeatureEdge& edge)
       : view_(view),
         occluders_(occluders),
@@ -140,7 +140,7 @@ void require_few_points(const view::ProjectedScene& view, const edges::FeatureEd
 
 }  // namespace
 
-visibility::HiddenSpans find_hidden_by_samples(const scene::World& world, const view::ProjectedScene& view,
+visibility::HiddenSpans find_hidden_by_samples(const world::World& world, const view::ProjectedScene& view,
                                                const edges::FeatureEdges& drawn, const Sampling& sampling,
                                                Progress progress) {
   require_few_points(view, drawn, sampling.density);

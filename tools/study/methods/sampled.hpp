@@ -17,7 +17,7 @@ struct Sampling {
   int halvings;    ///< bisections of the interval with a change
 };
 
-visibility::HiddenSpans find_hidden_by_samples(const scene::World& world, const view::ProjectedScene& view,
+visibility::HiddenSpans find_hidden_by_samples(const world::World& world, const view::ProjectedScene& view,
                                                const edges::FeatureEdges& drawn, const Sampling& sampling,
                                                Progress progress = {});
 

@@ -48,7 +48,7 @@ Measured turned_cube(const Lab& lab, double angle) {
 
 // There must be one step where the larger plate is no longer in contact, but never specks.
 Measured plate_under_a_plate(const Lab& lab, double e) {
-  const scene::World world = lab.world_of({plate(-0.5, -0.5, 0.5, 0.5, 0), plate(-1, -1, 1, 1, e)});
+  const world::World world = lab.world_of({plate(-0.5, -0.5, 0.5, 0.5, 0), plate(-1, -1, 1, 1, e)});
   const Result result = lab.draw(world, {from_above()});
   const bool hidden = e > result.view.contact.touching / result.view.map.unit * result.unit;
   Measured measured = lengths(result, hidden ? 8 : 12, hidden ? 4 : 0);

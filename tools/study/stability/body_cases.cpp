@@ -89,7 +89,7 @@ Measured through_a_t_junction(const Lab& lab, double degrees) {
   const Shape junction{{turned(0.5, -1, 1), turned(0.5, 1, 1), turned(-1, 0, 1), turned(0.5, 0, 1), turned(2, 0, 1)},
                        {{0, 1, 2}, {0, 4, 3}, {3, 4, 1}},
                        {}};
-  const scene::World world = lab.world_of({junction, plate(-4, -4, 4, 4, -1)});
+  const world::World world = lab.world_of({junction, plate(-4, -4, 4, 4, -1)});
   return one_span(lab.hidden_of_line(world, from_above(), {-2.5 * c, -2.5 * s, 0}, {3.5 * c, 3.5 * s, 0}), 0.25, 0.75);
 }
 

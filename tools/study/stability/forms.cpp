@@ -63,7 +63,7 @@ Measured sliver_plate(const Lab& lab, int n) {
     strips.points.push_back({static_cast<double>(i) / n, 1, 1});
     if (i > 0) strips.faces.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
   }
-  const scene::World world = lab.world_of({strips, plate(-1, -1, 2, 2, 0)});
+  const world::World world = lab.world_of({strips, plate(-1, -1, 2, 2, 0)});
   return one_span(lab.hidden_of_line(world, from_above(), {-1, 0.3, 0.5}, {2, 0.6, 0.5}), 1.0 / 3, 2.0 / 3);
 }
 
@@ -112,7 +112,7 @@ Measured triangles_without_area(const Lab& lab, int cells, int parts) {
   const Shape cube = fine_cube(cells);
   OneSidedSplit split{parts, {cube.points, {}, {}}, {}};
   for (const auto& triangle : cube.faces) split.split(triangle);
-  const scene::World world = lab.world_of(split.shape);
+  const world::World world = lab.world_of(split.shape);
   Measured measured{count("open edges", 0, world.models[0].mesh->report.open_edges)};
   const Vec3 towards = glm::normalize(Vec3(3, -2, 1));
   double all = 0;  // four edges along each axis, one of them hidden
@@ -143,7 +143,7 @@ std::array<double, 2> chord(const std::vector<Point>& corners, double y) {
 
 Measured fan_over_chords(const Lab& lab, int n) {
   const Shape disk = fan(n);
-  const scene::World world = lab.world_of({disk, plate(-2, -2, 2, 2, -1)});
+  const world::World world = lab.world_of({disk, plate(-2, -2, 2, 2, -1)});
   Measured measured;
   for (const double c : {0.0, 0.25, 0.45}) {
     const auto [left, right] = chord({disk.points.begin() + 1, disk.points.end()}, c);

@@ -4,8 +4,8 @@
 #include <map>
 #include <random>
 
-#include "scene/facet_heights.hpp"
 #include "study/stability/forms.hpp"
+#include "world/facet_heights.hpp"
 
 namespace epura::stability {
 
@@ -43,7 +43,7 @@ double perimeter_of_hull(std::vector<Vec2> points) {
 // Outlines of recognised surfaces lie on these: farther out than those of facets, by up to their height times
 // `stretch`.
 Measured convex_outline(const Result& result, double perimeter, double stretch) {
-  const double height = scene::tessellation_error(result.world) * stretch;
+  const double height = world::tessellation_error(result.world) * stretch;
   return lengths(result, perimeter, 0, guaranteed_part + 2 * M_PI * height / perimeter);
 }
 

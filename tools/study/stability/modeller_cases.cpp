@@ -110,7 +110,7 @@ Measured five_digits(const Lab& lab, double sides) {
   const int n = static_cast<int>(sides);
   const Shape sphere = revolved(meridian(n / 2, 0), n);
   const Result exact = lab.exact().draw(lab.world_of(sphere), {orthographic({0.3, -0.8, 0.5})});
-  scene::World world = scene::make_world({{std::make_shared<const mesh::Mesh>(mesh_of(sphere, 5)), Mat4(1.0)}});
+  world::World world = world::make_world({{std::make_shared<const mesh::Mesh>(mesh_of(sphere, 5)), Mat4(1.0)}});
   const Result result = lab.draw(lab.prepare(std::move(world)), {orthographic({0.3, -0.8, 0.5})});
   return lengths(result, exact.visible(), 0, 1e-3);
 }

@@ -36,7 +36,7 @@ Measured quarter_cube_far_away(const Lab& lab, double at) {
 // The window shows only the unit cube; the large cube is beside it on the page.
 Measured small_beside_large(const Lab& lab, double ratio) {
   const Shape large = box({-4, 2, 0}, {-3, 3, 1}).scaled(ratio);
-  const scene::World world = lab.world_of({box({0, 0, 0}, {1, 1, 1}), large});
+  const world::World world = lab.world_of({box({0, 0, 0}, {1, 1, 1}), large});
   projection::Projection p = orthographic(diagonal);
   p.window = projection::Window{{-1, -1}, {1, 1}};
   const Result result = lab.draw(world, {p});

@@ -13,7 +13,7 @@ namespace {
 
 const double root2 = std::sqrt(2.0);
 
-scene::World cube(const Lab& lab) { return lab.world_of(box({0, 0, 0}, {1, 1, 1})); }
+world::World cube(const Lab& lab) { return lab.world_of(box({0, 0, 0}, {1, 1, 1})); }
 
 // The eye at height h above the far face z = 0 of the unit cube, with the picture plane through the near face z = 1.
 projection::Projection over_the_cube(double h) {

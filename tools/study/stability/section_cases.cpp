@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "scene/cut_world.hpp"
+#include "cut/cut_world.hpp"
 #include "study/stability/case.hpp"
 #include "study/stability/forms.hpp"
 
@@ -92,7 +92,7 @@ std::vector<Side> cut_sides(const ConvexBody& body, const scene::CuttingPlane& p
 // distance.
 Measured cut_beside_a_vertex(const Lab& lab, double distance) {
   const ConvexBody body = prism(11, 3);
-  const scene::World world = lab.world_of(fans_of(body));
+  const world::World world = lab.world_of(fans_of(body));
   const Vec3 viewer = glm::normalize(Vec3(1, -1, 1)), normal = glm::normalize(Vec3(0.21, -0.9, 0.37));
   Measured measured;
   for (const double side : {-distance, distance}) {
@@ -103,14 +103,14 @@ Measured cut_beside_a_vertex(const Lab& lab, double distance) {
       const bool is_seen = glm::dot(edge.normal, viewer) > 0 || glm::dot(edge.other_normal, viewer) > 0;
       (is_seen ? seen : hidden) += glm::length(glm::cross(edge.to - edge.from, viewer));
     }
-    append(measured, lengths(lab.draw(scene::cut_world(world, plane).world, {orthographic(viewer)}), seen, hidden));
+    append(measured, lengths(lab.draw(cut::cut_world(world, plane).world, {orthographic(viewer)}), seen, hidden));
   }
   return measured;
 }
 
-double area_of(const scene::CutWorld& cut) {
+double area_of(const cut::CutWorld& cut) {
   double area = 0;
-  for (const scene::WorldCutFace& face : cut.faces)
+  for (const cut::WorldCutFace& face : cut.faces)
     for (const std::vector<int>& ring : face.rings) {
       const mesh::Mesh& mesh = *cut.world.models[static_cast<std::size_t>(face.model)].mesh;
       Vec3 sum(0);
@@ -121,17 +121,17 @@ double area_of(const scene::CutWorld& cut) {
   return area;
 }
 
-scene::CutWorld cut(const scene::World& world, const Vec3& point, const Vec3& normal) {
-  return scene::cut_world(world, scene::make_cutting_plane({{"A", "study"}, point, normal}));
+cut::CutWorld cut(const world::World& world, const Vec3& point, const Vec3& normal) {
+  return cut::cut_world(world, scene::make_cutting_plane({{"A", "study"}, point, normal}));
 }
 
 // What is left of a unit cube is either nearly all of it, or a sheet as thin as the distance, whose upper and lower
 // sides coincide from above.
 Measured cut_beside_a_face(const Lab& lab, double distance) {
-  const scene::World world = lab.world_of(box({0, 0, 0}, {1, 1, 1}));
+  const world::World world = lab.world_of(box({0, 0, 0}, {1, 1, 1}));
   Measured measured;
   for (const double side : {1.0, -1.0}) {
-    const scene::CutWorld left = cut(world, {0, 0, 1 - distance}, {0, 0, side});
+    const cut::CutWorld left = cut(world, {0, 0, 1 - distance}, {0, 0, side});
     measured.push_back(length("area of the cut", 1, area_of(left), 1));
     append(measured, lengths(lab.draw(left.world, {from_above()}), 4, 0));
   }
@@ -141,19 +141,19 @@ Measured cut_beside_a_face(const Lab& lab, double distance) {
 // Half of the upper face is cut off, in a wedge.
 Measured cut_at_an_angle_to_a_face(const Lab& lab, double degrees) {
   const double a = degrees * M_PI / 180;
-  const scene::World world = lab.world_of(box({0, 0, 0}, {1, 1, 1}));
-  const scene::CutWorld left = cut(world, {0.5, 0, 1}, {std::sin(a), 0, std::cos(a)});
+  const world::World world = lab.world_of(box({0, 0, 0}, {1, 1, 1}));
+  const cut::CutWorld left = cut(world, {0.5, 0, 1}, {std::sin(a), 0, std::cos(a)});
   return {length("area of the cut", 0.5 / std::cos(a), area_of(left), 1),
           length("visible", 5, lab.draw(left.world, {from_above()}).visible(), 1)};
 }
 
 // The outline of the cut lies on the ball and in the plane, although facets lie inside.
 Measured cut_near_a_pole(const Lab& /*lab*/, double distance) {
-  const scene::World world = recognised(world_of(uv_sphere(64, 32)));
+  const world::World world = recognised(world_of(uv_sphere(64, 32)));
   const Vec3 normal = glm::normalize(Vec3(0.3, -0.5, 0.8));
-  const scene::CutWorld left = cut(world, (1 - distance) * normal, normal);
+  const cut::CutWorld left = cut(world, (1 - distance) * normal, normal);
   double off = left.faces.empty() ? NAN : 0;
-  for (const scene::WorldCutFace& face : left.faces)
+  for (const cut::WorldCutFace& face : left.faces)
     for (const std::vector<int>& ring : face.rings)
       for (const int v : ring) {
         const Vec3 p = left.world.models[0].mesh->point(v);

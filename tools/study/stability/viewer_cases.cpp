@@ -12,7 +12,7 @@ namespace {
 
 const double r = std::sqrt(2.0 / 3.0);
 
-scene::World cube_at(const Lab& lab, double d) { return lab.world_of(box({d, d, d}, {d + 1, d + 1, d + 1})); }
+world::World cube_at(const Lab& lab, double d) { return lab.world_of(box({d, d, d}, {d + 1, d + 1, d + 1})); }
 
 Measured mirrored(const Lab& lab, double degrees) {
   Shape shape = box({0, 0, 0}, {1, 2, 3});
@@ -39,7 +39,7 @@ Measured moved_together(const Lab& lab, double exponent) {
 // The plate appears as a line in front of the cube's front face and hides nothing of it: 4 edges and the plate's near
 // edge. The cube's rear face, and the edges to it, lie behind its front face.
 Measured eye_in_the_plane_of_a_plate(const Lab& lab, double e) {
-  const scene::World world = lab.world_of({plate(-1, 1, 1, 2, 0), box({-0.5, 4, -0.5}, {0.5, 5, 0.5})});
+  const world::World world = lab.world_of({plate(-1, 1, 1, 2, 0), box({-0.5, 4, -0.5}, {0.5, 5, 0.5})});
   return lengths(lab.draw(world, {perspective({0, 0, e}, {0, 1, e}, {0, -1, 0}, {0, 0, 1})}), 3,
                  0.8 + 0.1 * std::sqrt(2.0));
 }

@@ -1,0 +1,483 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "design/design_features.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "base/portable_math.hpp"
+#include "design/centred_features.hpp"
+#include "design/design_holes.hpp"
+#include "design/engraving.hpp"
+#include "design/place_threads.hpp"
+#include "design/round_faces.hpp"
+#include "design/true_extents.hpp"
+#include "world/placed_part.hpp"
+
+namespace epura::design {
+
+namespace {
+
+using features::SurfaceKind;
+
+constexpr double parallel = 1e-4;    // sine
+constexpr double same_size = 1e-4;   // relative
+constexpr double beside = 1.002;     // relative to the radius of a hole or slot: within it
+constexpr double longest_arc = 200;  // degrees
+constexpr double shortest_arc = 20;
+constexpr double least_round = 180;      // degrees of a turn that slots may leave of a rounded edge
+constexpr double longest_chamfer = 0.5;  // relative to the radius
+constexpr double degree = std::numbers::pi / 180;
+
+bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
+bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
+
+bool are_same(const std::optional<Recess>& a, const std::optional<Recess>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return are_same(a->diameter, b->diameter) && are_same(a->size, b->size);
+}
+
+bool are_same(const std::optional<DesignThread>& a, const std::optional<DesignThread>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->text == b->text && a->number == b->number;
+}
+
+double distance_from_line(const Vec3& point, const Vec3& on_line, const Vec3& axis) {
+  return glm::length(glm::cross(point - on_line, axis));
+}
+
+/// The room inside a hole or slot: within `radius` of the segment between two points, along the axis.
+struct Cavity {
+  std::array<Vec3, 2> centres;
+  Vec3 axis;
+  double radius;
+  bool has_floor;  ///< a plane across its axis belongs to it
+
+  [[nodiscard]] bool holds(const Vec3& point) const {
+    const auto flat = [this](const Vec3& d) { return d - glm::dot(d, axis) * axis; };
+    const Vec3 d = flat(point - centres[0]), along = flat(centres[1] - centres[0]);
+    const double square = glm::dot(along, along);
+    const double t = square > 0 ? std::clamp(glm::dot(d, along) / square, 0.0, 1.0) : 0;
+    return glm::length(d - t * along) <= beside * radius;
+  }
+  /// Whether a plane face is part of its wall or floor.
+  [[nodiscard]] bool holds(const Vec3& normal, const std::vector<Vec3>& corners) const {
+    if (are_parallel(normal, axis) && !has_floor) return false;
+    return std::all_of(corners.begin(), corners.end(), [this](const Vec3& p) { return holds(p); });
+  }
+};
+
+/// Finds the features of one model.
+class PartReader {
+ public:
+  PartReader(const world::World& world, int model, world::PlacedPart part)
+      : world_(world),
+        model_(model),
+        part_(without_letters(world.models[model], std::move(part))),
+        round_(find_round_faces(world, model, part_)) {}
+
+  void read(DesignFeatures& found) {
+    DescribedHoles described = describe_holes(world_, model_, part_);
+    for (DesignHole& hole : described.holes) found.holes.push_back(hole);
+    found.cylinders.insert(found.cylinders.end(), described.bores.begin(), described.bores.end());
+    add_shafts(found.cylinders);
+    for (const scene::ThreadedFace& thread : world_.models[model_].threads) add_thread(thread, found);
+    add_arcs(found);
+    add_rounds(found);
+    add_cones(found);
+  }
+
+  void add_levels(const DesignFeatures& found, std::vector<DesignLevel>& levels) const {
+    const std::vector<Cavity> cavities = cavities_of(found);
+    const std::vector<std::vector<Vec3>> corners = corners_of_planes();
+    for (std::size_t f = 0; f < part_.faces.size(); ++f) {
+      const features::PartSurface& surface = part_.faces[f].surface;
+      if (corners[f].empty()) continue;
+      const int axis = axis_along(surface.axis);
+      if (axis < 0 || is_inside(cavities, surface.axis, corners[f])) continue;
+      add_level(levels, {axis, surface.origin[axis], part_.faces[f].area, corners[f]});
+    }
+  }
+
+  void add_bevels(const DesignFeatures& found, std::vector<DesignBevel>& bevels) const {
+    const std::vector<Cavity> cavities = cavities_of(found);
+    const std::vector<std::vector<Vec3>> corners = corners_of_planes();
+    for (std::size_t f = 0; f < part_.faces.size(); ++f) {
+      const Vec3& normal = part_.faces[f].surface.axis;
+      if (corners[f].empty() || axis_along(normal) >= 0 || is_inside(cavities, normal, corners[f])) continue;
+      for (int along = 0; along < 3; ++along)
+        if (std::abs(normal[along]) <= parallel)
+          if (const auto bevel = bevel_of(f, along, corners)) bevels.push_back(*bevel);
+    }
+  }
+
+ private:
+  // A drawing gives the depth of letters at most, no sizes of their walls.
+  static world::PlacedPart without_letters(const world::Placed& placed, world::PlacedPart part) {
+    const std::vector<char> walls = walls_of_letters(placed, part);
+    for (std::size_t f = 0; f < walls.size(); ++f)
+      if (walls[f] != 0) part.faces[f].surface.kind = SurfaceKind::free_form;
+    return part;
+  }
+
+  static int axis_along(const Vec3& direction) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::abs(direction[axis]) >= 1 - parallel * parallel) return axis;
+    return -1;
+  }
+
+  // Axes of short arcs are less accurate than the axis of the world to which they are parallel.
+  static Vec3 snapped(const Vec3& direction) {
+    const int axis = axis_along(direction);
+    if (axis < 0) return direction;
+    Vec3 exact(0);
+    exact[axis] = direction[axis] < 0 ? -1 : 1;
+    return exact;
+  }
+
+  static bool is_inside(const std::vector<Cavity>& cavities, const Vec3& normal, const std::vector<Vec3>& corners) {
+    return std::any_of(cavities.begin(), cavities.end(),
+                       [&](const Cavity& cavity) { return cavity.holds(normal, corners); });
+  }
+
+  void add_level(std::vector<DesignLevel>& levels, DesignLevel level) const {
+    const double slack = 1e-5 * glm::length(world_.box.size());
+    const bool is_end = level.at <= box_.min[level.axis] + slack || level.at >= box_.max[level.axis] - slack;
+    if (is_end) return;
+    for (DesignLevel& other : levels)
+      if (other.axis == level.axis && std::abs(other.at - level.at) <= slack) {
+        other.area += level.area;
+        other.points.insert(other.points.end(), level.points.begin(), level.points.end());
+        return;
+      }
+    levels.push_back(std::move(level));
+  }
+
+  [[nodiscard]] std::vector<Cavity> cavities_of(const DesignFeatures& found) const {
+    std::vector<Cavity> cavities;
+    for (const DesignHole& hole : found.holes) {
+      double widest = hole.diameter;
+      if (hole.counterbore) widest = hole.counterbore->diameter;
+      if (hole.countersink) widest = hole.countersink->diameter;
+      if (hole.model == model_) cavities.push_back({{hole.mouth, hole.mouth}, hole.axis, widest / 2, true});
+    }
+    for (const DesignSlot& slot : found.slots)
+      if (slot.model == model_) cavities.push_back({slot.centres, slot.axis, slot.radius, false});
+    return cavities;
+  }
+
+  // The axis of the world to which a plane face through all these corners is perpendicular, other than `along`; -1 if
+  // there is none.
+  [[nodiscard]] int axis_of_neighbour(const std::vector<Vec3>& edge, int along,
+                                      const std::vector<std::vector<Vec3>>& corners) const {
+    for (std::size_t f = 0; f < corners.size(); ++f) {
+      const int axis = corners[f].empty() ? -1 : axis_along(part_.faces[f].surface.axis);
+      const auto is_corner = [&](const Vec3& p) {
+        return std::find(corners[f].begin(), corners[f].end(), p) != corners[f].end();
+      };
+      if (axis >= 0 && axis != along && std::all_of(edge.begin(), edge.end(), is_corner)) return axis;
+    }
+    return -1;
+  }
+
+  [[nodiscard]] std::optional<DesignBevel> bevel_of(std::size_t face, int along,
+                                                    const std::vector<std::vector<Vec3>>& corners) const {
+    const double slack = 1e-5 * glm::length(world_.box.size());
+    const int b = (along + 1) % 3, c = (along + 2) % 3;
+    const auto [low, high] = std::minmax_element(corners[face].begin(), corners[face].end(),
+                                                 [b](const Vec3& p, const Vec3& q) { return p[b] < q[b]; });
+    DesignBevel bevel{model_, along, {*low, *high}, {-1, -1}, part_.faces[face].area};
+    bevel.ends[1][along] = bevel.ends[0][along];
+    for (const std::size_t end : {0U, 1U}) {
+      std::vector<Vec3> edge;
+      for (const Vec3& p : corners[face])
+        if (std::abs(p[b] - bevel.ends[end][b]) <= slack) edge.push_back(p);
+      bevel.across[end] = edge.size() < 2 ? -1 : axis_of_neighbour(edge, along, corners);
+      if (bevel.across[end] < 0) return std::nullopt;
+    }
+    const Vec3 span = bevel.ends[1] - bevel.ends[0];
+    bevel.is_chamfer = bevel.across[0] != bevel.across[1] && std::abs(std::abs(span[b]) - std::abs(span[c])) <= slack;
+    return bevel;
+  }
+
+  // Of plane faces that are parallel to a world axis; empty for others.
+  [[nodiscard]] std::vector<std::vector<Vec3>> corners_of_planes() const {
+    const world::Placed& placed = world_.models[model_];
+    const mesh::Mesh& mesh = placed.mesh->whole();
+    std::vector<std::set<int>> vertices(part_.faces.size());
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+      const int face = placed.part->face_of_triangle[t];
+      if (face < 0 || part_.faces[face].surface.kind != SurfaceKind::plane) continue;
+      const Vec3 normal = glm::abs(part_.faces[face].surface.axis);
+      if (std::min({normal.x, normal.y, normal.z}) > parallel) continue;
+      for (const int v : mesh.triangle(t)) vertices[face].insert(v);
+    }
+    std::vector<std::vector<Vec3>> corners(part_.faces.size());
+    for (std::size_t f = 0; f < corners.size(); ++f)
+      for (const int v : vertices[f]) corners[f].emplace_back(Vec3(placed.to_world * Vec4(mesh.point(v), 1)));
+    return corners;
+  }
+
+  void add_shafts(std::vector<DesignCylinder>& cylinders) const {
+    for (const RoundFace& round : round_)
+      if (round.face.surface.kind == SurfaceKind::cylinder && !round.face.inwards && round.is_whole())
+        cylinders.push_back({model_, round.at(round.from), round.at(round.to), round.face.surface.axis,
+                             round.face.surface.radius, false});
+  }
+
+  // To the hole or cylinder to which it belongs.
+  void add_thread(const scene::ThreadedFace& threaded, DesignFeatures& found) const {
+    const features::PartFace& face = part_.faces[threaded.face];
+    const features::PartSurface& surface = face.surface;
+    const double way = threaded.from_high ? -1 : 1;
+    const double begin = threaded.from_high ? face.to : face.from;
+    DesignThread thread{threaded.thread.text, threaded.thread.diameter, threaded.number};
+    thread.end = surface.origin + (begin + way * threaded.length) * surface.axis;
+    const auto chamfer = continuation_of(part_, threaded.face, threaded.from_high);
+    if (threaded.is_partial) thread.length = threaded.length + (chamfer ? chamfer->height : 0);
+    const auto is_here = [&](const Vec3& point, const Vec3& axis, double radius) {
+      return are_same(radius, surface.radius) && are_parallel(axis, surface.axis) &&
+             distance_from_line(point, surface.origin, surface.axis) <= same_size * 10 * radius;
+    };
+    for (DesignHole& hole : found.holes)
+      if (threaded.internal && hole.model == model_ && is_here(hole.mouth, hole.axis, hole.diameter / 2))
+        hole.thread = thread;
+    const double middle = (face.from + face.to) / 2;
+    for (DesignCylinder& cylinder : found.cylinders) {
+      const double centre = glm::dot((cylinder.from + cylinder.to) / 2.0 - surface.origin, surface.axis);
+      if (cylinder.inwards == threaded.internal && cylinder.model == model_ &&
+          is_here(cylinder.from, cylinder.axis, cylinder.radius) &&
+          std::abs(centre - middle) <= same_size * 10 * (face.to - face.from))
+        cylinder.thread = thread;
+    }
+  }
+
+  // Whether two faces are parts of one cylinder.
+  static bool are_one(const RoundFace& a, const RoundFace& b) {
+    const features::PartSurface &s = a.face.surface, &t = b.face.surface;
+    return a.face.inwards == b.face.inwards && are_same(s.radius, t.radius) && are_parallel(s.axis, t.axis) &&
+           distance_from_line(t.origin, s.origin, s.axis) <= same_size * s.radius;
+  }
+
+  void add_arcs(DesignFeatures& found) const {
+    for (const RoundFace& round : round_) {
+      const features::PartSurface& surface = round.face.surface;
+      if (surface.kind != SurfaceKind::cylinder || round.face.sweep < shortest_arc || round.face.sweep > longest_arc)
+        continue;
+      const auto shares = [&](const RoundFace& other) { return &other != &round && are_one(round, other); };
+      if (std::any_of(round_.begin(), round_.end(), [&](const RoundFace& other) {
+            return other.face.surface.kind == SurfaceKind::cylinder && shares(other);
+          }))
+        continue;
+      DesignArc arc{model_, round.at(round.to), snapped(surface.axis), surface.radius, {}, round.face.inwards};
+      if (is_end_of_slot(found.slots, arc)) continue;
+      constexpr int steps = 8;
+      const Vec3 across = glm::cross(surface.axis, round.middle);
+      for (int i = 0; i <= steps; ++i) {
+        const double angle = round.face.sweep * degree * (static_cast<double>(i) / steps - 0.5);
+        arc.points.push_back(arc.centre +
+                             surface.radius * (portable_cos(angle) * round.middle + portable_sin(angle) * across));
+      }
+      found.arcs.push_back(std::move(arc));
+    }
+  }
+
+  [[nodiscard]] bool is_end_of_slot(const std::vector<DesignSlot>& slots, const DesignArc& arc) const {
+    return std::any_of(slots.begin(), slots.end(), [&](const DesignSlot& slot) {
+      return slot.model == model_ && are_same(slot.radius, arc.radius) && are_parallel(slot.axis, arc.axis) &&
+             std::any_of(slot.centres.begin(), slot.centres.end(), [&](const Vec3& centre) {
+               return distance_from_line(centre, arc.centre, arc.axis) <= same_size * 10 * arc.radius;
+             });
+    });
+  }
+
+  void add_rounds(DesignFeatures& found) const {
+    std::vector<char> done(round_.size(), 0);
+    for (std::size_t i = 0; i < round_.size(); ++i) {
+      if (round_[i].face.surface.kind == SurfaceKind::sphere) add_ball(round_[i], found);
+      if (round_[i].face.surface.kind != SurfaceKind::torus || done[i] != 0) continue;
+      DesignRound round = round_of(round_[i]);
+      double sum = round_[i].face.sweep;
+      for (std::size_t j = i + 1; j < round_.size(); ++j) {
+        if (done[j] != 0 || round_[i].is_whole() || !is_rest_of(round_[j], round_[i])) continue;
+        done[j] = 1;
+        sum += round_[j].face.sweep;
+        round.sectors.push_back(sector_of(round_[j]));
+      }
+      if (sum >= least_round) found.rounds.push_back(std::move(round));
+    }
+  }
+
+  static Sector sector_of(const RoundFace& round) { return {round.middle, round.face.sweep / 2}; }
+
+  static bool is_rest_of(const RoundFace& round, const RoundFace& first) {
+    return features::are_one(round.face.surface, first.face.surface) && round.face.inwards == first.face.inwards;
+  }
+
+  void add_ball(const RoundFace& round, DesignFeatures& found) const {
+    const features::PartSurface& sphere = round.face.surface;
+    Vec3 middle(0);
+    for (const int v : round.vertices) middle += glm::normalize(world_.points[v] - sphere.origin);
+    middle /= static_cast<double>(std::max<std::size_t>(round.vertices.size(), 1));
+    const bool is_known = std::any_of(found.balls.begin(), found.balls.end(), [&](const DesignBall& ball) {
+      return ball.model == model_ && are_same(ball.radius, sphere.radius) &&
+             glm::distance(ball.centre, sphere.origin) <= same_size * sphere.radius;
+    });
+    if (!is_known) found.balls.push_back({model_, sphere.origin, sphere.radius, middle});
+  }
+
+  [[nodiscard]] DesignRound round_of(const RoundFace& round) const {
+    const features::PartSurface& surface = round.face.surface;
+    std::vector<double> angles;
+    for (const int v : round.vertices) {
+      const Vec3 d = world_.points[v] - surface.origin;
+      const double height = glm::dot(d, surface.axis), out = glm::length(d - height * surface.axis) - surface.radius;
+      angles.push_back(portable_atan2(height, out) / degree);
+    }
+    std::sort(angles.begin(), angles.end());
+    // The section leaves out the largest gap.
+    double from = angles.front(), largest = angles.front() + 360 - angles.back();
+    for (std::size_t i = 1; i < angles.size(); ++i)
+      if (const double gap = angles[i] - angles[i - 1]; gap > largest) {
+        largest = gap;
+        from = angles[i];
+      }
+    DesignRound made{model_, surface.origin, surface.axis, surface.radius, surface.minor, {from, from + 360 - largest}};
+    if (!round.is_whole()) made.sectors.push_back(sector_of(round));
+    return made;
+  }
+
+  void add_cones(DesignFeatures& found) const {
+    for (const RoundFace& round : round_) {
+      const features::PartSurface& surface = round.face.surface;
+      if (surface.kind != SurfaceKind::cone || round.face.inwards || !round.is_whole()) continue;
+      const double low = round.radius_at(round.from), high = round.radius_at(round.to);
+      const bool rises = low < high;
+      const double from = rises ? round.from : round.to, to = rises ? round.to : round.from;
+      const DesignCone cone{model_,
+                            {round.at(from), round.at(to)},
+                            {std::min(low, high), std::max(low, high)},
+                            surface.axis,
+                            portable_atan2(std::abs(high - low), std::abs(to - from)) / degree};
+      (is_chamfer(round, cone) ? found.chamfers : found.cones).push_back(cone);
+    }
+  }
+
+  // Whether a cone lies between a plane at its smaller end and a cylinder at its larger one.
+  [[nodiscard]] bool is_chamfer(const RoundFace& round, const DesignCone& cone) const {
+    if (glm::distance(cone.ends[0], cone.ends[1]) > longest_chamfer * cone.radii[1] || !(cone.radii[0] > 0))
+      return false;
+    bool plane = false, cylinder = false;
+    const double slack = std::max(32 * part_.tolerance, same_size * cone.radii[1]);
+    for (const features::PartBorder& border : world_.models[model_].part->borders)
+      for (const int side : {0, 1}) {
+        if (border.faces[side] != round.number || border.faces[1 - side] < 0) continue;
+        const features::PartSurface& other = part_.faces[border.faces[1 - side]].surface;
+        plane = plane || (other.kind == SurfaceKind::plane && are_parallel(other.axis, cone.axis) &&
+                          std::abs(glm::dot(other.origin - cone.ends[0], cone.axis)) <= slack);
+        cylinder = cylinder || (other.kind == SurfaceKind::cylinder && are_parallel(other.axis, cone.axis) &&
+                                std::abs(other.radius - cone.radii[1]) <= slack);
+      }
+    return plane && cylinder;
+  }
+
+  const world::World& world_;
+  int model_;
+  world::PlacedPart part_;
+  std::vector<RoundFace> round_;
+  Box box_ = box_of_faces(world_);
+};
+
+// A slot is cut into the material: a bar with round ends is none.
+void add_slots(const CentredFeatures& centred, std::vector<DesignSlot>& slots) {
+  for (const SlotFeature& slot : centred.slots) {
+    const RoundFeature &one = slot.ends[0], &other = slot.ends[1];
+    if (one.enclosed && other.enclosed)
+      slots.push_back(
+          {one.model, {one.rings.back().centre, other.rings.back().centre}, one.axis, one.rings.back().radius});
+  }
+  for (DesignSlot& slot : slots) {
+    Vec3 along = slot.centres[1] - slot.centres[0];
+    along -= glm::dot(along, slot.axis) * slot.axis;
+    slot.centres[1] = slot.centres[0] + along;
+  }
+}
+
+void add_pitch_circles(const CentredFeatures& centred, DesignFeatures& found) {
+  for (const PitchCircle& circle : centred.pitch_circles) {
+    std::vector<DesignHole*> on_it;
+    for (const int number : circle.holes) {
+      const RoundFeature& round = centred.round[number];
+      for (DesignHole& hole : found.holes)
+        if (hole.model == round.model && hole.pitch_circle < 0 && are_parallel(hole.axis, round.axis) &&
+            distance_from_line(hole.mouth, round.rings.front().centre, round.axis) <= same_size * 10 * hole.diameter)
+          on_it.push_back(&hole);
+    }
+    if (on_it.size() != circle.holes.size()) continue;
+    for (DesignHole* hole : on_it) hole->pitch_circle = static_cast<int>(found.pitch_circles.size());
+    found.pitch_circles.push_back({on_it.front()->model, circle.centre, circle.axis, circle.radius});
+  }
+}
+
+}  // namespace
+
+bool DesignRound::reaches(const Vec3& out) const {
+  return sectors.empty() || std::any_of(sectors.begin(), sectors.end(), [&](const Sector& sector) {
+           return glm::dot(out, sector.middle) > portable_cos(std::min(sector.half, 180.0) * degree);
+         });
+}
+
+std::vector<Vec3> DesignRound::section(const Vec3& out) const {
+  constexpr int steps = 8;
+  std::vector<Vec3> points;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = (angles[0] + (angles[1] - angles[0]) * i / steps) * degree;
+    points.push_back(centre + (ring + radius * portable_cos(angle)) * out + radius * portable_sin(angle) * axis);
+  }
+  return points;
+}
+
+bool are_equal(const DesignHole& a, const DesignHole& b) {
+  return a.model == b.model && a.through == b.through && are_same(a.diameter, b.diameter) &&
+         are_parallel(a.axis, b.axis) && (a.through || glm::dot(a.axis, b.axis) > 0) &&
+         a.depth.has_value() == b.depth.has_value() && are_same(a.depth.value_or(0), b.depth.value_or(0)) &&
+         are_same(a.counterbore, b.counterbore) && are_same(a.countersink, b.countersink) &&
+         are_same(a.thread, b.thread);
+}
+
+double DesignBevel::leg() const { return std::abs(ends[1][(along + 1) % 3] - ends[0][(along + 1) % 3]); }
+
+bool has_coaxial_cylinder(const DesignFeatures& features, const DesignCylinder& circle) {
+  return std::any_of(features.cylinders.begin(), features.cylinders.end(), [&](const DesignCylinder& cylinder) {
+    return !cylinder.inwards && cylinder.model == circle.model && are_same(cylinder.radius, circle.radius) &&
+           are_parallel(cylinder.axis, circle.axis) &&
+           distance_from_line(cylinder.from, circle.from, circle.axis) <= same_size * 10 * circle.radius;
+  });
+}
+
+DesignFeatures find_design_features(const world::World& world, const Progress& progress) {
+  DesignFeatures found;
+  const CentredFeatures centred = find_centred_features(world, 30, progress);
+  add_slots(centred, found.slots);
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
+    progress.expect_time();
+    if (world.models[model].part == nullptr) continue;
+    std::optional<world::PlacedPart> part = world::place_part(world.models[model]);
+    if (!part) continue;
+    PartReader reader(world, model, std::move(*part));
+    reader.read(found);
+    reader.add_levels(found, found.levels);
+    reader.add_bevels(found, found.bevels);
+  }
+  add_pitch_circles(centred, found);
+  std::stable_sort(found.levels.begin(), found.levels.end(), [](const DesignLevel& a, const DesignLevel& b) {
+    return std::pair(a.axis, a.at) < std::pair(b.axis, b.at);
+  });
+  return found;
+}
+
+}  // namespace epura::design

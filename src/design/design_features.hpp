@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// The features of the models that a drawing gives sizes for: holes, slots, shafts, fillets, chamfers and steps, in
+// world coordinates. Only what the recognised faces prove: a hole of another shape than those below is a list of its
+// bores.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "world/world.hpp"
+
+namespace epura::design {
+
+/// A cylindrical or conical recess at the mouth of a hole.
+struct Recess {
+  double diameter;
+  double size;  ///< depth of a counterbore; angle of a countersink, degrees
+};
+
+/// The thread of a hole or shaft.
+struct DesignThread {
+  std::string text;                ///< "M6"
+  double diameter;                 ///< nominal
+  int number;                      ///< of its description in the scene
+  std::optional<double> length{};  ///< from the end of the hole or shaft, if it is shorter
+  Vec3 end{0};                     ///< where it ends, on the axis
+};
+
+struct DesignHole {
+  int model;
+  Vec3 mouth;       ///< on its axis, in the plane where it begins
+  Vec3 axis;        ///< unit, out of the material at the mouth
+  double diameter;  ///< of its narrowest bore
+  bool through;
+  std::optional<double>
+      depth{};  ///< of the full diameter of a blind hole, from the mouth; nothing if it is not certain
+  std::optional<Recess> counterbore{}, countersink{};
+  int pitch_circle = -1;  ///< index in DesignFeatures
+  std::optional<DesignThread> thread{};
+
+  /// Diameter by which it is called.
+  [[nodiscard]] double called() const { return thread ? thread->diameter : diameter; }
+};
+
+/// Whether a single note can describe both.
+bool are_equal(const DesignHole& a, const DesignHole& b);
+
+/// A full cylinder: a shaft or boss, or a bore of a hole that is not a DesignHole.
+struct DesignCylinder {
+  int model;
+  Vec3 from, to;  ///< on its axis
+  Vec3 axis;      ///< unit
+  double radius;
+  bool inwards;
+  std::optional<DesignThread> thread{};
+
+  /// Radius by which it is called.
+  [[nodiscard]] double called() const { return thread ? thread->diameter / 2 : radius; }
+};
+
+/// Two half cylinders and the planes between them, cut into the material.
+struct DesignSlot {
+  int model;
+  std::array<Vec3, 2> centres;  ///< of its ends, where it begins
+  Vec3 axis;                    ///< unit
+  double radius;                ///< of its ends
+};
+
+/// Part of a cylinder of less than a turn: a fillet or a rounded corner.
+struct DesignArc {
+  int model;
+  Vec3 centre, axis;  ///< the axis is a unit vector
+  double radius;
+  std::vector<Vec3> points;  ///< in order along it
+  bool inwards;
+};
+
+/// A full cone, with the material inside.
+struct DesignCone {
+  int model;
+  std::array<Vec3, 2> ends;     ///< on its axis; the first one is that of the smaller circle
+  std::array<double, 2> radii;  ///< at its ends
+  Vec3 axis;                    ///< unit
+  double angle;                 ///< between its side and the axis, degrees
+};
+
+/// Part of a turn around an axis.
+struct Sector {
+  Vec3 middle;  ///< unit
+  double half;  ///< degrees to either side
+};
+
+/// A torus: a fillet or rounded edge of a turned part.
+struct DesignRound {
+  int model;
+  Vec3 centre, axis;              ///< of the torus; the axis is a unit vector
+  double ring;                    ///< radius of the circle on which the centres of its section lie
+  double radius;                  ///< of its section
+  std::array<double, 2> angles;   ///< ends of its section, degrees counterclockwise from outwards towards the axis
+  std::vector<Sector> sectors{};  ///< what slots have left of it; empty for a full turn
+
+  /// Whether it is there in a direction from the axis.
+  [[nodiscard]] bool reaches(const Vec3& out) const;
+  /// The points of its section in one direction from the axis, in order.
+  [[nodiscard]] std::vector<Vec3> section(const Vec3& out) const;
+};
+
+/// A sphere, or a part of one.
+struct DesignBall {
+  int model;
+  Vec3 centre;
+  double radius;
+  Vec3 middle;  ///< mean direction of its points from the centre; shorter than 1 if it has much of a sphere
+};
+
+/// Plane faces perpendicular to a world axis, at the same place along it; without those at the ends of the models and
+/// those inside holes and slots.
+struct DesignLevel {
+  int axis;  ///< 0, 1, 2 for x, y, z
+  double at;
+  double area;
+  std::vector<Vec3> points;  ///< corners of the faces
+};
+
+/// A plane face that is parallel to one axis of the world only, between faces perpendicular to others: a chamfered
+/// corner, or a slope.
+struct DesignBevel {
+  int model;
+  int along;                  ///< the axis of the world
+  std::array<Vec3, 2> ends;   ///< on its edges at those faces
+  std::array<int, 2> across;  ///< the axes of the world to which these are perpendicular
+  double area;
+  bool is_chamfer = false;  ///< of 45 degrees, at a corner
+
+  /// The size of a chamfer along both axes.
+  [[nodiscard]] double leg() const;
+};
+
+struct DesignPitchCircle {
+  int model;
+  Vec3 centre, axis;
+  double radius;
+};
+
+struct DesignFeatures {
+  std::vector<DesignHole> holes;
+  std::vector<DesignCylinder> cylinders;
+  std::vector<DesignSlot> slots;
+  std::vector<DesignArc> arcs;
+  std::vector<DesignRound> rounds;
+  std::vector<DesignBall> balls;
+  std::vector<DesignCone> chamfers;  ///< between the end of a shaft and its cylinder
+  std::vector<DesignCone> cones;     ///< all others
+  std::vector<DesignLevel> levels;   ///< by axis and place
+  std::vector<DesignPitchCircle> pitch_circles;
+  std::vector<DesignBevel> bevels{};
+};
+
+/// Whether a shaft or boss of the same model has this axis and radius.
+bool has_coaxial_cylinder(const DesignFeatures& features, const DesignCylinder& circle);
+
+/// Features of all models without regard to cuts, in the order of the models and their faces. Throws OutOfTime.
+DesignFeatures find_design_features(const world::World& world, const Progress& progress = {});
+
+}  // namespace epura::design

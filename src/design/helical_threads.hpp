@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds screw threads that are modelled as helical faces, which drawings show as cylinders with the lines of ISO
+// 6410-1.
+#pragma once
+
+#include <vector>
+
+#include "features/recognise.hpp"
+#include "mesh/mesh.hpp"
+#include "scene/threads.hpp"
+
+namespace epura::design {
+
+/// Lengths and positions are in units of the file, but for those of `thread`.
+struct HelicalThread {
+  Vec3 origin, axis;  ///< of the helix; the axis is a unit vector
+  bool internal;
+  double crest;                ///< radius of the cylinder through the crests
+  double low, high;            ///< heights of its ends, from the origin
+  scene::Thread thread;        ///< size of ISO 261 with this pitch
+  std::vector<int> triangles;  ///< ascending
+};
+
+/// A helix whose pitch ISO 261 does not have for its diameter, at the crests; mm.
+struct OtherHelix {
+  double diameter, pitch;
+};
+
+struct HelicalForms {
+  std::vector<HelicalThread> threads;
+  std::vector<OtherHelix> others{};
+};
+
+/// Free forms around the axis of another round face, with vertices between two cylinders, are a thread if turning them
+/// by an angle moves them along the axis in proportion, by a pitch that ISO 261 has for their diameter, over at least
+/// two turns. `unit` is the length of the file's unit in mm.
+HelicalForms find_helical_threads(const mesh::Mesh& mesh, const features::PartFaces& part, double unit);
+
+/// Puts the cylinder through its crests in the place of a thread: the faces at both ends are continued to its circles,
+/// or end there. Returns false, and leaves the mesh as it is, where they cannot be: the triangles of a thread have to
+/// end in two closed lines around its axis.
+bool replace_by_cylinder(mesh::Mesh& mesh, const features::PartFaces& part, const HelicalThread& thread);
+
+}  // namespace epura::design

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Volumes and centres of gravity against closed forms.
+#include "world/mass.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/transform.hpp"
+#include "shapes.hpp"
+
+namespace epura::test {
+namespace {
+
+std::vector<world::Solid> solids(const Shape& shape, const std::string& steps = "scale:1") {
+  return world::solids_of(mesh_of(shape), scene::parse_transform(steps));
+}
+
+// Corners at the origin and on the axes.
+Shape tetrahedron(double x, double y, double z) {
+  Shape shape;
+  shape.points = {{0, 0, 0}, {x, 0, 0}, {0, y, 0}, {0, 0, z}};
+  shape.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  return shape;
+}
+
+void expect_at(const Vec3& a, const Vec3& b) { EXPECT_LT(glm::length(a - b), 1e-9) << a.x << ' ' << a.y << ' ' << a.z; }
+
+TEST(Mass, OfATetrahedronIsASixthOfItsBox) {
+  const auto one = solids(tetrahedron(3, 4, 5));
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_EQ(one[0].fault, "");
+  EXPECT_NEAR(one[0].volume, 10, 1e-12);
+  EXPECT_NEAR(one[0].area, 6 + 7.5 + 10 + std::sqrt(12.0 * 12 + 15 * 15 + 20 * 20) / 2, 1e-12);
+  expect_at(one[0].centre, {0.75, 1, 1.25});
+}
+
+TEST(Mass, DoesNotDependOnPlaceTurnOrMirror) {
+  for (const char* steps : {"translate:1e6,-2e6,3e6", "rotate:x,31 rotate:z,-77", "scale:-1"}) {
+    const auto one = solids(tetrahedron(3, 4, 5), steps);
+    ASSERT_EQ(one.size(), 1U);
+    EXPECT_EQ(one[0].fault, "") << steps;
+    EXPECT_NEAR(one[0].volume, 10, 1e-7) << steps;
+    EXPECT_LT(glm::length(one[0].centre - Vec3(scene::parse_transform(steps) * Vec4(0.75, 1, 1.25, 1))), 1e-7) << steps;
+  }
+}
+
+// A cube of side 3 with one of side 1 in its middle.
+TEST(Mass, LeavesOutCavities) {
+  const auto hollow = solids(cube_with_a_cavity(true));
+  ASSERT_EQ(hollow.size(), 1U);
+  EXPECT_EQ(hollow[0].fault, "");
+  EXPECT_NEAR(hollow[0].volume, 26, 1e-12);
+  EXPECT_NEAR(hollow[0].area, 60, 1e-12);
+  expect_at(hollow[0].centre, {1.5, 1.5, 1.5});
+}
+
+TEST(Mass, OfWhatIsNotClosedIsRefused) {
+  Shape open = tetrahedron(1, 1, 1);
+  open.faces.pop_back();
+  EXPECT_EQ(solids(open).at(0).fault, "it has 3 open edges");
+  Shape turned = tetrahedron(1, 1, 1);
+  std::swap(turned.faces[0][0], turned.faces[0][1]);
+  EXPECT_EQ(solids(turned).at(0).fault, "it has 3 edges between faces that are turned to different sides");
+}
+
+TEST(Mass, OfSeveralBodiesWeighsTheirDensities) {
+  const std::vector<world::Solid> two{{0, "", 10, 1, {0, 0, 0}}, {1, "", 30, 2, {4, 0, 0}}};
+  const std::vector<double> none{0, 7850}, both{3000, 1000};
+  const world::MassProperties volume = world::sum_of(two, none), mass = world::sum_of(two, both);
+  EXPECT_FALSE(volume.mass);
+  EXPECT_NEAR(volume.centre.x, 3, 1e-12);
+  EXPECT_NEAR(*mass.mass, 60e-6, 1e-18);
+  EXPECT_NEAR(mass.centre.x, 2, 1e-12);
+}
+
+}  // namespace
+}  // namespace epura::test
