@@ -64,8 +64,8 @@ class LookLayers {
         }
     const Vec2 size = text.max - text.min, letters_size = max - min;
     if (!(letters_size.x > 0 && letters_size.y > 0)) return;
-    const bool upright = std::abs(size.x * letters_size.x - size.y * letters_size.y) <
-                         std::abs(size.x * letters_size.y - size.y * letters_size.x);
+    const bool upright =
+        std::abs(size.x * letters_size.x - size.y * letters_size.y) < std::abs(cross(size, letters_size));
     const double height = (upright ? size.y : size.x) / letters_size.x;
     const Vec2 corner = upright ? Vec2(-max.y, min.x) : min;
     layer({border_width, {}})

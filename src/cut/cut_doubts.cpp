@@ -16,7 +16,7 @@ constexpr std::size_t most_ends = 1024;  // per body, of open outlines; with mor
 constexpr double line_part = 1e-3;       // of the squared length: an outline around a smaller area is a line
 constexpr double most = 0.5;             // of an area: the part that must have one orientation
 
-double signed_area(const Vec2& a, const Vec2& b) { return (a.x * b.y - a.y * b.x) / 2; }
+double signed_area(const Vec2& a, const Vec2& b) { return cross(a, b) / 2; }
 
 /// A set of connected outlines.
 struct Piece {

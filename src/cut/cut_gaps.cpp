@@ -130,7 +130,7 @@ class Outline {
   // length times tan(t / 2).
   static double arc_height(const Vec2& a, const Vec2& b) {
     const double product = glm::length(a) * glm::length(b) + glm::dot(a, b);
-    const double turn = product > 0 ? std::abs(a.x * b.y - a.y * b.x) / product : HUGE_VAL;
+    const double turn = product > 0 ? std::abs(cross(a, b)) / product : HUGE_VAL;
     return turn <= largest_turn ? std::min(glm::length(a), glm::length(b)) * turn / 4 : 0;
   }
 

@@ -127,8 +127,6 @@ struct Leg {
   std::size_t corner;  ///< of the path
 };
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 // Without the corners in which the path does not turn.
 std::vector<Leg> straight_legs(const world::Trace& trace) {
   std::vector<Leg> legs;

@@ -20,8 +20,6 @@ constexpr double tangent = 1e-3;      // sine of the angle between outlines that
 constexpr double rounding = 0x1p-44;  // of distances, as a fraction of the world's size
 constexpr double most_sagittas = 16;  // height of the highest facets, as a multiple of a face's mean sagitta
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 /// The two triangles that meet at a vertex of the cut.
 struct Meeting {
   std::array<int, 2> triangles{-1, -1};

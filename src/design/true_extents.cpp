@@ -126,7 +126,7 @@ class Outward {
     return least <= 0 && most >= 0 ? std::optional(base_ + face_.surface.minor) : std::nullopt;
   }
 
-  static double turn(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+  static double turn(const Vec2& a, const Vec2& b) { return cross(a, b); }
 
   const PartFace& face_;
   Vec3 direction_, axis_, out_{0}, side_{0};

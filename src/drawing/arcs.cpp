@@ -38,8 +38,6 @@ struct Fit {
   double deviation, tolerance;
 };
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 // Height of the curve over the chord of a step: the chord is parallel to the tangent in its middle.
 double rise_over(const Ellipse& e, double from, double step) {
   const double middle = from + step / 2;

@@ -31,7 +31,7 @@ struct Beside {
 
   /// The line begins at the origin and ends at `step`. A line steeper than `steepest` does not run along.
   Beside(const Vec2& along, const Vec2& step, const std::array<Vec2, 2>& line, double distance, double steepest) {
-    const auto turned = [&](const Vec2& d) { return Vec2(glm::dot(along, d), along.x * d.y - along.y * d.x); };
+    const auto turned = [&](const Vec2& d) { return Vec2(glm::dot(along, d), cross(along, d)); };
     const Vec2 own = turned(step), from = turned(line[0]), other = turned(line[1]) - from;
     if (std::abs(other.y) > steepest * std::abs(other.x)) return;
     const double begin = std::min(from.x, from.x + other.x), end = std::max(from.x, from.x + other.x);

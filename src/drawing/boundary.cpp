@@ -65,7 +65,7 @@ Vec2 nearest_inside(const Boundary& boundary, const Vec2& p) {
 // Appends the images of a line that is outside a circle, without its beginning: an arc.
 void add_arc(std::vector<Vec2>& ring, const Boundary& circle, const Vec2& from, const Vec2& to) {
   const Vec2 a = from - circle.centre, b = to - circle.centre;
-  const double turn = portable_atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+  const double turn = portable_atan2(cross(a, b), glm::dot(a, b));
   const double step = std::sqrt(8 * off_the_arc / circle.half.x);  // its sagitta is r step^2 / 8
   const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / step)));
   const double start = portable_atan2(a.y, a.x);
@@ -103,7 +103,7 @@ double area_of(const std::vector<Vec2>& ring) {
   double area = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
-    area += a.x * b.y - a.y * b.x;
+    area += cross(a, b);
   }
   return area;
 }

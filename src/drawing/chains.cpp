@@ -48,7 +48,7 @@ void straighten(std::vector<Vec2>& points, bool closed, double tolerance) {
     const Vec2 chord = (i + 1 < n ? points[i + 1] : first) - before;
     const Vec2 step = points[i] - before;
     const double length = glm::length(chord);
-    if (length > 0) offsets += std::abs(chord.x * step.y - chord.y * step.x) / length;
+    if (length > 0) offsets += std::abs(cross(chord, step)) / length;
     const bool straight =
         length > 0 && offsets <= tolerance && glm::dot(step, chord) >= 0 && glm::dot(step, chord) <= length * length;
     if (!end && straight) continue;

@@ -35,8 +35,6 @@ constexpr double rounding = 1e-12;
 
 const visibility::Spans whole{{0, 1}};
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 Vec2 on_page(const Mat4& map, const Vec3& point) {
   const Vec4 image = map * Vec4(point, 1);
   return Vec2(image) / image.w;

@@ -17,8 +17,6 @@ namespace {
 using Rings = std::vector<std::vector<Vec2>>;
 using Piece = std::array<Vec2, 2>;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 bool crosses_height(const Vec2& a, const Vec2& b, double y) { return (a.y > y) != (b.y > y); }
 
 // Whether the ray to the right of a point crosses a side.

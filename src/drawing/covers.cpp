@@ -124,8 +124,8 @@ class CoverSearch {
   // Whether a point lies near the line through a strand.
   [[nodiscard]] bool is_beside(const Strand& s, const Vec2& p) const {
     const Vec2 along = s.to - s.from, d = p - s.from;
-    const double cross = along.x * d.y - along.y * d.x, margin = 2 * tolerance_;
-    return cross * cross <= margin * margin * glm::dot(along, along);
+    const double turn = cross(along, d), margin = 2 * tolerance_;
+    return turn * turn <= margin * margin * glm::dot(along, along);
   }
 
   void add_cover(int lower, int upper, std::vector<Cover>& found) const {

@@ -96,8 +96,6 @@ struct Line {
   Vec2 from, to;
 };
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 /// A contour of facets, and where it is on the surface.
 struct Moved {
   Line facets, surface;

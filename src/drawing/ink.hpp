@@ -52,7 +52,7 @@ struct Ruler {
   /// Returns the position along the line and to the left of it, mm.
   [[nodiscard]] Vec2 local(const Vec2& p) const {
     const Vec2 d = p - from;
-    return {glm::dot(d, along), along.x * d.y - along.y * d.x};
+    return {glm::dot(d, along), cross(along, d)};
   }
 };
 

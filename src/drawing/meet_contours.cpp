@@ -105,10 +105,10 @@ class Meeting {
   // Returns where the line of a piece crosses a contour as drawn, if that is within a distance from its end.
   static std::optional<Vec2> crossing(const Piece& piece, const MovedContour& contour, const Vec2& end, double within) {
     const Vec2 along = piece.to - piece.from, across = contour.drawn[1] - contour.drawn[0];
-    const double area = along.x * across.y - along.y * across.x;
+    const double area = cross(along, across);
     if (area == 0) return std::nullopt;
     const Vec2 to = contour.drawn[0] - piece.from;
-    const double s = (to.x * across.y - to.y * across.x) / area;
+    const double s = cross(to, across) / area;
     const Vec2 place = piece.from + s * along;
     return glm::distance(place, end) <= within ? std::optional(place) : std::nullopt;
   }

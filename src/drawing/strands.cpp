@@ -33,7 +33,7 @@ double direction_of(const Piece& p) {
 
 // Converts to coordinates along a direction and across it.
 Strand turned(Strand s, const Vec2& along) {
-  const auto turn = [&](const Vec2& p) { return Vec2(glm::dot(along, p), along.x * p.y - along.y * p.x); };
+  const auto turn = [&](const Vec2& p) { return Vec2(glm::dot(along, p), cross(along, p)); };
   s.from = turn(s.from);
   s.to = turn(s.to);
   if (s.from.x > s.to.x) {

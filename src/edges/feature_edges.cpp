@@ -119,7 +119,7 @@ struct Judge {
   [[nodiscard]] int side_on_page(const std::array<int, 2>& edge, int corner, double reach) const {
     const auto place = [this](int v) { return Vec2(view.vertices[v].x, view.vertices[v].y); };
     const Vec2 along = place(edge[1]) - place(edge[0]), to = place(corner) - place(edge[0]);
-    const double area = along.x * to.y - along.y * to.x;
+    const double area = cross(along, to);
     const double rounding = 0x1p-44 * glm::length(to);
     return std::abs(area) <= (reach * view.cell + rounding) * glm::length(along) ? 0 : area > 0 ? 1 : -1;
   }

@@ -203,7 +203,7 @@ class GraphPatches {
   static bool cross(const std::array<Vec2, 2>& a, const std::array<Vec2, 2>& b) {
     const auto is_left = [](const std::array<Vec2, 2>& line, const Vec2& p) {
       const Vec2 along = line[1] - line[0], to = p - line[0];
-      return along.x * to.y - along.y * to.x > 0;
+      return cross(along, to) > 0;
     };
     return is_left(a, b[0]) != is_left(a, b[1]) && is_left(b, a[0]) != is_left(b, a[1]);
   }

@@ -100,7 +100,7 @@ double height_on_page(const view::ProjectedScene& view, const std::array<int, 3>
   }
   const Vec2 ab = p[1] - p[0], ac = p[2] - p[0];
   const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
-  return longest > 0 ? std::abs(ab.x * ac.y - ab.y * ac.x) / longest : 0;
+  return longest > 0 ? std::abs(cross(ab, ac)) / longest : 0;
 }
 
 double longest_side(const EdgeSurroundings& around, const std::array<int, 3>& corners) {

@@ -348,7 +348,7 @@ class Flattening {
     std::size_t k = 0;
     const auto is_beside = [&](const Vec2& a, const Vec2& b, const Vec2& c) {
       const Vec2 along = c - a, to = b - a;
-      return along.x * to.y - along.y * to.x >= -near * glm::length(along);
+      return cross(along, to) >= -near * glm::length(along);
     };
     const auto walk = [&](const Vec2& next, std::size_t least) {
       while (k >= least && is_beside(hull[k - 2], hull[k - 1], next)) --k;
@@ -363,7 +363,7 @@ class Flattening {
       bool on_side = false;
       for (std::size_t i = 0; i < hull.size() && !on_side; ++i) {
         const Vec2 a = hull[i], along = hull[(i + 1) % hull.size()] - a, to = point - a;
-        on_side = std::abs(along.x * to.y - along.y * to.x) <= 2 * near * glm::length(along);
+        on_side = std::abs(cross(along, to)) <= 2 * near * glm::length(along);
       }
       if (!on_side) ++corners;
       if (corners > 4) break;

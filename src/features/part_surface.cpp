@@ -219,7 +219,7 @@ std::optional<Vec3> meeting_of_normals(std::span<const Facing> facings, const Ve
   for (const Facing& f : facings) {
     const Vec2 n(glm::dot(f.normal, across[0]), glm::dot(f.normal, across[1]));
     const Vec2 m(glm::dot(f.middle - from, across[0]), glm::dot(f.middle - from, across[1]));
-    equations.add({-n.y, n.x}, n.x * m.y - n.y * m.x);
+    equations.add({-n.y, n.x}, cross(n, m));
   }
   const auto meeting = equations.solve(0);
   if (!meeting) return std::nullopt;

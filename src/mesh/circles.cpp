@@ -63,7 +63,7 @@ bool steps_of_circle(std::span<const Vec2> points, const Vec2& centre, bool whol
   double sweep = 0, longest = 0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Vec2 a = points[i] - centre, b = points[i + 1] - centre;
-    const double angle = portable_atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+    const double angle = portable_atan2(cross(a, b), glm::dot(a, b));
     if (!(angle > 0)) return false;
     sweep += angle;
     longest = std::max(longest, angle);

@@ -14,8 +14,6 @@ namespace {
 constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double slack = 1e-9;  // for computed angles and ratios
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 bool is_circle(const drawing::CurvePart& curve) {
   const double u = glm::length(curve.u), v = glm::length(curve.v);
   return std::abs(u - v) <= slack * std::max(u, v);

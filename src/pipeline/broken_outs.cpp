@@ -20,7 +20,7 @@ double area_of(const std::vector<Vec2>& ring) {
   double area = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
-    area += a.x * b.y - a.y * b.x;
+    area += cross(a, b);
   }
   return area;
 }

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "pipeline/page_triangle.hpp"
 #include "sheet/callout_symbols.hpp"
 #include "sheet/fit_text.hpp"
 
@@ -66,15 +67,11 @@ std::vector<std::optional<double>> depths_at(const std::vector<PagePoint>& point
       is_seen = is_seen && p.w > 0;
       page[static_cast<std::size_t>(i)] = Vec3(p) / p.w;
     }
-    const Vec2 a(page[0]), ab = Vec2(page[1]) - a, ac = Vec2(page[2]) - a;
-    const double area = ab.x * ac.y - ab.y * ac.x;
-    if (!is_seen || area == 0 || !std::isfinite(area)) continue;
+    const PageTriangle seen(page);
+    if (!is_seen || seen.is_edge_on()) continue;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vec2 p = points[i].at - a;
-      const double s = (p.x * ac.y - p.y * ac.x) / area, t = (ab.x * p.y - ab.y * p.x) / area;
-      if (s < 0 || t < 0 || s + t > 1) continue;
-      const double depth = page[0].z + s * (page[1].z - page[0].z) + t * (page[2].z - page[0].z);
-      if (!depths[i] || depth > *depths[i]) depths[i] = depth;
+      const auto depth = seen.depth_at(points[i].at);
+      if (depth && (!depths[i] || *depth > *depths[i])) depths[i] = depth;
     }
   }
   return depths;

@@ -96,7 +96,7 @@ std::optional<double> EdgeFinder::depth(const Vec2& drawn, std::span<const sheet
 std::optional<std::vector<double>> plane_of(const std::vector<PagePoint>& points) {
   const PagePoint &first = points.front(), &second = points[points.size() / 3], &third = points[points.size() * 2 / 3];
   const Vec2 u = second.at - first.at, v = third.at - first.at;
-  const double area = u.x * v.y - u.y * v.x;
+  const double area = cross(u, v);
   if (std::abs(area) < 1e-2 * glm::length(u) * glm::length(v) || area == 0) return std::nullopt;
   const double du = second.depth - first.depth, dv = third.depth - first.depth;
   const Vec2 slope((du * v.y - dv * u.y) / area, (dv * u.x - du * v.x) / area);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "drawing/closed_line.hpp"
+#include "pipeline/page_triangle.hpp"
 
 namespace epura::pipeline {
 
@@ -47,20 +48,16 @@ class NearestItems {
   void add(const Corners& page, int item) {
     const auto [left, right] = std::minmax({page[0].x, page[1].x, page[2].x});
     const auto [low, high] = std::minmax({page[0].y, page[1].y, page[2].y});
-    const Vec2 a(page[0]), ab = Vec2(page[1]) - a, ac = Vec2(page[2]) - a;
-    const double area = ab.x * ac.y - ab.y * ac.x;
-    if (area == 0 || !std::isfinite(area)) return;
+    const PageTriangle seen(page);
+    if (seen.is_edge_on()) return;
     const int last_row = std::min(grid_.row_of(high), grid_.rows - 1);
     const int last_column = std::min(grid_.column_of(right), grid_.columns - 1);
     for (int y = std::max(grid_.row_of(low), 0); y <= last_row; ++y)
       for (int x = std::max(grid_.column_of(left), 0); x <= last_column; ++x) {
-        const Vec2 p = grid_.at(x, y) - a;
-        const double s = (p.x * ac.y - p.y * ac.x) / area, t = (ab.x * p.y - ab.y * p.x) / area;
-        if (s < 0 || t < 0 || s + t > 1) continue;
-        const double depth = page[0].z + s * (page[1].z - page[0].z) + t * (page[2].z - page[0].z);
+        const auto depth = seen.depth_at(grid_.at(x, y));
         const std::size_t i = grid_.index(x, y);
-        if (depth <= depth_[i]) continue;
-        depth_[i] = depth;
+        if (!depth || *depth <= depth_[i]) continue;
+        depth_[i] = *depth;
         item_[i] = item;
       }
   }

@@ -24,7 +24,7 @@ TriangleOnGrid::TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& 
 // A rectangle in a triangle covers at most half of its area.
 bool TriangleOnGrid::may_hold_cells() const {
   const Vec2 u = corners_[1] - corners_[0], v = corners_[2] - corners_[0];
-  return large_ && std::abs(u.x * v.y - u.y * v.x) > 4 * grid_.side.x * grid_.side.y;
+  return large_ && std::abs(cross(u, v)) > 4 * grid_.side.x * grid_.side.y;
 }
 
 TriangleOnGrid::Side TriangleOnGrid::side_between(const Vec2& a, const Vec2& b) const {

@@ -33,8 +33,6 @@ struct Placed {
   Place place;
 };
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 double distance_to_line(const Vec2& p, const Vec2& from, const Vec2& to) {
   const Vec2 along = to - from;
   const double length = glm::dot(along, along);

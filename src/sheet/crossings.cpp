@@ -20,8 +20,6 @@ namespace {
 
 constexpr double touching = 1e-6;  // mm
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 // Where b meets a, as a distance along a; nothing if they are parallel or do not meet.
 std::optional<double> meeting(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1) {
   const Vec2 a = a1 - a0, b = b1 - b0;

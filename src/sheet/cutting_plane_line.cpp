@@ -151,7 +151,7 @@ void add_turn(Layer& layer, const Trace& trace, std::size_t corner, const LineWi
   const Vec2& at = trace.corners[corner];
   const Vec2 &in = trace.legs[corner - 1], &out = trace.legs[corner];
   // Up to the outer corner, unless that is far away: the tangent of half the turn.
-  const double tangent = std::abs(in.x * out.y - in.y * out.x) / (1 + glm::dot(in, out));
+  const double tangent = std::abs(cross(in, out)) / (1 + glm::dot(in, out));
   const double outer = std::min(tangent, most_outer_corner) * widths.wide / 2;
   for (const Vec2& other : {trace.corners[corner - 1], trace.corners[corner + 1]}) {
     const Vec2 along = glm::normalize(other - at);

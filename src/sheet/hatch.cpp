@@ -177,7 +177,7 @@ double area_of(const drawing::CutFace& face) {
   double area = 0;
   for (const auto& [i, j, k] : mesh::fill_even_odd(outlines)) {
     const Vec2 ab = outlines.places[j] - outlines.places[i], ac = outlines.places[k] - outlines.places[i];
-    area += (ab.x * ac.y - ab.y * ac.x) / 2;
+    area += cross(ab, ac) / 2;
   }
   return area;
 }
@@ -292,7 +292,7 @@ double share_along(const Part& part, double angle) {
       const Vec2 side = b - a;
       const double length = glm::length(side);
       all += length;
-      if (std::abs(along.x * side.y - along.y * side.x) < sine * length) alike += length;
+      if (std::abs(cross(along, side)) < sine * length) alike += length;
     });
   return all > 0 ? alike / all : 0;
 }

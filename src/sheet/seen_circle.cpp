@@ -27,14 +27,14 @@ bool SeenCircle::is_edge_on() const { return is_slanted() && reach(axis / glm::l
 
 Vec2 SeenCircle::local(const Vec2& p) const {
   const Vec2 d = p - centre;
-  return Vec2(d.x * v.y - d.y * v.x, u.x * d.y - u.y * d.x) / (u.x * v.y - u.y * v.x);
+  return Vec2(cross(d, v), cross(u, d)) / cross(u, v);
 }
 
 bool SeenCircle::has(const Vec2& p) const { return std::abs(glm::length(local(p)) - 1) <= on_rim; }
 
 double SeenCircle::angle_between(const Vec2& p, const Vec2& q) const {
   const Vec2 a = local(p), b = local(q);
-  return portable_atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+  return portable_atan2(cross(a, b), glm::dot(a, b));
 }
 
 double SeenCircle::reach(const Vec2& direction) const {

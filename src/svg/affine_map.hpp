@@ -20,7 +20,7 @@ struct AffineMap {
   }
 
   /// The average factor by which it enlarges lengths.
-  [[nodiscard]] double scale() const { return std::sqrt(std::abs(along.x * across.y - along.y * across.x)); }
+  [[nodiscard]] double scale() const { return std::sqrt(std::abs(cross(along, across))); }
 };
 
 }  // namespace epura::svg

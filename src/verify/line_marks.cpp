@@ -75,7 +75,7 @@ bool LineMarks::is_edge_on(const std::array<int, 2>& edge, int triangle) const {
   for (const int v : scene_.world.triangles[triangle]) {
     if (!scene_.is_before_viewer(v)) return false;
     const Vec2 to = scene_.position(v) - (*line)[0];
-    width = std::max(width, std::abs(along.x * to.y - along.y * to.x));
+    width = std::max(width, std::abs(cross(along, to)));
   }
   const double scale = scene_.page / (1 - scene_.k * scene_.local[edge[0]].z);
   return width <= edge_on * limits_.quantum + 2 * scene_.world.rounding * scale &&

@@ -18,8 +18,6 @@ constexpr std::size_t chunk = 4096;
 // Sine of the angle between ink and line above which the position of their crossing is known well enough.
 constexpr double least_sine = 0.05;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 bool lies_on_both_sides(const ScanLine& line, PageShape shape) {
   double min = HUGE_VAL, max = -HUGE_VAL;
   for (const Vec2& point : shape) {

@@ -11,8 +11,6 @@ namespace {
 // Pieces with a smaller area are due to rounding.
 constexpr double least_area = 1e-9;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 double signed_area(const ConvexPolygon& polygon) {
   double sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) sum += cross(polygon[i], polygon[(i + 1) % polygon.size()]);

@@ -26,8 +26,6 @@ constexpr double beyond_cusp = 2;
 // At its ends, a fold is too narrow to lie beside the tested line: this fraction of the contour is not drawn either.
 constexpr double narrow_end = 0.25;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 bool is_visible_somewhere(const HiddenSpans& hidden, std::size_t edge) {
   bool visible = false;
   hidden.visit_parts(edge, [&](double, double, bool is_visible) { visible = visible || is_visible; });

@@ -18,8 +18,6 @@ constexpr double thinnest = 0x1p-40;
 // For a triangle that is a line on the page, depth alone decides.
 double steepness(const std::optional<Vec2>& slope) { return slope ? 1 + glm::length(*slope) : 1; }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 Vec2 position(const view::PageVertex& v) { return {v.x, v.y}; }
 
 // Moves the parameter of a crossing to the part of the line where integers place it: before the edge, on it or behind

@@ -81,7 +81,7 @@ bool OccluderPatch::reaches_in(int u, int v) const {
   const Vec2 along = b - a;
   if (std::min(a.x, b.x) > cell_.half.x || std::max(a.x, b.x) < -cell_.half.x) return false;
   if (std::min(a.y, b.y) > cell_.half.y || std::max(a.y, b.y) < -cell_.half.y) return false;
-  return std::abs(along.x * a.y - along.y * a.x) <= std::abs(along.x) * cell_.half.y + std::abs(along.y) * cell_.half.x;
+  return std::abs(cross(along, a)) <= std::abs(along.x) * cell_.half.y + std::abs(along.y) * cell_.half.x;
 }
 
 bool OccluderPatch::holds_middle(const view::ViewTriangle& triangle) const {
@@ -89,7 +89,7 @@ bool OccluderPatch::holds_middle(const view::ViewTriangle& triangle) const {
   for (int i = 0; i < 3; ++i) {
     const Vec2 a = position(view_.vertices[triangle.vertex[i]]) - cell_.middle;
     const Vec2 b = position(view_.vertices[triangle.vertex[(i + 1) % 3]]) - cell_.middle;
-    left += static_cast<int>(a.x * b.y - a.y * b.x > 0);
+    left += static_cast<int>(cross(a, b) > 0);
   }
   return left == 0 || left == 3;
 }

@@ -14,8 +14,6 @@ namespace {
 constexpr double slack_cells = 12;
 constexpr double rounding = 0x1p-48;  // of angles
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 // The angle from one direction to another, in -pi to pi.
 double turn_between(const Vec2& from, const Vec2& to) { return std::atan2(cross(from, to), glm::dot(from, to)); }
 

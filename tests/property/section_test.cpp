@@ -129,7 +129,7 @@ double ring_area(const std::vector<Vec2>& ring) {
   double sum = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-    sum += (a.x * b.y - a.y * b.x) / 2;
+    sum += cross(a, b) / 2;
   }
   return std::abs(sum);
 }

@@ -42,7 +42,7 @@ double area_of(const Json& rings) {
     const Vec2 origin = point_of(ring.items[0]);
     for (std::size_t i = 0; i < ring.items.size(); ++i) {
       const Vec2 p = point_of(ring.items[i]) - origin, q = point_of(ring.items[(i + 1) % ring.items.size()]) - origin;
-      area += (p.x * q.y - p.y * q.x) / 2;
+      area += cross(p, q) / 2;
     }
     sum += std::abs(area);
   }

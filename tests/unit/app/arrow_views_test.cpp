@@ -60,7 +60,7 @@ TEST_F(ArrowViews, AreFoldedAndAligned) {
     const Vec4 middle(40, 35, 37.5, 1);
     const Vec2 apart = image(child, middle) - image(parent, middle);
     const Vec2 towards = image(parent, Vec4(one.direction, 0));
-    EXPECT_NEAR(apart.x * towards.y - apart.y * towards.x, 0, 1e-6) << one.from;
+    EXPECT_NEAR(cross(apart, towards), 0, 1e-6) << one.from;
     const double side = std::string(one.angle) == "--third-angle" ? 1 : -1;
     EXPECT_GT(side * glm::dot(apart, towards), 0) << one.from;
     const std::string svg = read_file(folder / "x.svg");

@@ -72,7 +72,7 @@ TEST_F(Constructions, LinesContinueEdges) {
     const Vec2 from = pair(line["from"]), along = glm::normalize(pair(line["to"]) - from);
     for (const char* end : {"from", "to"}) {
       const Vec2 p = pair(segment[end]) - from;
-      EXPECT_NEAR(along.x * p.y - along.y * p.x, 0, 1e-6);
+      EXPECT_NEAR(cross(along, p), 0, 1e-6);
     }
   }
 }

@@ -40,7 +40,7 @@ double highest_over_chords(const drawing::Ellipse& e, double from, double to, in
     const Vec2 a = points[std::size_t(i)], d = glm::normalize(points[std::size_t(i) + 1] - a);
     for (int j = 0; j <= 200; ++j) {
       const Vec2 p = e.at(from + (to - from) * (i + j / 200.0) / steps) - a;
-      highest = std::max(highest, std::abs(d.x * p.y - d.y * p.x));
+      highest = std::max(highest, std::abs(cross(d, p)));
     }
   }
   return highest;

@@ -27,7 +27,7 @@ double area_of(const std::vector<std::vector<Vec2>>& rings) {
   for (const auto& ring : rings)
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-      area += (a.x * b.y - a.y * b.x) / 2;
+      area += cross(a, b) / 2;
     }
   return area;
 }

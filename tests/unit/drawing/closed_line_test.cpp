@@ -25,7 +25,7 @@ double signed_area(const std::vector<Vec2>& ring) {
   double area = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-    area += (a.x * b.y - a.y * b.x) / 2;
+    area += cross(a, b) / 2;
   }
   return area;
 }

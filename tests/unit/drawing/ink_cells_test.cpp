@@ -23,7 +23,7 @@ bool are_near(const Line& a, const Line& b, double margin) {
       if (glm::distance(drawing::nearest_on(other, end), end) <= margin) return true;
   const auto side = [](const Line& line, const Vec2& p) {
     const Vec2 step = line[1] - line[0], d = p - line[0];
-    return step.x * d.y - step.y * d.x > 0;
+    return cross(step, d) > 0;
   };
   return side(a, b[0]) != side(a, b[1]) && side(b, a[0]) != side(b, a[1]);
 }

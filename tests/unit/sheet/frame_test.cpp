@@ -104,7 +104,7 @@ TEST(Frame, TrimmingMarksAreTwoRectanglesInEachCorner) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2& p = ring[i];
       const Vec2& q = ring[(i + 1) % ring.size()];
-      area += (p.x * q.y - p.y * q.x) / 2;
+      area += cross(p, q) / 2;
       EXPECT_TRUE((sheet::Rectangle{{0, 0}, {420, 297}}.holds({p, p})));
     }
     EXPECT_NEAR(std::abs(area), 2 * 50 - 25, 1e-9);  // the rectangles share 5 x 5 mm

@@ -12,8 +12,6 @@ constexpr double on_side = 0x1p-44;
 
 Vec2 place_of(const view::PageVertex& v) { return {v.x, v.y}; }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 }  // namespace
 
 Vec2 PointRule::position(double s) const {

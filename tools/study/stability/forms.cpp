@@ -186,8 +186,6 @@ std::vector<Flat> random_needles(int n) {
   return needles;
 }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
 // The part of the segment from p to q inside a counterclockwise triangle.
 std::optional<std::array<double, 2>> part_inside(const Vec2& p, const Vec2& q, const Flat& triangle) {
   double from = 0, to = 1;
