@@ -17,7 +17,7 @@ namespace {
 constexpr double straight = 1e-9;  // rounding of a path's corners, as a part of its size
 
 /// A path with its coordinates along the cutting planes and along the normal.
-struct world::Trace {
+struct Trace {
   const std::string& where;
   std::vector<Vec3> corners;
   Vec3 normal, along;
@@ -37,7 +37,7 @@ double size_of(const std::vector<Vec3>& path) {
 }
 
 // Without the corners in which the path does not turn.
-void join_legs(world::Trace& trace) {
+void join_legs(Trace& trace) {
   std::vector<Vec3> corners;
   for (std::size_t i = 0; i < trace.corners.size(); ++i) {
     const bool is_end = i == 0 || i + 1 == trace.corners.size();
@@ -46,7 +46,7 @@ void join_legs(world::Trace& trace) {
   trace.corners = std::move(corners);
 }
 
-void expect_legs(const world::Trace& trace) {
+void expect_legs(const Trace& trace) {
   const auto refuse = [&](const std::string& what, const std::string& hint) {
     throw Error(ErrorKind::input, trace.where, what, hint);
   };
@@ -65,7 +65,7 @@ void expect_legs(const world::Trace& trace) {
   }
 }
 
-world::Trace make_trace(const scene::SectionDescription& section, const Vec3& normal) {
+Trace make_trace(const scene::SectionDescription& section, const Vec3& normal) {
   const std::string& where = section.path.where;
   const std::vector<Vec3>& path = *section.path;
   const auto refuse = [&](const std::string& what, const std::string& hint) {
@@ -74,7 +74,7 @@ world::Trace make_trace(const scene::SectionDescription& section, const Vec3& no
   for (const Vec3& corner : path)
     if (!finite(corner)) refuse("has a number that is not finite", "");
   if (path.size() < 2) refuse("the path has fewer than two points", "give the corners of the cutting-plane line");
-  world::Trace trace{where, path, normal, Vec3(0), straight * size_of(path)};
+  Trace trace{where, path, normal, Vec3(0), straight * size_of(path)};
   if (!(trace.least > 0)) refuse("all points of the path are the same", "give the corners of the cutting-plane line");
   Vec3 across(0);
   for (std::size_t i = 1; i < path.size() && !(glm::length(across) > trace.least); ++i) {
@@ -92,7 +92,7 @@ world::Trace make_trace(const scene::SectionDescription& section, const Vec3& no
 }
 
 // A region for each leg that is a cutting plane, and for what is beyond a step at an end.
-void add_regions(CuttingSurface& surface, const world::Trace& trace) {
+void add_regions(CuttingSurface& surface, const Trace& trace) {
   const auto border = [&](const Vec3& point, double side) { return CutBorder{point, side * trace.along}; };
   const std::size_t legs = trace.corners.size() - 1;
   const auto add = [&](std::optional<scene::CuttingPlane> plane, std::size_t end) {
@@ -128,7 +128,7 @@ struct Leg {
 };
 
 // Without the corners in which the path does not turn.
-std::vector<Leg> straight_legs(const world::Trace& trace) {
+std::vector<Leg> straight_legs(const Trace& trace) {
   std::vector<Leg> legs;
   for (std::size_t i = 0; i + 1 < trace.corners.size(); ++i) {
     const Vec2 at(trace.s(i), trace.d(i)), to(trace.s(i + 1), trace.d(i + 1));
@@ -153,7 +153,7 @@ bool cross_each_other(const std::vector<Leg>& legs, std::size_t i, std::size_t j
   return (i == 0 || on_a >= 0) && on_a <= a.length && on_b >= 0 && (j + 1 == legs.size() || on_b <= b.length);
 }
 
-void expect_axes(const world::Trace& trace, const std::vector<Leg>& legs) {
+void expect_axes(const Trace& trace, const std::vector<Leg>& legs) {
   const auto refuse = [&](const std::string& what, const std::string& hint) {
     throw Error(ErrorKind::input, trace.where, what, hint);
   };
@@ -202,7 +202,7 @@ std::vector<Turn> turns_of(const std::vector<Leg>& legs, std::optional<std::size
 }
 
 // A turn as a transform of the world.
-Mat4 in_world(const Turn& turn, const world::Trace& trace) {
+Mat4 in_world(const Turn& turn, const Trace& trace) {
   const Vec3 &a = trace.along, &n = trace.normal, &start = trace.corners.front();
   const auto image = [&](const Vec3& v) {
     const Vec2 flat(glm::dot(a, v), glm::dot(n, v)), moved = turn.turned(flat) - flat;
@@ -219,7 +219,7 @@ Mat4 in_world(const Turn& turn, const world::Trace& trace) {
 }
 
 // Makes a region of each leg: what is perpendicular to it.
-void align(CuttingSurface& surface, world::Trace& trace) {
+void align(CuttingSurface& surface, Trace& trace) {
   std::vector<Leg> legs = straight_legs(trace);
   const auto is_ahead = [&](const Leg& leg) { return std::abs(leg.along.y) <= straight; };
   const auto found = std::find_if(legs.begin(), legs.end(), is_ahead);
@@ -296,7 +296,7 @@ CuttingSurface make_cutting_surface(const scene::SectionDescription& section) {
     throw Error(ErrorKind::input, section.aligned.where, "an aligned section has no path",
                 "give the corners of the cutting-plane line: an end, a point of the axis, the other end");
   if (!section.path.given()) return surface;
-  world::Trace trace = make_trace(section, plane.normal);
+  Trace trace = make_trace(section, plane.normal);
   if (section.aligned.value_or(false)) {
     align(surface, trace);
     return surface;

@@ -41,14 +41,14 @@ class Splitter {
   [[nodiscard]] const std::vector<int>& regions() const { return regions_; }
 
  private:
-  using design::Ring = std::vector<int>;
+  using Ring = std::vector<int>;
 
   [[nodiscard]] int side(const CutBorder& border, int vertex) const { return side_of(border, points_[vertex], slack_); }
 
   // The parts of a convex ring on both sides of a border: inside, outside. A ring within the border is inside if the
   // material is.
-  std::array<design::Ring, 2> halves(const design::Ring& ring, const CutBorder& border, bool material_inside) {
-    std::array<design::Ring, 2> parts;
+  std::array<Ring, 2> halves(const Ring& ring, const CutBorder& border, bool material_inside) {
+    std::array<Ring, 2> parts;
     std::array<bool, 2> used{};
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const int a = ring[i], b = ring[(i + 1) % ring.size()];
@@ -58,7 +58,7 @@ class Splitter {
       if (at_a >= 0) parts[1].push_back(a);
       if (at_a * at_b >= 0) continue;
       const int made = vertex_on(a, b, border);
-      for (design::Ring& part : parts) part.push_back(made);
+      for (Ring& part : parts) part.push_back(made);
     }
     if (!used[0] && !used[1]) used[material_inside ? 0 : 1] = true;
     for (std::size_t i = 0; i < 2; ++i)
@@ -104,11 +104,11 @@ class Splitter {
     const std::array<int, 3> corners = mesh_.triangle(triangle);
     const Vec3 normal =
         glm::cross(points_[corners[1]] - points_[corners[0]], points_[corners[2]] - points_[corners[0]]);
-    std::vector<design::Ring> rest{{corners.begin(), corners.end()}};
+    std::vector<Ring> rest{{corners.begin(), corners.end()}};
     for (std::size_t r = 0; r < surface_.regions.size() && !rest.empty(); ++r) {
-      std::vector<design::Ring> beyond;
-      for (const design::Ring& ring : rest) {
-        design::Ring inside = ring;
+      std::vector<Ring> beyond;
+      for (const Ring& ring : rest) {
+        Ring inside = ring;
         for (const CutBorder& border : surface_.regions[r].borders) {
           if (inside.empty()) break;
           auto [within, out] = halves(inside, border, glm::dot(normal, border.normal) > 0);
@@ -121,7 +121,7 @@ class Splitter {
     }
   }
 
-  void add(int triangle, const design::Ring& ring, int region) {
+  void add(int triangle, const Ring& ring, int region) {
     for (std::size_t i = 2; i < ring.size(); ++i) {
       corners_.insert(corners_.end(), {ring[0], ring[i - 1], ring[i]});
       polygon_.push_back(mesh_.polygon[triangle]);

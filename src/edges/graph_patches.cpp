@@ -197,10 +197,11 @@ class GraphPatches {
           meet = true;
         }
     if (meet) return true;
-    return is_far(one[0], two) && is_far(one[1], two) && is_far(two[0], one) && is_far(two[1], one) && !cross(one, two);
+    return is_far(one[0], two) && is_far(one[1], two) && is_far(two[0], one) && is_far(two[1], one) &&
+           !sides_cross(one, two);
   }
 
-  static bool cross(const std::array<Vec2, 2>& a, const std::array<Vec2, 2>& b) {
+  static bool sides_cross(const std::array<Vec2, 2>& a, const std::array<Vec2, 2>& b) {
     const auto is_left = [](const std::array<Vec2, 2>& line, const Vec2& p) {
       const Vec2 along = line[1] - line[0], to = p - line[0];
       return cross(along, to) > 0;

@@ -18,7 +18,7 @@ bool any_overlap(const std::vector<TurnedBox>& some, const std::vector<TurnedBox
 
 }  // namespace
 
-bool cross(const PlacedDimension& a, const PlacedDimension& b) {
+bool do_cross(const PlacedDimension& a, const PlacedDimension& b) {
   const auto covers = [](const PlacedDimension& one, const PlacedDimension& other) {
     return any_overlap(one.text_boxes, other.lines) || any_overlap(one.text_boxes, other.zones);
   };
@@ -52,7 +52,7 @@ std::vector<std::string> crossings_of(const PlacedDimensions& placed, const std:
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (!placed[i]) continue;
     for (std::size_t j = i + 1; j < placed.size(); ++j)
-      if (placed[j] && cross(*placed[i], *placed[j])) sentences.push_back(named(i) + " and " + named(j));
+      if (placed[j] && do_cross(*placed[i], *placed[j])) sentences.push_back(named(i) + " and " + named(j));
     if (meets(*placed[i], neighbours)) sentences.push_back(named(i) + " and something else on the sheet");
     if (is_on_lines(*placed[i], drawing)) sentences.push_back(named(i) + " and lines of the view");
   }

@@ -20,7 +20,7 @@ struct Neighbours {
 };
 
 /// Whether a dimension line or text shares its place with the other dimension, or a line of the other one crosses it.
-bool cross(const PlacedDimension& a, const PlacedDimension& b);
+bool do_cross(const PlacedDimension& a, const PlacedDimension& b);
 
 /// Whether a text of the dimension is on something else on the sheet, or one of its lines goes through a text there.
 bool meets(const PlacedDimension& dimension, const Neighbours& neighbours);

@@ -189,7 +189,7 @@ class Placer {
       const std::size_t number = worst_of(conflicts);
       if (number == count || conflicts[number] == 0) break;
       for (std::size_t i = 0; i < count; ++i)
-        if (i != number && placed_[i] && cross(*placed_[i], *placed_[number])) --conflicts[i];
+        if (i != number && placed_[i] && do_cross(*placed_[i], *placed_[number])) --conflicts[i];
       conflicts[number] = 0;
       take(number);
       left_out.push_back(number);
@@ -245,7 +245,7 @@ class Placer {
     std::vector<std::size_t> moved;
     bool all_move = faults_of(*placed_[row], drawing_, neighbours_) == 0;
     for (std::size_t i = 0; i < placed_.size() && all_move; ++i) {
-      if (i == row || !placed_[i] || !cross(*placed_[row], *placed_[i])) continue;
+      if (i == row || !placed_[i] || !do_cross(*placed_[row], *placed_[i])) continue;
       all_move = i < count && !is_row(i);
       moved.push_back(i);
     }
@@ -281,7 +281,7 @@ class Placer {
   [[nodiscard]] int conflicts_of(std::size_t number) const {
     int count = faults_of(*placed_[number], drawing_, neighbours_);
     for (std::size_t i = 0; i < placed_.size(); ++i)
-      if (i != number && placed_[i] && cross(*placed_[number], *placed_[i])) ++count;
+      if (i != number && placed_[i] && do_cross(*placed_[number], *placed_[i])) ++count;
     return count;
   }
 

@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "../design/recognised.hpp"
 #include "cut/cut_world.hpp"
-#include "recognised.hpp"
 
 namespace epura::test {
 namespace {

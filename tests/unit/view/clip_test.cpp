@@ -161,7 +161,7 @@ TEST(ProjectedScene, RingsEndAtTheWindow) {
     double area = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const view::PageVertex &a = view.vertices[ring[i]], &b = view.vertices[ring[(i + 1) % ring.size()]];
-      area += cross(a, b) / 2;
+      area += (a.x * b.y - a.y * b.x) / 2;
     }
     const double unit = view.map.normalisation * view.map.unit;
     return std::abs(area) / (unit * unit);
