@@ -348,9 +348,7 @@ struct Candidate {
   Vec3 point;
 };
 
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
 
 // Counterclockwise.
 std::vector<Candidate> convex_hull(std::vector<Candidate> all) {

@@ -106,7 +106,7 @@ class Outward {
       const double length = glm::length(a);
       if (!(length > 0) || !is_above(radius - length)) continue;
       take(base + radius * glm::dot(a, up) / length);
-      if (turn(a, up) * turn(up, b) >= 0 && glm::dot(a + b, up) > 0 && glm::dot(a, b) > 0) take(base + radius);
+      if (cross(a, up) * cross(up, b) >= 0 && glm::dot(a + b, up) > 0 && glm::dot(a, b) > 0) take(base + radius);
     }
     return reach;
   }
@@ -125,8 +125,6 @@ class Outward {
     }
     return least <= 0 && most >= 0 ? std::optional(base_ + face_.surface.minor) : std::nullopt;
   }
-
-  static double turn(const Vec2& a, const Vec2& b) { return cross(a, b); }
 
   const PartFace& face_;
   Vec3 direction_, axis_, out_{0}, side_{0};

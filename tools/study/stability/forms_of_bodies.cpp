@@ -19,9 +19,7 @@ Measured sphere_along_its_axis(const Lab& lab, int meridians, int bands) {
 
 namespace {
 
-double cross(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
 
 // Andrew, Another efficient algorithm for convex hulls in two dimensions, Inf. Proc. Letters 9, 1979.
 double perimeter_of_hull(std::vector<Vec2> points) {
@@ -31,7 +29,7 @@ double perimeter_of_hull(std::vector<Vec2> points) {
   for (int side = 0; side < 2; ++side) {
     std::vector<Vec2> chain;
     for (const Vec2& p : points) {
-      while (chain.size() > 1 && cross(chain[chain.size() - 2], chain.back(), p) <= 0) chain.pop_back();
+      while (chain.size() > 1 && turn(chain[chain.size() - 2], chain.back(), p) <= 0) chain.pop_back();
       chain.push_back(p);
     }
     for (std::size_t i = 1; i < chain.size(); ++i) perimeter += glm::distance(chain[i - 1], chain[i]);
