@@ -308,12 +308,7 @@ mesh::Mesh ModelCut::make_mesh() const {
   cut_away.cut_vertices.insert(cut_away.cut_vertices.end(), cut.vertices.begin(), cut.vertices.end());
   cut_away.first_cut_vertex = is_split ? mesh().first_cut_vertex : file_vertices();
   cut_away.uncut = is_split ? mesh().uncut : world.models[model].mesh;
-  mesh::EdgeTable table =
-      mesh::make_edge_table(cut_away.corners, cut.polygon, static_cast<int>(cut_away.points.size()));
-  for (int& halfedge : table.halfedges) halfedge /= 3;
-  if (!cut.wires.empty()) mesh::add_wires(table, cut.wires);
-  cut_away.edges = std::move(table.edges);
-  cut_away.edge_triangles = std::move(table.halfedges);
+  mesh::make_edges(cut_away, cut.wires);
 
   std::vector<std::array<int, 2>> outline;
   for (const CutSegment& segment : cut.segments) outline.push_back(segment.vertex);

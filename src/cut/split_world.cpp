@@ -156,13 +156,9 @@ class Splitter {
       const Vec3 p(to_file * Vec4(points_[v], 1));
       split.points.push_back({p.x, p.y, p.z});
     }
-    mesh::EdgeTable table = mesh::make_edge_table(corners_, polygon_, static_cast<int>(points_.size()));
-    for (int& halfedge : table.halfedges) halfedge /= 3;
-    if (!wires_.empty()) mesh::add_wires(table, wires_);
-    split.edges = std::move(table.edges);
-    split.edge_triangles = std::move(table.halfedges);
     split.corners = std::move(corners_);
     split.polygon = std::move(polygon_);
+    mesh::make_edges(split, wires_);
     split.body = std::move(body_);
     split.report = mesh_.report;
     split.cut_vertices = std::move(vertices_);

@@ -405,14 +405,7 @@ class Replacer {
   void finish(mesh::Mesh made) {
     made.points = std::move(mesh_.points);
     made.report = std::move(mesh_.report);
-    mesh::EdgeTable table = mesh::make_edge_table(made.corners, made.polygon, static_cast<int>(made.points.size()));
-    std::vector<std::array<int, 2>> wires;
-    for (const mesh::MeshEdge& edge : mesh_.edges)
-      if (edge.wire) wires.push_back(edge.vertex);
-    if (!wires.empty()) mesh::add_wires(table, wires);
-    for (int& halfedge : table.halfedges) halfedge /= 3;
-    made.edges = std::move(table.edges);
-    made.edge_triangles = std::move(table.halfedges);
+    mesh::make_edges(made, mesh::wires_of(mesh_));
     mesh_ = std::move(made);
   }
 

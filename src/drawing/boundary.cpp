@@ -98,16 +98,6 @@ std::vector<Vec2> ring_inside(const Boundary& boundary, const std::vector<Vec2>&
   return ring;
 }
 
-// Twice the signed area.
-double area_of(const std::vector<Vec2>& ring) {
-  double area = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
-    area += cross(a, b);
-  }
-  return area;
-}
-
 void add_angle(std::vector<double>& angles, double angle) {
   const double whole = 2 * std::numbers::pi;
   angles.push_back(angle < 0 ? angle + whole : angle);
@@ -161,9 +151,15 @@ std::vector<std::vector<Vec2>> area_inside(const Boundary& boundary, const std::
   for (const std::vector<Vec2>& outline : rings) {
     std::vector<Vec2> ring = ring_inside(boundary, outline);
     const double least = 1e-9 * glm::dot(boundary.half, boundary.half);
-    if (ring.size() >= 3 && std::abs(area_of(ring)) > least) inside.push_back(std::move(ring));
+    if (ring.size() >= 3 && std::abs(twice_area(ring)) > least) inside.push_back(std::move(ring));
   }
   return inside;
+}
+
+double twice_area(const std::vector<Vec2>& ring) {
+  double area = 0;
+  for (std::size_t i = 2; i < ring.size(); ++i) area += cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
+  return area;
 }
 
 std::vector<AngleRange> circle_inside(const Boundary& boundary, const Vec2& centre, double radius) {

@@ -27,6 +27,9 @@ std::optional<std::array<double, 2>> part_inside(const Boundary& boundary, const
 /// to each point of its outline. Arcs along a circle have corners on it, and chords that are less than 0.0001 mm off.
 std::vector<std::vector<Vec2>> area_inside(const Boundary& boundary, const std::vector<std::vector<Vec2>>& rings);
 
+/// Returns twice the signed area of a polygon: positive if its corners are in counterclockwise order.
+double twice_area(const std::vector<Vec2>& ring);
+
 /// A part of a circle, from one angle to another, counterclockwise in radians.
 struct AngleRange {
   double from, to;

@@ -194,9 +194,7 @@ Mesh build_mesh(Soup soup, std::string name, const Progress& progress) {
   count_edges(mesh, table);
   take_wires(mesh, soup, table, report);
 
-  for (int& halfedge : table.halfedges) halfedge /= 3;
-  mesh.edges = std::move(table.edges);
-  mesh.edge_triangles = std::move(table.halfedges);
+  set_edges(mesh, std::move(table));
   return mesh;
 }
 

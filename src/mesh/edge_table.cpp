@@ -111,6 +111,25 @@ void add_wires(EdgeTable& table, std::span<const std::array<int, 2>> wires) {
   table.edges = std::move(all);
 }
 
+void set_edges(Mesh& mesh, EdgeTable table) {
+  for (int& halfedge : table.halfedges) halfedge /= 3;
+  mesh.edges = std::move(table.edges);
+  mesh.edge_triangles = std::move(table.halfedges);
+}
+
+void make_edges(Mesh& mesh, std::span<const std::array<int, 2>> wires) {
+  EdgeTable table = make_edge_table(mesh.corners, mesh.polygon, static_cast<int>(mesh.points.size()));
+  if (!wires.empty()) add_wires(table, wires);
+  set_edges(mesh, std::move(table));
+}
+
+std::vector<std::array<int, 2>> wires_of(const Mesh& mesh) {
+  std::vector<std::array<int, 2>> wires;
+  for (const MeshEdge& edge : mesh.edges)
+    if (edge.wire) wires.push_back(edge.vertex);
+  return wires;
+}
+
 bool has_equal_triangles(const EdgeTable& table, std::span<const int> corners) {
   const auto apex = [&](int halfedge) { return corners[next_in_triangle(next_in_triangle(halfedge))]; };
   std::atomic<bool> found = false;

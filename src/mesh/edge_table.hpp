@@ -27,6 +27,15 @@ EdgeTable make_edge_table(std::span<const int> corners, std::span<const int> pol
 /// Marks the given edges as wires, and adds those that no triangle has. Pairs of equal vertices are ignored.
 void add_wires(EdgeTable& table, std::span<const std::array<int, 2>> wires);
 
+/// Gives a mesh the edges of a table that was made for its triangles.
+void set_edges(Mesh& mesh, EdgeTable table);
+
+/// Makes the edges of a mesh from its triangles, and from wires between its vertices.
+void make_edges(Mesh& mesh, std::span<const std::array<int, 2>> wires);
+
+/// Returns the vertices of each edge of a mesh that is a wire.
+std::vector<std::array<int, 2>> wires_of(const Mesh& mesh);
+
 /// Whether any two triangles have the same three vertices. Such triangles have a common edge.
 bool has_equal_triangles(const EdgeTable& table, std::span<const int> corners);
 

@@ -120,15 +120,11 @@ class Step {
   }
 
   void finish(Mesh& made) const {
-    EdgeTable table = make_edge_table(made.corners, made.polygon, static_cast<int>(made.points.size()));
     std::vector<std::array<int, 2>> wires;
     for (std::size_t e = 0; e < mesh_.edges.size(); ++e)
       if (const MeshEdge& edge = mesh_.edges[e]; edge.wire)
         for (const int end : edge.vertex) wires.push_back({end, middle_of(e)});
-    if (!wires.empty()) add_wires(table, wires);
-    for (int& halfedge : table.halfedges) halfedge /= 3;
-    made.edges = std::move(table.edges);
-    made.edge_triangles = std::move(table.halfedges);
+    make_edges(made, wires);
   }
 
   const Mesh& mesh_;

@@ -6,26 +6,13 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "drawing/boundary.hpp"
 #include "drawing/cut_faces.hpp"
 #include "drawing/freehand.hpp"
 #include "edges/crossing_candidates.hpp"
 #include "scene/details.hpp"
 
 namespace epura::pipeline {
-
-namespace {
-
-// Twice the signed area.
-double area_of(const std::vector<Vec2>& ring) {
-  double area = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
-    area += cross(a, b);
-  }
-  return area;
-}
-
-}  // namespace
 
 std::vector<BrokenOutSection> cut_broken_outs(const world::World& world, const scene::SceneDescription& scene,
                                               const scene::ViewDescription& view,
@@ -56,7 +43,7 @@ drawing::ClosedLine line_on_page(const scene::BrokenOutDescription& description,
     for (const Vec3& p : *description.outline) points.push_back(drawing::position_on_page(drawing, p));
   const std::string& where = description.radius.given() ? description.radius.where : description.outline.where;
   constexpr double least = 0.5;  // mm²; a line around less is a dot
-  if (!(std::abs(area_of(points)) > 2 * least))
+  if (!(std::abs(drawing::twice_area(points)) > 2 * least))
     throw Error(ErrorKind::input, where, "the broken-out section has no area in view '" + *description.view + "'",
                 "give points around the area to be cut, or a larger radius or scale");
   drawing::ClosedLine line(drawing::freehand_around(points));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/omit_bodies.hpp"
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -22,14 +21,7 @@ mesh::Mesh with_triangles(mesh::Mesh& mesh, const std::vector<int>& kept) {
   }
   part.points = std::move(mesh.points);
   part.report = std::move(mesh.report);
-  mesh::EdgeTable table = mesh::make_edge_table(part.corners, part.polygon, static_cast<int>(part.points.size()));
-  std::vector<std::array<int, 2>> wires;
-  for (const mesh::MeshEdge& edge : mesh.edges)
-    if (edge.wire) wires.push_back(edge.vertex);
-  if (!wires.empty()) mesh::add_wires(table, wires);
-  for (int& halfedge : table.halfedges) halfedge /= 3;
-  part.edges = std::move(table.edges);
-  part.edge_triangles = std::move(table.halfedges);
+  mesh::make_edges(part, mesh::wires_of(mesh));
   return part;
 }
 

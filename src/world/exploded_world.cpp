@@ -132,15 +132,7 @@ ApartMesh apart_mesh(const mesh::Mesh& whole, const std::vector<Body>& bodies) {
     vertex = copy->second;
   }
   if (copies.empty()) return apart;
-  mesh::EdgeTable table =
-      mesh::make_edge_table(apart.mesh.corners, apart.mesh.polygon, static_cast<int>(apart.mesh.points.size()));
-  std::vector<std::array<int, 2>> wires;
-  for (const mesh::MeshEdge& edge : whole.edges)
-    if (edge.wire) wires.push_back(edge.vertex);
-  if (!wires.empty()) mesh::add_wires(table, wires);
-  for (int& halfedge : table.halfedges) halfedge /= 3;
-  apart.mesh.edges = std::move(table.edges);
-  apart.mesh.edge_triangles = std::move(table.halfedges);
+  mesh::make_edges(apart.mesh, mesh::wires_of(whole));
   return apart;
 }
 
