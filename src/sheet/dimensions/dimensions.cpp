@@ -308,6 +308,58 @@ void expect_letters(const std::string& text, const AnchoredDimension& dimension,
                 "write the text without it");
 }
 
+/// A straight stroke, as a part of the line through it.
+struct LinePart {
+  long long angle;    ///< of the line, 1e-9 rad
+  double offset;      ///< of the line from the origin, mm
+  double begin, end;  ///< along the line, mm
+  Vec2 read;          ///< direction of the line
+  Stroke* stroke;
+  std::size_t first;  ///< of the two points of the stroke, the one at `begin`
+};
+
+std::vector<LinePart> straight_parts(PlacedDimensions& placed) {
+  std::vector<LinePart> parts;
+  for (std::optional<PlacedDimension>& dimension : placed) {
+    if (!dimension) continue;
+    for (Stroke& stroke : dimension->strokes) {
+      if (stroke.points.size() != 2 || stroke.points[0] == stroke.points[1]) continue;
+      const Vec2 read = reading_direction(glm::normalize(stroke.points[1] - stroke.points[0]));
+      const double from = glm::dot(read, stroke.points[0]), to = glm::dot(read, stroke.points[1]);
+      parts.push_back({std::llround(1e9 * portable_atan2(read.y, read.x)), cross(read, stroke.points[0]),
+                       std::min(from, to), std::max(from, to), read, &stroke, from < to ? 0U : 1U});
+    }
+  }
+  return parts;
+}
+
+// Shortens and removes strokes along which others are drawn, so that no pen follows a line twice: extension lines of
+// dimensions that stand above one another begin at one place.
+void draw_once(PlacedDimensions& placed) {
+  constexpr double slack = 1e-6;  // mm
+  std::vector<LinePart> parts = straight_parts(placed);
+  std::stable_sort(parts.begin(), parts.end(), [](const LinePart& a, const LinePart& b) {
+    return std::tie(a.angle, a.offset) < std::tie(b.angle, b.offset);
+  });
+  const auto is_next_line = [](const LinePart& a, const LinePart& b) {
+    return a.angle != b.angle || b.offset - a.offset > slack;
+  };
+  for (auto first = parts.begin(); first != parts.end();) {
+    const auto at = std::adjacent_find(first, parts.end(), is_next_line);
+    const auto last = at == parts.end() ? at : std::next(at);
+    std::stable_sort(first, last, [](const LinePart& a, const LinePart& b) { return a.begin < b.begin; });
+    double drawn = -HUGE_VAL;
+    for (; first != last; ++first) {
+      std::vector<Vec2>& points = first->stroke->points;
+      if (first->begin < drawn - slack) points[first->first] += (drawn - first->begin) * first->read;
+      if (first->end <= drawn + slack) points.clear();
+      drawn = std::max(drawn, first->end);
+    }
+  }
+  for (std::optional<PlacedDimension>& dimension : placed)
+    if (dimension) std::erase_if(dimension->strokes, [](const Stroke& stroke) { return stroke.points.empty(); });
+}
+
 template <class Ink>
 InkRange append(std::vector<Ink>& all, std::vector<Ink> more) {
   const std::size_t begin = all.size();
@@ -361,6 +413,7 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
   std::vector<std::string> texts;
   for (const MeasuredDimension& one : measured) texts.push_back(one.text.line());
   std::vector<std::string> crossings = crossings_of(placed, texts, view.drawing, neighbours);
+  draw_once(placed);
   std::size_t count = left_out.size();
   std::map<std::string, std::vector<DimensionEnd>> ends;
   for (std::size_t i = 0; i < placed.size(); ++i) {

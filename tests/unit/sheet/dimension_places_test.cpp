@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 
 #include "dimensions_support.hpp"
 #include "errors.hpp"
@@ -68,6 +71,45 @@ TEST(DimensionPlaces, LookLikeDimensions) {
   EXPECT_EQ(arrow[0], Vec2(70, 70));
   const Vec2 a = arrow[1] - arrow[0], b = arrow[2] - arrow[0];
   EXPECT_NEAR(std::acos(glm::dot(glm::normalize(a), glm::normalize(b))) * 180 / std::numbers::pi, 20, 1e-9);
+}
+
+// Each line on which strokes are, and the parts that they cover, from where to where, in order.
+std::map<std::array<double, 2>, std::vector<std::array<double, 2>>> upright_parts(const sheet::Layer& layer) {
+  std::map<std::array<double, 2>, std::vector<std::array<double, 2>>> parts;
+  for (const sheet::Stroke& stroke : layer.strokes) {
+    const Vec2 &a = stroke.points.front(), &b = stroke.points.back();
+    const auto rounded = [](double x) { return std::round(1e6 * x) / 1e6; };
+    for (const int axis : {0, 1})
+      if (rounded(a[axis]) == rounded(b[axis]))
+        parts[{static_cast<double>(axis), rounded(a[axis])}].push_back(
+            {std::min(a[1 - axis], b[1 - axis]), std::max(a[1 - axis], b[1 - axis])});
+  }
+  for (auto& [line, of_line] : parts) std::sort(of_line.begin(), of_line.end());
+  return parts;
+}
+
+TEST(DimensionPlaces, ExtensionLinesAreDrawnOnce) {
+  const world::World world = placed(stairs(3));
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
+  std::vector<scene::DimensionDescription> dimensions{dimension("overall", {}, "width")};
+  for (const int v : {9, 17}) {
+    dimensions.push_back(dimension("linear", {0, v}, "horizontal"));
+    dimensions.back().anchors[0] = Vec3(0, 0, 0);
+  }
+  const sheet::Layer layer = layer_of(world, front, dimensions);
+  ASSERT_EQ(layer.texts.size(), 3U);
+  std::size_t shared = 0;
+  for (const auto& [line, of_line] : upright_parts(layer)) {
+    for (std::size_t i = 1; i < of_line.size(); ++i) EXPECT_GE(of_line[i][0], of_line[i - 1][1] - 1e-9);
+    // Those at the corner that all have in common begin and end as if the last one were alone.
+    if (line[0] != 0 || std::abs(line[1] - 64) > 1e-6) continue;
+    shared = of_line.size();
+    double length = 0;
+    for (const auto& [from, to] : of_line) length += to - from;
+    EXPECT_NEAR(of_line.back()[1] - of_line.front()[0], length, 1e-9) << "without a gap";
+    EXPECT_NEAR(length, 10 + 2 * sheet::dimension_step(3.5), 1e-6) << "gap and overshoot are equally long";
+  }
+  EXPECT_GE(shared, 1U);
 }
 
 TEST(DimensionPlaces, SmallInsideLarge) {
