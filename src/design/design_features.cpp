@@ -423,6 +423,37 @@ void add_pitch_circles(const CentredFeatures& centred, DesignFeatures& found) {
   }
 }
 
+// Whether all of a level is inside a shaft, beside its axis, and reaches across it: no side of a keyway.
+bool is_cut_into(const DesignLevel& level, const DesignCylinder& shaft) {
+  const double slack = same_size * shaft.radius, length = glm::dot(shaft.to - shaft.from, shaft.axis);
+  if (shaft.inwards || std::abs(shaft.axis[level.axis]) > parallel) return false;
+  if (std::abs(level.at - shaft.from[level.axis]) <= slack) return false;
+  Vec3 up(0);
+  up[level.axis] = 1;
+  const Vec3 across = glm::cross(shaft.axis, up);
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (const Vec3& p : level.points) {
+    const double along = glm::dot(p - shaft.from, shaft.axis), beside = glm::dot(p - shaft.from, across);
+    if (along < std::min(0.0, length) - slack || along > std::max(0.0, length) + slack) return false;
+    if (distance_from_line(p, shaft.from, shaft.axis) > shaft.radius + slack) return false;
+    least = std::min(least, beside);
+    most = std::max(most, beside);
+  }
+  return least < -slack && most > slack;
+}
+
+// Of several shafts around a level, the thinnest counts.
+void find_other_sides(DesignFeatures& found) {
+  for (DesignLevel& level : found.levels) {
+    const DesignCylinder* thinnest = nullptr;
+    for (const DesignCylinder& shaft : found.cylinders)
+      if ((thinnest == nullptr || shaft.radius < thinnest->radius) && is_cut_into(level, shaft)) thinnest = &shaft;
+    if (thinnest == nullptr) continue;
+    const double middle = thinnest->from[level.axis];
+    level.other_side = level.at > middle ? middle - thinnest->called() : middle + thinnest->called();
+  }
+}
+
 }  // namespace
 
 bool DesignRound::reaches(const Vec3& out) const {
@@ -477,6 +508,7 @@ DesignFeatures find_design_features(const world::World& world, const Progress& p
   std::stable_sort(found.levels.begin(), found.levels.end(), [](const DesignLevel& a, const DesignLevel& b) {
     return std::pair(a.axis, a.at) < std::pair(b.axis, b.at);
   });
+  find_other_sides(found);
   return found;
 }
 

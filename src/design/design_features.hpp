@@ -123,6 +123,8 @@ struct DesignLevel {
   double at;
   double area;
   std::vector<Vec3> points;  ///< corners of the faces
+  /// Of a flat or the floor of a keyway: the place of the shaft's other side, from which it is measured.
+  std::optional<double> other_side{};
 };
 
 /// A plane face that is parallel to one axis of the world only, between faces perpendicular to others: a chamfered

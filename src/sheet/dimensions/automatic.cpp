@@ -542,7 +542,8 @@ class Planner {
       const auto [high, low] = std::minmax_element(
           level.points.begin(), level.points.end(),
           [&](const Vec3& a, const Vec3& b) { return glm::dot(a, towards) < glm::dot(b, towards); });
-      by_view[{view->name, level.axis}].emplace_back(-level.area, Station{view, level.axis, level.at, *low, -1, *high});
+      by_view[{view->name, level.axis}].emplace_back(
+          -level.area, Station{view, level.axis, level.at, *low, -1, *high, level.other_side});
     }
     for (auto& [key, levels] : by_view) {
       std::stable_sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

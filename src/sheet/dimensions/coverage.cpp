@@ -158,7 +158,10 @@ class CoverageFinder {
       for (const Vec3& centre : slot.centres) add_place(centre, slot.axis, "slot R" + length(slot.radius));
     for (const design::DesignPitchCircle& circle : features.pitch_circles)
       add_place(circle.centre, circle.axis, "pitch circle ⌀" + length(2 * circle.radius));
-    for (const design::DesignLevel& level : features.levels) chains_[level.axis].add(level.at, "step");
+    for (const design::DesignLevel& level : features.levels) {
+      chains_[level.axis].add(level.at, "step");
+      if (level.other_side) chains_[level.axis].add(*level.other_side, "");
+    }
     for (const design::DesignCone& cone : features.cones)
       if (const int axis = world_axis(cone.axis); axis >= 0)
         for (const Vec3& end : cone.ends) chains_[axis].add(end[axis], "end of a cone");

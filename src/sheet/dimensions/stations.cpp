@@ -94,6 +94,11 @@ void Stations::add(const Station& station) {
 Station Stations::base_of(const Station& station) const {
   const projection::Projection& projection = station.view->projection;
   const design::Extent& extent = subject_.extents[station.axis];
+  if (station.from) {
+    Station base = station;
+    base.at = base.point[base.axis] = base.opposite[base.axis] = *station.from;
+    return base;
+  }
   const double way = is_horizontal(station) ? projection.u[station.axis] : projection.v[station.axis];
   const bool from_axis = extent.form != design::ExtentForm::length && station.group >= 0;
   Station base = station;
@@ -119,10 +124,9 @@ Station Stations::base_of(const Station& station) const {
 
 void Stations::add_row(std::vector<Station> row, const std::string& where, const Notation& notation,
                        std::vector<scene::DimensionDescription>& dimensions) const {
-  const Station base = base_of(row.front());
-  const design::Extent& extent = subject_.extents[base.axis];
+  const design::Extent& extent = subject_.extents[row.front().axis];
   // Both sides of a keyway, for example: their distance.
-  if (extent.form != design::ExtentForm::length && base.group < 0)
+  if (extent.form != design::ExtentForm::length && row.front().group < 0)
     for (std::size_t i = 0; i < row.size(); ++i)
       for (std::size_t j = i + 1; j < row.size(); ++j)
         if (std::abs(row[i].at + row[j].at - extent.from - extent.to) <= slack_) {
@@ -131,6 +135,12 @@ void Stations::add_row(std::vector<Station> row, const std::string& where, const
           row.erase(row.begin() + static_cast<std::ptrdiff_t>(i--));
           break;
         }
+  std::erase_if(row, [&](const Station& station) {
+    if (station.from) dimensions.push_back(distance(base_of(station), station, where));
+    return station.from.has_value();
+  });
+  if (row.empty()) return;
+  const Station base = base_of(row.front());
   std::sort(row.begin(), row.end(), [&](const Station& a, const Station& b) {
     return std::pair(std::abs(a.at - base.at), a.at) < std::pair(std::abs(b.at - base.at), b.at);
   });

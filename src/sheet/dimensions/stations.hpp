@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,9 +18,10 @@ struct Station {
   const NamedProjection* view;
   int axis;
   double at;
-  Vec3 point;            ///< where its extension line begins
-  int group = -1;        ///< of equal holes, which may be equally spaced; -1 for steps
-  Vec3 opposite{point};  ///< where it begins if the dimension line is above or on the left
+  Vec3 point;                    ///< where its extension line begins
+  int group = -1;                ///< of equal holes, which may be equally spaced; -1 for steps
+  Vec3 opposite{point};          ///< where it begins if the dimension line is above or on the left
+  std::optional<double> from{};  ///< place that it is measured from, beside it, instead of the end of the models
 };
 
 /// Returns the axis of the world, 0 to 2, to which a unit vector is parallel; -1 if there is none.

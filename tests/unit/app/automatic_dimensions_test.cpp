@@ -129,6 +129,20 @@ TEST_F(AutomaticDimensions, OfManyStepsHaveACommonOrigin) {
   EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted(expected));
 }
 
+// The shaft has a diameter of 30 there, and a collar of 50; the floor of its keyway is 11 above the axis.
+TEST_F(AutomaticDimensions, OfKeywaysBeginAtTheOtherSideOfTheirShaft) {
+  for (const char* turn : {"rotate:x,0", "rotate:x,90", "rotate:x,180", "rotate:x,270"})
+    for (const char* arrangement : {"", "baseline", "chain", "ordinate"}) {
+      Words more{"--transform", turn};
+      if (*arrangement != 0) more.insert(more.end(), {"--arrangement", arrangement});
+      const Outcome run = lint(sample("shaft.obj"), "auto", more);
+      EXPECT_EQ(run.code, 0) << turn << " " << arrangement << ": " << run.out << run.err;
+      const Words texts = dimensions_in(read_file(folder / "x.svg"));
+      EXPECT_EQ(std::count(texts.begin(), texts.end(), "26"), 1) << turn << " " << arrangement;
+      EXPECT_EQ(std::count(texts.begin(), texts.end(), "36"), 0) << turn << " " << arrangement;
+    }
+}
+
 TEST_F(AutomaticDimensions, ArrangementsNeedThem) {
   const Outcome run = lint(folder.file("part.obj", plates()[1].obj), "overall", {"--arrangement", "chain"});
   EXPECT_EQ(run.code, 2);
