@@ -433,11 +433,11 @@ bool is_cut_into(const DesignLevel& level, const DesignCylinder& shaft) {
   const Vec3 across = glm::cross(shaft.axis, up);
   double least = HUGE_VAL, most = -HUGE_VAL;
   for (const Vec3& p : level.points) {
-    const double along = glm::dot(p - shaft.from, shaft.axis), beside = glm::dot(p - shaft.from, across);
+    const double along = glm::dot(p - shaft.from, shaft.axis), aside = glm::dot(p - shaft.from, across);
     if (along < std::min(0.0, length) - slack || along > std::max(0.0, length) + slack) return false;
     if (distance_from_line(p, shaft.from, shaft.axis) > shaft.radius + slack) return false;
-    least = std::min(least, beside);
-    most = std::max(most, beside);
+    least = std::min(least, aside);
+    most = std::max(most, aside);
   }
   return least < -slack && most > slack;
 }
