@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What is told and guarded about the programs and libraries of the Debian packages:  tests/hardening.sh FOLDER
-# FOLDER holds their contents. They are position-independent, their tables of addresses are read-only, overflows of the
-# stack and of known sizes end them, and the bill of materials names every library that they load.
+# What is told and guarded about the programs and libraries of the Debian packages:  tests/hardening.sh FOLDER COMMANDS
+# FOLDER holds their contents, COMMANDS is the compile_commands.json of their build. They are position-independent, their
+# tables of addresses are read-only, overflows of the stack and of known sizes end them, and the bill of materials names
+# every library that they load.
 set -euo pipefail
 root=$1
+commands=$2
 status=0
 complain() { echo "hardening: $*" >&2; status=1; }
 
@@ -18,6 +20,10 @@ while read -r file; do
   grep -q GNU_RELRO <<<"$header" || complain "$name has no read-only relocations"
   grep -qE 'BIND_NOW|FLAGS_1.*NOW' <<<"$header" || complain "$name binds its functions lazily"
   if grep -q 'GNU_STACK.*RWE' <<<"$header"; then complain "the stack of $name is executable"; fi
+  # The linker keeps this mark if every object in the file has it; it comes with the other options.
+  if [ "$(uname -m)" = x86_64 ]; then
+    grep -q 'x86 feature:.*IBT.*SHSTK' <<<"$(readelf -n -W "$file")" || complain "$name is not guarded throughout"
+  fi
   for library in $(sed -nE 's/.*\(NEEDED\).*\[(.*)\]/\1/p' <<<"$header"); do
     package=$(dpkg -S "*/$library" 2>/dev/null | head -1 | cut -d: -f1) || true
     if [ -n "$package" ]; then sources[$(dpkg-query -W -f '${source:Package}' "$package")]=$library; fi
@@ -25,10 +31,23 @@ while read -r file; do
 done < <(find "$root" -type f -size +4k)
 [ "$count" -ge 20 ] || complain "there are only $count programs and libraries in $root"
 
+# Every source is compiled with the options: a library without arrays or large frames shows no trace of them.
+unguarded=$(python3 -c 'import json, sys
+wanted = {"-D_FORTIFY_SOURCE=2", "-fstack-protector-strong", "-fstack-clash-protection"}
+compiled = json.load(open(sys.argv[1]))
+assert len(compiled) > 300, len(compiled)
+for one in compiled:
+    words = set(one["command"].split())
+    lacks = wanted - words | (set() if words & {"-O2", "-O3"} else {"-O2"})
+    if lacks: print(one["file"], "lacks", *sorted(lacks))' "$commands")
+[ -z "$unguarded" ] || complain "compiled without guards: $unguarded"
 program=$root/usr/bin/epura
 symbols=$(readelf --dyn-syms -W "$program")
 grep -q __stack_chk_fail <<<"$symbols" || complain "the program does not guard its stack"
 grep -qE '__[a-z]+_chk@' <<<"$symbols" || complain "the program does not check known sizes"
+# Frames of more than a page are touched page by page.
+[ "$(objdump -d --no-show-raw-insn "$program" | grep -cE 'orq +\$0x0,(0x[0-9a-f]+)?\(%rsp\)')" -ge 10 ] ||
+  complain "the program does not touch the pages of its stack"
 
 bill=$(find "$root" -name epura.spdx.json | head -1)
 [ -n "$bill" ] || { complain "there is no bill of materials"; exit 1; }
