@@ -40,8 +40,8 @@ function(epura_stage name)
   target_include_directories(epura_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(epura_${name} PUBLIC ${STAGE_LINK})
   if(EPURA_COVERAGE STREQUAL "all" OR name IN_LIST EPURA_COVERAGE)
-    # Without optimization, so that every line has code of its own.
-    target_compile_options(epura_${name} PRIVATE --coverage -O0)
+    # Optimized as far as lines keep code of their own.
+    target_compile_options(epura_${name} PRIVATE --coverage -Og -Wno-error)
     target_link_options(epura_${name} PUBLIC --coverage)
   endif()
 endfunction()

@@ -55,4 +55,12 @@ tree mesh/a.hpp 'int f();\n'
 expect fails "a header without a guard" style
 tree mesh/a.cpp "// see /ho""me/me\\n"
 expect fails "a path of a machine" style
+
+# What plants faults removes files: never those of others.
+mkdir -p "$scratch/clone/.git" "$scratch/full"
+touch "$scratch/clone/.git/HEAD" "$scratch/full/kept"
+for folder in clone full full/kept; do
+  expect fails "planting into $folder" "$tests/mutants/run" --tree "$scratch/$folder" --only "no such fault"
+done
+[ -e "$scratch/clone/.git/HEAD" ] && [ -e "$scratch/full/kept" ] || { echo "planting removes files" >&2; status=1; }
 exit $status

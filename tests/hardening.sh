@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What is told and guarded about the programs and libraries of the Debian packages:  tests/hardening.sh FOLDER
-# FOLDER holds their contents. They are position-independent, their tables of addresses are read-only, overflows of the
-# stack and of known sizes end them, and the bill of materials names every library that they load.
+# What is told and guarded about the programs and libraries of the Debian packages:  tests/hardening.sh FOLDER COMMANDS
+# FOLDER holds their contents, COMMANDS is the compile_commands.json of their build. They are position-independent, their
+# tables of addresses are read-only, overflows of the stack and of known sizes end them, and the bill of materials names
+# every library that they load.
 set -euo pipefail
 root=$1
+commands=$2
 status=0
 complain() { echo "hardening: $*" >&2; status=1; }
 
@@ -25,10 +27,24 @@ while read -r file; do
 done < <(find "$root" -type f -size +4k)
 [ "$count" -ge 20 ] || complain "there are only $count programs and libraries in $root"
 
+# Every source is compiled with the options: a library without arrays or large frames shows no trace of them.
+unguarded=$(python3 -c 'import json, platform, sys
+wanted = {"-D_FORTIFY_SOURCE=2", "-fstack-protector-strong", "-fstack-clash-protection"}
+if platform.machine() == "x86_64": wanted.add("-fcf-protection")
+compiled = json.load(open(sys.argv[1]))
+assert len(compiled) > 300, len(compiled)
+for one in compiled:
+    words = set(one["command"].split())
+    lacks = wanted - words | (set() if words & {"-O2", "-O3"} else {"-O2"})
+    if lacks: print(one["file"], "lacks", *sorted(lacks))' "$commands")
+[ -z "$unguarded" ] || complain "compiled without guards: $unguarded"
 program=$root/usr/bin/epura
 symbols=$(readelf --dyn-syms -W "$program")
 grep -q __stack_chk_fail <<<"$symbols" || complain "the program does not guard its stack"
 grep -qE '__[a-z]+_chk@' <<<"$symbols" || complain "the program does not check known sizes"
+# Frames of more than a page are touched page by page.
+[ "$(objdump -d --no-show-raw-insn "$program" | grep -cE 'orq +\$0x0,(0x[0-9a-f]+)?\(%rsp\)')" -ge 10 ] ||
+  complain "the program does not touch the pages of its stack"
 
 bill=$(find "$root" -name epura.spdx.json | head -1)
 [ -n "$bill" ] || { complain "there is no bill of materials"; exit 1; }

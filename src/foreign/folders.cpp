@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "foreign/folders.hpp"
 
-#include <dirent.h>
-
-#include <algorithm>
-#include <cerrno>
 #include <cstdlib>
-#include <memory>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "base/error.hpp"
+#include "base/folder.hpp"
 #include "base/shared_library.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
@@ -53,21 +50,11 @@ std::vector<fs::path> plugin_folders(const std::vector<fs::path>& extra, const s
 
 std::vector<fs::path> libraries_in(const fs::path& folder, std::vector<BadPlugin>& bad) {
   std::vector<fs::path> libraries;
-  // The iterators of the standard library end the program if there is no memory for a name.
-  struct Close {
-    void operator()(DIR* open) const { ::closedir(open); }
-  };
-  const std::unique_ptr<DIR, Close> open(::opendir(folder.c_str()));
-  errno = open == nullptr ? errno : 0;
-  while (const dirent* const file = open == nullptr ? nullptr : ::readdir(open.get())) {
-    const fs::path path = folder / file->d_name;
-    std::error_code unreadable;
-    if (path.extension() == ".so" && fs::is_regular_file(path, unreadable)) libraries.push_back(path);
-    errno = 0;
-  }
-  if (const int failure = errno; failure != 0)
-    bad.push_back({folder, "is not a folder that can be read: " + std::generic_category().message(failure)});
-  std::sort(libraries.begin(), libraries.end());
+  std::error_code failure, unreadable;
+  for (const std::string& name : names_in(folder, failure))
+    if (fs::path path = folder / name; path.extension() == ".so" && fs::is_regular_file(path, unreadable))
+      libraries.push_back(std::move(path));
+  if (failure) bad.push_back({folder, "is not a folder that can be read: " + failure.message()});
   return libraries;
 }
 

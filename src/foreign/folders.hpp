@@ -21,7 +21,7 @@ struct BadPlugin {
 std::vector<std::filesystem::path> plugin_folders(const std::vector<std::filesystem::path>& extra,
                                                   const std::string& own);
 
-/// Returns the libraries (*.so) of a folder, sorted by name, since the order of a folder's listing is accidental.
+/// Returns the libraries (*.so) of a folder, sorted by name.
 std::vector<std::filesystem::path> libraries_in(const std::filesystem::path& folder, std::vector<BadPlugin>& bad);
 
 }  // namespace epura::foreign

@@ -5,6 +5,7 @@
 // "short" (a part of what was asked for is read or written), or "kill" (the process ends there).
 // EPURA_FAULT_COUNTS=FILE: appends "CALL NUMBER" for each call when the process ends.
 // EPURA_FAULT_CLOCK=SECONDS: what the clock on the wall shows is that much later.
+#include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -48,6 +49,7 @@ enum Call {
   link_file,
   mode,
   status,
+  list_folder,
   thread,
   fork_process,
   spawn,
@@ -55,9 +57,9 @@ enum Call {
   wait_for,
   calls
 };
-constexpr const char* names[calls] = {"memory", "mmap",  "open",   "nameless",   "read",   "write",
-                                      "close",  "fsync", "rename", "link",       "fchmod", "stat",
-                                      "thread", "fork",  "spawn",  "socketpair", "poll"};
+constexpr const char* names[calls] = {"memory",  "mmap",   "open",   "nameless", "read",       "write",
+                                      "close",   "fsync",  "rename", "link",     "fchmod",     "stat",
+                                      "readdir", "thread", "fork",   "spawn",    "socketpair", "poll"};
 
 struct ErrorName {
   const char* name;
@@ -245,6 +247,12 @@ int fstat(int file, struct stat* result) {
   return fails(status) ? -1 : static_cast<int>(syscall(SYS_fstat, file, result));
 }
 int fstat64(int file, struct stat64* result) { return fstat(file, reinterpret_cast<struct stat*>(result)); }
+
+// Both names, since either may be what the program calls; neither is called by the other.
+dirent* readdir(DIR* folder) { return fails(list_folder) ? nullptr : real<dirent* (*)(DIR*)>("readdir")(folder); }
+dirent64* readdir64(DIR* folder) {
+  return fails(list_folder) ? nullptr : real<dirent64* (*)(DIR*)>("readdir64")(folder);
+}
 
 int pthread_create(pthread_t* thread_made, const pthread_attr_t* attributes, void* (*run)(void*), void* argument) {
   if (fails(thread)) return how > 0 ? how : EAGAIN;

@@ -15,6 +15,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/folder.hpp"
 #include "base/text.hpp"
 #include "compare/json_document.hpp"
 #include "output/json_text.hpp"
@@ -91,18 +92,18 @@ void read_record(const JsonValue& object, JobRecords& records) {
 std::set<std::pair<Shard, fs::path>> parts_of(const fs::path& whole) {
   std::set<std::pair<Shard, fs::path>> parts;
   const std::string stem = whole.stem().string() + ".", extension = whole.extension().string();
-  std::error_code error;
+  std::error_code failure;
   const fs::path folder = whole.has_parent_path() ? whole.parent_path() : fs::path(".");
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
+  for (const std::string& name : names_in(folder, failure)) {
     if (!name.starts_with(stem) || !name.ends_with(extension) || name.size() <= stem.size() + extension.size())
       continue;
     const std::string numbers = name.substr(stem.size(), name.size() - stem.size() - extension.size());
     const std::size_t of = numbers.find("-of-");
     if (of == std::string::npos) continue;
     const auto number = parse_integer(numbers.substr(0, of)), count = parse_integer(numbers.substr(of + 4));
-    if (number && count) parts.insert({{static_cast<int>(*number), static_cast<int>(*count)}, entry->path()});
+    if (number && count) parts.insert({{static_cast<int>(*number), static_cast<int>(*count)}, folder / name});
   }
+  if (failure) throw Error(ErrorKind::input, folder.string(), "cannot be listed: " + failure.message());
   return parts;
 }
 

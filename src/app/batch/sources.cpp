@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "base/error.hpp"
+#include "base/folder.hpp"
 #include "base/text.hpp"
 #include "importer/catalogue.hpp"
 #include "importer/read_model.hpp"
@@ -23,22 +24,27 @@ namespace {
 
 bool is_pattern(std::string_view text) { return text.find_first_of("*?[") != std::string_view::npos; }
 
-// Returns the files below a folder, in which an empty path stands for the current one, that are wanted.
-std::vector<std::string> files_below(const fs::path& folder, const std::function<bool(const fs::path&)>& is_wanted) {
-  std::vector<std::string> files;
-  std::error_code error;
-  fs::recursive_directory_iterator entry(folder.empty() ? "." : folder, fs::directory_options::skip_permission_denied,
-                                         error);
-  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-    if (entry->path().filename().string().starts_with('.')) {
-      entry.disable_recursion_pending();
-      continue;
-    }
-    const fs::path path = folder.empty() ? entry->path().lexically_relative(".") : entry->path();
-    std::error_code unreadable;
-    if (is_wanted(path) && entry->is_regular_file(unreadable)) files.push_back(path.string());
+using Wanted = std::function<bool(const fs::path&)>;
+
+// Folders that may not be read are passed over, and links to folders are not followed: they may lead in a circle.
+void add_files_below(const fs::path& folder, const Wanted& is_wanted, std::vector<std::string>& files) {
+  std::error_code failure, unreadable;
+  for (const std::string& name : names_in(folder.empty() ? "." : folder, failure)) {
+    if (name.starts_with('.')) continue;
+    const fs::path path = folder / name;
+    if (fs::is_directory(fs::symlink_status(path, unreadable)))
+      add_files_below(path, is_wanted, files);
+    else if (is_wanted(path) && fs::is_regular_file(path, unreadable))
+      files.push_back(path.string());
   }
-  if (error) throw Error(ErrorKind::input, folder.string(), "cannot be listed: " + error.message());
+  if (failure && failure != std::errc::permission_denied)
+    throw Error(ErrorKind::input, folder.string(), "cannot be listed: " + failure.message());
+}
+
+// Returns the files below a folder, in which an empty path stands for the current one, that are wanted.
+std::vector<std::string> files_below(const fs::path& folder, const Wanted& is_wanted) {
+  std::vector<std::string> files;
+  add_files_below(folder, is_wanted, files);
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <system_error>
 
 #include "app/run_epura.hpp"
 #include "app/snapshot/case_files.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/folder.hpp"
 #include "compare/comparison.hpp"
 
 namespace epura {
@@ -18,6 +20,19 @@ namespace fs = std::filesystem;
 namespace {
 
 bool is_case(const fs::path& folder) { return fs::is_regular_file(folder / "scene.toml"); }
+
+// Adds the cases in folder / below. Links to folders may be cases, but are not followed: they may lead in a circle.
+void add_cases_below(const fs::path& folder, const fs::path& root, const fs::path& below,
+                     std::vector<SnapshotCase>& cases) {
+  std::error_code failure;
+  for (const std::string& name : names_in(folder / below, failure)) {
+    const fs::path inner = below / name, path = folder / inner;
+    if (!fs::is_directory(path)) continue;
+    if (is_case(path)) cases.push_back({inner.generic_string(), path, root});
+    if (!fs::is_symlink(path)) add_cases_below(folder, root, inner, cases);
+  }
+  if (failure) throw Error(ErrorKind::input, (folder / below).string(), "cannot be listed: " + failure.message());
+}
 
 std::vector<fs::path> expectations(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -79,9 +94,7 @@ std::vector<SnapshotCase> find_cases(const std::vector<std::string>& folders) {
     const bool ends_in_slash = folder.filename().empty();
     if (is_case(folder))
       cases.push_back({(ends_in_slash ? folder.parent_path() : folder).filename().string(), folder, root});
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-      if (entry.is_directory() && is_case(entry.path()))
-        cases.push_back({entry.path().lexically_relative(folder).generic_string(), entry.path(), root});
+    add_cases_below(folder, root, {}, cases);
     if (cases.size() == before)
       throw Error(ErrorKind::input, name, "contains no case",
                   "a case is a folder with scene.toml, and expected.svg or another expected drawing");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -42,6 +43,15 @@ TEST_P(Corpus, IsReadOrRefused) {
   }
   EXPECT_GT(accepted, 0);
   EXPECT_GT(refused, 0);
+}
+
+TEST(Corpora, AreSmall) {
+  constexpr std::uintmax_t most = 5'000'000;  // bytes of all of them
+  std::uintmax_t bytes = 0;
+  for (const Target& target : all_targets())
+    for (const std::filesystem::path& file : corpus_of(target)) bytes += std::filesystem::file_size(file);
+  EXPECT_GT(bytes, 0U);
+  EXPECT_LT(bytes, most);
 }
 
 std::string name_of(const testing::TestParamInfo<Target>& info) {

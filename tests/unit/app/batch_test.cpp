@@ -108,6 +108,16 @@ TEST(Batch, ReadsPatternsAndLists) {
   EXPECT_EQ(listed.out, "2 drawn, 0 failed\n") << listed.err;
 }
 
+TEST(Batch, FoldersMayLinkToThemselves) {
+  const Parts parts(3);
+  fs::create_directory_symlink("..", parts.folder / "parts/a/up");
+  fs::create_directory_symlink("b", parts.folder / "parts/c");
+  fs::create_directory(parts.folder / "parts/.hidden");
+  write_file(parts.folder / "parts/.hidden/m.obj", block(1));
+  EXPECT_EQ(parts.draw_all().out, "3 drawn, 0 failed\n");
+  EXPECT_EQ(parts.run({"parts/**/*.obj", "-o", "pattern/{name}.svg"}).out, "3 drawn, 0 failed\n");
+}
+
 TEST(Batch, DrawSaysTheSameInSmall) {
   const Parts parts(2);
   const Outcome run = epura({"draw", "parts/a/m0.obj", "parts/b/m1.obj", "-o", "{name}.svg"}, parts.folder / "");
@@ -210,7 +220,8 @@ TEST(Batch, RefusesWhatWouldLoseDrawings) {
            {{"--table", "no.csv", "-o", "{name}.svg"}, "no.csv:2: has no model"},
            {{"parts", "-o", "out/{name}.svg", "--shard", "3/2"}, "part 3 of 2 does not exist"},
            {{"parts", "-o", "out/{name}.svg", "--shard", "auto"}, "no scheduler has numbered this job"},
-           {{"--merge", "parts"}, "has no parts beside it"}}) {
+           {{"--merge", "parts"}, "has no parts beside it"},
+           {{"--merge", "nowhere/epura-batch.jsonl"}, "nowhere: cannot be listed: No such file or directory"}}) {
     const Outcome run = parts.run(one.options);
     EXPECT_EQ(run.code, 2) << one.words;
     EXPECT_TRUE(contains(run.err, one.words)) << run.err;

@@ -223,6 +223,21 @@ TEST(SnapshotCommand, RefusesFoldersWithoutCases) {
   EXPECT_EQ(epura({"snapshot", "cases/cube-isometric"}, suite.folder / "").code, 0);
 }
 
+TEST(SnapshotCommand, FindsCasesInFoldersAndBehindLinks) {
+  const Suite suite({"cube-isometric"});
+  fs::create_directories(suite.folder / "cases/deep/deeper");
+  fs::rename(suite.folder / "cases/cube-isometric", suite.folder / "cases/deep/deeper/cube");
+  fs::copy(suite.folder / "cases/models", suite.folder / "cases/deep/deeper/models");
+  fs::create_directory_symlink("deep/deeper/cube", suite.folder / "cases/another");
+  fs::create_directory_symlink("..", suite.folder / "cases/deep/up");
+  const Outcome run = suite.run();
+  EXPECT_EQ(run.out,
+            "ok        another/expected.json\n"
+            "ok        deep/deeper/cube/expected.json\n"
+            "2 of 2 as expected\n")
+      << run.err;
+}
+
 TEST(SnapshotCommand, DoesNotWaitForWhatIsNoRegularFile) {
   for (const char* name : {"options", "expected.svg"}) {
     const Suite suite({"cube-isometric"});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 #include "shapes.hpp"
 
@@ -32,6 +33,27 @@ double tries_of_an_edge(const world::World& world, const projection::Projection&
     tries += hider.tries();
   }
   return static_cast<double>(tries) / static_cast<double>(r.drawn.edges.size());
+}
+
+// What lies partly in front of the cover of a cell may be seen.
+TEST(OcclusionQuery, CoversHideWhatIsWhollyBehindThem) {
+  const Result r = draw(world_of(box({0, 0, 0}, {1, 2, 3})), orthographic({1, 2, 3}, {0, 0, 1}));
+  const visibility::OccluderGrid occluders(r.world, r.view, r.drawn.edges);
+  int slanted = 0;
+  for (const edges::FeatureEdge& edge : r.drawn.edges) {
+    const visibility::PageEdge line{edge.vertex[0], edge.vertex[1]};
+    const auto [farthest, nearest] = occluders.depths(line, 0, 1);
+    if (!(farthest < nearest)) continue;
+    ++slanted;
+    const auto hidden_by = [&](double cover) {
+      visibility::OcclusionQuery query(r.view, occluders, line, visibility::OwnTriangles(r.world, r.drawn, edge));
+      query.hide({0, 1, cover, {}, nullptr});
+      return std::move(query).spans();
+    };
+    EXPECT_TRUE(hidden_by((farthest + nearest) / 2).empty());
+    EXPECT_EQ(hidden_by(nearest + 1), (visibility::Spans{{0, 1}}));
+  }
+  EXPECT_GT(slanted, 0);
 }
 
 // Before half of the 2 * 4000 triangles lies the average edge.
