@@ -17,23 +17,15 @@
 
 #include "apart.hpp"
 #include "base/text.hpp"
+#include "part_drawing.hpp"
 #include "part_geometry.hpp"
+#include "part_invariance.hpp"
 #include "part_score.hpp"
 
 namespace {
 
 using namespace epura;
 using namespace epura::bench;
-
-constexpr double usual_fineness = 1500;
-constexpr std::array<double, 4> finenesses{400, usual_fineness, 5000, 15000};
-constexpr double same_strokes = 0.05;
-
-struct Direction {
-  const char* projection;
-  std::array<double, 3> viewer;
-};
-constexpr std::array<Direction, 3> directions{{{"isometric", {1, -1, 1}}, {"front", {0, -1, 0}}, {"top", {0, 0, 1}}}};
 
 struct Options {
   Surfaces surfaces = Surfaces::automatic;
@@ -42,24 +34,6 @@ struct Options {
   Limits limits{static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), 60};
   std::vector<std::string> paths{};
 };
-
-Drawing drawing_of(const Polygons& polygons, const char* projection, Surfaces surfaces) {
-  Scene scene;
-  scene.models = {{.polygons = polygons, .name = "part", .surfaces = surfaces}};
-  scene.views = {{.projection = projection, .name = "view", .hidden = HiddenLines::dashed}};
-  scene.sheets = {{.size = "A4", .scale = AutomaticScale::standard}};
-  Settings settings;
-  settings.threads = 1;  // parts are drawn in parallel
-  return draw(scene, settings);
-}
-
-/// Number of chains of lines, as a pen draws them.
-double strokes_of(const Drawing& drawing) {
-  std::size_t count = 0;
-  for (const SheetLayer& layer : drawing.layers())
-    if (layer.name.starts_with("view/")) count += layer.strokes.size();
-  return static_cast<double>(count);
-}
 
 Ink ink_of(const DrawnView& view) {
   Ink ink;
@@ -114,37 +88,13 @@ Numbers judge(const Part& part, const Direction& direction, Surfaces surfaces, c
   mark_tangent_edges(shape);
   const ExactView exact = exact_view(shape, {x, y, z});
   stage("the drawing");
-  const Drawing drawing = drawing_of(polygons, direction.projection, surfaces);
+  const Drawing drawing = drawing_of({.polygons = polygons, .surfaces = surfaces}, direction);
   stage("the score");
   const DrawnView& view = drawing.views().at(0);
   const auto placed = [&](const std::vector<PlaneLine>& lines) { return on_page(lines, exact, view); };
   const ExactLines lines{placed(exact.visible), placed(exact.hidden), placed(exact.smooth_visible),
                          placed(exact.smooth_hidden)};
   return numbers_of({score_of(ink_of(view), lines), strokes_of(drawing), static_cast<double>(exact.lost)});
-}
-
-/// The number of strokes in each view.
-Numbers count_strokes(const Part& part, double fineness, Surfaces surfaces, const Stage& stage) {
-  stage("the part");
-  const TopoDS_Shape shape = part.make();
-  stage("its triangles");
-  const Polygons polygons = tessellate(shape, fineness);
-  stage("the drawing");
-  Numbers strokes;
-  for (const Direction& direction : directions)
-    strokes.push_back(strokes_of(drawing_of(polygons, direction.projection, surfaces)));
-  return strokes;
-}
-
-std::string sentence_of(const Outcome& outcome) { return *outcome.trouble + " (" + outcome.stage + ")"; }
-
-void print(const std::string& line) {
-  std::printf("%s\n", line.c_str());
-  std::fflush(stdout);
-}
-
-std::string percent(std::size_t count, std::size_t all) {
-  return format_fixed(all > 0 ? 100.0 * static_cast<double>(count) / static_cast<double>(all) : 0, 0) + " %";
 }
 
 double ink_ratio(const Row& row) {
@@ -154,7 +104,7 @@ double ink_ratio(const Row& row) {
 
 std::string row_text(const std::string& part, const Direction& direction, const Row& row) {
   const Score& s = row.score;
-  std::string text = "| " + part + " | " + direction.projection;
+  std::string text = "| " + part + " | " + direction.name;
   for (const double share : {s.recall, s.precision, s.recall_hidden, s.precision_hidden})
     text += " | " + format_fixed(share, 4) + (share < 0.99 ? " *" : "");
   return text + " | " + format_fixed(ink_ratio(row), 3) + " | " + format_fixed(s.loose_ends, 0) + " | " +
@@ -225,7 +175,7 @@ bool judge_all(const std::vector<Part>& parts, const Options& options) {
     const std::string& part = parts[i / directions.size()].name;
     const Direction& direction = directions[i % directions.size()];
     if (outcome.trouble) {
-      print("| " + part + " | " + direction.projection + " | " + sentence_of(outcome) + " |");
+      print("| " + part + " | " + direction.name + " | " + sentence_of(outcome) + " |");
     } else {
       rows.push_back(row_of(outcome.numbers));
       print(row_text(part, direction, rows.back()));
@@ -233,85 +183,6 @@ bool judge_all(const std::vector<Part>& parts, const Options& options) {
   });
   if (!rows.empty()) print_means(rows, works.size());
   return !rows.empty();
-}
-
-/// Whether all numbers are nearly the same as at the usual fineness.
-bool are_same(const std::array<double, finenesses.size()>& strokes) {
-  const double usual = strokes[std::find(finenesses.begin(), finenesses.end(), usual_fineness) - finenesses.begin()];
-  return std::all_of(strokes.begin(), strokes.end(),
-                     [&](double count) { return std::abs(count - usual) <= same_strokes * usual; });
-}
-
-/// Collects the numbers of strokes, which should not depend on the fineness of the tessellation.
-class StrokesByFineness {
- public:
-  explicit StrokesByFineness(const std::vector<Part>& parts) : parts_(parts) {}
-
-  /// Must be called for one part after another, and for each part with all finenesses.
-  void add(std::size_t number, const Outcome& outcome) {
-    outcomes_.push_back(outcome);
-    if (outcomes_.size() < finenesses.size()) return;
-    show(parts_[number / finenesses.size()].name);
-    outcomes_.clear();
-  }
-
-  void print_shares() const {
-    print("\nAs many strokes, within 5 % of those at 1/" + format_number(usual_fineness) + ": " +
-          percent(same_views_, views_) + " of " + std::to_string(views_) + " views, all views of " +
-          percent(same_parts_, drawn_parts_) + " of " + std::to_string(drawn_parts_) +
-          " parts. Parts without a result: " + std::to_string(parts_.size() - drawn_parts_) + ".");
-  }
-
-  [[nodiscard]] bool any() const { return drawn_parts_ > 0; }
-
- private:
-  void show(const std::string& part) {
-    const auto failed =
-        std::find_if(outcomes_.begin(), outcomes_.end(), [](const Outcome& outcome) { return !!outcome.trouble; });
-    if (failed != outcomes_.end()) {
-      print("| " + part + " | " + sentence_of(*failed) + " at 1/" +
-            format_number(finenesses[static_cast<std::size_t>(failed - outcomes_.begin())]) + " |");
-      return;
-    }
-    std::size_t same = 0;
-    for (std::size_t v = 0; v < directions.size(); ++v) {
-      std::array<double, finenesses.size()> strokes{};
-      std::string line = "| " + part + " | " + directions[v].projection;
-      for (std::size_t f = 0; f < finenesses.size(); ++f) {
-        strokes[f] = outcomes_[f].numbers.at(v);
-        line += " | " + format_number(strokes[f]);
-      }
-      print(line + (are_same(strokes) ? " | yes |" : " | no |"));
-      same += are_same(strokes) ? 1 : 0;
-    }
-    views_ += directions.size();
-    same_views_ += same;
-    ++drawn_parts_;
-    same_parts_ += same == directions.size() ? 1 : 0;
-  }
-
-  const std::vector<Part>& parts_;
-  std::vector<Outcome> outcomes_{};
-  std::size_t views_ = 0, same_views_ = 0, drawn_parts_ = 0, same_parts_ = 0;
-};
-
-bool compare_finenesses(const std::vector<Part>& parts, const Options& options) {
-  std::vector<Work> works;
-  for (const Part& part : parts)
-    for (const double fineness : finenesses)
-      works.emplace_back([&part, fineness, &options](const Stage& stage) {
-        return count_strokes(part, fineness, options.surfaces, stage);
-      });
-  std::string head = "| strokes of | view", rule = "|---|---|---|";
-  for (const double fineness : finenesses) {
-    head += " | 1/" + format_number(fineness);
-    rule += "---|";
-  }
-  print(head + " | same |\n" + rule);
-  StrokesByFineness strokes(parts);
-  run_apart(works, options.limits, [&](std::size_t i, const Outcome& outcome) { strokes.add(i, outcome); });
-  strokes.print_shares();
-  return strokes.any();
 }
 
 [[noreturn]] void refuse(const std::string& reason) {
@@ -369,5 +240,7 @@ std::vector<Part> wanted_parts(const Options& options) {
 int main(int argc, char** argv) {
   const Options options = options_of({argv + 1, argv + argc});
   const std::vector<Part> parts = wanted_parts(options);
-  return (options.finenesses ? compare_finenesses : judge_all)(parts, options) ? 0 : 1;
+  const bool any =
+      options.finenesses ? compare_tessellations(parts, options.surfaces, options.limits) : judge_all(parts, options);
+  return any ? 0 : 1;
 }

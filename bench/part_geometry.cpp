@@ -25,9 +25,11 @@
 #include <TopoDS_Face.hxx>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
-#include <optional>
 
+#include "base/file.hpp"
+#include "base/temporary_folder.hpp"
 #include "mesh/weld.hpp"
 
 namespace epura::bench {
@@ -148,6 +150,17 @@ Polygons tessellate(const TopoDS_Shape& part, double fineness) {
   weld(polygons);
   polygons.single_precision = true;
   return polygons;
+}
+
+std::optional<std::string> stl_by_gmsh(const TopoDS_Shape& part, int around) {
+  const TemporaryFolder folder;
+  const std::string shape = (folder / "part.brep").string(), triangles = (folder / "part.stl").string();
+  if (!BRepTools::Write(part, shape.c_str())) throw Standard_Failure("the part cannot be written");
+  const std::string command = "gmsh '" + shape + "' -2 -v 0 -bin -o '" + triangles +
+                              "' -setnumber Mesh.MeshSizeExtendFromBoundary 0 -setnumber Mesh.MeshSizeFromCurvature " +
+                              std::to_string(around) + " >/dev/null 2>&1";
+  if (std::system(command.c_str()) != 0) return std::nullopt;
+  return read_file(triangles);
 }
 
 void mark_tangent_edges(const TopoDS_Shape& shape) {

@@ -7,6 +7,7 @@
 #include <epura/scene.hpp>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ std::vector<Part> parts_in(const std::filesystem::path& path);
 /// The triangles within diagonal / `fineness` of the surfaces, as in an STL file: in 32 bits, and without the faces
 /// they come from.
 Polygons tessellate(const TopoDS_Shape& part, double fineness);
+
+/// The same by another mesher, the program gmsh: the bytes of an STL file with `around` triangles along a full turn;
+/// nothing if it is not installed or cannot mesh the part.
+std::optional<std::string> stl_by_gmsh(const TopoDS_Shape& part, int around);
 
 /// In a plane with axes `right` and `up` of the world.
 using PlaneLine = std::array<Vec2, 2>;

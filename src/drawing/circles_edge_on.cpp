@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "base/portable_math.hpp"
 #include "drawing/polylines.hpp"
 #include "visibility/spans.hpp"
@@ -231,7 +232,7 @@ class Chords {
         ++decided;
         const bool is_new = places.insert(place_of(chord)).second, stays = *left[chord.piece] == whole;
         is_apart = is_apart || (is_new && !stays);
-        nearest = std::min(nearest, std::abs(cross(chord.from, chord.to)) / glm::distance(chord.from, chord.to));
+        nearest = std::min(nearest, distance_to_segment(Vec2(0), chord.from, chord.to));
         farthest = std::max({farthest, glm::length(chord.from), glm::length(chord.to)});
       }
     check(decided == chords_.size(), "every chord is decided about once");

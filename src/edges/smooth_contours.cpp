@@ -98,7 +98,7 @@ class ModelContours {
       if (!line) continue;
       const Vec3 place = nearest_on_segment(from, (*line)[0], (*line)[1]);
       if (glm::distance(place, from) > most_moved * size_of(t)) continue;
-      if (is_straight(placed_, t) && seen_length(place - from, from) > most_rises * rise_at(t)) continue;
+      if (is_straight(placed_, t) && seen_across(place, from, t) > most_rises * rise_at(t)) continue;
       if (nearest && glm::distance(place, from) >= glm::distance(*nearest, from)) continue;
       nearest = place;
       on_triangle = t;
@@ -205,9 +205,10 @@ class ModelContours {
     return part_.faces[static_cast<std::size_t>(part_.face_of_triangle[triangle])].sagitta;
   }
 
-  // The length of a step as the viewer sees it.
-  [[nodiscard]] double seen_length(const Vec3& step, const Vec3& from) const {
-    return glm::length(glm::cross(step, glm::normalize(towards_viewer(from))));
+  // How far the viewer sees a point from the contour of a face, given the nearest place on it. At the contour the
+  // surface is seen edge-on, so of the way to that place, only the part along the normal leads away from its image.
+  [[nodiscard]] double seen_across(const Vec3& place, const Vec3& point, int triangle) const {
+    return std::abs(glm::dot(point - place, features::normal_near(surface_of(triangle), place)));
   }
 
   [[nodiscard]] Vec3 towards_viewer(const Vec3& point) const { return central_ ? projector_ - point : projector_; }

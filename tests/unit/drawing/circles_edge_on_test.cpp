@@ -19,11 +19,11 @@ namespace {
 constexpr int sides = 24;
 constexpr double radius = 20;
 
-// A cylinder about z whose upper rim is turned by half a facet.
-Shape twisted_cylinder() {
+// A cylinder about z whose upper rim is turned by some facets.
+Shape twisted_cylinder(double facets = 0.5) {
   Shape shape;
   for (int i = 0; i < 2 * sides; ++i) {
-    const double angle = (i % sides + (i < sides ? 0 : 0.5)) * 2 * std::numbers::pi / sides;
+    const double angle = (i % sides + (i < sides ? 0 : facets)) * 2 * std::numbers::pi / sides;
     shape.points.push_back({radius * std::cos(angle), radius * std::sin(angle), i < sides ? 0.0 : 10.0});
   }
   std::vector<int> below, above;
@@ -68,6 +68,22 @@ TEST(CirclesEdgeOn, RemovedLinesHaveInkWithinTheStatedDistance) {
     EXPECT_NEAR(nearest * r.unit, rise + moved, 1e-6);
     EXPECT_LE(nearest, drawing.joined_within * (1 + 1e-9));
     EXPECT_LT(drawing.joined_within, 1.01 * nearest);
+  }
+}
+
+// Edges between vertices that lie above each other but for rounding run anywhere on the page, also towards the centre.
+TEST(CirclesEdgeOn, EdgesAlongTheAxisDoNotCount) {
+  for (const double off : {1e-7, 1e-8, 1e-9, 1e-10}) {
+    world::World world = recognised(world_of(twisted_cylinder(off)));
+    for (int vertex = sides; vertex < 2 * sides; vertex += 2)
+      world = with_vertex_moved_outwards(std::move(world), vertex, vertex % 4 == 0 ? off : -off);
+    const Result r = draw(world, from_above());
+    drawing::DrawingOptions options{"top", true};
+    options.near.distance = 0.01;
+    options.near.strength = [](int, int, EdgeKind, bool visible) { return visible ? 2 : 1; };
+    const drawing::ViewDrawing drawing =
+        drawing::make_drawing({r.world, r.view, r.drawn, r.hidden}, {1, Vec2(0)}, options);
+    EXPECT_LE(drawing.joined_within * r.unit, 1.01 * radius * (1 - std::cos(std::numbers::pi / sides))) << off;
   }
 }
 

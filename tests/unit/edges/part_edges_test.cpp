@@ -439,6 +439,42 @@ TEST(SmoothContours, OfFacetsThatATessellationTurnsOverAreNotDrawn) {
   }
 }
 
+// A pipe whose rows of vertices are turned by half a facet against each other, as meshers for computations make them.
+Shape staggered_pipe(double radius, int rows, int sides) {
+  Shape shape;
+  for (int row = 0; row <= rows; ++row)
+    for (int i = 0; i < sides; ++i) {
+      const double a = 2 * pi * (i + 0.5 * (row % 2)) / sides;
+      shape.points.push_back({radius * std::cos(a), radius * std::sin(a), 2.5 * row});
+    }
+  for (int row = 0; row < rows; ++row)
+    for (int i = 0; i < sides; ++i) {
+      const int a = row * sides + i, b = row * sides + (i + 1) % sides, c = a + sides, d = b + sides;
+      if (row % 2 == 0) {
+        shape.faces.push_back({a, b, c});
+        shape.faces.push_back({b, d, c});
+      } else {
+        shape.faces.push_back({a, b, d});
+        shape.faces.push_back({a, d, c});
+      }
+    }
+  return shape;
+}
+
+// Seen obliquely, vertices that lie beside the contour in space are drawn farther along it, but not beside it.
+TEST(SmoothContours, OfAPipeWithoutStripsAreStraight) {
+  constexpr int sides = 60;
+  const double sagitta = 10 * (1 - std::cos(pi / sides));
+  const world::World world = recognised(world_of(staggered_pipe(10, 12, sides)));
+  for (double turn = 0; turn < 6; turn += 0.7) {
+    const double a = turn * pi / 180;
+    const ShownContours shown = shown_contours(world, {std::sin(a), -std::cos(a), 0.7});
+    EXPECT_GE(shown.places.size(), 40U) << turn;
+    for (const Vec2& place : shown.places) EXPECT_NEAR(std::abs(place.x), 10, 1e-3 * sagitta) << turn;
+    EXPECT_LT(shown.moved, 2 * sagitta) << turn;
+  }
+}
+
 TEST(SmoothContours, OfCylindersAndMeshesStay) {
   EXPECT_TRUE(shown_contours(recognised(world_of(cylinder(10, 0, 30, 24))), corner).places.empty());
   EXPECT_TRUE(shown_contours(world_of(revolved(arc(10, 16), 24)), corner).places.empty());

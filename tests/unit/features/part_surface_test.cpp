@@ -146,6 +146,26 @@ TEST(PartSurface, CurvaturesBeginACone) {
   expect_axis(*begun);
 }
 
+// Cones that differ little near few points form a bent valley of the sum of squares, along which a fit must go to the
+// end. The points are those around a facet of a countersink of a mesh without strips.
+TEST(PartSurface, FitFindsAConeThroughAFewPoints) {
+  for (const double size : {0.1, 0.15, 0.2}) {
+    std::vector<Vec3> points;
+    for (int row = -2; row <= 1; ++row)
+      for (int i = -1; i <= 1; ++i) {
+        const double u = size * (i + 0.5 * (row % 2) + 0.1 * row), v = 0.8 * size * (row + 0.1 * i);
+        points.push_back(centre + (0.5 + v) * around(u) + v * axis);
+      }
+    const auto curvatures =
+        features::curvatures_of({centre + 0.5 * around(0), glm::normalize(around(0) - axis), 1}, points);
+    ASSERT_TRUE(curvatures);
+    auto begun = features::begin_cone_by_curvatures(*curvatures, points);
+    ASSERT_TRUE(begun);
+    EXPECT_LT(features::refine(*begun, points), 1e-12) << size;
+    EXPECT_NEAR(std::abs(begun->slope), 1, 1e-8) << size;
+  }
+}
+
 TEST(PartSurface, GivesUpWhereNothingFits) {
   const auto points = points_of([](double u, double v) { return Vec3(u, v, std::sin(9 * u) * std::cos(7 * v)); });
   features::PartSurface surface{features::SurfaceKind::cylinder, Vec3(0), Vec3(0, 0, 1), 1};
