@@ -3,24 +3,19 @@
 //   occ_exact MESH.off LINES.txt
 // reads bodies.txt beside the mesh, and writes visible lines as text. Exit code 77: it has no such surface.
 #include <BRepAlgoAPI_Fuse.hxx>
-#include <BRepPrimAPI_MakeCone.hxx>
-#include <BRepPrimAPI_MakeCylinder.hxx>
-#include <BRepPrimAPI_MakeSphere.hxx>
-#include <BRepPrimAPI_MakeTorus.hxx>
 #include <Standard_Failure.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cstdio>
 #include <filesystem>
-#include <gp_Ax2.hxx>
 #include <optional>
-#include <sstream>
+#include <string>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "base/text.hpp"
 #include "part_geometry.hpp"
 #include "rows.hpp"
 #include "say.hpp"
+#include "study_bodies.hpp"
 
 namespace {
 
@@ -29,37 +24,12 @@ using namespace epura;
 constexpr int cannot_draw = 77;
 constexpr double curve_fineness = 1e7;
 
-gp_Ax2 read_frame(std::istream& row) {
-  std::array<double, 9> n{};
-  for (double& number : n) row >> number;
-  return {gp_Pnt(n[0], n[1], n[2]), gp_Dir(n[3], n[4], n[5]), gp_Dir(n[6], n[7], n[8])};
-}
-
-// Nothing for other kinds of bodies.
-std::optional<TopoDS_Shape> make_body(const std::string& text) {
-  std::istringstream row(text);
-  std::string kind;
-  double radius = 0, second = 0, height = 0;
-  row >> kind >> radius;
-  if (kind == "sphere") return BRepPrimAPI_MakeSphere(read_frame(row), radius).Shape();
-  row >> second;
-  if (kind == "torus") return BRepPrimAPI_MakeTorus(read_frame(row), radius, second).Shape();
-  row >> height;
-  if (kind != "frustum") return std::nullopt;
-  const gp_Ax2 frame = read_frame(row);
-  if (radius == second) return BRepPrimAPI_MakeCylinder(frame, radius, height).Shape();
-  return BRepPrimAPI_MakeCone(frame, radius, second, height).Shape();
-}
-
 // Bodies that cross are one, so that there are edges where they do.
 std::optional<TopoDS_Shape> make_all(const std::string& text) {
+  const auto bodies = bench::bodies_of(text);
+  if (!bodies) return std::nullopt;
   std::optional<TopoDS_Shape> all;
-  for (const std::string_view row : split(text, '\n')) {
-    if (row.empty()) continue;
-    const auto body = make_body(std::string(row));
-    if (!body) return std::nullopt;
-    all = all ? BRepAlgoAPI_Fuse(*all, *body).Shape() : *body;
-  }
+  for (const TopoDS_Shape& body : *bodies) all = all ? BRepAlgoAPI_Fuse(*all, body).Shape() : body;
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/convex_hull.hpp"
 #include "base/portable_math.hpp"
 
 namespace epura::construction {
@@ -348,30 +349,6 @@ struct Candidate {
   Vec3 point;
 };
 
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
-
-// Counterclockwise.
-std::vector<Candidate> convex_hull(std::vector<Candidate> all) {
-  const auto before = [](const Candidate& a, const Candidate& b) {
-    return std::pair(a.image.x, a.image.y) < std::pair(b.image.x, b.image.y);
-  };
-  std::stable_sort(all.begin(), all.end(), before);
-  std::vector<Candidate> hull;
-  const auto add_side = [&hull](const auto& first, const auto& last) {
-    const std::size_t start = hull.size();
-    for (auto i = first; i != last; ++i) {
-      while (hull.size() >= start + 2 && turn(hull[hull.size() - 2].image, hull.back().image, i->image) <= 0)
-        hull.pop_back();
-      hull.push_back(*i);
-    }
-    hull.pop_back();
-  };
-  if (all.size() < 3) return all;
-  add_side(all.begin(), all.end());
-  add_side(all.rbegin(), all.rend());
-  return hull;
-}
-
 }  // namespace
 
 SetUp set_up(const SetUpInput& input) { return Builder(input).made(); }
@@ -390,7 +367,8 @@ std::vector<Vec3> outline_points(const Projection& projection, const projection:
     const Vec2 nearest = glm::clamp(image, volume.window.min - margin, volume.window.max + margin);
     if (image == nearest) candidates.push_back({image, point});
   }
-  std::vector<Candidate> hull = convex_hull(std::move(candidates));
+  std::vector<Candidate> hull =
+      convex_hull(std::move(candidates), [](const Candidate& one) -> const Vec2& { return one.image; });
   // The corner that cuts off least goes first.
   while (hull.size() > most) {
     const auto area = [&hull](std::size_t i) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "base/circle_fit.hpp"
 #include "base/curve_runs.hpp"
@@ -25,6 +26,7 @@ constexpr double least_turn = 30 * degree;
 constexpr double much_better = 5;
 constexpr double most_step = 30.001 * degree;
 constexpr double most_known_step = 90.001 * degree;
+constexpr double part_if_exact = 0.1;  // of the tolerance
 constexpr double least_radius_in_tolerances = 10;
 constexpr double least_radius = 0.05;  // mm; no line is narrower
 constexpr double most_radius = 1e5;    // mm
@@ -209,7 +211,24 @@ void begin_at(Chain& chain, int first) {
   if (side_by_side) std::rotate(chain.segments.begin(), chain.segments.begin() + first, chain.segments.end());
 }
 
-CurveReport find_in(Chain& chain, Line line, double most_rise) {
+CurveReport report_of(const Fit& fit) { return {fit.circle ? 1 : 0, fit.circle ? 0 : 1, fit.deviation, fit.rise}; }
+
+// What is left of one or two facets between lines that hide the rest: both ends may lie on chords.
+CurveReport find_short(Chain& chain, const Line& line, double most_rise) {
+  if (chain.closed || line.circles[0] < 0 || line.circles[0] != line.circles[chain.points.size() - 2]) return {};
+  const Ellipse& ellipse = line.known.ellipses[static_cast<std::size_t>(line.circles[0])];
+  std::vector<Vec2> points = chain.points;
+  for (Vec2* end : {&points.front(), &points.back()}) *end = ellipse.at(ellipse.angle_of(*end));
+  const std::optional<Fit> fit = line.along(ellipse, points, true);
+  if (!fit || fit->rise > most_rise) return {};
+  chain.points = std::move(points);
+  chain.curves = {{0, static_cast<int>(chain.points.size()) - 1, ellipse.centre, ellipse.u, ellipse.v, fit->from,
+                   fit->from + fit->sweep}};
+  return report_of(*fit);
+}
+
+CurveReport find_in(Chain& chain, const Line& line, double most_rise) {
+  if (chain.points.size() <= least_known_corners) return find_short(chain, line, most_rise);
   const double tolerance = line.tolerance;
   const auto window = [&](int first, int max) { return line.window(first, max); };
   const auto fit = [&](int first, int last) { return line.fit(first, last); };
@@ -228,7 +247,7 @@ CurveReport find_in(Chain& chain, Line line, double most_rise) {
   for (const CurveRun<Fit>& run : runs) {
     check(run.first < run.last && run.curve.deviation <= tolerance, "corners of an arc lie on it");
     chain.curves.push_back(part_of(chain, run, tolerance));
-    report += {run.curve.circle ? 1 : 0, run.curve.circle ? 0 : 1, run.curve.deviation, run.curve.rise};
+    report += report_of(run.curve);
   }
   for (std::size_t i = 1; i < chain.curves.size(); ++i)
     check(chain.curves[i - 1].last <= chain.curves[i].first, "the arcs of a line are in order");
@@ -245,15 +264,17 @@ CurveReport& CurveReport::operator+=(const CurveReport& other) {
   return *this;
 }
 
-CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const KnownCircles& known,
-                        const Progress& progress, double most_rise) {
+CurveReport find_curves(std::vector<Chain>& chains, const CurveLimits& limits, const KnownCircles& known,
+                        const Progress& progress) {
   progress.begin("finding arcs", chains.size());
   std::vector<CurveReport> reports(chains.size());
   parallel_for(chains.size(), 64, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::span<const int> circles = known.of_chain.empty() ? std::span<const int>() : known.of_chain[i];
-      if (chains[i].points.size() > least_edges || (!circles.empty() && chains[i].points.size() > least_known_corners))
-        reports[i] = find_in(chains[i], {chains[i], tolerance, known, circles}, most_rise);
+      const bool exact = !limits.exact.empty() && limits.exact[i] != 0;
+      const double tolerance = exact ? part_if_exact * limits.tolerance : limits.tolerance;
+      if (chains[i].points.size() > least_edges || !circles.empty())
+        reports[i] = find_in(chains[i], {chains[i], tolerance, known, circles}, limits.most_rise);
     }
     progress.advance(end - begin);
   });

@@ -20,14 +20,22 @@ struct CurveReport {
   CurveReport& operator+=(const CurveReport& other);
 };
 
-/// Fills Chain::curves: greedily takes the longest runs of corners that lie within `tolerance` mm of a circle, or else
+/// How closely lines are taken for curves; lengths in mm.
+struct CurveLimits {
+  double tolerance;             ///< greatest distance of corners from their curve
+  double most_rise = HUGE_VAL;  ///< curves that rise more over a chord are left out
+  std::vector<char> exact =
+      {};  ///< by chain: whether its corners are known better than that, and keep to a tenth of it
+};
+
+/// Fills Chain::curves: greedily takes the longest runs of corners that lie within the tolerance of a circle, or else
 /// of an ellipse. A circle in space is an ellipse on paper, on which its corners keep their angles. A run goes around
 /// in one direction, in steps of at most 30 degrees of the curve's angle, so that polygons with fewer than twelve sides
 /// stay polygons; it has at least eight corners and turns by at least 30 degrees. An end of an open line that lies on a
 /// chord of the curve is moved onto the curve. A closed line is made to begin where no curve continues past its end.
-/// On a known circle, two corners are enough, and steps may be up to 90 degrees. Curves that rise more than `most_rise`
-/// mm over a chord are left out. Throws OutOfTime.
-CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const KnownCircles& known = {},
-                        const Progress& progress = {}, double most_rise = HUGE_VAL);
+/// On a known circle, two corners are enough, and steps may be up to 90 degrees; a whole open line on it needs no
+/// corner. Throws OutOfTime.
+CurveReport find_curves(std::vector<Chain>& chains, const CurveLimits& limits, const KnownCircles& known = {},
+                        const Progress& progress = {});
 
 }  // namespace epura::drawing

@@ -30,6 +30,18 @@ Vec2 position_on_curve(const CurvePart& curve, double angle) {
   return curve.centre + portable_cos(angle) * curve.u + portable_sin(angle) * curve.v;
 }
 
+std::vector<Vec2> outermost_places(const CurvePart& curve) {
+  const auto [low, high] = std::minmax(curve.from, curve.to);
+  std::vector<Vec2> places;
+  for (const int axis : {0, 1}) {
+    const double first = portable_atan2(curve.v[axis], curve.u[axis]);
+    const double half_turns = std::ceil((low - first) / std::numbers::pi);
+    for (double angle = first + half_turns * std::numbers::pi; angle <= high; angle += std::numbers::pi)
+      places.push_back(position_on_curve(curve, angle));
+  }
+  return places;
+}
+
 std::vector<double> corner_angles(const CurvePart& curve, const std::vector<Vec2>& points) {
   std::vector<double> angles{curve.from};
   for (int i = curve.first + 1; i < curve.last; ++i) {

@@ -12,6 +12,9 @@ namespace epura::drawing {
 /// Returns the point of a curve at an angle.
 Vec2 position_on_curve(const CurvePart& curve, double angle);
 
+/// Returns where a curve, between its ends, reaches farthest along either axis of the page.
+std::vector<Vec2> outermost_places(const CurvePart& curve);
+
 /// Returns the angles of the points first ... last of a polyline, from curve.from to curve.to.
 std::vector<double> corner_angles(const CurvePart& curve, const std::vector<Vec2>& points);
 

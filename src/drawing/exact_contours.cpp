@@ -14,9 +14,9 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "drawing/conic_fit.hpp"
+#include "drawing/page_curve.hpp"
 #include "drawing/places.hpp"
-#include "search/line_cells.hpp"
-#include "world/placed_part.hpp"
+#include "search/lines_by_cell.hpp"
 
 namespace epura::drawing {
 
@@ -27,8 +27,6 @@ using features::SurfaceKind;
 
 // Millimetres between a line and the edge of the mesh that it shows; others are on the surface already.
 constexpr double same_place = 1e-6;
-// Lines at smaller angles do not cross.
-constexpr double least_sine = 1e-6;
 // Radians about the axis between the ends of a generator, which files round.
 constexpr double most_turn = 1e-3;
 
@@ -60,39 +58,6 @@ Vec3 on_surface(const PartSurface& surface, const Vec3& point, const Vec3& away)
   return surface.origin + height * surface.axis + (surface.radius + surface.slope * height) * away;
 }
 
-/// The cylinders and cones of a model.
-class Model {
- public:
-  explicit Model(const world::Placed& placed) : placed_(&placed), part_(world::place_part(placed)) {}
-
-  struct Edge {
-    std::array<Vec3, 2> ends;  ///< in the world
-    const PartSurface* surface;
-  };
-
-  // The edge of the file that a segment shows, if it lies inside a cylinder or cone.
-  [[nodiscard]] std::optional<Edge> inside(const Segment& segment) const {
-    if (!part_ || segment.edge[0] < 0) return std::nullopt;
-    const mesh::Mesh& mesh = placed_->mesh->whole();
-    const mesh::MeshEdge* edge =
-        mesh.edge_between({std::min(segment.edge[0], segment.edge[1]), std::max(segment.edge[0], segment.edge[1])});
-    if (edge == nullptr) return std::nullopt;
-    const std::span<const int> beside = mesh.triangles_of(*edge);
-    const auto face = [&](std::size_t i) {
-      return placed_->part->face_of_triangle[static_cast<std::size_t>(beside[i])];
-    };
-    if (beside.size() != 2 || face(0) < 0 || face(0) != face(1)) return std::nullopt;
-    const PartSurface& surface = part_->faces[static_cast<std::size_t>(face(0))].surface;
-    if (surface.kind != SurfaceKind::cylinder && surface.kind != SurfaceKind::cone) return std::nullopt;
-    const auto end = [&](std::size_t i) { return Vec3(placed_->to_world * Vec4(mesh.point(segment.edge[i]), 1)); };
-    return Edge{{end(0), end(1)}, &surface};
-  }
-
- private:
-  const world::Placed* placed_;
-  std::optional<world::PlacedPart> part_;
-};
-
 struct Line {
   Vec2 from, to;
 };
@@ -106,76 +71,42 @@ struct Moved {
 /// Part of a line of the drawing that may hide others, as facets have it and as it is drawn.
 struct Occluder {
   Line facets;
-  std::optional<Ellipse> arc{};
-  std::optional<Line> contour{};  ///< moved
-  bool crosses_faces = false;     ///< where two faces meet, which is as inaccurate as facets are
-  bool visible = true;
-
-  [[nodiscard]] bool is_moved() const { return arc || contour; }
+  PageCurve drawn;
+  bool is_moved;  ///< it is drawn elsewhere
+  bool is_arc;
+  bool visible;
+  int chain = -1;  ///< its number; -1 for a contour
 };
-
-// Where a line crosses what is drawn of an occluder, nearest to its beginning.
-std::optional<Vec2> crossing(const Line& line, const Occluder& occluder) {
-  const Vec2 along = glm::normalize(line.to - line.from);
-  double at = HUGE_VAL;
-  if (occluder.arc) {
-    const Ellipse& e = *occluder.arc;
-    const auto local = [&](const Vec2& p) {
-      return Vec2(glm::dot(p, e.u) / glm::dot(e.u, e.u), glm::dot(p, e.v) / glm::dot(e.v, e.v));
-    };
-    const Vec2 p = local(line.from - e.centre), d = local(along);
-    const double a = glm::dot(d, d), b = glm::dot(p, d), root = b * b - a * (glm::dot(p, p) - 1);
-    if (!(root >= 0)) return std::nullopt;
-    const double one = (-b - std::sqrt(root)) / a, other = (-b + std::sqrt(root)) / a;
-    at = std::abs(one) < std::abs(other) ? one : other;
-  } else {
-    const Line& other = occluder.contour ? *occluder.contour : occluder.facets;
-    const Vec2 direction = glm::normalize(other.to - other.from);
-    const double sine = cross(along, direction);
-    if (!(std::abs(sine) > least_sine)) return std::nullopt;
-    at = cross(other.from - line.from, direction) / sine;
-  }
-  return std::abs(at) <= glm::distance(occluder.facets.from, occluder.facets.to) ? std::optional(line.from + at * along)
-                                                                                 : std::nullopt;
-}
 
 /// The occluders at a place.
 class Occluders {
  public:
-  explicit Occluders(std::vector<Occluder> all) : all_(std::move(all)) {
-    Vec2 min(HUGE_VAL), max(-HUGE_VAL);
-    for (const Occluder& one : all_) {
-      min = glm::min(min, glm::min(one.facets.from, one.facets.to));
-      max = glm::max(max, glm::max(one.facets.from, one.facets.to));
-    }
-    const int side = std::clamp(static_cast<int>(std::sqrt(all_.size())), 1, 512);
-    grid_ = {min, glm::max(max - min, Vec2(1)) / static_cast<double>(side), side, side};
-    in_cell_.resize(static_cast<std::size_t>(grid_.count()));
-    for (std::size_t i = 0; i < all_.size(); ++i)
-      search::visit_cells(grid_, all_[i].facets.from, all_[i].facets.to, 0,
-                          [&](int cell, double, double) { in_cell_[static_cast<std::size_t>(cell)].push_back(i); });
+  /// Those at a place are within `distance` of it, mm.
+  Occluders(std::vector<Occluder> all, double distance)
+      : all_(std::move(all)), distance_(distance), cells_(all_.size(), distance, [&](std::size_t i) {
+          return std::array{all_[i].facets.from, all_[i].facets.to};
+        }) {}
+
+  [[nodiscard]] bool has_arc_at(const Vec2& place) const {
+    const auto here = cells_.at(place);
+    return std::any_of(here.begin(), here.end(),
+                       [&](std::size_t i) { return all_[i].is_arc && is_at(all_[i], place); });
   }
 
-  template <class Is>
-  [[nodiscard]] bool any_at(const Vec2& place, double distance, const Is& is) const {
-    const auto& here = at(place);
-    return std::any_of(here.begin(), here.end(), [&](std::size_t i) {
-      return is(all_[i]) && distance_to_segment(place, all_[i].facets.from, all_[i].facets.to) <= distance;
-    });
-  }
-
-  // Where a moved line ends that ended within `distance` of an occluder; what has moved hides before what has not.
-  [[nodiscard]] std::optional<Vec2> end_of(const Line& line, const Vec2& end, double distance) const {
+  /// Where a line ends that facets end at `end`, at an occluder. What is drawn elsewhere hides before
+  /// what is not. A straight line that is not drawn elsewhere itself ends where facets have it, unless such a line
+  /// hides it.
+  [[nodiscard]] std::optional<Vec2> end_of(const Occluder& line, const Vec2& end) const {
     std::optional<Vec2> nearest;
     for (const bool moved : {true, false}) {
-      for (const std::size_t i : at(end)) {
+      if (!moved && !line.is_moved) return std::nullopt;
+      for (const std::size_t i : cells_.at(end)) {
         const Occluder& one = all_[i];
-        if (!one.visible || one.is_moved() != moved ||
-            distance_to_segment(end, one.facets.from, one.facets.to) > distance)
-          continue;
-        const auto place = crossing(line, one);
-        if (place && (!nearest || glm::distance(*place, line.from) < glm::distance(*nearest, line.from)))
-          nearest = place;
+        const bool is_own = one.chain >= 0 && one.chain == line.chain;
+        if (!one.visible || one.is_moved != moved || is_own || !is_at(one, end)) continue;
+        const auto place = crossing_near(line.drawn, one.drawn, end);
+        if (!place || glm::distance(*place, end) > length_of(one.facets)) continue;
+        if (!nearest || glm::distance(*place, end) < glm::distance(*nearest, end)) nearest = place;
       }
       if (nearest) return nearest;
     }
@@ -183,129 +114,238 @@ class Occluders {
   }
 
  private:
-  [[nodiscard]] const std::vector<std::size_t>& at(const Vec2& place) const {
-    return in_cell_[static_cast<std::size_t>(grid_.cell(grid_.column(place.x), grid_.row(place.y)))];
+  static double length_of(const Line& line) { return glm::distance(line.from, line.to); }
+  [[nodiscard]] bool is_at(const Occluder& one, const Vec2& place) const {
+    return distance_to_segment(place, one.facets.from, one.facets.to) <= distance_;
   }
 
   std::vector<Occluder> all_;
-  search::CellGrid grid_{};
-  std::vector<std::vector<std::size_t>> in_cell_;
+  double distance_;
+  search::LinesByCell cells_;
 };
+
+Ellipse ellipse_of(const CurvePart& curve) { return {curve.centre, curve.u, curve.v}; }
+
+// Moves one end of an arc along it. Returns false if nothing would be left of the arc.
+bool move_end(double& moved, double other, double turn) {
+  if (!((moved + turn - other) * (moved - other) > 0)) return false;
+  moved += turn;
+  return true;
+}
 
 class Mover {
  public:
-  Mover(const world::World& world, ViewDrawing& drawing)
-      : drawing_(drawing), towards_viewer_(glm::normalize(drawing.projection.projector)), moved_(drawing.coincident) {
-    for (const world::Placed& placed : world.models) models_.emplace_back(placed);
-  }
+  Mover(const PartEdges& edges, const ExactCrossings& crossings, const std::vector<EndsOnFacets>& ends,
+        ViewDrawing& drawing)
+      : edges_(edges),
+        crossings_(crossings),
+        ends_(ends),
+        drawing_(drawing),
+        towards_viewer_(glm::normalize(drawing.projection.projector)),
+        moved_(drawing.coincident) {}
 
-  double move() {
+  void move() {
     std::vector<Moved> contours;
     for (const Segment& segment : drawing_.segments)
       if (segment.kind == EdgeKind::contour && !is_link(segment))
         if (const auto moved = moved_contour(segment)) contours.push_back(*moved);
-    if (contours.empty()) return 0;
-    const Occluders occluders(all_occluders(contours));
+    const Occluders occluders(all_occluders(contours), drawing_.coincident);
     for (const Moved& contour : contours) {
       if (!can_move(occluders, contour.facets.from, contour.ends_in_edge[0])) continue;
       if (!can_move(occluders, contour.facets.to, contour.ends_in_edge[1])) continue;
-      add_end(occluders, contour.facets.from, contour.surface, contour.ends_in_edge[0]);
-      add_end(occluders, contour.facets.to, {contour.surface.to, contour.surface.from}, contour.ends_in_edge[1]);
+      add_end(occluders, contour, 0);
+      add_end(occluders, contour, 1);
     }
     for (Chain& chain : drawing_.chains) move(chain);
-    return farthest_;
+    // Visible lines first: their hidden parts end at the same places.
+    for (const bool visible : {true, false})
+      for (std::size_t i = 0; i < drawing_.chains.size(); ++i)
+        if (drawing_.chains[i].visible == visible && !drawing_.chains[i].closed) move_ends(occluders, i);
   }
 
  private:
   [[nodiscard]] Vec2 on_page(const Vec3& point) const { return Vec2(drawing_.world_to_page * Vec4(point, 1)); }
 
+  // The surface of the cylinder or cone inside which an edge lies along a generator.
+  [[nodiscard]] const PartSurface* surface_of(const Segment& segment) const {
+    const features::PartFace* face = edges_.face_around(segment);
+    if (face == nullptr) return nullptr;
+    const PartSurface& surface = face->surface;
+    if (surface.kind != SurfaceKind::cylinder && surface.kind != SurfaceKind::cone) return nullptr;
+    const bool along = is_along_generator(surface, edges_.place_on(segment, 0), edges_.place_on(segment, 1));
+    return along ? &surface : nullptr;
+  }
+
   [[nodiscard]] std::optional<Moved> moved_contour(const Segment& segment) const {
-    const auto edge = models_[static_cast<std::size_t>(segment.model)].inside(segment);
-    if (!edge || !is_along_generator(*edge->surface, edge->ends[0], edge->ends[1])) return std::nullopt;
-    const auto generators = generators_of(*edge->surface, towards_viewer_);
+    const PartSurface* surface = surface_of(segment);
+    if (surface == nullptr) return std::nullopt;
+    const auto generators = generators_of(*surface, towards_viewer_);
     if (!generators) return std::nullopt;
-    const auto at = [&](double t) { return edge->ends[0] + t * (edge->ends[1] - edge->ends[0]); };
-    const Vec3 out = at(0.5) - edge->surface->origin;
+    const Vec3 out = edges_.place_on(segment, 0.5) - surface->origin;
     const bool first = glm::dot(out, (*generators)[0]) > glm::dot(out, (*generators)[1]);
     const Vec3& away = (*generators)[first ? 0 : 1];
-    const Vec3 from = at(segment.t[0]), to = at(segment.t[1]);
-    if (!(glm::distance(on_page(from), segment.from) <= same_place)) return std::nullopt;
-    if (!(glm::distance(on_page(to), segment.to) <= same_place)) return std::nullopt;
-    const auto moved = [&](const Vec3& point) { return on_page(on_surface(*edge->surface, point, away)); };
+    // Not those of the segment: its ends may have moved along the edge, to what hides the rest of it.
+    const Vec2 begin = on_page(edges_.place_on(segment, 0)), along = on_page(edges_.place_on(segment, 1)) - begin;
+    const auto parameter = [&](const Vec2& end) { return glm::dot(end - begin, along) / glm::dot(along, along); };
+    const double first_t = parameter(segment.from), last_t = parameter(segment.to);
+    if (!(glm::distance(begin + first_t * along, segment.from) <= same_place)) return std::nullopt;
+    if (!(glm::distance(begin + last_t * along, segment.to) <= same_place)) return std::nullopt;
+    const Vec3 from = edges_.place_on(segment, first_t), to = edges_.place_on(segment, last_t);
+    const auto moved = [&](const Vec3& point) { return on_page(on_surface(*surface, point, away)); };
     const auto is_inside = [](double t) { return t != 0 && t != 1; };
     return Moved{
         {segment.from, segment.to}, {moved(from), moved(to)}, {is_inside(segment.t[0]), is_inside(segment.t[1])}};
   }
 
+  [[nodiscard]] static Occluder occluder_of(const Moved& contour) {
+    return {contour.facets, PageCurve(contour.surface.from, contour.surface.to), true, false, true};
+  }
+
   // Lines as they are before any of them moves.
   [[nodiscard]] std::vector<Occluder> all_occluders(const std::vector<Moved>& contours) const {
     std::vector<Occluder> all;
-    for (const Moved& contour : contours) all.push_back({contour.facets, {}, contour.surface});
-    for (const Chain& chain : drawing_.chains) {
-      const std::size_t count = chain.points.size();
-      for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < count; ++i)
-        all.push_back({{chain.points[i], chain.points[(i + 1) % count]},
-                       {},
-                       {},
-                       chain.kind == EdgeKind::intersection,
-                       chain.visible});
+    for (const Moved& contour : contours) all.push_back(occluder_of(contour));
+    for (std::size_t number = 0; number < drawing_.chains.size(); ++number) {
+      const Chain& chain = drawing_.chains[number];
+      const std::size_t count = chain.points.size(), first = all.size();
+      for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < count; ++i) {
+        const Line line{chain.points[i], chain.points[(i + 1) % count]};
+        all.push_back({line, PageCurve(line.from, line.to), false, false, chain.visible, static_cast<int>(number)});
+      }
+      if (!chain.closed) {
+        all[first].facets.from = ends_[number][0];
+        all.back().facets.to = ends_[number][1];
+      }
       for (const CurvePart& curve : chain.curves) {
         check(curve.first >= 0 && curve.last - curve.first <= static_cast<int>(count), "an arc is a part of its line");
-        for (int i = curve.first; i < curve.last; ++i)
-          all[all.size() - count + (chain.closed ? 0 : 1) + static_cast<std::size_t>(i) % count].arc =
-              Ellipse{curve.centre, curve.u, curve.v};
+        for (int i = curve.first; i < curve.last; ++i) {
+          Occluder& one = all[first + static_cast<std::size_t>(i) % count];
+          one.drawn = PageCurve(ellipse_of(curve));
+          one.is_moved = one.is_arc = true;
+        }
       }
     }
     return all;
   }
 
-  // Whether a contour still meets what it ends at: the arc of a rim, or what hides the rest of it.
+  // Whether a contour still meets what it ends at: the arc of a rim, the crossing with another surface, or what hides
+  // the rest of it.
   [[nodiscard]] bool can_move(const Occluders& occluders, const Vec2& end, bool ends_in_edge) const {
-    if (!ends_in_edge)
-      return occluders.any_at(end, drawing_.coincident, [](const Occluder& one) { return one.arc.has_value(); });
-    return !occluders.any_at(end, drawing_.coincident, [](const Occluder& one) { return one.crosses_faces; });
+    if (!ends_in_edge) return occluders.has_arc_at(end);
+    return !crossings_.is_node(end) || crossings_.moved(end);
   }
 
-  // `surface` begins at the end that moves.
-  void add_end(const Occluders& occluders, const Vec2& end, const Line& surface, bool ends_in_edge) {
-    Vec2 place = surface.from;
-    if (ends_in_edge) place = occluders.end_of(surface, end, drawing_.coincident).value_or(place);
+  void add_end(const Occluders& occluders, const Moved& contour, std::size_t number) {
+    const Vec2& end = number == 0 ? contour.facets.from : contour.facets.to;
+    Vec2 place = number == 0 ? contour.surface.from : contour.surface.to;
+    if (const auto met = crossings_.moved(end))
+      place = *met;
+    else if (contour.ends_in_edge[number])
+      place = occluders.end_of(occluder_of(contour), end).value_or(place);
     moved_.add(end, place);
-    farthest_ = std::max(farthest_, glm::distance(end, place));
   }
 
   // Arcs through a place go on as they are; those that end there end where the contour touches them.
   void move(Chain& chain) const {
     const int count = static_cast<int>(chain.points.size());
     for (int i = 0; i < count; ++i) {
-      Vec2& point = chain.points[static_cast<std::size_t>(i)];
-      const Vec2* moved = moved_.find(point);
+      const Vec2* moved = moved_.find(chain.points[static_cast<std::size_t>(i)]);
       if (moved == nullptr) continue;
       bool inside = false;
       for (const CurvePart& curve : chain.curves)
         inside = inside || (curve.first < i && i < curve.last) || (curve.first < i + count && i + count < curve.last);
-      if (inside) continue;
-      for (CurvePart& curve : chain.curves) {
-        const Ellipse ellipse{curve.centre, curve.u, curve.v};
-        const double turn = std::remainder(ellipse.angle_of(*moved) - ellipse.angle_of(point), 2 * std::numbers::pi);
-        if (curve.first == i) curve.from += turn;
-        if (curve.last == i || curve.last == i + count) curve.to += turn;
-      }
-      point = *moved;
+      if (!inside) move_point(chain, i, *moved);
     }
   }
 
+  static void move_point(Chain& chain, int i, const Vec2& place) {
+    const int count = static_cast<int>(chain.points.size());
+    Vec2& point = chain.points[static_cast<std::size_t>(i)];
+    for (CurvePart& curve : chain.curves) {
+      const Ellipse ellipse = ellipse_of(curve);
+      const double turn = std::remainder(ellipse.angle_of(place) - ellipse.angle_of(point), 2 * std::numbers::pi);
+      if (curve.first == i && !move_end(curve.from, curve.to, turn)) return;
+      if ((curve.last == i || curve.last == i + count) && !move_end(curve.to, curve.from, turn)) return;
+    }
+    point = place;
+  }
+
+  // Whether something hides the rest of the edge at the end of a line.
+  [[nodiscard]] bool ends_in_edge(const Segment& segment, const Vec2& end) const {
+    if (is_link(segment)) return false;
+    const bool is_first = glm::distance(segment.from, end) < glm::distance(segment.to, end);
+    const double t = segment.t[is_first ? 0 : 1];
+    return glm::distance(is_first ? segment.from : segment.to, end) <= drawing_.coincident && t != 0 && t != 1;
+  }
+
+  void move_ends(const Occluders& occluders, std::size_t number) {
+    Chain& chain = drawing_.chains[number];
+    for (const bool front : {true, false}) {
+      const Vec2& end = ends_[number][front ? 0 : 1];
+      const int segment = front ? chain.segments.front() : chain.segments.back();
+      auto place = end_on_page(occluders, number, front, drawing_.segments[static_cast<std::size_t>(segment)]);
+      while (place && is_before_last_line(chain, front, *place)) {
+        drop_end(chain, front);
+        place = end_on_page(occluders, number, front, drawing_.segments[static_cast<std::size_t>(segment)]);
+      }
+      if (!place) continue;
+      move_point(chain, front ? 0 : static_cast<int>(chain.points.size()) - 1, *place);
+      if (moved_.find(end) == nullptr) moved_.add(end, *place);
+    }
+  }
+
+  // Whether a line of many chords ends before the last of them.
+  static bool is_before_last_line(const Chain& chain, bool front, const Vec2& place) {
+    const std::size_t last = chain.points.size() - 1;
+    if (last < 2) return false;
+    for (const CurvePart& curve : chain.curves)
+      if (front ? curve.first <= 1 : curve.last >= static_cast<int>(last) - 1) return false;
+    const Vec2 &end = chain.points[front ? 0 : last], &before = chain.points[front ? 1 : last - 1];
+    return glm::dot(place - before, end - before) < 0;
+  }
+
+  static void drop_end(Chain& chain, bool front) {
+    if (!front) return chain.points.pop_back();
+    chain.points.erase(chain.points.begin());
+    for (CurvePart& curve : chain.curves) {
+      --curve.first;
+      --curve.last;
+    }
+  }
+
+  // Where a line ends; nothing if it ends where it is.
+  [[nodiscard]] std::optional<Vec2> end_on_page(const Occluders& occluders, std::size_t number, bool front,
+                                                const Segment& segment) const {
+    const Chain& chain = drawing_.chains[number];
+    const Vec2& end = ends_[number][front ? 0 : 1];
+    if (const Vec2* moved = moved_.find(end)) return *moved;
+    if (const auto crossed = crossings_.moved(end)) return crossed;
+    if (!ends_in_edge(segment, end)) return std::nullopt;
+    const std::size_t last = chain.points.size() - 1;
+    const Line line = front ? Line{chain.points[1], chain.points[0]} : Line{chain.points[last - 1], chain.points[last]};
+    Occluder own{line, PageCurve(line.from, line.to), false, false, chain.visible, static_cast<int>(number)};
+    for (const CurvePart& curve : chain.curves)
+      if (front ? curve.first == 0 : curve.last == static_cast<int>(last)) {
+        own.drawn = PageCurve(ellipse_of(curve));
+        own.is_moved = true;
+      }
+    own.is_moved = own.is_moved || segment.crossing >= 0;
+    return occluders.end_of(own, end);
+  }
+
+  const PartEdges& edges_;
+  const ExactCrossings& crossings_;
+  const std::vector<EndsOnFacets>& ends_;
   ViewDrawing& drawing_;
   Vec3 towards_viewer_;
-  std::vector<Model> models_{};
-  Places<Vec2> moved_;  ///< by the place of the end of a contour
-  double farthest_ = 0;
+  Places<Vec2> moved_;  ///< by the place of the end on facets
 };
 
 }  // namespace
 
-double move_contours(const world::World& world, ViewDrawing& drawing) {
-  return drawing.projection.central ? 0 : Mover(world, drawing).move();
+void move_contours(const PartEdges& edges, const ExactCrossings& crossings, const std::vector<EndsOnFacets>& ends,
+                   ViewDrawing& drawing) {
+  if (!drawing.projection.central) Mover(edges, crossings, ends, drawing).move();
 }
 
 }  // namespace epura::drawing

@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws contours of recognised cylinders and cones on the surface.
+// Draws contours of recognised cylinders and cones on the surface, and ends lines where what hides the rest of them is
+// drawn.
 //
-// Facets draw an edge up to half a facet beside the generator whose normal is perpendicular to the projectors. On the
+// Facets draw a contour up to half a facet beside the generator whose normal is perpendicular to the projectors. On the
 // page, this generator touches the ellipses of the rims, beyond their chords: so only drawings with arcs have room for
 // it. Arcs that end at the edge are made to end where the generator touches them, and the generator where it meets what
-// hides the rest of it.
+// hides the rest of it. So do all lines that arcs or such contours hide, and arcs that anything hides: facets hide them
+// elsewhere.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "drawing/drawing.hpp"
-#include "world/world.hpp"
+#include "drawing/exact_crossings.hpp"
+#include "drawing/part_edges.hpp"
 
 namespace epura::drawing {
 
-/// Moves contours in a parallel projection, and arcs that end there. Contours that end where they cross another face
-/// stay: that place is no more accurate than facets are. Call it after find_curves. Returns the largest distance moved,
-/// mm.
-double move_contours(const world::World& world, ViewDrawing& drawing);
+/// Where the first and the last point of a line are on facets.
+using EndsOnFacets = std::array<Vec2, 2>;
+
+/// Moves contours in a parallel projection, arcs that end there, and ends of lines that something hides; none of these
+/// by more than a facet. Contours that cross another face end where `crossings` has them, or else stay. Call it after
+/// find_curves; `ends` are those of each chain before that.
+void move_contours(const PartEdges& edges, const ExactCrossings& crossings, const std::vector<EndsOnFacets>& ends,
+                   ViewDrawing& drawing);
 
 }  // namespace epura::drawing

@@ -13,7 +13,6 @@
 #include "construction/figure.hpp"
 #include "drawing/places.hpp"
 #include "features/least_squares.hpp"
-#include "world/placed_part.hpp"
 
 namespace epura::drawing {
 
@@ -64,49 +63,32 @@ std::optional<Circle> circle_about(const Axis& axis, std::span<const Vec3> point
   return Circle{axis.origin + height.middle() * axis.direction, axis.direction, radius.middle()};
 }
 
-// The circles of one model, by border of its part.
-class Circles {
- public:
-  explicit Circles(const world::Placed& placed) : placed_(&placed), part_(world::place_part(placed)) {}
-
-  // Returns the border of an edge that is given by its vertices in the file; -1 if there is none.
-  [[nodiscard]] int border_of(std::array<int, 2> ends) const {
-    if (!part_ || ends[0] < 0) return -1;
-    if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
-    const mesh::Mesh& mesh = placed_->mesh->whole();
-    const mesh::MeshEdge* edge = mesh.edge_between(ends);
-    return edge == nullptr ? -1 : placed_->part->border_of_edge[static_cast<std::size_t>(edge - mesh.edges.data())];
-  }
-
-  [[nodiscard]] std::optional<Circle> circle_of(int number) const {
-    const features::PartBorder& border = placed_->part->borders[static_cast<std::size_t>(number)];
-    if (border.faces[0] < 0 || border.faces[0] == border.faces[1] || border.edges.size() < least_edges)
-      return std::nullopt;
-    const mesh::Mesh& mesh = placed_->mesh->whole();
-    std::vector<Vec3> points;
-    for (const int edge : border.edges)
-      for (const int vertex : mesh.edges[static_cast<std::size_t>(edge)].vertex)
-        points.emplace_back(placed_->to_world * Vec4(mesh.point(vertex), 1));
-    for (const int side : {0, 1}) {
-      const PartSurface& surface = surface_of(border.faces[static_cast<std::size_t>(side)]);
-      const auto axis = axis_of(surface, surface_of(border.faces[static_cast<std::size_t>(1 - side)]));
-      std::optional<Circle> circle = axis ? circle_about(*axis, points, part_->tolerance) : std::nullopt;
-      if (!circle) continue;
-      if (surface.kind == SurfaceKind::cylinder) circle->radius = surface.radius;
-      check(circle->radius >= 0, "a circle has a radius");
-      return circle;
-    }
+// The circle on which a border of a model lies.
+std::optional<Circle> circle_of_border(const PartEdges& edges, int model, int number) {
+  const world::Placed& placed = edges.placed(model);
+  const world::PlacedPart& part = *edges.part(model);
+  const features::PartBorder& border = placed.part->borders[static_cast<std::size_t>(number)];
+  if (border.faces[0] < 0 || border.faces[0] == border.faces[1] || border.edges.size() < least_edges)
     return std::nullopt;
+  const mesh::Mesh& mesh = placed.mesh->whole();
+  std::vector<Vec3> points;
+  for (const int edge : border.edges)
+    for (const int vertex : mesh.edges[static_cast<std::size_t>(edge)].vertex)
+      points.emplace_back(placed.to_world * Vec4(mesh.point(vertex), 1));
+  const auto surface_of = [&](std::size_t side) -> const PartSurface& {
+    return part.faces[static_cast<std::size_t>(border.faces[side])].surface;
+  };
+  for (const std::size_t side : {0, 1}) {
+    const PartSurface& surface = surface_of(side);
+    const auto axis = axis_of(surface, surface_of(1 - side));
+    std::optional<Circle> circle = axis ? circle_about(*axis, points, part.tolerance) : std::nullopt;
+    if (!circle) continue;
+    if (surface.kind == SurfaceKind::cylinder) circle->radius = surface.radius;
+    check(circle->radius >= 0, "a circle has a radius");
+    return circle;
   }
-
- private:
-  [[nodiscard]] const PartSurface& surface_of(int face) const {
-    return part_->faces[static_cast<std::size_t>(face)].surface;
-  }
-
-  const world::Placed* placed_;
-  std::optional<world::PlacedPart> part_;
-};
+  return std::nullopt;
+}
 
 // Nothing for circles seen edge-on.
 std::optional<Ellipse> image_of(const Circle& circle, const Mat4& map) {
@@ -125,9 +107,7 @@ std::optional<Ellipse> image_of(const Circle& circle, const Mat4& map) {
 /// Finds each circle once.
 class Finder {
  public:
-  Finder(const world::World& world, const ViewDrawing& drawing) : drawing_(drawing) {
-    for (const world::Placed& placed : world.models) models_.emplace_back(placed);
-  }
+  Finder(const PartEdges& edges, const ViewDrawing& drawing) : edges_(edges), drawing_(drawing) {}
 
   KnownCircles find() {
     for (const Chain& chain : drawing_.chains) found_.of_chain.push_back(circles_of(chain));
@@ -153,12 +133,11 @@ class Finder {
   }
 
   int circle_of(const Segment& segment) {
-    const Circles& model = models_[static_cast<std::size_t>(segment.model)];
-    const int border = model.border_of(segment.edge);
+    const int border = edges_.border_of(segment);
     if (border < 0) return -1;
     const auto [known, is_new] = numbers_.try_emplace({segment.model, border}, -1);
     if (!is_new) return known->second;
-    const auto circle = model.circle_of(border);
+    const auto circle = circle_of_border(edges_, segment.model, border);
     const auto image = circle ? image_of(*circle, drawing_.world_to_page) : std::nullopt;
     if (!image) return -1;
     known->second = static_cast<int>(found_.ellipses.size());
@@ -166,17 +145,17 @@ class Finder {
     return known->second;
   }
 
+  const PartEdges& edges_;
   const ViewDrawing& drawing_;
-  std::vector<Circles> models_{};
   std::map<std::array<int, 2>, int> numbers_{};  // by model and border
   KnownCircles found_{};
 };
 
 }  // namespace
 
-KnownCircles known_circles(const world::World& world, const ViewDrawing& drawing) {
+KnownCircles known_circles(const PartEdges& edges, const ViewDrawing& drawing) {
   if (drawing.projection.central) return {};
-  return Finder(world, drawing).find();
+  return Finder(edges, drawing).find();
 }
 
 }  // namespace epura::drawing

@@ -6,7 +6,7 @@
 
 #include "drawing/conic_fit.hpp"
 #include "drawing/drawing.hpp"
-#include "world/world.hpp"
+#include "drawing/part_edges.hpp"
 
 namespace epura::drawing {
 
@@ -19,6 +19,6 @@ struct KnownCircles {
 /// In a parallel projection, where circles become ellipses with the same angles; nothing in a central one. A border
 /// between two recognised faces is a circle if all its vertices are at one height along the axis of a face, and at one
 /// distance from it.
-KnownCircles known_circles(const world::World& world, const ViewDrawing& drawing);
+KnownCircles known_circles(const PartEdges& edges, const ViewDrawing& drawing);
 
 }  // namespace epura::drawing

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/convex_hull.hpp"
 #include "base/parallel.hpp"
 #include "features/least_squares.hpp"
 #include "features/part_surface.hpp"
@@ -337,27 +338,18 @@ class Flattening {
       const Vec3 from = f_.points[vertex] - facet.middle;
       seen.emplace_back(glm::dot(from, u), glm::dot(from, v));
     }
-    return count_corners(std::move(seen)) > 4;
+    return count_corners(seen) > 4;
   }
 
   // The corners of the convex hull; vertices that are not on its sides count, too.
-  [[nodiscard]] int count_corners(std::vector<Vec2> p) const {
-    std::sort(p.begin(), p.end(), [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  [[nodiscard]] int count_corners(const std::vector<Vec2>& p) const {
     const double near = 4 * f_.tolerance;
-    std::vector<Vec2> hull(2 * p.size());
-    std::size_t k = 0;
     const auto is_beside = [&](const Vec2& a, const Vec2& b, const Vec2& c) {
       const Vec2 along = c - a, to = b - a;
       return cross(along, to) >= -near * glm::length(along);
     };
-    const auto walk = [&](const Vec2& next, std::size_t least) {
-      while (k >= least && is_beside(hull[k - 2], hull[k - 1], next)) --k;
-      hull[k++] = next;
-    };
-    for (const Vec2& next : p) walk(next, 2);
-    const std::size_t lower = k + 1;
-    for (std::size_t i = p.size() - 1; i-- > 0;) walk(p[i], lower);
-    hull.resize(k > 1 ? k - 1 : k);
+    const std::vector<Vec2> hull = convex_hull(
+        p, [](const Vec2& point) -> const Vec2& { return point; }, is_beside);
     int corners = static_cast<int>(hull.size());
     for (const Vec2& point : p) {
       bool on_side = false;

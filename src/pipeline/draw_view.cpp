@@ -10,7 +10,7 @@
 #include "drawing/broken_out.hpp"
 #include "drawing/clip_drawing.hpp"
 #include "drawing/cut_faces.hpp"
-#include "drawing/exact_contours.hpp"
+#include "drawing/exact_lines.hpp"
 #include "drawing/symmetry.hpp"
 #include "drawing/thin.hpp"
 #include "edges/crossing_candidates.hpp"
@@ -104,16 +104,13 @@ drawing::NearLines near_lines(const ViewOptions& options) {
 // Under --max-error, neither the tolerance nor the rise over a chord takes more than its part.
 drawing::CurveReport curves_of(const ViewOptions& options, const world::World& world, drawing::ViewDrawing& drawing,
                                const Progress& progress) {
-  const drawing::KnownCircles known = drawing::known_circles(world, drawing);
-  double tolerance = *options.arcs, most_rise = HUGE_VAL;
+  drawing::CurveLimits limits{*options.arcs};
   if (options.max_error) {
     const double part = row_of(report::ErrorTerm::curves).share * *options.max_error;
-    tolerance = std::min(tolerance, part / 4);
-    most_rise = 0.75 * part;
+    limits.tolerance = std::min(limits.tolerance, part / 4);
+    limits.most_rise = 0.75 * part;
   }
-  const drawing::CurveReport found = drawing::find_curves(drawing.chains, tolerance, known, progress, most_rise);
-  drawing::move_contours(world, drawing);
-  return found;
+  return drawing::draw_exactly(world, drawing, limits, progress);
 }
 
 struct DrawnLines {

@@ -19,16 +19,21 @@ features::PartFace placed_face(features::PartFace face, const Mat4& to_world, do
 
 }  // namespace
 
-std::vector<int> faces_of_triangles(const Placed& placed) {
-  const mesh::Mesh& mesh = *placed.mesh;
-  if (mesh.uncut == nullptr) return placed.part->face_of_triangle;
-  const std::vector<int>& polygons = mesh.uncut->polygon;
+std::vector<int> faces_of_polygons(const Placed& placed) {
+  const std::vector<int>& polygons = placed.mesh->whole().polygon;
   std::vector<int> face_of_polygon;
   for (std::size_t t = 0; t < polygons.size(); ++t) {
     const auto polygon = static_cast<std::size_t>(polygons[t]);
     if (polygon >= face_of_polygon.size()) face_of_polygon.resize(polygon + 1, -1);
     face_of_polygon[polygon] = placed.part->face_of_triangle[t];
   }
+  return face_of_polygon;
+}
+
+std::vector<int> faces_of_triangles(const Placed& placed) {
+  const mesh::Mesh& mesh = *placed.mesh;
+  if (mesh.uncut == nullptr) return placed.part->face_of_triangle;
+  const std::vector<int> face_of_polygon = faces_of_polygons(placed);
   std::vector<int> faces;
   // Polygons created by the cut belong to no face, and follow those of the file.
   for (const int polygon : mesh.polygon)

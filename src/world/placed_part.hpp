@@ -21,6 +21,9 @@ struct PlacedPart {
 /// model, the triangles are those of the remainder, the faces those of the uncut part.
 std::optional<PlacedPart> place_part(const Placed& placed);
 
+/// Returns for each face of the file its face of the part; -1 if it has none.
+std::vector<int> faces_of_polygons(const Placed& placed);
+
 /// Returns for each triangle of a model, which may be cut, its face of the part; -1 if it has none.
 std::vector<int> faces_of_triangles(const Placed& placed);
 

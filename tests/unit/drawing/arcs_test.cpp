@@ -53,7 +53,7 @@ drawing::Chain chain_of(std::vector<Vec2> points, bool closed) {
 
 drawing::CurveReport find(drawing::Chain& chain) {
   std::vector<drawing::Chain> chains{chain};
-  const drawing::CurveReport report = drawing::find_curves(chains, tolerance);
+  const drawing::CurveReport report = drawing::find_curves(chains, {tolerance});
   chain = chains.front();
   return report;
 }

@@ -47,9 +47,10 @@ Drawn draw(const Shape& shape, const projection::Projection& projection) {
 // The curves of visible lines, after their number without known circles was checked.
 std::vector<drawing::CurvePart> curves_of(Drawn& drawn) {
   std::vector<drawing::Chain> chains = drawn.drawing.chains;
-  drawing::find_curves(chains, tolerance);
+  drawing::find_curves(chains, {tolerance});
   for (const drawing::Chain& chain : chains) EXPECT_TRUE(chain.curves.empty());
-  drawing::find_curves(drawn.drawing.chains, tolerance, drawing::known_circles(drawn.world, drawn.drawing));
+  drawing::find_curves(drawn.drawing.chains, {tolerance},
+                       drawing::known_circles(drawing::PartEdges(drawn.world), drawn.drawing));
   std::vector<drawing::CurvePart> curves;
   for (const drawing::Chain& chain : drawn.drawing.chains)
     if (chain.visible) curves.insert(curves.end(), chain.curves.begin(), chain.curves.end());
@@ -85,7 +86,7 @@ TEST(KnownCircles, AreNoneOnPolygonsAndInCentralProjections) {
   Drawn prism = draw(frustum(1, 1, 1, 8), orthographic({1, 1, 1}));
   EXPECT_TRUE(curves_of(prism).empty());
   Drawn central = draw(rounded_plate(5), perspective({3, 3, 3}, {0, 0, 0}, {1, 1, 1}, {0, 0, 1}));
-  EXPECT_TRUE(drawing::known_circles(central.world, central.drawing).ellipses.empty());
+  EXPECT_TRUE(drawing::known_circles(drawing::PartEdges(central.world), central.drawing).ellipses.empty());
 }
 
 }  // namespace

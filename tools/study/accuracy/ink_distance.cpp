@@ -2,12 +2,12 @@
 #include "study/accuracy/ink_distance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
-#include "base/groups.hpp"
 #include "base/nearest.hpp"
-#include "search/line_cells.hpp"
+#include "search/lines_by_cell.hpp"
 
 namespace epura::study {
 
@@ -21,17 +21,10 @@ double distance_to(const InkLine& line, const Vec2& p) { return distance_to_segm
 /// Ink by cells of the paper.
 class InkGrid {
  public:
-  explicit InkGrid(const std::vector<InkLine>& ink) : ink_(ink) {
-    Vec2 min(HUGE_VAL), max(-HUGE_VAL);
-    for (const InkLine& line : ink) {
-      min = glm::min(min, glm::min(line.from, line.to));
-      max = glm::max(max, glm::max(line.from, line.to));
-    }
-    const int side = std::clamp(static_cast<int>(std::sqrt(ink.size())), 1, 512);
-    const Vec2 size = glm::max(max - min, Vec2(1e-9 * std::max(1.0, glm::length(max) + glm::length(min))));
-    grid_ = {min, size / static_cast<double>(side), side, side};
-    fill();
-  }
+  explicit InkGrid(const std::vector<InkLine>& ink)
+      : ink_(ink), cells_(ink.size(), 0, [&](std::size_t i) {
+          return std::array{ink[i].from, ink[i].to};
+        }) {}
 
   struct Nearest {
     double distance = HUGE_VAL;
@@ -40,12 +33,13 @@ class InkGrid {
 
   /// Examines rings of cells around the point until no farther ring can contain anything closer.
   [[nodiscard]] Nearest nearest(const Vec2& place) const {
-    const int column = grid_.column(place.x), row = grid_.row(place.y);
+    const search::CellGrid& grid = cells_.grid();
+    const int column = grid.column(place.x), row = grid.row(place.y);
     Nearest nearest;
-    for (int ring = 0; ring <= std::max(grid_.columns, grid_.rows); ++ring) {
-      if (ring > 0 && (ring - 1) * std::min(grid_.side.x, grid_.side.y) > nearest.distance) break;
+    for (int ring = 0; ring <= std::max(grid.columns, grid.rows); ++ring) {
+      if (ring > 0 && (ring - 1) * std::min(grid.side.x, grid.side.y) > nearest.distance) break;
       visit_ring(column, row, ring, [&](int cell) {
-        for (const std::size_t i : lines_[static_cast<std::size_t>(cell)]) {
+        for (const std::size_t i : cells_.in_cell(cell)) {
           const InkLine& line = ink_[i];
           const double distance = distance_to(line, place);
           if (distance < nearest.distance) nearest = {distance, line};
@@ -56,26 +50,18 @@ class InkGrid {
   }
 
  private:
-  void fill() {
-    lines_ = Groups<std::size_t>(static_cast<std::size_t>(grid_.count()), [&](const auto& add) {
-      for (std::size_t i = 0; i < ink_.size(); ++i)
-        search::visit_cells(grid_, ink_[i].from, ink_[i].to, 0,
-                            [&](int cell, double, double) { add(static_cast<std::size_t>(cell), i); });
-    });
-  }
-
   template <class Visit>
   void visit_ring(int column, int row, int ring, const Visit& visit_one) const {
-    for (int r = std::max(row - ring, 0); r <= std::min(row + ring, grid_.rows - 1); ++r) {
+    const search::CellGrid& grid = cells_.grid();
+    for (int r = std::max(row - ring, 0); r <= std::min(row + ring, grid.rows - 1); ++r) {
       const bool whole = r == row - ring || r == row + ring;
       for (int c = column - ring; c <= column + ring; c += whole || ring == 0 ? 1 : 2 * ring)
-        if (c >= 0 && c < grid_.columns) visit_one(grid_.cell(c, r));
+        if (c >= 0 && c < grid.columns) visit_one(grid.cell(c, r));
     }
   }
 
   const std::vector<InkLine>& ink_;
-  search::CellGrid grid_{};
-  Groups<std::size_t> lines_;  ///< of ink_, by cell
+  search::LinesByCell cells_;
 };
 
 // Distance changes no faster than position, and the distance from one line of ink is greatest at an end of another

@@ -20,13 +20,15 @@ namespace {
 
 scene::SceneDescription describe(const PaperScene& paper, int around, PaperWay way) {
   scene::SceneDescription scene;
-  for (mesh::Soup& mesh : paper.meshes(around)) {
-    scene::ModelDescription model;
-    model.soup = std::make_shared<const mesh::Soup>(std::move(mesh));
-    model.name = {"body " + std::to_string(scene.models.size() + 1), "study"};
-    if (way == PaperWay::triangles) model.surfaces = {Surfaces::mesh, "study"};
-    scene.models.push_back(std::move(model));
-  }
+  scene.models = paper.files;
+  if (paper.files.empty())
+    for (mesh::Soup& mesh : paper.meshes(around)) {
+      scene::ModelDescription& model = scene.models.emplace_back();
+      model.soup = std::make_shared<const mesh::Soup>(std::move(mesh));
+      model.name = {"body " + std::to_string(scene.models.size()), "study"};
+    }
+  if (way == PaperWay::triangles)
+    for (scene::ModelDescription& model : scene.models) model.surfaces = {Surfaces::mesh, "study"};
   scene::ViewDescription view;
   view.projection = {scene::parse_request(paper.projection), "study"};
   view.hidden = {HiddenLines::none, "study"};

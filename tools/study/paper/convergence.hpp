@@ -12,6 +12,7 @@
 #include "base/progress.hpp"
 #include "projection/projection.hpp"
 #include "report/error_budget.hpp"
+#include "scene/description.hpp"
 #include "study/paper/closed_forms.hpp"
 #include "study/paper/rival.hpp"
 
@@ -31,6 +32,8 @@ struct PaperScene {
   std::function<std::vector<mesh::Soup>(int around)> meshes;
   /// As polylines, each whole line with this number of points.
   std::function<TrueLines(const projection::Projection&, int points)> lines;
+  /// Files instead of meshes, if there are any.
+  std::vector<scene::ModelDescription> files{};
   /// The surfaces, turned by a matrix, for rivals that draw them; may be empty.
   std::function<std::string(const Mat3& turn)> describe{};
   int coarsest = 12;       ///< fineness from which facets are crossed as their surfaces are

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <utility>
 
+#include "base/convex_hull.hpp"
 #include "study/stability/forms.hpp"
 #include "world/facet_heights.hpp"
 
@@ -19,22 +21,10 @@ Measured sphere_along_its_axis(const Lab& lab, int meridians, int bands) {
 
 namespace {
 
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
-
-// Andrew, Another efficient algorithm for convex hulls in two dimensions, Inf. Proc. Letters 9, 1979.
 double perimeter_of_hull(std::vector<Vec2> points) {
-  const auto before = [](const Vec2& a, const Vec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
-  std::sort(points.begin(), points.end(), before);
+  const std::vector<Vec2> hull = convex_hull(std::move(points), [](const Vec2& point) -> const Vec2& { return point; });
   double perimeter = 0;
-  for (int side = 0; side < 2; ++side) {
-    std::vector<Vec2> chain;
-    for (const Vec2& p : points) {
-      while (chain.size() > 1 && turn(chain[chain.size() - 2], chain.back(), p) <= 0) chain.pop_back();
-      chain.push_back(p);
-    }
-    for (std::size_t i = 1; i < chain.size(); ++i) perimeter += glm::distance(chain[i - 1], chain[i]);
-    std::reverse(points.begin(), points.end());
-  }
+  for (std::size_t i = 0; i < hull.size(); ++i) perimeter += glm::distance(hull[i], hull[(i + 1) % hull.size()]);
   return perimeter;
 }
 

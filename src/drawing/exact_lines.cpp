@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/exact_lines.hpp"
+
+#include <vector>
+
+#include "drawing/curve_part.hpp"
+#include "drawing/exact_contours.hpp"
+#include "drawing/exact_crossings.hpp"
+#include "drawing/known_circles.hpp"
+#include "drawing/part_edges.hpp"
+
+namespace epura::drawing {
+
+namespace {
+
+// The part of the tolerance of curves to which crossings are drawn: they are lines of many chords, not curves.
+constexpr double part_for_chords = 0.1;
+
+void widen_box(ViewDrawing& drawing) {
+  for (const Chain& chain : drawing.chains) {
+    const auto add = [&](const Vec2& place) {
+      drawing.min = glm::min(drawing.min, place);
+      drawing.max = glm::max(drawing.max, place);
+    };
+    for (const Vec2& point : chain.points) add(point);
+    for (const CurvePart& curve : chain.curves)
+      for (const Vec2& place : outermost_places(curve)) add(place);
+  }
+}
+
+}  // namespace
+
+CurveReport draw_exactly(const world::World& world, ViewDrawing& drawing, CurveLimits limits,
+                         const Progress& progress) {
+  const PartEdges edges(world);
+  const ExactCrossings crossings(edges, drawing);
+  std::vector<EndsOnFacets> ends;
+  for (Chain& chain : drawing.chains) {
+    ends.push_back({chain.points.front(), chain.points.back()});
+    limits.exact.push_back(crossings.refine(chain, part_for_chords * limits.tolerance) ? 1 : 0);
+  }
+  const KnownCircles known = known_circles(edges, drawing);
+  const CurveReport found = find_curves(drawing.chains, limits, known, progress);
+  move_contours(edges, crossings, ends, drawing);
+  widen_box(drawing);
+  return found;
+}
+
+}  // namespace epura::drawing

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/page_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/portable_math.hpp"
+
+namespace epura::drawing {
+
+namespace {
+
+// Curves at smaller angles do not cross.
+constexpr double least_sine = 1e-6;
+constexpr int most_steps = 30;
+constexpr double settled = 1e-11;  // mm of the last step
+
+}  // namespace
+
+Vec2 PageCurve::derivative(double parameter) const {
+  return is_straight_ ? shape_.u : portable_cos(parameter) * shape_.v - portable_sin(parameter) * shape_.u;
+}
+
+double PageCurve::parameter_of(const Vec2& point) const {
+  return is_straight_ ? glm::dot(point - shape_.centre, shape_.u) / glm::dot(shape_.u, shape_.u)
+                      : shape_.angle_of(point);
+}
+
+std::optional<Vec2> crossing_near(const PageCurve& one, const PageCurve& other, const Vec2& point) {
+  double s = one.parameter_of(point), t = other.parameter_of(point);
+  for (int step = 0; step < most_steps; ++step) {
+    const Vec2 gap = other.at(t) - one.at(s), along = one.derivative(s), across = other.derivative(t);
+    const double area = cross(along, across), lengths = glm::length(along) * glm::length(across);
+    if (!(std::abs(area) > least_sine * lengths)) return std::nullopt;
+    const double ds = cross(gap, across) / area, dt = cross(gap, along) / area;
+    s += ds;
+    t += dt;
+    if (std::max(std::abs(ds) * glm::length(along), std::abs(dt) * glm::length(across)) <= settled) return one.at(s);
+  }
+  return std::nullopt;
+}
+
+}  // namespace epura::drawing
