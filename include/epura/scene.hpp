@@ -69,7 +69,7 @@ struct View {
   std::string projection = "isometric";
   std::vector<std::pair<std::string, ParameterValue>> parameters{};  ///< see `epura plugins NAME`
   std::string name{};                                                ///< by default the projection's
-  std::optional<HiddenLines> hidden{};                               ///< by default dashed; none in pictorial views
+  std::optional<HiddenLines> hidden{};  ///< by default dashed; none in pictorial views and sections
   std::optional<HatchPattern> hatch{};  ///< of cut faces; none: outlines only; by default general
   EdgeKinds edges{};
   /// Smallest angle between two faces whose common edge is a crease, 0 to 180 degrees; by default 5 between recognised

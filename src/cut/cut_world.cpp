@@ -496,9 +496,26 @@ CuttingSurface surface_of(const CuttingSurface& aligned, const CutRegion& region
   return surface;
 }
 
+// Whether a plane between two others begins and ends within the models, seen along these axes: it may lie in a hole.
+bool is_within(const CutRegion& region, const Box& box) {
+  const auto is_inside = [&](const CutBorder& border) {
+    const Vec3 axis = glm::cross(region.plane->normal, border.normal);
+    double from = -HUGE_VAL, to = HUGE_VAL;  // of the part of a line along the axis that is in the box
+    for (int i = 0; i < 3; ++i) {
+      const double low = box.min[i] - border.point[i], high = box.max[i] - border.point[i];
+      if (axis[i] == 0 && (low > 0 || high < 0)) return false;
+      if (axis[i] == 0) continue;
+      const auto [begin, end] = std::minmax({low / axis[i], high / axis[i]});
+      from = std::max(from, begin);
+      to = std::min(to, end);
+    }
+    return from <= to;
+  };
+  return region.borders.size() == 2 && std::all_of(region.borders.begin(), region.borders.end(), is_inside);
+}
+
 [[noreturn]] void refuse_leg(const CutRegion& region, const world::World& world) {
-  const Box& box = world.box;
-  const auto range = [&](int axis) {
+  const auto range = [&box = world.box](int axis) {
     return format_rounded(box.min[axis], 6) + " to " + format_rounded(box.max[axis], 6);
   };
   const Vec3& from = region.plane->point;
@@ -561,7 +578,7 @@ CutWorld cut_aligned(const world::World& world, const CuttingSurface& surface, c
   all.world.one_rounding = world.one_rounding;
   for (const CutRegion& region : surface.regions) {
     Remainder remainder = cut_by_steps(world, surface_of(surface, region), 1, progress);
-    if (!remainder.cuts) refuse_leg(region, world);
+    if (!remainder.cuts && !is_within(region, world.box)) refuse_leg(region, world);
     append_turned(all, std::move(remainder.result), region.turn, all.world.models.empty());
   }
   return all;

@@ -144,6 +144,18 @@ std::vector<Leg> straight_legs(const Trace& trace) {
   return legs;
 }
 
+// Legs perpendicular to those before and after them, which run in one direction, are steps: they cut nothing.
+std::vector<Leg> without_steps(const std::vector<Leg>& legs) {
+  std::vector<Leg> planes;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const bool is_step = i > 0 && i + 1 < legs.size() &&
+                         glm::distance(legs[i - 1].along, legs[i + 1].along) <= straight &&
+                         std::abs(glm::dot(legs[i].along, legs[i - 1].along)) <= straight;
+    if (!is_step) planes.push_back(legs[i]);
+  }
+  return planes;
+}
+
 // Whether two legs meet; the first and the last one reach to infinity.
 bool cross_each_other(const std::vector<Leg>& legs, std::size_t i, std::size_t j) {
   const Leg &a = legs[i], &b = legs[j];
@@ -218,7 +230,7 @@ Mat4 in_world(const Turn& turn, const Trace& trace) {
   return transform;
 }
 
-// Makes a region of each leg: what is perpendicular to it.
+// Makes a region of each leg that is no step: what is perpendicular to it.
 void align(CuttingSurface& surface, Trace& trace) {
   std::vector<Leg> legs = straight_legs(trace);
   const auto is_ahead = [&](const Leg& leg) { return std::abs(leg.along.y) <= straight; };
@@ -228,6 +240,7 @@ void align(CuttingSurface& surface, Trace& trace) {
     legs = straight_legs(trace);
   }
   expect_axes(trace, legs);
+  const std::vector<Leg> all = std::exchange(legs, without_steps(legs));
   const auto in_space = [&](const Vec2& v) { return v.x * trace.along + v.y * trace.normal; };
   const auto point = [&](const Leg& leg) { return trace.corners.front() + in_space(leg.at); };
   const auto stays = std::find_if(legs.begin(), legs.end(), is_ahead);
@@ -250,8 +263,8 @@ void align(CuttingSurface& surface, Trace& trace) {
     if (i > 0) region.borders.push_back({point(legs[i]), -along});
     if (i + 1 < legs.size()) region.borders.push_back({point(legs[i + 1]), along});
     surface.regions.push_back(std::move(region));
-    surface.path.push_back(point(legs[i]));
   }
+  for (const Leg& leg : all) surface.path.push_back(point(leg));
   surface.path.push_back(trace.corners.back());
 }
 

@@ -56,7 +56,8 @@ CuttingSurface plane_surface(const scene::CuttingPlane& plane);
 /// The surface of a section's plane or path. A path is a polyline in a plane parallel to the normal; each of its legs
 /// is perpendicular to the normal, a cutting plane, or parallel to it, a step. The first and last plane reach to
 /// infinity; next to a path that begins or ends with a step, everything is kept (half sections). In an aligned section,
-/// each leg is a cutting plane; those that are not perpendicular to the normal are turned. Throws Error{input}.
+/// each leg is a cutting plane, and those that are not perpendicular to the normal are turned; but a leg between two
+/// others in one direction, to which it is perpendicular, is a step. Throws Error{input}.
 CuttingSurface make_cutting_surface(const scene::SectionDescription& section);
 
 }  // namespace epura::cut

@@ -13,6 +13,7 @@
 #include "design/centred_features.hpp"
 #include "design/design_holes.hpp"
 #include "design/engraving.hpp"
+#include "design/interrupted_cylinders.hpp"
 #include "design/place_threads.hpp"
 #include "design/round_faces.hpp"
 #include "design/true_extents.hpp"
@@ -24,11 +25,10 @@ namespace {
 
 using features::SurfaceKind;
 
-constexpr double parallel = 1e-4;    // sine
-constexpr double same_size = 1e-4;   // relative
-constexpr double beside = 1.002;     // relative to the radius of a hole or slot: within it
-constexpr double longest_arc = 200;  // degrees
-constexpr double shortest_arc = 20;
+constexpr double parallel = 1e-4;        // sine
+constexpr double same_size = 1e-4;       // relative
+constexpr double beside = 1.002;         // relative to the radius of a hole or slot: within it
+constexpr double shortest_arc = 20;      // degrees
 constexpr double least_round = 180;      // degrees of a turn that slots may leave of a rounded edge
 constexpr double longest_chamfer = 0.5;  // relative to the radius
 constexpr double degree = std::numbers::pi / 180;
@@ -78,7 +78,8 @@ class PartReader {
       : world_(world),
         model_(model),
         part_(without_letters(world.models[model], std::move(part))),
-        round_(find_round_faces(world, model, part_)) {}
+        round_(find_round_faces(world, model, part_)),
+        interrupted_(find_interrupted_cylinders(round_)) {}
 
   void read(DesignFeatures& found) {
     DescribedHoles described = describe_holes(world_, model_, part_);
@@ -113,6 +114,15 @@ class PartReader {
         if (std::abs(normal[along]) <= parallel)
           if (const auto bevel = bevel_of(f, along, corners)) bevels.push_back(*bevel);
     }
+  }
+
+  void add_hexagons(std::vector<DesignHexagon>& hexagons) const {
+    std::vector<PlaneFace> planes;
+    std::vector<std::vector<Vec3>> corners = corners_of_planes();
+    for (std::size_t f = 0; f < corners.size(); ++f)
+      planes.push_back({part_.faces[f].body, part_.faces[f].surface.axis, std::move(corners[f])});
+    const std::vector<DesignHexagon> own = find_hexagons(model_, planes);
+    hexagons.insert(hexagons.end(), own.begin(), own.end());
   }
 
  private:
@@ -227,6 +237,14 @@ class PartReader {
       if (round.face.surface.kind == SurfaceKind::cylinder && !round.face.inwards && round.is_whole())
         cylinders.push_back({model_, round.at(round.from), round.at(round.to), round.face.surface.axis,
                              round.face.surface.radius, false});
+    for (const InterruptedCylinder& one : interrupted_) {
+      const RoundFace& first = round_[static_cast<std::size_t>(one.parts.front())];
+      const features::PartSurface& surface = first.face.surface;
+      DesignCylinder cylinder{model_,       first.at(one.from), first.at(one.to),
+                              surface.axis, surface.radius,     first.face.inwards};
+      cylinder.whole = false;
+      cylinders.push_back(cylinder);
+    }
   }
 
   // To the hole or cylinder to which it belongs.
@@ -256,23 +274,13 @@ class PartReader {
     }
   }
 
-  // Whether two faces are parts of one cylinder.
-  static bool are_one(const RoundFace& a, const RoundFace& b) {
-    const features::PartSurface &s = a.face.surface, &t = b.face.surface;
-    return a.face.inwards == b.face.inwards && are_same(s.radius, t.radius) && are_parallel(s.axis, t.axis) &&
-           distance_from_line(t.origin, s.origin, s.axis) <= same_size * s.radius;
-  }
-
   void add_arcs(DesignFeatures& found) const {
     for (const RoundFace& round : round_) {
       const features::PartSurface& surface = round.face.surface;
       if (surface.kind != SurfaceKind::cylinder || round.face.sweep < shortest_arc || round.face.sweep > longest_arc)
         continue;
-      const auto shares = [&](const RoundFace& other) { return &other != &round && are_one(round, other); };
-      if (std::any_of(round_.begin(), round_.end(), [&](const RoundFace& other) {
-            return other.face.surface.kind == SurfaceKind::cylinder && shares(other);
-          }))
-        continue;
+      const auto shares = [&](const RoundFace& other) { return &other != &round && are_one_cylinder(round, other); };
+      if (std::any_of(round_.begin(), round_.end(), shares)) continue;
       DesignArc arc{model_, round.at(round.to), snapped(surface.axis), surface.radius, {}, round.face.inwards};
       if (is_end_of_slot(found.slots, arc)) continue;
       constexpr int steps = 8;
@@ -389,6 +397,7 @@ class PartReader {
   int model_;
   world::PlacedPart part_;
   std::vector<RoundFace> round_;
+  std::vector<InterruptedCylinder> interrupted_;
   Box box_ = box_of_faces(world_);
 };
 
@@ -482,12 +491,21 @@ bool are_equal(const DesignHole& a, const DesignHole& b) {
 
 double DesignBevel::leg() const { return std::abs(ends[1][(along + 1) % 3] - ends[0][(along + 1) % 3]); }
 
-bool has_coaxial_cylinder(const DesignFeatures& features, const DesignCylinder& circle) {
-  return std::any_of(features.cylinders.begin(), features.cylinders.end(), [&](const DesignCylinder& cylinder) {
-    return !cylinder.inwards && cylinder.model == circle.model && are_same(cylinder.radius, circle.radius) &&
-           are_parallel(cylinder.axis, circle.axis) &&
-           distance_from_line(cylinder.from, circle.from, circle.axis) <= same_size * 10 * circle.radius;
-  });
+bool has_coaxial_outline(const DesignFeatures& features, const DesignCylinder& circle) {
+  const auto is_on_axis = [&circle](const Vec3& point, const Vec3& axis) {
+    return are_parallel(axis, circle.axis) &&
+           distance_from_line(point, circle.from, circle.axis) <= same_size * 10 * circle.radius;
+  };
+  return std::any_of(features.cylinders.begin(), features.cylinders.end(),
+                     [&](const DesignCylinder& cylinder) {
+                       return !cylinder.inwards && cylinder.model == circle.model &&
+                              are_same(cylinder.radius, circle.radius) && is_on_axis(cylinder.from, cylinder.axis);
+                     }) ||
+         std::any_of(features.hexagons.begin(), features.hexagons.end(), [&](const DesignHexagon& hexagon) {
+           return !hexagon.inwards && hexagon.model == circle.model &&
+                  are_same(hexagon.across_flats / std::numbers::sqrt3, circle.radius) &&
+                  is_on_axis(hexagon.centre, hexagon.axis);
+         });
 }
 
 DesignFeatures find_design_features(const world::World& world, const Progress& progress) {
@@ -503,6 +521,7 @@ DesignFeatures find_design_features(const world::World& world, const Progress& p
     reader.read(found);
     reader.add_levels(found, found.levels);
     reader.add_bevels(found, found.bevels);
+    reader.add_hexagons(found.hexagons);
   }
   add_pitch_circles(centred, found);
   std::stable_sort(found.levels.begin(), found.levels.end(), [](const DesignLevel& a, const DesignLevel& b) {

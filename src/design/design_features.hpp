@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The features of the models that a drawing gives sizes for: holes, slots, shafts, fillets, chamfers and steps, in
-// world coordinates. Only what the recognised faces prove: a hole of another shape than those below is a list of its
-// bores.
+// The features of the models that a drawing gives sizes for: holes, slots, shafts, hexagons, fillets, chamfers and
+// steps, in world coordinates. Only what the recognised faces prove: a hole of another shape than those below is a list
+// of its bores.
 #pragma once
 
 #include <array>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "design/hexagons.hpp"
 #include "world/world.hpp"
 
 namespace epura::design {
@@ -48,7 +49,7 @@ struct DesignHole {
 /// Whether a single note can describe both.
 bool are_equal(const DesignHole& a, const DesignHole& b);
 
-/// A full cylinder: a shaft or boss, or a bore of a hole that is not a DesignHole.
+/// A cylinder all around: a shaft or boss, or a bore of a hole that is not a DesignHole.
 struct DesignCylinder {
   int model;
   Vec3 from, to;  ///< on its axis
@@ -56,6 +57,7 @@ struct DesignCylinder {
   double radius;
   bool inwards;
   std::optional<DesignThread> thread{};
+  bool whole = true;  ///< otherwise slots, flats or teeth interrupt it
 
   /// Radius by which it is called.
   [[nodiscard]] double called() const { return thread ? thread->diameter / 2 : radius; }
@@ -159,10 +161,11 @@ struct DesignFeatures {
   std::vector<DesignLevel> levels;   ///< by axis and place
   std::vector<DesignPitchCircle> pitch_circles;
   std::vector<DesignBevel> bevels{};
+  std::vector<DesignHexagon> hexagons{};
 };
 
-/// Whether a shaft or boss of the same model has this axis and radius.
-bool has_coaxial_cylinder(const DesignFeatures& features, const DesignCylinder& circle);
+/// Whether a shaft or boss of the same model, or the corners of a hexagon, have this axis and radius.
+bool has_coaxial_outline(const DesignFeatures& features, const DesignCylinder& circle);
 
 /// Features of all models without regard to cuts, in the order of the models and their faces. Throws OutOfTime.
 DesignFeatures find_design_features(const world::World& world, const Progress& progress = {});

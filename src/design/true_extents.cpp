@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "design/interrupted_cylinders.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::design {
@@ -141,9 +142,20 @@ Triangle corners_of(const world::World& world, int triangle) {
 struct Reach {
   double value;
   const PartFace* face;  ///< null for vertices of other faces
+  bool turned = false;   ///< it goes all around an axis, or is part of an interrupted cylinder
+};
+
+/// An interrupted cylinder of a model.
+struct Interrupted {
+  const PartFace* face;             ///< its first part
+  std::array<double, 6> farthest;   ///< extents of its vertices
+  std::array<char, 6> ends_flat{};  ///< whether it ends there in a plane across the direction, as beside a flat
 };
 
 class ExtentFinder {
+  // Marks of vertices; those of interrupted cylinders have numbers from `first_interrupted` on.
+  static constexpr int whole = 1, first_interrupted = 2;
+
  public:
   explicit ExtentFinder(const world::World& world)
       : world_(world), size_(glm::length(world.box.size())), of_round_(world.points.size(), 0) {
@@ -151,6 +163,7 @@ class ExtentFinder {
     const Box box = box_of_faces(world);
     for (int end = 0; end < 6; ++end) farthest_[end] = glm::dot(direction_of(end), end < 3 ? box.min : box.max);
     for (int model = 0; model < static_cast<int>(parts_.size()); ++model) add_model(model);
+    for (const Interrupted& one : interrupted_) add_interrupted(one);
   }
 
   [[nodiscard]] std::array<Extent, 3> extents() const {
@@ -170,41 +183,96 @@ class ExtentFinder {
     return direction;
   }
 
-  static bool is_turned(const PartFace& face) {
+  static bool is_whole(const PartFace& face) {
     return world::is_round(face.surface.kind) && (face.surface.kind == SurfaceKind::sphere || face.sweep >= whole_turn);
+  }
+
+  static bool is_across(const Vec3& axis, const Vec3& direction) {
+    return std::abs(glm::dot(axis, direction)) <= across;
+  }
+
+  // Marks the vertices of faces that go all around, and of interrupted cylinders.
+  void mark_round(int model, std::vector<char>& turned) {
+    const world::PlacedPart& part = *parts_[model];
+    const std::vector<RoundFace> round = find_round_faces(world_, model, part);
+    for (const RoundFace& one : round) {
+      if (!is_whole(one.face)) continue;
+      turned[one.number] = 1;
+      for (const int v : one.vertices) of_round_[v] = whole;
+    }
+    for (const InterruptedCylinder& cylinder : find_interrupted_cylinders(round)) {
+      Interrupted found{&part.faces[round[cylinder.parts.front()].number], {}};
+      if (found.face->inwards) continue;
+      found.farthest.fill(-HUGE_VAL);
+      for (const int p : cylinder.parts) {
+        turned[round[p].number] = 1;
+        for (const int v : round[p].vertices) {
+          if (of_round_[v] == 0) of_round_[v] = first_interrupted + static_cast<int>(interrupted_.size());
+          for (int end = 0; end < 6; ++end)
+            found.farthest[end] = std::max(found.farthest[end], glm::dot(direction_of(end), world_.points[v]));
+        }
+      }
+      interrupted_.push_back(found);
+    }
   }
 
   void add_model(int model) {
     const int first = world_.first_triangle[model], last = world_.first_triangle[model + 1];
-    const PartFace* none = nullptr;
-    std::vector<const PartFace*> faces(static_cast<std::size_t>(last - first), none);
+    std::vector<int> faces(static_cast<std::size_t>(last - first), -1);
+    std::vector<char> turned;
     if (parts_[model]) {
+      turned.resize(parts_[model]->faces.size(), 0);
+      mark_round(model, turned);
       for (int t = first; t < last; ++t) {
         const int number = parts_[model]->face_of_triangle[t - first];
-        if (number < 0 || !world::is_round(parts_[model]->faces[number].surface.kind)) continue;
-        faces[t - first] = &parts_[model]->faces[number];
-        if (is_turned(*faces[t - first]))
-          for (const int v : world_.triangles[t]) of_round_[v] = 1;
+        if (number >= 0 && world::is_round(parts_[model]->faces[number].surface.kind)) faces[t - first] = number;
       }
     }
     for (int t = first; t < last; ++t) {
-      const PartFace* face = faces[t - first];
-      const Triangle corners = corners_of(world_, t);
-      for (int k = 0; k < 3; ++k)
-        if (of_round_[world_.triangles[t][k]] == 0)
-          for (int end = 0; end < 6; ++end) add(end, {glm::dot(direction_of(end), corners[k]), nullptr});
-      if (face != nullptr) add_facet(*face, corners);
+      const int face = faces[t - first];
+      for (int end = 0; end < 6; ++end) add_vertices(t, end);
+      if (face >= 0) add_facet(parts_[model]->faces[face], turned[face] != 0, corners_of(world_, t));
     }
   }
 
-  void add_facet(const PartFace& face, const Triangle& corners) {
+  // The corners of a triangle that count themselves. On the rim of an interrupted cylinder, those of planes across the
+  // direction do: of flats.
+  void add_vertices(int triangle, int end) {
+    const Vec3 direction = direction_of(end);
+    const Triangle corners = corners_of(world_, triangle);
+    const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const bool is_flat = glm::length(normal - glm::dot(normal, direction) * direction) <= across * glm::length(normal);
+    for (int k = 0; k < 3; ++k) {
+      const int mark = of_round_[world_.triangles[triangle][k]];
+      if (mark == whole) continue;
+      const double value = glm::dot(direction, corners[k]);
+      if (mark >= first_interrupted) {
+        Interrupted& cylinder = interrupted_[mark - first_interrupted];
+        if (is_across(cylinder.face->surface.axis, direction) && !is_flat) continue;
+        if (value >= cylinder.farthest[end] - same * size_) cylinder.ends_flat[end] = 1;
+      }
+      add(end, {value, nullptr});
+    }
+  }
+
+  // Where a slot or a gap between teeth is, an interrupted cylinder reaches as far as elsewhere.
+  void add_interrupted(const Interrupted& cylinder) {
+    const PartSurface& surface = cylinder.face->surface;
+    for (int end = 0; end < 6; ++end) {
+      const Vec3 direction = direction_of(end);
+      if (cylinder.ends_flat[end] == 0 && is_across(surface.axis, direction))
+        add(end, {glm::dot(direction, surface.origin) + surface.radius, cylinder.face, true});
+    }
+  }
+
+  void add_facet(const PartFace& face, bool turned, const Triangle& corners) {
     const double rise = most_sagittas * face.sagitta + face.residual + same * size_;
     for (int end = 0; end < 6; ++end) {
       const Vec3 direction = direction_of(end);
       double top = -HUGE_VAL;
       for (const Vec3& corner : corners) top = std::max(top, glm::dot(direction, corner));
       if (top + rise < farthest_[end]) continue;
-      if (const auto reach = Outward(face, direction).reach_over(corners)) add(end, {*reach, &face});
+      if (const auto reach = Outward(face, direction).reach_over(corners)) add(end, {*reach, &face, turned});
     }
   }
 
@@ -229,7 +297,7 @@ class ExtentFinder {
       const std::size_t before = all.size();
       for (const Reach& reach : reaches_[end]) {
         if (reach.value < farthest_[end] - slack) continue;
-        if (reach.face == nullptr || !is_turned(*reach.face)) return;
+        if (!reach.turned) return;
         all.push_back(reach.face);
         if (reach.face->surface.kind == SurfaceKind::sphere) continue;
         balls = false;
@@ -259,7 +327,8 @@ class ExtentFinder {
 
   const world::World& world_;
   double size_;
-  std::vector<char> of_round_;  ///< by vertex: whether it is on a complete round face and so does not count itself
+  std::vector<int> of_round_;  ///< by vertex: whether it is on a round face, and so does not count itself
+  std::vector<Interrupted> interrupted_;
   std::vector<std::optional<world::PlacedPart>> parts_;
   std::array<double, 6> farthest_{};
   std::array<std::vector<Reach>, 6> reaches_;

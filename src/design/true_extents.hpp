@@ -29,7 +29,8 @@ std::vector<Vec3> points_of_faces(const world::World& world);
 Box box_of_faces(const world::World& world);
 
 /// Returns the extents along x, y and z. Points of a recognised cylinder, cone, sphere or torus count if facets of its
-/// face lie below them; elsewhere vertices count.
+/// face lie below them; elsewhere vertices count. A cylinder that slots or gaps between teeth interrupt counts as if it
+/// were whole, unless it ends in a flat.
 std::array<Extent, 3> true_extents(const world::World& world);
 
 }  // namespace epura::design

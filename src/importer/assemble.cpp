@@ -32,7 +32,7 @@ class Assembler {
     result_.soup.printed = document_.is_printed != 0;
     if (document_.nodes.empty()) {
       for (const Shape& shape : document_.shapes) {
-        place(shape, Mat4(1), shape.name, no_colour);
+        place(shape, Mat4(1), {shape.name, static_cast<int>(result_.tree.size())}, no_colour);
         add_to_tree({-1, shape.name}, &shape);
       }
     } else {
@@ -59,7 +59,10 @@ class Assembler {
       add_to_tree({node.parent, name}, shape);
       const int above = node.parent < 0 ? no_colour : colours[static_cast<std::size_t>(node.parent)];
       colours.push_back(above == no_colour ? node.colour : above);
-      if (shape != nullptr) place(*shape, to_file.back(), name, colours.back());
+      // What has no name is a piece of what is above it.
+      const bool is_piece = name.empty() && node.parent >= 0;
+      const int occurrence = is_piece ? node.parent : static_cast<int>(result_.tree.size()) - 1;
+      if (shape != nullptr) place(*shape, to_file.back(), {name, occurrence}, colours.back());
     }
   }
 
@@ -71,8 +74,8 @@ class Assembler {
     result_.tree.push_back(std::move(part));
   }
 
-  // `colour` takes precedence over those of the shape.
-  void place(const Shape& shape, const Mat4& to_file, const std::string& name, int colour) {
+  // `occurrence` has the name of the node. `colour` takes precedence over those of the shape.
+  void place(const Shape& shape, const Mat4& to_file, const BodyPart& occurrence, int colour) {
     expect_room(result_.soup.corners.size() + shape.corners.size());
     expect_room(result_.soup.points.size() + shape.points.size());
     expect_room(result_.soup.wires.size() + shape.wire_vertices.size());
@@ -83,7 +86,7 @@ class Assembler {
     }
     add_polygons(shape, first_point, glm::determinant(Mat3(to_file)) < 0);
     add_wires_and_points(shape, first_point);
-    add_bodies(shape, name);
+    add_bodies(shape, occurrence);
     add_colours(shape, colour);
     add_part(shape, to_file, first_point);
   }
@@ -118,18 +121,20 @@ class Assembler {
     }
   }
 
-  void add_bodies(const Shape& shape, const std::string& name) {
+  void add_bodies(const Shape& shape, const BodyPart& occurrence) {
     std::vector<std::string>& names = result_.soup.body_names;
     const auto first = static_cast<int>(names.size());
-    const auto named = [&](const std::string& body) {
-      if (name.empty() || body.empty()) return name + body;
-      return body == name ? name : name + "/" + body;
+    const auto named = [&shape](const std::string& whole, const std::string& body) {
+      if (whole.empty() || body.empty()) return whole + body;
+      return body == whole || shape.body_names.size() == 1 ? whole : whole + "/" + body;
+    };
+    const auto add = [&](const std::string& body) {
+      names.push_back(named(occurrence.name, body));
+      result_.body_parts.push_back({named(shape.name, body), occurrence.occurrence});
     };
     const auto is_whole = [](int body) { return body < 0; };
-    const bool has_rest = std::any_of(shape.body_of_polygon.begin(), shape.body_of_polygon.end(), is_whole);
-    for (const std::string& body : shape.body_names)
-      names.push_back(shape.body_names.size() == 1 && !name.empty() ? name : named(body));
-    if (has_rest) names.push_back(name);
+    for (const std::string& body : shape.body_names) add(body);
+    if (std::any_of(shape.body_of_polygon.begin(), shape.body_of_polygon.end(), is_whole)) add("");
     for (const int body : shape.body_of_polygon)
       result_.soup.face_body.push_back(body < 0 ? static_cast<int>(names.size()) - 1 : first + body);
   }

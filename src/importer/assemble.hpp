@@ -17,8 +17,15 @@ struct TreePart {
   int bodies = 0, faces = 0;  ///< number in its own shape
 };
 
+/// The part that a body is, or belongs to.
+struct BodyPart {
+  std::string name;     ///< of the part, wherever it occurs; may be empty
+  int occurrence = -1;  ///< number of the part in the tree; of the one above it if it has no name
+};
+
 struct Assembled {
   mesh::Soup soup;
+  std::vector<BodyPart> body_parts;  ///< by body name of the soup
   std::vector<TreePart> tree;
   /// Empty if some polygon belongs to no face: faces must then be recognised.
   features::DeclaredPart part;

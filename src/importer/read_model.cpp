@@ -110,6 +110,14 @@ class Advance {
   std::size_t told_ = 0;
 };
 
+// The parts of the bodies of a mesh, which are numbered otherwise than the names in the file.
+std::vector<BodyPart> parts_of_bodies(const mesh::Mesh& mesh, const std::vector<int>& name_of_polygon,
+                                      const std::vector<BodyPart>& parts) {
+  std::vector<BodyPart> of_bodies(static_cast<std::size_t>(mesh.report.bodies));
+  for (int t = 0; t < mesh.triangle_count(); ++t) of_bodies[mesh.body[t]] = parts[name_of_polygon[mesh.polygon[t]]];
+  return of_bodies;
+}
+
 ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, const foreign::Assignments& parameters,
                            const ReadOptions& options, const Progress& progress) {
   std::optional<NamelessFile> file;
@@ -133,7 +141,9 @@ ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, 
   advance.to(1);
   try {
     Assembled assembled = assemble(document, importer.table.name);
+    const std::vector<int> name_of_polygon = assembled.soup.face_body;
     ReadModel model{mesh::make_mesh(std::move(assembled.soup), source.name, progress)};
+    model.body_parts = parts_of_bodies(model.mesh, name_of_polygon, assembled.body_parts);
     if (!assembled.part.faces.empty())
       model.part = std::make_shared<features::PartFaces>(
           features::part_of(model.mesh, assembled.part, features::RecogniseOptions().tangent_angle));

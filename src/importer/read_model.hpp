@@ -30,6 +30,7 @@ struct ReadModel {
   std::shared_ptr<const features::PartFaces> part{};  ///< faces declared by the file; null if there are none
   std::optional<double> unit{};                       ///< millimetres; nothing if the file does not state it
   bool is_y_up = false;                               ///< if the file states it
+  std::vector<BodyPart> body_parts{};                 ///< by body of the mesh; empty for formats without parts
   std::vector<TreePart> tree{};                       ///< parents before children; empty for formats without a tree
 };
 

@@ -265,12 +265,13 @@ sheet::Neighbours in_the_way(sheet::Neighbours around, const SheetInput& input, 
   return neighbours;
 }
 
-// "'⌀8', '20' and 3 others"
+// "'⌀8', '20', '30' and 3 others (epura lint lists all)"
 std::string listed(const std::vector<std::string>& texts) {
-  constexpr std::size_t most = 8;
+  constexpr std::size_t most = 3;
   std::string list;
   for (std::size_t i = 0; i < std::min(most, texts.size()); ++i) list += (i > 0 ? ", '" : "'") + texts[i] + "'";
-  if (texts.size() > most) list += " and " + std::to_string(texts.size() - most) + " others";
+  const std::size_t more = texts.size() - std::min(most, texts.size());
+  if (more > 0) list += " and " + std::to_string(more) + (more == 1 ? " other" : " others") + " (epura lint lists all)";
   return list;
 }
 

@@ -69,7 +69,8 @@ struct Run {
   Progress progress;
   Stopwatch& watch;
   Gathered gathered;
-  bool refers_to_models = false;  ///< for free forms
+  std::vector<std::vector<importer::BodyPart>> parts{};  ///< of the bodies of each model
+  bool refers_to_models = false;                         ///< for free forms
   std::map<const world::World*, std::optional<KnownIntersections>> intersections{};
 
   double fineness = 1;  ///< of imported surfaces, as a multiple of what --max-error usually needs
@@ -82,6 +83,7 @@ struct Run {
   void find_heights(const world::World& world);
   std::vector<std::vector<sheet::BalloonTarget>> balloons_of(
       const SheetOfViews& views, const std::vector<std::vector<std::optional<SeenPoint>>>& seen) const;
+  [[nodiscard]] std::vector<world::Item> items_of(const world::World& world, const SheetOfViews& views) const;
   ViewTime time_of_next_view();
   std::vector<view::ProjectedScene> map_views(const WorldOfView& world, const SheetOfViews& views);
   void choose_by_world(SheetOfViews& views, const ShownWorlds& worlds,
@@ -282,10 +284,14 @@ std::vector<std::vector<sheet::BalloonTarget>> Run::balloons_of(
 }
 
 // Of the parts list, if it is on this sheet.
-std::vector<world::Item> items_of(const world::World& world, const scene::SceneDescription& scene,
-                                  const SheetOfViews& views) {
-  const bool has_list = scene.parts_list && scene.parts_list->sheet.value_or(1) == views.sheet + 1;
-  return has_list ? world::find_items(world, scene.models) : std::vector<world::Item>();
+std::vector<world::Item> Run::items_of(const world::World& world, const SheetOfViews& views) const {
+  if (!scene.parts_list || scene.parts_list->sheet.value_or(1) != views.sheet + 1) return {};
+  world::ItemList list = world::find_items(world, scene.models, parts);
+  for (const std::string& name : list.surfaces)
+    messages.warn("a surface of '" + name +
+                  "' is not in the parts list: it is open, beside solids of the same part\n"
+                  "  hint: remove it from the file if it is no part of the model");
+  return std::move(list.items);
 }
 
 // However small the scale, the two lines of a thread are apart on paper.
@@ -307,7 +313,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   find_breaks(views, seen, world);
   views.epura = epura_views(scene.sheets[static_cast<std::size_t>(views.sheet)], views, seen);
   expect_constructions(views, seen);
-  views.items = items_of(whole, scene, views);
+  views.items = items_of(whole, views);
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
   std::vector<sheet::DimensionsInView> anchored;
   if (options.lint) anchored = anchored_dimensions(whole, views, seen, annotations);
@@ -368,7 +374,7 @@ std::size_t left_out_of(const FinishedSheet& sheet) {
   return count;
 }
 
-// "auto" takes larger sheets as long as these leave out fewer dimensions.
+// "auto" takes larger sheets as long as these leave out fewer dimensions, at a larger scale or else at the same one.
 FinishedSheet Run::draw_sheet_with_room(const ShownWorlds& worlds, SheetOfViews views) {
   if (!is_sized_by_scale(scene.sheets[static_cast<std::size_t>(views.sheet)])) return draw_sheet(worlds, views);
   const Messages outside = messages;
@@ -386,20 +392,28 @@ FinishedSheet Run::draw_sheet_with_room(const ShownWorlds& worlds, SheetOfViews 
       throw;
     }
   };
-  auto [best, told] = draw();
-  while (left_out_of(best) > 0 && best.next_size && !progress.is_out_of_time()) {
-    views.least_size = *best.next_size;
+  auto [first, told_of_first] = draw();
+  FinishedSheet best = std::move(first);
+  HeldMessages told = std::move(told_of_first);
+  const auto improves = [&](const std::optional<double>& scale) {
+    views.kept_scale = scale;
     Gathered of_best = std::exchange(gathered, before);
     auto [larger, told_of_larger] = draw();
     if (left_out_of(larger) >= left_out_of(best) || !gathered.report.partial.stages.empty()) {
       gathered = std::move(of_best);
-      break;
+      return false;
     }
     best = std::move(larger);
     told = std::move(told_of_larger);
+    return true;
+  };
+  while (left_out_of(best) > 0 && best.next_size && !progress.is_out_of_time()) {
+    views.least_size = *best.next_size;
+    const bool has_scale = scene.sheets[static_cast<std::size_t>(views.sheet)].scale.given();
+    if (!improves(std::nullopt) && (has_scale || progress.is_out_of_time() || !improves(best.scale))) break;
   }
   told.tell(messages);
-  return std::move(best);
+  return best;
 }
 
 void place_threads(world::World& world, const scene::SceneDescription& scene) {
@@ -416,8 +430,9 @@ bool shows_parts(const SheetOfViews& views) {
 }
 
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
-  world::World world =
-      read_models(scene, reading_of(scene, options, fineness), gathered.report.meshes, messages, progress);
+  ReadWorld read = read_models(scene, reading_of(scene, options, fineness), gathered.report.meshes, messages, progress);
+  parts = std::move(read.parts);
+  world::World world = std::move(read.world);
   watch.lap("read");
   recognise_parts(world, scene, options, gathered.report, progress);
   if (std::any_of(sheets.begin(), sheets.end(), shows_parts))

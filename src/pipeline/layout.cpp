@@ -335,8 +335,8 @@ LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfView
   options.portrait = sheet.orientation.value_or(Orientation::landscape) == Orientation::portrait;
   options.angle = sheet.angle.value_or(ProjectionAngle::first);
   options.fit = sheet.fit.value_or(SheetFit::model);
-  options.scale =
-      sheet.scale.value_or({.fixed = {}, .standard = options.frame == FrameKind::full || is_sized_by_scale(sheet)});
+  const bool is_standard = options.frame == FrameKind::full || is_sized_by_scale(sheet);
+  options.scale = sheet.scale.value_or({.fixed = on_sheet.kept_scale, .standard = !on_sheet.kept_scale && is_standard});
   if (options.frame == FrameKind::full) options.title_block = title_block_of(scene, number);
   read_files(options, sheet);
   return options;

@@ -209,7 +209,7 @@ Picture make_picture(const PictureRequest& request, const RunOptions& options, c
   const DrawnScene drawn = draw_scene(own, run, {silent, progress, watch});
   const drawing::ViewDrawing& drawing = drawn.sheets.front().drawings.front();
   std::vector<mesh::MeshReport> reports;
-  const world::World world = read_models(own, reading_of(own, run), reports, silent, progress);
+  const world::World world = read_models(own, reading_of(own, run), reports, silent, progress).world;
   const auto folders = projection::plugin_folders(options.plugin_path);
   Picture picture{{}, drawing.projection, {}, {}, {}};
   picture.entry = projection::find_projection(request.projection->name, folders, options.projections);

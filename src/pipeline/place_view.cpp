@@ -17,7 +17,7 @@ namespace epura::pipeline {
 world::World read_world(const scene::SceneDescription& scene, const RunOptions& options, const Messages& messages,
                         Progress progress) {
   report::Report report;
-  world::World world = read_models(scene, reading_of(scene, options), report.meshes, messages, progress);
+  world::World world = read_models(scene, reading_of(scene, options), report.meshes, messages, progress).world;
   recognise_parts(world, scene, options, report, progress);
   return world;
 }

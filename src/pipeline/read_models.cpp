@@ -179,8 +179,8 @@ Reading reading_of(const scene::SceneDescription& scene, const RunOptions& optio
   return {std::move(read), options.kept_models};
 }
 
-world::World read_models(const scene::SceneDescription& scene, const Reading& reading,
-                         std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress) {
+ReadWorld read_models(const scene::SceneDescription& scene, const Reading& reading,
+                      std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress) {
   const std::vector<scene::ModelDescription>& models = scene.models;
   progress.begin("reading", work_of(models));
   // Who chooses the kinds of edges knows of them.
@@ -188,6 +188,7 @@ world::World read_models(const scene::SceneDescription& scene, const Reading& re
                                       [](const scene::ViewDescription& view) { return !view.edges.given(); });
   std::string without_unit;
   std::vector<world::Placed> placed;
+  std::vector<std::vector<importer::BodyPart>> parts;
   for (std::size_t i = 0; i < models.size(); ++i) {
     // Models that are not drawn keep their numbers.
     const bool drawn = is_drawn(models[i]);
@@ -198,6 +199,7 @@ world::World read_models(const scene::SceneDescription& scene, const Reading& re
     std::vector<scene::StyleDescription> styles =
         scene::styles_of_bodies(model.mesh, scene::name_of(models[i]), scene.styles);
     leave_out(model, styles);
+    parts.push_back(std::move(model.body_parts));
     placed.push_back({std::make_shared<const mesh::Mesh>(std::move(model.mesh)), place, {}, std::move(styles)});
     if (!drawn) continue;
     if (models[i].surfaces.value_or(Surfaces::automatic) == Surfaces::automatic) placed.back().part = model.part;
@@ -207,7 +209,7 @@ world::World read_models(const scene::SceneDescription& scene, const Reading& re
   world::World world = world::make_world(std::move(placed), wants_wires(scene));
   warn_about_idle(messages, scene, world);
   if (!scene.dimensions.empty()) doubt_size(messages, world, without_unit);
-  return world;
+  return {std::move(world), std::move(parts)};
 }
 
 }  // namespace epura::pipeline

@@ -25,9 +25,14 @@ struct Reading {
 /// scales, otherwise from the paper on which the drawings must fit.
 Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double fineness = 1);
 
+struct ReadWorld {
+  world::World world;
+  std::vector<std::vector<importer::BodyPart>> parts{};  ///< of the bodies of each model
+};
+
 /// Reads and positions the models; appends a report for each to `reports`. Reports repairs. Faces of parts are those
 /// that the files declare.
-world::World read_models(const scene::SceneDescription& scene, const Reading& reading,
-                         std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress);
+ReadWorld read_models(const scene::SceneDescription& scene, const Reading& reading,
+                      std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress);
 
 }  // namespace epura::pipeline

@@ -107,7 +107,7 @@ sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::V
     const world::Placed& placed = world.models[i];
     sheet::BodyStyle usual;
     usual.line = model.line.value_or(usual.line);
-    if (is_pictorial) usual.hidden = HiddenLines::none;
+    if (is_pictorial || view.section.given()) usual.hidden = HiddenLines::none;
     usual.hidden = model.hidden.value_or(view.hidden.value_or(usual.hidden));
     usual.hatch.pattern = view.hatch.value;
     if (layers == LayersBy::body) usual.layer = scene::name_of(model);

@@ -32,16 +32,18 @@ struct SheetOfViews {
   int sheet;
   std::vector<scene::ViewDescription> descriptions;
   std::vector<PlannedView> plans;
-  bool states_error = false;          ///< above the title block
-  int least_size = 0;                 ///< from which "auto" chooses, of its sizes in ascending order
-  std::vector<world::Item> items{};   ///< of its parts list; empty: it has none
-  std::optional<EpuraViews> epura{};  ///< if they have that layout
+  bool states_error = false;           ///< above the title block
+  int least_size = 0;                  ///< from which "auto" chooses, of its sizes in ascending order
+  std::optional<double> kept_scale{};  ///< instead of the largest one
+  std::vector<world::Item> items{};    ///< of its parts list; empty: it has none
+  std::optional<EpuraViews> epura{};   ///< if they have that layout
 };
 
 /// In the order of the sheets; a sheet may have no views.
 std::vector<SheetOfViews> views_by_sheet(const scene::SceneDescription& scene, const std::vector<PlannedView>& plans);
 
-/// The styles of all bodies in a view. Pictorial views have no hidden lines unless these are requested (ISO 5456-3).
+/// The styles of all bodies in a view. Pictorial views (ISO 5456-3) and sections have no hidden lines unless
+/// these are requested.
 sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::ViewDescription& view,
                             const world::World& world, const projection::Projection& projection);
 

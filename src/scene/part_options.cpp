@@ -205,7 +205,7 @@ Options<ViewDescription> line_options() {
       option<View>({.key = "hidden",
                     .flag = "--hidden",
                     .help = "style of hidden lines",
-                    .usual = "dashed; none in pictorial views"},
+                    .usual = "dashed; none in pictorial views and sections"},
                    &View::hidden, choice<HiddenLines>().shown_as("STYLE")),
       option<View>({.key = "hatch",
                     .flag = "--hatch",

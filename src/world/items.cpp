@@ -15,22 +15,52 @@ namespace epura::world {
 
 namespace {
 
-/// A body, with what tells whether it equals others.
+/// What is one piece, with what tells whether it equals others.
 struct Body {
-  int model, number;
-  std::string name;  ///< empty if it has none
+  int model;
+  std::vector<int> numbers;  ///< of the bodies that it consists of
+  std::string name;          ///< empty if it has none
   std::vector<int> triangles;
 };
 
-std::string name_of_part(const World& world, const std::vector<scene::ModelDescription>& models, int model, int body) {
-  const std::string& name = scene::name_of_body(*world.models[model].mesh, body);
+using Parts = std::vector<importer::BodyPart>;
+
+// Of the part that occurs there, or else of the body itself.
+std::string name_of_part(const World& world, const scene::ModelDescription& description, const Parts& parts, int model,
+                         int body) {
+  const mesh::Mesh& mesh = *world.models[model].mesh;
+  if (!parts.empty() && !parts[body].name.empty()) return parts[body].name;
+  const std::string& name = scene::name_of_body(mesh, body);
   if (!name.empty()) return name;
-  const bool is_whole = world.models[model].mesh->report.bodies <= 1;
-  return is_whole && models[model].name.given() ? *models[model].name : std::string();
+  return mesh.report.bodies <= 1 && description.name.given() ? *description.name : std::string();
+}
+
+// The first body of the occurrence of a part to which a body belongs as a nameless piece, or else itself.
+int piece_of(const Parts& parts, int body) {
+  if (parts.empty() || parts[body].name.empty()) return body;
+  const auto same = [&own = parts[body]](const importer::BodyPart& other) {
+    return other.occurrence == own.occurrence && other.name == own.name;
+  };
+  return static_cast<int>(std::find_if(parts.begin(), parts.end(), same) - parts.begin());
+}
+
+// Which bodies of a model are surfaces beside the solids of one occurrence of a part, such as planes of construction.
+std::vector<char> surfaces_of(const Placed& placed, const Parts& parts) {
+  const mesh::Mesh& mesh = placed.mesh->whole();
+  std::vector<char> surfaces(static_cast<std::size_t>(std::max(mesh.report.bodies, 1)), 0);
+  std::map<int, int> bodies, solids;  // of an occurrence
+  for (const importer::BodyPart& part : parts) ++bodies[part.occurrence];
+  if (bodies.size() == parts.size()) return surfaces;
+  const std::vector<Solid> measured = solids_of(mesh, placed.to_world);
+  for (const Solid& solid : measured) solids[parts[solid.body].occurrence] += solid.fault.empty() ? 1 : 0;
+  for (const Solid& solid : measured)
+    surfaces[solid.body] = !solid.fault.empty() && solids[parts[solid.body].occurrence] > 0 ? 1 : 0;
+  return surfaces;
 }
 
 // One named group is one body, whatever it consists of.
-std::vector<Body> bodies_of(const World& world, const std::vector<scene::ModelDescription>& models) {
+std::vector<Body> bodies_of(const World& world, const std::vector<scene::ModelDescription>& models,
+                            const std::vector<Parts>& parts, std::vector<std::string>& surfaces) {
   std::vector<Body> bodies;
   for (std::size_t m = 0; m < world.models.size(); ++m) {
     const mesh::Mesh& mesh = *world.models[m].mesh;
@@ -38,9 +68,20 @@ std::vector<Body> bodies_of(const World& world, const std::vector<scene::ModelDe
     std::map<int, std::vector<int>> triangles;
     for (int t = 0; t < mesh.triangle_count(); ++t)
       triangles[is_one ? 0 : mesh.body[t]].push_back(world.first_triangle[m] + t);
-    for (auto& [body, own] : triangles)
-      bodies.push_back(
-          {static_cast<int>(m), body, name_of_part(world, models, static_cast<int>(m), body), std::move(own)});
+    const std::vector<char> is_surface = is_one ? std::vector<char>{0} : surfaces_of(world.models[m], parts[m]);
+    std::map<int, std::size_t> of_piece;  // index in `bodies`
+    for (auto& [body, own] : triangles) {
+      std::string name = name_of_part(world, models[m], parts[m], static_cast<int>(m), body);
+      if (is_surface[body] != 0) {
+        surfaces.push_back(name.empty() ? scene::name_of(models[m]) : std::move(name));
+        continue;
+      }
+      const auto [piece, is_new] = of_piece.try_emplace(piece_of(parts[m], body), bodies.size());
+      if (is_new) bodies.push_back({static_cast<int>(m), {}, std::move(name), {}});
+      Body& whole = bodies[piece->second];
+      whole.numbers.push_back(body);
+      whole.triangles.insert(whole.triangles.end(), own.begin(), own.end());
+    }
   }
   return bodies;
 }
@@ -61,7 +102,6 @@ struct Growing {
 };
 
 bool is_joined(const Growing& item, const Body& body, const Shape& shape, double tolerance) {
-  if (!body.name.empty() && body.name == item.name) return true;
   const bool may_be = body.name.empty() || item.name.empty() || without_number(body.name) == without_number(item.name);
   return may_be && are_congruent(item.shape, shape, tolerance);
 }
@@ -69,11 +109,17 @@ bool is_joined(const Growing& item, const Body& body, const Shape& shape, double
 // Open bodies have no mass.
 void describe(Item& item, const World& world, const std::vector<scene::ModelDescription>& models, const Body& body) {
   const Placed& model = world.models[body.model];
-  if (!model.styles.empty()) item.material = model.styles[static_cast<std::size_t>(body.number)].material.value_or("");
-  const double density = density_of(model, models[static_cast<std::size_t>(body.model)], body.number);
+  const int first = body.numbers.front();
+  if (!model.styles.empty()) item.material = model.styles[static_cast<std::size_t>(first)].material.value_or("");
+  const double density = density_of(model, models[static_cast<std::size_t>(body.model)], first);
   if (!(density > 0)) return;
-  for (const Solid& solid : solids_of(model.mesh->whole(), model.to_world))
-    if (solid.body == body.number && solid.fault.empty()) item.mass = sum_of({&solid, 1}, {&density, 1}).mass;
+  std::vector<Solid> solids;
+  for (Solid& solid : solids_of(model.mesh->whole(), model.to_world))
+    if (std::find(body.numbers.begin(), body.numbers.end(), solid.body) != body.numbers.end())
+      solids.push_back(std::move(solid));
+  const std::vector<double> densities(solids.size(), density);
+  if (std::all_of(solids.begin(), solids.end(), [](const Solid& solid) { return solid.fault.empty(); }))
+    item.mass = sum_of(solids, densities).mass;
 }
 
 // "part", or "part 1", "part 2" if the model has several items without names.
@@ -91,17 +137,18 @@ void name_items(std::vector<Growing>& items, const std::vector<scene::ModelDescr
 
 }  // namespace
 
-std::vector<Item> find_items(const World& world, const std::vector<scene::ModelDescription>& descriptions) {
+ItemList find_items(const World& world, const std::vector<scene::ModelDescription>& descriptions,
+                    const std::vector<Parts>& parts) {
+  ItemList list;
   std::vector<Growing> items;
-  for (const Body& body : bodies_of(world, descriptions)) {
+  for (const Body& body : bodies_of(world, descriptions, parts, list.surfaces)) {
     Shape shape = shape_of(world, body.triangles);
     if (shape.corners.empty()) continue;
     const double tolerance = 1e-6 * shape.reach.back() + 4 * world.rounding;
-    const auto same = [&](const Growing& one) { return one.name == body.name && !body.name.empty(); };
-    auto found = std::find_if(items.begin(), items.end(), same);
-    if (found == items.end())
-      found = std::find_if(items.begin(), items.end(),
-                           [&](const Growing& one) { return is_joined(one, body, shape, tolerance); });
+    const auto joins = [&](const Growing& one) { return is_joined(one, body, shape, tolerance); };
+    auto found = std::find_if(items.begin(), items.end(),
+                              [&](const Growing& one) { return one.name == body.name && joins(one); });
+    if (found == items.end()) found = std::find_if(items.begin(), items.end(), joins);
     if (found == items.end()) {
       Growing& added = items.emplace_back();
       added.item.name = added.name = body.name;
@@ -112,12 +159,11 @@ std::vector<Item> find_items(const World& world, const std::vector<scene::ModelD
     if (found->item.name.empty()) found->item.name = body.name;
     if (!body.name.empty() && found->item.name != body.name) found->item.name = without_number(found->item.name);
     ++found->item.quantity;
-    found->item.bodies.push_back({body.model, body.number});
+    for (const int number : body.numbers) found->item.bodies.push_back({body.model, number});
   }
   name_items(items, descriptions);
-  std::vector<Item> result;
-  for (Growing& one : items) result.push_back(std::move(one.item));
-  return result;
+  for (Growing& one : items) list.items.push_back(std::move(one.item));
+  return list;
 }
 
 }  // namespace epura::world

@@ -98,7 +98,7 @@ class Study {
   std::vector<ViewMeasurements> measure_scene(const StudiedScene& scene) {
     pipeline::Stopwatch watch;
     std::vector<mesh::MeshReport> reports;
-    const world::World world = pipeline::read_models(scene.description, {}, reports, messages_, progress_);
+    const world::World world = pipeline::read_models(scene.description, {}, reports, messages_, progress_).world;
     watch.lap("read");
     const pipeline::CutSections sections = pipeline::cut_sections(world, scene.description, messages_);
     std::vector<ViewMeasurements> measured;

@@ -12,8 +12,11 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "sheet/dimensions/anchors.hpp"
+#include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "sheet/dimensions/thread_notes.hpp"
+#include "sheet/dimensions/view_choice.hpp"
 
 namespace epura::sheet {
 
@@ -59,17 +62,18 @@ class Planner {
   Planner(const DimensionDescription& wanted, std::span<const NamedProjection> views, const DimensionSubject& subject,
           const Notation& notation)
       : wanted_(wanted),
-        views_(views),
+        views_(wanted, views),
         subject_(subject),
         notation_(notation),
         stations_(subject),
         points_(design::points_of_faces(subject.world)),
         box_(design::box_of_faces(subject.world)) {}
 
-  AutomaticPlan plan() {
+  AutomaticPlan plan(std::span<const NamedProjection> views) {
     DimensionDescription overall = wanted_;
     overall.type = {DimensionType::overall, wanted_.type.where};
-    dimensions_ = overall_dimensions(overall, views_, subject_.extents);
+    dimensions_ = overall_dimensions(overall, views, subject_.extents);
+    add_hexagons();
     add_holes();
     add_pitch_circles();
     add_cylinders();
@@ -98,29 +102,6 @@ class Planner {
       const int row = dimension.direction.given() ? static_cast<int>(*dimension.direction) : -1;
       return ++count[{*dimension.view, row}] > most_of_a_kind;
     });
-  }
-
-  [[nodiscard]] bool may_use(const NamedProjection& view) const {
-    return wanted_.view.value_or(view.name) == view.name && is_plain(view.projection);
-  }
-
-  // The first view along an axis, if possible towards it.
-  [[nodiscard]] const NamedProjection* view_along(const Vec3& axis, bool only_towards) const {
-    const NamedProjection* best = nullptr;
-    for (const NamedProjection& view : views_) {
-      if (!may_use(view) || !are_parallel(view.projection.n, axis)) continue;
-      if (!only_towards || glm::dot(view.projection.n, axis) > 0) return &view;
-      if (best == nullptr) best = &view;
-    }
-    return best;
-  }
-
-  // The first view in which an axis is horizontal or vertical.
-  [[nodiscard]] const NamedProjection* view_across(const Vec3& axis) const {
-    for (const NamedProjection& view : views_)
-      if (may_use(view) && (are_parallel(view.projection.u, axis) || are_parallel(view.projection.v, axis)))
-        return &view;
-    return nullptr;
   }
 
   DimensionDescription& add(DimensionType type, const NamedProjection& view, const std::string& text) {
@@ -155,10 +136,32 @@ class Planner {
     return times(count) + name_in_note(hole.thread) + recesses_of(hole, notation_);
   }
 
+  // The width across flats of a hexagon gives that across its corners, which is auxiliary, and the places of its flats;
+  // on the axis of a hexagon that is as large as the models, nothing needs a position.
+  void add_hexagons() {
+    for (const design::DesignHexagon& hexagon : subject_.features.hexagons) {
+      if (!has_width(hexagon, views_)) continue;
+      for (DimensionDescription& overall : dimensions_)
+        if (const int axis = axis_of(*overall.direction);
+            is_extent(hexagon, axis, subject_, false) && !is_extent(hexagon, axis, subject_, true))
+          overall.text = {"(<>)", wanted_.where};
+      for (int axis = 0; axis < 3; ++axis) {
+        if (is_extent(hexagon, axis, subject_, false)) stations_.know(axis, hexagon.centre[axis]);
+        for (const Vec3& normal : hexagon.normals)
+          if (world_axis(normal) == axis)
+            for (const double side : {-0.5, 0.5})
+              stations_.know(axis, hexagon.centre[axis] + side * hexagon.across_flats);
+      }
+      if (const NamedProjection* view = views_.along(hexagon.axis)) add_position(*view, hexagon.centre, ++groups_);
+    }
+    for (DimensionDescription& width : hexagon_widths(wanted_, views_, subject_))
+      dimensions_.push_back(std::move(width));
+  }
+
   void add_holes() {
     for (const auto& group : groups_of<design::DesignHole>(subject_.features.holes, design::are_equal)) {
       ++groups_;
-      const NamedProjection* view = view_along(group.front()->axis, !group.front()->through);
+      const NamedProjection* view = views_.along(group.front()->axis, !group.front()->through);
       if (view == nullptr) continue;
       if (has_table() && can_have_table(*view)) {
         add_to_table(group, *view);
@@ -232,7 +235,7 @@ class Planner {
     if (has_table()) return;
     for (const design::DesignPitchCircle& circle : subject_.features.pitch_circles) {
       ++groups_;
-      const NamedProjection* view = view_along(circle.axis, false);
+      const NamedProjection* view = views_.along(circle.axis);
       if (view == nullptr) continue;
       add(DimensionType::diameter, *view, "<>").circle = {circle.centre, circle.axis, circle.radius, {}};
       add_position(*view, circle.centre, groups_);
@@ -260,15 +263,17 @@ class Planner {
     for (const design::DesignCylinder& cylinder : subject_.features.cylinders)
       if (cylinder.inwards || !is_overall(cylinder)) left.push_back(cylinder);
     const auto equal = [](const design::DesignCylinder& a, const design::DesignCylinder& b) {
-      return a.inwards == b.inwards && a.model == b.model && are_same(a.radius, b.radius) &&
+      return a.inwards == b.inwards && a.whole == b.whole && a.model == b.model && are_same(a.radius, b.radius) &&
              are_parallel(a.axis, b.axis) && name_in_note(a.thread) == name_in_note(b.thread);
     };
     for (const auto& group : groups_of<design::DesignCylinder>(left, equal)) {
       ++groups_;
       const Vec3& axis = group.front()->axis;
-      const NamedProjection* along = view_along(axis, false);
-      const NamedProjection* across = group.front()->inwards ? nullptr : view_across(axis);
-      const NamedProjection* view = across != nullptr ? across : along;
+      const NamedProjection* along = views_.along(axis);
+      const NamedProjection* across = group.front()->inwards ? nullptr : views_.across(axis);
+      // Across an interrupted one, its outline may not be seen.
+      const bool is_clear = across != nullptr && (group.front()->whole || along == nullptr);
+      const NamedProjection* view = is_clear ? across : along;
       if (view == nullptr) continue;
       const design::DesignCylinder& shown = *group.front();
       check(shown.called() > 0, "a cylinder has a radius");
@@ -303,7 +308,7 @@ class Planner {
       ++groups_;
       const design::DesignSlot& slot = *group.front();
       check(slot.radius > 0 && slot.centres[0] != slot.centres[1], "a slot has a width and a length");
-      const NamedProjection* view = view_along(slot.axis, false);
+      const NamedProjection* view = views_.along(slot.axis);
       if (view == nullptr) continue;
       const Vec3 along = glm::normalize(span(slot)), out = glm::cross(slot.axis, along);
       std::vector<Vec3> arc;
@@ -338,7 +343,7 @@ class Planner {
     const double largest = std::max({size.x, size.y, size.z});
     std::map<std::string, std::size_t> in_view;
     for (const auto& group : groups) {
-      const NamedProjection* view = view_along(group.front()->axis, false);
+      const NamedProjection* view = views_.along(group.front()->axis);
       const std::size_t count = group.size() + (view == nullptr ? 0 : unseen_arcs(groups, *group.front()));
       const double sum = double(count) * group.front()->radius;
       if (view == nullptr || sum < least_radius * largest || in_view[view->name]++ >= most_radii) continue;
@@ -362,13 +367,13 @@ class Planner {
     for (const auto& group : groups) {
       const design::DesignArc& arc = *group.front();
       if (arc.model != shown.model || !are_written_alike(arc, shown)) continue;
-      const bool is_seen = view_along(arc.axis, false) != nullptr;
+      const bool is_seen = views_.along(arc.axis) != nullptr;
       if (is_seen && &arc != &shown) return count;
       if (is_seen) break;
     }
     for (const auto& group : groups)
       if (group.front()->model == shown.model && are_written_alike(*group.front(), shown) &&
-          view_along(group.front()->axis, false) == nullptr)
+          views_.along(group.front()->axis) == nullptr)
         count += group.size();
     return count;
   }
@@ -381,12 +386,11 @@ class Planner {
 
   // The first view that shows the section of a rounded edge, and the side of the axis on which it does.
   [[nodiscard]] std::pair<const NamedProjection*, Vec3> view_of(const design::DesignRound& round) const {
-    for (const NamedProjection& view : views_) {
-      const projection::Projection& projection = view.projection;
-      if (!may_use(view)) continue;
+    for (const NamedProjection* view : views_.all()) {
+      const projection::Projection& projection = view->projection;
       for (const auto& [along, aside] : {std::pair(projection.u, projection.v), std::pair(projection.v, projection.u)})
         for (const double side : {1.0, -1.0})
-          if (are_parallel(along, round.axis) && round.reaches(side * aside)) return {&view, side * aside};
+          if (are_parallel(along, round.axis) && round.reaches(side * aside)) return {view, side * aside};
     }
     return {nullptr, Vec3(0)};
   }
@@ -415,10 +419,11 @@ class Planner {
       const design::DesignBall& ball = *group.front();
       check(ball.radius > 0, "a ball has a radius");
       if (has_radius(ball.radius) || is_overall(ball)) continue;
-      const auto view = std::find_if(views_.begin(), views_.end(), [&](const NamedProjection& one) {
-        return may_use(one) && std::abs(glm::dot(ball.middle, one.projection.n)) < 0.5;
+      const auto found = std::find_if(views_.all().begin(), views_.all().end(), [&](const NamedProjection* one) {
+        return std::abs(glm::dot(ball.middle, one->projection.n)) < 0.5;
       });
-      if (view == views_.end()) continue;
+      if (found == views_.all().end()) continue;
+      const NamedProjection* view = *found;
       const projection::Projection& projection = view->projection;
       const Vec3 flat = ball.middle - glm::dot(ball.middle, projection.n) * projection.n;
       const Vec3 out = glm::normalize(glm::length(flat) > 0.1 ? flat : projection.u + projection.v);
@@ -443,7 +448,7 @@ class Planner {
     for (const design::DesignCone& cone : subject_.features.cones) {
       check(cone.radii[0] >= 0 && cone.radii[0] <= cone.radii[1], "a cone begins at its smaller end");
       ++groups_;
-      const NamedProjection* view = view_across(cone.axis);
+      const NamedProjection* view = views_.across(cone.axis);
       if (view == nullptr) continue;
       const projection::Projection& projection = view->projection;
       const bool horizontal = are_parallel(projection.u, cone.axis);
@@ -452,7 +457,7 @@ class Planner {
         const design::DesignCylinder circle{cone.model, cone.ends[end],  cone.ends[end],
                                             cone.axis,  cone.radii[end], false};
         if (!(circle.radius > 0)) continue;
-        if (!is_overall(circle) && !design::has_coaxial_cylinder(subject_.features, circle))
+        if (!is_overall(circle) && !design::has_coaxial_outline(subject_.features, circle))
           add(DimensionType::diameter, *view, "<>").circle = {circle.from, circle.axis, circle.radius, {}};
         if (const int axis = world_axis(cone.axis); axis >= 0)
           stations_.add({view, axis, circle.from[axis], circle.from + circle.radius * out, -1,
@@ -469,7 +474,7 @@ class Planner {
     for (const auto& group : groups_of<design::DesignCone>(subject_.features.chamfers, equal)) {
       const design::DesignCone& chamfer = *group.front();
       check(chamfer.angle > 0 && chamfer.angle < 90, "a chamfer is neither a cylinder nor a plane");
-      const NamedProjection* view = view_across(chamfer.axis);
+      const NamedProjection* view = views_.across(chamfer.axis);
       if (view == nullptr) continue;
       const projection::Projection& projection = view->projection;
       const bool horizontal = are_parallel(projection.u, chamfer.axis);
@@ -489,7 +494,7 @@ class Planner {
       (bevel.is_chamfer ? chamfers : slopes).push_back(bevel);
     }
     for (const auto& group : groups_of<design::DesignBevel>(chamfers, are_equal_chamfers)) {
-      const NamedProjection* view = view_along(axis_of(group.front()->along), false);
+      const NamedProjection* view = views_.along(unit_along(group.front()->along));
       if (view == nullptr) continue;
       const auto* shown = uppermost<design::DesignBevel>(
           group, *view, [](const design::DesignBevel& one) { return (one.ends[0] + one.ends[1]) / 2.0; });
@@ -502,7 +507,7 @@ class Planner {
     }
     std::stable_sort(slopes.begin(), slopes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
     for (std::size_t i = 0; i < std::min(slopes.size(), most_of_a_kind); ++i) {
-      const NamedProjection* view = view_along(axis_of(slopes[i].along), false);
+      const NamedProjection* view = views_.along(unit_along(slopes[i].along));
       if (view == nullptr || slopes[i].area < least_area()) continue;
       for (int axis = 0; axis < 3; ++axis)
         for (const Vec3& end : slopes[i].ends)
@@ -510,7 +515,7 @@ class Planner {
     }
   }
 
-  static Vec3 axis_of(int number) {
+  static Vec3 unit_along(int number) {
     Vec3 axis(0);
     axis[number] = 1;
     return axis;
@@ -523,16 +528,16 @@ class Planner {
     axis[level.axis] = 1;
     const NamedProjection* best = nullptr;
     double least = HUGE_VAL;
-    for (const NamedProjection& view : views_) {
-      const projection::Projection& projection = view.projection;
-      if (!may_use(view) || !(are_parallel(projection.u, axis) || are_parallel(projection.v, axis))) continue;
+    for (const NamedProjection* view : views_.all()) {
+      const projection::Projection& projection = view->projection;
+      if (!are_parallel(projection.u, axis) && !are_parallel(projection.v, axis)) continue;
       const auto depth = [&](const Vec3& p) { return glm::dot(p, projection.n); };
       double front = -HUGE_VAL, nearest = -HUGE_VAL;
       for (const Vec3& p : points_) front = std::max(front, depth(p));
       for (const Vec3& p : level.points) nearest = std::max(nearest, depth(p));
       const double behind = front - nearest;
       if (best != nullptr && behind >= least - same_size * glm::length(box_.size())) continue;
-      best = &view;
+      best = view;
       least = behind;
     }
     return best;
@@ -564,7 +569,7 @@ class Planner {
   }
 
   const DimensionDescription& wanted_;
-  std::span<const NamedProjection> views_;
+  ViewChoice views_;
   const DimensionSubject& subject_;
   Notation notation_;
   Stations stations_;
@@ -584,7 +589,7 @@ AutomaticPlan automatic_dimensions(const DimensionDescription& wanted, std::span
     throw Error(ErrorKind::input, wanted.tolerance.given() ? wanted.tolerance.where : wanted.limits.where,
                 "automatic dimensions have no common tolerance",
                 "add a [[dimension]] for the size, or general_tolerance to the [title_block]");
-  return Planner(wanted, views, subject, notation).plan();
+  return Planner(wanted, views, subject, notation).plan(views);
 }
 
 }  // namespace epura::sheet

@@ -12,6 +12,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "world/placed_part.hpp"
 
@@ -116,6 +117,7 @@ class CoverageFinder {
   CoverageFinder(const DimensionSubject& subject, const Notation& notation) : subject_(subject), notation_(notation) {
     const double slack = same_place * glm::length(subject.world.box.size());
     for (int axis = 0; axis < 3; ++axis) chains_.emplace_back(subject.extents[axis], slack);
+    widths_.resize(subject.features.hexagons.size(), 0);
     add_places();
     add_sizes();
     for (Chain& chain : chains_) chain.begin();
@@ -134,6 +136,11 @@ class CoverageFinder {
       if (size.dimensions == 0 && !given_elsewhere(size) && !is_in_table(size) && !is_given_by_equal(size, views))
         coverage_.undimensioned.push_back(size.name);
       if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
+    }
+    for (std::size_t i = 0; i < widths_.size(); ++i) {
+      const std::string name = "hexagon " + length(subject_.features.hexagons[i].across_flats) + " across flats";
+      if (widths_[i] == 0) coverage_.undimensioned.push_back(name);
+      if (widths_[i] > 1) coverage_.repeated.push_back(name);
     }
     add_uncheckable();
     merge(coverage_.undimensioned);
@@ -160,6 +167,8 @@ class CoverageFinder {
       for (const Vec3& centre : slot.centres) add_place(centre, slot.axis, "slot R" + length(slot.radius));
     for (const design::DesignPitchCircle& circle : features.pitch_circles)
       add_place(circle.centre, circle.axis, "pitch circle ⌀" + length(2 * circle.radius));
+    for (const design::DesignHexagon& hexagon : features.hexagons)
+      add_place(hexagon.centre, hexagon.axis, "hexagon " + length(hexagon.across_flats));
     for (const design::DesignLevel& level : features.levels) {
       check(level.axis >= 0 && level.axis < 3, "a step is perpendicular to an axis of the world");
       chains_[level.axis].add(level.at, "step");
@@ -180,6 +189,11 @@ class CoverageFinder {
   [[nodiscard]] std::string name_of(const design::DesignCylinder& cylinder) const {
     const std::string size = cylinder.thread ? cylinder.thread->text : "⌀" + length(2 * cylinder.radius);
     return (cylinder.inwards ? "bore " : "cylinder ") + size;
+  }
+
+  // Those that one note can describe, as automatic dimensions do.
+  static std::string kind_of(const design::DesignCylinder& cylinder) {
+    return std::string(cylinder.whole ? "" : "interrupted ") + (cylinder.inwards ? "bore" : "cylinder");
   }
 
   static bool have_equal_lengths(const CircleSize& a, const CircleSize& b) {
@@ -218,9 +232,7 @@ class CoverageFinder {
     }
     for (const design::DesignCylinder& cylinder : features.cylinders)
       add_size({name_of(cylinder),
-                cylinder.thread    ? name_of(cylinder)
-                : cylinder.inwards ? "bore"
-                                   : "cylinder",
+                cylinder.thread ? name_of(cylinder) : kind_of(cylinder),
                 {cylinder.called()},
                 cylinder.model,
                 cylinder.from,
@@ -265,7 +277,7 @@ class CoverageFinder {
   // A cylinder that continues a cone has the size of its end.
   void add_end(const design::DesignCone& cone, int end) {
     const design::DesignCylinder circle{cone.model, cone.ends[end], cone.ends[end], cone.axis, cone.radii[end], false};
-    if (circle.radius > 0 && !design::has_coaxial_cylinder(subject_.features, circle))
+    if (circle.radius > 0 && !design::has_coaxial_outline(subject_.features, circle))
       add_size({"end of a cone ⌀" + length(2 * circle.radius),
                 "end of a cone",
                 {circle.radius},
@@ -364,6 +376,10 @@ class CoverageFinder {
       if (dimension.type == DimensionType::linear)
         along = *dimension.direction == DimensionDirection::horizontal ? view.projection.u : view.projection.v;
       const int axis = world_axis(glm::normalize(along));
+      if (!dimension.arrangement)
+        join_hexagons(dimension.text, [&](const design::DesignHexagon& hexagon) {
+          return is_across_flats(hexagon, glm::normalize(along), dimension.points[0], dimension.points[1]);
+        });
       if (axis >= 0 && dimension.arrangement)
         join_row(axis, dimension);
       else if (axis >= 0)
@@ -420,16 +436,52 @@ class CoverageFinder {
       chains_[axis].join(slot.centres[0][axis], slot.centres[1][axis]);
   }
 
+  // The width across flats gives the places of flats and corners: of the hexagons at which it is, and for "2×" of all
+  // equal ones.
+  template <class Measures>
+  void join_hexagons(const std::string& text, const Measures& measures) {
+    const std::vector<design::DesignHexagon>& hexagons = subject_.features.hexagons;
+    const bool many = repeats_of(text) > 1;
+    const auto gives = [&](const design::DesignHexagon& hexagon) {
+      return measures(hexagon) || (many && std::any_of(hexagons.begin(), hexagons.end(), [&](const auto& other) {
+                                     return measures(other) && are_equal(other, hexagon);
+                                   }));
+    };
+    for (std::size_t i = 0; i < hexagons.size(); ++i) {
+      if (!gives(hexagons[i])) continue;
+      ++widths_[i];
+      for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(hexagons[i].axis[axis]) > parallel) continue;
+        Vec3 direction(0);
+        direction[axis] = 1;
+        const double middle = hexagons[i].centre[axis], reach = hexagons[i].reach(direction);
+        for (const double side : {-reach, reach}) chains_[axis].join(middle, middle + side);
+      }
+    }
+  }
+
   // A diameter is the size along both axes across a shaft.
   void join_overall(int axis) {
     const design::Extent& extent = subject_.extents[axis];
     for (int other = 0; other < 3; ++other) {
       const design::Extent& same = subject_.extents[other];
       if (other != axis && !extent.is_same_as(same)) continue;
+      join_hexagons("",
+                    [&](const design::DesignHexagon& hexagon) { return is_extent(hexagon, other, subject_, true); });
       if (!chains_[other].join_by_length(same.from, same.to) && other == axis)
         coverage_.repeated.push_back(std::string("overall size along ") + axis_names[axis]);
       if (same.form != design::ExtentForm::length) chains_[other].join(same.from, (same.from + same.to) / 2);
     }
+    for (int other = 0; other < 3 && extent.form == design::ExtentForm::diameter; ++other)
+      if (std::abs(extent.axis[other]) <= parallel) join_beside_flats(other, extent);
+  }
+
+  // The axis of a shaft, where flats may have taken one end or, equally, both.
+  void join_beside_flats(int axis, const design::Extent& shaft) {
+    const double middle = shaft.centre[axis];
+    for (const double side : {-0.5, 0.5}) chains_[axis].join(middle, middle + side * shaft.size());
+    const design::Extent& own = subject_.extents[axis];
+    if (are_same(own.to - middle, middle - own.from)) chains_[axis].join(middle, own.from);
   }
 
   void join_circles(const AnchoredDimension& dimension) {
@@ -508,6 +560,7 @@ class CoverageFinder {
   Notation notation_;
   std::vector<Chain> chains_;
   std::vector<CircleSize> sizes_;
+  std::vector<int> widths_;          // dimensions that give that of each hexagon
   std::vector<double> radii_;        // that dimensions give
   std::vector<WorldCircle> labels_;  // of holes in tables
   Coverage coverage_;

@@ -67,8 +67,10 @@ Stations::Stations(const DimensionSubject& subject)
   for (int axis = 0; axis < 3; ++axis) {
     const design::Extent& extent = subject.extents[axis];
     known_[axis] = {extent.from, extent.to};
-    // The middle of a shaft needs no dimension.
-    if (extent.form != design::ExtentForm::length) known_[axis].push_back((extent.from + extent.to) / 2);
+    // The middle of a shaft needs no dimension, even where a flat is.
+    if (extent.form == design::ExtentForm::length) continue;
+    for (int other = 0; other < 3; ++other)
+      if (std::abs(extent.axis[other]) <= parallel) known_[other].push_back(extent.centre[other]);
   }
 }
 

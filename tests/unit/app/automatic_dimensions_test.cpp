@@ -9,6 +9,7 @@
 #include "base/vec.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
+#include "known_hexagons.hpp"
 #include "known_parts.hpp"
 #include "program.hpp"
 #include "sheet/dimensions/boxes.hpp"
@@ -78,10 +79,12 @@ class AutomaticDimensions : public testing::Test {
 TEST_F(AutomaticDimensions, OfPlatesAreEachThereOnce) { expect_known(plates()); }
 TEST_F(AutomaticDimensions, OfRoundPartsAreEachThereOnce) { expect_known(round_parts()); }
 TEST_F(AutomaticDimensions, OfBlocksAreEachThereOnce) { expect_known(blocks()); }
+TEST_F(AutomaticDimensions, OfHexagonsAreEachThereOnce) { expect_known(hexagons()); }
+TEST_F(AutomaticDimensions, OfInterruptedCirclesAreEachThereOnce) { expect_known(interrupted_circles()); }
 
 // In whatever arrangement, lint finds that nothing is missing, repeated or crossing.
 TEST_F(AutomaticDimensions, AreCompleteInEveryArrangement) {
-  for (const auto& parts : {plates(), round_parts(), blocks()})
+  for (const auto& parts : {plates(), round_parts(), blocks(), hexagons(), interrupted_circles()})
     for (const KnownPart& part : parts)
       for (const char* arrangement : {"baseline", "chain", "ordinate"}) {
         const Outcome run = lint(folder.file("part.obj", part.obj), "auto", {"--arrangement", arrangement});
@@ -91,7 +94,7 @@ TEST_F(AutomaticDimensions, AreCompleteInEveryArrangement) {
 
 // Measured apart from lint: no text lies on another one.
 TEST_F(AutomaticDimensions, HaveTextsThatDoNotTouch) {
-  for (const auto& parts : {plates(), round_parts(), blocks()})
+  for (const auto& parts : {plates(), round_parts(), blocks(), hexagons(), interrupted_circles()})
     for (const KnownPart& part : parts) {
       EXPECT_EQ(lint(folder.file("part.obj", part.obj), "auto", {"--svg-text", "text"}).code, 0) << part.name;
       const auto boxes = boxes_in(read_file(folder / "x.svg"));

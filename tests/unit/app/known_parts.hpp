@@ -415,6 +415,52 @@ inline std::vector<KnownPart> round_parts() {
            {"66.18", "⌀40", "⌀20", "10", "SR15"}}};
 }
 
+// Part of a circle around the origin, from one angle to another.
+inline Loop arc_of(double radius, double from, double to) {
+  Loop loop;
+  for (int i = 0; i <= 4 * k; ++i) {
+    const double angle = from + (to - from) * i / (4 * k);
+    loop.push_back(radius * Vec2(cosine(angle), sine(angle)));
+  }
+  return loop;
+}
+
+// Teeth with radial sides.
+inline Loop teeth(int count, double tip, double root, double turned) {
+  Loop outline;
+  const double half = 90.0 / count;
+  for (int i = 0; i < count; ++i) {
+    const double at = turned + 360.0 * i / count;
+    for (const Loop& part : {arc_of(tip, at - half, at + half), arc_of(root, at + half, at + 3 * half)})
+      outline.insert(outline.end(), part.begin(), part.end());
+  }
+  return outline;
+}
+
+// A ring with a keyway in its bore: 15 degrees to both sides are 2 x 2.588 wide.
+inline std::string keyed_hub() {
+  Plate plate(8);
+  Loop bore = circle({0, 0}, 10, 0);
+  for (int i = k - 1; i <= k + 1; ++i) bore[std::size_t(i)] = {(k - i) * bore[k - 2].x, 13};
+  plate.cell(circle({0, 0}, 20, 0), {{bore, 8}, {bore, 0}});
+  return plate.obj();
+}
+
+// Prisms along y over parts of circles.
+inline std::vector<KnownPart> interrupted_circles() {
+  const double flat = std::acos(0.8) * 180 / std::numbers::pi, key = std::asin(0.3) * 180 / std::numbers::pi;
+  Loop two_flats = arc_of(10, flat, 180 - flat), other = arc_of(10, 180 + flat, 360 - flat);
+  two_flats.insert(two_flats.end(), other.begin(), other.end());
+  Loop keyed = arc_of(10, 90 + key, 450 - key);
+  keyed.insert(keyed.end(), {{3, 6.5}, {-3, 6.5}});
+  return {{"a flat", block(arc_of(10, flat, 360 - flat), 40), {"18", "⌀20", "40"}},
+          {"two flats", block(two_flats, 40), {"16", "⌀20", "40"}},
+          {"a keyway", block(keyed, 40), {"⌀20", "40", "6", "16.5"}},
+          {"teeth", block(teeth(8, 20, 15, 0), 40), {"⌀40", "40", "⌀30"}},
+          {"teeth beside the axes", block(teeth(8, 20, 15, 22.5), 40), {"⌀40", "40", "⌀30"}},
+          {"a keyed hub", keyed_hub(), {"⌀40", "8", "⌀20", "5.18", "33"}}};
+}
+
 inline std::vector<KnownPart> blocks() {
   return {
       {"a box", block({{0, 0}, {50, 0}, {50, 20}, {0, 20}}, 30), {"50", "20", "30"}},

@@ -296,6 +296,37 @@ TEST(AlignedCut, OfThreePlanesIsAsLongAsThePath) {
   EXPECT_NEAR(right, 4 + inclined, 1e-12);
 }
 
+// A step between two planes in one direction is not cut: an offset in the plane that stays, and in an inclined one.
+TEST(AlignedCut, MayHaveSteps) {
+  const world::World world = world_of(box({-3, -3, 0}, {5, 4, 2}));
+  const cut::CuttingSurface ahead = aligned({{-3, 0, 0}, {1, 0, 0}, {1, 2, 0}, {3, 2, 0}, {5, 4, 0}});
+  EXPECT_EQ(ahead.path.size(), 5U) << "the line of the planes has all corners";
+  const cut::CutWorld cut = cut::cut_world(world, ahead);
+  ASSERT_EQ(cut.world.models.size(), 3U);
+  EXPECT_NEAR(cut_area(world, cut), 2 * (4 + 2 + 2 * std::sqrt(2.0)), 1e-12);
+  double left = 0, right = 0, far = 0;
+  for (const cut::WorldCutFace& face : cut.faces)
+    for (const auto& outline : face.rings)
+      for (const int v : outline) {
+        const Vec3& p = cut.world.points[v];
+        left = std::min(left, p.x), right = std::max(right, p.x), far = std::max(far, p.y);
+      }
+  EXPECT_NEAR(left, -3, 1e-12);
+  EXPECT_NEAR(right, 3 + 2 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(far, 2, 1e-12) << "the plane behind the step";
+  // From (0, 0) up to the right by 45 degrees, with a step of length sqrt 2 to the lower right at (1, 1).
+  const cut::CutWorld inclined =
+      cut::cut_world(world, aligned({{-3, 0, 0}, {0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {5, 3, 0}}));
+  EXPECT_NEAR(cut_area(world, inclined), 2 * (3 + std::sqrt(2.0) + 3 * std::sqrt(2.0)), 1e-12);
+}
+
+// A plane may lie wholly in a hole, between others that cut.
+TEST(AlignedCut, MayCrossAHole) {
+  const world::World world = world_of(std::vector{box({-3, -4, 0}, {-1, 4, 2}), box({1, -4, 0}, {3, 4, 2})});
+  const cut::CutWorld cut = cut::cut_world(world, aligned({{-5, 0, 0}, {-0.5, 0, 0}, {0.5, 1, 0}, {5, 1, 0}}));
+  EXPECT_NEAR(cut_area(world, cut), 2 * (2 + 2), 1e-12);
+}
+
 // If no plane is perpendicular to the normal, all are turned about their first corner.
 TEST(AlignedCut, MayTurnAllPlanes) {
   const world::World world = world_of(ring(48));

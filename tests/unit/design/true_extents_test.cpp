@@ -88,12 +88,21 @@ TEST(TrueExtents, OfARing) {
 }
 
 TEST(TrueExtents, ArcsReachOnlyWhereTheyAre) {
-  // Three quarters of a disc: what is missing lies beyond x = 0 and y = 0.
+  // Three quarters of a disc have a diameter; what is missing lies beyond x = 0 and y = 0.
   std::vector<Vec2> outline = arc({0, 0}, 40, 90, 360, 31);
   outline.emplace_back(0, 0);
   auto extents = design::true_extents(world_of(prism(outline, 10)));
-  expect_extent(extents[0], -40, 40, length);
-  expect_extent(extents[1], -40, 40, length);
+  expect_extent(extents[0], -40, 40, diameter);
+  expect_extent(extents[1], -40, 40, diameter);
+  // A flat at x = 32, and a slot with edges at (-32, 24) and (-32, -24).
+  const double at = std::acos(0.8) * 180 / pi;
+  outline = arc({0, 0}, 40, at, 180 - at, 13);
+  outline.emplace_back(-20, 0);
+  const std::vector<Vec2> below = arc({0, 0}, 40, 180 + at, 360 - at, 13);
+  outline.insert(outline.end(), below.begin(), below.end());
+  extents = design::true_extents(world_of(prism(outline, 10)));
+  expect_extent(extents[0], -40, 32, length);
+  expect_extent(extents[1], -40, 40, diameter);
   // 100 degrees about the downward direction.
   outline = arc({0, 0}, 40, 220, 320, 13);
   extents = design::true_extents(world_of(prism(outline, 10)));

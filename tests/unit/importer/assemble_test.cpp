@@ -180,6 +180,10 @@ TEST(Assembly, NamesBodiesByNodeShapeAndBody) {
       importer::assemble({.shapes = {two}, .nodes = {{-1, 0, "left", as_it_is}, {-1, 0, "", as_it_is}}}, "test");
   EXPECT_EQ(assembled.soup.body_names,
             (std::vector<std::string>{"left/pin", "left/cap", "cylinder/pin", "cylinder/cap"}));
+  std::vector<std::pair<std::string, int>> parts;
+  for (const importer::BodyPart& part : assembled.body_parts) parts.emplace_back(part.name, part.occurrence);
+  EXPECT_EQ(parts, (std::vector<std::pair<std::string, int>>{
+                       {"cylinder/pin", 0}, {"cylinder/cap", 0}, {"cylinder/pin", 1}, {"cylinder/cap", 1}}));
 }
 
 TEST(Assembly, ColoursOfNodesTakePrecedence) {

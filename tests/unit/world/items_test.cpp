@@ -54,7 +54,7 @@ std::vector<scene::ModelDescription> descriptions(std::size_t count) {
 TEST(Items, AreTheSameMeshTurned) {
   const world::World world =
       world_of({{wedge(1), "scale:1"}, {wedge(1), "rotate:z,37 rotate:x,-81 translate:900,-70,3"}});
-  const auto items = world::find_items(world, descriptions(2));
+  const auto items = world::find_items(world, descriptions(2), {{}, {}}).items;
   ASSERT_EQ(items.size(), 1U);
   EXPECT_EQ(items[0].quantity, 2);
   EXPECT_EQ(items[0].name, "wedge");
@@ -62,19 +62,66 @@ TEST(Items, AreTheSameMeshTurned) {
 
 TEST(Items, AreNotReflectionsOrOtherSizes) {
   const world::World world = world_of({{wedge(1), "scale:1"}, {wedge(1), "scale:-1,1,1"}, {wedge(1), "scale:1.001"}});
-  const auto items = world::find_items(world, descriptions(3));
+  const auto items = world::find_items(world, descriptions(3), {{}, {}, {}}).items;
   ASSERT_EQ(items.size(), 3U);
   for (const world::Item& item : items) EXPECT_EQ(item.quantity, 1);
 }
 
 TEST(Items, HaveOneNameOrDifferByANumberOnly) {
   const std::string named = "o nut_1\n" + wedge(1) + "o nut_2\n" + wedge(11, 40) + "o bolt\n" + wedge(21, 80);
-  const auto items = world::find_items(world_of({{named, "scale:1"}, {named, "translate:0,50,0"}}), descriptions(2));
+  const auto items =
+      world::find_items(world_of({{named, "scale:1"}, {named, "translate:0,50,0"}}), descriptions(2), {{}, {}}).items;
   ASSERT_EQ(items.size(), 2U) << "a bolt and a nut of one shape are two items";
   EXPECT_EQ(items[0].name, "nut");
   EXPECT_EQ(items[0].quantity, 4);
   EXPECT_EQ(items[1].name, "bolt");
   EXPECT_EQ(items[1].quantity, 2);
+}
+
+// The file says which part occurs where: names of occurrences do not count.
+TEST(Items, HaveTheNamesOfTheirParts) {
+  const std::string named = "o left leg\n" + wedge(1) + "o right leg\n" + wedge(11, 40) + "o top\n" + wedge(21, 80);
+  const world::World world = world_of({{named, "scale:1"}});
+  EXPECT_EQ(world::find_items(world, descriptions(1), {{}}).items.size(), 3U);
+  const auto items = world::find_items(world, descriptions(1), {{{"leg", 0}, {"leg", 1}, {"", 2}}}).items;
+  ASSERT_EQ(items.size(), 2U);
+  EXPECT_EQ(items[0].name, "leg");
+  EXPECT_EQ(items[0].quantity, 2);
+  EXPECT_EQ(items[1].name, "top") << "a part without a name";
+}
+
+TEST(Items, OfOneNameButOtherShapesAreSeveral) {
+  const std::string named = "o body\n" + wedge(1) + "o Body\n" + wedge(11, 40);
+  const world::World world = world_of({{named, "scale:1"}, {named, "scale:2"}});
+  const auto items = world::find_items(world, descriptions(2), {{{"a", 0}, {"a", 1}}, {{"a", 0}, {"b", 1}}}).items;
+  ASSERT_EQ(items.size(), 3U);
+  EXPECT_EQ(items[0].quantity, 2);
+  EXPECT_EQ(items[1].name, "a");
+  EXPECT_EQ(items[2].name, "b");
+}
+
+// The bodies of one occurrence are one piece unless they have names.
+TEST(Items, MayHaveSeveralBodies) {
+  const std::string named =
+      "o 1\n" + wedge(1) + "o 2\n" + wedge(11, 40) + "o 3\n" + wedge(21, 80) + "o 4\n" + wedge(31, 120);
+  const world::World world = world_of({{named, "scale:1"}});
+  const auto items =
+      world::find_items(world, descriptions(1), {{{"pair", 0}, {"pair", 0}, {"pair", 1}, {"pair", 1}}}).items;
+  ASSERT_EQ(items.size(), 1U);
+  EXPECT_EQ(items[0].quantity, 2);
+  EXPECT_EQ(items[0].bodies, (std::vector<std::array<int, 2>>{{0, 0}, {0, 1}, {0, 2}, {0, 3}}));
+}
+
+TEST(Items, AreNotSurfacesBesideSolids) {
+  const std::string plane = "v 0 0 50\nv 9 0 50\nv 9 9 50\nf -3 -2 -1\n";
+  const world::World world = world_of({{"o part\n" + wedge(1) + "o plane\n" + plane, "scale:1"}});
+  const auto list = [&](int occurrence) {
+    return world::find_items(world, descriptions(1), {{{"bracket", 0}, {"bracket", occurrence}}});
+  };
+  ASSERT_EQ(list(0).items.size(), 1U);
+  EXPECT_EQ(list(0).items[0].quantity, 1);
+  EXPECT_EQ(list(0).surfaces, std::vector<std::string>{"bracket"});
+  EXPECT_EQ(list(1).items.size(), 2U) << "a part that is a surface";
 }
 
 // A box of 30 x 20 x 10 less the tetrahedron of the corner, 5 x 3 x 4.

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "design/interrupted_cylinders.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include "base/portable_math.hpp"
+
+namespace epura::design {
+
+namespace {
+
+using features::SurfaceKind;
+
+constexpr double parallel = 1e-4;   // sine
+constexpr double same_size = 1e-4;  // relative
+
+// The largest angle around the axis without any of the parts, degrees.
+double largest_gap(const std::vector<RoundFace>& round, const std::vector<int>& parts) {
+  const RoundFace& first = round[static_cast<std::size_t>(parts.front())];
+  const Vec3 u = first.middle, v = glm::cross(first.face.surface.axis, u);
+  std::vector<std::pair<double, double>> arcs;  // begin and end, degrees
+  for (const int part : parts) {
+    const RoundFace& one = round[static_cast<std::size_t>(part)];
+    const double middle = portable_atan2(glm::dot(one.middle, v), glm::dot(one.middle, u)) * 180 / std::numbers::pi;
+    for (const double turn : {0.0, 360.0})
+      arcs.emplace_back(middle - one.face.sweep / 2 + turn, middle + one.face.sweep / 2 + turn);
+  }
+  std::sort(arcs.begin(), arcs.end());
+  double gap = 0, end = arcs.front().second;
+  for (const auto& [begins, ends] : arcs) {
+    gap = std::max(gap, begins - end);
+    end = std::max(end, ends);
+  }
+  return gap > 0 ? gap : arcs.front().first + 720 - end;
+}
+
+}  // namespace
+
+bool are_one_cylinder(const RoundFace& a, const RoundFace& b) {
+  const features::PartSurface &s = a.face.surface, &t = b.face.surface;
+  return s.kind == SurfaceKind::cylinder && t.kind == SurfaceKind::cylinder && a.face.inwards == b.face.inwards &&
+         std::abs(s.radius - t.radius) <= same_size * s.radius && glm::length(glm::cross(s.axis, t.axis)) <= parallel &&
+         glm::length(glm::cross(t.origin - s.origin, s.axis)) <= same_size * s.radius;
+}
+
+std::vector<InterruptedCylinder> find_interrupted_cylinders(const std::vector<RoundFace>& round) {
+  std::vector<char> done(round.size(), 0);
+  std::vector<InterruptedCylinder> found;
+  for (std::size_t i = 0; i < round.size(); ++i) {
+    const RoundFace& first = round[i];
+    if (done[i] != 0 || first.face.surface.kind != SurfaceKind::cylinder) continue;
+    InterruptedCylinder cylinder{{}, HUGE_VAL, -HUGE_VAL};
+    bool has_whole = false;
+    for (std::size_t j = i; j < round.size(); ++j) {
+      if (done[j] != 0 || !are_one_cylinder(first, round[j])) continue;
+      done[j] = 1;
+      has_whole = has_whole || round[j].is_whole();
+      cylinder.parts.push_back(static_cast<int>(j));
+      for (const double height : {round[j].from, round[j].to}) {
+        const double along = glm::dot(round[j].at(height) - first.face.surface.origin, first.face.surface.axis);
+        cylinder.from = std::min(cylinder.from, along);
+        cylinder.to = std::max(cylinder.to, along);
+      }
+    }
+    if (!has_whole && largest_gap(round, cylinder.parts) < 360 - longest_arc) found.push_back(std::move(cylinder));
+  }
+  return found;
+}
+
+}  // namespace epura::design

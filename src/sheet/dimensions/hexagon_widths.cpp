@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/hexagon_widths.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace epura::sheet {
+
+namespace {
+
+using design::DesignHexagon;
+
+constexpr double parallel = 1e-4;   // sine
+constexpr double same_size = 2e-4;  // relative
+
+bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
+bool are_same(double a, double b, double size) { return std::abs(a - b) <= same_size * size; }
+
+/// A view, the normal of the flats between which it measures, and the direction in which the extension lines leave
+/// their ends.
+struct WidthView {
+  const NamedProjection* view;
+  Vec3 normal, end;
+  std::optional<DimensionDirection> direction{};  ///< nothing: oblique
+};
+
+// In a view along the axis if possible, and there between flats that are horizontal or vertical.
+std::optional<WidthView> view_of(const DesignHexagon& hexagon, const ViewChoice& views) {
+  const auto straight = [&](const NamedProjection& view, double half) -> std::optional<WidthView> {
+    for (const Vec3& normal : hexagon.normals) {
+      if (are_parallel(normal, view.projection.u))
+        return WidthView{&view, normal, -half * view.projection.v, DimensionDirection::horizontal};
+      if (are_parallel(normal, view.projection.v))
+        return WidthView{&view, normal, half * view.projection.u, DimensionDirection::vertical};
+    }
+    return std::nullopt;
+  };
+  if (const NamedProjection* along = views.along(hexagon.axis)) {
+    const Vec3& normal = hexagon.normals.front();
+    if (const auto found = straight(*along, hexagon.half_flat)) return found;
+    return WidthView{along, normal, hexagon.half_flat * glm::cross(along->projection.n, normal)};
+  }
+  for (const NamedProjection* view : views.all())
+    if (are_parallel(view->projection.u, hexagon.axis) || are_parallel(view->projection.v, hexagon.axis))
+      if (const auto found = straight(*view, hexagon.half_height)) return found;
+  return std::nullopt;
+}
+
+bool is_extent_across_flats(const DesignHexagon& hexagon, const DimensionSubject& subject) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (is_extent(hexagon, axis, subject, true)) return true;
+  return false;
+}
+
+}  // namespace
+
+bool is_extent(const DesignHexagon& hexagon, int axis, const DimensionSubject& subject, bool across_flats) {
+  Vec3 direction(0);
+  direction[axis] = 1;
+  if (hexagon.inwards || std::abs(hexagon.axis[axis]) > parallel) return false;
+  if (across_flats && std::none_of(hexagon.normals.begin(), hexagon.normals.end(),
+                                   [&](const Vec3& normal) { return are_parallel(normal, direction); }))
+    return false;
+  const design::Extent& extent = subject.extents[static_cast<std::size_t>(axis)];
+  const double reach = hexagon.reach(direction);
+  return are_same(extent.from, hexagon.centre[axis] - reach, reach) &&
+         are_same(extent.to, hexagon.centre[axis] + reach, reach);
+}
+
+bool is_across_flats(const DesignHexagon& hexagon, const Vec3& along, const Vec3& from, const Vec3& to) {
+  const double half = hexagon.across_flats / 2;
+  if (std::none_of(hexagon.normals.begin(), hexagon.normals.end(),
+                   [&](const Vec3& normal) { return are_parallel(normal, along); }))
+    return false;
+  const double a = glm::dot(from - hexagon.centre, along), b = glm::dot(to - hexagon.centre, along);
+  return are_same(std::abs(a), half, half) && are_same(a, -b, half);
+}
+
+bool are_equal(const DesignHexagon& a, const DesignHexagon& b) {
+  return a.model == b.model && a.inwards == b.inwards && are_same(a.across_flats, b.across_flats, a.across_flats) &&
+         are_parallel(a.axis, b.axis) && std::any_of(b.normals.begin(), b.normals.end(), [&](const Vec3& normal) {
+           return are_parallel(a.normals.front(), normal);
+         });
+}
+
+bool has_width(const DesignHexagon& hexagon, const ViewChoice& views) { return view_of(hexagon, views).has_value(); }
+
+std::vector<scene::DimensionDescription> hexagon_widths(const scene::DimensionDescription& wanted,
+                                                        const ViewChoice& views, const DimensionSubject& subject) {
+  const std::vector<DesignHexagon>& hexagons = subject.features.hexagons;
+  std::vector<scene::DimensionDescription> dimensions;
+  for (auto hexagon = hexagons.begin(); hexagon != hexagons.end(); ++hexagon) {
+    const auto equal = [&](const DesignHexagon& other) { return are_equal(other, *hexagon); };
+    if (std::any_of(hexagons.begin(), hexagon, equal)) continue;
+    const auto count = std::count_if(hexagon, hexagons.end(), equal);
+    const auto shown = view_of(*hexagon, views);
+    if (!shown || (count == 1 && is_extent_across_flats(*hexagon, subject))) continue;
+    scene::DimensionDescription& dimension = dimensions.emplace_back();
+    dimension.where = wanted.where;
+    dimension.view = {shown->view->name, wanted.where};
+    dimension.type = {shown->direction ? DimensionType::linear : DimensionType::aligned, wanted.where};
+    if (shown->direction) dimension.direction = {*shown->direction, wanted.where};
+    if (count > 1) dimension.text = {std::to_string(count) + "× <>", wanted.where};
+    for (const double side : {-0.5, 0.5}) {
+      const Vec3 flat = hexagon->centre + side * hexagon->across_flats * shown->normal;
+      dimension.anchors.emplace_back(flat + shown->end);
+      if (shown->direction) dimension.opposite.push_back(flat - shown->end);
+    }
+  }
+  return dimensions;
+}
+
+}  // namespace epura::sheet

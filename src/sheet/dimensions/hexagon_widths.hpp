@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Widths across flats of nuts, heads of screws and sockets.
+#pragma once
+
+#include <vector>
+
+#include "sheet/dimensions/automatic.hpp"
+#include "sheet/dimensions/view_choice.hpp"
+
+namespace epura::sheet {
+
+/// Whether the size of the models along an axis of the world is that of a hexagon; `across_flats`: between two flats.
+bool is_extent(const design::DesignHexagon& hexagon, int axis, const DimensionSubject& subject, bool across_flats);
+
+/// Whether a length between two points along a unit vector is the width of a hexagon across flats.
+bool is_across_flats(const design::DesignHexagon& hexagon, const Vec3& along, const Vec3& from, const Vec3& to);
+
+/// Whether one note can describe both.
+bool are_equal(const design::DesignHexagon& a, const design::DesignHexagon& b);
+
+/// Whether a dimension of the width can stand in one of the views.
+bool has_width(const design::DesignHexagon& hexagon, const ViewChoice& views);
+
+/// The width of each hexagon, of equal ones once; without those that are the size of the models.
+std::vector<scene::DimensionDescription> hexagon_widths(const scene::DimensionDescription& wanted,
+                                                        const ViewChoice& views, const DimensionSubject& subject);
+
+}  // namespace epura::sheet
