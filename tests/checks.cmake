@@ -18,6 +18,7 @@ add_test(NAME manual_is_sound COMMAND ${CMAKE_CURRENT_LIST_DIR}/manual.sh $<TARG
 find_package(Python3 COMPONENTS Interpreter REQUIRED)
 add_test(NAME planted_faults_have_places
          COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/mutants/run --check)
+add_test(NAME functions_state_what_holds COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/invariants)
 if(TARGET epura-faults)
   add_test(NAME faults COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/faults/run --sample --jobs 2
            $<TARGET_FILE:epura> $<TARGET_FILE:epura-faults>)

@@ -157,7 +157,9 @@ bool drop_short_creases(ViewDrawing& drawing, double least) {
       for (const int i : chain.segments) dropped[i] = 1;
   }
   const auto* first = drawing.segments.data();
-  std::erase_if(drawing.segments, [&](const Segment& s) { return dropped[&s - first] != 0; });
+  const auto count = std::erase_if(drawing.segments, [&](const Segment& s) { return dropped[&s - first] != 0; });
+  check(std::count(dropped.begin(), dropped.end(), 1) == static_cast<std::ptrdiff_t>(count),
+        "short creases are left out, and nothing else");
   return true;
 }
 

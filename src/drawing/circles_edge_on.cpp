@@ -223,15 +223,18 @@ class Chords {
     std::set<std::array<long, 2>> places;
     double nearest = 1, farthest = 1;  // from the centre
     bool is_apart = false;
+    std::size_t decided = 0;
     for (const std::size_t line : lines.by_rank())
       for (const End end : lines[line]) {
         const Chord& chord = chords_[static_cast<std::size_t>(line_of(end))];
         left[chord.piece] = uncovered(chord, covered);
+        ++decided;
         const bool is_new = places.insert(place_of(chord)).second, stays = *left[chord.piece] == whole;
         is_apart = is_apart || (is_new && !stays);
         nearest = std::min(nearest, std::abs(cross(chord.from, chord.to)) / glm::distance(chord.from, chord.to));
         farthest = std::max({farthest, glm::length(chord.from), glm::length(chord.to)});
       }
+    check(decided == chords_.size(), "every chord is decided about once");
     return is_apart ? (farthest - nearest) * circle_.size() : 0;
   }
 

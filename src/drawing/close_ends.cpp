@@ -191,6 +191,7 @@ std::vector<Piece> close_ends(const InkParts& kept, const TakenInk& taken, const
   const auto same = [](const Link& a, const Link& b) { return a.ends == b.ends; };
   links.erase(std::unique(links.begin(), links.end(), same), links.end());
   for (const Link& link : links) pieces.push_back(closer.drawn(link));
+  check(pieces.size() <= left.size() + links.size() && links.size() <= 2 * left.size(), "an end has one link at most");
   return pieces;
 }
 

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 
 namespace epura::drawing {
@@ -27,6 +28,7 @@ double dot(const Column& a, const Column& b) {
 template <std::size_t n>
 std::optional<std::array<double, n>> least_squares(std::array<Column, n> columns, Column target) {
   std::array<std::array<double, n + 1>, n> r{};
+  const double before = dot(target, target);
   for (std::size_t j = 0; j < n; ++j) {
     r[j][j] = std::sqrt(dot(columns[j], columns[j]));
     if (!(r[j][j] > 1e-12 * std::sqrt(static_cast<double>(target.size())))) return std::nullopt;
@@ -37,6 +39,7 @@ std::optional<std::array<double, n>> least_squares(std::array<Column, n> columns
       for (std::size_t i = 0; i < column.size(); ++i) column[i] -= r[j][k] * columns[j][i];
     }
   }
+  check(!(dot(target, target) > before * (1 + 1e-9)), "a fit leaves no more than there was");
   std::array<double, n> result{};
   for (std::size_t j = n; j-- > 0;) {
     result[j] = r[j][n];
@@ -115,7 +118,10 @@ std::optional<Ellipse> fit_ellipse(std::span<const Vec2> points) {
   const double level = f + glm::dot(centre, conic * centre);
   if (!(level > 0)) return std::nullopt;
   const Mat2 matrix = glm::transpose(white->matrix) * conic * white->matrix;
-  return from_matrix(white->middle + glm::inverse(white->matrix) * centre, matrix * (1 / level));
+  const auto ellipse = from_matrix(white->middle + glm::inverse(white->matrix) * centre, matrix * (1 / level));
+  check(!ellipse || glm::dot(ellipse->u, ellipse->u) >= glm::dot(ellipse->v, ellipse->v),
+        "the longer axis comes first");
+  return ellipse;
 }
 
 }  // namespace epura::drawing

@@ -159,6 +159,7 @@ class Continuation {
       own = end;
     }
     std::sort(found.begin(), found.end());
+    check(std::adjacent_find(found.begin(), found.end()) == found.end(), "two ends are one pair");
     return found;
   }
 

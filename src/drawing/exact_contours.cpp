@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "drawing/conic_fit.hpp"
 #include "drawing/places.hpp"
@@ -248,10 +249,12 @@ class Mover {
                        {},
                        chain.kind == EdgeKind::intersection,
                        chain.visible});
-      for (const CurvePart& curve : chain.curves)
+      for (const CurvePart& curve : chain.curves) {
+        check(curve.first >= 0 && curve.last - curve.first <= static_cast<int>(count), "an arc is a part of its line");
         for (int i = curve.first; i < curve.last; ++i)
           all[all.size() - count + (chain.closed ? 0 : 1) + static_cast<std::size_t>(i) % count].arc =
               Ellipse{curve.centre, curve.u, curve.v};
+      }
     }
     return all;
   }

@@ -77,6 +77,7 @@ std::vector<int> InkCells::find(const Vec2& from, const Vec2& to, double margin,
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
+  check(found.empty() || found.front() >= 0, "cells hold parts");
   return found;
 }
 

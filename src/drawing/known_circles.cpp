@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "base/error.hpp"
 #include "construction/figure.hpp"
 #include "drawing/places.hpp"
 #include "features/least_squares.hpp"
@@ -92,6 +93,7 @@ class Circles {
       std::optional<Circle> circle = axis ? circle_about(*axis, points, part_->tolerance) : std::nullopt;
       if (!circle) continue;
       if (surface.kind == SurfaceKind::cylinder) circle->radius = surface.radius;
+      check(circle->radius >= 0, "a circle has a radius");
       return circle;
     }
     return std::nullopt;

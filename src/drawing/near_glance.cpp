@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/groups.hpp"
 #include "base/parallel.hpp"
 #include "drawing/beside.hpp"
@@ -119,6 +120,7 @@ void NearGlance::find_last_along(const AlongLimits& limits, const Progress& prog
         ++other;
       if (other != others.end()) own.after = std::max(own.after, other->turn);
     });
+    check(own.after < turn, "what a line may run along comes before it");
   });
 }
 

@@ -50,6 +50,7 @@ std::vector<char> find_short(const std::vector<Piece>& pieces, const std::vector
   constexpr double unseen = 0.1;
   std::vector<char> is_short(pieces.size(), 0), needless;
   const Polylines lines(pieces, strength, progress);
+  check(lines.size() <= pieces.size(), "a polyline has a piece");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     double length = 0;
     bool links_only = true;
@@ -103,7 +104,10 @@ void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, 
   std::vector<char> turns(pieces.size(), 0);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::size_t own = pieces[i].visible ? 0 : 1;
-    const auto is_between = [&](const Meeting& there) { return there[own] == 1 && there[1 - own] == 1; };
+    const auto is_between = [&](const Meeting& there) {
+      check(is_glint[i] == 0 || there[own] > 0 || there[1 - own] == 0, "a line is among those that end where it ends");
+      return there[own] == 1 && there[1 - own] == 1;
+    };
     turns[i] = is_glint[i] != 0 && is_between(meeting[2 * i]) && is_between(meeting[2 * i + 1]) ? 1 : 0;
   }
   for (std::size_t i = 0; i < pieces.size(); ++i)

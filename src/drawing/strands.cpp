@@ -229,6 +229,7 @@ Strands DirectionClasses::strands(std::size_t number) const {
   const auto add = [&](int piece, bool is_guest) {
     strands.push_back(turned({pieces_[piece].from, pieces_[piece].to, piece, true, true, is_guest}, along));
     strands.back().ends = !go_along();
+    check(!(strands.back().from.x > strands.back().to.x), "lines of a class go along its longest one");
   };
   for (const int piece : own) add(piece, false);
   for (const int piece : guests) add(piece, true);

@@ -170,6 +170,7 @@ std::optional<Arranger::Spots> Arranger::principal_spots(double scale, std::span
   std::vector<Rectangle> corners = {room_.area};
   const std::vector<Rectangle> free = free_rectangles(room_.area, taken);
   corners.insert(corners.end(), free.begin(), free.end());
+  check(!cross_.empty(), "principal views have a table");
   const ViewTable& table = cross_.front();
   for (const Rectangle& r : corners) {
     Spots spots = table.spots(scale, {r.min.x, r.max.y - table.size(scale).y});
@@ -269,6 +270,7 @@ std::array<double, 2> Arranger::play(const Spots& spots, const std::vector<std::
         forth = std::min(forth, obstacle.min[axis] - box.max[axis]);
     }
   }
+  check(back < HUGE_VAL && forth < HUGE_VAL, "the sheet ends how far views move");
   return {std::max(back, 0.0), std::max(forth, 0.0)};
 }
 

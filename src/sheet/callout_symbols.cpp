@@ -133,6 +133,7 @@ Callout single_frame(const scene::ToleranceFrame& frame, const DimensionStyle& s
 }
 
 void add_above(Callout& callout, Callout frame, double bottom) {
+  check(bottom >= 0, "frames stand on the first one");
   const Vec2 up(0, bottom);
   for (Text& text : frame.texts) {
     text.at += up;
@@ -220,6 +221,7 @@ Callout texture_symbol(const scene::SurfaceTexture& texture, const DimensionStyl
   }
   if (width > top.x) callout.strokes.front().points.push_back({width, high});
   if (texture.others) width = add_others(callout, width, style);
+  check(width >= top.x, "a symbol is as wide as its arms");
   callout.size = {width, height_of(texture) * h};
   return callout;
 }

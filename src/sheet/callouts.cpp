@@ -106,6 +106,7 @@ std::vector<Spot> spots_of(const Callout& callout, double length, double landing
   std::vector<Spot> spots;
   const auto add = [&](const Vec2& along, double cost) {
     for (Spot& spot : spots_along(callout, along, length, landing)) {
+      check(spot.leader.size() >= 2 && spot.leader.front() == callout.target->point, "a leader begins at its target");
       spot.cost = length + cost;
       spots.push_back(std::move(spot));
     }
@@ -223,6 +224,7 @@ class Placer {
       cost += for_line * static_cast<double>(std::count_if(lines_.begin(), lines_.end(), is_met)) +
               for_ink * ink_in(line, view_);
     }
+    check(cost >= 0, "no place is better than a free one");
     return cost;
   }
 

@@ -326,6 +326,7 @@ std::vector<SeenRim> rims_of(const SeenFeatures& seen, const design::SlotFeature
 void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const SeenFeatures& seen,
               const design::SlotFeature& slot) {
   const auto [one, other] = slot.ends;
+  check(!one.rings.empty() && !other.rings.empty(), "an end of a slot has a rim");
   const SeenCircle a = see(drawing, one.axis, one.rings.front()), b = see(drawing, other.axis, other.rings.front());
   if (a.is_round()) {
     const Vec2 way = b.centre - a.centre, direction = glm::normalize(way);

@@ -185,6 +185,7 @@ Draughtsman::Parts Draughtsman::parts_inside(const construction::Curve& curve) c
   Parts parts;
   std::vector<double> part;
   const auto finish = [&] {
+    check(std::is_sorted(part.begin(), part.end()), "a part of a curve goes forwards");
     if (part.size() > 1) parts.push_back(part);
     part.clear();
   };
@@ -287,6 +288,7 @@ void Draughtsman::point_to(const construction::Point& point) {
 
 void Draughtsman::draw_arrows() {
   for (Beyond& beyond : beyond_) {
+    check(beyond.tip != beyond.tail && !beyond.rows.empty(), "an arrow points to what is beyond the room");
     const Vec2 direction = glm::normalize(beyond.tip - beyond.tail), foot = beyond.tip - style_.arrow() * direction;
     add_line(beyond.tail, foot);
     ink_.fills.push_back(arrow_at(beyond.tip, direction, style_));
@@ -459,6 +461,8 @@ std::optional<std::array<Vec2, 2>> clipped(const construction::Line& line, const
     to = std::min(to, leave);
   }
   if (!(from < to)) return std::nullopt;
+  check((line.extent == Extent::line || from >= 0) && (line.extent != Extent::segment || to <= length),
+        "what is clipped is a part of the line");
   const Vec2 end = line.extent == Extent::segment && to == length ? line.to : line.from + to * direction;
   return std::array<Vec2, 2>{from == 0 ? line.from : line.from + from * direction, end};
 }

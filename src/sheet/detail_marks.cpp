@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "sheet/furniture.hpp"
 
@@ -139,6 +140,8 @@ Layer detail_marks(const std::string& view, std::span<const DetailMark> marks, c
     letters.push_back(place.letter);
   }
   append(layer.strokes, std::move(boundaries));
+  check(layer.texts.size() == marks.size() && layer.strokes.size() <= 2 * marks.size(),
+        "a detail has a boundary, a letter, and a leader at most");
   return layer;
 }
 

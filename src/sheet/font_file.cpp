@@ -10,6 +10,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/error.hpp"
+
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
@@ -166,11 +168,13 @@ std::vector<ShapedGlyph> FontFile::shaped(const std::u32string& characters, bool
   const hb_glyph_info_t* info = hb_buffer_get_glyph_infos(buffer.get(), &count);
   const hb_glyph_position_t* position = hb_buffer_get_glyph_positions(buffer.get(), &count);
   std::vector<ShapedGlyph> glyphs;
-  for (unsigned i = 0; i < count; ++i)
+  for (unsigned i = 0; i < count; ++i) {
+    check(info[i].cluster < codes.size(), "a glyph belongs to a character of the text");
     glyphs.push_back({info[i].codepoint,
                       {double(position[i].x_offset), double(position[i].y_offset)},
                       double(position[i].x_advance),
                       info[i].cluster});
+  }
   return glyphs;
 }
 

@@ -163,6 +163,7 @@ void add_field(LayerMaker& layers, DrawnForm& drawn, const svg::Words& words, co
     fitted = fit_whole_text(value, {room, 2.2 * height}, height, lettering);
   else if (!fits)
     fitted = fit_text(value, std::max(room, 1.0), height, lettering);
+  check(fitted.height <= height, "a text that is fitted is no taller");
   if (fitted.cut) drawn.warnings.push_back("the title block has no room for all of the text of '" + words.name + "'");
   const double angle = words.angle * std::numbers::pi / 180;
   const Vec2 down(portable_sin(angle), -portable_cos(angle));
@@ -302,6 +303,7 @@ std::shared_ptr<const Logo> read_logo(const scene::LocatedText& file) {
 std::vector<Layer> draw_logo(const Logo& logo, const Rectangle& box) {
   const double scale = std::min(box.size().x / logo.size.x, box.size().y / logo.size.y);
   const Vec2 min = box.centre() - logo.size * (scale / 2);
+  check(box.holds({min, min + logo.size * scale}, 1e-9 * (box.size().x + box.size().y)), "a logo is in its cell");
   const scene::SheetLineRow& row = scene::row_of(scene::SheetLine::logo);
   if (logo.png) {
     Layer layer{std::string("sheet/") + row.layer, {row.name, 0.25}, {}};

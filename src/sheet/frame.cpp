@@ -104,6 +104,7 @@ void add_trimming_marks(Furniture& all, const Paper& paper) {
 void add_ansi_zones(Furniture& all, const Paper& paper, const AnsiSheet& sheet) {
   constexpr double usual_height = 0.24 * 25.4, part_of_margin = 0.55;
   const Rectangle in = drawing_area(paper), out{{0, 0}, {paper.width, paper.height}};
+  check(out.holds(in), "the frame is on the paper");
   const bool portrait = paper.height > paper.width;
   for (const int axis : {0, 1}) {
     const int other = 1 - axis, fields = (axis == 0) == portrait ? sheet.short_zones : sheet.long_zones;

@@ -118,6 +118,7 @@ std::vector<Line> uncovered(const std::vector<Line>& lines, double degrees,
         rest.push_back({at * along + offset * n, std::min(place, end) * along + offset * n});
     };
     for (const auto& [from, to] : covered) {
+      check(from <= to, "a covered part goes forwards");
       keep_until(from);
       at = std::max(at, to);
     }

@@ -124,6 +124,7 @@ std::vector<LabelRoom::Candidate> LabelRoom::candidates_for(const Label& label) 
     const auto add = [&](const Vec2& side, double step, double more) {
       const auto box = beside(anchor, side, step, label, area_);
       if (!box) return;
+      check(area_.holds(*box, 1e-9 * (area_.size().x + area_.size().y)), "a label is in its area");
       more += (label.inside ? not_inside : 0) + (needs_leader(anchor.at, *box) ? leader : 0);
       candidates.push_back({anchor.at, *box, first + step + more});
     };

@@ -198,6 +198,7 @@ FontNotes font_notes(const Sheet& sheet) {
         notes.missing.push_back(character);
       }
     }
+  check(notes.borrowed.size() + notes.missing.size() <= seen.size(), "a font that lends has a character");
   return notes;
 }
 

@@ -42,6 +42,8 @@ double fitting_scale(const Vec2& ink, const Vec2& room) {
 Paper make_paper(const scene::PaperChoice& size, bool portrait) {
   switch (size.kind) {
     case scene::PaperChoice::Kind::iso: {
+      check(size.number >= 0 && static_cast<std::size_t>(size.number) < a_sizes.size(),
+            "a size of paper is in its table");
       const auto& [longer, shorter] = a_sizes[static_cast<std::size_t>(size.number)];
       return portrait ? Paper{shorter, longer, 20, 10} : Paper{longer, shorter, 20, 10};
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "sheet/captions.hpp"
 #include "sheet/list_table.hpp"
@@ -22,6 +23,7 @@ std::vector<std::string> draw_parts_list(Layer& layer, const PartsList& list, co
   ListColumn name{named("name"), 0, false, {}}, material{named("material"), material_width, false, {}};
   ListColumn mass{named("mass"), mass_width, true, {}};
   for (const world::Item& one : list.items) {
+    check(one.quantity > 0, "an item of the list is in the assembly");
     item.texts.push_back(std::to_string(item.texts.size() + 1));
     quantity.texts.push_back(std::to_string(one.quantity));
     name.texts.push_back(one.name);

@@ -82,6 +82,9 @@ std::vector<Cell> standard_cells(const TitleBlock& block) {
                  {"technical_reference", 0, 4 * row, 43, row}},
                 {}),
           0, full_width);
+  for (const Cell& cell : cells)
+    check(cell.width > 0 && cell.left >= 0 && cell.left + cell.width <= full_width * (1 + 1e-9),
+          "cells are within the title block");
   return cells;
 }
 

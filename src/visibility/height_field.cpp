@@ -108,6 +108,8 @@ class Sheet {
     for (const Border& border : borders) {
       const auto x = span(border, &view::GridPoint::x), y = span(border, &view::GridPoint::y);
       std::erase_if(open, [&](const Border& other) { return span(other, &view::GridPoint::x).second < x.first; });
+      check(open.empty() || span(open.back(), &view::GridPoint::x).first <= x.first,
+            "borders are met from left to right");
       pairs += open.size();
       if (pairs > most_pairs) return false;
       for (const Border& other : open) {

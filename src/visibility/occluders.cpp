@@ -199,6 +199,7 @@ OccluderGrid::CellLoad OccluderGrid::find_load(const Content& content, const Lev
                           [&](int cell, double s, double t) {
                             const double length = piece.to - piece.from;
                             const auto [min, max] = depths(line, piece.from + s * length, piece.from + t * length);
+                            check(cell >= 0 && cell < static_cast<int>(count), "a piece lies in cells of its grid");
                             if (max < level.cover[cell]) return;
                             lower(load.deepest[cell], min);
                             count_up(load.pieces[cell]);
@@ -345,7 +346,10 @@ void OccluderGrid::relieve_full_cells(const Content& content, const CellLoad& lo
       level.trees[i] = {};
     }
   });
-  for (const double pairs : saved) level.pairs -= pairs;
+  for (const double pairs : saved) {
+    check(pairs >= 0, "a full cell that is relieved has no more to test than before");
+    level.pairs -= pairs;
+  }
 }
 
 }  // namespace epura::visibility

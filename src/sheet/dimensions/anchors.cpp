@@ -65,6 +65,8 @@ Vec3 place_of_vertex(const world::World& world, const std::array<int, 2>& vertex
   if (number < 0 || number >= count)
     refuse(where, "model " + std::to_string(model) + " has no vertex " + std::to_string(number),
            "its vertices are numbered from 0 to " + std::to_string(count - 1));
+  check(world.first_vertex[std::size_t(model) + 1] <= static_cast<int>(world.points.size()),
+        "vertices of a model are points of the world");
   const auto& edges = world.models[std::size_t(model)].mesh->edges;
   const auto has_vertex = [number = number](const mesh::MeshEdge& edge) {
     return edge.vertex[0] == number || edge.vertex[1] == number;
@@ -151,6 +153,7 @@ AnchoredDimension anchored(const world::World& world, Asked& asked, const scene:
   if (type == DimensionType::radius || type == DimensionType::diameter || type == DimensionType::arc)
     dimension.circles = asked.rims.through(description.anchors[0], dimension.points[0], where);
   if (type == DimensionType::overall) set_extent(dimension, world, asked);
+  check(!dimension.arrangement || dimension.points.size() >= 2, "a row has two places");
   return dimension;
 }
 

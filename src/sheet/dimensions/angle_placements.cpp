@@ -156,6 +156,7 @@ std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const 
           {angular_dimension(angle, measured.text, radius, place, style), cost_of_radius * radius + crowded});
     }
   }
+  check(placements.size() == std::size_t{3} * (measured.offset ? 1 : radii), "each arc has three places for its text");
   return placements;
 }
 

@@ -84,6 +84,8 @@ class Planner {
     for (DimensionDescription& dimension : stations_.dimensions(wanted_, notation_))
       dimensions_.push_back(std::move(dimension));
     leave_out_excess();
+    for (const DimensionDescription& dimension : dimensions_)
+      check(dimension.view.given() && dimension.type.given(), "an automatic dimension has a type and a view");
     return {std::move(dimensions_), std::move(tables_)};
   }
 
@@ -214,6 +216,7 @@ class Planner {
     const std::string letters = letters_of(labelled_++);
     for (std::size_t i = 0; i < group.size(); ++i) {
       const design::DesignHole& hole = *group[i];
+      check(hole.called() > 0, "a hole has a diameter");
       const auto [x, y] = place(&hole);
       const std::string label = letters + std::to_string(i + 1);
       const std::string size = hole.thread ? hole.thread->text : "⌀" + length(hole.diameter);
@@ -268,6 +271,7 @@ class Planner {
       const NamedProjection* view = across != nullptr ? across : along;
       if (view == nullptr) continue;
       const design::DesignCylinder& shown = *group.front();
+      check(shown.called() > 0, "a cylinder has a radius");
       add(DimensionType::diameter, *view, times(group.size()) + name_in_note(shown.thread)).circle = {
           outer_end(shown), axis, shown.called(), {}};
       if (across != nullptr) add_thread_ends(group, *across);
@@ -298,6 +302,7 @@ class Planner {
     for (const auto& group : groups_of<design::DesignSlot>(subject_.features.slots, equal)) {
       ++groups_;
       const design::DesignSlot& slot = *group.front();
+      check(slot.radius > 0 && slot.centres[0] != slot.centres[1], "a slot has a width and a length");
       const NamedProjection* view = view_along(slot.axis, false);
       if (view == nullptr) continue;
       const Vec3 along = glm::normalize(span(slot)), out = glm::cross(slot.axis, along);
@@ -339,6 +344,7 @@ class Planner {
       if (view == nullptr || sum < least_radius * largest || in_view[view->name]++ >= most_radii) continue;
       const auto* shown =
           uppermost<design::DesignArc>(group, *view, [](const design::DesignArc& arc) { return arc.points[4]; });
+      check(shown->radius > 0 && shown->points.size() > 4, "an arc has a radius and a middle");
       add(DimensionType::radius, *view, times(count) + "<>").circle = {shown->centre, shown->axis, shown->radius,
                                                                        shown->points};
     }
@@ -407,6 +413,7 @@ class Planner {
     };
     for (const auto& group : groups_of<design::DesignBall>(subject_.features.balls, equal)) {
       const design::DesignBall& ball = *group.front();
+      check(ball.radius > 0, "a ball has a radius");
       if (has_radius(ball.radius) || is_overall(ball)) continue;
       const auto view = std::find_if(views_.begin(), views_.end(), [&](const NamedProjection& one) {
         return may_use(one) && std::abs(glm::dot(ball.middle, one.projection.n)) < 0.5;
@@ -434,6 +441,7 @@ class Planner {
   // Diameters and positions of the ends of cones, as far as no cylinder and no step has them.
   void add_cones() {
     for (const design::DesignCone& cone : subject_.features.cones) {
+      check(cone.radii[0] >= 0 && cone.radii[0] <= cone.radii[1], "a cone begins at its smaller end");
       ++groups_;
       const NamedProjection* view = view_across(cone.axis);
       if (view == nullptr) continue;
@@ -460,6 +468,7 @@ class Planner {
     };
     for (const auto& group : groups_of<design::DesignCone>(subject_.features.chamfers, equal)) {
       const design::DesignCone& chamfer = *group.front();
+      check(chamfer.angle > 0 && chamfer.angle < 90, "a chamfer is neither a cylinder nor a plane");
       const NamedProjection* view = view_across(chamfer.axis);
       if (view == nullptr) continue;
       const projection::Projection& projection = view->projection;
@@ -475,8 +484,10 @@ class Planner {
   // Chamfered corners have a note; other slopes have the positions of their ends, those of the largest ones first.
   void add_bevels() {
     std::vector<design::DesignBevel> chamfers, slopes;
-    for (const design::DesignBevel& bevel : subject_.features.bevels)
+    for (const design::DesignBevel& bevel : subject_.features.bevels) {
+      check(bevel.along >= 0 && bevel.along < 3 && bevel.area > 0, "a slope has an axis and an area");
       (bevel.is_chamfer ? chamfers : slopes).push_back(bevel);
+    }
     for (const auto& group : groups_of<design::DesignBevel>(chamfers, are_equal_chamfers)) {
       const NamedProjection* view = view_along(axis_of(group.front()->along), false);
       if (view == nullptr) continue;
@@ -507,6 +518,7 @@ class Planner {
 
   // The view in which a step is nearest to the viewer, so that little can hide it; the first one of several.
   [[nodiscard]] const NamedProjection* view_of(const design::DesignLevel& level) const {
+    check(level.axis >= 0 && level.axis < 3 && !level.points.empty(), "a step has an axis and corners");
     Vec3 axis(0);
     axis[level.axis] = 1;
     const NamedProjection* best = nullptr;

@@ -118,6 +118,7 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
     }
     if (!circle.is_radius && !circle.is_label && whole) add_across(placements, circle, measured.text, angle, style);
   }
+  check(placements.size() >= directions, "a circle has a place for its text in each direction");
   return placements;
 }
 

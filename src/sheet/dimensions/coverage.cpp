@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "world/placed_part.hpp"
@@ -129,6 +130,7 @@ class CoverageFinder {
         if (!is_auxiliary(dimension.text)) join(dimension, view);
     for (int axis = 0; axis < 3; ++axis) chains_[axis].list_open(axis, notation_, coverage_.undimensioned);
     for (const CircleSize& size : sizes_) {
+      check(size.dimensions >= 0 && places_of(size) > 0, "a size is of one place or more");
       if (size.dimensions == 0 && !given_elsewhere(size) && !is_in_table(size) && !is_given_by_equal(size, views))
         coverage_.undimensioned.push_back(size.name);
       if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
@@ -158,7 +160,10 @@ class CoverageFinder {
       for (const Vec3& centre : slot.centres) add_place(centre, slot.axis, "slot R" + length(slot.radius));
     for (const design::DesignPitchCircle& circle : features.pitch_circles)
       add_place(circle.centre, circle.axis, "pitch circle ⌀" + length(2 * circle.radius));
-    for (const design::DesignLevel& level : features.levels) chains_[level.axis].add(level.at, "step");
+    for (const design::DesignLevel& level : features.levels) {
+      check(level.axis >= 0 && level.axis < 3, "a step is perpendicular to an axis of the world");
+      chains_[level.axis].add(level.at, "step");
+    }
     for (const design::DesignCone& cone : features.cones)
       if (const int axis = world_axis(cone.axis); axis >= 0)
         for (const Vec3& end : cone.ends) chains_[axis].add(end[axis], "end of a cone");
@@ -195,6 +200,7 @@ class CoverageFinder {
   void add_sizes() {
     const design::DesignFeatures& features = subject_.features;
     for (const design::DesignHole& hole : features.holes) {
+      check(hole.called() > 0 && (!hole.depth || *hole.depth > 0), "a hole has a diameter, and a depth if it is known");
       std::string name = "hole " + (hole.thread ? hole.thread->text : "⌀" + length(hole.diameter));
       std::string kind = hole.thread ? name : "hole";
       std::vector<double> lengths{hole.called()};

@@ -163,6 +163,9 @@ class Placer {
       place(i);
       progress.advance(1);
     }
+    const auto has_place = [](const std::optional<PlacedDimension>& placed) { return placed.has_value(); };
+    check(progress.is_out_of_time() || std::all_of(placed_.begin(), placed_.end(), has_place),
+          "every dimension has a place");
     // Those that later ones cross are placed anew, now that all others are known. No round makes anything worse.
     constexpr int rounds = 3;
     for (int round = 0; round < rounds; ++round)
@@ -188,6 +191,7 @@ class Placer {
     for (;;) {
       const std::size_t number = worst_of(conflicts);
       if (number == count || conflicts[number] == 0) break;
+      check(conflicts[number] > 0 && placed_[number], "what has conflicts is placed");
       for (std::size_t i = 0; i < count; ++i)
         if (i != number && placed_[i] && do_cross(*placed_[i], *placed_[number])) --conflicts[i];
       conflicts[number] = 0;
@@ -255,6 +259,7 @@ class Placer {
       if (std::all_of(moved.begin(), moved.end(), [&](std::size_t i) { return finds_room(i); })) return true;
       for (const std::size_t i : moved) put_back(i, before[i]);
     }
+    check(placed_[row].has_value(), "a row that finds no room was placed");
     take(row);
     return false;
   }
@@ -320,6 +325,7 @@ void add_to(Layer& layer, PlacedDimension dimension, const std::string& text, co
   const InkRange fills = append(layer.fills, std::move(dimension.arrows));
   const InkRange texts = append(layer.texts, std::move(dimension.texts));
   const bool is_one = dimension.objects.size() == 1;
+  check(!is_one || !dimension.text_boxes.empty(), "a dimension has a text");
   for (std::size_t i = 0; i < dimension.objects.size(); ++i) {
     DimensionObject& object = layer.dimensions.emplace_back(std::move(dimension.objects[i]));
     if (is_one) {

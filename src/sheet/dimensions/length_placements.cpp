@@ -81,6 +81,7 @@ std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, cons
       add_at(ends, side * (outline + first_dimension + level * dimension_step(style.height(measured.text))),
              cost + cost_of_level * level);
   }
+  check(placements.size() == std::size_t{2} * levels * places, "a length has places on both sides");
   return placements;
 }
 

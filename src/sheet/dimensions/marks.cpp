@@ -108,6 +108,7 @@ void add_pieces(PlacedDimension& dimension, const DimensionText& text, const Tex
     dimension.texts.push_back({words, place, height, degrees, Align::left, "dimension"});
   };
   const double small = stacked_height(style);
+  double written = 0;
   for (const TextPiece& piece : text.pieces) {
     if (piece.is_stack()) {
       const double upper = whole_width(piece.upper, style), lower = whole_width(piece.lower, style);
@@ -118,7 +119,9 @@ void add_pieces(PlacedDimension& dimension, const DimensionText& text, const Tex
       add(piece.upper, left + (style.height(text) - style.text) / 2 * up, style.text);
     }
     left += width_of(piece, style) * at.read;
+    written += width_of(piece, style);
   }
+  check(std::abs(written - style.width(text)) <= 1e-9 * (1 + written), "a text is as wide as its pieces");
 }
 
 }  // namespace

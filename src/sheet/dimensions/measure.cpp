@@ -191,6 +191,7 @@ MeasuredDimension angular(const AnchoredDimension& dimension, const Sight& sight
   }
   const double angle = portable_atan2(glm::length(glm::cross(legs[0], legs[1])), glm::dot(legs[0], legs[1]));
   const double degrees = angle * 180 / std::numbers::pi;
+  check(degrees >= 0 && degrees <= 180 * (1 + 1e-9), "an angle between legs is at most half a turn");
   if (degrees < 0.005) refuse(dimension, "its legs lie on one line: the angle is zero", "choose other vertices");
   expect_shown(dimension, sight, dimension.points[0]);
   const Vec2 unmoved = sight.whole_page(dimension.points[0]), corner = sight.page(dimension.points[0]);
@@ -326,6 +327,7 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
            "choose an orthographic view parallel to the axis");
   const Vec2 image = sight.page_of(e), along = glm::normalize(image);
   const double value = dimension.points[1][axis] - dimension.points[0][axis];
+  check(value >= 0, "an extent is not negative");
   // The dimension line is below, or on the right.
   const Vec2 side = std::abs(along.x) > std::abs(along.y) ? Vec2(0, -1) : Vec2(1, 0);
   std::array<Vec2, 2> ends{};

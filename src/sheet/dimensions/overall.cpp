@@ -100,6 +100,7 @@ std::vector<scene::DimensionDescription> overall_dimensions(const scene::Dimensi
   if (dimensions.empty())
     throw Error(ErrorKind::input, overall.where, "no view shows the size of the models in true length",
                 "add a view such as front, top or left");
+  check(dimensions.size() <= directions.size(), "a direction has one overall size");
   return dimensions;
 }
 

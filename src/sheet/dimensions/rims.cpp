@@ -112,6 +112,7 @@ std::vector<WorldCircle> Rims::of_faces(const std::array<int, 2>& vertex) {
       if (part->face_of_triangle[t - first] == face)
         for (const int v : world_.triangles[t]) points.push_back(world_.points[v]);
     const features::PartSurface& surface = part->faces[face].surface;
+    check(surface.radius > 0 && points.size() >= 3, "a cylinder has a radius and triangles");
     const double height = glm::dot(world_.points[wanted] - surface.origin, surface.axis);
     circles.push_back({surface.origin + height * surface.axis, surface.axis, surface.radius,
                        in_order_around(points, surface), part->faces[face].sweep >= whole_turn});
@@ -123,6 +124,7 @@ std::vector<WorldCircle> Rims::through(const scene::Anchor& anchor, const Vec3& 
   const auto* vertex = std::get_if<std::array<int, 2>>(&anchor);
   const int first = vertex ? (*vertex)[0] : 0;
   const int last = vertex ? first : static_cast<int>(world_.models.size()) - 1;
+  check(first >= 0 && last < static_cast<int>(world_.models.size()), "an anchor is of a model of the world");
   std::vector<WorldCircle> circles;
   const Rim* nearest = nullptr;
   for (int model = first; model <= last; ++model) {

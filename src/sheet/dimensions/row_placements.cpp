@@ -178,6 +178,7 @@ class RowDrawer {
       }
     }
     add_beyond(beyond, middles, feet[0]);
+    check(drawn_.text_boxes.size() == last, "every step of a chain has its text");
     finish_line(feet[0], begin, end);
     for (std::size_t i = 0; i < last; ++i)
       add_object(i, DimensionShape::linear, {places_[i], places_[i + 1], feet[i + 1]});
@@ -197,6 +198,7 @@ class RowDrawer {
   void add_beyond(const std::vector<std::size_t>& numbers, const std::vector<double>& middles, const Vec2& first) {
     const Vec2 read = row_.along, out = away_ * across_;
     std::vector<double> widths;
+    check(middles.size() == numbers.size(), "every text of a row belongs to a length");
     for (const std::size_t i : numbers) widths.push_back(style_.width(row_.texts[i]) + 2 * style_.above());
     const std::vector<double> positions = spread(middles, widths);
     const bool is_up = glm::dot(out, left_of(read)) > 0;
@@ -237,6 +239,7 @@ class RowDrawer {
       drawn_.zones.push_back(drawn_.text_boxes.back());
       if (i != row_.origin) add_arrow(i);
     }
+    check(drawn_.text_boxes.size() == places_.size(), "every place of a row has its text");
     const double radius = origin_radius * style_.arrow();
     drawn_.strokes.push_back(circle_at(foot(row_.origin), radius));
     const double origin = at(row_.origin) - at(0), end = at(places_.size() - 1) - at(0);
@@ -313,6 +316,7 @@ std::vector<DimensionPlacement> placements_of(const MeasuredRow& row, const Meas
             {RowDrawer(row, places, distance, style, shift).draw(), cost + cost_of_shift * std::abs(shift)});
     }
   }
+  check(placements.size() >= std::size_t{2} * levels, "a row has places on both sides");
   return placements;
 }
 

@@ -78,6 +78,7 @@ void add_dimension_line(PlacedDimension& dimension, const DimensionLine& line, c
                         const DimensionStyle& style) {
   const auto& [low, high, read, span, low_open, high_open] = line;
   const Layout layout = layout_of(line, style.width(text), place, style);
+  check(layout.line.begin <= 0 && layout.line.end >= span, "a dimension line reaches from end to end");
   const Vec2 begin = low + layout.line.begin * read, end = low + layout.line.end * read;
   add_line(dimension, begin, end);
   const auto end_at = [&](const Vec2& point, const Vec2& outwards, bool has_text) {

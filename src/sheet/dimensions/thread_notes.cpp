@@ -43,6 +43,7 @@ ThreadGroup group_of(int number, const design::DesignFeatures& features, const N
     if (cylinder.thread && cylinder.thread->number == number &&
         add(begin_of(cylinder), cylinder.axis, *cylinder.thread, cylinder.inwards) && cylinder.thread->length)
       group.rest = " ↧" + length_text(*cylinder.thread->length, notation);
+  check(group.count == 0 || !group.name.empty(), "a thread has a designation");
   return group;
 }
 
@@ -92,6 +93,7 @@ std::vector<scene::DimensionDescription> thread_dimensions(std::span<const scene
     dimension.text = {(group.count > 1 ? std::to_string(group.count) + "× " : "") + group.name + group.rest,
                       description.where};
   }
+  check(dimensions.size() <= threads.size(), "a thread has one note at most");
   return dimensions;
 }
 

@@ -187,6 +187,7 @@ DimensionText text_of(const MeasuredValue& measured, const std::optional<Toleran
     return text;
   }
   const Deviations& deviations = *tolerance->deviations;
+  check(deviations.lower < deviations.upper, "limits are in order");
   if (written_value(measured, notation) + deviations.lower <= 0)
     refuse(tolerance->where, "the lower limit of the dimension " + text.line() + " is not positive",
            "deviations are in the unit of the dimension");
