@@ -27,6 +27,9 @@ using features::SurfaceKind;
 
 // Millimetres between a line and the edge of the mesh that it shows; others are on the surface already.
 constexpr double same_place = 1e-6;
+// How much farther an end moves than both lines, at most: where they cross at less than 6 degrees, facets do not tell
+// which of them ends.
+constexpr double most_slant = 10;
 // Radians about the axis between the ends of a generator, which files round.
 constexpr double most_turn = 1e-3;
 
@@ -98,19 +101,22 @@ class Occluders {
   /// hides it.
   [[nodiscard]] std::optional<Vec2> end_of(const Occluder& line, const Vec2& end) const {
     std::optional<Vec2> nearest;
+    bool found = false;
     for (const bool moved : {true, false}) {
-      if (!moved && !line.is_moved) return std::nullopt;
+      // What is drawn elsewhere is not where facets have it, even if the line only touches it.
+      if (nearest || found || (!moved && !line.is_moved)) return nearest;
       for (const std::size_t i : cells_.at(end)) {
         const Occluder& one = all_[i];
         const bool is_own = one.chain >= 0 && one.chain == line.chain;
         if (!one.visible || one.is_moved != moved || is_own || !is_at(one, end)) continue;
+        found = line.chain >= 0;  // a contour is beside its own hidden part, which is such a line, too
         const auto place = crossing_near(line.drawn, one.drawn, end);
-        if (!place || glm::distance(*place, end) > length_of(one.facets)) continue;
+        const double off = line.drawn.distance(end) + one.drawn.distance(end);
+        if (!place || glm::distance(*place, end) > std::min(length_of(one.facets), most_slant * off)) continue;
         if (!nearest || glm::distance(*place, end) < glm::distance(*nearest, end)) nearest = place;
       }
-      if (nearest) return nearest;
     }
-    return std::nullopt;
+    return nearest;
   }
 
  private:

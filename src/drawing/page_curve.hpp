@@ -21,7 +21,8 @@ class PageCurve {
   [[nodiscard]] Vec2 derivative(double parameter) const;
   /// Of the nearest point of a straight line, or of the point of an ellipse on the ray from its centre.
   [[nodiscard]] double parameter_of(const Vec2& point) const;
-  [[nodiscard]] bool is_straight() const { return is_straight_; }
+  /// Of a point from that with its parameter: at least the distance from the curve.
+  [[nodiscard]] double distance(const Vec2& point) const { return glm::distance(at(parameter_of(point)), point); }
 
  private:
   Ellipse shape_;  // of a straight line: a point of it, and in u its direction
