@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "../output/json_reader.hpp"
-#include "base/text.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
 #include "program.hpp"
@@ -83,7 +82,7 @@ TEST(InfoCommand, JsonHasTheSameForSeveralModels) {
   const Json& flange = json["models"].items[1];
   ASSERT_EQ(flange["holes"].items.size(), 9U);
   EXPECT_EQ(flange["holes"].items[0]["through"].type, 't');
-  EXPECT_NEAR(*parse_number(flange["holes"].items[0]["diameters"].items[0].text), 82.5, 1e-4);
+  EXPECT_NEAR(std::stod(flange["holes"].items[0]["diameters"].items[0].text), 82.5, 1e-4);
 }
 
 TEST(InfoCommand, JsonGoesToAFile) {

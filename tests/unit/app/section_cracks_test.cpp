@@ -5,14 +5,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/text.hpp"
 #include "program.hpp"
 
 namespace epura::test {
 namespace {
 
 std::string vertex(double x, double y, double z) {
-  return "v " + format_fixed(x, 6) + " " + format_fixed(y, 6) + " " + format_fixed(z, 6) + "\n";
+  return "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
 }
 
 // A disc of radius 10 and 48 facets; the first of these begins beside the last one's end, a gap from it.

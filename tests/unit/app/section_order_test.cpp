@@ -6,7 +6,6 @@
 #include <numeric>
 #include <random>
 
-#include "base/text.hpp"
 #include "program.hpp"
 
 namespace epura::test {
@@ -35,7 +34,7 @@ std::string blocks(unsigned seed) {
   std::vector<std::string> lines(places.size());
   for (std::size_t v = 0; v < places.size(); ++v) {
     const auto& [x, y, z] = places[v];
-    lines[number[v]] = "v " + format_fixed(x, 6) + " " + format_fixed(y, 6) + " " + format_fixed(z, 6) + "\n";
+    lines[number[v]] = "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
   }
   std::string text = std::accumulate(lines.begin(), lines.end(), std::string());
   for (const auto& [a, b, c, d] : faces) {

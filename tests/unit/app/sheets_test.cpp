@@ -6,7 +6,6 @@
 #include <set>
 
 #include "../output/json_reader.hpp"
-#include "base/text.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
 #include "program.hpp"
@@ -35,7 +34,7 @@ std::vector<double> heights_of(const std::string& svg, const std::string& layer)
   static const std::regex place("<text[^>]* y=\"([-0-9.]+)\"");
   std::vector<double> heights;
   for (std::sregex_iterator it(group.begin(), group.end(), place), end; it != end; ++it)
-    heights.push_back(*parse_number((*it)[1].str()));
+    heights.push_back(std::stod((*it)[1]));
   return heights;
 }
 

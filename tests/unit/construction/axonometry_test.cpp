@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/text.hpp"
 #include "projection/matrices.hpp"
 
 namespace epura::construction {
@@ -82,7 +81,7 @@ TEST(Axonometry, AnglesAreAtTheirAxes) {
         const double other = is_along(arc.from) ? arc.to : arc.from;
         return (is_along(arc.from) || is_along(arc.to)) && std::abs(std::sin(other)) < 1e-9 &&
                std::abs((arc.to - arc.from) * 180 / std::numbers::pi - degrees) < 1e-9 &&
-               std::abs(*parse_number(arc.symbol.base) - degrees) < 0.05;
+               std::abs(std::stod(arc.symbol.base) - degrees) < 0.05;
       };
       EXPECT_EQ(std::count_if(axes.curves.begin(), axes.curves.end(), is_its), 1) << degrees;
     }

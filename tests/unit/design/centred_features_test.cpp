@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text.hpp"
 #include "cut/cut_world.hpp"
 #include "recognised.hpp"
 
@@ -166,7 +165,7 @@ TEST(CentredFeatures, OtherHolesLieOnNone) {
 
 design::CentredFeatures cut(double x) {
   const scene::CuttingPlane plane =
-      scene::make_cutting_plane(scene::parse_section(format_number(x) + ",0,0:1,0,0", "section"));
+      scene::make_cutting_plane(scene::parse_section(std::to_string(x) + ",0,0:1,0,0", "section"));
   const world::World world = world_of(plate_with_hole(20, 5, 8, 8));
   return design::find_centred_features(cut::cut_world(world, plane).world);
 }

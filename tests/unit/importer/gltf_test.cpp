@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "base/text.hpp"
 #include "gltf_file.hpp"
 
 namespace epura::test::gltf {
@@ -29,7 +28,7 @@ TEST(Gltf, BinaryFilesAreKnownByTheirFirstBytes) {
 
 TEST(Gltf, NodesPlaceMeshesAsOftenAsTheyStandThere) {
   File file = cube_file();
-  const std::string half = format_number(std::sqrt(0.5));
+  const std::string half = std::to_string(std::sqrt(0.5));
   // A quarter turn about z, of a cube drawn out along its own y: (x, y, z) -> (10 - 2 y, x, z).
   file.nodes = R"({"name":"machine","children":[1,2,3]},{"name":"frame","mesh":0},)"
                R"({"name":"arm","mesh":0,"translation":[10,0,0],"rotation":[0,0,)" +

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the built-in families promise, held against independent geometry.
-#include "base/text.hpp"
 #include "support.hpp"
 
 namespace epura::test {
@@ -65,7 +64,7 @@ TEST(axonometric, dimetric_has_the_angles_and_scales_of_the_standard) {
 TEST(axonometric, trimetric_draws_its_axes_at_the_angles_asked_for) {
   for (const auto& [x, y] : {std::pair{15.0, 35.0}, std::pair{7.0, 42.0}, std::pair{60.0, 20.0}}) {
     const projection::Projection p =
-        make("trimetric:foreshortened=false:x-angle=" + format_number(x) + ":y-angle=" + format_number(y), a_box());
+        make("trimetric:foreshortened=false:x-angle=" + std::to_string(x) + ":y-angle=" + std::to_string(y), a_box());
     EXPECT_NEAR(angle(step(p, ex)), -x, 1e-12);
     EXPECT_NEAR(angle(step(p, ey)), y, 1e-12);
     EXPECT_NEAR(angle(step(p, ez)), 90, 1e-12);
@@ -152,7 +151,7 @@ std::array<bool, 3> vanishing(const projection::Projection& p) {
 }
 
 TEST(perspective, one_two_and_three_point_have_that_many_over_their_whole_range) {
-  const auto text = [](double v) { return format_number(v); };
+  const auto text = [](double v) { return std::to_string(v); };
   for (const double distance : {0.6, 2.5, 1e6})
     for (const double offset : {-1e3, 0.0, 0.2, 1e3})
       EXPECT_EQ(vanishing(make("one-point:distance=" + text(distance) + ":right=" + text(offset), a_box())),
