@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "base/error.hpp"
 #include "features/least_squares.hpp"
 
 namespace epura::drawing {
@@ -52,6 +53,7 @@ class Conditions {
         off = std::max(off, std::abs(value));
         equations.add({slopes.x, slopes.y, slopes.z}, -value);
       }
+      check(glm::distance(at, start) <= size_, "a crossing is where facets have it");
       if (off <= precise) return at;
       const auto by = equations.solve(0);
       if (!by) return std::nullopt;
@@ -177,6 +179,7 @@ std::optional<Vec3> ExactCrossings::solved(const Node& node) const {
   }
   if (!(sine >= least_sine)) return std::nullopt;
   const double size = most_heights * heights / sine + 2 * width + node_reach * touching_;
+  check(size >= 0, "facets tell how far a crossing may be from them");
   return Conditions(std::move(conditions), towards_viewer_, size).solve(node.in_mesh, precision * touching_);
 }
 
@@ -236,6 +239,7 @@ bool ExactCrossings::refine(Chain& chain, double tolerance) const {
     any = true;
     add_between(*nodes[i], *nodes[next], *pair, tolerance, chain.points);
   }
+  check(chain.points.size() >= old.size(), "a refined line keeps its places");
   return any;
 }
 

@@ -140,6 +140,7 @@ class Planner {
   // on the axis of a hexagon that is as large as the models, nothing needs a position.
   void add_hexagons() {
     for (const design::DesignHexagon& hexagon : subject_.features.hexagons) {
+      check(hexagon.across_flats > 0, "a hexagon has a width");
       if (!has_width(hexagon, views_)) continue;
       for (DimensionDescription& overall : dimensions_)
         if (const int axis = axis_of(*overall.direction);
@@ -554,6 +555,7 @@ class Planner {
     for (const design::DesignLevel& level : subject_.features.levels) {
       const NamedProjection* view = view_of(level);
       if (view == nullptr || stations_.is_known(level.axis, level.at) || level.area < least_area()) continue;
+      check(!level.points.empty(), "a step has corners");
       const bool horizontal = std::abs(view->projection.u[level.axis]) > 0.5;
       const Vec3 towards = horizontal ? -view->projection.v : view->projection.u;
       const auto [high, low] = std::minmax_element(

@@ -455,6 +455,7 @@ class CoverageFinder {
         Vec3 direction(0);
         direction[axis] = 1;
         const double middle = hexagons[i].centre[axis], reach = hexagons[i].reach(direction);
+        check(reach > 0, "a hexagon reaches to either side of its axis");
         for (const double side : {-reach, reach}) chains_[axis].join(middle, middle + side);
       }
     }

@@ -356,6 +356,7 @@ void draw_once(PlacedDimensions& placed) {
     double drawn = -HUGE_VAL;
     for (; first != last; ++first) {
       std::vector<Vec2>& points = first->stroke->points;
+      check(first->begin < first->end, "a part of a line has a length");
       if (first->begin < drawn - slack) points[first->first] += (drawn - first->begin) * first->read;
       if (first->end <= drawn + slack) points.clear();
       drawn = std::max(drawn, first->end);

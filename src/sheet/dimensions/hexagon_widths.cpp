@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "base/error.hpp"
+
 namespace epura::sheet {
 
 namespace {
@@ -96,6 +98,7 @@ std::vector<scene::DimensionDescription> hexagon_widths(const scene::DimensionDe
     const auto equal = [&](const DesignHexagon& other) { return are_equal(other, *hexagon); };
     if (std::any_of(hexagons.begin(), hexagon, equal)) continue;
     const auto count = std::count_if(hexagon, hexagons.end(), equal);
+    check(count >= 1 && hexagon->across_flats > 0, "a hexagon equals itself, and has a width");
     const auto shown = view_of(*hexagon, views);
     if (!shown || (count == 1 && is_extent_across_flats(*hexagon, subject))) continue;
     scene::DimensionDescription& dimension = dimensions.emplace_back();
