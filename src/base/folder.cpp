@@ -8,6 +8,8 @@
 #include <memory>
 #include <string_view>
 
+#include "base/error.hpp"
+
 namespace epura {
 
 std::vector<std::string> names_in(const std::filesystem::path& folder, std::error_code& failure) {
@@ -26,6 +28,13 @@ std::vector<std::string> names_in(const std::filesystem::path& folder, std::erro
     if (const std::string_view name = entry->d_name; name != "." && name != "..") names.emplace_back(name);
   failure = last_failure();
   std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<std::string> names_in(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::vector<std::string> names = names_in(folder, failure);
+  if (failure) throw Error(ErrorKind::input, folder.string(), "cannot be listed: " + failure.message());
   return names;
 }
 

@@ -13,4 +13,7 @@ namespace epura {
 /// is accidental. `failure` is set if the folder cannot be opened or read to its end; then what was read is returned.
 std::vector<std::string> names_in(const std::filesystem::path& folder, std::error_code& failure);
 
+/// The same, of a folder that must be readable. Throws Error{input}.
+std::vector<std::string> names_in(const std::filesystem::path& folder);
+
 }  // namespace epura

@@ -92,9 +92,8 @@ void read_record(const JsonValue& object, JobRecords& records) {
 std::set<std::pair<Shard, fs::path>> parts_of(const fs::path& whole) {
   std::set<std::pair<Shard, fs::path>> parts;
   const std::string stem = whole.stem().string() + ".", extension = whole.extension().string();
-  std::error_code failure;
   const fs::path folder = whole.has_parent_path() ? whole.parent_path() : fs::path(".");
-  for (const std::string& name : names_in(folder, failure)) {
+  for (const std::string& name : names_in(folder)) {
     if (!name.starts_with(stem) || !name.ends_with(extension) || name.size() <= stem.size() + extension.size())
       continue;
     const std::string numbers = name.substr(stem.size(), name.size() - stem.size() - extension.size());
@@ -103,7 +102,6 @@ std::set<std::pair<Shard, fs::path>> parts_of(const fs::path& whole) {
     const auto number = parse_integer(numbers.substr(0, of)), count = parse_integer(numbers.substr(of + 4));
     if (number && count) parts.insert({{static_cast<int>(*number), static_cast<int>(*count)}, folder / name});
   }
-  if (failure) throw Error(ErrorKind::input, folder.string(), "cannot be listed: " + failure.message());
   return parts;
 }
 
