@@ -221,11 +221,7 @@ Mat4 in_world(const Turn& turn, const Trace& trace) {
     return v + moved.x * a + moved.y * n;
   };
   Mat4 transform(1.0);
-  for (int axis = 0; axis < 3; ++axis) {
-    Vec3 unit(0);
-    unit[axis] = 1;
-    transform[axis] = Vec4(image(unit), 0);
-  }
+  for (int axis = 0; axis < 3; ++axis) transform[axis] = Vec4(image(Mat3(1)[axis]), 0);
   transform[3] = Vec4(start + turn.shift.x * a + turn.shift.y * n - image(start), 1);
   return transform;
 }

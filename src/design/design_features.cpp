@@ -437,9 +437,7 @@ bool is_cut_into(const DesignLevel& level, const DesignCylinder& shaft) {
   const double slack = same_size * shaft.radius, length = glm::dot(shaft.to - shaft.from, shaft.axis);
   if (shaft.inwards || std::abs(shaft.axis[level.axis]) > parallel) return false;
   if (std::abs(level.at - shaft.from[level.axis]) <= slack) return false;
-  Vec3 up(0);
-  up[level.axis] = 1;
-  const Vec3 across = glm::cross(shaft.axis, up);
+  const Vec3 across = glm::cross(shaft.axis, Mat3(1)[level.axis]);
   double least = HUGE_VAL, most = -HUGE_VAL;
   for (const Vec3& p : level.points) {
     const double along = glm::dot(p - shaft.from, shaft.axis), aside = glm::dot(p - shaft.from, across);

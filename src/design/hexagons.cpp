@@ -126,12 +126,10 @@ std::vector<DesignHexagon> find_hexagons(int model, const std::vector<PlaneFace>
     for (const PlaneFace& face : faces)
       if (!face.corners.empty() && std::abs(face.normal[axis]) <= parallel)
         flats[static_cast<std::size_t>(face.body)].push_back(&face);
-    Vec3 along(0);
-    along[axis] = 1;
     for (const auto& of_body : flats) {
       if (of_body.size() < 6 || of_body.size() > most_flats) continue;
       for (const PlaneFace* first : of_body) {
-        auto hexagon = FlatsAround(of_body, *first, along).around(*first);
+        auto hexagon = FlatsAround(of_body, *first, Mat3(1)[axis]).around(*first);
         if (!hexagon) continue;
         hexagon->model = model;
         if (std::none_of(found.begin(), found.end(), [&](const auto& known) { return are_same(known, *hexagon); }))

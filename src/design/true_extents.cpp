@@ -306,9 +306,7 @@ class ExtentFinder {
       if (all.size() == before) return;
     }
     const PartSurface& first = (balls ? all.front() : turned)->surface;
-    Vec3 direction(0);
-    direction[axis] = 1;
-    if (!balls && std::abs(glm::dot(first.axis, direction)) > across) return;
+    if (!balls && std::abs(first.axis[axis]) > across) return;
     for (const PartFace* face : all)
       if (!is_about(face->surface, first, slack)) return;
     if (std::abs(0.5 * (extent.from + extent.to) - first.origin[axis]) > slack) return;

@@ -495,7 +495,7 @@ class Planner {
       (bevel.is_chamfer ? chamfers : slopes).push_back(bevel);
     }
     for (const auto& group : groups_of<design::DesignBevel>(chamfers, are_equal_chamfers)) {
-      const NamedProjection* view = views_.along(unit_along(group.front()->along));
+      const NamedProjection* view = views_.along(Mat3(1)[group.front()->along]);
       if (view == nullptr) continue;
       const auto* shown = uppermost<design::DesignBevel>(
           group, *view, [](const design::DesignBevel& one) { return (one.ends[0] + one.ends[1]) / 2.0; });
@@ -508,7 +508,7 @@ class Planner {
     }
     std::stable_sort(slopes.begin(), slopes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
     for (std::size_t i = 0; i < std::min(slopes.size(), most_of_a_kind); ++i) {
-      const NamedProjection* view = views_.along(unit_along(slopes[i].along));
+      const NamedProjection* view = views_.along(Mat3(1)[slopes[i].along]);
       if (view == nullptr || slopes[i].area < least_area()) continue;
       for (int axis = 0; axis < 3; ++axis)
         for (const Vec3& end : slopes[i].ends)
@@ -516,17 +516,10 @@ class Planner {
     }
   }
 
-  static Vec3 unit_along(int number) {
-    Vec3 axis(0);
-    axis[number] = 1;
-    return axis;
-  }
-
   // The view in which a step is nearest to the viewer, so that little can hide it; the first one of several.
   [[nodiscard]] const NamedProjection* view_of(const design::DesignLevel& level) const {
     check(level.axis >= 0 && level.axis < 3 && !level.points.empty(), "a step has an axis and corners");
-    Vec3 axis(0);
-    axis[level.axis] = 1;
+    const Vec3 axis = Mat3(1)[level.axis];
     const NamedProjection* best = nullptr;
     double least = HUGE_VAL;
     for (const NamedProjection* view : views_.all()) {
@@ -555,7 +548,6 @@ class Planner {
     for (const design::DesignLevel& level : subject_.features.levels) {
       const NamedProjection* view = view_of(level);
       if (view == nullptr || stations_.is_known(level.axis, level.at) || level.area < least_area()) continue;
-      check(!level.points.empty(), "a step has corners");
       const bool horizontal = std::abs(view->projection.u[level.axis]) > 0.5;
       const Vec3 towards = horizontal ? -view->projection.v : view->projection.u;
       const auto [high, low] = std::minmax_element(

@@ -452,9 +452,7 @@ class CoverageFinder {
       ++widths_[i];
       for (int axis = 0; axis < 3; ++axis) {
         if (std::abs(hexagons[i].axis[axis]) > parallel) continue;
-        Vec3 direction(0);
-        direction[axis] = 1;
-        const double middle = hexagons[i].centre[axis], reach = hexagons[i].reach(direction);
+        const double middle = hexagons[i].centre[axis], reach = hexagons[i].reach(Mat3(1)[axis]);
         check(reach > 0, "a hexagon reaches to either side of its axis");
         for (const double side : {-reach, reach}) chains_[axis].join(middle, middle + side);
       }

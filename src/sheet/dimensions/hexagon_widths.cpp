@@ -60,8 +60,7 @@ bool is_extent_across_flats(const DesignHexagon& hexagon, const DimensionSubject
 }  // namespace
 
 bool is_extent(const DesignHexagon& hexagon, int axis, const DimensionSubject& subject, bool across_flats) {
-  Vec3 direction(0);
-  direction[axis] = 1;
+  const Vec3 direction = Mat3(1)[axis];
   if (hexagon.inwards || std::abs(hexagon.axis[axis]) > parallel) return false;
   if (across_flats && std::none_of(hexagon.normals.begin(), hexagon.normals.end(),
                                    [&](const Vec3& normal) { return are_parallel(normal, direction); }))

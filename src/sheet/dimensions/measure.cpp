@@ -151,9 +151,7 @@ Vec2 extension_axis(const Sight& sight, const Vec2& along) {
   Vec2 best = left_of(along);
   double min = 0.99;
   for (int axis = 0; axis < 3; ++axis) {
-    Vec3 e(0);
-    e[axis] = 1;
-    const Vec2 image = sight.page_of(e);
+    const Vec2 image = sight.page_of(Mat3(1)[axis]);
     const double size = glm::length(image);
     if (size <= parallel * sight.millimetres()) continue;
     const double lean = std::abs(glm::dot(image / size, along));
@@ -320,8 +318,7 @@ void complete_half(std::array<Vec2, 2>& ends, const drawing::Breaks& breaks, con
 
 MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight) {
   const int axis = axis_of(*dimension.direction);
-  Vec3 e(0);
-  e[axis] = 1;
+  const Vec3 e = Mat3(1)[axis];
   if (!sight.orthographic || !sight.in_plane(e))
     refuse(dimension, "the view does not show this size in true length",
            "choose an orthographic view parallel to the axis");
