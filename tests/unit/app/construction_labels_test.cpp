@@ -16,7 +16,7 @@
 #include "pipeline/draw_scene.hpp"
 #include "pipeline/picture.hpp"
 #include "program.hpp"
-#include "projection/catalogue.hpp"
+#include "projections.hpp"
 #include "scene/construction_choice.hpp"
 #include "scene/line_roles.hpp"
 #include "scene/scene_file.hpp"
@@ -27,13 +27,6 @@ namespace epura::test {
 namespace {
 
 using sheet::Rectangle;
-
-std::vector<std::string> projections() {
-  std::vector<std::string> names;
-  for (const projection::ProjectionEntry& entry : projection::load_catalogue({EPURA_TEST_PLUGINS}).entries)
-    names.push_back(entry.name);
-  return names;
-}
 
 struct Ink {
   std::string text;
@@ -202,11 +195,12 @@ TEST_F(SheetsWithConstructions, OfGoldenSheetsAreClear) {
   EXPECT_GE(sheets, 8);
 }
 
-INSTANTIATE_TEST_SUITE_P(Projections, ConstructionLabels, testing::ValuesIn(projections()), [](const auto& of) {
-  std::string name = of.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Projections, ConstructionLabels, testing::ValuesIn(built_in_projections()),
+                         [](const auto& of) {
+                           std::string name = of.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace epura::test

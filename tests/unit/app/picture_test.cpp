@@ -21,16 +21,10 @@
 #include "pipeline/kept_models.hpp"
 #include "program.hpp"
 #include "projection/matrices.hpp"
+#include "projections.hpp"
 
 namespace epura::test {
 namespace {
-
-std::vector<std::string> projections() {
-  std::vector<std::string> names;
-  for (const projection::ProjectionEntry& entry : projection::load_catalogue({EPURA_TEST_PLUGINS}).entries)
-    names.push_back(entry.name);
-  return names;
-}
 
 pipeline::PictureRequest request_for(const std::string& projection, const std::string& model) {
   pipeline::PictureRequest request;
@@ -169,13 +163,13 @@ TEST_P(Picture, IsDrawnWithLabelsAndALegend) {
   EXPECT_LT(svg.size(), 400'000U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Projections, Picture, testing::ValuesIn(projections()), [](const auto& of) {
+INSTANTIATE_TEST_SUITE_P(Projections, Picture, testing::ValuesIn(built_in_projections()), [](const auto& of) {
   std::string name = of.param;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
 
-TEST(Pictures, AreOfAllBuiltInProjections) { EXPECT_EQ(projections().size(), 22U); }
+TEST(Pictures, AreOfAllBuiltInProjections) { EXPECT_EQ(built_in_projections().size(), 22U); }
 
 // The parameters that set a quantity are found without the plugin's help.
 TEST(Pictures, NameTheParametersThatSetEachValue) {

@@ -10,21 +10,12 @@
 #include "base/vec.hpp"
 #include "folder.hpp"
 #include "program.hpp"
+#include "projections.hpp"
 
 namespace epura::test {
 namespace {
 
 Outcome answer(const std::vector<std::string>& arguments) { return epura(arguments, std::filesystem::current_path()); }
-
-std::vector<std::string> all_projections() {
-  std::vector<std::string> names;
-  const std::string list = answer({"plugins"}).out;
-  for (std::size_t at = list.find("\n  "); at != std::string::npos; at = list.find("\n  ", at + 1)) {
-    const std::size_t begin = at + 3;
-    names.push_back(list.substr(begin, list.find(' ', begin) - begin));
-  }
-  return names;
-}
 
 Json steps_of(const std::string& projection, const std::string& model, const std::string& vertex) {
   const Outcome run = answer({"plugins", projection, "--model", model, "--trace", vertex, "--notation", "json"});
@@ -33,7 +24,7 @@ Json steps_of(const std::string& projection, const std::string& model, const std
 }
 
 TEST(ViewingSteps, OfAllProjectionsLeadToTheDrawing) {
-  const std::vector<std::string> names = all_projections();
+  const std::vector<std::string> names = built_in_projections();
   EXPECT_GE(names.size(), 20U);
   for (const std::string& name : names)
     for (const char* vertex : {"0", "37"}) {
