@@ -49,7 +49,7 @@ std::size_t terminal_width() {
   return known ? size.ws_col - 1U : 79U;
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& remedy) {
+[[noreturn]] void refuse_process(const std::string& what, const std::string& remedy) {
   throw Error(ErrorKind::input, "this process", what, remedy);
 }
 void put(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
@@ -64,11 +64,12 @@ Console::Console(ProgressBoard& board, bool shows_progress, std::optional<double
   ::pthread_sigmask(SIG_BLOCK, &signals, &old_mask_);
   signals_ = ::signalfd(-1, &signals, SFD_CLOEXEC);
   end_ = signals_ < 0 ? -1 : ::eventfd(0, EFD_CLOEXEC);
-  if (end_ < 0) refuse(std::string("cannot open a file descriptor: ") + std::strerror(errno), "raise ulimit -n");
+  if (end_ < 0)
+    refuse_process(std::string("cannot open a file descriptor: ") + std::strerror(errno), "raise ulimit -n");
   try {
     watcher_ = std::thread([this] { watch(); });
   } catch (const std::system_error& error) {
-    refuse(std::string("cannot start a thread: ") + error.what(), "raise ulimit -v and ulimit -u");
+    refuse_process(std::string("cannot start a thread: ") + error.what(), "raise ulimit -v and ulimit -u");
   }
 }
 

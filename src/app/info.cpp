@@ -32,6 +32,7 @@ namespace {
 using output::json_list;
 using output::json_number;
 using output::json_string;
+using output::json_vector;
 
 constexpr std::size_t most_positions = 4;
 constexpr std::size_t most_radii = 12;
@@ -357,18 +358,14 @@ std::string text_of(const ModelInfo& info) {
 
 // JSON. Areas of huge models may exceed the range of doubles: null.
 
-std::string json_of(const Vec3& p) {
-  return "[" + json_number(p.x) + ", " + json_number(p.y) + ", " + json_number(p.z) + "]";
-}
-
 std::string json_of(const features::PartFace& face) {
   const features::PartSurface& s = face.surface;
   std::string text = "{\"kind\": " + json_string(features::surface_kind_names[static_cast<std::size_t>(s.kind)]) +
                      ", \"body\": " + std::to_string(face.body) + ", \"triangles\": " + std::to_string(face.triangles) +
                      ", \"area\": " + json_number(face.area);
   if (s.kind == features::SurfaceKind::free_form) return text + "}";
-  text += ", \"origin\": " + json_of(s.origin);
-  if (s.kind != features::SurfaceKind::sphere) text += ", \"axis\": " + json_of(s.axis);
+  text += ", \"origin\": " + json_vector(s.origin);
+  if (s.kind != features::SurfaceKind::sphere) text += ", \"axis\": " + json_vector(s.axis);
   if (s.kind != features::SurfaceKind::plane) text += ", \"radius\": " + json_number(s.radius);
   if (s.kind == features::SurfaceKind::torus) text += ", \"tube_radius\": " + json_number(s.minor);
   if (s.kind == features::SurfaceKind::cone) text += ", \"slope\": " + json_number(s.slope);
@@ -381,8 +378,8 @@ std::string json_of(const features::PartFace& face) {
 }
 
 std::string json_of(const features::Hole& hole) {
-  return "{\"diameters\": " + json_list(hole.diameters, json_number) + ", \"from\": " + json_of(hole.from) +
-         ", \"to\": " + json_of(hole.to) + ", \"through\": " + (hole.through ? "true" : "false") +
+  return "{\"diameters\": " + json_list(hole.diameters, json_number) + ", \"from\": " + json_vector(hole.from) +
+         ", \"to\": " + json_vector(hole.to) + ", \"through\": " + (hole.through ? "true" : "false") +
          ", \"faces\": " + json_list(hole.faces, [](int f) { return std::to_string(f); }) + "}";
 }
 
@@ -398,7 +395,7 @@ std::string json_of(const ModelInfo& info) {
   if (report.points > 0) text += number("points", report.points);
   text += std::string(", \"single_precision\": ") + truth(report.single_precision);
   if (!info.box.empty())
-    text += ",\n   \"box\": {\"min\": " + json_of(info.box.min) + ", \"max\": " + json_of(info.box.max) + "}";
+    text += ",\n   \"box\": {\"min\": " + json_vector(info.box.min) + ", \"max\": " + json_vector(info.box.max) + "}";
   text += ",\n   \"unit\": " + (info.guessed_unit ? json_string(scene::word_of(*info.guessed_unit)) : "null");
   text += ", \"millimetres\": " + (info.unit ? json_number(*info.unit) : "null");
   text += number("bodies", report.bodies) + ", \"closed\": " + truth(info.closed()) +
@@ -407,7 +404,7 @@ std::string json_of(const ModelInfo& info) {
   if (info.mass)
     text += ",\n   \"volume\": " + json_number(info.mass->volume) + ", \"area\": " + json_number(info.mass->area) +
             ", \"mass\": " + (info.mass->mass ? json_number(*info.mass->mass) : "null") +
-            ", \"centre_of_gravity\": " + json_of(info.mass->centre);
+            ", \"centre_of_gravity\": " + json_vector(info.mass->centre);
   text += ",\n   \"body_names\": " + json_list(info.report.body_names, json_string);
   if (!report.body_colours.empty()) {
     const auto colour = [](const std::optional<Colour>& c) { return c ? json_string(hexadecimal(*c)) : "null"; };

@@ -30,15 +30,15 @@ std::string sizes_of(const TreePart& part) {
 }
 
 /// Equal parts under one parent: their number, name and sizes, and the lines below them.
-struct Row {
+struct TreeRow {
   int count;
   const TreePart* part;
   Lines below;
 };
 
-Lines lines_of_rows(const std::vector<Row>& rows) {
+Lines lines_of_rows(const std::vector<TreeRow>& rows) {
   Lines lines;
-  for (const Row& row : rows) {
+  for (const TreeRow& row : rows) {
     lines.push_back((row.part->name.empty() ? "(no name)" : row.part->name) +
                     (row.count > 1 ? " x " + std::to_string(row.count) : "") + sizes_of(*row.part));
     for (const std::string& line : row.below) lines.push_back("  " + line);
@@ -46,8 +46,8 @@ Lines lines_of_rows(const std::vector<Row>& rows) {
   return lines;
 }
 
-void add_row(std::vector<Row>& rows, const TreePart& part, Lines below) {
-  const auto same = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
+void add_row(std::vector<TreeRow>& rows, const TreePart& part, Lines below) {
+  const auto same = std::find_if(rows.begin(), rows.end(), [&](const TreeRow& row) {
     return row.part->name == part.name && sizes_of(*row.part) == sizes_of(part) && row.below == below;
   });
   if (same != rows.end())
@@ -63,7 +63,7 @@ std::vector<std::string> tree_lines(const std::vector<TreePart>& tree) {
   std::vector<Lines> below(tree.size() + 1);
   const Groups<int> children = children_of(tree);
   for (std::size_t parent = tree.size() + 1; parent-- > 0;) {
-    std::vector<Row> rows;
+    std::vector<TreeRow> rows;
     for (const int child : children[parent])
       add_row(rows, tree[static_cast<std::size_t>(child)], std::move(below[static_cast<std::size_t>(child) + 1]));
     below[parent] = lines_of_rows(rows);

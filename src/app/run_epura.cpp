@@ -15,13 +15,12 @@
 #include <string_view>
 #include <utility>
 
+#include "app/resource_limit.hpp"
 #include "base/error.hpp"
 
 namespace epura {
 
 namespace {
-
-constexpr double bytes_of_megabyte = 1e6;
 
 [[noreturn]] void refuse(const char* what) {
   throw Error(ErrorKind::output, "epura", what, "there may be too little memory or too many processes");
@@ -36,12 +35,6 @@ std::string text_of(int file) {
   return bytes;
 }
 
-void limit(__rlimit_resource resource, double megabytes) {
-  const auto bytes = static_cast<rlim_t>(megabytes * bytes_of_megabyte);
-  const rlimit both{bytes, bytes};
-  ::setrlimit(resource, &both);
-}
-
 // In the new process, which has only this thread: nothing here may wait for another one.
 [[noreturn]] void become_epura(char** words, int out, int err, const ProcessLimits* limits) {
   sigset_t none;
@@ -53,8 +46,8 @@ void limit(__rlimit_resource resource, double megabytes) {
   ::dup2(err, STDERR_FILENO);
   if (limits != nullptr) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    limit(RLIMIT_DATA, limits->megabytes);
-    limit(RLIMIT_FSIZE, limits->output_megabytes);
+    limit_resource(RLIMIT_DATA, limits->megabytes);
+    limit_resource(RLIMIT_FSIZE, limits->output_megabytes);
   }
   ::execv("/proc/self/exe", words);
   ::_exit(static_cast<int>(ErrorKind::output));

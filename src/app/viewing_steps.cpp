@@ -20,6 +20,7 @@ namespace {
 
 using output::json_number;
 using output::json_string;
+using output::json_vector;
 
 constexpr double viewport_scale = 1;  // mm per unit of the model
 constexpr int digits = 9;
@@ -35,19 +36,19 @@ struct Trace {
 
 std::string number(double value) { return format_rounded(value, digits); }
 
-std::string list_of(std::initializer_list<double> values) {
+std::string values_of(std::initializer_list<double> values) {
   std::string text;
   for (const double value : values) text += (text.empty() ? "" : ", ") + number(value);
   return text;
 }
 
-std::string list_of(const Vec2& p) { return list_of({p.x, p.y}); }
-std::string list_of(const Vec3& p) { return list_of({p.x, p.y, p.z}); }
+std::string values_of(const Vec2& p) { return values_of({p.x, p.y}); }
+std::string values_of(const Vec3& p) { return values_of({p.x, p.y, p.z}); }
 
 /// Places a vertex in affine coordinates if it has any.
 std::string place_of(const Vec4& p) {
-  if (p.w == 0) return list_of({p.x, p.y, p.z, p.w}) + " (at infinity)";
-  return list_of(Vec3(p) / p.w) + (p.w == 1 ? "" : "   w = " + number(p.w));
+  if (p.w == 0) return values_of({p.x, p.y, p.z, p.w}) + " (at infinity)";
+  return values_of(Vec3(p) / p.w) + (p.w == 1 ? "" : "   w = " + number(p.w));
 }
 
 // The document's names and equations of the numbers of a view.
@@ -58,19 +59,19 @@ struct Quantity {
 
 std::vector<Quantity> quantities_of(const projection::Projection& p, const view::ViewingModel& model) {
   const projection::ViewVolume& volume = model.volume;
-  return {{"VRP", "", "view reference point", list_of(model.vrp)},
-          {"VPN", "", "view plane normal", list_of(model.vpn)},
-          {"VUP", "", "view up vector", list_of(model.vup)},
-          {"u", "3.30", "right", list_of(p.u)},
-          {"v", "3.31", "up", list_of(p.v)},
-          {"n", "3.32", "towards the viewer", list_of(p.n)},
-          {"PRP", "", "projection reference point, in (u, v, n)", list_of(volume.prp)},
+  return {{"VRP", "", "view reference point", values_of(model.vrp)},
+          {"VPN", "", "view plane normal", values_of(model.vpn)},
+          {"VUP", "", "view up vector", values_of(model.vup)},
+          {"u", "3.30", "right", values_of(p.u)},
+          {"v", "3.31", "up", values_of(p.v)},
+          {"n", "3.32", "towards the viewer", values_of(p.n)},
+          {"PRP", "", "projection reference point, in (u, v, n)", values_of(volume.prp)},
           {"VPD", "", "view plane distance", number(volume.plane)},
           {"F", "", "front plane", number(volume.front)},
           {"B", "", "back plane", number(volume.back)},
-          {"window", "", "umin, vmin, umax, vmax", list_of(volume.window.min) + ", " + list_of(volume.window.max)},
+          {"window", "", "umin, vmin, umax, vmax", values_of(volume.window.min) + ", " + values_of(volume.window.max)},
           {"viewport", "", "mm; 1 mm for a unit of the model in the view plane",
-           list_of(model.viewport.min) + ", " + list_of(model.viewport.max)}};
+           values_of(model.viewport.min) + ", " + values_of(model.viewport.max)}};
 }
 
 std::string rows_of(const Mat4& matrix) {
@@ -93,7 +94,7 @@ std::string latex_of(const Mat4& matrix) {
   return text + "\\end{pmatrix}";
 }
 
-std::string json_of(const Mat4& matrix) {
+std::string json_matrix(const Mat4& matrix) {
   std::string text = "[";
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column)
@@ -101,9 +102,8 @@ std::string json_of(const Mat4& matrix) {
   return text + "]";
 }
 
-std::string json_of(const std::vector<double>& values) { return output::json_list(values, json_number); }
-std::string json_of(const Vec3& a) { return json_of(std::vector{a.x, a.y, a.z}); }
-std::string json_of(const projection::Window& w) { return json_of(std::vector{w.min.x, w.min.y, w.max.x, w.max.y}); }
+std::string json_values(const std::vector<double>& values) { return output::json_list(values, json_number); }
+std::string json_window(const projection::Window& w) { return json_values({w.min.x, w.min.y, w.max.x, w.max.y}); }
 
 const char* plane_symbol(const projection::Projection& p) { return p.central ? "M_per" : "M_par"; }
 const char* plane_equation(const projection::Projection& p) { return p.central ? "3.10" : "3.20"; }
@@ -125,11 +125,11 @@ void print_text(const projection::Projection& p, const view::ViewingModel& model
   std::fputs(rows_of(model.product).c_str(), stdout);
   if (trace == nullptr) return;
   heading("Vertex " + std::to_string(trace->vertex));
-  print("   " + padded("world", 10) + list_of(trace->world));
+  print("   " + padded("world", 10) + values_of(trace->world));
   for (std::size_t i = 0; i < model.steps.size(); ++i)
     print("   " + padded(model.steps[i].symbol, 10) + place_of(trace->after[i]));
-  print("   " + padded("page", 10) + list_of(trace->page) + " mm");
-  print("   " + padded("drawn at", 10) + list_of(trace->drawn) + " mm, " +
+  print("   " + padded("page", 10) + values_of(trace->page) + " mm");
+  print("   " + padded("drawn at", 10) + values_of(trace->drawn) + " mm, " +
         format_rounded(glm::distance(trace->page, trace->drawn), 3) + " mm away");
 }
 
@@ -165,16 +165,16 @@ void print_equation(const std::string& left, const std::string& right, const std
 
 // P_0 is the vertex, P_i what the i-th matrix makes of it.
 void print_latex_trace(const view::ViewingModel& model, const Trace& trace) {
-  print_equation("P_{0}", "(" + list_of(trace.world) + ", 1)^T", "");
+  print_equation("P_{0}", "(" + values_of(trace.world) + ", 1)^T", "");
   for (std::size_t i = 0; i < model.steps.size(); ++i) {
     const Vec4& p = trace.after[i];
     print_equation("P_{" + std::to_string(i + 1) + "}",
                    latex_symbol(model.steps[i].symbol) + "\\,P_{" + std::to_string(i) + "} = (" +
-                       list_of({p.x, p.y, p.z, p.w}) + ")^T",
+                       values_of({p.x, p.y, p.z, p.w}) + ")^T",
                    "");
   }
-  print_equation("\\mathrm{page}", "(" + list_of(trace.page) + ")\\,\\mathrm{mm}", "");
-  print_equation("\\mathrm{drawn\\ at}", "(" + list_of(trace.drawn) + ")\\,\\mathrm{mm}", "");
+  print_equation("\\mathrm{page}", "(" + values_of(trace.page) + ")\\,\\mathrm{mm}", "");
+  print_equation("\\mathrm{drawn\\ at}", "(" + values_of(trace.drawn) + ")\\,\\mathrm{mm}", "");
   print_equation("\\mathrm{residue}", format_rounded(glm::distance(trace.page, trace.drawn), 3) + "\\,\\mathrm{mm}",
                  "");
 }
@@ -203,12 +203,12 @@ void print_latex(const projection::Projection& p, const view::ViewingModel& mode
 void print_json(const projection::Projection& p, const view::ViewingModel& model, const Trace* trace) {
   std::string more;
   if (trace != nullptr) {
-    more = ",\n \"trace\": {\"vertex\": " + std::to_string(trace->vertex) + ", \"world\": " + json_of(trace->world) +
-           ", \"after\": [";
+    more = ",\n \"trace\": {\"vertex\": " + std::to_string(trace->vertex) +
+           ", \"world\": " + json_vector(trace->world) + ", \"after\": [";
     for (const Vec4& a : trace->after)
-      more += (&a == trace->after.data() ? "" : ", ") + json_of(std::vector{a.x, a.y, a.z, a.w});
-    more += "], \"page\": " + json_of(std::vector{trace->page.x, trace->page.y}) +
-            ", \"drawn\": " + json_of(std::vector{trace->drawn.x, trace->drawn.y}) +
+      more += (&a == trace->after.data() ? "" : ", ") + json_values({a.x, a.y, a.z, a.w});
+    more += "], \"page\": " + json_values({trace->page.x, trace->page.y}) +
+            ", \"drawn\": " + json_values({trace->drawn.x, trace->drawn.y}) +
             ", \"residue\": " + json_number(glm::distance(trace->page, trace->drawn)) + "}";
   }
   std::fputs(viewing_json(p, model, more).c_str(), stdout);
@@ -237,17 +237,18 @@ Trace trace_of(int vertex, const std::string& file, const view::ProjectedScene& 
 std::string viewing_json(const projection::Projection& p, const view::ViewingModel& model, const std::string& more) {
   const projection::ViewVolume& v = model.volume;
   std::string text = "{\"epura_viewing\": 1, \"projection\": " + json_string(p.name) +
-                     ",\n \"central\": " + (p.central ? "true" : "false") + ",\n \"VRP\": " + json_of(model.vrp) +
-                     ", \"VPN\": " + json_of(model.vpn) + ", \"VUP\": " + json_of(model.vup) +
-                     ",\n \"u\": " + json_of(p.u) + ", \"v\": " + json_of(p.v) + ", \"n\": " + json_of(p.n) +
-                     ",\n \"PRP\": " + json_of(v.prp) + ", \"VPD\": " + json_number(v.plane) +
-                     ", \"F\": " + json_number(v.front) + ", \"B\": " + json_number(v.back) +
-                     ",\n \"window\": " + json_of(v.window) + ", \"viewport\": " + json_of(model.viewport) + ",\n \"" +
-                     plane_symbol(p) + "\": " + json_of(model.plane) + ",\n \"steps\": [";
+                     ",\n \"central\": " + (p.central ? "true" : "false") + ",\n \"VRP\": " + json_vector(model.vrp) +
+                     ", \"VPN\": " + json_vector(model.vpn) + ", \"VUP\": " + json_vector(model.vup) +
+                     ",\n \"u\": " + json_vector(p.u) + ", \"v\": " + json_vector(p.v) +
+                     ", \"n\": " + json_vector(p.n) + ",\n \"PRP\": " + json_vector(v.prp) +
+                     ", \"VPD\": " + json_number(v.plane) + ", \"F\": " + json_number(v.front) +
+                     ", \"B\": " + json_number(v.back) + ",\n \"window\": " + json_window(v.window) +
+                     ", \"viewport\": " + json_window(model.viewport) + ",\n \"" + plane_symbol(p) +
+                     "\": " + json_matrix(model.plane) + ",\n \"steps\": [";
   for (const view::ViewingStep& s : model.steps)
     text += (&s == model.steps.data() ? "\n  " : ",\n  ") + std::string("{\"symbol\": ") + json_string(s.symbol) +
-            ", \"equation\": " + json_string(s.equation) + ", \"matrix\": " + json_of(s.matrix) + "}";
-  return text + "],\n \"product\": " + json_of(model.product) + more + "}\n";
+            ", \"equation\": " + json_string(s.equation) + ", \"matrix\": " + json_matrix(s.matrix) + "}";
+  return text + "],\n \"product\": " + json_matrix(model.product) + more + "}\n";
 }
 
 int show_steps(const projection::ProjectionEntry& entry, const scene::ProjectionRequest& request,

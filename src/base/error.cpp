@@ -22,6 +22,10 @@ std::string sentence_of(const std::string& where, const std::string& what) {
 Error::Error(ErrorKind kind, std::string where, std::string what, std::string hint)
     : std::runtime_error(sentence_of(where, what)), trouble_(kind), where_(std::move(where)), hint_(std::move(hint)) {}
 
+void refuse_input(const std::string& where, const std::string& reason, const std::string& hint) {
+  throw Error(ErrorKind::input, where, reason, hint);
+}
+
 void check(bool condition, const char* sentence) {
   if (!condition) [[unlikely]]
     throw Broken(sentence);

@@ -25,6 +25,9 @@ class Error : public std::runtime_error {
   std::string hint_;
 };
 
+/// Throws Error{input}.
+[[noreturn]] void refuse_input(const std::string& where, const std::string& reason, const std::string& hint = {});
+
 /// For programming errors: throws Broken (base/broken.hpp) with the sentence, in every build type.
 void check(bool condition, const char* sentence);
 

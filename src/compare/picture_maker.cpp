@@ -20,18 +20,14 @@ constexpr double farthest = 10 * scene::longest_side;
 
 constexpr const char* is_it_ours = "is it a drawing of epura?";
 
-[[noreturn]] void refuse(const std::string& where, const std::string& what, const std::string& hint) {
-  throw Error(ErrorKind::input, where, what, hint);
-}
-
 }  // namespace
 
 void PictureMaker::expect_on_paper(const Vec2& place) const {
   if (!(std::abs(place.x) <= farthest && std::abs(place.y) <= farthest))
-    refuse(where_,
-           "has something at (" + format_rounded(place.x, 6) + ", " + format_rounded(place.y, 6) +
-               ") mm, outside any paper",
-           "drawings are compared up to " + format_number(farthest / 1000) + " m from their corner");
+    refuse_input(where_,
+                 "has something at (" + format_rounded(place.x, 6) + ", " + format_rounded(place.y, 6) +
+                     ") mm, outside any paper",
+                 "drawings are compared up to " + format_number(farthest / 1000) + " m from their corner");
 }
 
 void PictureMaker::set_size(const Vec2& size) {
@@ -43,17 +39,17 @@ int PictureMaker::look(const PictureLook& look) {
   std::vector<double> lengths = look.dashes;
   lengths.push_back(look.width);
   if (!std::all_of(lengths.begin(), lengths.end(), [](double length) { return length >= 0 && length <= farthest; }))
-    refuse(where_, "has lines whose width or dashes are not valid lengths", is_it_ours);
+    refuse_input(where_, "has lines whose width or dashes are not valid lengths", is_it_ours);
   const int number = number_of_look(picture_.looks, look);
   if (picture_.looks.size() > most_looks)
-    refuse(where_, "has more than " + std::to_string(most_looks) + " line styles", is_it_ours);
+    refuse_input(where_, "has more than " + std::to_string(most_looks) + " line styles", is_it_ours);
   return number;
 }
 
 int PictureMaker::view(const std::string& name) {
   const int number = number_of_name(picture_.views, name);
   if (picture_.views.size() > most_views)
-    refuse(where_, "has more than " + std::to_string(most_views) + " views", is_it_ours);
+    refuse_input(where_, "has more than " + std::to_string(most_views) + " views", is_it_ours);
   return number;
 }
 

@@ -15,10 +15,6 @@ namespace epura::cut {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& where, const std::string& reason, const std::string& hint) {
-  throw Error(ErrorKind::input, where, reason, hint);
-}
-
 /// An outline in the cutting plane.
 struct PlaneRing {
   std::vector<Vec3> corners;
@@ -92,8 +88,8 @@ FaceAtPoint cut_face_at_point(const world::World& world, const scene::RevolvedDe
   const CutWorld cut = cut_world(world, surface);
   for (const WorldCutFace& face : cut.faces)
     if (auto area = area_at_point(rings_of(cut, face, surface.plane))) return {face.model, face.body, std::move(*area)};
-  refuse(section.point.where, "there is no material at the point of the revolved section",
-         "move it into the part; the cutting plane goes through it");
+  refuse_input(section.point.where, "there is no material at the point of the revolved section",
+               "move it into the part; the cutting plane goes through it");
 }
 
 }  // namespace epura::cut

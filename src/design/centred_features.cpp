@@ -14,6 +14,7 @@
 #include "base/portable_math.hpp"
 #include "design/pitch_circles.hpp"
 #include "design/round_faces.hpp"
+#include "design/tolerances.hpp"
 #include "world/placed_circles.hpp"
 
 namespace epura::design {
@@ -24,10 +25,9 @@ using features::SurfaceKind;
 
 constexpr double half_turn = 179.5;  // degrees
 constexpr double half_turn_slack = 2;
-constexpr double least_side = 90;     // degrees, of a groove
-constexpr double parallel = 1e-3;     // sine
-constexpr double same_length = 1e-4;  // relative
-constexpr double opposite = 0.99;     // cosine
+constexpr double least_side = 90;         // degrees, of a groove
+constexpr double nearly_parallel = 1e-3;  // sine
+constexpr double opposite = 0.99;         // cosine
 
 /// Finds round features of a model whose faces are recognised.
 class FeatureFinder {
@@ -83,8 +83,8 @@ class FeatureFinder {
     return glm::length(glm::cross(point - from.face.surface.origin, from.face.surface.axis));
   }
   [[nodiscard]] bool are_coaxial(const RoundFace& a, const RoundFace& b) const {
-    if (glm::length(glm::cross(a.face.surface.axis, b.face.surface.axis)) > parallel) return false;
-    const double slack = std::max(32 * part_.tolerance, same_length * std::max(a.reach, b.reach));
+    if (glm::length(glm::cross(a.face.surface.axis, b.face.surface.axis)) > nearly_parallel) return false;
+    const double slack = std::max(32 * part_.tolerance, same_size * std::max(a.reach, b.reach));
     return std::min(aside(a, middle_of(b)), aside(b, middle_of(a))) <= slack;
   }
 
@@ -107,12 +107,12 @@ class FeatureFinder {
 
   [[nodiscard]] bool face_each_other(const RoundFace& a, const RoundFace& b) const {
     const features::PartSurface &s = a.face.surface, &t = b.face.surface;
-    if (a.face.inwards != b.face.inwards || std::abs(s.radius - t.radius) > same_length * s.radius ||
-        glm::length(glm::cross(s.axis, t.axis)) > parallel)
+    if (a.face.inwards != b.face.inwards || std::abs(s.radius - t.radius) > same_size * s.radius ||
+        glm::length(glm::cross(s.axis, t.axis)) > nearly_parallel)
       return false;
     const Vec3 d = middle_of(b) - middle_of(a), across = d - glm::dot(d, s.axis) * s.axis;
     const double length = glm::length(across);
-    return length > same_length * s.radius && glm::dot(across, a.middle) < -opposite * length &&
+    return length > same_size * s.radius && glm::dot(across, a.middle) < -opposite * length &&
            glm::dot(across, b.middle) > opposite * length;
   }
 
@@ -140,7 +140,7 @@ class FeatureFinder {
   // Groups of faces about one axis, found by a sweep along a direction in which holes of a pattern do not line up.
   [[nodiscard]] std::vector<std::vector<int>> coaxial_groups() const {
     const Vec3 along = glm::normalize(Vec3(0.5377, 0.7236, 0.4326)), centre = world_.box.centre();
-    const double window = same_length * glm::length(world_.box.size());
+    const double window = same_size * glm::length(world_.box.size());
     std::vector<std::pair<double, int>> order;
     for (int i = 0; i < static_cast<int>(faces_.size()); ++i) {
       const RoundFace& round = faces_[i];
@@ -167,7 +167,8 @@ class FeatureFinder {
   // Whether two arcs, one within the other, are the sides of a groove, or of a stroke of a letter.
   [[nodiscard]] bool are_sides_of_groove(const RoundFace& outer, const RoundFace& inner) const {
     const Vec3& axis = outer.face.surface.axis;
-    if (!outer.face.inwards || inner.face.inwards || glm::length(glm::cross(axis, inner.face.surface.axis)) > parallel)
+    if (!outer.face.inwards || inner.face.inwards ||
+        glm::length(glm::cross(axis, inner.face.surface.axis)) > nearly_parallel)
       return false;
     const double depth = outer.to - outer.from, slack = 0.01 * depth;
     const Vec3 apart = middle_of(inner) - middle_of(outer);
@@ -191,7 +192,7 @@ class FeatureFinder {
       const RoundFace& other = faces_[i];
       if (other.face.surface.kind != SurfaceKind::cylinder || other.face.inwards != round.face.inwards ||
           other.is_whole() ||
-          std::abs(other.face.surface.radius - round.face.surface.radius) > same_length * round.face.surface.radius)
+          std::abs(other.face.surface.radius - round.face.surface.radius) > same_size * round.face.surface.radius)
         continue;
       // Angles relative to the middle of this arc; full turns are added so that arcs across 180 degrees are included.
       const double sine = glm::dot(round.face.surface.axis, glm::cross(round.middle, other.middle));
@@ -230,7 +231,7 @@ class FeatureFinder {
   [[nodiscard]] bool is_ball_on(int ball, const RoundFace& shaft) const {
     const features::PartSurface& surface = faces_[ball].face.surface;
     return surface.kind == SurfaceKind::sphere &&
-           aside(shaft, surface.origin) <= std::max(32 * part_.tolerance, same_length * shaft.reach);
+           aside(shaft, surface.origin) <= std::max(32 * part_.tolerance, same_size * shaft.reach);
   }
 
   [[nodiscard]] std::vector<double> bores_of(const std::vector<int>& faces) const {

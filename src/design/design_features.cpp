@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/portable_math.hpp"
 #include "design/centred_features.hpp"
 #include "design/design_holes.hpp"
@@ -16,6 +17,7 @@
 #include "design/interrupted_cylinders.hpp"
 #include "design/place_threads.hpp"
 #include "design/round_faces.hpp"
+#include "design/tolerances.hpp"
 #include "design/true_extents.hpp"
 #include "world/placed_part.hpp"
 
@@ -25,23 +27,17 @@ namespace {
 
 using features::SurfaceKind;
 
-constexpr double parallel = 1e-4;        // sine
-constexpr double same_size = 1e-4;       // relative
 constexpr double beside = 1.002;         // relative to the radius of a hole or slot: within it
 constexpr double shortest_arc = 20;      // degrees
 constexpr double least_round = 180;      // degrees of a turn that slots may leave of a rounded edge
 constexpr double longest_chamfer = 0.5;  // relative to the radius
-constexpr double degree = std::numbers::pi / 180;
 
-bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
-bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
-
-bool are_same(const std::optional<Recess>& a, const std::optional<Recess>& b) {
+bool are_same_recess(const std::optional<Recess>& a, const std::optional<Recess>& b) {
   if (!a || !b) return a.has_value() == b.has_value();
   return are_same(a->diameter, b->diameter) && are_same(a->size, b->size);
 }
 
-bool are_same(const std::optional<DesignThread>& a, const std::optional<DesignThread>& b) {
+bool are_same_thread(const std::optional<DesignThread>& a, const std::optional<DesignThread>& b) {
   if (!a || !b) return a.has_value() == b.has_value();
   return a->text == b->text && a->number == b->number;
 }
@@ -483,8 +479,8 @@ bool are_equal(const DesignHole& a, const DesignHole& b) {
   return a.model == b.model && a.through == b.through && are_same(a.diameter, b.diameter) &&
          are_parallel(a.axis, b.axis) && (a.through || glm::dot(a.axis, b.axis) > 0) &&
          a.depth.has_value() == b.depth.has_value() && are_same(a.depth.value_or(0), b.depth.value_or(0)) &&
-         are_same(a.counterbore, b.counterbore) && are_same(a.countersink, b.countersink) &&
-         are_same(a.thread, b.thread);
+         are_same_recess(a.counterbore, b.counterbore) && are_same_recess(a.countersink, b.countersink) &&
+         are_same_thread(a.thread, b.thread);
 }
 
 double DesignBevel::leg() const { return std::abs(ends[1][(along + 1) % 3] - ends[0][(along + 1) % 3]); }

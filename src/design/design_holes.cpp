@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/portable_math.hpp"
+#include "design/tolerances.hpp"
 #include "features/holes.hpp"
 
 namespace epura::design {
@@ -15,9 +16,7 @@ namespace {
 
 using features::SurfaceKind;
 
-constexpr double parallel = 1e-4;   // sine
-constexpr double same_size = 1e-4;  // relative
-constexpr double tip = 1e-3;        // radius of the end of a drill point, relative to its hole
+constexpr double tip = 1e-3;  // radius of the end of a drill point, relative to its hole
 
 /// A face of a hole: heights are along the axis of the hole.
 struct Piece {
@@ -117,7 +116,7 @@ class HoleReader {
                        [&](const features::PartFace& face) { return is_plane_at(face.surface, axis, at); });
   }
   [[nodiscard]] bool is_plane_at(const features::PartSurface& surface, const Vec3& axis, double at) const {
-    return surface.kind == SurfaceKind::plane && glm::length(glm::cross(surface.axis, axis)) <= parallel &&
+    return surface.kind == SurfaceKind::plane && are_parallel(surface.axis, axis) &&
            std::abs(glm::dot(surface.origin, axis) - at) <= 10 * slack();
   }
 

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "base/vec.hpp"
+#include "design/tolerances.hpp"
 
 namespace epura::design {
 
@@ -17,7 +18,6 @@ namespace {
 using features::PartSurface;
 using features::SurfaceKind;
 
-constexpr double parallel = 1e-4;          // sine, or cosine of a right angle
 constexpr double largest_letter = 0.2;     // relative to the size of the part
 constexpr double deepest_letter = 0.5;     // relative to its size
 constexpr std::size_t fewest_letters = 2;  // of one depth in a plane

@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "base/portable_math.hpp"
+#include "base/range.hpp"
+#include "design/tolerances.hpp"
 #include "scene/standard_threads.hpp"
 
 namespace epura::design {
@@ -17,7 +19,6 @@ namespace {
 using features::PartFace;
 using features::SurfaceKind;
 
-constexpr double parallel = 1e-4;         // sine
 constexpr double same_place = 1e-3;       // relative to a radius
 constexpr double flattest = 0.6;          // least ratio of the radii at roots and crests
 constexpr double most_to_one_side = 0.8;  // mean of the directions of vertices from the axis
@@ -45,19 +46,6 @@ struct AroundAxis {
   /// In turns.
   [[nodiscard]] double turn(const Vec3& p) const {
     return portable_atan2(glm::dot(p - origin, v), glm::dot(p - origin, u)) / (2 * std::numbers::pi);
-  }
-};
-
-struct Range {
-  double from = HUGE_VAL, to = -HUGE_VAL;
-
-  void add(double value) {
-    from = std::min(from, value);
-    to = std::max(to, value);
-  }
-  void add(const Range& other) {
-    from = std::min(from, other.from);
-    to = std::max(to, other.to);
   }
 };
 
@@ -102,7 +90,7 @@ class ThreadFinder {
   // Whether the threads around an axis have been looked for.
   bool is_known(const features::PartSurface& surface) {
     for (const features::PartSurface& other : axes_)
-      if (glm::length(glm::cross(other.axis, surface.axis)) <= parallel &&
+      if (are_parallel(other.axis, surface.axis) &&
           glm::length(glm::cross(surface.origin - other.origin, other.axis)) <= same_place * surface.radius)
         return true;
     axes_.push_back(surface);
@@ -118,7 +106,7 @@ class ThreadFinder {
       const Vec3& axis = plane.surface.axis;
       if (plane.surface.kind != SurfaceKind::plane || directions.size() >= most_directions) continue;
       if (std::none_of(directions.begin(), directions.end(),
-                       [&](const Vec3& known) { return glm::length(glm::cross(known, axis)) <= parallel; }))
+                       [&](const Vec3& known) { return are_parallel(known, axis); }))
         directions.push_back(axis);
     }
     for (const Vec3& direction : directions)
@@ -197,7 +185,7 @@ class ThreadFinder {
   // Flanks and crests, and planes in which a thread ends.
   [[nodiscard]] bool lies_in_band(const AroundAxis& around, int face) const {
     const features::PartSurface& surface = part_.faces[static_cast<std::size_t>(face)].surface;
-    const bool across = glm::length(glm::cross(surface.axis, around.axis)) <= parallel;
+    const bool across = are_parallel(surface.axis, around.axis);
     if (surface.kind != SurfaceKind::free_form && (surface.kind != SurfaceKind::plane || across)) return false;
     const Range radius = reach_of(around, face).radius;
     return radius.from >= flattest * radius.to;
@@ -388,7 +376,7 @@ class ThreadFinder {
   // Whether a face is a cylinder around the axis.
   [[nodiscard]] bool is_around(const AroundAxis& around, int face) const {
     const features::PartSurface& surface = part_.faces[static_cast<std::size_t>(face)].surface;
-    return surface.kind == SurfaceKind::cylinder && glm::length(glm::cross(surface.axis, around.axis)) <= parallel &&
+    return surface.kind == SurfaceKind::cylinder && are_parallel(surface.axis, around.axis) &&
            around.radius(surface.origin) <= same_place * surface.radius;
   }
 
@@ -396,8 +384,7 @@ class ThreadFinder {
   [[nodiscard]] bool is_ring(const AroundAxis& around, int face, const Range& band) const {
     const PartFace& plane = part_.faces[static_cast<std::size_t>(face)];
     const double ring = std::numbers::pi * (band.to * band.to - band.from * band.from);
-    if (plane.surface.kind != SurfaceKind::plane || plane.area > ring ||
-        glm::length(glm::cross(plane.surface.axis, around.axis)) > parallel)
+    if (plane.surface.kind != SurfaceKind::plane || plane.area > ring || !are_parallel(plane.surface.axis, around.axis))
       return false;
     const FaceReach reach = reach_of(around, face);
     return reach.radius.from >= band.from * (1 - same_place) && reach.radius.to <= band.to * (1 + same_place);

@@ -7,24 +7,15 @@
 #include <numbers>
 #include <optional>
 
+#include "base/range.hpp"
+#include "design/tolerances.hpp"
+
 namespace epura::design {
 
 namespace {
 
-constexpr double parallel = 1e-4;        // sine
-constexpr double same_size = 1e-4;       // relative
 constexpr double least_flat = 0.6;       // of a side: those of a regular polygon of twelve sides are shorter
 constexpr std::size_t most_flats = 256;  // of one body; more, as in honeycombs, take too long
-
-struct Range {
-  double from = HUGE_VAL, to = -HUGE_VAL;
-
-  void add(double value) {
-    from = std::min(from, value);
-    to = std::max(to, value);
-  }
-  [[nodiscard]] double size() const { return to - from; }
-};
 
 Range range_of(const std::vector<Vec3>& points, const Vec3& direction) {
   Range range;
@@ -44,12 +35,12 @@ class FlatsAround {
     for (const PlaneFace* face : faces)
       for (int side = 0; side < 6; ++side)
         if (glm::distance(face->normal, normals_[side]) <= parallel)
-          flats_[side].push_back({face, middle_of(range_of(face->corners, normals_[side]))});
+          flats_[side].push_back({face, range_of(face->corners, normals_[side]).middle()});
   }
 
   // The hexagon of which a face is the first flat.
   [[nodiscard]] std::optional<DesignHexagon> around(const PlaneFace& first) const {
-    const double place = middle_of(range_of(first.corners, normals_[0]));
+    const double place = range_of(first.corners, normals_[0]).middle();
     for (const Flat& next : flats_[1])
       for (const Flat& last : flats_[2])
         if (const auto hexagon = hexagon_at({place, next.place, last.place})) return hexagon;
@@ -61,8 +52,6 @@ class FlatsAround {
     const PlaneFace* face;
     double place;  ///< along its normal
   };
-
-  static double middle_of(const Range& range) { return (range.from + range.to) / 2; }
 
   // Three planes in a row determine a hexagon: n1 = n0 + n2, so its half width is d0 + d2 - d1, below zero for a
   // socket.
@@ -92,7 +81,7 @@ class FlatsAround {
       along.to = std::min(along.to, height.to);
     }
     if (!(along.size() > slack)) return std::nullopt;
-    found.centre += middle_of(along) * axis_;
+    found.centre += along.middle() * axis_;
     found.half_height = along.size() / 2;
     return found;
   }
@@ -102,7 +91,7 @@ class FlatsAround {
   std::array<std::vector<Flat>, 6> flats_;
 };
 
-bool are_same(const DesignHexagon& a, const DesignHexagon& b) {
+bool are_same_hexagon(const DesignHexagon& a, const DesignHexagon& b) {
   const double slack = 2 * same_size * a.across_flats;
   return std::abs(a.across_flats - b.across_flats) <= slack && a.inwards == b.inwards &&
          glm::length(glm::cross(a.centre - b.centre, a.axis)) <= slack && glm::distance(a.axis, b.axis) <= parallel;
@@ -132,7 +121,8 @@ std::vector<DesignHexagon> find_hexagons(int model, const std::vector<PlaneFace>
         auto hexagon = FlatsAround(of_body, *first, Mat3(1)[axis]).around(*first);
         if (!hexagon) continue;
         hexagon->model = model;
-        if (std::none_of(found.begin(), found.end(), [&](const auto& known) { return are_same(known, *hexagon); }))
+        if (std::none_of(found.begin(), found.end(),
+                         [&](const auto& known) { return are_same_hexagon(known, *hexagon); }))
           found.push_back(*hexagon);
       }
     }

@@ -8,15 +8,13 @@
 #include <utility>
 
 #include "base/portable_math.hpp"
+#include "design/tolerances.hpp"
 
 namespace epura::design {
 
 namespace {
 
 using features::SurfaceKind;
-
-constexpr double parallel = 1e-4;   // sine
-constexpr double same_size = 1e-4;  // relative
 
 // The largest angle around the axis without any of the parts, degrees.
 double largest_gap(const std::vector<RoundFace>& round, const std::vector<int>& parts) {
@@ -43,7 +41,7 @@ double largest_gap(const std::vector<RoundFace>& round, const std::vector<int>& 
 bool are_one_cylinder(const RoundFace& a, const RoundFace& b) {
   const features::PartSurface &s = a.face.surface, &t = b.face.surface;
   return s.kind == SurfaceKind::cylinder && t.kind == SurfaceKind::cylinder && a.face.inwards == b.face.inwards &&
-         std::abs(s.radius - t.radius) <= same_size * s.radius && glm::length(glm::cross(s.axis, t.axis)) <= parallel &&
+         std::abs(s.radius - t.radius) <= same_size * s.radius && are_parallel(s.axis, t.axis) &&
          glm::length(glm::cross(t.origin - s.origin, s.axis)) <= same_size * s.radius;
 }
 

@@ -7,17 +7,17 @@
 #include <tuple>
 #include <utility>
 
+#include "design/tolerances.hpp"
+
 namespace epura::design {
 
 namespace {
 
-constexpr double same_length = 1e-4;  // relative
-constexpr double parallel = 1e-4;     // sine
 constexpr std::size_t least_holes = 3;
 
 bool are_equal(const HoleSize& a, const HoleSize& b) {
   return std::equal(a.radii.begin(), a.radii.end(), b.radii.begin(), b.radii.end(),
-                    [](double r, double s) { return std::abs(r - s) <= same_length * std::max(r, s); });
+                    [](double r, double s) { return std::abs(r - s) <= same_size * std::max(r, s); });
 }
 
 Vec3 spoke_to(const RoundFeature& hole, const RoundFeature& hub) {
@@ -37,7 +37,7 @@ std::vector<Pattern> patterns_of(std::span<const RoundFeature> features, std::sp
     std::size_t at = 0;
     while (at < patterns.size() &&
            !(features[first[at]->feature].model == feature.model && are_equal(*first[at], size) &&
-             glm::length(glm::cross(features[first[at]->feature].axis, feature.axis)) <= parallel))
+             are_parallel(features[first[at]->feature].axis, feature.axis)))
       ++at;
     if (at == patterns.size()) {
       patterns.emplace_back();
@@ -56,11 +56,11 @@ bool is_oblong(const std::vector<Vec3>& spokes) {
   const double radius = glm::length(spokes[0]);
   int opposite = 0, square = 0;
   for (std::size_t i = 1; i < 4; ++i) {
-    opposite += glm::length(spokes[0] + spokes[i]) <= 8 * same_length * radius ? 1 : 0;
-    square += std::abs(glm::dot(spokes[0], spokes[i])) <= 8 * same_length * radius * radius ? 1 : 0;
+    opposite += glm::length(spokes[0] + spokes[i]) <= 8 * same_size * radius ? 1 : 0;
+    square += std::abs(glm::dot(spokes[0], spokes[i])) <= 8 * same_size * radius * radius ? 1 : 0;
   }
   const Vec3 sum = spokes[0] + spokes[1] + spokes[2] + spokes[3];
-  return opposite == 1 && glm::length(sum) <= 8 * same_length * radius && square < 2;
+  return opposite == 1 && glm::length(sum) <= 8 * same_size * radius && square < 2;
 }
 
 // Adds the circles about one hub on which holes of a pattern lie.
@@ -73,7 +73,7 @@ void add_circles(std::vector<PitchCircle>& circles, std::span<const RoundFeature
     const double radius = by_distance[i].first;
     PitchCircle circle{hub.rings.front().centre, hub.axis, radius, {}};
     std::vector<Vec3> spokes;
-    for (end = i; end < by_distance.size() && by_distance[end].first - radius <= same_length * radius; ++end) {
+    for (end = i; end < by_distance.size() && by_distance[end].first - radius <= same_size * radius; ++end) {
       circle.holes.push_back(by_distance[end].second);
       spokes.push_back(spoke_to(features[by_distance[end].second], hub));
     }
@@ -92,7 +92,7 @@ std::vector<PitchCircle> find_pitch_circles(std::span<const RoundFeature> featur
     for (int hub = 0; hub < static_cast<int>(features.size()); ++hub) {
       progress.expect_time();
       if (features[hub].model != hole.model || std::binary_search(pattern.begin(), pattern.end(), hub) ||
-          glm::length(glm::cross(features[hub].axis, hole.axis)) > parallel)
+          !are_parallel(features[hub].axis, hole.axis))
         continue;
       add_circles(circles, features, pattern, features[hub]);
     }

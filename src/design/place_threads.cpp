@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "design/design_holes.hpp"
+#include "design/tolerances.hpp"
 #include "scene/standard_threads.hpp"
 
 namespace epura::design {
@@ -17,12 +18,7 @@ namespace {
 using features::PartFace;
 using features::SurfaceKind;
 
-constexpr double parallel = 1e-4;   // sine
-constexpr double same_size = 1e-4;  // relative
-constexpr double near_by = 0.02;    // relative to the radius of a cylinder: positions are written with few decimals
-
-bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
-bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
+constexpr double near_by = 0.02;  // relative to the radius of a cylinder: positions are written with few decimals
 
 /// A cylinder of a part.
 struct Cylinder {

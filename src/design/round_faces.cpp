@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/angle.hpp"
 #include "base/portable_math.hpp"
 
 namespace epura::design {
@@ -15,8 +16,6 @@ namespace epura::design {
 namespace {
 
 using features::SurfaceKind;
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// Two directions perpendicular to an axis.
 struct Around {

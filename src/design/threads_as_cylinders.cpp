@@ -5,13 +5,14 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/angle.hpp"
 #include "base/portable_math.hpp"
 #include "design/helical_threads.hpp"
+#include "design/tolerances.hpp"
 #include "mesh/edge_table.hpp"
 
 namespace epura::design {
@@ -20,9 +21,7 @@ namespace {
 
 using features::SurfaceKind;
 
-constexpr double parallel = 1e-4;    // sine
-constexpr double same_place = 1e-6;  // relative to the radius
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double same_radius = 1e-6;      // relative to the radius
 constexpr double clear_of_crests = 0.05;  // of the depth of a thread
 constexpr std::size_t least_points = 48;  // of a circle
 constexpr double backwards = 0.02;        // turns by which a line may run back around the axis
@@ -66,13 +65,13 @@ class Replacer {
   [[nodiscard]] double height(const Vec3& p) const { return glm::dot(p - thread_.origin, thread_.axis); }
   [[nodiscard]] double radius(const Vec3& p) const { return glm::length(glm::cross(p - thread_.origin, thread_.axis)); }
   [[nodiscard]] double angle(const Vec3& p) const {
-    return portable_atan2(glm::dot(p - thread_.origin, v_), glm::dot(p - thread_.origin, u_)) / turn;
+    return portable_atan2(glm::dot(p - thread_.origin, v_), glm::dot(p - thread_.origin, u_)) / full_turn;
   }
   [[nodiscard]] bool is_across(const features::PartSurface& surface) const {
-    return surface.kind == SurfaceKind::plane && glm::length(glm::cross(surface.axis, thread_.axis)) <= parallel;
+    return surface.kind == SurfaceKind::plane && are_parallel(surface.axis, thread_.axis);
   }
   [[nodiscard]] bool is_around(const features::PartSurface& surface) const {
-    return surface.kind == SurfaceKind::cone && glm::length(glm::cross(surface.axis, thread_.axis)) <= parallel;
+    return surface.kind == SurfaceKind::cone && are_parallel(surface.axis, thread_.axis);
   }
 
   [[nodiscard]] double reach_of(int triangle) const {
@@ -116,7 +115,7 @@ class Replacer {
     double farthest = 0;
     for (int t = 0; t < mesh_.triangle_count(); ++t)
       if (part_.face_of_triangle[static_cast<std::size_t>(t)] == end.face) farthest = std::max(farthest, reach_of(t));
-    const bool surrounds = farthest > end.outermost * (1 + same_place);
+    const bool surrounds = farthest > end.outermost * (1 + same_radius);
     if (surrounds && (is_across(surface) || is_around(surface))) end.ending = Ending::clipped;
     if (!surrounds && is_around(surface)) end.ending = Ending::remade;
     return end;
@@ -150,7 +149,7 @@ class Replacer {
     for (const std::size_t i : {0U, 1U})
       if (const bool is_there =
               ends[i].ending == Ending::moved ||
-              std::abs(radius(mesh_.point(lines[i].vertices.front())) - thread_.crest) <= same_place * thread_.crest;
+              std::abs(radius(mesh_.point(lines[i].vertices.front())) - thread_.crest) <= same_radius * thread_.crest;
           !is_there)
         all.push_back(circle_beside(lines[i], height_at(ends[i].face, thread_.crest)));
     all.push_back(lines[1]);
@@ -163,7 +162,7 @@ class Replacer {
     const double at = height_at(end.face, limit);
     std::map<std::array<int, 2>, int> crossings;  // of edges with the circle
     std::map<int, int> next;
-    const auto is_out = [&](int v) { return radius(mesh_.point(v)) > limit * (1 + same_place); };
+    const auto is_out = [&](int v) { return radius(mesh_.point(v)) > limit * (1 + same_radius); };
     const auto crossing = [&](int a, int b) {
       const auto [known, is_new] = crossings.try_emplace({std::min(a, b), std::max(a, b)}, -1);
       if (is_new) known->second = add_crossing(mesh_.point(a), mesh_.point(b), limit, at);
@@ -277,7 +276,7 @@ class Replacer {
       const Vec3 place = on_crests(v);
       mesh_.points[static_cast<std::size_t>(v)] = {place.x, place.y, place.z};
     }
-    const double least = same_place * thread_.crest * thread_.crest;
+    const double least = same_radius * thread_.crest * thread_.crest;
     return std::all_of(areas.begin(), areas.end(), [&](const auto& of_triangle) {
       const Vec3 now = area_of(of_triangle.first), before = of_triangle.second;
       return glm::length(now) <= least || glm::length(before) <= least || glm::dot(now, before) > 0;
@@ -290,7 +289,7 @@ class Replacer {
     const std::size_t points = std::max(line.vertices.size(), least_points);
     for (std::size_t i = 0; i < points; ++i) {
       circle.angles.push_back(line.angles.front() + static_cast<double>(i) / static_cast<double>(points));
-      const double around = circle.angles.back() * turn;
+      const double around = circle.angles.back() * full_turn;
       const Vec3 out = portable_cos(around) * u_ + portable_sin(around) * v_;
       const Vec3 place = thread_.origin + at * thread_.axis + thread_.crest * out;
       circle.vertices.push_back(static_cast<int>(mesh_.points.size()));
@@ -362,7 +361,7 @@ class Replacer {
     for (const EndLine& line : lines)
       for (std::size_t i = 1; i < line.vertices.size(); ++i) {
         const int before = line.vertices[i - 1], v = line.vertices[i];
-        if (glm::distance(mesh_.point(before), mesh_.point(v)) > same_place * thread_.crest) continue;
+        if (glm::distance(mesh_.point(before), mesh_.point(v)) > same_radius * thread_.crest) continue;
         const auto known = same.find(before);
         same[v] = known == same.end() ? before : known->second;
       }

@@ -18,11 +18,11 @@ using features::PartFace;
 using features::PartSurface;
 using features::SurfaceKind;
 
-constexpr double whole_turn = 359;    // degrees
-constexpr double parallel = 1e-9;     // sine
-constexpr double across = 1e-4;       // cosine; a diameter is perpendicular to its axis
-constexpr double same = 1e-6;         // as a fraction of the world's size
-constexpr double most_sagittas = 16;  // height of the highest facets, as a multiple of a face's mean sagitta
+constexpr double whole_turn = 359;        // degrees
+constexpr double surely_parallel = 1e-9;  // sine
+constexpr double across = 1e-4;           // cosine; a diameter is perpendicular to its axis
+constexpr double same = 1e-6;             // as a fraction of the world's size
+constexpr double most_sagittas = 16;      // height of the highest facets, as a multiple of a face's mean sagitta
 
 using Triangle = std::array<Vec3, 3>;
 
@@ -38,7 +38,7 @@ class Outward {
     }
     const Vec3 out = direction - glm::dot(direction, axis_) * axis_;
     steepness_ = glm::length(out);
-    along_axis_ = !(steepness_ > parallel);
+    along_axis_ = !(steepness_ > surely_parallel);
     if (!along_axis_) out_ = out / steepness_;
     side_ = glm::cross(axis_, out_);
     base_ = glm::dot(face.surface.origin, direction);

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/circle_fit.hpp"
 #include "base/curve_runs.hpp"
 #include "base/error.hpp"
@@ -19,7 +20,6 @@ namespace epura::drawing {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr int least_edges = 7;
 constexpr std::size_t least_known_corners = 3;  // of a line: its ends do not count
 constexpr double least_turn = 30 * degree;

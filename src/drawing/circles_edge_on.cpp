@@ -13,6 +13,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/portable_math.hpp"
@@ -24,7 +25,6 @@ namespace epura::drawing {
 
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi;
 // Sine of the angle between an axis and the projectors up to which a cylinder is seen along its axis.
 constexpr double along_axis = 1e-6;
 // A piece that turns farther about the centre is no chord of a rim.

@@ -10,11 +10,7 @@
 
 namespace epura::edges {
 
-namespace {
-
-std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-
-}  // namespace
+namespace {}  // namespace
 
 const mesh::MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side) {
   const int first = around.world.first_vertex[around.model];
@@ -82,7 +78,7 @@ double turn_of_surface(const EdgeSurroundings& around, int triangle, double crea
   const mesh::Mesh& mesh = around.mesh();
   double turn = 0;
   for (int i = 0; i < 3; ++i) {
-    const std::array<int, 2> side = sorted(corners[i], corners[(i + 1) % 3]);
+    const std::array<int, 2> side = side_of(corners[i], corners[(i + 1) % 3]);
     const mesh::MeshEdge* edge = find_edge(around, side);
     if (edge == nullptr || edge->count != 2) continue;
     const auto both = mesh.triangles_of(*edge);

@@ -2,6 +2,7 @@
 // Computes the fold angle between two triangles at their common edge, whatever their orientation.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "world/world.hpp"
@@ -30,6 +31,9 @@ struct EdgeSurroundings {
   /// with the triangle before it; the result is then the corner farthest from the line of the edge.
   [[nodiscard]] int apex(const std::array<int, 2>& edge, int triangle) const;
 };
+
+/// A side of a triangle as find_edge expects it.
+inline std::array<int, 2> side_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// Returns the edge between two vertices of the world, given with the lower number first; null if the model has no such
 /// edge.

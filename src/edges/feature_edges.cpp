@@ -63,7 +63,7 @@ struct Pair {
   std::array<Vec3, 2> normals;
 };
 
-struct Judge {
+struct EdgeJudge {
   EdgeSurroundings around;
   const view::ProjectedScene& view;
   const EdgeOptions& options;
@@ -291,7 +291,7 @@ struct Judge {
       return std::any_of(corners.begin(), corners.end(), [&](int v) { return moved[v] != 0; });
     };
     if (!has_moved(triangles[0]) && !has_moved(triangles[1])) return std::nullopt;
-    Judge remains = *this;
+    EdgeJudge remains = *this;
     remains.around.uncut = nullptr;
     const std::array<int, 2> ends = in_world(edge.vertex);
     const int one = remains.side(ends, triangles[0], edge_on), two = remains.side(ends, triangles[1], edge_on);
@@ -354,20 +354,20 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
       options.tangent && part == nullptr ? tangent_edges(around, crease_angle) : std::vector<char>();
   const std::vector<Vec3> polygon_normals = mean_normals(around);
   const std::vector<char> moved = moved_vertices(around);
-  const Judge judge{around,
-                    view,
-                    options,
-                    slivers,
-                    is_tangent,
-                    polygon_normals,
-                    FoldLimit(crease_angle),
-                    part,
-                    page_resolution(around.world, view) / view.cell,
-                    moved};
+  const EdgeJudge judge{around,
+                        view,
+                        options,
+                        slivers,
+                        is_tangent,
+                        polygon_normals,
+                        FoldLimit(crease_angle),
+                        part,
+                        page_resolution(around.world, view) / view.cell,
+                        moved};
   const auto& edges = around.world.models[around.model].mesh->edges;
   check(is_tangent.empty() || is_tangent.size() == around.mesh().edges.size(), "every edge is tangent or not");
   const bool has_weak = part == nullptr && options.crease && options.weak_angle < options.crease_angle;
-  Judge weak = judge;
+  EdgeJudge weak = judge;
   if (has_weak) weak.crease = FoldLimit(options.weak_angle - angle_rounding);
   std::vector<std::optional<EdgeKind>> kinds(edges.size());
   std::vector<char> is_weak(has_weak ? edges.size() : 0, 0);

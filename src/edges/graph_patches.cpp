@@ -20,8 +20,8 @@ namespace epura::edges {
 namespace {
 
 // Smaller patches have few pairs of triangles to skip.
-constexpr std::size_t least_triangles = 1024;
-constexpr std::size_t grain = 8192;
+constexpr std::size_t least_of_patch = 1024;
+constexpr std::size_t triangles_at_once = 8192;
 // Rounding of points of about unit size matters beside a smaller contact distance.
 constexpr double least_contact = 1e-12;
 
@@ -54,7 +54,7 @@ class GraphPatches {
         triangles_(triangles),
         facing_(world.triangles.size(), no_facing),
         patch_(world.triangles.size(), -1) {
-    parallel_for(triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(triangles.size(), triangles_at_once, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         if (taken.empty() || taken[i] < 0) facing_[triangles[i]] = facing_of(triangles[i]);
     });
@@ -88,7 +88,7 @@ class GraphPatches {
   void visit_edges(const Visit& visit) const {
     for (std::size_t model = 0; model < world_.models.size(); ++model) {
       const mesh::Mesh& mesh = *world_.models[model].mesh;
-      if (mesh.polygon.size() < least_triangles) continue;
+      if (mesh.polygon.size() < least_of_patch) continue;
       visit(mesh, world_.first_triangle[model], world_.first_vertex[model]);
     }
   }
@@ -110,14 +110,14 @@ class GraphPatches {
     std::vector<int> number(world_.triangles.size(), -1);
     for (std::size_t t = 0; t < roots.size(); ++t) {
       const int root = roots[t];
-      if (static_cast<std::size_t>(count[root]) < least_triangles) continue;
+      if (static_cast<std::size_t>(count[root]) < least_of_patch) continue;
       if (number[root] < 0) {
         number[root] = static_cast<int>(facing_of_patch_.size());
         facing_of_patch_.push_back(facing_[root]);
       }
       patch_[t] = number[root];
     }
-    check(facing_of_patch_.size() * least_triangles <= world_.triangles.size(),
+    check(facing_of_patch_.size() * least_of_patch <= world_.triangles.size(),
           "patches have many triangles of their own");
   }
 
@@ -148,10 +148,11 @@ class GraphPatches {
   [[nodiscard]] std::vector<BoundarySide> find_boundary() const {
     std::vector<BoundarySide> all;
     visit_edges([&](const mesh::Mesh& mesh, int first, int first_vertex) {
-      std::vector<std::vector<BoundarySide>> found(mesh.edges.size() / grain + 1);
+      std::vector<std::vector<BoundarySide>> found(mesh.edges.size() / triangles_at_once + 1);
       parallel_for(found.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t part = begin; part < end; ++part)
-          for (std::size_t e = part * grain; e < std::min(mesh.edges.size(), (part + 1) * grain); ++e)
+          for (std::size_t e = part * triangles_at_once;
+               e < std::min(mesh.edges.size(), (part + 1) * triangles_at_once); ++e)
             add_sides(mesh.triangles_of(mesh.edges[e]), first,
                       {first_vertex + mesh.edges[e].vertex[0], first_vertex + mesh.edges[e].vertex[1]}, found[part]);
       });
@@ -296,7 +297,7 @@ bool has_large_body(const world::World& world) {
   return std::any_of(world.models.begin(), world.models.end(), [](const world::Placed& placed) {
     std::vector<std::size_t> count(static_cast<std::size_t>(placed.mesh->report.bodies) + 1, 0);
     for (const int body : placed.mesh->body)
-      if (++count[static_cast<std::size_t>(body)] >= least_triangles) return true;
+      if (++count[static_cast<std::size_t>(body)] >= least_of_patch) return true;
     return false;
   });
 }
@@ -305,7 +306,7 @@ bool has_large_body(const world::World& world) {
 
 std::vector<int> graph_patches(const world::World& world, std::span<const Vec3> points, double contact,
                                const std::vector<int>& triangles, const std::vector<int>& taken) {
-  if (triangles.size() < least_triangles || contact < least_contact || !has_large_body(world)) return {};
+  if (triangles.size() < least_of_patch || contact < least_contact || !has_large_body(world)) return {};
   std::vector<int> patches = GraphPatches(world, points, contact, triangles, taken).find();
   check(patches.empty() || patches.size() == triangles.size(), "every triangle is of a patch or not");
   return patches;

@@ -27,8 +27,6 @@ constexpr double known_height = 16;
 constexpr double step_angle = 30;  // degrees
 constexpr int longest_row = 256;   // adjacent slivers; a longer row is not a surface any more
 
-std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-
 double length_of(const EdgeSurroundings& around, const std::array<int, 2>& side) {
   return glm::length(around.point(side[1]) - around.point(side[0]));
 }
@@ -50,7 +48,7 @@ std::array<int, 2> side_at(const EdgeSurroundings& around, const std::array<int,
   std::array<int, 2> best{};
   double min = HUGE_VAL;
   for (int i = 0; i < 3; ++i) {
-    const std::array<int, 2> side = sorted(corners[i], corners[(i + 1) % 3]);
+    const std::array<int, 2> side = side_of(corners[i], corners[(i + 1) % 3]);
     if (side == entry) continue;
     const double way = detour(around, side, place);
     if (way < min) {
@@ -135,7 +133,7 @@ bool SliverRule::is_of_a_step(int triangle) const {
   if (height_of(around_, triangle) <= known) return false;
   const std::array<int, 3> corners = around_.corners(triangle);
   for (int i = 0; i < 3; ++i) {
-    const std::array<int, 2> side = sorted(corners[i], corners[(i + 1) % 3]);
+    const std::array<int, 2> side = side_of(corners[i], corners[(i + 1) % 3]);
     if (length_of(around_, side) <= known) continue;
     const std::optional<int> other = other_side(around_, side, triangle);
     if (other && height_of(around_, *other) > known && fold_angle(around_, side, triangle, *other) >= step_angle)

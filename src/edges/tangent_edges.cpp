@@ -77,7 +77,7 @@ class Facets {
   std::vector<std::pair<int, int>> sides_;
 };
 
-struct Judge {
+struct TangencyJudge {
   const EdgeSurroundings& around;
   const mesh::Mesh& mesh;
   const std::vector<double>& folds;
@@ -129,7 +129,7 @@ std::vector<char> tangent_edges(const EdgeSurroundings& around, double crease_an
   const mesh::Mesh& mesh = around.mesh();
   const std::vector<double> folds = folds_of(around, mesh);
   const Facets facets(mesh, folds);
-  const Judge judge{around, mesh, folds, facets, crease_angle};
+  const TangencyJudge judge{around, mesh, folds, facets, crease_angle};
   std::vector<char> tangent(mesh.edges.size());
   parallel_for(tangent.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) tangent[e] = judge.is_tangent(e) ? 1 : 0;

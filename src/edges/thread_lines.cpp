@@ -18,7 +18,7 @@ namespace epura::edges {
 
 namespace {
 
-constexpr double parallel = 1e-6;  // sine
+constexpr double along_axis = 1e-6;  // sine
 constexpr int arc_parts = 108;
 // Degrees: the part of a circle that is open is in the upper right quadrant, and its ends do not meet centre lines.
 constexpr double arc_begin = 95, arc_sweep = 270;
@@ -45,9 +45,9 @@ class ThreadLines {
 
   void add(const SeenThread& thread) {
     const Vec3& n = view_.projection.n;
-    if (glm::length(glm::cross(n, thread.axis())) <= parallel)
+    if (glm::length(glm::cross(n, thread.axis())) <= along_axis)
       add_along(thread);
-    else if (std::abs(glm::dot(n, thread.axis())) <= parallel)
+    else if (std::abs(glm::dot(n, thread.axis())) <= along_axis)
       add_across(thread);
   }
 
@@ -181,7 +181,7 @@ bool is_orthographic(const projection::Projection& projection) {
 }
 
 bool is_along(const projection::Projection& projection, const SeenThread& thread) {
-  return glm::length(glm::cross(projection.n, thread.axis())) <= parallel;
+  return glm::length(glm::cross(projection.n, thread.axis())) <= along_axis;
 }
 
 // Calls `visit(model, part, thread)` for the threads of a world, and `done(model, part)` after those of each model.

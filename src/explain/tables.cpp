@@ -11,7 +11,7 @@ namespace epura::explain {
 
 namespace {
 
-constexpr std::size_t grain = 64;
+constexpr std::size_t rows_at_once = 64;
 
 std::string cells(const Vec2& p) { return format_number(p.x) + "\t" + format_number(p.y); }
 
@@ -68,7 +68,7 @@ template <class Rows>
 std::string table(const std::string& header, std::size_t count, const Progress& progress, Rows rows) {
   std::vector<std::string> parts(count);
   progress.begin("answering", count);
-  parallel_for(count, grain, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(count, rows_at_once, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       progress.expect_time();
       parts[e] = rows(e);

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/groups.hpp"
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
@@ -17,7 +17,6 @@ namespace epura::features {
 
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
 // Inside a free-form face, an edge with a sharper fold fades out at its ends.
 constexpr double fading_cosine = 0.766;  // 40 degrees
 

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <tuple>
 
+#include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/portable_math.hpp"
 #include "features/borders.hpp"
@@ -17,8 +17,6 @@
 namespace epura::features {
 
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 class DeclaredFaces {
  public:

@@ -12,6 +12,8 @@
 
 namespace epura::features {
 
+inline constexpr double smooth_cosine = 0.7;  ///< of a fold that occurs inside faces of coarse tessellations
+
 /// Triangles that form one flat piece, or a polygon of the file.
 struct Facet {
   Vec3 normal;  ///< unit; zero if it has no area

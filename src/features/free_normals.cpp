@@ -15,7 +15,7 @@ constexpr std::size_t enough_vertices = 14;
 constexpr std::size_t least_vertices = 7;
 constexpr std::size_t most_facets = 48;
 // A paraboloid cannot extend across a crease inside the face.
-constexpr double least_agreement = 0.6;
+constexpr double least_cosine = 0.6;
 
 /// Terms of the height over the estimated tangent plane: a x + b y + (c x^2 + 2 d x y + e y^2) / 2.
 std::array<double, 5> terms_of(double x, double y) { return {x, y, x * x / 2, x * y, y * y / 2}; }
@@ -95,7 +95,7 @@ std::optional<FreeNormals::Normal> FreeNormals::at(int facet, int vertex) const 
     sum += (p.z - height) * (p.z - height);
   }
   const Vec3 direction = glm::normalize(guess - (*found)[0] * across[0] - (*found)[1] * across[1]);
-  if (!finite(direction) || glm::dot(direction, guess) < least_agreement) return std::nullopt;
+  if (!finite(direction) || glm::dot(direction, guess) < least_cosine) return std::nullopt;
   return Normal{direction, 4 * std::sqrt(sum / static_cast<double>(vertices.size()))};
 }
 

@@ -20,7 +20,6 @@ namespace epura::features {
 
 namespace {
 
-constexpr double smooth_cosine = 0.7;  // of a fold that occurs in coarse tessellations
 // Least fraction of a part's area that must be recognised.
 constexpr double least_recognised = 0.25;
 constexpr std::size_t most_alone = 256;

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
 #include "features/least_squares.hpp"
@@ -14,9 +15,7 @@ namespace epura::features {
 
 namespace {
 
-constexpr std::size_t grain = 4096;
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double degree = std::numbers::pi / 180;
+constexpr std::size_t facets_in_parallel = 4096;
 // A facet spans at most 45 degrees of its surface, so the normal at a corner differs by half of that.
 constexpr double least_agreement = 0.913;       // cosine of 24 degrees
 constexpr double most_relative_sagitta = 0.09;  // of the radius
@@ -57,7 +56,7 @@ double angle_of(const PartSurface& surface, const Vec3& point, bool around_tube)
   const double x = glm::dot(from, across[0]), y = glm::dot(from, across[1]);
   const double angle = around_tube ? portable_atan2(glm::dot(from, surface.axis), std::hypot(x, y) - surface.radius)
                                    : portable_atan2(y, x);
-  return angle < 0 ? angle + turn : angle;
+  return angle < 0 ? angle + full_turn : angle;
 }
 
 /// Whether a facet is too thin for its normal to mean anything: narrower than the arcs that the tessellation leaves
@@ -113,7 +112,7 @@ Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around
   const double same = std::max(1e-5, 16 * allowance / radius);
   constexpr double none = HUGE_VAL;
   std::vector<double> angles(points.size());
-  parallel_for(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(points.size(), facets_in_parallel, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       // A point on the axis has no angle.
       const Vec3 from = points[i] - s.origin;
@@ -127,8 +126,8 @@ Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around
   std::vector<double> places{angles.front()};
   for (const double a : angles)
     if (a > places.back() + same) places.push_back(a);
-  if (places.size() > 1 && places.front() + turn - places.back() <= same) places.pop_back();
-  double gap = places.front() + turn - places.back();
+  if (places.size() > 1 && places.front() + full_turn - places.back() <= same) places.pop_back();
+  double gap = places.front() + full_turn - places.back();
   double from = places.front();
   for (std::size_t i = 1; i < places.size(); ++i)
     if (places[i] - places[i - 1] > gap) {
@@ -136,11 +135,11 @@ Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around
       from = places[i];
     }
   const auto count = static_cast<int>(places.size());
-  const bool closed = gap < 46 * degree && gap <= 4 * turn / count;
+  const bool closed = gap < 46 * degree && gap <= 4 * full_turn / count;
   double step = closed ? gap : 0;
   for (std::size_t i = 1; i < places.size(); ++i)
     if (places[i] != from) step = std::max(step, places[i] - places[i - 1]);
-  return {count, from, closed ? turn : turn - gap, step, closed};
+  return {count, from, closed ? full_turn : full_turn - gap, step, closed};
 }
 
 Reach reach_of(const PartSurface& surface, std::span<const Vec3> points, double allowance) {
@@ -152,7 +151,7 @@ Reach reach_of(const PartSurface& surface, std::span<const Vec3> points, double 
   }
   const Places places = places_of(surface, points, false, allowance);
   reach.sweep = places.closed ? 360 : places.sweep * (180 / std::numbers::pi);
-  reach.middle = places.from + (places.sweep + turn) / 2;
+  reach.middle = places.from + (places.sweep + full_turn) / 2;
   return reach;
 }
 
@@ -299,7 +298,7 @@ void RegionGrower::take_enclosed(Region& region) {
 void RegionGrower::drop_misfits(Region& region) {
   const double allowance = allowance_of(facets_, region.sagitta);
   std::vector<char> stays(region.facets.size());
-  parallel_for(stays.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(stays.size(), facets_in_parallel, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       stays[i] = approximates(facets_, region.facets[i], region.surface, allowance, region.sagitta) ? 1 : 0;
   });
@@ -350,7 +349,7 @@ double RegionGrower::mean_turn_of(const Region& region) const {
     ++count;
   }
   // If too few facets count, the others cannot be thin ones among them.
-  return 4 * count >= static_cast<int>(region.facets.size()) ? sum / count : turn;
+  return 4 * count >= static_cast<int>(region.facets.size()) ? sum / count : full_turn;
 }
 
 Places RegionGrower::places_around(const Region& region, bool around_tube) {
@@ -367,8 +366,10 @@ int RegionGrower::tangent_ends(const Region& region, const Places& places, bool 
   std::array<double, 2> lengths{}, tangent{};
   const auto end_at = [&](const Vec3& p) {
     double along = angle_of(region.surface, p, around_tube) - places.from;
-    if (along < -turn / 4) along += turn;
-    return std::abs(along) < near || std::abs(along - turn) < near ? 0 : std::abs(along - places.sweep) < near ? 1 : -1;
+    if (along < -full_turn / 4) along += full_turn;
+    return std::abs(along) < near || std::abs(along - full_turn) < near ? 0
+           : std::abs(along - places.sweep) < near                      ? 1
+                                                                        : -1;
   };
   for (const int f : region.facets)
     facets_.for_sides(f, [&](int t, int side, int other) {

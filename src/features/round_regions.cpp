@@ -21,7 +21,6 @@ namespace {
 
 constexpr std::size_t most_nearby = 24;  // facets around a seed
 constexpr std::size_t most_beside = 4;
-constexpr double smooth_cosine = 0.7;  // of a fold that occurs in coarse tessellations
 // The search is abandoned when at least `least_seeds` seeds were tried and fewer than one in `seeds_for_one` has grown.
 constexpr int least_seeds = 256;
 constexpr int seeds_for_one = 192;

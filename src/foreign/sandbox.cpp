@@ -112,7 +112,7 @@ Ruleset known_to(int version) {
   return known;
 }
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void refuse_to_confine(const std::string& what) {
   throw Error(ErrorKind::plugin, "sandbox", what + ": " + std::strerror(errno), "--sandbox off does without");
 }
 
@@ -123,19 +123,19 @@ void allow(const Descriptor& ruleset, const fs::path& path, std::uint64_t rights
   if (!S_ISDIR(about.st_mode)) rights &= rights_of_files;
   const landlock_path_beneath_attr rule{rights, file.number()};
   if (::syscall(SYS_landlock_add_rule, ruleset.number(), LANDLOCK_RULE_PATH_BENEATH, &rule, 0) != 0)
-    refuse(path.string() + " cannot be allowed");
+    refuse_to_confine(path.string() + " cannot be allowed");
 }
 
 void confine_files(const Permissions& permissions, int version) {
   const Ruleset known = known_to(version);
   const Descriptor ruleset(static_cast<int>(::syscall(SYS_landlock_create_ruleset, &known, sizeof known, 0)));
-  if (ruleset.number() < 0) refuse("cannot be made");
+  if (ruleset.number() < 0) refuse_to_confine("cannot be made");
   for (const char* path : of_system) allow(ruleset, path, read_rights);
   allow(ruleset, "/dev/null", (read_rights | LANDLOCK_ACCESS_FS_WRITE_FILE) & known.files);
   for (const fs::path& path : permissions.readable) allow(ruleset, path, read_rights);
   for (const fs::path& path : permissions.writable) allow(ruleset, path, write_rights & known.files);
   for (const fs::path& path : permissions.executable) allow(ruleset, path, execute_rights);
-  if (::syscall(SYS_landlock_restrict_self, ruleset.number(), 0) != 0) refuse("cannot be entered");
+  if (::syscall(SYS_landlock_restrict_self, ruleset.number(), 0) != 0) refuse_to_confine("cannot be entered");
 }
 
 void deny_calls() {
@@ -158,7 +158,7 @@ std::string reason_for_no_sandbox() {
 }
 
 void enter_sandbox(const Permissions& permissions) {
-  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) refuse("cannot be entered");
+  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) refuse_to_confine("cannot be entered");
   if (const int version = landlock_version(); version > 0) confine_files(permissions, version);
   deny_calls();
 }

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/portable_math.hpp"
 
@@ -168,17 +168,16 @@ class Shells {
 };
 
 std::vector<Leaves> clusters_of(Leaves leaves) {
-  constexpr double turn = 2 * std::numbers::pi;
   std::sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) {
     return std::pair(a.angle, a.triangle) < std::pair(b.angle, b.triangle);
   });
   const auto gap_before = [&](std::size_t i) {
-    return i > 0 ? leaves[i].angle - leaves[i - 1].angle : leaves[0].angle - leaves.back().angle + turn;
+    return i > 0 ? leaves[i].angle - leaves[i - 1].angle : leaves[0].angle - leaves.back().angle + full_turn;
   };
   std::size_t widest = 0;
   for (std::size_t i = 1; i < leaves.size(); ++i)
     if (gap_before(i) > gap_before(widest)) widest = i;
-  for (std::size_t i = 0; i < widest; ++i) leaves[i].angle += turn;
+  for (std::size_t i = 0; i < widest; ++i) leaves[i].angle += full_turn;
   std::rotate(leaves.begin(), leaves.begin() + static_cast<std::ptrdiff_t>(widest), leaves.end());
   std::vector<Leaves> clusters;
   for (std::size_t i = 0; i < leaves.size(); ++i) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "base/angle.hpp"
 #include "base/circle_fit.hpp"
 #include "base/curve_runs.hpp"
 #include "base/portable_math.hpp"
@@ -17,7 +18,6 @@ namespace epura::mesh {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr int least_edges = 5;
 constexpr double least_sweep = 60 * degree;
 constexpr double most_step = 45 * degree;       // for one edge

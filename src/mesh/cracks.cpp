@@ -56,16 +56,16 @@ std::vector<OpenEnd> open_ends(const Points& points, const EdgeTable& table, dou
   return ends;
 }
 
-struct Pair {
+struct EndPair {
   double distance;
   int a, b;  ///< a < b
 };
 
 /// Pairs of open ends that are close enough to each other, nearest first.
-std::vector<Pair> near_pairs(const Points& points, const std::vector<OpenEnd>& ends) {
+std::vector<EndPair> near_pairs(const Points& points, const std::vector<OpenEnd>& ends) {
   // Where many vertices coincide, they are merged transitively, so not every pair of them is needed.
   constexpr std::size_t most_looked_at = 64;
-  std::vector<Pair> pairs;
+  std::vector<EndPair> pairs;
   for (std::size_t i = 0; i < ends.size(); ++i)
     for (std::size_t j = i + 1; j < std::min(ends.size(), i + most_looked_at); ++j) {
       if (ends[j].along - ends[i].along > ends[i].radius) break;
@@ -73,7 +73,7 @@ std::vector<Pair> near_pairs(const Points& points, const std::vector<OpenEnd>& e
       const double distance = glm::distance(place(points, a), place(points, b));
       if (distance <= std::min(ends[i].radius, ends[j].radius)) pairs.push_back({distance, a, b});
     }
-  std::sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) {
+  std::sort(pairs.begin(), pairs.end(), [](const EndPair& p, const EndPair& q) {
     return std::tie(p.distance, p.a, p.b) < std::tie(q.distance, q.a, q.b);
   });
   return pairs;
@@ -136,10 +136,10 @@ class Clusters {
 Mending mend_cracks(const Points& points, std::span<const int> corners, const EdgeTable& table, double precision) {
   const double tolerance = roundings * precision * largest_coordinate(points, corners);
   const std::vector<OpenEnd> ends = open_ends(points, table, tolerance);
-  const std::vector<Pair> pairs = near_pairs(points, ends);
+  const std::vector<EndPair> pairs = near_pairs(points, ends);
   if (pairs.empty()) return {};
   Clusters clusters(points.size(), ends, table);
-  for (const Pair& pair : pairs) clusters.join(pair.a, pair.b);
+  for (const EndPair& pair : pairs) clusters.join(pair.a, pair.b);
 
   Mending mending{.representative = clusters.representatives()};
   for (int vertex = 0; vertex < static_cast<int>(points.size()); ++vertex) {

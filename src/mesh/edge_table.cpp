@@ -18,25 +18,25 @@ constexpr std::size_t grain = 4096;
 
 /// A half-edge in the list of its lower vertex: the other vertex in the upper 32 bits, the half-edge in the lower ones,
 /// so that one comparison sorts by both.
-using Entry = std::uint64_t;
+using Outgoing = std::uint64_t;
 
-Entry make_entry(int other, int halfedge) { return Entry(other) << 32 | Entry(halfedge); }
-int other_of(Entry entry) { return static_cast<int>(entry >> 32); }
-int halfedge_of(Entry entry) { return static_cast<int>(entry & 0xFFFFFFFF); }
+Outgoing make_entry(int other, int halfedge) { return Outgoing(other) << 32 | Outgoing(halfedge); }
+int other_of(Outgoing entry) { return static_cast<int>(entry >> 32); }
+int halfedge_of(Outgoing entry) { return static_cast<int>(entry & 0xFFFFFFFF); }
 
 struct Buckets {
   std::vector<int> ends;  ///< end of the entries of each vertex
-  UnsetVector<Entry> entries;
+  UnsetVector<Outgoing> entries;
 
   [[nodiscard]] int begin_of(std::size_t vertex) const { return vertex == 0 ? 0 : ends[vertex - 1]; }
-  [[nodiscard]] std::span<Entry> of(std::size_t vertex) {
+  [[nodiscard]] std::span<Outgoing> of(std::size_t vertex) {
     return {entries.data() + begin_of(vertex), entries.data() + ends[vertex]};
   }
 };
 
 /// Counting sort by the lower vertex, then a sort within each of these short buckets.
 Buckets sorted_buckets(std::span<const int> corners, std::size_t vertex_count) {
-  Buckets buckets{.ends = std::vector<int>(vertex_count + 1, 0), .entries = UnsetVector<Entry>(corners.size())};
+  Buckets buckets{.ends = std::vector<int>(vertex_count + 1, 0), .entries = UnsetVector<Outgoing>(corners.size())};
   const int count = static_cast<int>(corners.size());
   for (int h = 0; h < count; ++h) ++buckets.ends[std::min(corners[h], corners[next_in_triangle(h)]) + 1];
   std::partial_sum(buckets.ends.begin(), buckets.ends.end(), buckets.ends.begin());
@@ -50,7 +50,7 @@ Buckets sorted_buckets(std::span<const int> corners, std::size_t vertex_count) {
   return buckets;
 }
 
-int count_edges(std::span<const Entry> entries) {
+int count_edges(std::span<const Outgoing> entries) {
   int count = 0;
   for (std::size_t i = 0; i < entries.size(); ++i)
     count += i == 0 || other_of(entries[i]) != other_of(entries[i - 1]) ? 1 : 0;
@@ -74,7 +74,7 @@ EdgeTable make_edge_table(std::span<const int> corners, std::span<const int> pol
       int number = first[v] - 1;
       int last = -1;
       int at = buckets.begin_of(v);
-      for (const Entry entry : buckets.of(v)) {
+      for (const Outgoing entry : buckets.of(v)) {
         const int other = other_of(entry), halfedge = halfedge_of(entry);
         if (std::exchange(last, other) != other)
           table.edges[++number] = {

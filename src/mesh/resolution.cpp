@@ -22,7 +22,7 @@ constexpr int most_decimals = 9;
 constexpr int fewest_digits = 5;
 constexpr int most_digits = 8;
 constexpr std::size_t least_points = 100;
-constexpr std::size_t grain = 4096;
+constexpr std::size_t points_at_once = 4096;
 constexpr std::array<double, most_decimals + 1> powers{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 
 bool is_multiple(double coordinate, int decimals) {
@@ -34,7 +34,7 @@ bool is_multiple(double coordinate, int decimals) {
 template <class Holds>
 bool all_coordinates(const Points& points, const Holds& holds) {
   std::atomic<bool> all = true;
-  parallel_for(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(points.size(), points_at_once, [&](std::size_t begin, std::size_t end) {
     const auto is_one = [&](const auto& p) { return std::all_of(p.begin(), p.end(), holds); };
     if (!std::all_of(points.begin() + begin, points.begin() + end, is_one)) all = false;
   });

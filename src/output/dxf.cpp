@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/angle.hpp"
 #include "output/dxf_entities.hpp"
 #include "output/dxf_shapes.hpp"
 #include "output/dxf_tables.hpp"
@@ -17,8 +18,6 @@
 namespace epura::output {
 
 namespace {
-
-constexpr double degrees = 180 / 3.14159265358979323846;
 
 struct LayerInFile {
   const sheet::Layer& layer;

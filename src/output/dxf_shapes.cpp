@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
+
+#include "base/angle.hpp"
 
 namespace epura::output {
 
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double slack = 1e-9;  // for computed angles and ratios
 
 bool is_circle(const drawing::CurvePart& curve) {

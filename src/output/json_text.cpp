@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/json_text.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "base/text.hpp"
@@ -27,5 +28,7 @@ std::string json_string(std::string_view text) {
 }
 
 std::string json_number(double value) { return std::isfinite(value) ? format_number(value) : "null"; }
+
+std::string json_vector(const Vec3& v) { return json_list(std::array{v.x, v.y, v.z}, json_number); }
 
 }  // namespace epura::output

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/vec.hpp"
+
 namespace epura::output {
 
 /// The text as a JSON string, in quotation marks. Invalid UTF-8 becomes U+FFFD.
@@ -32,5 +34,8 @@ template <class Items, class Write>
 std::string json_lines(const Items& items, const Write& write, const std::string& indent) {
   return json_list(items, write, "," + indent, indent);
 }
+
+/// [x, y, z]
+std::string json_vector(const Vec3& v);
 
 }  // namespace epura::output

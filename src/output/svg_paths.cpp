@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "base/angle.hpp"
 #include "base/decimal_text.hpp"
 #include "base/text.hpp"
 #include "output/curve_pieces.hpp"
@@ -84,7 +84,6 @@ std::vector<Chunk> chunks_of(const std::vector<Part>& parts) {
 
 // Arcs as SVG defines them. A counterclockwise turn with y up is counterclockwise on the page.
 void append_arcs(SvgPathText& path, const drawing::CurvePart& part, double height) {
-  constexpr double degrees = 180 / std::numbers::pi;
   const Vec2 radii(glm::length(part.u), glm::length(part.v));
   const bool turned_over = part.u.x * part.v.y < part.u.y * part.v.x;
   const bool counterclockwise = (part.to > part.from) != turned_over;

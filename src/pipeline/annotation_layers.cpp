@@ -103,18 +103,8 @@ void note_faults(std::vector<report::Finding>& findings, const std::string& view
     findings.push_back({report::FindingKind::off_sheet, view, "dimensions extend beyond the sheet"});
 }
 
-const scene::SheetDescription& sheet_of(const SheetInput& input) {
-  return input.scene.sheets[static_cast<std::size_t>(input.views.sheet)];
-}
-
-std::string language_of(const SheetInput& input) {
-  for (const auto& [name, text] : sheet_of(input).title_block)
-    if (name == "language") return *text;
-  return {};
-}
-
 std::vector<std::string> captions_of(const SheetInput& input) {
-  const std::string language = language_of(input);
+  const std::string language = input.sheet().field("language");
   return {std::string(sheet::caption("hole", language)), "X", "Y", std::string(sheet::caption("hole_size", language))};
 }
 
@@ -266,7 +256,7 @@ sheet::Neighbours in_the_way(sheet::Neighbours around, const SheetInput& input, 
 }
 
 // "'⌀8', '20', '30' and 3 others (epura lint lists all)"
-std::string listed(const std::vector<std::string>& texts) {
+std::string first_of(const std::vector<std::string>& texts) {
   constexpr std::size_t most = 3;
   std::string list;
   for (std::size_t i = 0; i < std::min(most, texts.size()); ++i) list += (i > 0 ? ", '" : "'") + texts[i] + "'";
@@ -280,7 +270,7 @@ void tell_left_out(AnnotationLayers& result, const sheet::PlacedLayer& placed, s
   if (placed.left_out.empty()) return;
   result.warnings.push_back("the sheet has no room for " + std::to_string(placed.left_out.size()) + " of the " +
                             std::to_string(count) + " dimensions of the view '" + view +
-                            "', which are left out: " + listed(placed.texts_left_out) +
+                            "', which are left out: " + first_of(placed.texts_left_out) +
                             "\n  hint: use a larger sheet or a larger scale, more views, or --dimensions hole-table");
   for (const std::string& text : placed.texts_left_out)
     result.findings.push_back({report::FindingKind::undimensioned, view, "there is no room for '" + text + "'"});
@@ -439,7 +429,7 @@ void add_free_callouts(AnnotationLayers& result, sheet::Neighbours& around, cons
     else
       warn(name_of(symbol));
   }
-  const std::string heading(sheet::caption("notes", language_of(input)));
+  const std::string heading(sheet::caption("notes", input.sheet().field("language")));
   if (!notes.empty() && !add_general_notes(layers, notes, heading, room, taken, style)) {
     warn("the general notes");
     result.findings.push_back({report::FindingKind::off_sheet, "", "there is no room for the general notes"});

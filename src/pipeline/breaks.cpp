@@ -20,17 +20,13 @@ namespace {
 using drawing::Breaks;
 using drawing::LeftOut;
 
-constexpr double parallel = 1e-9;
+constexpr double surely_parallel = 1e-9;
 // Normals of thin triangles have rounding errors.
 constexpr double along_axis = 1e-4;
 // `auto`, in widths of the view: length of the shortest stretch, and what remains of it on either side.
 constexpr double shortest_stretch = 3, kept = 1;
 
-[[noreturn]] void refuse(const std::string& where, const std::string& reason, const std::string& hint) {
-  throw Error(ErrorKind::input, where, reason, hint);
-}
-
-std::string name_of(int axis) { return std::string(1, "xyz"[axis]); }
+std::string axis_name(int axis) { return std::string(1, "xyz"[axis]); }
 
 /// A view as a map of the world to its plane.
 struct Plane {
@@ -46,8 +42,8 @@ struct Plane {
   [[nodiscard]] bool is_pictorial() const { return sheet::view_place(seen.projection) == sheet::ViewPlace::pictorial; }
   /// The axis of the page along which an axis of the world is seen in true length; -1 if there is none.
   [[nodiscard]] int page_axis(int axis) const {
-    if (std::abs(std::abs(seen.projection.u[axis]) - 1) <= parallel) return 0;
-    return std::abs(std::abs(seen.projection.v[axis]) - 1) <= parallel ? 1 : -1;
+    if (std::abs(std::abs(seen.projection.u[axis]) - 1) <= surely_parallel) return 0;
+    return std::abs(std::abs(seen.projection.v[axis]) - 1) <= surely_parallel ? 1 : -1;
   }
   /// The strip between two planes perpendicular to an axis of the world. Ends outside the view become infinite.
   [[nodiscard]] LeftOut strip(int axis, double from, double to) const {
@@ -68,14 +64,14 @@ struct Plane {
 void add_strip(Breaks& breaks, const Plane& plane, const scene::BreakChoice::Part& part, const std::string& where) {
   const int along = plane.page_axis(part.axis);
   if (along < 0)
-    refuse(where, "the view shows the " + name_of(part.axis) + " axis neither horizontally nor vertically",
-           "give places on an axis that it does, or choose another projection");
+    refuse_input(where, "the view shows the " + axis_name(part.axis) + " axis neither horizontally nor vertically",
+                 "give places on an axis that it does, or choose another projection");
   const LeftOut strip = plane.strip(part.axis, part.from, part.to);
   const std::string extent = "the models extend from " + format_rounded(plane.world.box.min[part.axis], 6) + " to " +
-                             format_rounded(plane.world.box.max[part.axis], 6) + " along " + name_of(part.axis);
+                             format_rounded(plane.world.box.max[part.axis], 6) + " along " + axis_name(part.axis);
   if (strip.from >= plane.drawn.max[along] || strip.to <= plane.drawn.min[along])
-    refuse(where, "the break leaves nothing out", extent);
-  if (std::isinf(strip.from) && std::isinf(strip.to)) refuse(where, "the break leaves everything out", extent);
+    refuse_input(where, "the break leaves nothing out", extent);
+  if (std::isinf(strip.from) && std::isinf(strip.to)) refuse_input(where, "the break leaves everything out", extent);
   breaks.along[std::size_t(along)].push_back(strip);
 }
 
@@ -154,9 +150,9 @@ void expect_one_axis(const Breaks& breaks, const scene::ViewDescription& view) {
     return std::any_of(strips.begin(), strips.end(), [](const LeftOut& strip) { return !strip.symmetric; });
   };
   if (is_broken(breaks.along[0]) && is_broken(breaks.along[1]))
-    refuse(view.break_line.where,
-           "view '" + *view.name + "' is broken in two directions, where freehand lines would meet",
-           "omit 'break_line', or breaks along one axis of the view");
+    refuse_input(view.break_line.where,
+                 "view '" + *view.name + "' is broken in two directions, where freehand lines would meet",
+                 "omit 'break_line', or breaks along one axis of the view");
 }
 
 Breaks breaks_of(const scene::ViewDescription& view, const Plane& plane) {
@@ -165,8 +161,8 @@ Breaks breaks_of(const scene::ViewDescription& view, const Plane& plane) {
     const scene::BreakChoice& choice = *view.breaks;
     if (plane.is_pictorial()) {
       if (choice.is_optional) return breaks;
-      refuse(view.breaks.where, "view '" + *view.name + "' is pictorial, and only orthographic views are broken",
-             "omit 'break', or choose a view along an axis");
+      refuse_input(view.breaks.where, "view '" + *view.name + "' is pictorial, and only orthographic views are broken",
+                   "omit 'break', or choose a view along an axis");
     }
     if (choice.automatic) breaks = automatic_breaks(plane);
     for (const scene::BreakChoice::Part& part : choice.parts)
@@ -174,8 +170,9 @@ Breaks breaks_of(const scene::ViewDescription& view, const Plane& plane) {
   }
   if (view.half.given()) {
     if (plane.is_pictorial())
-      refuse(view.half.where, "view '" + *view.name + "' is pictorial, and only orthographic views are drawn by halves",
-             "omit 'half', or choose a view along an axis");
+      refuse_input(view.half.where,
+                   "view '" + *view.name + "' is pictorial, and only orthographic views are drawn by halves",
+                   "omit 'half', or choose a view along an axis");
     add_half(breaks, plane, *view.half);
   }
   for (std::vector<LeftOut>& strips : breaks.along) put_in_order(strips);

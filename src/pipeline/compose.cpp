@@ -31,23 +31,13 @@ namespace epura::pipeline {
 
 namespace {
 
-const scene::SheetDescription& sheet_of(const SheetInput& input) {
-  return input.scene.sheets[static_cast<std::size_t>(input.views.sheet)];
-}
-
-std::string field_of(const scene::SheetDescription& sheet, std::string_view field) {
-  for (const auto& [name, text] : sheet.title_block)
-    if (name == field) return *text;
-  return {};
-}
-
 void append(std::vector<sheet::Layer>& layers, std::vector<sheet::Layer> more) {
   std::move(more.begin(), more.end(), std::back_inserter(layers));
 }
 
 // Names of sections, and scales that differ from the sheet's.
 std::vector<sheet::Text> labels_of(const SheetInput& input, const std::vector<ViewResult>& views) {
-  const DecimalSign sign = sheet_of(input).decimal_sign.value_or(DecimalSign::point);
+  const DecimalSign sign = input.sheet().decimal_sign.value_or(DecimalSign::point);
   std::vector<sheet::Text> labels;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const scene::ViewDescription& view = input.views.descriptions[i];
@@ -83,9 +73,8 @@ std::optional<sheet::Text> unit_note(const SheetInput& input) {
   const bool has_dimensions = std::any_of(input.annotations.begin(), input.annotations.end(),
                                           [](const Annotations& one) { return !one.dimensions.empty(); });
   if (!has_dimensions || !input.plan.furniture.title_block) return std::nullopt;
-  const Unit unit = sheet_of(input).dimension_unit.value_or(Unit::mm);
-  return note_above_block(input,
-                          std::string(sheet::caption(scene::word_of(unit), field_of(sheet_of(input), "language"))), 0);
+  const Unit unit = input.sheet().dimension_unit.value_or(Unit::mm);
+  return note_above_block(input, std::string(sheet::caption(scene::word_of(unit), input.sheet().field("language"))), 0);
 }
 
 // How far lines may be from those of the part, above the statement of the unit.
@@ -96,8 +85,8 @@ std::optional<sheet::Text> error_note(const SheetInput& input, const std::vector
   for (const ViewResult& result : results)
     if (result.error) largest = std::max(largest, result.error->total());
   if (!(largest > 0)) return std::nullopt;
-  const DecimalSign sign = sheet_of(input).decimal_sign.value_or(DecimalSign::point);
-  const std::string words = std::string(sheet::caption("error", field_of(sheet_of(input), "language"))) + " " +
+  const DecimalSign sign = input.sheet().decimal_sign.value_or(DecimalSign::point);
+  const std::string words = std::string(sheet::caption("error", input.sheet().field("language"))) + " " +
                             sheet::with_decimal_sign(report::rounded_up(largest), sign) + " mm";
   constexpr double line = 4;  // mm
   return note_above_block(input, words, below ? line : 0);
@@ -237,7 +226,7 @@ void construct(const SheetInput& input, std::vector<ViewResult>& results) {
 
 FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results, const Budget& budget) {
   const SheetPlan& plan = input.plan;
-  const scene::SheetDescription& sheet = sheet_of(input);
+  const scene::SheetDescription& sheet = input.sheet();
   const sheet::Paper& paper = plan.furniture.paper;
   sheet::SheetFurniture furniture = plan.furniture;
   furniture.labels = labels_of(input, results);
@@ -245,8 +234,8 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   if (unit) furniture.labels.push_back(*unit);
   if (const auto note = error_note(input, results, unit.has_value())) furniture.labels.push_back(*note);
   sheet::FurnitureLayers around = furniture_layers(furniture);
-  FinishedSheet finished{{paper.width, paper.height, field_of(sheet, "title"), std::move(around.layers),
-                          frames_of(results), facts_of(sheet), furniture.font},
+  FinishedSheet finished{{paper.width, paper.height, sheet.field("title"), std::move(around.layers), frames_of(results),
+                          facts_of(sheet), furniture.font},
                          plan.scale,
                          {},
                          std::move(around.warnings),

@@ -24,7 +24,7 @@ using scene::ConstructionArgument;
 using scene::ConstructionFamily;
 using scene::ConstructionKind;
 
-constexpr double along_axis = 1e-9;  // sine
+constexpr double on_axis = 1e-9;  // sine
 
 /// The part that a view plays.
 enum class Part { central, parallel, epura };
@@ -200,7 +200,7 @@ bool wants_legend(const scene::ViewDescription& view) {
 bool is_along_axis(const Vec3& direction) {
   const Vec3 d = glm::normalize(direction);
   int across = 0;
-  for (int i = 0; i < 3; ++i) across += std::abs(d[i]) <= along_axis ? 1 : 0;
+  for (int i = 0; i < 3; ++i) across += std::abs(d[i]) <= on_axis ? 1 : 0;
   return across == 2;
 }
 

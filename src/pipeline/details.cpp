@@ -18,15 +18,15 @@ namespace epura::pipeline {
 
 namespace {
 
-std::string format_point(const Vec3& p) {
+std::string bracketed(const Vec3& p) {
   return "[" + format_rounded(p.x, 6) + ", " + format_rounded(p.y, 6) + ", " + format_rounded(p.z, 6) + "]";
 }
 
 [[noreturn]] void refuse_outside(const scene::DetailDescription& detail, const Box& box) {
   throw Error(ErrorKind::input, detail.centre.where,
-              "detail '" + *detail.name + "' around " + format_point(*detail.centre) + " is outside the view '" +
+              "detail '" + *detail.name + "' around " + bracketed(*detail.centre) + " is outside the view '" +
                   *detail.view + "'",
-              "what it shows extends from " + format_point(box.min) + " to " + format_point(box.max));
+              "what it shows extends from " + bracketed(box.min) + " to " + bracketed(box.max));
 }
 
 std::vector<sheet::DetailMark> marks_in(const Annotations& annotations, const drawing::ViewDrawing& drawing) {

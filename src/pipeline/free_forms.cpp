@@ -99,12 +99,6 @@ std::string files_of(const std::vector<std::size_t>& models, const scene::SceneD
   return text;
 }
 
-std::string language_of(const scene::SheetDescription& sheet) {
-  for (const auto& [name, text] : sheet.title_block)
-    if (name == "language") return *text;
-  return {};
-}
-
 // The share of the area of a model on free forms that no tolerance refers to.
 double open_share(const scene::SceneDescription& scene, const world::World& world, std::size_t model) {
   FreeForms forms(world, static_cast<int>(model));
@@ -127,7 +121,7 @@ bool refer_to_models(scene::SceneDescription& scene, const world::World& world) 
     if (has_free_forms(world.models[model]) && open_share(scene, world, model) > 0) models.push_back(model);
   if (models.empty()) return false;
   scene::CalloutDescription note;
-  const std::string language = language_of(scene.sheets.front());
+  const std::string language = scene.sheets.front().field("language");
   note.content = scene::NoteText{{std::string(sheet::caption("free_forms", language)) + files_of(models, scene)}};
   scene.callouts.push_back(std::move(note));
   return true;

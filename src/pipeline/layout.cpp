@@ -261,12 +261,6 @@ sheet::TitleBlock title_block_of(const scene::SceneDescription& scene, int sheet
   return block;
 }
 
-std::string language_of(const scene::SheetDescription& sheet) {
-  for (const auto& [name, text] : sheet.title_block)
-    if (name == "language") return *text;
-  return {};
-}
-
 std::vector<scene::RevisionDescription> revisions_of(const scene::SceneDescription& scene, int sheet) {
   std::vector<scene::RevisionDescription> revisions = scene.revisions;
   std::erase_if(revisions, [sheet](const auto& revision) { return revision.sheet.value_or(1) != sheet + 1; });
@@ -328,9 +322,9 @@ LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfView
   const scene::SheetDescription& sheet = scene.sheets[static_cast<std::size_t>(number)];
   LayoutOptions options{};
   if (!on_sheet.items.empty())
-    options.list = {on_sheet.items, language_of(sheet), sheet.decimal_sign.value_or(DecimalSign::point)};
+    options.list = {on_sheet.items, sheet.field("language"), sheet.decimal_sign.value_or(DecimalSign::point)};
   if (auto revisions = revisions_of(scene, number); !revisions.empty())
-    options.revisions = {std::move(revisions), language_of(sheet)};
+    options.revisions = {std::move(revisions), sheet.field("language")};
   options.frame = frame_of(sheet, views, options.list || options.revisions);
   options.portrait = sheet.orientation.value_or(Orientation::landscape) == Orientation::portrait;
   options.angle = sheet.angle.value_or(ProjectionAngle::first);

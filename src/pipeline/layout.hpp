@@ -52,6 +52,10 @@ struct SheetInput {
   const std::vector<Annotations>& annotations;                ///< by view
   std::vector<std::vector<sheet::CalloutTarget>> targets{};   ///< of callouts, by view
   std::vector<std::vector<sheet::BalloonTarget>> balloons{};  ///< by view
+
+  [[nodiscard]] const scene::SheetDescription& sheet() const {
+    return scene.sheets[static_cast<std::size_t>(views.sheet)];
+  }
 };
 
 }  // namespace epura::pipeline

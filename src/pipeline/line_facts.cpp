@@ -24,7 +24,7 @@ constexpr double on_edge = 0.2;
 constexpr double same_depth = 1e-4;
 
 /// A position on the page and its depth.
-struct PagePoint {
+struct DeepPoint {
   Vec2 at;
   double depth;
 };
@@ -45,7 +45,7 @@ class EdgeFinder {
     return world_.points[static_cast<std::size_t>(world_.first_vertex[static_cast<std::size_t>(model)] + vertex)];
   }
 
-  [[nodiscard]] PagePoint on_page(const Vec3& p) const {
+  [[nodiscard]] DeepPoint on_page(const Vec3& p) const {
     const Vec4 mapped = drawing_.world_to_page * Vec4(p, 1);
     return {Vec2(mapped) / mapped.w, mapped.z / mapped.w};
   }
@@ -80,7 +80,7 @@ std::optional<double> EdgeFinder::depth(const Vec2& drawn, std::span<const sheet
   double least = on_edge + drawing_.contours_moved;
   for (const sheet::ModelEdge& edge : edges)
     for (const int model : shown_[static_cast<std::size_t>(edge.model)]) {
-      const PagePoint a = on_page(point(model, edge.vertex[0])), b = on_page(point(model, edge.vertex[1]));
+      const DeepPoint a = on_page(point(model, edge.vertex[0])), b = on_page(point(model, edge.vertex[1]));
       const Vec2 along = b.at - a.at;
       const double square = glm::dot(along, along);
       const double t = square > 0 ? std::clamp(glm::dot(p - a.at, along) / square, 0.0, 1.0) : 0;
@@ -93,15 +93,15 @@ std::optional<double> EdgeFinder::depth(const Vec2& drawn, std::span<const sheet
 }
 
 // The plane a x + b y + c of depths; nothing if they are not in one, or in one that is seen edge-on.
-std::optional<std::vector<double>> plane_of(const std::vector<PagePoint>& points) {
-  const PagePoint &first = points.front(), &second = points[points.size() / 3], &third = points[points.size() * 2 / 3];
+std::optional<std::vector<double>> plane_of(const std::vector<DeepPoint>& points) {
+  const DeepPoint &first = points.front(), &second = points[points.size() / 3], &third = points[points.size() * 2 / 3];
   const Vec2 u = second.at - first.at, v = third.at - first.at;
   const double area = cross(u, v);
   if (std::abs(area) < 1e-2 * glm::length(u) * glm::length(v) || area == 0) return std::nullopt;
   const double du = second.depth - first.depth, dv = third.depth - first.depth;
   const Vec2 slope((du * v.y - dv * u.y) / area, (dv * u.x - du * v.x) / area);
   const double at_origin = first.depth - glm::dot(slope, first.at);
-  const auto is_off = [&](const PagePoint& point) {
+  const auto is_off = [&](const DeepPoint& point) {
     return std::abs(glm::dot(slope, point.at) + at_origin - point.depth) > 10 * same_depth;
   };
   if (std::any_of(points.begin(), points.end(), is_off)) return std::nullopt;
@@ -110,7 +110,7 @@ std::optional<std::vector<double>> plane_of(const std::vector<PagePoint>& points
 
 std::vector<double> depths_of(const sheet::Stroke& stroke, const EdgeFinder& finder) {
   // A line of more edges than points has been simplified; long ones are curves, of which a few points tell the plane.
-  std::vector<PagePoint> points;
+  std::vector<DeepPoint> points;
   const std::size_t step = std::max<std::size_t>(1, stroke.points.size() / most_depths);
   for (std::size_t i = 0; i < stroke.points.size(); i += step) {
     const std::optional<double> depth = finder.depth(stroke.points[i], stroke.edges);
@@ -118,7 +118,7 @@ std::vector<double> depths_of(const sheet::Stroke& stroke, const EdgeFinder& fin
     points.push_back({stroke.points[i], *depth});
   }
   if (points.empty()) return {};
-  const auto is_same = [&](const PagePoint& point) {
+  const auto is_same = [&](const DeepPoint& point) {
     return std::abs(point.depth - points.front().depth) <= same_depth;
   };
   if (std::all_of(points.begin(), points.end(), is_same)) return {points.front().depth};
@@ -127,7 +127,7 @@ std::vector<double> depths_of(const sheet::Stroke& stroke, const EdgeFinder& fin
     if (const auto plane = plane_of(points)) return *plane;
   if (!is_list) return {};
   std::vector<double> depths;
-  for (const PagePoint& point : points) depths.push_back(point.depth);
+  for (const DeepPoint& point : points) depths.push_back(point.depth);
   return depths;
 }
 

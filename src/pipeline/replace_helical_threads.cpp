@@ -12,15 +12,13 @@
 
 #include "base/text.hpp"
 #include "design/helical_threads.hpp"
+#include "design/tolerances.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::pipeline {
 
 namespace {
-
-constexpr double parallel = 1e-4;   // sine
-constexpr double same_size = 1e-4;  // relative
 
 /// A thread and where its cylinder is in the world.
 struct FoundThread {
@@ -34,9 +32,9 @@ bool has_cylinder(const features::PartFaces& part, const design::HelicalThread& 
   return std::any_of(part.faces.begin(), part.faces.end(), [&](const features::PartFace& face) {
     const features::PartSurface& surface = face.surface;
     return surface.kind == features::SurfaceKind::cylinder && face.sweep >= 359 && face.inwards == thread.internal &&
-           std::abs(surface.radius - thread.crest) <= same_size * thread.crest &&
-           glm::length(glm::cross(surface.axis, thread.axis)) <= parallel &&
-           glm::length(glm::cross(surface.origin - thread.origin, thread.axis)) <= same_size * thread.crest;
+           std::abs(surface.radius - thread.crest) <= design::same_size * thread.crest &&
+           design::are_parallel(surface.axis, thread.axis) &&
+           glm::length(glm::cross(surface.origin - thread.origin, thread.axis)) <= design::same_size * thread.crest;
   });
 }
 
@@ -67,7 +65,7 @@ bool is_described(const FoundThread& found, const world::World& world, const sce
   return std::any_of(scene.threads.begin(), scene.threads.end(), [&](const scene::ThreadDescription& thread) {
     const Vec3 off = sheet::position_of(world, *thread.at, thread.at.where) - found.middle;
     const double along = glm::dot(off, found.axis);
-    return std::abs(along) <= found.half * (1 + same_size) &&
+    return std::abs(along) <= found.half * (1 + design::same_size) &&
            glm::length(off - along * found.axis) <= 1.5 * found.radius;
   });
 }

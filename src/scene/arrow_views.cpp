@@ -13,10 +13,6 @@ namespace epura::scene {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& where, const std::string& reason, const std::string& hint) {
-  throw Error(ErrorKind::input, where, reason, hint);
-}
-
 void expect_parent(const ViewDescription& view, const std::vector<ViewDescription>& views) {
   const auto parent =
       std::find_if(views.begin(), views.end(), [&](const ViewDescription& other) { return *other.name == *view.of; });
@@ -24,11 +20,12 @@ void expect_parent(const ViewDescription& view, const std::vector<ViewDescriptio
     std::vector<std::string> names;
     for (const ViewDescription& other : views)
       if (!other.of.given() && !other.detail.given()) names.push_back(*other.name);
-    refuse(view.of.where, "there is no view '" + *view.of + "'", did_you_mean(*view.of, names));
+    refuse_input(view.of.where, "there is no view '" + *view.of + "'", did_you_mean(*view.of, names));
   }
   if (parent->of.given() || parent->detail.given())
-    refuse(view.of.where, "view '" + *view.of + "' itself " + (parent->of.given() ? "has a parent" : "shows a detail"),
-           "name a view that has its own projection");
+    refuse_input(view.of.where,
+                 "view '" + *view.of + "' itself " + (parent->of.given() ? "has a parent" : "shows a detail"),
+                 "name a view that has its own projection");
 }
 
 // ISO 128-3 recommends to leave out I, O and Q.
@@ -44,11 +41,12 @@ std::string next_letter(std::set<std::string>& taken) {
 void complete_directions(SceneDescription& scene) {
   for (ViewDescription& view : scene.views) {
     if (!view.of.given() && !view.from.given()) continue;
-    if (!view.of.given()) refuse(view.from.where, "'from' needs the view beside which this one is", "add 'of'");
+    if (!view.of.given()) refuse_input(view.from.where, "'from' needs the view beside which this one is", "add 'of'");
     if (!view.from.given())
-      refuse(view.of.where, "'of' needs the direction from which this view is seen", "add 'from', such as [1, 0, 1]");
+      refuse_input(view.of.where, "'of' needs the direction from which this view is seen",
+                   "add 'from', such as [1, 0, 1]");
     if (view.projection.given() || view.detail.given())
-      refuse(view.from.where, "a view with a direction has no projection and no detail", "omit one of them");
+      refuse_input(view.from.where, "a view with a direction has no projection and no detail", "omit one of them");
     const Vec3& d = *view.from;
     view.projection = {
         ProjectionRequest{"auxiliary",

@@ -12,29 +12,26 @@ namespace epura::scene {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& where, const std::string& reason, const std::string& hint) {
-  throw Error(ErrorKind::input, where, reason, hint);
-}
-
 void expect_line(const BrokenOutDescription& one) {
-  if (!finite(*one.point)) refuse(one.point.where, "the point has a number that is not finite", "");
+  if (!finite(*one.point)) refuse_input(one.point.where, "the point has a number that is not finite", "");
   if (one.radius.given() == one.outline.given())
-    refuse(one.point.where,
-           std::string("a broken-out section has ") + (one.radius.given() ? "both a radius and an outline" : "no line"),
-           "give the radius of the freehand line around the point, or an outline of three points or more");
+    refuse_input(
+        one.point.where,
+        std::string("a broken-out section has ") + (one.radius.given() ? "both a radius and an outline" : "no line"),
+        "give the radius of the freehand line around the point, or an outline of three points or more");
   if (!one.outline.given()) return;
   if (one.outline->size() < 3)
-    refuse(one.outline.where, "the outline has fewer than three points", "give points around the area to be cut");
+    refuse_input(one.outline.where, "the outline has fewer than three points", "give points around the area to be cut");
   for (const Vec3& p : *one.outline)
-    if (!finite(p)) refuse(one.outline.where, "the outline has a number that is not finite", "");
+    if (!finite(p)) refuse_input(one.outline.where, "the outline has a number that is not finite", "");
 }
 
 const ViewDescription& view_of(const BrokenOutDescription& one, const std::vector<ViewDescription>& views) {
   const ViewDescription& view = whole_view(one.view, one.point.where, views);
   if (view.section.given())
-    refuse(one.view.given() ? one.view.where : one.point.where,
-           "view '" + *view.name + "' shows section " + *view.section + ", and is cut already",
-           "name a view of the whole");
+    refuse_input(one.view.given() ? one.view.where : one.point.where,
+                 "view '" + *view.name + "' shows section " + *view.section + ", and is cut already",
+                 "name a view of the whole");
   return view;
 }
 

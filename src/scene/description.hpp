@@ -266,6 +266,13 @@ struct SheetDescription {
   LocatedText logo;                   ///< SVG or PNG file, in the title block
   LocatedText style;                  ///< file with colours, widths and dashes of lines
   TitleBlockFields title_block;
+
+  /// A field of the title block; empty if it is not given.
+  [[nodiscard]] std::string field(std::string_view name) const {
+    for (const auto& [known, text] : title_block)
+      if (known == name) return *text;
+    return {};
+  }
 };
 
 /// A list of the parts with numbers, and balloons in the views that refer to them. ISO 7573, ISO 6433.

@@ -12,19 +12,16 @@ namespace epura::scene {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& where, const std::string& reason, const std::string& hint) {
-  throw Error(ErrorKind::input, where, reason, hint);
-}
-
 const std::string& where_of(const DetailDescription& detail) {
   return detail.view.given() ? detail.view.where : detail.name.where;
 }
 
 void expect_shape(const DetailDescription& detail) {
   if (detail.radius.given() == detail.size.given())
-    refuse(detail.name.where,
-           "detail '" + *detail.name + "' has " + (detail.size.given() ? "both a radius and a size" : "no radius"),
-           "give the radius of a circle, or the size of a rectangle, [width, height]");
+    refuse_input(
+        detail.name.where,
+        "detail '" + *detail.name + "' has " + (detail.size.given() ? "both a radius and a size" : "no radius"),
+        "give the radius of a circle, or the size of a rectangle, [width, height]");
 }
 
 const ViewDescription& parent_of(const DetailDescription& detail, const SceneDescription& scene) {
@@ -37,25 +34,26 @@ const ViewDescription& parent_of(const DetailDescription& detail, const SceneDes
     for (const ViewDescription& view : scene.views)
       if (!view.detail.given()) names.push_back(*view.name);
     if (!detail.view.given())
-      refuse(where_of(detail), "detail '" + *detail.name + "' has no view to enlarge", "add a [[view]] of the whole");
-    refuse(where_of(detail), "there is no view '" + *detail.view + "'", did_you_mean(*detail.view, names));
+      refuse_input(where_of(detail), "detail '" + *detail.name + "' has no view to enlarge",
+                   "add a [[view]] of the whole");
+    refuse_input(where_of(detail), "there is no view '" + *detail.view + "'", did_you_mean(*detail.view, names));
   }
   if (found->detail.given())
-    refuse(where_of(detail), "view '" + *found->name + "' itself shows a detail", "name the view of the whole");
+    refuse_input(where_of(detail), "view '" + *found->name + "' itself shows a detail", "name the view of the whole");
   return *found;
 }
 
 void expect_detail_view(const ViewDescription& view) {
   if (view.projection.given())
-    refuse(view.projection.where, "a view of a detail has the projection of the view that it enlarges",
-           "omit 'projection', or 'detail'");
+    refuse_input(view.projection.where, "a view of a detail has the projection of the view that it enlarges",
+                 "omit 'projection', or 'detail'");
   if (view.section.given())
-    refuse(view.section.where, "a view of a detail shows the section that the enlarged view shows",
-           "omit it; to enlarge a section, name its view in the [[detail]]");
+    refuse_input(view.section.where, "a view of a detail shows the section that the enlarged view shows",
+                 "omit it; to enlarge a section, name its view in the [[detail]]");
   if (!view.scale.given() || !view.scale->fixed)
-    refuse(view.scale.given() ? view.scale.where : view.detail.where,
-           "the view of detail '" + *view.detail + "' lacks a scale",
-           "write one larger than its parent's, such as 5:1");
+    refuse_input(view.scale.given() ? view.scale.where : view.detail.where,
+                 "the view of detail '" + *view.detail + "' lacks a scale",
+                 "write one larger than its parent's, such as 5:1");
 }
 
 template <class Value>
@@ -87,8 +85,8 @@ Vec2 half_size(const DetailDescription& detail) {
 void expect_projections(const SceneDescription& scene) {
   for (const ViewDescription& view : scene.views)
     if (!view.projection.given() && !view.detail.given())
-      refuse(view.projection.where, "[[view]] lacks 'projection'",
-             "`NAME[:key=value...]`, or `{name = NAME, key = value}`");
+      refuse_input(view.projection.where, "[[view]] lacks 'projection'",
+                   "`NAME[:key=value...]`, or `{name = NAME, key = value}`");
 }
 
 const DetailDescription* find_detail(const SceneDescription& scene, const std::string& name) {
@@ -105,8 +103,8 @@ void complete_details(SceneDescription& scene) {
     if (!view.detail.given()) continue;
     const DetailDescription* detail = find_detail(scene, *view.detail);
     if (detail == nullptr)
-      refuse(view.detail.where, "there is no detail '" + *view.detail + "'",
-             names.empty() ? "there is no [[detail]]" : did_you_mean(*view.detail, names));
+      refuse_input(view.detail.where, "there is no detail '" + *view.detail + "'",
+                   names.empty() ? "there is no [[detail]]" : did_you_mean(*view.detail, names));
     expect_detail_view(view);
     inherit_from(parent_of(*detail, scene), view);
   }
@@ -123,11 +121,11 @@ DetailRequest parse_detail(std::string_view text, const std::string& where) {
   const auto centre = parts.size() >= 3 ? parse_vector(parts[0]) : std::nullopt;
   const auto radius = parts.size() >= 3 ? parse_number(parts[1]) : std::nullopt;
   if (!centre || !radius || !(*radius > 0))
-    refuse(where, "'" + std::string(text) + "' is not a detail",
-           "write its centre, its radius and its scale, X,Y,Z:RADIUS:SCALE, such as 40,0,10:6:5:1");
+    refuse_input(where, "'" + std::string(text) + "' is not a detail",
+                 "write its centre, its radius and its scale, X,Y,Z:RADIUS:SCALE, such as 40,0,10:6:5:1");
   const std::size_t before = parts[0].size() + parts[1].size() + 2;
   const ScaleChoice scale = parse_scale(text.substr(before), where);
-  if (!scale.fixed) refuse(where, "the scale of a detail cannot be automatic", "write one such as 5:1");
+  if (!scale.fixed) refuse_input(where, "the scale of a detail cannot be automatic", "write one such as 5:1");
   return {*centre, *radius, scale};
 }
 

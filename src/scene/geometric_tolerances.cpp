@@ -16,10 +16,6 @@ constexpr std::string_view circled_modifiers = "MLRPFTU";
 constexpr std::array<std::string_view, 5> word_modifiers{"CZ", "SZ", "UZ", "OZ", "NC"};
 constexpr std::array<std::string_view, 4> diameter_signs{"Ø", "⌀", "ø", "∅"};
 
-[[noreturn]] void refuse(const std::string& where, const std::string& what, const std::string& hint) {
-  throw Error(ErrorKind::input, where, what, hint);
-}
-
 std::vector<std::string_view> words_of(std::string_view text) {
   std::vector<std::string_view> words;
   for (const std::string_view word : split(text, ' '))
@@ -54,7 +50,8 @@ FrameCell parse_zone(std::string_view text, const std::string& where) {
   const std::string sign = take_diameter(first);
   const auto width = parse_number(first);
   if (!width || !std::isfinite(*width) || *width < 0)
-    refuse(where, "'" + std::string(text) + "' is not a tolerance zone", "write its width, 0.1, or diameter, Ø0.1");
+    refuse_input(where, "'" + std::string(text) + "' is not a tolerance zone",
+                 "write its width, 0.1, or diameter, Ø0.1");
   FrameCell cell;
   cell.push_back({sign + std::string(first)});
   bool allows_number = false, has_material = false;
@@ -63,25 +60,26 @@ FrameCell parse_zone(std::string_view text, const std::string& where) {
     const bool known = std::find(word_modifiers.begin(), word_modifiers.end(), word) != word_modifiers.end();
     const auto number = parse_number(word);
     if (!is_circled(word) && !known && !(allows_number && number && *number > 0))
-      refuse(where, "'" + word + "' is not a modifier of a tolerance zone", usual_modifiers());
+      refuse_input(where, "'" + word + "' is not a modifier of a tolerance zone", usual_modifiers());
     cell.push_back({word, is_circled(word)});
     allows_number = word == "P";  // length of the projected zone
     has_material = has_material || word == "M" || word == "L";
   }
   if (*width == 0 && !has_material)
-    refuse(where, "the tolerance zone is 0 wide", "only zones with M or L may be: Ø0 M");
+    refuse_input(where, "the tolerance zone is 0 wide", "only zones with M or L may be: Ø0 M");
   return cell;
 }
 
 void expect_datum_letter(std::string_view letter, const std::string& where) {
   const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z' && c != 'I' && c != 'O' && c != 'Q'; };
   if (letter.empty() || letter.size() > 2 || !std::all_of(letter.begin(), letter.end(), is_capital))
-    refuse(where, "'" + std::string(letter) + "' is not a datum letter", "use one or two of A to Z without I, O and Q");
+    refuse_input(where, "'" + std::string(letter) + "' is not a datum letter",
+                 "use one or two of A to Z without I, O and Q");
 }
 
 FrameCell parse_datum(std::string_view text, const std::string& where, std::vector<std::string>& letters) {
   const std::vector<std::string_view> words = words_of(text);
-  if (words.empty()) refuse(where, "a datum is empty", "write its letter, such as A");
+  if (words.empty()) refuse_input(where, "a datum is empty", "write its letter, such as A");
   for (const std::string_view letter : split(words.front(), '-')) {
     expect_datum_letter(letter, where);
     letters.emplace_back(letter);
@@ -90,7 +88,7 @@ FrameCell parse_datum(std::string_view text, const std::string& where, std::vect
   cell.push_back({std::string(words.front())});
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (words[i] != "M" && words[i] != "L" && words[i] != "R")
-      refuse(where, "'" + std::string(words[i]) + "' is not a modifier of a datum", "modifiers are M, L and R");
+      refuse_input(where, "'" + std::string(words[i]) + "' is not a modifier of a datum", "modifiers are M, L and R");
     cell.push_back({std::string(words[i]), true});
   }
   return cell;

@@ -21,10 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& where, const std::string& reason, const std::string& hint) {
-  throw Error(ErrorKind::input, where, reason, hint);
-}
-
 using Names = std::set<std::string>;
 
 /// The numbers of the models with each name to which dimensions may refer.
@@ -45,15 +41,15 @@ Names names_of(const std::vector<Part>& parts, const std::string& what) {
   Names names;
   for (const Part& part : parts)
     if (part.name.given() && !names.insert(*part.name).second)
-      refuse(part.name.where, "'" + *part.name + "' is the name of an earlier " + what, "names must be unique");
+      refuse_input(part.name.where, "'" + *part.name + "' is the name of an earlier " + what, "names must be unique");
   return names;
 }
 
 void refuse_unknown(const LocatedText& name, const Names& names, const std::string& what) {
   if (!name.given() || names.contains(*name)) return;
   const std::vector<std::string> known(names.begin(), names.end());
-  refuse(name.where, "there is no " + what + " '" + *name + "'",
-         known.empty() ? "there is no [[" + what + "]]" : did_you_mean(*name, known));
+  refuse_input(name.where, "there is no " + what + " '" + *name + "'",
+               known.empty() ? "there is no [[" + what + "]]" : did_you_mean(*name, known));
 }
 
 void check_views(const SceneDescription& scene, const Names& sections) {
@@ -61,8 +57,9 @@ void check_views(const SceneDescription& scene, const Names& sections) {
   for (const ViewDescription& view : scene.views) {
     refuse_unknown(view.section, sections, "section");
     if (const int sheet = view.sheet.value_or(1); std::size_t(sheet) > sheets)
-      refuse(view.projection.where, "the view is for sheet " + std::to_string(sheet) + " of " + std::to_string(sheets),
-             "add a [[sheet]]");
+      refuse_input(view.projection.where,
+                   "the view is for sheet " + std::to_string(sheet) + " of " + std::to_string(sheets),
+                   "add a [[sheet]]");
   }
 }
 
@@ -78,18 +75,19 @@ const std::vector<std::string>& anchor_keys(DimensionType type) {
 int model_of(const AnchorWords& anchor, const ModelNumbers& models, int count) {
   if (const int* number = std::get_if<int>(&anchor.model)) {
     if (*number < count) return *number;
-    refuse(anchor.where, "there is no model " + std::to_string(*number),
-           "models are numbered from 0 to " + std::to_string(count - 1));
+    refuse_input(anchor.where, "there is no model " + std::to_string(*number),
+                 "models are numbered from 0 to " + std::to_string(count - 1));
   }
   const auto& name = std::get<std::string>(anchor.model);
   const auto found = models.find(name);
   if (found == models.end()) {
     std::vector<std::string> known;
     for (const auto& [other, numbers] : models) known.push_back(other);
-    refuse(anchor.where, "there is no model '" + name + "'", did_you_mean(name, known));
+    refuse_input(anchor.where, "there is no model '" + name + "'", did_you_mean(name, known));
   }
   if (found->second.size() > 1)
-    refuse(anchor.where, "several models are called '" + name + "'", "give them different names, or use a number");
+    refuse_input(anchor.where, "several models are called '" + name + "'",
+                 "give them different names, or use a number");
   return found->second.front();
 }
 
@@ -104,7 +102,7 @@ Anchor anchor_of(const AnchorWords& words, const Subjects& subjects) {
   if (words.point) return *words.point;
   const int model = model_of(words, subjects.numbers, static_cast<int>(subjects.models.size()));
   if (!subjects.models[std::size_t(model)].drawn.value_or(true))
-    refuse(words.where, "the model is not drawn and has no vertices", "give the position as {point = [x, y, z]}");
+    refuse_input(words.where, "the model is not drawn and has no vertices", "give the position as {point = [x, y, z]}");
   return std::array<int, 2>{model, words.vertex};
 }
 
@@ -112,12 +110,12 @@ Anchor anchor_of(const AnchorWords& words, const Subjects& subjects) {
 void add_places(DimensionDescription& dimension, const DimensionWords& words, const Subjects& subjects) {
   for (const auto& [key, anchor] : words.anchors) {
     if (key != "points")
-      refuse(anchor.where, "a dimension with an arrangement has no '" + key + "'", "its places are 'points'");
+      refuse_input(anchor.where, "a dimension with an arrangement has no '" + key + "'", "its places are 'points'");
     dimension.anchors.push_back(anchor_of(anchor, subjects));
   }
   if (dimension.anchors.size() < 2)
-    refuse(dimension.where, "a dimension with an arrangement needs two or more places",
-           "points = [{point = [x, y, z]}, ...]");
+    refuse_input(dimension.where, "a dimension with an arrangement needs two or more places",
+                 "points = [{point = [x, y, z]}, ...]");
 }
 
 // Throws Error{input} for keys that belong to other types.
@@ -125,9 +123,9 @@ void expect_keys_of_type(const DimensionDescription& dimension) {
   const DimensionType type = *dimension.type;
   const std::string has_no = "a dimension of type '" + std::string(word_of(type)) + "' has no '";
   if (dimension.holes.given() && type != DimensionType::automatic)
-    refuse(dimension.holes.where, has_no + "holes'", "it belongs to type 'auto'");
+    refuse_input(dimension.holes.where, has_no + "holes'", "it belongs to type 'auto'");
   if (dimension.arrangement.given() && type != DimensionType::automatic && type != DimensionType::linear)
-    refuse(dimension.arrangement.where, has_no + "arrangement'", "it belongs to the types 'linear' and 'auto'");
+    refuse_input(dimension.arrangement.where, has_no + "arrangement'", "it belongs to the types 'linear' and 'auto'");
 }
 
 DimensionDescription dimension_of(const DimensionWords& words, const Subjects& subjects) {
@@ -145,16 +143,16 @@ DimensionDescription dimension_of(const DimensionWords& words, const Subjects& s
     const auto found = std::find_if(words.anchors.begin(), words.anchors.end(),
                                     [&key](const auto& anchor) { return anchor.first == key; });
     if (found == words.anchors.end())
-      refuse(dimension.where, "a dimension of type '" + type + "' lacks '" + key + "'",
-             "[model, vertex] or {point = [x, y, z]}");
+      refuse_input(dimension.where, "a dimension of type '" + type + "' lacks '" + key + "'",
+                   "[model, vertex] or {point = [x, y, z]}");
     dimension.anchors.push_back(anchor_of(found->second, subjects));
   }
   for (const auto& [key, anchor] : words.anchors)
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      refuse(anchor.where, "a dimension of type '" + type + "' has no '" + key + "'",
-             key == "points" ? "'points' need an arrangement, such as arrangement = \"chain\""
-             : keys.empty()  ? "it has no anchors"
-                             : did_you_mean(key, keys));
+      refuse_input(anchor.where, "a dimension of type '" + type + "' has no '" + key + "'",
+                   key == "points" ? "'points' need an arrangement, such as arrangement = \"chain\""
+                   : keys.empty()  ? "it has no anchors"
+                                   : did_you_mean(key, keys));
   return dimension;
 }
 
@@ -163,7 +161,7 @@ ThreadDescription thread_of(const ThreadWords& words, const Subjects& subjects) 
   thread.at = {anchor_of(*words.at, subjects), words.at.where};
   if (!subjects.views.empty()) refuse_unknown(thread.view, subjects.views, "view");
   if (thread.view.given() && !thread.callout.value_or(true))
-    refuse(thread.view.where, "a thread without a dimension has no view", "omit 'view', or 'callout'");
+    refuse_input(thread.view.where, "a thread without a dimension has no view", "omit 'view', or 'callout'");
   return thread;
 }
 
@@ -173,28 +171,29 @@ void expect_datums(const CalloutDescription& callout, const ToleranceFrame* fram
   for (const ToleranceFrame& one : frame->also) expect_datums(callout, &one);
   const CharacteristicRow& row = row_of(frame->characteristic);
   if (row.datums == DatumRule::required && frame->datums.empty())
-    refuse(callout.where, "a tolerance of " + std::string(row.name) + " needs a datum", "write one: datums = [\"A\"]");
+    refuse_input(callout.where, "a tolerance of " + std::string(row.name) + " needs a datum",
+                 "write one: datums = [\"A\"]");
   if (row.datums == DatumRule::none && !frame->datums.empty())
-    refuse(callout.where, "a tolerance of " + std::string(row.name) + " has no datums", "omit 'datums'");
+    refuse_input(callout.where, "a tolerance of " + std::string(row.name) + " has no datums", "omit 'datums'");
   if (frame->datums.size() > 3)
-    refuse(callout.where,
-           "a tolerance frame has " + std::to_string(frame->datums.size()) + " datums, at most 3 are allowed",
-           "several letters in one place are a common datum, such as \"A-B\"");
+    refuse_input(callout.where,
+                 "a tolerance frame has " + std::to_string(frame->datums.size()) + " datums, at most 3 are allowed",
+                 "several letters in one place are a common datum, such as \"A-B\"");
 }
 
 // Datums and tolerances belong to a feature: to a place, or to what a dimension measures.
 void expect_attached(const CalloutDescription& callout, const Located<LeaderWords>& to) {
   const bool is_frame = std::holds_alternative<ToleranceFrame>(callout.content);
   if ((is_frame || std::holds_alternative<DatumFeature>(callout.content)) && !to.given() && !callout.dimension.given())
-    refuse(callout.where, is_frame ? "[[tolerance_frame]] lacks 'to'" : "[[datum]] lacks 'to'",
-           "say where its leader ends, or the name of a 'dimension'");
+    refuse_input(callout.where, is_frame ? "[[tolerance_frame]] lacks 'to'" : "[[datum]] lacks 'to'",
+                 "say where its leader ends, or the name of a 'dimension'");
   if (!callout.dimension.given()) return;
-  if (to.given()) refuse(to.where, "it has a 'dimension' and needs no 'to'", "omit one of them");
+  if (to.given()) refuse_input(to.where, "it has a 'dimension' and needs no 'to'", "omit one of them");
   for (const auto& [key, where] :
        {std::pair("view", callout.view.where), {"at", callout.at.where}, {"end", callout.end.where}})
     if (!where.empty())
-      refuse(where, "what stands in line with a dimension has no '" + std::string(key) + "'",
-             "omit it, or 'dimension'");
+      refuse_input(where, "what stands in line with a dimension has no '" + std::string(key) + "'",
+                   "omit it, or 'dimension'");
 }
 
 // Views and sheets are known once the command line is.
@@ -206,11 +205,12 @@ CalloutDescription callout_of(const CalloutWords& words, const Subjects& subject
   if (!words.to.given()) {
     for (const auto& [key, where] : {std::pair("view", callout.view.where), {"end", callout.end.where}})
       if (!where.empty())
-        refuse(where, "what has no leader has no '" + std::string(key) + "'", "say where its leader ends, by 'to'");
+        refuse_input(where, "what has no leader has no '" + std::string(key) + "'",
+                     "say where its leader ends, by 'to'");
     return callout;
   }
   if (callout.sheet.given())
-    refuse(callout.sheet.where, "what has a leader is on the sheet of its view", "omit 'sheet', or 'to'");
+    refuse_input(callout.sheet.where, "what has a leader is on the sheet of its view", "omit 'sheet', or 'to'");
   const auto* anchor = std::get_if<AnchorWords>(&*words.to);
   const Vec2* page = std::get_if<Vec2>(&*words.to);
   callout.to = {anchor != nullptr ? LeaderTarget(anchor_of(*anchor, subjects)) : LeaderTarget(*page), words.to.where};
@@ -221,12 +221,12 @@ void expect_cells(const TableDescription& table) {
   const std::size_t columns = table.header.empty() ? table.rows.front().size() : table.header.size();
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     if (table.rows[i].size() != columns)
-      refuse(table.where,
-             "row " + std::to_string(i + 1) + " of the table has " + std::to_string(table.rows[i].size()) +
-                 " cells instead of " + std::to_string(columns),
-             "write \"\" for empty cells");
+      refuse_input(table.where,
+                   "row " + std::to_string(i + 1) + " of the table has " + std::to_string(table.rows[i].size()) +
+                       " cells instead of " + std::to_string(columns),
+                   "write \"\" for empty cells");
   if (table.at.given() && table.corner.given())
-    refuse(table.corner.where, "the table has a position and a corner", "omit 'corner', or 'at'");
+    refuse_input(table.corner.where, "the table has a position and a corner", "omit 'corner', or 'at'");
 }
 
 // Links count as what they lead to: a scene file and a link can come from one stranger. Of a file that does not exist,
@@ -242,8 +242,8 @@ void find_files(SceneDescription& scene, const fs::path& folder, FilesOutside ou
   const auto find = [&](LocatedText& file) {
     const fs::path path = folder / *file;
     if (outside == FilesOutside::refused && !lies_below(path, folder))
-      refuse(file.where, "'" + *file + "' lies outside the folder of the scene file",
-             "--allow-outside allows it, if you trust the scene file");
+      refuse_input(file.where, "'" + *file + "' lies outside the folder of the scene file",
+                   "--allow-outside allows it, if you trust the scene file");
     file.value = path.string();
   };
   for (ModelDescription& model : scene.models) find(model.file);
@@ -260,7 +260,7 @@ SceneDescription scene_of(const TomlValue& root) {
   SceneWords words = read_scene_words(root);
   SceneDescription& scene = words.description;
   if (scene.models.empty())
-    refuse(root.where, "names no model", "a scene file needs at least:  [[model]]  file = \"part.obj\"");
+    refuse_input(root.where, "names no model", "a scene file needs at least:  [[model]]  file = \"part.obj\"");
   if (scene.sheets.empty()) scene.sheets.push_back(words.every_sheet);
   complete_directions(scene);
   expect_projections(scene);

@@ -95,10 +95,6 @@ constexpr std::array sizes{
     Size{100, 0, {6, 4, 3, 2}},
 };
 
-[[noreturn]] void refuse(const std::string& where, const std::string& reason, const std::string& hint) {
-  throw Error(ErrorKind::input, where, reason, hint);
-}
-
 std::string name_of(const Size& size) { return "M" + format_number(size.diameter); }
 
 const Size& size_of(double diameter, const std::string& quoted, const std::string& where) {
@@ -109,7 +105,7 @@ const Size& size_of(double diameter, const std::string& quoted, const std::strin
       std::find_if(sizes.begin(), sizes.end(), [&](const Size& size) { return size.diameter > diameter; });
   std::string near = above == sizes.end() ? "the largest known here is " + name_of(sizes.back()) : name_of(*above);
   if (above != sizes.end() && above != sizes.begin()) near = name_of(above[-1]) + " and " + near + " are the nearest";
-  refuse(where, quoted + " is not a thread: ISO 261 has no M" + format_number(diameter), near);
+  refuse_input(where, quoted + " is not a thread: ISO 261 has no M" + format_number(diameter), near);
 }
 
 double pitch_of(const Size& size, std::optional<double> wanted, const std::string& quoted, const std::string& where) {
@@ -118,13 +114,13 @@ double pitch_of(const Size& size, std::optional<double> wanted, const std::strin
     if (pitch > 0) known += (known.empty() ? "" : ", ") + format_number(pitch);
   if (!wanted && size.coarse > 0) return size.coarse;
   if (!wanted)
-    refuse(where, quoted + " has no coarse pitch in ISO 261",
-           "give its pitch, as " + name_of(size) + "x" + format_number(size.fine.front()));
+    refuse_input(where, quoted + " has no coarse pitch in ISO 261",
+                 "give its pitch, as " + name_of(size) + "x" + format_number(size.fine.front()));
   const bool is_fine = std::find(size.fine.begin(), size.fine.end(), *wanted) != size.fine.end();
   if (!(*wanted > 0) || (!is_fine && *wanted != size.coarse))
-    refuse(where,
-           quoted + " is not a thread: ISO 261 has no pitch of " + format_number(*wanted) + " for " + name_of(size),
-           "its pitches are " + known);
+    refuse_input(
+        where, quoted + " is not a thread: ISO 261 has no pitch of " + format_number(*wanted) + " for " + name_of(size),
+        "its pitches are " + known);
   return *wanted;
 }
 
@@ -147,9 +143,9 @@ Thread parse_thread(std::string_view text, const std::string& where) {
   const std::string quoted = "'" + std::string(text) + "'";
   const auto expect = [&](bool is_so) {
     if (!is_so)
-      refuse(where, quoted + " is not a metric screw thread",
-             "write M6, M6x0.75 with a fine pitch, or M6-6H with a "
-             "tolerance class");
+      refuse_input(where, quoted + " is not a metric screw thread",
+                   "write M6, M6x0.75 with a fine pitch, or M6-6H with a "
+                   "tolerance class");
   };
   const std::vector<std::string_view> parts = split(text, '-');
   expect(parts.front().size() > 1 && parts.front().front() == 'M');

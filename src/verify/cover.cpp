@@ -11,7 +11,7 @@ namespace {
 // Error of doubles, in half sides of the square, above which rationals are used.
 constexpr double rounding_part = 0.1;
 // Steepness (depth per length on the page) above which a triangle is a line there; its depth over a point means little.
-constexpr double edge_on = 1e6;
+constexpr double steep_as_a_line = 1e6;
 // Distance by which rounding may move corners relative to the point, in half sides of the square.
 constexpr double lattice = 2;
 // Fractions of the contact tolerance: a triangle less than the first in front of the point certainly does not hide it,
@@ -120,7 +120,7 @@ std::optional<Portion> portion_of(const Piece3& piece, const Sight<N>& sight, co
   }
   const std::optional<bool> seen = within_limits(sight, c, piece.moved);
   if (seen == false) return std::nullopt;
-  const bool line = !(piece.steepness < edge_on);
+  const bool line = !(piece.steepness < steep_as_a_line);
   // Corners are rounded to the page grid, which moves depth in proportion to the steepness of the triangle.
   const double joined_by = line ? 0 : -lattice * tolerance.sideways() * piece.steepness;
   const double touching = joined ? joined_by : surely_touching * tolerance.contact * (line ? 1 : piece.steepness);

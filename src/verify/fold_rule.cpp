@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
+
+#include "base/angle.hpp"
 
 namespace epura::verify {
 
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
 // Rounding of doubles after a few operations, as a fraction of the size of the world.
-constexpr double rounding = 0x1p-40;
+constexpr double few_operations = 0x1p-40;
 // Multiples of the precision of the coordinates: how far it may move a corner out of its plane, and the height below
 // which a triangle may have no plane.
 constexpr double turned_by = 4, needle = 16;
@@ -32,7 +32,7 @@ double normalisation_of(const world::World& world) {
   return size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
 }
 
-double precision_of(const world::World& world) { return std::max(world.rounding, rounding * size_of(world)); }
+double precision_of(const world::World& world) { return std::max(world.rounding, few_operations * size_of(world)); }
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return degrees * std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));

@@ -15,7 +15,7 @@ namespace epura::verify {
 
 namespace {
 
-constexpr std::size_t chunk = 4096;
+constexpr std::size_t rays_at_once = 4096;
 // Area of the square of rays, whose total is 4, that may stay uncovered where triangles join.
 constexpr double least_gap = 0.01;
 
@@ -63,11 +63,11 @@ class Judge {
 
   std::vector<ProbeVerdict> verdicts(const Progress& progress) {
     const std::size_t count = input_.world.triangles.size();
-    std::vector<std::vector<Met>> met((count + chunk - 1) / chunk);
+    std::vector<std::vector<Met>> met((count + rays_at_once - 1) / rays_at_once);
     progress.begin("verifying", met.size());
     parallel_for(met.size(), 1, progress, [&](std::size_t first, std::size_t last) {
       for (std::size_t part = first; part < last; ++part)
-        for (std::size_t t = part * chunk; t < std::min((part + 1) * chunk, count); ++t) {
+        for (std::size_t t = part * rays_at_once; t < std::min((part + 1) * rays_at_once, count); ++t) {
           progress.expect_time();
           meet(static_cast<int>(t), met[part]);
         }

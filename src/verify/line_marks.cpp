@@ -12,7 +12,7 @@ namespace {
 constexpr double clear_step = 8;
 // Multiple of the contact tolerance up to which a surface behind a face still counts as touching it, however steep the
 // face is.
-constexpr double surely_touching = 0.5;
+constexpr double still_touching = 0.5;
 // Multiple of the contact tolerance up to which a surface may lie behind another one and still count as seen.
 constexpr double seen_through = 32;
 // A triangle is a line on the page if its width there is at most `edge_on` steps of the page's rounding, unless it is
@@ -243,7 +243,7 @@ bool LineMarks::is_surely_seen(const WireCrossing& crossing) const {
     const SlicePiece& piece = slice_.pieces[part->piece];
     const auto& corners = scene_.world.triangles[piece.triangle];
     const bool is_joined = std::ranges::any_of(wire, [&](int v) { return std::ranges::count(corners, v) > 0; });
-    const double slack = is_joined ? -clear_step * limits_.contact : surely_touching * limits_.contact;
+    const double slack = is_joined ? -clear_step * limits_.contact : still_touching * limits_.contact;
     if (piece.depth_at(std::clamp(u, part->from, part->to)) > depth + slack) return false;
   }
   return true;

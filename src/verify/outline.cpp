@@ -17,7 +17,6 @@ namespace epura::verify {
 
 namespace {
 
-constexpr double confidence = 0.95;
 constexpr int directions = 16;
 constexpr double least_lines = 128, most_lines = 2048;
 // Limit on how many triangles the lines cut in total: this multiple of the number of triangles in the world, plus a
@@ -69,7 +68,8 @@ class Outline {
       else
         (suspect.kind == Kind::unfounded ? check.unfounded : check.doubled) += suspect.met;
     }
-    if (check.asked + check.ink > 0) check.at_most = greatest_share(check.wrong(), check.asked + check.ink, confidence);
+    if (check.asked + check.ink > 0)
+      check.at_most = greatest_share(check.wrong(), check.asked + check.ink, stated_confidence);
     check.worst = worst();
     return check;
   }

@@ -15,7 +15,7 @@ constexpr Vec2 everywhere(HUGE_VAL);
 // Rounding of the few operations that follow, in addition to the error of the coordinates.
 constexpr double rounding = 64 * 0x1p-53;
 
-double error_of(const Triple<Bounded>& p) {
+double largest_error_of(const Triple<Bounded>& p) {
   return p.x.error + p.y.error + p.z.error +
          rounding * std::max({std::abs(p.x.value), std::abs(p.y.value), std::abs(p.z.value)});
 }
@@ -45,7 +45,7 @@ void PageFrame::add(Extent& extent, const Triple<double>& local, double error) c
 Extent PageFrame::extent_of(const Triple<Bounded>& point) const {
   Extent extent;
   const Triple<Bounded> local = sight_.local(point);
-  add(extent, values(local), error_of(local));
+  add(extent, values(local), largest_error_of(local));
   return extent;
 }
 
@@ -55,7 +55,7 @@ std::optional<Extent> PageFrame::extent_of(const std::array<Vec3, 3>& corners) c
   for (const Vec3& corner : corners) {
     const Triple<Bounded> local = sight_.local(corner);
     polygon.add(values(local));
-    error += error_of(local);
+    error += largest_error_of(local);
   }
   if (sight_.eye) polygon = clip(polygon, [&](const Triple<double>& p) { return sight_.eye->value - p.z; });
   if (polygon.count == 0) return std::nullopt;

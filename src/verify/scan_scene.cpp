@@ -11,7 +11,7 @@ namespace epura::verify {
 
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t edges_at_once = 4096;
 // An edge that leads behind the viewer ends at this fraction of the way to the viewer's plane.
 constexpr double nearly_there = 1 - 0x1p-20;
 
@@ -75,7 +75,7 @@ ScanScene::ScanScene(const VerifyInput& input, double precision, double thread_d
   eye_ = sight.eye ? sight.eye->value : HUGE_VAL;
   max = std::min(eye_, sight.nearest ? sight.nearest->value : HUGE_VAL);
   min = sight.farthest ? sight.farthest->value : -HUGE_VAL;
-  parallel_for(local.size(), grain, [&](std::size_t first, std::size_t last) {
+  parallel_for(local.size(), edges_at_once, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       const Triple<Bounded> p = sight.local(world.points[v]);
       local[v] = {p.x.value, p.y.value, p.z.value};

@@ -13,7 +13,6 @@ namespace epura::verify {
 
 namespace {
 
-constexpr double confidence = 0.95;
 constexpr std::size_t most_offences = 10;
 // Number of steps over the least guaranteed length in which the length of a wrong span is measured.
 constexpr int steps = 8;
@@ -172,7 +171,7 @@ class Verifier {
     if (result.samples == 0) return;
     result.untested = std::max(0.0, 1 - tested);
     const double weight = most_weight * result.samples;
-    result.at_most = std::min(1.0, weight * greatest_share(wrong, result.samples, confidence));
+    result.at_most = std::min(1.0, weight * greatest_share(wrong, result.samples, stated_confidence));
   }
 
   [[nodiscard]] std::vector<report::Mismatch> worst_offences() const {

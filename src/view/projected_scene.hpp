@@ -32,6 +32,8 @@ inline std::int64_t cross(const GridPoint& a, const GridPoint& b, const GridPoin
 /// space.
 struct PageVertex {
   double x, y, depth, w;
+
+  [[nodiscard]] Vec2 at() const { return {x, y}; }
 };
 
 struct ViewTriangle {

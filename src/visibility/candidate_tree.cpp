@@ -20,8 +20,6 @@ constexpr double slack_cells = 8;
 // Number of page grid cells between an edge and the place of a triangle whose depth is compared with that of the edge,
 // at most: crossings of sides lie within 2 cells of both, and rounding moves edge and side by 0.7 cells each.
 constexpr double depth_cells = 3;
-// Relative error of depths.
-constexpr double depth_rounding = 0x1p-40;
 
 constexpr std::size_t least_pile = 8;
 constexpr std::size_t least_at_hub = 16;

@@ -18,8 +18,6 @@ constexpr double thinnest = 0x1p-40;
 // For a triangle that is a line on the page, depth alone decides.
 double steepness(const std::optional<Vec2>& slope) { return slope ? 1 + glm::length(*slope) : 1; }
 
-Vec2 position(const view::PageVertex& v) { return {v.x, v.y}; }
-
 // Moves the parameter of a crossing to the part of the line where integers place it: before the edge, on it or behind
 // it.
 double placed(double t, std::int64_t numerator, std::int64_t denominator) {
@@ -66,14 +64,14 @@ SideCrossing place_crossing(const view::ProjectedScene& view, const PageEdge& ed
   const view::PageVertex& u = view.vertices[crossed.u];
   const view::PageVertex& v = view.vertices[crossed.v];
   const GridCrossing& decided = crossed.decided;
-  const Vec2 p = position(view.vertices[edge.p]);
-  const Vec2 along = position(view.vertices[edge.q]) - p;
-  const Vec2 side = position(v) - position(u);
+  const Vec2 p = view.vertices[edge.p].at();
+  const Vec2 along = view.vertices[edge.q].at() - p;
+  const Vec2 side = v.at() - u.at();
   const double length2 = glm::dot(side, side);
-  const auto on_side = [&](double t) { return glm::dot(p + t * along - position(u), side); };  // times length2
+  const auto on_side = [&](double t) { return glm::dot(p + t * along - u.at(), side); };  // times length2
 
   const double turn = cross(along, side);
-  const double computed = cross(position(u) - p, side) / turn;
+  const double computed = cross(u.at() - p, side) / turn;
   const double s = on_side(computed);
   const double cell = view.cell * std::sqrt(length2);
   const auto is_within = [&](double cells) { return s >= -cells * cell && s <= length2 + cells * cell; };
@@ -149,13 +147,13 @@ double rise_along(const view::ProjectedScene& view, const view::ViewTriangle& tr
   std::array<const view::PageVertex*, 3> corners{};
   for (int i = 0; i < 3; ++i) corners[i] = &view.vertices[triangle.vertex[i]];
   const auto squared = [&](int i, int j) {
-    const Vec2 side = position(*corners[j]) - position(*corners[i]);
+    const Vec2 side = corners[j]->at() - corners[i]->at();
     return glm::dot(side, side);
   };
   while (squared(0, 1) < std::max(squared(1, 2), squared(2, 0)))
     std::rotate(corners.begin(), corners.begin() + 1, corners.end());
   const auto& [a, b, c] = corners;
-  const Vec2 base = position(*b) - position(*a), other = position(*c) - position(*a);
+  const Vec2 base = b->at() - a->at(), other = c->at() - a->at();
   const double along = (b->depth - a->depth) / glm::dot(base, base);
   const double across = (c->depth - a->depth - along * glm::dot(base, other)) / cross(base, other);
   return along * glm::dot(base, way) + across * cross(base, way);
@@ -166,7 +164,7 @@ double steepness_of(const view::ProjectedScene& view, const view::ViewTriangle& 
 }
 
 double least_span(const view::ProjectedScene& view, const PageEdge& edge) {
-  return least_piece * view.extent / glm::distance(position(view.vertices[edge.p]), position(view.vertices[edge.q]));
+  return least_piece * view.extent / glm::distance(view.vertices[edge.p].at(), view.vertices[edge.q].at());
 }
 
 bool meets_on_grid(const view::ProjectedScene& view, const PageEdge& edge, const view::ViewTriangle& triangle) {
@@ -211,7 +209,7 @@ std::optional<std::array<double, 2>> hidden_part(const view::ProjectedScene& vie
   const view::PageVertex& corner = holds_p ? p : q;
   const view::PageVertex& end = holds_p ? q : p;
   const double part = holds_p ? to : 1 - from;
-  const Vec2 way = position(end) - position(corner);
+  const Vec2 way = end.at() - corner.at();
   const double ahead =
       slope ? part * (rise_along(view, triangle, way) + corner.depth - end.depth) : in_front(holds_p ? to : from);
   return ahead > view.contact.joined * steepness(slope) ? std::optional(std::array{from, to}) : std::nullopt;

@@ -16,6 +16,8 @@
 
 namespace epura::visibility {
 
+inline constexpr double depth_rounding = 0x1p-40;  ///< relative error of depths
+
 /// Returns the gradient of depth over the page, or nothing if the triangle is a line there.
 std::optional<Vec2> slope_of(const view::ProjectedScene& view, const view::ViewTriangle& triangle);
 

@@ -9,17 +9,10 @@
 
 namespace epura::visibility {
 
-namespace {
-
-// Relative error of depths.
-constexpr double depth_rounding = 0x1p-40;
-
-Vec2 position(const view::PageVertex& v) { return {v.x, v.y}; }
-
-}  // namespace
+namespace {}  // namespace
 
 CoverPlane::CoverPlane(const view::ProjectedScene& view, const view::ViewTriangle& triangle, const Vec2& half)
-    : corner_(position(view.vertices[triangle.vertex[0]])) {
+    : corner_(view.vertices[triangle.vertex[0]].at()) {
   const std::optional<Vec2> slope = slope_of(view, triangle);
   if (!slope) return;
   slope_ = *slope;
@@ -77,7 +70,7 @@ int OccluderPatch::root(int sheet) {
 }
 
 bool OccluderPatch::reaches_in(int u, int v) const {
-  const Vec2 a = position(view_.vertices[u]) - cell_.middle, b = position(view_.vertices[v]) - cell_.middle;
+  const Vec2 a = view_.vertices[u].at() - cell_.middle, b = view_.vertices[v].at() - cell_.middle;
   const Vec2 along = b - a;
   if (std::min(a.x, b.x) > cell_.half.x || std::max(a.x, b.x) < -cell_.half.x) return false;
   if (std::min(a.y, b.y) > cell_.half.y || std::max(a.y, b.y) < -cell_.half.y) return false;
@@ -87,8 +80,8 @@ bool OccluderPatch::reaches_in(int u, int v) const {
 bool OccluderPatch::holds_middle(const view::ViewTriangle& triangle) const {
   int left = 0;
   for (int i = 0; i < 3; ++i) {
-    const Vec2 a = position(view_.vertices[triangle.vertex[i]]) - cell_.middle;
-    const Vec2 b = position(view_.vertices[triangle.vertex[(i + 1) % 3]]) - cell_.middle;
+    const Vec2 a = view_.vertices[triangle.vertex[i]].at() - cell_.middle;
+    const Vec2 b = view_.vertices[triangle.vertex[(i + 1) % 3]].at() - cell_.middle;
     left += static_cast<int>(cross(a, b) > 0);
   }
   return left == 0 || left == 3;

@@ -11,7 +11,7 @@ namespace epura::visibility {
 namespace {
 
 // Number of page grid cells within which everything that a triangle hides lies from it.
-constexpr double slack_cells = 12;
+constexpr double behind_cells = 12;
 constexpr double rounding = 0x1p-48;  // of angles
 
 // The angle from one direction to another, in -pi to pi.
@@ -51,7 +51,7 @@ double distance_to(const Vec2& a, const Vec2& b) {
 // The angle by which rounding may turn something `distance` cells away; half a circle or more where it may lie in any
 // direction.
 double turned_by_rounding(double distance) {
-  return distance > slack_cells ? rounding + std::asin(slack_cells / distance) : 2 * std::numbers::pi;
+  return distance > behind_cells ? rounding + std::asin(behind_cells / distance) : 2 * std::numbers::pi;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <numbers>
 
+#include "base/angle.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/hiding_rule.hpp"
 
@@ -16,8 +17,7 @@ using Turn = std::array<double, 2>;
 constexpr Turn all_around{-std::numbers::pi, std::numbers::pi};
 
 inline bool turns_meet(const Turn& a, const Turn& b) {
-  constexpr double once = 2 * std::numbers::pi;
-  for (const double around : {0.0, once, -once})
+  for (const double around : {0.0, full_turn, -full_turn})
     if (a[0] <= b[1] + around && b[0] + around <= a[1]) return true;
   return false;
 }

@@ -32,7 +32,7 @@ struct Occlusion {
   }
 };
 
-constexpr std::size_t chunk = 256;
+constexpr std::size_t edges_at_once = 256;
 
 std::vector<int> longest_first(const view::ProjectedScene& view, const std::vector<edges::FeatureEdge>& edges) {
   std::vector<int> order(edges.size());
@@ -63,7 +63,7 @@ void put_in_order(const std::vector<Spans>& found, const std::vector<int>& order
   hidden.spans.resize(hidden.first.back());
   for (std::size_t part = 0; part < found.size(); ++part) {
     auto from = found[part].begin();
-    for (std::size_t i = part * chunk; i < std::min((part + 1) * chunk, order.size()); ++i) {
+    for (std::size_t i = part * edges_at_once; i < std::min((part + 1) * edges_at_once, order.size()); ++i) {
       const auto e = static_cast<std::size_t>(order[i]);
       const auto end = from + static_cast<std::ptrdiff_t>(hidden.first[e + 1] - hidden.first[e]);
       check(end <= found[part].end(), "every span is of one edge");
@@ -82,20 +82,20 @@ HiddenSpans decide(const view::ProjectedScene& view, const edges::FeatureEdges& 
   progress.begin("hiding lines", count);
   const std::vector<int> order = work_order(view, drawn.edges, progress);
   HiddenSpans hidden = nothing_hidden(drawn);
-  std::vector<Spans> found((count + chunk - 1) / chunk);
+  std::vector<Spans> found((count + edges_at_once - 1) / edges_at_once);
   std::vector<char> decided(count, 0);
   std::atomic<std::size_t> next = 0;
   parallel_for(found.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t turn = first; turn < last; ++turn) {
-      const std::size_t part = next++;  // in order, whichever chunk a thread was given
-      const std::size_t end = std::min((part + 1) * chunk, count);
-      for (std::size_t i = part * chunk; i < end && !progress.is_out_of_time(); ++i) {
+      const std::size_t part = next++;  // in order, whichever edges_at_once a thread was given
+      const std::size_t end = std::min((part + 1) * edges_at_once, count);
+      for (std::size_t i = part * edges_at_once; i < end && !progress.is_out_of_time(); ++i) {
         const Spans spans = spans_of(drawn.edges[order[i]]);
         hidden.first[order[i] + 1] = spans.size();
         found[part].insert(found[part].end(), spans.begin(), spans.end());
         decided[order[i]] = 1;
       }
-      progress.advance(end - part * chunk);
+      progress.advance(end - part * edges_at_once);
     }
   });
   check(next == found.size(), "every part of the edges is taken once");

@@ -21,7 +21,7 @@ namespace epura::world {
 namespace {
 
 /// A body of a model, and its move.
-struct Body {
+struct MovedBody {
   Box box{};
   Vec3 axis{0.0};     ///< of its largest cylinder; zero if there is none
   Vec3 on_axis{0.0};  ///< a point of that axis
@@ -30,9 +30,9 @@ struct Body {
   std::optional<bool> traced{};  ///< as given
 };
 
-using Bodies = std::vector<std::vector<Body>>;  // by model
+using Bodies = std::vector<std::vector<MovedBody>>;  // by model
 
-double size_of(const Body& body) {
+double size_of(const MovedBody& body) {
   const Vec3 size = body.box.size();
   return body.box.empty() ? -1 : size.x * size.y * size.z;
 }
@@ -41,14 +41,14 @@ Bodies bodies_of(const World& world) {
   Bodies bodies;
   for (std::size_t m = 0; m < world.models.size(); ++m) {
     const mesh::Mesh& mesh = *world.models[m].mesh;
-    std::vector<Body>& here = bodies.emplace_back(static_cast<std::size_t>(mesh.report.bodies));
+    std::vector<MovedBody>& here = bodies.emplace_back(static_cast<std::size_t>(mesh.report.bodies));
     for (int t = 0; t < mesh.triangle_count(); ++t)
       for (const int vertex : world.triangles[static_cast<std::size_t>(world.first_triangle[m] + t)])
         here[static_cast<std::size_t>(mesh.body[t])].box.add(world.points[static_cast<std::size_t>(vertex)]);
     const std::optional<PlacedPart> part = place_part(world.models[m]);
     if (!part) continue;
     for (const features::PartFace& face : part->faces) {
-      Body& body = here[static_cast<std::size_t>(face.body)];
+      MovedBody& body = here[static_cast<std::size_t>(face.body)];
       if (face.surface.kind != features::SurfaceKind::cylinder || face.surface.radius <= body.radius) continue;
       body.axis = face.surface.axis;
       body.on_axis = face.surface.origin;
@@ -59,14 +59,14 @@ Bodies bodies_of(const World& world) {
 }
 
 Vec3 middle_of_largest(const Bodies& bodies) {
-  const Body* largest = nullptr;
-  for (const std::vector<Body>& of_model : bodies)
-    for (const Body& body : of_model)
+  const MovedBody* largest = nullptr;
+  for (const std::vector<MovedBody>& of_model : bodies)
+    for (const MovedBody& body : of_model)
       if (!body.box.empty() && (largest == nullptr || size_of(body) > size_of(*largest))) largest = &body;
   return largest == nullptr ? Vec3(0) : largest->box.centre();
 }
 
-Vec3 outward_move(const Body& body, const Vec3& middle, double factor) {
+Vec3 outward_move(const MovedBody& body, const Vec3& middle, double factor) {
   const Vec3 apart = body.box.centre() - middle;
   constexpr double least = 1e-6;  // of the distance
   const double along = glm::dot(apart, body.axis);
@@ -87,7 +87,7 @@ void add_move(Bodies& bodies, const World& world, const scene::ExplodeDescriptio
   bool any = false;
   for (std::size_t m = 0; m < bodies.size(); ++m)
     for (std::size_t b = 0; b < bodies[m].size(); ++b) {
-      Body& body = bodies[m][b];
+      MovedBody& body = bodies[m][b];
       const mesh::Mesh& mesh = *world.models[m].mesh;
       if (body.box.empty() || (*pattern.match != "*" && !scene::matches(pattern, mesh, static_cast<int>(b), names[m])))
         continue;
@@ -107,13 +107,14 @@ struct ApartMesh {
   std::vector<int> originals;  ///< by vertex
 };
 
-ApartMesh apart_mesh(const mesh::Mesh& whole, const std::vector<Body>& bodies) {
+ApartMesh apart_mesh(const mesh::Mesh& whole, const std::vector<MovedBody>& bodies) {
   ApartMesh apart{whole, std::vector<int>(whole.points.size(), -1), std::vector<int>(whole.points.size())};
   std::iota(apart.originals.begin(), apart.originals.end(), 0);
   const auto move_of = [&](int body) { return bodies[static_cast<std::size_t>(body)].move; };
   std::map<std::array<int, 2>, int> copies;  // by vertex, and the first body with the move
   const auto first_with = [&](const Vec3& move) {
-    const auto first = std::find_if(bodies.begin(), bodies.end(), [&](const Body& body) { return body.move == move; });
+    const auto first =
+        std::find_if(bodies.begin(), bodies.end(), [&](const MovedBody& body) { return body.move == move; });
     return static_cast<int>(first - bodies.begin());
   };
   for (std::size_t corner = 0; corner < apart.mesh.corners.size(); ++corner) {
@@ -155,7 +156,7 @@ features::PartFaces apart_part(const features::PartFaces& whole, const mesh::Mes
 }
 
 // Moves the vertices and recognised faces of the bodies of a file.
-void move_bodies(Placed& placed, const std::vector<Body>& bodies) {
+void move_bodies(Placed& placed, const std::vector<MovedBody>& bodies) {
   ApartMesh apart = apart_mesh(*placed.mesh, bodies);
   const Mat3 to_file = glm::inverse(Mat3(placed.to_world));
   const auto move_of = [&](int body) { return to_file * bodies[static_cast<std::size_t>(body)].move; };
@@ -172,11 +173,11 @@ void move_bodies(Placed& placed, const std::vector<Body>& bodies) {
   placed.mesh = std::make_shared<const mesh::Mesh>(std::move(apart.mesh));
 }
 
-void move_model(Placed& placed, const std::vector<Body>& bodies) {
-  const auto stays = [](const Body& body) { return body.move == Vec3(0); };
+void move_model(Placed& placed, const std::vector<MovedBody>& bodies) {
+  const auto stays = [](const MovedBody& body) { return body.move == Vec3(0); };
   if (std::all_of(bodies.begin(), bodies.end(), stays)) return;
   const Vec3& first = bodies.front().move;
-  if (!std::all_of(bodies.begin(), bodies.end(), [&](const Body& body) { return body.move == first; }))
+  if (!std::all_of(bodies.begin(), bodies.end(), [&](const MovedBody& body) { return body.move == first; }))
     return move_bodies(placed, bodies);
   placed.to_world[3] += Vec4(first, 0);
 }
@@ -194,7 +195,7 @@ Trace clipped(const Trace& line, const Box& box) {
 }
 
 // Along the axis of the body if it moves along that.
-std::optional<Trace> trace_of(const Body& body) {
+std::optional<Trace> trace_of(const MovedBody& body) {
   constexpr double parallel = 1e-6;
   if (body.move == Vec3(0) || !body.traced.value_or(true)) return std::nullopt;
   const Vec3 middle = body.box.centre();
@@ -215,8 +216,8 @@ ExplodedWorld explode_world(const World& world, std::span<const scene::ExplodeDe
   for (std::size_t m = 0; m < placed.size(); ++m)
     if (!bodies[m].empty()) move_model(placed[m], bodies[m]);
   ExplodedWorld exploded{make_world(std::move(placed), !world.wires.empty()), {}};
-  for (const std::vector<Body>& of_model : bodies)
-    for (const Body& body : of_model)
+  for (const std::vector<MovedBody>& of_model : bodies)
+    for (const MovedBody& body : of_model)
       if (const std::optional<Trace> trace = trace_of(body))
         exploded.traces.push_back(clipped(*trace, exploded.world.box));
   return exploded;

@@ -16,7 +16,7 @@ namespace epura::world {
 namespace {
 
 /// What is one piece, with what tells whether it equals others.
-struct Body {
+struct ItemBody {
   int model;
   std::vector<int> numbers;  ///< of the bodies that it consists of
   std::string name;          ///< empty if it has none
@@ -59,9 +59,9 @@ std::vector<char> surfaces_of(const Placed& placed, const Parts& parts) {
 }
 
 // One named group is one body, whatever it consists of.
-std::vector<Body> bodies_of(const World& world, const std::vector<scene::ModelDescription>& models,
-                            const std::vector<Parts>& parts, std::vector<std::string>& surfaces) {
-  std::vector<Body> bodies;
+std::vector<ItemBody> bodies_of(const World& world, const std::vector<scene::ModelDescription>& models,
+                                const std::vector<Parts>& parts, std::vector<std::string>& surfaces) {
+  std::vector<ItemBody> bodies;
   for (std::size_t m = 0; m < world.models.size(); ++m) {
     const mesh::Mesh& mesh = *world.models[m].mesh;
     const bool is_one = mesh.report.body_names.empty() && !mesh.report.only_body.empty();
@@ -78,7 +78,7 @@ std::vector<Body> bodies_of(const World& world, const std::vector<scene::ModelDe
       }
       const auto [piece, is_new] = of_piece.try_emplace(piece_of(parts[m], body), bodies.size());
       if (is_new) bodies.push_back({static_cast<int>(m), {}, std::move(name), {}});
-      Body& whole = bodies[piece->second];
+      ItemBody& whole = bodies[piece->second];
       whole.numbers.push_back(body);
       whole.triangles.insert(whole.triangles.end(), own.begin(), own.end());
     }
@@ -101,13 +101,14 @@ struct Growing {
   Shape shape;
 };
 
-bool is_joined(const Growing& item, const Body& body, const Shape& shape, double tolerance) {
+bool is_joined(const Growing& item, const ItemBody& body, const Shape& shape, double tolerance) {
   const bool may_be = body.name.empty() || item.name.empty() || without_number(body.name) == without_number(item.name);
   return may_be && are_congruent(item.shape, shape, tolerance);
 }
 
 // Open bodies have no mass.
-void describe(Item& item, const World& world, const std::vector<scene::ModelDescription>& models, const Body& body) {
+void describe(Item& item, const World& world, const std::vector<scene::ModelDescription>& models,
+              const ItemBody& body) {
   const Placed& model = world.models[body.model];
   const int first = body.numbers.front();
   if (!model.styles.empty()) item.material = model.styles[static_cast<std::size_t>(first)].material.value_or("");
@@ -141,7 +142,7 @@ ItemList find_items(const World& world, const std::vector<scene::ModelDescriptio
                     const std::vector<Parts>& parts) {
   ItemList list;
   std::vector<Growing> items;
-  for (const Body& body : bodies_of(world, descriptions, parts, list.surfaces)) {
+  for (const ItemBody& body : bodies_of(world, descriptions, parts, list.surfaces)) {
     Shape shape = shape_of(world, body.triangles);
     if (shape.corners.empty()) continue;
     const double tolerance = 1e-6 * shape.reach.back() + 4 * world.rounding;

@@ -17,13 +17,6 @@ namespace occt {
 
 namespace {
 
-std::string name_of(const TDF_Label& label) {
-  Handle(TDataStd_Name) name;
-  if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
-  // The constructor writes UTF-8 if it gets no replacement for characters beyond ASCII.
-  return meaningful(TCollection_AsciiString(name->Get()).ToCString());
-}
-
 gp_Trsf location_of(const TDF_Label& label) { return XCAFDoc_ShapeTool::GetLocation(label).Transformation(); }
 
 std::optional<Colour> colour_of(const TDF_Label& label) {
@@ -58,6 +51,13 @@ void add(const TDF_Label& label, Place place, TreeBuilder& tree) {
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
 }  // namespace
+
+std::string name_of(const TDF_Label& label) {
+  Handle(TDataStd_Name) name;
+  if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
+  // The constructor writes UTF-8 if it gets no replacement for characters beyond ASCII.
+  return meaningful(TCollection_AsciiString(name->Get()).ToCString());
+}
 
 std::string meaningful(const std::string& name) {
   const auto first = name.find_first_not_of(" \t");

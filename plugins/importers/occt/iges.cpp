@@ -6,10 +6,8 @@
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
-#include <TCollection_AsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
-#include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopoDS_Compound.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
@@ -43,12 +41,6 @@ void note_unit(const IGESData_GlobalSection& header, Model& model) {
   if (unit == "IN" || unit == "INCH") unit = "inches";
   if (unit == "M" || millimetres == metre_in_mm) unit = "metres";
   model.notes.push_back("the file is in " + (unit.empty() ? "another unit" : unit) + ": converted to millimetres");
-}
-
-std::string name_of(const TDF_Label& label) {
-  Handle(TDataStd_Name) name;
-  if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
-  return meaningful(TCollection_AsciiString(name->Get()).ToCString());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <NCollection_IndexedDataMap.hxx>
+#include <TDF_Label.hxx>
 #include <TDocStd_Document.hxx>
 #include <epura/importer_plugin.hpp>
 
@@ -49,5 +50,8 @@ Colours colours_of(const Handle(TDocStd_Document) & document);
 
 /// "" for names made up by programs, such as "NAUO12", "=>[0:1:1:2]", "SOLID".
 std::string meaningful(const std::string& name);
+
+/// The name of a shape of an XCAF document, in UTF-8, if it is meaningful.
+std::string name_of(const TDF_Label& label);
 
 }  // namespace occt

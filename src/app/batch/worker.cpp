@@ -20,6 +20,7 @@
 #include "app/confinement.hpp"
 #include "app/describe.hpp"
 #include "app/draw_files.hpp"
+#include "app/resource_limit.hpp"
 #include "base/broken.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -40,14 +41,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_bytes = sizeof(std::size_t);
-constexpr double bytes_of_megabyte = 1e6;
-
-void limit_memory(double megabytes) {
-  const auto bytes = static_cast<rlim_t>(megabytes * bytes_of_megabyte);
-  const rlimit limit{bytes, bytes};
-  ::setrlimit(RLIMIT_DATA, &limit);
-}
+constexpr std::size_t most_of_request = sizeof(std::size_t);
 
 // The largest memory of this process since the last call of forget_peak, MB; 0 if Linux does not tell.
 double peak_megabytes() {
@@ -147,7 +141,7 @@ void write_picture(const sheet::Sheet& sheet, const std::string& path) {
   write_file(path, output::to_png(sheet, std::clamp(dpi, 1.0, 300.0)));
 }
 
-void draw(const DrawOptions& options, const std::string& picture, JobRecord& record) {
+void draw_job(const DrawOptions& options, const std::string& picture, JobRecord& record) {
   create_folders(options.outputs);
   ProgressBoard board;
   const auto keep = [&](std::string_view text) {
@@ -259,7 +253,7 @@ JobResult do_job(const BatchPlan& plan, std::size_t number) {
     if (earlier != nullptr && earlier->is_good() && earlier->key == result.record.key &&
         are_unchanged(earlier->outputs) && has_picture(*earlier, picture))
       return {number, true, *earlier};
-    draw(options, picture, result.record);
+    draw_job(options, picture, result.record);
   } catch (const Error& error) {
     add_error(result.record, error);
   } catch (const std::bad_alloc&) {
@@ -279,10 +273,10 @@ JobResult do_job(const BatchPlan& plan, std::size_t number) {
 
 void serve_jobs(int socket, const BatchPlan& plan) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (plan.job_memory) limit_memory(*plan.job_memory);
+  if (plan.job_memory) limit_resource(RLIMIT_DATA, *plan.job_memory);
   const std::string reason = plan.common.run.sandbox == pipeline::Sandbox::off ? "" : confine_to_jobs(plan);
   foreign::Incoming incoming;
-  while (incoming.receive(socket, std::nullopt, most_bytes) == foreign::Received::all) {
+  while (incoming.receive(socket, std::nullopt, most_of_request) == foreign::Received::all) {
     std::size_t number = 0;
     const std::string message = incoming.take();
     foreign::Unpacker{message}(number);

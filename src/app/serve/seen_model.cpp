@@ -33,8 +33,9 @@ namespace {
 using output::json_list;
 using output::json_number;
 using output::json_string;
+using output::json_vector;
 
-constexpr std::size_t most_bytes = std::numeric_limits<std::size_t>::max() / 2;
+constexpr std::size_t most_of_message = std::numeric_limits<std::size_t>::max() / 2;
 constexpr std::size_t most_request = 16384;
 
 std::vector<char> bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
@@ -44,8 +45,6 @@ std::string text_of(foreign::Unpacker& message) {
   message(bytes);
   return {bytes.begin(), bytes.end()};
 }
-
-std::string list_of(const Vec3& p) { return json_list(std::vector{p.x, p.y, p.z}, json_number); }
 
 std::string json_of(const projection::Parameter& parameter) {
   constexpr std::array<const char*, 3> types{"number", "vector", "choice"};
@@ -86,7 +85,7 @@ class SeenModel {
     const pipeline::PlacedView first = pipeline::place_view(world_, scene, options_.run);
     const scene::ProjectionRequest request = *scene.views.front().projection;
     const auto assignment = [](const auto& one) { return json_list(std::vector{one.first, one.second}, json_string); };
-    return {"{\"box\": [" + list_of(world_.box.min) + ", " + list_of(world_.box.max) +
+    return {"{\"box\": [" + json_vector(world_.box.min) + ", " + json_vector(world_.box.max) +
                 "],\n\"start\": {\"name\": " + json_string(first.seen.projection.name) +
                 ", \"values\": " + json_list(request.assignments, assignment) + "},\n\"view\": " + json_of_view(first) +
                 ",\"projections\": " +
@@ -169,7 +168,7 @@ std::string first_message(foreign::ChildProcess& process, const std::string& mod
   constexpr std::chrono::hours any_time(1);
   try {
     std::optional<std::string> message;
-    while (!message) message = process.receive(foreign::Clock::now() + any_time, most_bytes);
+    while (!message) message = process.receive(foreign::Clock::now() + any_time, most_of_message);
     return *std::move(message);
   } catch (const Error& error) {
     throw Error(error.kind(), model, std::string("the process that reads it ") + error.what());
@@ -201,7 +200,7 @@ void ask_for_view(foreign::ChildProcess& process, const std::string& projection)
 }
 
 std::optional<ViewAnswer> take_view(foreign::ChildProcess& process) {
-  const std::optional<std::string> message = process.receive(foreign::Clock::now(), most_bytes);
+  const std::optional<std::string> message = process.receive(foreign::Clock::now(), most_of_message);
   if (!message) return std::nullopt;
   foreign::Unpacker unpack(*message);
   ViewAnswer answer{};

@@ -39,7 +39,7 @@ std::vector<fs::path> expectations(const fs::path& folder) {
 }
 
 // Returns whether the case was drawn.
-bool draw(const SnapshotCase& one, SnapshotResult& result) {
+bool draw_case(const SnapshotCase& one, SnapshotResult& result) {
   refuse_links_outside(one);
   std::vector<std::string> arguments{"draw", "--allow-outside", (one.folder / "scene.toml").string()};
   const fs::path options = one.folder / "options";
@@ -111,7 +111,7 @@ std::vector<SnapshotResult> run_case(const SnapshotCase& one, double tolerance, 
     result.expected = file;
     try {
       refuse_irregular_files(one.folder);
-      if (draw(one, result)) compare_with_expectation(result, tolerance, with_pictures);
+      if (draw_case(one, result)) compare_with_expectation(result, tolerance, with_pictures);
     } catch (const Error& error) {
       result.words = std::string(error.what()) + "\n" + (error.hint().empty() ? "" : "hint: " + error.hint() + "\n");
     }

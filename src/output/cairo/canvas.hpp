@@ -15,6 +15,8 @@
 
 namespace epura::output {
 
+inline constexpr double points_per_millimetre = 72 / 25.4;
+
 /// Position of a surface on the sheet. Surfaces have y down.
 struct Canvas {
   double units;  ///< surface units per millimetre

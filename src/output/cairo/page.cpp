@@ -17,7 +17,6 @@ namespace epura::output {
 
 namespace {
 
-constexpr double points_per_millimetre = 72 / 25.4;
 constexpr int most_pixels = 20000;  // per side
 constexpr double most_dpi = 1200;
 

@@ -13,8 +13,6 @@ namespace epura::output {
 
 namespace {
 
-constexpr double points_per_millimetre = 72 / 25.4;
-
 // PDF has no exponents.
 std::string real(double value) { return format_fixed(value, 15); }
 

@@ -32,26 +32,22 @@ constexpr std::array<TypeRule, 8> type_rules{{{2, "its two ends"},
                                               {0, "no anchors"},
                                               {0, "no anchors"}}};
 
-[[noreturn]] void refuse(const std::string& where, const std::string& what, const std::string& hint = {}) {
-  throw Error(ErrorKind::input, where, what, hint);
-}
-
 bool is_on_paper(DimensionDirection direction) { return direction <= DimensionDirection::vertical; }
 
 std::optional<DimensionDirection> direction_of(const scene::DimensionDescription& dimension) {
   const bool linear = *dimension.type == DimensionType::linear;
   const scene::Located<DimensionDirection>& direction = dimension.direction;
   if (!linear && *dimension.type != DimensionType::overall) {
-    if (direction.given()) refuse(direction.where, "only linear and overall dimensions have a direction");
+    if (direction.given()) refuse_input(direction.where, "only linear and overall dimensions have a direction");
     return std::nullopt;
   }
   const std::string known = linear ? "horizontal, vertical" : "width, height, depth";
-  if (!direction.given()) refuse(dimension.where, "the dimension has no direction", "give one of " + known);
+  if (!direction.given()) refuse_input(dimension.where, "the dimension has no direction", "give one of " + known);
   if (is_on_paper(*direction) != linear)
-    refuse(direction.where,
-           "'" + std::string(scene::word_of(*direction)) + "' is not a direction of " +
-               (linear ? "a linear" : "an overall") + " dimension",
-           "known: " + known);
+    refuse_input(direction.where,
+                 "'" + std::string(scene::word_of(*direction)) + "' is not a direction of " +
+                     (linear ? "a linear" : "an overall") + " dimension",
+                 "known: " + known);
   return *direction;
 }
 
@@ -59,12 +55,12 @@ Vec3 place_of_vertex(const world::World& world, const std::array<int, 2>& vertex
   const auto [model, number] = vertex;
   const int models = static_cast<int>(world.models.size());
   if (model < 0 || model >= models)
-    refuse(where, "there is no model " + std::to_string(model),
-           "models are numbered from 0 to " + std::to_string(models - 1));
+    refuse_input(where, "there is no model " + std::to_string(model),
+                 "models are numbered from 0 to " + std::to_string(models - 1));
   const int count = world.first_vertex[std::size_t(model) + 1] - world.first_vertex[std::size_t(model)];
   if (number < 0 || number >= count)
-    refuse(where, "model " + std::to_string(model) + " has no vertex " + std::to_string(number),
-           "its vertices are numbered from 0 to " + std::to_string(count - 1));
+    refuse_input(where, "model " + std::to_string(model) + " has no vertex " + std::to_string(number),
+                 "its vertices are numbered from 0 to " + std::to_string(count - 1));
   check(world.first_vertex[std::size_t(model) + 1] <= static_cast<int>(world.points.size()),
         "vertices of a model are points of the world");
   const auto& edges = world.models[std::size_t(model)].mesh->edges;
@@ -72,7 +68,7 @@ Vec3 place_of_vertex(const world::World& world, const std::array<int, 2>& vertex
     return edge.vertex[0] == number || edge.vertex[1] == number;
   };
   if (std::none_of(edges.begin(), edges.end(), has_vertex))
-    refuse(
+    refuse_input(
         where,
         "vertex " + std::to_string(number) + " of model " + std::to_string(model) + " belongs to no face and no line",
         "choose a vertex that is drawn, or give a point");
@@ -81,15 +77,16 @@ Vec3 place_of_vertex(const world::World& world, const std::array<int, 2>& vertex
 
 void expect_apart(const world::World& world, const Vec3& a, const Vec3& b, const std::string& where) {
   if (glm::length(a - b) <= same_place * glm::length(world.box.size()))
-    refuse(where, "two of its anchors are at the same place", "choose other vertices");
+    refuse_input(where, "two of its anchors are at the same place", "choose other vertices");
 }
 
 void expect_offset(const AnchoredDimension& dimension) {
   if (!dimension.offset) return;
   if (!(std::abs(*dimension.offset) <= farthest))
-    refuse(dimension.where, "the offset is not a length on a sheet", "give at most " + format_number(farthest) + " mm");
+    refuse_input(dimension.where, "the offset is not a length on a sheet",
+                 "give at most " + format_number(farthest) + " mm");
   if (dimension.type == DimensionType::angular && *dimension.offset <= 0)
-    refuse(dimension.where, "the offset of an angular dimension is the radius of its arc, which is positive");
+    refuse_input(dimension.where, "the offset of an angular dimension is the radius of its arc, which is positive");
 }
 
 /// Data of the models that dimensions need, computed on first use.
@@ -113,7 +110,7 @@ void set_extent(AnchoredDimension& dimension, const world::World& world, Asked& 
 std::optional<Tolerance> tolerance_of(const scene::DimensionDescription& description) {
   if (!description.tolerance.given()) {
     if (description.limits.value_or(false))
-      refuse(description.limits.where, "a dimension without a tolerance has no limits", "give it a 'tolerance'");
+      refuse_input(description.limits.where, "a dimension without a tolerance has no limits", "give it a 'tolerance'");
     return {};
   }
   Tolerance tolerance = parse_tolerance(*description.tolerance, description.tolerance.where);
@@ -123,7 +120,7 @@ std::optional<Tolerance> tolerance_of(const scene::DimensionDescription& descrip
 
 AnchoredDimension anchored(const world::World& world, Asked& asked, const scene::DimensionDescription& description) {
   const std::string& where = description.where;
-  if (!description.type.given()) refuse(where, "the dimension has no type");
+  if (!description.type.given()) refuse_input(where, "the dimension has no type");
   const DimensionType type = *description.type;
   const TypeRule& rule = type_rules[std::size_t(type)];
   AnchoredDimension dimension{where,
@@ -144,8 +141,8 @@ AnchoredDimension anchored(const world::World& world, Asked& asked, const scene:
   }
   if (type == DimensionType::linear) dimension.arrangement = description.arrangement.value;
   if (dimension.arrangement ? description.anchors.size() < rule.anchors : description.anchors.size() != rule.anchors)
-    refuse(where, "the number of its anchors is " + std::to_string(description.anchors.size()),
-           "the dimension '" + std::string(scene::word_of(type)) + "' needs " + rule.wants);
+    refuse_input(where, "the number of its anchors is " + std::to_string(description.anchors.size()),
+                 "the dimension '" + std::string(scene::word_of(type)) + "' needs " + rule.wants);
   expect_offset(dimension);
   for (const scene::Anchor& anchor : description.anchors) dimension.points.push_back(position_of(world, anchor, where));
   for (std::size_t i = 1; i < dimension.points.size() && !dimension.arrangement; ++i)
@@ -162,7 +159,7 @@ AnchoredDimension anchored(const world::World& world, Asked& asked, const scene:
 Vec3 position_of(const world::World& world, const scene::Anchor& anchor, const std::string& where) {
   const auto* vertex = std::get_if<std::array<int, 2>>(&anchor);
   const Vec3 place = vertex ? place_of_vertex(world, *vertex, where) : std::get<Vec3>(anchor);
-  if (!finite(place)) refuse(where, "the coordinates of an anchor are not finite");
+  if (!finite(place)) refuse_input(where, "the coordinates of an anchor are not finite");
   return place;
 }
 

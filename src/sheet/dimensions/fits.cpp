@@ -151,10 +151,6 @@ Deviations zone_of(const ToleranceClass& one, double size) {
   return {ei + width, ei};
 }
 
-[[noreturn]] void refuse(const std::string& where, const std::string& reason, const std::string& hint) {
-  throw Error(ErrorKind::input, where, reason, hint);
-}
-
 }  // namespace
 
 ToleranceClass parse_tolerance_class(std::string_view text, const std::string& where) {
@@ -163,30 +159,30 @@ ToleranceClass parse_tolerance_class(std::string_view text, const std::string& w
   const auto grade = parse_integer(text.substr(letters));
   const std::string quoted = "'" + std::string(text) + "'";
   if (letters == 0 || !grade)
-    refuse(where, quoted + " is not a tolerance class of ISO 286",
-           "a letter and a grade, as H7 or g6, or deviations, as ±0.1 or +0.2 -0.1");
+    refuse_input(where, quoted + " is not a tolerance class of ISO 286",
+                 "a letter and a grade, as H7 or g6, or deviations, as ±0.1 or +0.2 -0.1");
   ToleranceClass one{std::string(text.substr(0, letters)), 0};
   const std::string lower = to_lower(one.letters);
   const bool one_case =
       one.letters == lower || std::none_of(one.letters.begin(), one.letters.end(), [](char c) { return c >= 'a'; });
   if (!one_case || (lower != "j" && lower != "js" && !distance_of(lower, 25)))
-    refuse(where, quoted + " has no fundamental deviation that is known here",
-           "known are " + std::string(known_letters));
+    refuse_input(where, quoted + " has no fundamental deviation that is known here",
+                 "known are " + std::string(known_letters));
   if (*grade < least_grade || *grade > greatest_grade)
-    refuse(where, quoted + " has no standard tolerance grade", "the grades of ISO 286-1 are 1 to 18");
+    refuse_input(where, quoted + " has no standard tolerance grade", "the grades of ISO 286-1 are 1 to 18");
   one.grade = static_cast<int>(*grade);
   return one;
 }
 
 Deviations deviations_of(const ToleranceClass& tolerance, double size, const std::string& where) {
   if (!(size > 0 && size <= largest_fit_size))
-    refuse(where, "the table for " + tolerance.text() + " has no size of " + format_number(size) + " mm",
-           "the sizes of ISO 286-1 here are up to " + format_number(largest_fit_size) +
-               " mm; give the deviations, as +0.2 -0.1");
+    refuse_input(where, "the table for " + tolerance.text() + " has no size of " + format_number(size) + " mm",
+                 "the sizes of ISO 286-1 here are up to " + format_number(largest_fit_size) +
+                     " mm; give the deviations, as +0.2 -0.1");
   const Deviations zone = zone_of(tolerance, size);
   if (!std::isfinite(zone.upper) || !std::isfinite(zone.lower))
-    refuse(where, "ISO 286-1 defines no " + tolerance.text() + " for a size of " + format_number(size) + " mm",
-           "choose another grade or letter, or give the deviations, as +0.2 -0.1");
+    refuse_input(where, "ISO 286-1 defines no " + tolerance.text() + " for a size of " + format_number(size) + " mm",
+                 "choose another grade or letter, or give the deviations, as +0.2 -0.1");
   return {zone.upper * micrometre, zone.lower * micrometre};
 }
 

@@ -17,12 +17,8 @@ namespace {
 constexpr std::string_view plus_minus = "±";
 constexpr int most_decimals = 8;
 
-[[noreturn]] void refuse(const std::string& where, const std::string& reason, const std::string& hint) {
-  throw Error(ErrorKind::input, where, reason, hint);
-}
-
 [[noreturn]] void refuse_text(std::string_view text, const std::string& where) {
-  refuse(where, "'" + std::string(text) + "' is not a tolerance", "±0.1, +0.2 -0.1, H7, g6 or H7/g6");
+  refuse_input(where, "'" + std::string(text) + "' is not a tolerance", "±0.1, +0.2 -0.1, H7, g6 or H7/g6");
 }
 
 std::vector<std::string> words_of(std::string_view text) {
@@ -77,7 +73,7 @@ Tolerance fit_of(std::string_view text, const std::string& where) {
   if (slash == std::string_view::npos) return tolerance;
   const ToleranceClass second = parse_tolerance_class(text.substr(slash + 1), where);
   if (!first.is_hole() || second.is_hole())
-    refuse(where, "'" + std::string(text) + "' is not a fit", "the class of the hole comes first, as in H7/g6");
+    refuse_input(where, "'" + std::string(text) + "' is not a fit", "the class of the hole comes first, as in H7/g6");
   tolerance.shaft = second;
   return tolerance;
 }
@@ -138,7 +134,8 @@ TextPiece limits_of(const MeasuredValue& measured, const ToleranceClass& one, co
 
 void add_fit(DimensionText& text, const MeasuredValue& measured, const Tolerance& tolerance, const Notation& notation) {
   if (measured.is_angle || measured.sign == "R")
-    refuse(tolerance.where, "a class of ISO 286 is for diameters and widths", "give the deviations, as +0.2 -0.1");
+    refuse_input(tolerance.where, "a class of ISO 286 is for diameters and widths",
+                 "give the deviations, as +0.2 -0.1");
   std::string between = " ";
   for (const auto* one : {&tolerance.hole, &tolerance.shaft}) {
     if (!*one) continue;
@@ -173,7 +170,8 @@ Tolerance parse_tolerance(std::string_view text, const std::string& where) {
   if (!std::isfinite(given.upper) || !std::isfinite(given.lower) || tolerance->decimals > most_decimals)
     refuse_text(text, where);
   if (!(given.upper > given.lower))
-    refuse(where, "'" + std::string(text) + "' permits no size", "the upper deviation comes first, as in +0.2 -0.1");
+    refuse_input(where, "'" + std::string(text) + "' permits no size",
+                 "the upper deviation comes first, as in +0.2 -0.1");
   return *tolerance;
 }
 
@@ -189,8 +187,8 @@ DimensionText text_of(const MeasuredValue& measured, const std::optional<Toleran
   const Deviations& deviations = *tolerance->deviations;
   check(deviations.lower < deviations.upper, "limits are in order");
   if (written_value(measured, notation) + deviations.lower <= 0)
-    refuse(tolerance->where, "the lower limit of the dimension " + text.line() + " is not positive",
-           "deviations are in the unit of the dimension");
+    refuse_input(tolerance->where, "the lower limit of the dimension " + text.line() + " is not positive",
+                 "deviations are in the unit of the dimension");
   if (tolerance->limits) {
     DimensionText limits(measured.sign);
     limits.pieces.push_back(limits_of(measured, deviations, tolerance->decimals, notation));

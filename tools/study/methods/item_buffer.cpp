@@ -25,8 +25,6 @@ constexpr double most_tiles = 1 << 22;
 constexpr double most_pixels_of_edges = 1e9;
 constexpr std::size_t chunk = 4096;
 
-Vec2 place_of(const view::PageVertex& v) { return {v.x, v.y}; }
-
 /// The nearest triangles at the pixel centres of a tile.
 class Tile {
  public:
@@ -42,7 +40,7 @@ class Tile {
     const std::optional<Vec2> slope = visibility::slope_of(view_, t);
     if (!slope) return;
     std::array<Vec2, 3> corner;
-    for (std::size_t i = 0; i < 3; ++i) corner[i] = (place_of(view_.vertices[t.vertex[i]]) - origin_) * density_;
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = (view_.vertices[t.vertex[i]].at() - origin_) * density_;
     const auto [min, max] = std::minmax({corner[0].y, corner[1].y, corner[2].y});
     const int last = std::min(tile_side - 1, whole(std::floor(max - 0.5)));
     for (int row = std::max(0, whole(std::ceil(min - 0.5))); row <= last; ++row) {
@@ -136,8 +134,8 @@ class ItemBuffer {
     Vec2 min(HUGE_VAL), max(-HUGE_VAL);
     for (const edges::FeatureEdge& edge : drawn.edges)
       for (const int v : edge.vertex) {
-        min = glm::min(min, place_of(view.vertices[v]));
-        max = glm::max(max, place_of(view.vertices[v]));
+        min = glm::min(min, view.vertices[v].at());
+        max = glm::max(max, view.vertices[v].at());
       }
     if (drawn.edges.empty()) min = max = Vec2(0);
     const Vec2 tiles = glm::floor((max - min) * density / static_cast<double>(tile_side)) + 1.0;
@@ -171,8 +169,8 @@ class ItemBuffer {
   void walk_edges() {
     double pixels = 0;
     for (const edges::FeatureEdge& edge : drawn_.edges) {
-      walks_.emplace_back((place_of(view_.vertices[edge.vertex[0]]) - tiles_.origin) * density_,
-                          (place_of(view_.vertices[edge.vertex[1]]) - tiles_.origin) * density_);
+      walks_.emplace_back((view_.vertices[edge.vertex[0]].at() - tiles_.origin) * density_,
+                          (view_.vertices[edge.vertex[1]].at() - tiles_.origin) * density_);
       first_pixel_.push_back(static_cast<std::size_t>(pixels));
       pixels += walks_.back().steps();
     }
@@ -186,7 +184,7 @@ class ItemBuffer {
     const Vec2 slack(0x1p-20 / density_);
     return sort_into_tiles<int>(view_.triangles.size(), tiles_.count(), [&](std::size_t t, auto& found) {
       std::array<Vec2, 3> corners;
-      for (std::size_t i = 0; i < 3; ++i) corners[i] = place_of(view_.vertices[view_.triangles[t].vertex[i]]);
+      for (std::size_t i = 0; i < 3; ++i) corners[i] = view_.vertices[view_.triangles[t].vertex[i]].at();
       search::TriangleOnGrid(tiles_, corners, slack).visit_rows([&](const search::RowOfCells& row) {
         for (int column = row.from; column <= row.to; ++column)
           found.emplace_back(tiles_.cell(column, row.row), static_cast<int>(t));

@@ -10,13 +10,11 @@ namespace {
 // Points closer to a side than this fraction of the drawing lie on it: there are no gaps between neighbours.
 constexpr double on_side = 0x1p-44;
 
-Vec2 place_of(const view::PageVertex& v) { return {v.x, v.y}; }
-
 }  // namespace
 
 Vec2 PointRule::position(double s) const {
-  const Vec2 p = place_of(view_.vertices[edge_.p]);
-  return p + s * (place_of(view_.vertices[edge_.q]) - p);
+  const Vec2 p = view_.vertices[edge_.p].at();
+  return p + s * (view_.vertices[edge_.q].at() - p);
 }
 
 double PointRule::depth(double s) const {
@@ -28,8 +26,8 @@ bool PointRule::hides(const view::ViewTriangle& triangle, double s) const {
   const Vec2 point = position(s);
   bool left = true, right = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec2 a = place_of(view_.vertices[triangle.vertex[i]]);
-    const Vec2 side = place_of(view_.vertices[triangle.vertex[(i + 1) % 3]]) - a;
+    const Vec2 a = view_.vertices[triangle.vertex[i]].at();
+    const Vec2 side = view_.vertices[triangle.vertex[(i + 1) % 3]].at() - a;
     const double turn = cross(side, point - a);
     const double slack = on_side * view_.extent * (std::abs(side.x) + std::abs(side.y));
     left = left && turn >= -slack;
@@ -50,12 +48,11 @@ bool PointRule::lies_before(const view::ViewTriangle& triangle, double s) const 
     // corner, the difference of two positions would be mostly rounding.
     const view::PageVertex& corner = view_.vertices[holds_p ? edge_.p : edge_.q];
     const view::PageVertex& end = view_.vertices[holds_p ? edge_.q : edge_.p];
-    const double ahead =
-        visibility::rise_along(view_, triangle, place_of(end) - place_of(corner)) + corner.depth - end.depth;
+    const double ahead = visibility::rise_along(view_, triangle, end.at() - corner.at()) + corner.depth - end.depth;
     return ahead > view_.contact.joined * steepness;
   }
   const view::PageVertex& corner = view_.vertices[own[0]];
-  const double ahead = glm::dot(*slope, position(s) - place_of(corner)) + corner.depth - depth(s);
+  const double ahead = glm::dot(*slope, position(s) - corner.at()) + corner.depth - depth(s);
   return ahead > view_.contact.touching * steepness;
 }
 

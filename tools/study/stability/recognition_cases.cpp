@@ -3,8 +3,8 @@
 // file holds 32-bit coordinates; the map has no influence.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angle.hpp"
 #include "features/recognise.hpp"
 #include "laboratory/shapes.hpp"
 #include "study/stability/case.hpp"
@@ -17,8 +17,6 @@ using features::PartFace;
 using features::PartFaces;
 using features::PartSurface;
 using features::SurfaceKind;
-
-constexpr double degree = std::numbers::pi / 180;
 
 struct Recognised {
   mesh::Mesh mesh;

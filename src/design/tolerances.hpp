@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// What counts as the same in what a designer made.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vec.hpp"
+
+namespace epura::design {
+
+constexpr double parallel = 1e-4;   // sine of the angle between directions
+constexpr double same_size = 1e-4;  // relative
+
+/// Of unit vectors; opposite ones are parallel too.
+inline bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
+inline bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
+
+}  // namespace epura::design
