@@ -13,7 +13,7 @@
 #include "design/centred_features.hpp"
 #include "design/design_holes.hpp"
 #include "design/engraving.hpp"
-#include "design/interrupted_cylinders.hpp"
+#include "design/interrupted_faces.hpp"
 #include "design/place_threads.hpp"
 #include "design/round_faces.hpp"
 #include "design/true_extents.hpp"
@@ -79,7 +79,7 @@ class PartReader {
         model_(model),
         part_(without_letters(world.models[model], std::move(part))),
         round_(find_round_faces(world, model, part_)),
-        interrupted_(find_interrupted_cylinders(round_)) {}
+        interrupted_(find_interrupted(round_, SurfaceKind::cylinder)) {}
 
   void read(DesignFeatures& found) {
     DescribedHoles described = describe_holes(world_, model_, part_);
@@ -237,7 +237,7 @@ class PartReader {
       if (round.face.surface.kind == SurfaceKind::cylinder && !round.face.inwards && round.is_whole())
         cylinders.push_back({model_, round.at(round.from), round.at(round.to), round.face.surface.axis,
                              round.face.surface.radius, false});
-    for (const InterruptedCylinder& one : interrupted_) {
+    for (const InterruptedFace& one : interrupted_) {
       const RoundFace& first = round_[static_cast<std::size_t>(one.parts.front())];
       const features::PartSurface& surface = first.face.surface;
       DesignCylinder cylinder{model_,       first.at(one.from), first.at(one.to),
@@ -279,7 +279,7 @@ class PartReader {
       const features::PartSurface& surface = round.face.surface;
       if (surface.kind != SurfaceKind::cylinder || round.face.sweep < shortest_arc || round.face.sweep > longest_arc)
         continue;
-      const auto shares = [&](const RoundFace& other) { return &other != &round && are_one_cylinder(round, other); };
+      const auto shares = [&](const RoundFace& other) { return &other != &round && are_one_turn(round, other); };
       if (std::any_of(round_.begin(), round_.end(), shares)) continue;
       DesignArc arc{model_, round.at(round.to), snapped(surface.axis), surface.radius, {}, round.face.inwards};
       if (is_end_of_slot(found.slots, arc)) continue;
@@ -397,7 +397,7 @@ class PartReader {
   int model_;
   world::PlacedPart part_;
   std::vector<RoundFace> round_;
-  std::vector<InterruptedCylinder> interrupted_;
+  std::vector<InterruptedFace> interrupted_;
   Box box_ = box_of_faces(world_);
 };
 
