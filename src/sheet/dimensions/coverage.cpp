@@ -315,8 +315,8 @@ class CoverageFinder {
     }
   }
 
-  // The number of different features at the places of a size and of all equal to it: a bolt fills its hole, and each may
-  // have its dimension, which counts for both.
+  // The number of different features at the places of a size and of all equal to it: a bolt fills its hole, and each
+  // may have its dimension, which counts for both.
   [[nodiscard]] int places_of(const CircleSize& size) const {
     std::vector<int> lists{size.equal};
     for (const CircleSize& one : sizes_) {
