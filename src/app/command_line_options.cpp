@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command_line_options.hpp"
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -127,13 +130,38 @@ const CLI::App& chosen_command(const CLI::App& app) {
   return *command;
 }
 
+namespace {
+
+// What other programs call it.
+std::string hint_for_option(const std::string& name, const CLI::App& command) {
+  constexpr std::array<std::array<std::string_view, 2>, 6> others{{{"--dims", "--dimensions"},
+                                                                   {"--out", "--output"},
+                                                                   {"--line-width", "--style"},
+                                                                   {"--colour", "--style"},
+                                                                   {"--color", "--style"},
+                                                                   {"--outdir", "--output"}}};
+  const std::vector<std::string> names = long_names(command);
+  for (const auto& [other, own] : others)
+    if (name == other && std::find(names.begin(), names.end(), own) != names.end())
+      return "did you mean '" + std::string(own) + "'?";
+  return did_you_mean(name, names);
+}
+
+// A file in place of a command is to be drawn.
+std::string hint_for_command(const std::string& word, const CLI::App& app) {
+  if (!std::filesystem::path(word).has_extension()) return did_you_mean(word, names_of_commands(app));
+  return "write '" + app.get_name() + " draw " + word + " -o drawing.pdf' to draw a file";
+}
+
+}  // namespace
+
 void refuse_wrong_use(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App* command = &chosen_command(app);
   for (const std::string& extra : command->remaining(true)) {
     if (extra.starts_with("-"))
-      throw Error(ErrorKind::input, "", "unknown option '" + extra + "'", did_you_mean(extra, long_names(*command)));
+      throw Error(ErrorKind::input, "", "unknown option '" + extra + "'", hint_for_option(extra, *command));
     if (command == &app)
-      throw Error(ErrorKind::input, "", "unknown command '" + extra + "'", did_you_mean(extra, names_of_commands(app)));
+      throw Error(ErrorKind::input, "", "unknown command '" + extra + "'", hint_for_command(extra, app));
   }
   throw Error(ErrorKind::input, "command line", error.what(),
               "see '" + app.get_name() + " " + (command == &app ? "" : command->get_name() + " ") + "--help'");

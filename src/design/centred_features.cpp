@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/portable_math.hpp"
+#include "design/hexagons.hpp"
 #include "design/pitch_circles.hpp"
 #include "design/round_faces.hpp"
 #include "design/tolerances.hpp"
@@ -52,6 +54,8 @@ class FeatureFinder {
       found.round.push_back(feature_of(faces));
     }
     add_rims(found.round);
+    for (const DesignHexagon& hexagon : find_hexagons(model_, find_plane_faces(world_, model_, part_)))
+      add_hexagon(hexagon, found.round);
   }
 
  private:
@@ -304,6 +308,30 @@ class FeatureFinder {
       std::sort(feature.vertices.begin(), feature.vertices.end());
       features.push_back(std::move(feature));
     }
+  }
+
+  // Its axis is that of round faces, which it continues, or its own.
+  void add_hexagon(const DesignHexagon& hexagon, std::vector<RoundFeature>& features) const {
+    const double slack = std::max(32 * part_.tolerance, same_length * hexagon.across_flats);
+    const auto is_about = [&](const RoundFeature& feature) {
+      return feature.model == model_ && glm::length(glm::cross(feature.axis, hexagon.axis)) <= parallel &&
+             glm::length(glm::cross(feature.rings.front().centre - hexagon.centre, hexagon.axis)) <= slack;
+    };
+    auto feature = std::find_if(features.begin(), features.end(), is_about);
+    if (feature == features.end()) {
+      features.push_back({model_, hexagon.axis, {}, {}, hexagon.inwards});
+      feature = std::prev(features.end());
+    }
+    feature->enclosed = feature->enclosed && hexagon.inwards;
+    for (const double end : {-hexagon.half_height, hexagon.half_height})
+      feature->rings.push_back({hexagon.centre + end * hexagon.axis, hexagon.across_flats / std::numbers::sqrt3});
+    const Vec3 along = feature->axis;
+    std::stable_sort(feature->rings.begin(), feature->rings.end(),
+                     [&](const Ring& a, const Ring& b) { return glm::dot(a.centre - b.centre, along) < 0; });
+    std::vector<int>& vertices = feature->vertices;
+    vertices.insert(vertices.end(), hexagon.vertices.begin(), hexagon.vertices.end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   }
 
   static constexpr int at_free_form = 1, at_round_face = 2;

@@ -17,7 +17,8 @@ struct Ring {
   double radius;
 };
 
-/// Round faces of a model about one axis, together at least half a turn; or a rim if no faces are recognised.
+/// Round faces of a model about one axis, together at least half a turn, and hexagons about it, of which the circles
+/// are those through their corners; or a rim if no faces are recognised.
 struct RoundFeature {
   int model;
   Vec3 axis;                    ///< unit

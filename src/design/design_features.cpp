@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "base/angle.hpp"
@@ -14,8 +13,9 @@
 #include "design/centred_features.hpp"
 #include "design/design_holes.hpp"
 #include "design/engraving.hpp"
-#include "design/interrupted_cylinders.hpp"
+#include "design/interrupted_faces.hpp"
 #include "design/place_threads.hpp"
+#include "design/plane_faces.hpp"
 #include "design/round_faces.hpp"
 #include "design/tolerances.hpp"
 #include "design/true_extents.hpp"
@@ -75,7 +75,8 @@ class PartReader {
         model_(model),
         part_(without_letters(world.models[model], std::move(part))),
         round_(find_round_faces(world, model, part_)),
-        interrupted_(find_interrupted_cylinders(round_)) {}
+        interrupted_(find_interrupted(round_, SurfaceKind::cylinder)),
+        planes_(find_plane_faces(world, model, part_)) {}
 
   void read(DesignFeatures& found) {
     DescribedHoles described = describe_holes(world_, model_, part_);
@@ -90,34 +91,30 @@ class PartReader {
 
   void add_levels(const DesignFeatures& found, std::vector<DesignLevel>& levels) const {
     const std::vector<Cavity> cavities = cavities_of(found);
-    const std::vector<std::vector<Vec3>> corners = corners_of_planes();
     for (std::size_t f = 0; f < part_.faces.size(); ++f) {
       const features::PartSurface& surface = part_.faces[f].surface;
-      if (corners[f].empty()) continue;
+      const std::vector<Vec3>& corners = planes_[f].corners;
+      if (corners.empty()) continue;
       const int axis = axis_along(surface.axis);
-      if (axis < 0 || is_inside(cavities, surface.axis, corners[f])) continue;
-      add_level(levels, {axis, surface.origin[axis], part_.faces[f].area, corners[f]});
+      if (axis < 0 || is_inside(cavities, surface.axis, corners)) continue;
+      add_level(levels, {axis, surface.origin[axis], part_.faces[f].area, corners});
     }
   }
 
   void add_bevels(const DesignFeatures& found, std::vector<DesignBevel>& bevels) const {
     const std::vector<Cavity> cavities = cavities_of(found);
-    const std::vector<std::vector<Vec3>> corners = corners_of_planes();
     for (std::size_t f = 0; f < part_.faces.size(); ++f) {
       const Vec3& normal = part_.faces[f].surface.axis;
-      if (corners[f].empty() || axis_along(normal) >= 0 || is_inside(cavities, normal, corners[f])) continue;
+      const std::vector<Vec3>& corners = planes_[f].corners;
+      if (corners.empty() || axis_along(normal) >= 0 || is_inside(cavities, normal, corners)) continue;
       for (int along = 0; along < 3; ++along)
         if (std::abs(normal[along]) <= parallel)
-          if (const auto bevel = bevel_of(f, along, corners)) bevels.push_back(*bevel);
+          if (const auto bevel = bevel_of(f, along)) bevels.push_back(*bevel);
     }
   }
 
   void add_hexagons(std::vector<DesignHexagon>& hexagons) const {
-    std::vector<PlaneFace> planes;
-    std::vector<std::vector<Vec3>> corners = corners_of_planes();
-    for (std::size_t f = 0; f < corners.size(); ++f)
-      planes.push_back({part_.faces[f].body, part_.faces[f].surface.axis, std::move(corners[f])});
-    const std::vector<DesignHexagon> own = find_hexagons(model_, planes);
+    const std::vector<DesignHexagon> own = find_hexagons(model_, planes_);
     hexagons.insert(hexagons.end(), own.begin(), own.end());
   }
 
@@ -178,31 +175,30 @@ class PartReader {
 
   // The axis of the world to which a plane face through all these corners is perpendicular, other than `along`; -1 if
   // there is none.
-  [[nodiscard]] int axis_of_neighbour(const std::vector<Vec3>& edge, int along,
-                                      const std::vector<std::vector<Vec3>>& corners) const {
-    for (std::size_t f = 0; f < corners.size(); ++f) {
-      const int axis = corners[f].empty() ? -1 : axis_along(part_.faces[f].surface.axis);
+  [[nodiscard]] int axis_of_neighbour(const std::vector<Vec3>& edge, int along) const {
+    for (const PlaneFace& plane : planes_) {
+      const int axis = plane.corners.empty() ? -1 : axis_along(plane.normal);
       const auto is_corner = [&](const Vec3& p) {
-        return std::find(corners[f].begin(), corners[f].end(), p) != corners[f].end();
+        return std::find(plane.corners.begin(), plane.corners.end(), p) != plane.corners.end();
       };
       if (axis >= 0 && axis != along && std::all_of(edge.begin(), edge.end(), is_corner)) return axis;
     }
     return -1;
   }
 
-  [[nodiscard]] std::optional<DesignBevel> bevel_of(std::size_t face, int along,
-                                                    const std::vector<std::vector<Vec3>>& corners) const {
+  [[nodiscard]] std::optional<DesignBevel> bevel_of(std::size_t face, int along) const {
+    const std::vector<Vec3>& corners = planes_[face].corners;
     const double slack = 1e-5 * glm::length(world_.box.size());
     const int b = (along + 1) % 3, c = (along + 2) % 3;
-    const auto [low, high] = std::minmax_element(corners[face].begin(), corners[face].end(),
-                                                 [b](const Vec3& p, const Vec3& q) { return p[b] < q[b]; });
+    const auto [low, high] =
+        std::minmax_element(corners.begin(), corners.end(), [b](const Vec3& p, const Vec3& q) { return p[b] < q[b]; });
     DesignBevel bevel{model_, along, {*low, *high}, {-1, -1}, part_.faces[face].area};
     bevel.ends[1][along] = bevel.ends[0][along];
     for (const std::size_t end : {0U, 1U}) {
       std::vector<Vec3> edge;
-      for (const Vec3& p : corners[face])
+      for (const Vec3& p : corners)
         if (std::abs(p[b] - bevel.ends[end][b]) <= slack) edge.push_back(p);
-      bevel.across[end] = edge.size() < 2 ? -1 : axis_of_neighbour(edge, along, corners);
+      bevel.across[end] = edge.size() < 2 ? -1 : axis_of_neighbour(edge, along);
       if (bevel.across[end] < 0) return std::nullopt;
     }
     const Vec3 span = bevel.ends[1] - bevel.ends[0];
@@ -210,30 +206,12 @@ class PartReader {
     return bevel;
   }
 
-  // Of plane faces that are parallel to a world axis; empty for others.
-  [[nodiscard]] std::vector<std::vector<Vec3>> corners_of_planes() const {
-    const world::Placed& placed = world_.models[model_];
-    const mesh::Mesh& mesh = placed.mesh->whole();
-    std::vector<std::set<int>> vertices(part_.faces.size());
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
-      const int face = placed.part->face_of_triangle[t];
-      if (face < 0 || part_.faces[face].surface.kind != SurfaceKind::plane) continue;
-      const Vec3 normal = glm::abs(part_.faces[face].surface.axis);
-      if (std::min({normal.x, normal.y, normal.z}) > parallel) continue;
-      for (const int v : mesh.triangle(t)) vertices[face].insert(v);
-    }
-    std::vector<std::vector<Vec3>> corners(part_.faces.size());
-    for (std::size_t f = 0; f < corners.size(); ++f)
-      for (const int v : vertices[f]) corners[f].emplace_back(Vec3(placed.to_world * Vec4(mesh.point(v), 1)));
-    return corners;
-  }
-
   void add_shafts(std::vector<DesignCylinder>& cylinders) const {
     for (const RoundFace& round : round_)
       if (round.face.surface.kind == SurfaceKind::cylinder && !round.face.inwards && round.is_whole())
         cylinders.push_back({model_, round.at(round.from), round.at(round.to), round.face.surface.axis,
                              round.face.surface.radius, false});
-    for (const InterruptedCylinder& one : interrupted_) {
+    for (const InterruptedFace& one : interrupted_) {
       const RoundFace& first = round_[static_cast<std::size_t>(one.parts.front())];
       const features::PartSurface& surface = first.face.surface;
       DesignCylinder cylinder{model_,       first.at(one.from), first.at(one.to),
@@ -275,7 +253,7 @@ class PartReader {
       const features::PartSurface& surface = round.face.surface;
       if (surface.kind != SurfaceKind::cylinder || round.face.sweep < shortest_arc || round.face.sweep > longest_arc)
         continue;
-      const auto shares = [&](const RoundFace& other) { return &other != &round && are_one_cylinder(round, other); };
+      const auto shares = [&](const RoundFace& other) { return &other != &round && are_one_turn(round, other); };
       if (std::any_of(round_.begin(), round_.end(), shares)) continue;
       DesignArc arc{model_, round.at(round.to), snapped(surface.axis), surface.radius, {}, round.face.inwards};
       if (is_end_of_slot(found.slots, arc)) continue;
@@ -393,7 +371,8 @@ class PartReader {
   int model_;
   world::PlacedPart part_;
   std::vector<RoundFace> round_;
-  std::vector<InterruptedCylinder> interrupted_;
+  std::vector<InterruptedFace> interrupted_;
+  std::vector<PlaneFace> planes_;  ///< by face
   Box box_ = box_of_faces(world_);
 };
 

@@ -74,6 +74,7 @@ class FlatsAround {
         if (own.from < middle - half_side - slack || own.to > middle + half_side + slack) continue;
         width.add(own.from), width.add(own.to);
         height.add(up.from), height.add(up.to);
+        found.vertices.insert(found.vertices.end(), flat.face->vertices.begin(), flat.face->vertices.end());
       }
       if (!(width.size() >= 2 * least_flat * half_side)) return std::nullopt;
       found.half_flat = std::max({found.half_flat, width.to - middle, middle - width.from});
@@ -83,6 +84,8 @@ class FlatsAround {
     if (!(along.size() > slack)) return std::nullopt;
     found.centre += along.middle() * axis_;
     found.half_height = along.size() / 2;
+    std::sort(found.vertices.begin(), found.vertices.end());
+    found.vertices.erase(std::unique(found.vertices.begin(), found.vertices.end()), found.vertices.end());
     return found;
   }
 

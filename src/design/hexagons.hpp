@@ -5,16 +5,9 @@
 #include <array>
 #include <vector>
 
-#include "base/vec.hpp"
+#include "design/plane_faces.hpp"
 
 namespace epura::design {
-
-/// A plane face in the world.
-struct PlaneFace {
-  int body;
-  Vec3 normal;  ///< unit, out of the material
-  std::vector<Vec3> corners;
-};
 
 /// Six plane faces, the flats, at one distance from an axis that is parallel to one of the world, and at 60 degrees to
 /// one another. Slots, chamfers and rounded edges may have taken parts of them.
@@ -24,9 +17,10 @@ struct DesignHexagon {
   Vec3 axis;                    ///< unit
   std::array<Vec3, 3> normals;  ///< unit, of three flats in a row; the other flats are opposite
   double across_flats;
-  double half_flat;    ///< greatest distance of a corner of a flat from the middle of its side
-  double half_height;  ///< of what all flats have of the axis
-  bool inwards;        ///< the material is outside: a socket
+  double half_flat;             ///< greatest distance of a corner of a flat from the middle of its side
+  double half_height;           ///< of what all flats have of the axis
+  bool inwards;                 ///< the material is outside: a socket
+  std::vector<int> vertices{};  ///< of its flats, in the model's file; ascending
 
   /// Half of the size of the full hexagon along a direction: across flats, corners, or between.
   [[nodiscard]] double reach(const Vec3& direction) const;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "design/interrupted_cylinders.hpp"
+#include "design/interrupted_faces.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::design {
@@ -142,10 +142,10 @@ Triangle corners_of(const world::World& world, int triangle) {
 struct Reach {
   double value;
   const PartFace* face;  ///< null for vertices of other faces
-  bool turned = false;   ///< it goes all around an axis, or is part of an interrupted cylinder
+  bool turned = false;   ///< it goes all around an axis, or is part of what is interrupted
 };
 
-/// An interrupted cylinder of a model.
+/// A cylinder of a model, or a torus with its greatest circle, that is interrupted.
 struct Interrupted {
   const PartFace* face;             ///< its first part
   std::array<double, 6> farthest;   ///< extents of its vertices
@@ -153,7 +153,7 @@ struct Interrupted {
 };
 
 class ExtentFinder {
-  // Marks of vertices; those of interrupted cylinders have numbers from `first_interrupted` on.
+  // Marks of vertices; those of interrupted faces have numbers from `first_interrupted` on.
   static constexpr int whole = 1, first_interrupted = 2;
 
  public:
@@ -191,7 +191,8 @@ class ExtentFinder {
     return std::abs(glm::dot(axis, direction)) <= across;
   }
 
-  // Marks the vertices of faces that go all around, and of interrupted cylinders.
+  // Marks the vertices of faces that go all around, and of interrupted ones. A torus counts if its greatest circle is
+  // there.
   void mark_round(int model, std::vector<char>& turned) {
     const world::PlacedPart& part = *parts_[model];
     const std::vector<RoundFace> round = find_round_faces(world_, model, part);
@@ -200,20 +201,26 @@ class ExtentFinder {
       turned[one.number] = 1;
       for (const int v : one.vertices) of_round_[v] = whole;
     }
-    for (const InterruptedCylinder& cylinder : find_interrupted_cylinders(round)) {
-      Interrupted found{&part.faces[round[cylinder.parts.front()].number], {}};
-      if (found.face->inwards) continue;
-      found.farthest.fill(-HUGE_VAL);
-      for (const int p : cylinder.parts) {
-        turned[round[p].number] = 1;
-        for (const int v : round[p].vertices) {
-          if (of_round_[v] == 0) of_round_[v] = first_interrupted + static_cast<int>(interrupted_.size());
-          for (int end = 0; end < 6; ++end)
-            found.farthest[end] = std::max(found.farthest[end], glm::dot(direction_of(end), world_.points[v]));
-        }
+    for (const SurfaceKind kind : {SurfaceKind::cylinder, SurfaceKind::torus})
+      for (const InterruptedFace& face : find_interrupted(round, kind))
+        if (kind == SurfaceKind::cylinder || (face.from <= same * size_ && face.to >= -same * size_))
+          mark_interrupted(part, round, face, turned);
+  }
+
+  void mark_interrupted(const world::PlacedPart& part, const std::vector<RoundFace>& round, const InterruptedFace& face,
+                        std::vector<char>& turned) {
+    Interrupted found{&part.faces[round[face.parts.front()].number], {}};
+    if (found.face->inwards) return;
+    found.farthest.fill(-HUGE_VAL);
+    for (const int p : face.parts) {
+      turned[round[p].number] = 1;
+      for (const int v : round[p].vertices) {
+        if (of_round_[v] == 0) of_round_[v] = first_interrupted + static_cast<int>(interrupted_.size());
+        for (int end = 0; end < 6; ++end)
+          found.farthest[end] = std::max(found.farthest[end], glm::dot(direction_of(end), world_.points[v]));
       }
-      interrupted_.push_back(found);
     }
+    interrupted_.push_back(found);
   }
 
   void add_model(int model) {
@@ -235,7 +242,7 @@ class ExtentFinder {
     }
   }
 
-  // The corners of a triangle that count themselves. On the rim of an interrupted cylinder, those of planes across the
+  // The corners of a triangle that count themselves. On the rim of an interrupted face, those of planes across the
   // direction do: of flats.
   void add_vertices(int triangle, int end) {
     const Vec3 direction = direction_of(end);
@@ -247,21 +254,21 @@ class ExtentFinder {
       if (mark == whole) continue;
       const double value = glm::dot(direction, corners[k]);
       if (mark >= first_interrupted) {
-        Interrupted& cylinder = interrupted_[mark - first_interrupted];
-        if (is_across(cylinder.face->surface.axis, direction) && !is_flat) continue;
-        if (value >= cylinder.farthest[end] - same * size_) cylinder.ends_flat[end] = 1;
+        Interrupted& face = interrupted_[mark - first_interrupted];
+        if (is_across(face.face->surface.axis, direction) && !is_flat) continue;
+        if (value >= face.farthest[end] - same * size_) face.ends_flat[end] = 1;
       }
       add(end, {value, nullptr});
     }
   }
 
-  // Where a slot or a gap between teeth is, an interrupted cylinder reaches as far as elsewhere.
-  void add_interrupted(const Interrupted& cylinder) {
-    const PartSurface& surface = cylinder.face->surface;
+  // Where a slot or a gap between teeth is, an interrupted face reaches as far as elsewhere.
+  void add_interrupted(const Interrupted& interrupted) {
+    const PartSurface& surface = interrupted.face->surface;
     for (int end = 0; end < 6; ++end) {
       const Vec3 direction = direction_of(end);
-      if (cylinder.ends_flat[end] == 0 && is_across(surface.axis, direction))
-        add(end, {glm::dot(direction, surface.origin) + surface.radius, cylinder.face, true});
+      if (interrupted.ends_flat[end] == 0 && is_across(surface.axis, direction))
+        add(end, {glm::dot(direction, surface.origin) + surface.radius + surface.minor, interrupted.face, true});
     }
   }
 

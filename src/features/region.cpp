@@ -206,7 +206,8 @@ std::vector<Vec3> RegionGrower::points_of(const Region& region, std::size_t most
 bool RegionGrower::fit_again(Region& region) {
   const std::vector<Vec3> points = points_of(region, most_fitted);
   region.residual = refine(region.surface, points);
-  if (region.residual > 4 * facets_.tolerance && region.residual < HUGE_VAL) {
+  const double most = (region.surface.kind == SurfaceKind::torus ? 2 : 4) * facets_.tolerance;
+  if (region.residual > most && region.residual < HUGE_VAL) {
     std::vector<double> distances;
     for (const Vec3& p : points) distances.push_back(std::abs(signed_distance(region.surface, p)));
     const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
@@ -417,11 +418,48 @@ std::optional<PartSurface> RegionGrower::simpler_than(const Region& region) {
   return std::nullopt;
 }
 
+// The number of vertices that do not lie on one plane arc, if they are few: nothing if not.
+std::optional<std::size_t> RegionGrower::few_beside_arc(const Region& region) {
+  constexpr std::size_t most_vertices = 16;
+  constexpr double least_sine = 0.01;
+  const std::vector<Vec3> points = points_of(region, most_vertices + 1);
+  const std::size_t count = points.size();
+  if (count > most_vertices) return std::nullopt;
+  std::size_t least = count;
+  const auto look = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 normal = glm::cross(b - a, c - a);
+    const double length = glm::length(normal);
+    if (length <= least_sine * glm::distance(a, b) * glm::distance(a, c)) return;
+    const auto off = std::count_if(points.begin(), points.end(), [&](const Vec3& p) {
+      return std::abs(glm::dot(p - a, normal)) > 2 * facets_.tolerance * length;
+    });
+    least = std::min(least, static_cast<std::size_t>(off));
+  };
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      for (std::size_t k = j + 1; k < count; ++k) look(points[i], points[j], points[k]);
+  return 4 * least <= count ? std::optional(least) : std::nullopt;
+}
+
 bool RegionGrower::is_beyond_chance(const Region& region) {
   const auto vertices = static_cast<double>(points_of(region, most_fitted).size());
   const double distance = std::max(region.residual, facets_.tolerance / 4);
-  return (vertices - unknowns_of(region.surface.kind)) * std::log2(region.sagitta / distance) >=
-         (region.chosen ? 2 * least_bits : least_bits);
+  double evidence = vertices - unknowns_of(region.surface.kind);
+  // A cylinder through a plane arc, such as the edge of a fillet, can be tilted and shifted towards a few more
+  // vertices.
+  if (region.surface.kind == SurfaceKind::cylinder)
+    if (const auto few = few_beside_arc(region)) evidence = std::min(evidence, static_cast<double>(*few));
+  return evidence * std::log2(region.sagitta / distance) >= (region.chosen ? 2 * least_bits : least_bits);
+}
+
+// Every small smooth patch is nearly a torus. Those of a part may have inexact vertices where other blends end at them.
+bool RegionGrower::fits_exactly(const Region& region) {
+  if (region.residual <= 2 * facets_.tolerance) return true;
+  const std::vector<Vec3> points = points_of(region, most_fitted);
+  const auto exact = std::count_if(points.begin(), points.end(), [&](const Vec3& p) {
+    return std::abs(signed_distance(region.surface, p)) <= facets_.tolerance / 2;
+  });
+  return 4 * exact >= 3 * static_cast<std::ptrdiff_t>(points.size());
 }
 
 bool RegionGrower::is_evident(const Region& region) {
@@ -434,9 +472,7 @@ bool RegionGrower::is_evident(const Region& region) {
     case SurfaceKind::sphere:
       return mean_turn <= most_mean_turn_both_ways && is_evident_sphere(region);
     case SurfaceKind::torus:
-      // Every small smooth patch is nearly a torus, so the fit must be exact.
-      return region.residual <= 2 * facets_.tolerance && places_around(region, false).count >= 4 &&
-             is_evident_arc(region, true, mean_turn);
+      return fits_exactly(region) && places_around(region, false).count >= 4 && is_evident_arc(region, true, mean_turn);
     case SurfaceKind::plane:
     case SurfaceKind::free_form:
       break;

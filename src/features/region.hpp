@@ -97,7 +97,9 @@ class RegionGrower {
   [[nodiscard]] Places places_around(const Region& region, bool around_tube);
   [[nodiscard]] int tangent_ends(const Region& region, const Places& places, bool around_tube);
   [[nodiscard]] bool is_evident_arc(const Region& region, bool around_tube, double mean_turn);
+  [[nodiscard]] std::optional<std::size_t> few_beside_arc(const Region& region);
   [[nodiscard]] bool is_beyond_chance(const Region& region);
+  [[nodiscard]] bool fits_exactly(const Region& region);
   [[nodiscard]] bool is_evident_sphere(const Region& region);
 
   const Facets& facets_;

@@ -156,8 +156,21 @@ void clear_labels(FinishedSheet& finished, const sheet::SheetFurniture& furnitur
   sheet::clear_labels(finished.sheet, area, sheet::Lettering(furniture.font));
 }
 
+// The boxes of the texts of some layers. Without texts, no font is opened.
+std::vector<sheet::TurnedBox> text_boxes(std::span<const sheet::Layer> layers, const sheet::Font& font) {
+  std::vector<sheet::TurnedBox> boxes;
+  std::optional<sheet::Lettering> lettering;
+  for (const sheet::Layer& layer : layers)
+    for (const sheet::Text& text : layer.texts) {
+      if (!lettering) lettering.emplace(font);
+      boxes.push_back(sheet::box_of(text, *lettering));
+    }
+  return boxes;
+}
+
 // One layer for each view, but none for views without cut faces.
 std::vector<std::vector<sheet::Layer>> hatch_layers(const SheetInput& input, const std::vector<ViewResult>& results,
+                                                    std::span<const sheet::TurnedBox> texts,
                                                     const sheet::LineWidths& widths, const Progress& progress) {
   const auto styles = [&](std::size_t view) -> const sheet::BodyStyles& {
     return input.views.plans[view].options.styles;
@@ -176,7 +189,7 @@ std::vector<std::vector<sheet::Layer>> hatch_layers(const SheetInput& input, con
   std::vector<std::vector<sheet::Layer>> layers(results.size());
   for (std::size_t i = 0; i < results.size(); ++i)
     if (!results[i].drawing.cut_faces.empty())
-      layers[i].push_back(sheet::hatch_layer({results[i].drawing, styles(i)}, hatching, widths, progress));
+      layers[i].push_back(sheet::hatch_layer({results[i].drawing, styles(i), texts}, hatching, widths, progress));
   return layers;
 }
 
@@ -243,7 +256,8 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   const sheet::LineWidths widths = sheet::line_widths(paper, furniture.styles);
   construct(input, results);
   AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
-  auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(input, results, widths, p); });
+  const std::vector<sheet::TurnedBox> texts = text_boxes(beside.layers, furniture.font);
+  auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(input, results, texts, widths, p); });
   hatching.resize(results.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
     append(finished.sheet.layers, std::move(beside.constructions[i]));

@@ -72,7 +72,9 @@ std::optional<ProjectionEntry> entry_named(std::string_view name, const std::vec
   for (const ProjectionEntry& entry : catalogue.entries) names.push_back(entry.name);
   for (const BadPlugin& bad : catalogue.bad)
     if (bad.path.stem() == name) throw Error(ErrorKind::plugin, bad.path.string(), bad.reason);
-  std::string hint = names.empty() ? "no projections were found" : did_you_mean(name, names);
+  std::string hint = names.empty()    ? "no projections were found"
+                     : name == "side" ? "write left or right"
+                                      : did_you_mean(name, names);
   for (const BadPlugin& bad : catalogue.bad) hint += ('\n' + bad.path.string()) + ": " + bad.reason;
   throw Error(ErrorKind::plugin, std::string(name), "no such projection", hint);
 }

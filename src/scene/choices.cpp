@@ -106,7 +106,8 @@ ProjectionRequest parse_request(std::string_view text) {
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const std::size_t equals = parts[i].find('=');
     if (equals == std::string_view::npos || equals == 0)
-      refuse(where, std::string("'").append(parts[i]) + "' is not a key=value", "NAME[:key=value]...");
+      refuse(where, std::string("'").append(parts[i]) + "' is not a key=value",
+             "name the parameter, as in oblique:angle=30; 'epura plugins " + request.name + "' lists them");
     const std::string key(parts[i].substr(0, equals));
     for (const auto& [earlier, value] : request.assignments)
       if (earlier == key) refuse(request.name + ":" + key, "is given twice");

@@ -109,9 +109,10 @@ std::vector<double> pattern_for(double length, double width, bool closed, std::s
 
 // The number of periods is a multiple of `of`.
 Dashes fit_multiple(double length, double width, const scene::DashType& type, double of) {
-  if (!(length >= type.shortest() * width)) return {};
+  if (!(length >= (type.dots == 0 ? shortest_dashed : type.shortest()) * width)) return {};
   const double rest = type.rest() * width;
-  const double periods = of * std::round((length - type.dash * width) / (of * (type.dash * width + rest)));
+  const double usual = of * std::round((length - type.dash * width) / (of * (type.dash * width + rest)));
+  const double periods = std::max(of, usual);
   const double dash = (length - rest * periods) / (periods + 1);
   check(dash > 0, "a line long enough for dashes has dashes");
   return {dash, type.gap * width, type.dot * width, type.dots};
@@ -137,7 +138,8 @@ Dashes fit_closed(double length, double width, const scene::DashType& type) {
 
 FittedDashes fit_crossings(double length, double width, bool closed, std::span<const double> crossings) {
   const Dashes usual = closed ? fit_closed(length, width) : fit_open(length, width);
-  if (usual.dash == 0 || inks_all(usual, crossings)) return {usual};
+  const bool is_short = length < scene::dashed.shortest() * width;
+  if (usual.dash == 0 || is_short || inks_all(usual, crossings)) return {usual};
   if (const auto dashes = try_lengths(length, width, closed, crossings)) return {*dashes};
   std::vector<double> pattern = pattern_for(length, width, closed, crossings);
   double longest = closed ? pattern.front() + pattern[pattern.size() - 2] : 0;  // across the seam

@@ -11,8 +11,12 @@
 
 namespace epura::sheet {
 
-/// n = round((L - dash) / period) periods and one more dash fill the line exactly; the dashes are adjusted to fit, with
-/// about the length of the line type. Continuous if the line is too short.
+/// The shortest open line of type 02 that is dashed, in line widths: it has two dashes of half the usual length.
+inline constexpr double shortest_dashed = 15;
+
+/// n = round((L - dash) / period) periods, at least one, and one more dash fill the line exactly; the dashes are
+/// adjusted to fit, with about the length of the line type, down to half of it in short lines of type 02. Continuous if
+/// the line is too short.
 Dashes fit_open(double length, double width, const scene::DashType& type = scene::dashed);
 
 /// The same on a closed line: n = round(L / period) periods fill it exactly.

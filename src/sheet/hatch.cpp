@@ -345,11 +345,24 @@ bool are_same(const std::vector<Line>& one, const std::vector<Line>& two) {
 
 // A face whose lines are drawn.
 struct FaceToHatch {
-  const std::vector<drawing::PaperTriangle>& before;  // hide it
+  const std::vector<drawing::PaperTriangle>& before;  // hide it, or are texts on it
   const drawing::CutFace& face;
   double width;
   const Progress& progress;
 };
+
+// What hides cut faces, and texts on them with some room around.
+std::vector<drawing::PaperTriangle> covers_of(const HatchedView& view) {
+  constexpr double room = 0.7;  // mm
+  std::vector<drawing::PaperTriangle> covers = view.drawing.before_cuts;
+  for (const TurnedBox& text : view.texts) {
+    const Vec2 along = (text.half.x + room) * text.along, up = (text.half.y + room) * Vec2(-text.along.y, text.along.x);
+    const Vec2 a = text.centre - along - up, c = text.centre + along + up;
+    covers.push_back({a, a + 2.0 * along, c});
+    covers.push_back({a, c, a + 2.0 * up});
+  }
+  return covers;
+}
 
 // A face of which something is hidden is lines only: as a whole, it would be hatched everywhere.
 void draw_lines(Layer& layer, HatchedFace hatched, const FaceToHatch& what) {
@@ -398,6 +411,7 @@ std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* cons
 Layer hatch_layer(const HatchedView& view, std::span<const Hatching> hatching, const LineWidths& widths,
                   const Progress& progress) {
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::hatch, widths);
+  const std::vector<drawing::PaperTriangle> covers = covers_of(view);
   for (const drawing::CutFace& face : view.drawing.cut_faces) {
     const auto found = std::find_if(hatching.begin(), hatching.end(),
                                     [&](const Hatching& h) { return h.model == face.model && h.body == face.body; });
@@ -411,7 +425,7 @@ Layer hatch_layer(const HatchedView& view, std::span<const Hatching> hatching, c
       continue;
     }
     draw_lines(layer, {{face.rings}, pattern, found->angle, found->spacing, families_of(pattern, *found), {}},
-               {view.drawing.before_cuts, face, widths.narrow, progress});
+               {covers, face, widths.narrow, progress});
   }
   return layer;
 }

@@ -9,6 +9,7 @@
 
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
+#include "sheet/dimensions/boxes.hpp"
 #include "sheet/sheet.hpp"
 #include "sheet/view_lines.hpp"
 
@@ -31,14 +32,15 @@ using HatchWish = std::function<HatchStyle(std::size_t drawing, int model, int b
 std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* const> drawings, const HatchWish& wish = {},
                                       const Progress& progress = {});
 
-/// A view and the styles of its bodies.
+/// A view, the styles of its bodies, and the texts at which hatching is interrupted.
 struct HatchedView {
   const drawing::ViewDrawing& drawing;
   const BodyStyles& styles;
+  std::span<const TurnedBox> texts{};
 };
 
-/// Layer "VIEW/hatch". Hatching lines end at the outlines; faces with an average width of less than 1 mm are filled,
-/// unless they have no pattern. Throws OutOfTime.
+/// Layer "VIEW/hatch". Hatching lines end at the outlines and beside texts; faces with an average width of less than 1
+/// mm are filled, unless they have no pattern. Throws OutOfTime.
 Layer hatch_layer(const HatchedView& view, std::span<const Hatching> hatching, const LineWidths& widths,
                   const Progress& progress = {});
 

@@ -53,10 +53,17 @@ std::string angle_text(double degrees, const Notation& notation) {
   return with_decimal_sign(format_fixed(degrees, angle_decimals), notation.sign) + "°";
 }
 
-std::string mass_text(double kilograms, DecimalSign sign) {
-  const bool small = kilograms < 0.1;
-  return with_decimal_sign(format_rounded(small ? 1000 * kilograms : kilograms, 3), sign) + (small ? " g" : " kg");
+std::string mass_text(double kilograms, DecimalSign sign, double heaviest) {
+  constexpr double three_digits = 100;
+  constexpr int most_decimals = 12;
+  const bool small = heaviest < 0.1;
+  const double mass = small ? 1000 * kilograms : kilograms;
+  int decimals = 0;
+  for (double least = three_digits; mass < least && decimals < most_decimals; least /= 10) ++decimals;
+  return with_decimal_sign(format_fixed(mass, decimals), sign) + (small ? " g" : " kg");
 }
+
+std::string mass_text(double kilograms, DecimalSign sign) { return mass_text(kilograms, sign, kilograms); }
 
 int usual_decimals(double largest_size, Unit unit) {
   constexpr int most = 8, finer_in_inches = 1, finer_in_metres = 3;

@@ -25,8 +25,11 @@ std::string length_text(double millimetres, const Notation& notation);
 /// An angle in degrees, with at most two decimals: "36.87°".
 std::string angle_text(double degrees, const Notation& notation);
 
-/// A mass with three significant digits: "0.123 kg", "12.3 kg"; below 0.1 kg in grams.
+/// A mass with three significant digits or more: "0.123 kg", "12.3 kg", "1234 kg"; below 0.1 kg in grams.
 std::string mass_text(double kilograms, DecimalSign sign);
+
+/// The same of one of several, in the unit of the heaviest one: "0.0123 kg" beside "12.3 kg".
+std::string mass_text(double kilograms, DecimalSign sign, double heaviest);
 
 /// Decimals of lengths by the largest size of the models, mm: four digits of small ones, and at least as fine as 0.01
 /// mm or 0.001 in.

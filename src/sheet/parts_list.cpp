@@ -22,13 +22,15 @@ std::vector<std::string> draw_parts_list(Layer& layer, const PartsList& list, co
   ListColumn item{named("item"), number_width, true, {}}, quantity{named("quantity"), number_width, true, {}};
   ListColumn name{named("name"), 0, false, {}}, material{named("material"), material_width, false, {}};
   ListColumn mass{named("mass"), mass_width, true, {}};
+  double heaviest = 0;
+  for (const world::Item& one : list.items) heaviest = std::max(heaviest, one.mass.value_or(0));
   for (const world::Item& one : list.items) {
     check(one.quantity > 0, "an item of the list is in the assembly");
     item.texts.push_back(std::to_string(item.texts.size() + 1));
     quantity.texts.push_back(std::to_string(one.quantity));
     name.texts.push_back(one.name);
     material.texts.push_back(one.material);
-    mass.texts.push_back(one.mass ? mass_text(*one.mass, list.sign) : std::string());
+    mass.texts.push_back(one.mass ? mass_text(*one.mass, list.sign, heaviest) : std::string());
   }
   std::vector<ListColumn> columns{item, quantity, name};
   for (const ListColumn& column : {material, mass})

@@ -116,8 +116,8 @@ Stroke DashedChain::stroke(const DashRun& run) const {
 
 // Lines too short for two dashes remain continuous.
 bool is_dashed(const drawing::Chain& chain, double width) {
-  return chain.points.size() >= 2 &&
-         length_of(chain.points, chain.closed, chain.curves) >= scene::dashed.shortest() * width;
+  return chain.points.size() >= 2 && length_of(chain.points, chain.closed, chain.curves) >=
+                                         (chain.closed ? scene::dashed.shortest() : shortest_dashed) * width;
 }
 
 std::vector<DashRun> dash_runs(const drawing::Chain& chain, double width) {

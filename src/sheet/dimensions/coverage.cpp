@@ -315,13 +315,17 @@ class CoverageFinder {
     }
   }
 
-  // The number of different features at the place of one: a bolt fills its hole, and each may have its dimension.
+  // The number of different features at the places of a size and of all equal to it: a bolt fills its hole, and each
+  // may have its dimension, which counts for both.
   [[nodiscard]] int places_of(const CircleSize& size) const {
     std::vector<int> lists{size.equal};
-    for (const CircleSize& other : sizes_)
-      if (is_at(other, {size.centre, size.axis, size.radius, {}, true}) &&
-          std::find(lists.begin(), lists.end(), other.equal) == lists.end())
-        lists.push_back(other.equal);
+    for (const CircleSize& one : sizes_) {
+      if (one.equal != size.equal) continue;
+      for (const CircleSize& other : sizes_)
+        if (is_at(other, {one.centre, one.axis, one.radius, {}, true}) &&
+            std::find(lists.begin(), lists.end(), other.equal) == lists.end())
+          lists.push_back(other.equal);
+    }
     return static_cast<int>(lists.size());
   }
 

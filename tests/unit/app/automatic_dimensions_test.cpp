@@ -201,6 +201,24 @@ TEST_F(AutomaticDimensions, LintKnowsEqualHolesThatAreRoundedApart) {
   EXPECT_EQ(lint(folder.file("part.obj", plate({40, 30}, 2, 1, 8, hole)), "auto").code, 0);
 }
 
+// Two of the holes, which have notes of their own, have one axis.
+TEST_F(AutomaticDimensions, LintCountsANoteForTheFeaturesThatItDescribes) {
+  const auto plate_without = [&](double cell) {
+    return plate({40, 30}, 3, 1, 8, [=](const Vec2& centre) {
+      return std::abs(centre.x - cell) < 1 ? Hole{} : stepped_hole({{5, 8}, {5, 0}})(centre);
+    });
+  };
+  folder.file("lower.obj", plate_without(60));
+  folder.file("upper.obj", plate_without(20));
+  const Outcome run = epura(
+      {"lint",
+       folder.file("scene.toml",
+                   "[[model]]\nfile = 'lower.obj'\n[[model]]\nfile = 'upper.obj'\ntransform = 'translate:0,0,20'\n"
+                   "[[view]]\nprojection = 'front'\n[[view]]\nprojection = 'top'\n[[dimension]]\ntype = 'auto'\n")},
+      folder / "");
+  EXPECT_EQ(run.code, 0) << run.out;
+}
+
 // What cannot be checked is not passed over in silence.
 TEST_F(AutomaticDimensions, LintNamesWhatItCannotCheck) {
   const std::string file = folder.file("part.obj", plates()[0].obj);

@@ -53,6 +53,18 @@ TEST_F(Habits, ShortNamesOfProjections) {
   }
 }
 
+TEST_F(Habits, WordsOfOtherProgramsHaveAHint) {
+  const auto expect = [&](const Outcome& run, const std::string& hint) {
+    EXPECT_EQ(run.code == 2 || run.code == 3, true) << run.err;
+    EXPECT_TRUE(contains(run.err, hint)) << run.err;
+  };
+  expect(draw({"--dims", "overall", "-o", "x.svg"}), "did you mean '--dimensions'?");
+  expect(draw({"--colour", "red", "-o", "x.svg"}), "did you mean '--style'?");
+  expect(draw({"--projection", "side", "-o", "x.svg"}), "write left or right");
+  expect(draw({"--projection", "cavalier:45", "-o", "x.svg"}), "'epura plugins cavalier' lists them");
+  expect(epura({"part.stl"}, folder / ""), "write 'epura draw part.stl -o drawing.pdf'");
+}
+
 TEST_F(Habits, UnknownOptionsNameTheNearest) {
   const Outcome run = draw({"--qqqqqqqqqqqqqqqqqqqqqq", "-o", "x.svg"});
   EXPECT_EQ(run.code, 2);

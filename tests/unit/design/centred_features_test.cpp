@@ -56,6 +56,30 @@ TEST(CentredFeatures, ABoreIsEnclosed) {
   EXPECT_EQ(found.round[0].vertices.size(), 64U);
 }
 
+TEST(CentredFeatures, AHexagonHasAnAxisOrContinuesOne) {
+  std::vector<Vec2> outline;
+  for (int i = 0; i < 6; ++i) outline.emplace_back(12 * std::cos(i * pi / 3), 12 * std::sin(i * pi / 3));
+  const Part head = prism(outline, 8), shank = moved(revolved({{0, 0}, {6, 0}, {6, 30}, {0, 30}}, 36), {0, 0, -30});
+  const design::CentredFeatures alone = features_of(head), bolt = features_of(together({head, shank}));
+  ASSERT_EQ(alone.round.size(), 1U);
+  expect_ends(alone.round[0], {0, 0, 0}, {0, 0, 8});
+  EXPECT_NEAR(largest_radius(alone.round[0]), 12, 1e-9);
+  EXPECT_FALSE(alone.round[0].enclosed);
+  ASSERT_EQ(bolt.round.size(), 1U);
+  expect_ends(bolt.round[0], {0, 0, -30}, {0, 0, 8});
+  std::vector<Vec2> sides, bore;
+  for (int i = 0; i < 24; ++i) {
+    sides.push_back(glm::mix(outline[i / 4], outline[(i / 4 + 1) % 6], i % 4 / 4.0));
+    bore.push_back(6.0 * Vec2(std::cos(i * pi / 12), std::sin(i * pi / 12)));
+  }
+  const design::CentredFeatures nut = features_of(plate_between(sides, bore, 10));
+  ASSERT_EQ(nut.round.size(), 1U);
+  EXPECT_FALSE(nut.round[0].enclosed) << "it is seen from the side";
+  const design::CentredFeatures socket = features_of(with_opening(outline, 10));
+  ASSERT_EQ(socket.round.size(), 1U);
+  EXPECT_TRUE(socket.round[0].enclosed);
+}
+
 TEST(CentredFeatures, HolesInOneLineHaveOneAxis) {
   const design::CentredFeatures found =
       features_of(together({plate_with_hole(20, 5, 8, 8), moved(plate_with_hole(20, 5, 6, 8), {0, 0, 95})}));

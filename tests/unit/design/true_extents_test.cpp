@@ -87,6 +87,25 @@ TEST(TrueExtents, OfARing) {
   expect_extent(extents[2], -30 * std::sin(angle) - 8, 30 * std::sin(angle) + 8, length);
 }
 
+TEST(TrueExtents, OfASlottedHeadWithARoundedEdge) {
+  const auto half = [](double turn, double sweep) {
+    const Vec2 across(std::cos(turn), std::sin(turn));
+    return revolved(joined({{{0, 0}, {18, 0}}, arc({18, 2}, 2, -90, 90, 8), {{0, 4}}}), 40, sweep)
+        .move(
+            [=](const Vec3& p) { return Vec3(across.x * p.x - across.y * p.y, across.y * p.x + across.x * p.y, p.z); });
+  };
+  // Two parts of 160 degrees: the slot along x is where the head would reach farthest.
+  const double degree = pi / 180;
+  const auto slotted =
+      design::true_extents(world_of(together({half(10 * degree, 160 * degree), half(190 * degree, 160 * degree)})));
+  expect_extent(slotted[0], -20, 20, diameter);
+  expect_extent(slotted[1], -20, 20, diameter);
+  EXPECT_TRUE(slotted[0].is_same_as(slotted[1]));
+  // Of half a head, nothing lies on the other side.
+  const auto one = design::true_extents(world_of(half(0, pi)));
+  expect_extent(one[1], 0, 20, length);
+}
+
 TEST(TrueExtents, ArcsReachOnlyWhereTheyAre) {
   // Three quarters of a disc have a diameter; what is missing lies beyond x = 0 and y = 0.
   std::vector<Vec2> outline = arc({0, 0}, 40, 90, 360, 31);

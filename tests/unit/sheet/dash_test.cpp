@@ -38,8 +38,11 @@ TEST(Dash, ClosedLinesHaveAsManyDashesAsGaps) {
 }
 
 TEST(Dash, ShortLinesAreContinuous) {
-  EXPECT_EQ(sheet::fit_open(6.74, 0.25).dash, 0);
-  EXPECT_GT(sheet::fit_open(6.75, 0.25).dash, 0);
+  EXPECT_EQ(sheet::fit_open(3.74, 0.25).dash, 0);
+  EXPECT_NEAR(sheet::fit_open(3.75, 0.25).dash, 1.5, 1e-12) << "two dashes";
+  EXPECT_NEAR(sheet::fit_open(6.5, 0.25).dash, (6.5 - 0.75) / 2, 1e-12) << "two dashes";
+  EXPECT_EQ(sheet::fit_open(13.6, 0.25, scene::long_dash_dot).dash, 0);
+  EXPECT_GT(sheet::fit_crossings(5, 0.25, false, std::vector{2.5}).dashes.dash, 0) << "it looks dashed";
   EXPECT_EQ(sheet::fit_closed(6.74, 0.25).dash, 0);
   EXPECT_EQ(sheet::fit_open(0, 0.25).dash, 0);
 }

@@ -69,6 +69,23 @@ double ink(const sheet::Layer& layer) {
   return length;
 }
 
+TEST(Hatch, IsInterruptedAtTexts) {
+  // A text of 10 mm by 4 mm, with 0.7 mm around it.
+  const drawing::ViewDrawing drawing = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}}});
+  const std::vector<sheet::Hatching> hatching = choose(drawing);
+  const sheet::TurnedBox text{{20, 20}, {1, 0}, {5, 2}};
+  const sheet::Layer whole = hatched(drawing),
+                     layer = sheet::hatch_layer({drawing, plain, {&text, 1}}, hatching, {0.5, 0.25});
+  const double spacing = hatching.at(0).spacing;
+  EXPECT_NEAR(ink(whole) - ink(layer), 11.4 * 5.4 / spacing, 5.4 * std::sqrt(2.0));
+  for (const sheet::Stroke& stroke : layer.strokes) {
+    const Vec2 middle = (stroke.points[0] + stroke.points[1]) / 2.0;
+    EXPECT_FALSE(sheet::overlap(sheet::line_box(stroke.points[0], stroke.points[1]), text))
+        << middle.x << ' ' << middle.y;
+  }
+  EXPECT_TRUE(layer.hatched.empty()) << "other programs would hatch all of it";
+}
+
 TEST(Hatch, LengthOfLinesIsAreaBySpacing) {
   const double disc = 100 * std::sin(2 * std::numbers::pi / 200) * 900;
   const std::vector<std::pair<drawing::CutFace, double>> faces = {

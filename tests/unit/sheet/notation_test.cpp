@@ -49,6 +49,15 @@ TEST(Notation, Angles) {
   EXPECT_EQ(sheet::angle_text(36.8699, {.decimals = 0, .unit = Unit::mm, .sign = DecimalSign::comma}), "36,87°");
 }
 
+TEST(Notation, MassesOfOneListHaveOneUnit) {
+  EXPECT_EQ(sheet::mass_text(1234.56, DecimalSign::point), "1235 kg");
+  EXPECT_EQ(sheet::mass_text(12.345, DecimalSign::comma), "12,3 kg");
+  EXPECT_EQ(sheet::mass_text(0.012345, DecimalSign::point), "12.3 g");
+  EXPECT_EQ(sheet::mass_text(0.012345, DecimalSign::point, 7.5), "0.0123 kg");
+  EXPECT_EQ(sheet::mass_text(1.5e-6, DecimalSign::point, 0.05), "0.0015 g");
+  EXPECT_EQ(sheet::mass_text(0, DecimalSign::point), "0 g");
+}
+
 TEST(Notation, UsualDecimals) {
   EXPECT_EQ(sheet::usual_decimals(100, Unit::mm), 2);
   EXPECT_EQ(sheet::usual_decimals(9.9, Unit::mm), 3);

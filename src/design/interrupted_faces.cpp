@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "design/interrupted_cylinders.hpp"
+#include "design/interrupted_faces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "design/tolerances.hpp"
 
@@ -38,33 +39,36 @@ double largest_gap(const std::vector<RoundFace>& round, const std::vector<int>& 
 
 }  // namespace
 
-bool are_one_cylinder(const RoundFace& a, const RoundFace& b) {
+bool are_one_turn(const RoundFace& a, const RoundFace& b) {
   const features::PartSurface &s = a.face.surface, &t = b.face.surface;
-  return s.kind == SurfaceKind::cylinder && t.kind == SurfaceKind::cylinder && a.face.inwards == b.face.inwards &&
-         std::abs(s.radius - t.radius) <= same_size * s.radius && are_parallel(s.axis, t.axis) &&
-         glm::length(glm::cross(t.origin - s.origin, s.axis)) <= same_size * s.radius;
+  return s.kind == t.kind && a.face.inwards == b.face.inwards &&
+         std::abs(s.radius - t.radius) <= same_size * s.radius && std::abs(s.minor - t.minor) <= same_size * s.minor &&
+         are_parallel(s.axis, t.axis) && glm::length(glm::cross(t.origin - s.origin, s.axis)) <= same_size * s.radius &&
+         (s.kind == SurfaceKind::cylinder || glm::length(t.origin - s.origin) <= same_size * s.radius);
 }
 
-std::vector<InterruptedCylinder> find_interrupted_cylinders(const std::vector<RoundFace>& round) {
+std::vector<InterruptedFace> find_interrupted(const std::vector<RoundFace>& round, SurfaceKind kind) {
+  check(kind == SurfaceKind::cylinder || kind == SurfaceKind::torus, "only these have one greatest circle");
   std::vector<char> done(round.size(), 0);
-  std::vector<InterruptedCylinder> found;
+  std::vector<InterruptedFace> found;
   for (std::size_t i = 0; i < round.size(); ++i) {
     const RoundFace& first = round[i];
-    if (done[i] != 0 || first.face.surface.kind != SurfaceKind::cylinder) continue;
-    InterruptedCylinder cylinder{{}, HUGE_VAL, -HUGE_VAL};
+    if (done[i] != 0 || first.face.surface.kind != kind) continue;
+    InterruptedFace interrupted{{}, HUGE_VAL, -HUGE_VAL};
     bool has_whole = false;
     for (std::size_t j = i; j < round.size(); ++j) {
-      if (done[j] != 0 || !are_one_cylinder(first, round[j])) continue;
+      if (done[j] != 0 || !are_one_turn(first, round[j])) continue;
       done[j] = 1;
       has_whole = has_whole || round[j].is_whole();
-      cylinder.parts.push_back(static_cast<int>(j));
+      interrupted.parts.push_back(static_cast<int>(j));
       for (const double height : {round[j].from, round[j].to}) {
         const double along = glm::dot(round[j].at(height) - first.face.surface.origin, first.face.surface.axis);
-        cylinder.from = std::min(cylinder.from, along);
-        cylinder.to = std::max(cylinder.to, along);
+        interrupted.from = std::min(interrupted.from, along);
+        interrupted.to = std::max(interrupted.to, along);
       }
     }
-    if (!has_whole && largest_gap(round, cylinder.parts) < 360 - longest_arc) found.push_back(std::move(cylinder));
+    if (!has_whole && largest_gap(round, interrupted.parts) < 360 - longest_arc)
+      found.push_back(std::move(interrupted));
   }
   return found;
 }
