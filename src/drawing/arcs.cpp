@@ -171,30 +171,41 @@ double bulge_of(const Fit& fit) {
   return std::max(glm::length(fit.ellipse.u), glm::length(fit.ellipse.v)) * (1 - portable_cos(fit.longest_step / 2));
 }
 
-// An end of an open chain lies on the curve, or on a chord if the line becomes hidden or is covered by another there.
+// An end of an open chain lies on the curve, or on a chord if the line becomes hidden or is covered by another there:
+// inside the curve, in the middle of the longest chord by the bulge, and less beside it.
 bool ends_on_chord(const Fit& fit, const Vec2& end, double step, double tolerance) {
-  const bool onward = step * fit.sweep > 0 && std::abs(step) <= fit.longest_step * 1.001;
-  return onward && fit.ellipse.distance(end) <= bulge_of(fit) * 1.001 + tolerance;
+  constexpr double rounding = 1e-3;
+  const double part = std::abs(step) / fit.longest_step;
+  if (!(step * fit.sweep > 0) || !(part <= 1 + rounding)) return false;
+  const Ellipse& e = fit.ellipse;
+  const double depth = 4 * part * (1 - part) * bulge_of(fit) * (1 + rounding);
+  const bool inside = glm::distance(end, e.centre) < glm::distance(e.at(e.angle_of(end)), e.centre);
+  return e.distance(end) <= (inside ? std::max(depth, 0.0) : 0) + tolerance;
 }
 
-CurvePart part_of(Chain& chain, const CurveRun<Fit>& run, double tolerance) {
+CurvePart part_of(Chain& chain, const Line& line, const CurveRun<Fit>& run) {
   const Fit& fit = run.curve;
+  // Of a known circle, chords are known, too.
+  const int circle = chain.closed ? -1 : line.circle_of(run.first, run.last);
+  const auto may_go_on = [&](int chord) {
+    return circle < 0 || line.circles[static_cast<std::size_t>(chord)] == circle;
+  };
   const Ellipse& e = fit.ellipse;
   const int before = chain.closed ? 0 : 1;
   CurvePart part{run.first + before, run.last + before, e.centre, e.u, e.v, fit.from, fit.from + fit.sweep};
   if (chain.closed) return part;
   const int end = static_cast<int>(chain.points.size()) - 1;
-  if (part.first == 1) {
+  if (part.first == 1 && may_go_on(0)) {
     const double step = std::remainder(fit.from - e.angle_of(chain.points.front()), 2 * std::numbers::pi);
-    if (ends_on_chord(fit, chain.points.front(), step, tolerance)) {
+    if (ends_on_chord(fit, chain.points.front(), step, line.tolerance)) {
       part.first = 0;
       part.from -= step;
       chain.points.front() = e.at(part.from);
     }
   }
-  if (part.last == end - 1) {
+  if (part.last == end - 1 && may_go_on(end - 1)) {
     const double step = std::remainder(e.angle_of(chain.points.back()) - part.to, 2 * std::numbers::pi);
-    if (ends_on_chord(fit, chain.points.back(), step, tolerance)) {
+    if (ends_on_chord(fit, chain.points.back(), step, line.tolerance)) {
       part.last = end;
       part.to += step;
       chain.points.back() = e.at(part.to);
@@ -213,22 +224,69 @@ void begin_at(Chain& chain, int first) {
 
 CurveReport report_of(const Fit& fit) { return {fit.circle ? 1 : 0, fit.circle ? 0 : 1, fit.deviation, fit.rise}; }
 
-// What is left of one or two facets between lines that hide the rest: both ends may lie on chords.
-CurveReport find_short(Chain& chain, const Line& line, double most_rise) {
-  if (chain.closed || line.circles[0] < 0 || line.circles[0] != line.circles[chain.points.size() - 2]) return {};
-  const Ellipse& ellipse = line.known.ellipses[static_cast<std::size_t>(line.circles[0])];
-  std::vector<Vec2> points = chain.points;
-  for (Vec2* end : {&points.front(), &points.back()}) *end = ellipse.at(ellipse.angle_of(*end));
+// Points first ... last of an open line on the known circle of their chords; ends of the line may lie on chords.
+struct KnownArc {
+  Fit fit;
+  std::vector<Vec2> points;
+};
+
+std::optional<KnownArc> known_arc(const Line& line, std::size_t first, std::size_t last, double most_rise) {
+  if (line.circles.empty() || line.circles[first] < 0 || line.circles[first] != line.circles[last - 1])
+    return std::nullopt;
+  const Ellipse& ellipse = line.known.ellipses[static_cast<std::size_t>(line.circles[first])];
+  const std::vector<Vec2>& all = line.chain.points;
+  std::vector<Vec2> points(all.begin() + static_cast<std::ptrdiff_t>(first),
+                           all.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  if (first == 0) points.front() = ellipse.at(ellipse.angle_of(points.front()));
+  if (last == all.size() - 1) points.back() = ellipse.at(ellipse.angle_of(points.back()));
   const std::optional<Fit> fit = line.along(ellipse, points, true);
-  if (!fit || fit->rise > most_rise) return {};
-  chain.points = std::move(points);
-  chain.curves = {{0, static_cast<int>(chain.points.size()) - 1, ellipse.centre, ellipse.u, ellipse.v, fit->from,
-                   fit->from + fit->sweep}};
-  return report_of(*fit);
+  if (!fit || fit->rise > most_rise) return std::nullopt;
+  return KnownArc{*fit, std::move(points)};
+}
+
+CurvePart add_arc(Chain& chain, std::size_t first, const KnownArc& arc) {
+  std::copy(arc.points.begin(), arc.points.end(), chain.points.begin() + static_cast<std::ptrdiff_t>(first));
+  const Ellipse& ellipse = arc.fit.ellipse;
+  return {static_cast<int>(first),
+          static_cast<int>(first + arc.points.size()) - 1,
+          ellipse.centre,
+          ellipse.u,
+          ellipse.v,
+          arc.fit.from,
+          arc.fit.from + arc.fit.sweep};
+}
+
+// What is left of a few facets between lines that hide the rest.
+CurveReport find_whole(Chain& chain, const Line& line, double most_rise) {
+  const std::optional<KnownArc> arc = known_arc(line, 0, chain.points.size() - 1, most_rise);
+  if (!arc) return {};
+  chain.curves = {add_arc(chain, 0, *arc)};
+  return report_of(arc->fit);
+}
+
+// The same of one facet at either end of an open line, which goes on along something else.
+CurveReport find_at_ends(Chain& chain, const Line& line, double most_rise) {
+  CurveReport report;
+  const std::size_t last = chain.points.size() - 1;
+  if (chain.curves.empty() || chain.curves.front().first > 0)
+    if (const auto arc = known_arc(line, 0, 1, most_rise)) {
+      chain.curves.insert(chain.curves.begin(), add_arc(chain, 0, *arc));
+      report += report_of(arc->fit);
+    }
+  if (chain.curves.empty() || chain.curves.back().last < static_cast<int>(last))
+    if (const auto arc = known_arc(line, last - 1, last, most_rise)) {
+      chain.curves.push_back(add_arc(chain, last - 1, *arc));
+      report += report_of(arc->fit);
+    }
+  return report;
 }
 
 CurveReport find_in(Chain& chain, const Line& line, double most_rise) {
-  if (chain.points.size() <= least_known_corners) return find_short(chain, line, most_rise);
+  if (chain.points.size() <= least_known_corners) {
+    if (chain.closed) return {};
+    const CurveReport whole = find_whole(chain, line, most_rise);
+    return chain.curves.empty() ? find_at_ends(chain, line, most_rise) : whole;
+  }
   const double tolerance = line.tolerance;
   const auto window = [&](int first, int max) { return line.window(first, max); };
   const auto fit = [&](int first, int last) { return line.fit(first, last); };
@@ -246,9 +304,10 @@ CurveReport find_in(Chain& chain, const Line& line, double most_rise) {
   CurveReport report;
   for (const CurveRun<Fit>& run : runs) {
     check(run.first < run.last && run.curve.deviation <= tolerance, "corners of an arc lie on it");
-    chain.curves.push_back(part_of(chain, run, tolerance));
+    chain.curves.push_back(part_of(chain, line, run));
     report += report_of(run.curve);
   }
+  if (!chain.closed) report += find_at_ends(chain, line, most_rise);
   for (std::size_t i = 1; i < chain.curves.size(); ++i)
     check(chain.curves[i - 1].last <= chain.curves[i].first, "the arcs of a line are in order");
   return report;

@@ -12,11 +12,9 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/nearest.hpp"
 #include "drawing/conic_fit.hpp"
-#include "drawing/page_curve.hpp"
+#include "drawing/drawn_lines.hpp"
 #include "drawing/places.hpp"
-#include "search/lines_by_cell.hpp"
 
 namespace epura::drawing {
 
@@ -27,9 +25,6 @@ using features::SurfaceKind;
 
 // Millimetres between a line and the edge of the mesh that it shows; others are on the surface already.
 constexpr double same_place = 1e-6;
-// How much farther an end moves than both lines, at most: where they cross at less than 6 degrees, facets do not tell
-// which of them ends.
-constexpr double most_slant = 10;
 // Radians about the axis between the ends of a generator, which files round.
 constexpr double most_turn = 1e-3;
 
@@ -61,76 +56,12 @@ Vec3 on_surface(const PartSurface& surface, const Vec3& point, const Vec3& away)
   return surface.origin + height * surface.axis + (surface.radius + surface.slope * height) * away;
 }
 
-struct Line {
-  Vec2 from, to;
-};
-
 /// A contour of facets, and where it is on the surface.
 struct Moved {
-  Line facets, surface;
+  std::array<Vec2, 2> facets, surface;
   std::array<bool, 2> ends_in_edge;  ///< something hides the rest of the edge
-};
-
-/// Part of a line of the drawing that may hide others, as facets have it and as it is drawn.
-struct Occluder {
-  Line facets;
-  PageCurve drawn;
-  bool is_moved;  ///< it is drawn elsewhere
-  bool is_arc;
   bool visible;
-  int chain = -1;  ///< its number; -1 for a contour
 };
-
-/// The occluders at a place.
-class Occluders {
- public:
-  /// Those at a place are within `distance` of it, mm.
-  Occluders(std::vector<Occluder> all, double distance)
-      : all_(std::move(all)), distance_(distance), cells_(all_.size(), distance, [&](std::size_t i) {
-          return std::array{all_[i].facets.from, all_[i].facets.to};
-        }) {}
-
-  [[nodiscard]] bool has_arc_at(const Vec2& place) const {
-    const auto here = cells_.at(place);
-    return std::any_of(here.begin(), here.end(),
-                       [&](std::size_t i) { return all_[i].is_arc && is_at(all_[i], place); });
-  }
-
-  /// Where a line ends that facets end at `end`, at an occluder. What is drawn elsewhere hides before
-  /// what is not. A straight line that is not drawn elsewhere itself ends where facets have it, unless such a line
-  /// hides it.
-  [[nodiscard]] std::optional<Vec2> end_of(const Occluder& line, const Vec2& end) const {
-    std::optional<Vec2> nearest;
-    bool found = false;
-    for (const bool moved : {true, false}) {
-      // What is drawn elsewhere is not where facets have it, even if the line only touches it.
-      if (nearest || found || (!moved && !line.is_moved)) return nearest;
-      for (const std::size_t i : cells_.at(end)) {
-        const Occluder& one = all_[i];
-        const bool is_own = one.chain >= 0 && one.chain == line.chain;
-        if (!one.visible || one.is_moved != moved || is_own || !is_at(one, end)) continue;
-        found = line.chain >= 0;  // a contour is beside its own hidden part, which is such a line, too
-        const auto place = crossing_near(line.drawn, one.drawn, end);
-        const double off = line.drawn.distance(end) + one.drawn.distance(end);
-        if (!place || glm::distance(*place, end) > std::min(length_of(one.facets), most_slant * off)) continue;
-        if (!nearest || glm::distance(*place, end) < glm::distance(*nearest, end)) nearest = place;
-      }
-    }
-    return nearest;
-  }
-
- private:
-  static double length_of(const Line& line) { return glm::distance(line.from, line.to); }
-  [[nodiscard]] bool is_at(const Occluder& one, const Vec2& place) const {
-    return distance_to_segment(place, one.facets.from, one.facets.to) <= distance_;
-  }
-
-  std::vector<Occluder> all_;
-  double distance_;
-  search::LinesByCell cells_;
-};
-
-Ellipse ellipse_of(const CurvePart& curve) { return {curve.centre, curve.u, curve.v}; }
 
 // Moves one end of an arc along it. Returns false if nothing would be left of the arc.
 bool move_end(double& moved, double other, double turn) {
@@ -141,12 +72,13 @@ bool move_end(double& moved, double other, double turn) {
 
 class Mover {
  public:
-  Mover(const PartEdges& edges, const ExactCrossings& crossings, const std::vector<EndsOnFacets>& ends,
+  Mover(const PartEdges& edges, const ExactCrossings& crossings, const std::vector<EndsOnFacets>& ends, double touching,
         ViewDrawing& drawing)
       : edges_(edges),
         crossings_(crossings),
         ends_(ends),
         drawing_(drawing),
+        touching_(touching),
         towards_viewer_(glm::normalize(drawing.projection.projector)),
         moved_(drawing.coincident) {}
 
@@ -155,18 +87,25 @@ class Mover {
     for (const Segment& segment : drawing_.segments)
       if (segment.kind == EdgeKind::contour && !is_link(segment))
         if (const auto moved = moved_contour(segment)) contours.push_back(*moved);
-    const Occluders occluders(all_occluders(contours), drawing_.coincident);
-    for (const Moved& contour : contours) {
-      if (!can_move(occluders, contour.facets.from, contour.ends_in_edge[0])) continue;
-      if (!can_move(occluders, contour.facets.to, contour.ends_in_edge[1])) continue;
-      add_end(occluders, contour, 0);
-      add_end(occluders, contour, 1);
-    }
-    for (Chain& chain : drawing_.chains) move(chain);
+    const std::vector<std::vector<Vec2>> facets = all_facets();
+    const DrawnLines before = lines_with({}, facets);
+    std::erase_if(contours,
+                  [&](const Moved& contour) { return !can_move(before, contour, 0) || !can_move(before, contour, 1); });
+    keep_what_would_vanish(before, contours);
+    const DrawnLines lines = lines_with(contours, facets);
+    // Ends of edges first: where two contours lie on each other, since the facet between them is seen edge-on, the rest
+    // of one begins where the other ends.
+    for (const bool in_edge : {false, true})
+      for (const Moved& contour : contours)
+        for (const std::size_t end : {0, 1})
+          if (contour.ends_in_edge[end] == in_edge && moved_.find(contour.facets[end]) == nullptr)
+            moved_.add(contour.facets[end], place_of_end(lines, contour, end));
+    for (std::size_t i = 0; i < drawing_.chains.size(); ++i) move(lines, facets[i], drawing_.chains[i]);
+    const DrawnLines drawn = lines_with(contours, facets);
     // Visible lines first: their hidden parts end at the same places.
     for (const bool visible : {true, false})
       for (std::size_t i = 0; i < drawing_.chains.size(); ++i)
-        if (drawing_.chains[i].visible == visible && !drawing_.chains[i].closed) move_ends(occluders, i);
+        if (drawing_.chains[i].visible == visible && !drawing_.chains[i].closed) move_ends(drawn, i);
   }
 
  private:
@@ -199,100 +138,154 @@ class Mover {
     const Vec3 from = edges_.place_on(segment, first_t), to = edges_.place_on(segment, last_t);
     const auto moved = [&](const Vec3& point) { return on_page(on_surface(*surface, point, away)); };
     const auto is_inside = [](double t) { return t != 0 && t != 1; };
-    return Moved{
-        {segment.from, segment.to}, {moved(from), moved(to)}, {is_inside(segment.t[0]), is_inside(segment.t[1])}};
+    return Moved{{segment.from, segment.to},
+                 {moved(from), moved(to)},
+                 {is_inside(segment.t[0]), is_inside(segment.t[1])},
+                 segment.visible};
   }
 
-  [[nodiscard]] static Occluder occluder_of(const Moved& contour) {
-    return {contour.facets, PageCurve(contour.surface.from, contour.surface.to), true, false, true};
+  [[nodiscard]] static DrawnLine line_of(const Moved& contour) {
+    return {contour.facets, PageCurve(contour.surface[0], contour.surface[1]), true, false, contour.visible};
   }
 
-  // Lines as they are before any of them moves.
-  [[nodiscard]] std::vector<Occluder> all_occluders(const std::vector<Moved>& contours) const {
-    std::vector<Occluder> all;
-    for (const Moved& contour : contours) all.push_back(occluder_of(contour));
+  // Crossings with other surfaces may have moved ends of contours in their chains already.
+  [[nodiscard]] DrawnLines lines_with(const std::vector<Moved>& contours,
+                                      const std::vector<std::vector<Vec2>>& facets) const {
+    std::vector<DrawnLine> all = drawn_lines(drawing_.chains, facets);
+    for (const Moved& contour : contours) all.push_back(line_of(contour));
+    return {std::move(all), drawing_.coincident, touching_};
+  }
+
+  // The places of lines before any of them moves.
+  [[nodiscard]] std::vector<std::vector<Vec2>> all_facets() const {
+    std::vector<std::vector<Vec2>> all;
     for (std::size_t number = 0; number < drawing_.chains.size(); ++number) {
       const Chain& chain = drawing_.chains[number];
-      const std::size_t count = chain.points.size(), first = all.size();
-      for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < count; ++i) {
-        const Line line{chain.points[i], chain.points[(i + 1) % count]};
-        all.push_back({line, PageCurve(line.from, line.to), false, false, chain.visible, static_cast<int>(number)});
-      }
-      if (!chain.closed) {
-        all[first].facets.from = ends_[number][0];
-        all.back().facets.to = ends_[number][1];
-      }
-      for (const CurvePart& curve : chain.curves) {
-        check(curve.first >= 0 && curve.last - curve.first <= static_cast<int>(count), "an arc is a part of its line");
-        for (int i = curve.first; i < curve.last; ++i) {
-          Occluder& one = all[first + static_cast<std::size_t>(i) % count];
-          one.drawn = PageCurve(ellipse_of(curve));
-          one.is_moved = one.is_arc = true;
-        }
-      }
+      all.push_back(chain.points);
+      if (chain.closed) continue;
+      all.back().front() = ends_[number][0];
+      all.back().back() = ends_[number][1];
     }
     return all;
   }
 
   // Whether a contour still meets what it ends at: the arc of a rim, the crossing with another surface, or what hides
   // the rest of it.
-  [[nodiscard]] bool can_move(const Occluders& occluders, const Vec2& end, bool ends_in_edge) const {
-    if (!ends_in_edge) return occluders.has_arc_at(end);
+  [[nodiscard]] bool can_move(const DrawnLines& lines, const Moved& contour, std::size_t number) const {
+    const Vec2& end = contour.facets[number];
+    if (!contour.ends_in_edge[number]) return lines.has_arc_through(contour.surface[number], end);
     return !crossings_.is_node(end) || crossings_.moved(end);
   }
 
-  void add_end(const Occluders& occluders, const Moved& contour, std::size_t number) {
-    const Vec2& end = number == 0 ? contour.facets.from : contour.facets.to;
-    Vec2 place = number == 0 ? contour.surface.from : contour.surface.to;
-    if (const auto met = crossings_.moved(end))
-      place = *met;
-    else if (contour.ends_in_edge[number])
-      place = occluders.end_of(occluder_of(contour), end).value_or(place);
-    moved_.add(end, place);
+  // Where a contour ends on the surface.
+  [[nodiscard]] Vec2 place_of_end(const DrawnLines& lines, const Moved& contour, std::size_t number) const {
+    const Vec2& end = contour.facets[number];
+    if (const auto met = crossings_.moved(end)) return *met;
+    const Vec2& place = contour.surface[number];
+    return contour.ends_in_edge[number] ? lines.end_in_edge(line_of(contour), end).value_or(place) : place;
   }
 
-  // Arcs through a place go on as they are; those that end there end where the contour touches them.
-  void move(Chain& chain) const {
+  // Contours stay where they, or arcs that end where they do, are so short that the surface would turn them over:
+  // something hides them before the place where both meet on the surface.
+  void keep_what_would_vanish(const DrawnLines& lines, std::vector<Moved>& contours) const {
+    Places<Vec2> ends(drawing_.coincident);
+    Places<bool> stuck(drawing_.coincident);
+    for (const Moved& contour : contours) {
+      check(contour.facets[0] != contour.facets[1], "a contour on facets has a length");
+      const std::array places{place_of_end(lines, contour, 0), place_of_end(lines, contour, 1)};
+      for (const std::size_t end : {0, 1})
+        if (!contour.ends_in_edge[end]) ends.add(contour.facets[end], places[end]);
+      // Of two contours on each other, nothing is left of the rest of one.
+      const Vec2 along = glm::normalize(contour.facets[1] - contour.facets[0]);
+      if (glm::dot(places[1] - places[0], along) >= -drawing_.coincident) continue;
+      for (const Vec2& end : contour.facets) stuck.add(end, true);
+    }
+    for (const Chain& chain : drawing_.chains)
+      for (std::size_t i = 0; i < chain.points.size(); ++i) {
+        const Vec2* place = ends.find(chain.points[i]);
+        if (place == nullptr) continue;
+        Chain moved = chain;
+        if (!move_point(moved, static_cast<int>(i), *place)) stuck.add(chain.points[i], true);
+      }
+    std::erase_if(contours, [&](const Moved& contour) {
+      const auto is_stuck = [&](std::size_t end) {
+        return !contour.ends_in_edge[end] && stuck.find(contour.facets[end]) != nullptr;
+      };
+      return is_stuck(0) || is_stuck(1);
+    });
+  }
+
+  // Arcs through a place go on as they are; those that end there end where the contour touches them, also if its own
+  // end is covered by the chord of a rim that is seen edge-on.
+  void move(const DrawnLines& lines, const std::vector<Vec2>& facets, Chain& chain) {
     const int count = static_cast<int>(chain.points.size());
     for (int i = 0; i < count; ++i) {
-      const Vec2* moved = moved_.find(chain.points[static_cast<std::size_t>(i)]);
-      if (moved == nullptr) continue;
-      bool inside = false;
-      for (const CurvePart& curve : chain.curves)
-        inside = inside || (curve.first < i && i < curve.last) || (curve.first < i + count && i + count < curve.last);
-      if (!inside) move_point(chain, i, *moved);
+      if (is_inside_arc(chain, i)) continue;
+      const Vec2& end = facets[static_cast<std::size_t>(i)];
+      if (const Vec2* moved = moved_.find(end)) {
+        move_point(chain, i, *moved);
+        continue;
+      }
+      for (const CurvePart& curve : chain.curves) {
+        const bool begins = curve.first == i;
+        if (!begins && curve.last % count != i) continue;
+        const int other = begins ? i - 1 : i + 1;
+        if (!chain.closed && (other < 0 || other == count)) continue;
+        const auto touch =
+            lines.touch_of_contour(curve, {end, facets[static_cast<std::size_t>((other + count) % count)]});
+        if (touch && move_point(chain, i, *touch)) moved_.add(end, *touch);
+      }
     }
   }
 
-  static void move_point(Chain& chain, int i, const Vec2& place) {
+  static bool is_inside_arc(const Chain& chain, int i) {
     const int count = static_cast<int>(chain.points.size());
-    Vec2& point = chain.points[static_cast<std::size_t>(i)];
-    for (CurvePart& curve : chain.curves) {
-      const Ellipse ellipse = ellipse_of(curve);
+    return std::any_of(chain.curves.begin(), chain.curves.end(), [&](const CurvePart& curve) {
+      return (curve.first < i && i < curve.last) || (curve.first < i + count && i + count < curve.last);
+    });
+  }
+
+  // Returns false, and moves nothing, if nothing would be left of an arc.
+  static bool move_point(Chain& chain, int i, const Vec2& place) {
+    const int count = static_cast<int>(chain.points.size());
+    check(0 <= i && i < count, "a line is moved where it has a point");
+    if (is_inside_arc(chain, i)) return true;
+    Vec2 on_arc = place;
+    std::vector<CurvePart> curves = chain.curves;
+    for (CurvePart& curve : curves) {
+      const Ellipse ellipse{curve.centre, curve.u, curve.v};
+      const Vec2& point = chain.points[static_cast<std::size_t>(i)];
       const double turn = std::remainder(ellipse.angle_of(place) - ellipse.angle_of(point), 2 * std::numbers::pi);
-      if (curve.first == i && !move_end(curve.from, curve.to, turn)) return;
-      if ((curve.last == i || curve.last == i + count) && !move_end(curve.to, curve.from, turn)) return;
+      if (curve.first == i) {
+        if (!move_end(curve.from, curve.to, turn)) return false;
+        on_arc = ellipse.at(curve.from);
+      }
+      if (curve.last == i || curve.last == i + count) {
+        if (!move_end(curve.to, curve.from, turn)) return false;
+        on_arc = ellipse.at(curve.to);
+      }
     }
-    point = place;
+    chain.points[static_cast<std::size_t>(i)] = on_arc;
+    chain.curves = std::move(curves);
+    return true;
   }
 
   // Whether something hides the rest of the edge at the end of a line.
   [[nodiscard]] bool ends_in_edge(const Segment& segment, const Vec2& end) const {
-    if (is_link(segment)) return false;
     const bool is_first = glm::distance(segment.from, end) < glm::distance(segment.to, end);
     const double t = segment.t[is_first ? 0 : 1];
     return glm::distance(is_first ? segment.from : segment.to, end) <= drawing_.coincident && t != 0 && t != 1;
   }
 
-  void move_ends(const Occluders& occluders, std::size_t number) {
+  void move_ends(const DrawnLines& lines, std::size_t number) {
     Chain& chain = drawing_.chains[number];
     for (const bool front : {true, false}) {
       const Vec2& end = ends_[number][front ? 0 : 1];
       const int segment = front ? chain.segments.front() : chain.segments.back();
-      auto place = end_on_page(occluders, number, front, drawing_.segments[static_cast<std::size_t>(segment)]);
+      auto place = end_on_page(lines, number, front, drawing_.segments[static_cast<std::size_t>(segment)]);
       while (place && is_before_last_line(chain, front, *place)) {
         drop_end(chain, front);
-        place = end_on_page(occluders, number, front, drawing_.segments[static_cast<std::size_t>(segment)]);
+        place = end_on_page(lines, number, front, drawing_.segments[static_cast<std::size_t>(segment)]);
       }
       if (!place) continue;
       move_point(chain, front ? 0 : static_cast<int>(chain.points.size()) - 1, *place);
@@ -320,29 +313,33 @@ class Mover {
   }
 
   // Where a line ends; nothing if it ends where it is.
-  [[nodiscard]] std::optional<Vec2> end_on_page(const Occluders& occluders, std::size_t number, bool front,
+  [[nodiscard]] std::optional<Vec2> end_on_page(const DrawnLines& lines, std::size_t number, bool front,
                                                 const Segment& segment) const {
     const Chain& chain = drawing_.chains[number];
     const Vec2& end = ends_[number][front ? 0 : 1];
     if (const Vec2* moved = moved_.find(end)) return *moved;
     if (const auto crossed = crossings_.moved(end)) return crossed;
-    if (!ends_in_edge(segment, end)) return std::nullopt;
+    if (is_link(segment)) return std::nullopt;
     const std::size_t last = chain.points.size() - 1;
-    const Line line = front ? Line{chain.points[1], chain.points[0]} : Line{chain.points[last - 1], chain.points[last]};
-    Occluder own{line, PageCurve(line.from, line.to), false, false, chain.visible, static_cast<int>(number)};
+    const Vec2 &before = chain.points[front ? 1 : last - 1], &drawn_end = chain.points[front ? 0 : last];
+    DrawnLine own{{before, drawn_end}, PageCurve(before, drawn_end), false, false,
+                  chain.visible,       static_cast<int>(number)};
     for (const CurvePart& curve : chain.curves)
       if (front ? curve.first == 0 : curve.last == static_cast<int>(last)) {
-        own.drawn = PageCurve(ellipse_of(curve));
+        own.drawn = PageCurve(curve);
         own.is_moved = true;
+        own.curve = static_cast<int>(&curve - chain.curves.data());
       }
     own.is_moved = own.is_moved || segment.crossing >= 0;
-    return occluders.end_of(own, end);
+    if (!ends_in_edge(segment, end)) return lines.end_at_vertex(own, end, drawn_end);
+    return lines.end_in_edge(own, end);
   }
 
   const PartEdges& edges_;
   const ExactCrossings& crossings_;
   const std::vector<EndsOnFacets>& ends_;
   ViewDrawing& drawing_;
+  double touching_;
   Vec3 towards_viewer_;
   Places<Vec2> moved_;  ///< by the place of the end on facets
 };
@@ -350,8 +347,8 @@ class Mover {
 }  // namespace
 
 void move_contours(const PartEdges& edges, const ExactCrossings& crossings, const std::vector<EndsOnFacets>& ends,
-                   ViewDrawing& drawing) {
-  if (!drawing.projection.central) Mover(edges, crossings, ends, drawing).move();
+                   double touching, ViewDrawing& drawing) {
+  if (!drawing.projection.central) Mover(edges, crossings, ends, touching, drawing).move();
 }
 
 }  // namespace epura::drawing

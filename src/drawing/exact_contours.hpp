@@ -25,6 +25,6 @@ using EndsOnFacets = std::array<Vec2, 2>;
 /// by more than a facet. Contours that cross another face end where `crossings` has them, or else stay. Call it after
 /// find_curves; `ends` are those of each chain before that.
 void move_contours(const PartEdges& edges, const ExactCrossings& crossings, const std::vector<EndsOnFacets>& ends,
-                   ViewDrawing& drawing);
+                   double touching, ViewDrawing& drawing);
 
 }  // namespace epura::drawing

@@ -41,7 +41,7 @@ CurveReport draw_exactly(const world::World& world, ViewDrawing& drawing, CurveL
   }
   const KnownCircles known = known_circles(edges, drawing);
   const CurveReport found = find_curves(drawing.chains, limits, known, progress);
-  move_contours(edges, crossings, ends, drawing);
+  move_contours(edges, crossings, ends, limits.tolerance, drawing);
   widen_box(drawing);
   return found;
 }

@@ -119,6 +119,7 @@ class Finder {
     Places<int> circles_of_middles(drawing_.coincident);
     for (const int number : chain.segments) {
       const Segment& segment = drawing_.segments[static_cast<std::size_t>(number)];
+      if (is_link(segment)) continue;
       if (const int circle = circle_of(segment); circle >= 0)
         circles_of_middles.add((segment.from + segment.to) / 2.0, circle);
     }

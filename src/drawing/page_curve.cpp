@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/portable_math.hpp"
 
@@ -26,6 +27,26 @@ double PageCurve::parameter_of(const Vec2& point) const {
                       : shape_.angle_of(point);
 }
 
+double PageCurve::parameter_near_part(const Vec2& place) const {
+  const double parameter = parameter_of(place), middle = (range_[0] + range_[1]) / 2;
+  return is_straight_ ? parameter : middle + std::remainder(parameter - middle, 2 * std::numbers::pi);
+}
+
+bool PageCurve::is_in_part(const Vec2& place) const {
+  const double parameter = parameter_near_part(place);
+  return range_[0] <= parameter && parameter <= range_[1];
+}
+
+Vec2 PageCurve::end_near(const Vec2& place) const {
+  return at(std::clamp(parameter_near_part(place), range_[0], range_[1]));
+}
+
+Vec2 PageCurve::place_of_tangent(const Vec2& along, const Vec2& point) const {
+  const double angle = portable_atan2(cross(along, shape_.v), cross(along, shape_.u));
+  const Vec2 place = shape_.at(angle), opposite = 2.0 * shape_.centre - place;
+  return glm::distance(place, point) <= glm::distance(opposite, point) ? place : opposite;
+}
+
 std::optional<Vec2> crossing_near(const PageCurve& one, const PageCurve& other, const Vec2& point) {
   double s = one.parameter_of(point), t = other.parameter_of(point);
   for (int step = 0; step < most_steps; ++step) {
@@ -38,6 +59,13 @@ std::optional<Vec2> crossing_near(const PageCurve& one, const PageCurve& other, 
     if (std::max(std::abs(ds) * glm::length(along), std::abs(dt) * glm::length(across)) <= settled) return one.at(s);
   }
   return std::nullopt;
+}
+
+std::optional<Vec2> touch_near(const PageCurve& one, const PageCurve& other, const Vec2& point, double within) {
+  if (one.is_straight() == other.is_straight()) return std::nullopt;
+  const PageCurve &line = one.is_straight() ? one : other, &ellipse = one.is_straight() ? other : one;
+  const Vec2 place = ellipse.place_of_tangent(line.derivative(0), point);
+  return line.distance(place) <= within ? std::optional(place) : std::nullopt;
 }
 
 }  // namespace epura::drawing

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/drawn_lines.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+
+namespace epura::drawing {
+
+namespace {
+
+// Millimetres between a line on facets and the same line drawn elsewhere.
+constexpr double same_place = 1e-6;
+// How much farther an end moves than both lines, at most: where they cross at less than 6 degrees, facets do not tell
+// which of them ends.
+constexpr double most_slant = 10;
+
+bool is_on(const std::array<Vec2, 2>& line, const PageCurve& curve) {
+  return std::max(curve.distance(line[0]), curve.distance(line[1])) <= same_place;
+}
+
+// Whether a line is the one that ends at `end` on facets, or an arc of which that is a part.
+bool is_own(const DrawnLine& one, const DrawnLine& line, const Vec2& end) {
+  if (one.chain < 0 || one.chain != line.chain) return false;
+  return one.facets[0] == end || one.facets[1] == end || (one.curve >= 0 && one.curve == line.curve);
+}
+
+void take_nearer(std::optional<Vec2>& nearest, const std::optional<Vec2>& place, const Vec2& end) {
+  if (place && (!nearest || glm::distance(*place, end) < glm::distance(*nearest, end))) nearest = place;
+}
+
+}  // namespace
+
+std::vector<DrawnLine> drawn_lines(const std::vector<Chain>& chains, const std::vector<std::vector<Vec2>>& facets) {
+  std::vector<DrawnLine> all;
+  for (std::size_t number = 0; number < chains.size(); ++number) {
+    const Chain& chain = chains[number];
+    const std::size_t count = chain.points.size(), first = all.size();
+    check(facets[number].size() == count, "each point of a line has its place on facets");
+    for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < count; ++i) {
+      const std::size_t next = (i + 1) % count;
+      const std::array line{facets[number][i], facets[number][next]};
+      const PageCurve drawn(chain.points[i], chain.points[next]);
+      all.push_back({line, drawn, !is_on(line, drawn), false, chain.visible, static_cast<int>(number)});
+    }
+    for (std::size_t c = 0; c < chain.curves.size(); ++c) {
+      const CurvePart& curve = chain.curves[c];
+      check(curve.first >= 0 && curve.last - curve.first <= static_cast<int>(count), "an arc is a part of its line");
+      for (int i = curve.first; i < curve.last; ++i) {
+        DrawnLine& one = all[first + static_cast<std::size_t>(i) % count];
+        one.drawn = PageCurve(curve);
+        one.is_moved = one.is_arc = true;
+        one.curve = static_cast<int>(c);
+      }
+    }
+  }
+  return all;
+}
+
+DrawnLines::DrawnLines(std::vector<DrawnLine> all, double near, double touching)
+    : all_(std::move(all)),
+      near_(near),
+      touching_(touching),
+      cells_(all_.size(), near, [&](std::size_t i) { return all_[i].facets; }) {}
+
+bool DrawnLines::is_at(const DrawnLine& one, const Vec2& place) const {
+  return distance_to_segment(place, one.facets[0], one.facets[1]) <= near_;
+}
+
+template <class Visit>
+void DrawnLines::visit_others_at(const Vec2& end, const DrawnLine& line, const Visit& visit) const {
+  for (const std::size_t i : cells_.at(end))
+    if (!is_own(all_[i], line, end) && is_at(all_[i], end)) visit(i);
+}
+
+bool DrawnLines::has_arc_through(const Vec2& place, const Vec2& end) const {
+  const auto here = cells_.at(end);
+  return std::any_of(here.begin(), here.end(), [&](std::size_t i) {
+    return all_[i].is_arc && is_at(all_[i], end) && all_[i].drawn.distance(place) <= touching_;
+  });
+}
+
+std::optional<Vec2> DrawnLines::touch_of_contour(const CurvePart& arc, const std::array<Vec2, 2>& line) const {
+  std::optional<Vec2> nearest;
+  for (const Vec2& place : line)
+    for (const std::size_t i : cells_.at(place)) {
+      const DrawnLine& one = all_[i];
+      if (one.chain >= 0 || !is_at(one, place) || one.drawn.distance(line[0]) <= near_) continue;
+      if (PageCurve(one.facets[0], one.facets[1]).distance(line[0]) <= near_)
+        take_nearer(nearest, touch_near(PageCurve(arc), one.drawn, line[0], touching_), line[0]);
+    }
+  return nearest;
+}
+
+// Where a line crosses or touches the line with a number near the end that facets have, or what goes on from that in
+// its chain, or else its end.
+std::optional<Vec2> DrawnLines::meeting(const DrawnLine& line, std::size_t number, const Vec2& end) const {
+  const DrawnLine& one = all_[number];
+  const double most = glm::distance(one.facets[0], one.facets[1]);
+  const double off = line.drawn.distance(end) + one.drawn.distance(end);
+  const auto is_near = [&](const Vec2& place) { return glm::distance(place, end) <= std::min(most, most_slant * off); };
+  std::optional<Vec2> beyond;
+  for (const std::size_t i : {number, number - 1, number + 1}) {
+    if (i >= all_.size() || all_[i].chain != one.chain || is_own(all_[i], line, end)) continue;
+    const auto place = crossing_near(line.drawn, all_[i].drawn, end);
+    if (!place || !is_near(*place)) continue;
+    if (all_[i].drawn.is_in_part(*place)) return place;
+    if (i == number) beyond = all_[i].drawn.end_near(*place);
+  }
+  if (beyond && is_near(*beyond)) return beyond;
+  const auto place = touch_near(line.drawn, one.drawn, end, touching_);
+  return place && glm::distance(*place, end) <= most ? place : std::nullopt;
+}
+
+std::optional<Vec2> DrawnLines::end_in_edge(const DrawnLine& line, const Vec2& end) const {
+  bool found = false;
+  for (const bool visible : {true, false})
+    for (const bool moved : {true, false}) {
+      if (!moved && (!line.is_moved || !visible)) continue;
+      std::optional<Vec2> nearest;
+      visit_others_at(end, line, [&](std::size_t i) {
+        const DrawnLine& one = all_[i];
+        if (one.visible != visible || one.is_moved != moved) return;
+        found = found || line.chain >= 0;  // a contour is beside its own hidden part, which is such a line, too
+        take_nearer(nearest, meeting(line, i, end), end);
+      });
+      // What is drawn elsewhere is not where facets have it, even if the line only touches it.
+      if (nearest || found) return nearest;
+    }
+  return std::nullopt;
+}
+
+std::optional<Vec2> DrawnLines::end_at_vertex(const DrawnLine& line, const Vec2& end, const Vec2& drawn_end) const {
+  std::optional<Vec2> nearest;
+  bool is_joined = false;
+  visit_others_at(end, line, [&](std::size_t i) {
+    is_joined = is_joined || all_[i].drawn.distance(drawn_end) <= near_;
+    if (all_[i].is_moved) take_nearer(nearest, meeting(line, i, end), end);
+  });
+  return is_joined ? std::nullopt : nearest;
+}
+
+}  // namespace epura::drawing
