@@ -312,9 +312,9 @@ class FeatureFinder {
 
   // Its axis is that of round faces, which it continues, or its own.
   void add_hexagon(const DesignHexagon& hexagon, std::vector<RoundFeature>& features) const {
-    const double slack = std::max(32 * part_.tolerance, same_length * hexagon.across_flats);
+    const double slack = std::max(32 * part_.tolerance, same_size * hexagon.across_flats);
     const auto is_about = [&](const RoundFeature& feature) {
-      return feature.model == model_ && glm::length(glm::cross(feature.axis, hexagon.axis)) <= parallel &&
+      return feature.model == model_ && glm::length(glm::cross(feature.axis, hexagon.axis)) <= nearly_parallel &&
              glm::length(glm::cross(feature.rings.front().centre - hexagon.centre, hexagon.axis)) <= slack;
     };
     auto feature = std::find_if(features.begin(), features.end(), is_about);

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "design/tolerances.hpp"
+
 namespace epura::design {
 
 std::vector<PlaneFace> find_plane_faces(const world::World& world, int model, const world::PlacedPart& part) {
-  constexpr double parallel = 1e-4;  // sine
   const world::Placed& placed = world.models[model];
   const mesh::Mesh& mesh = placed.mesh->whole();
   std::vector<PlaneFace> planes;
