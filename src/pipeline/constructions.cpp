@@ -55,7 +55,7 @@ bool suits(ConstructionFamily family, Part part) {
   return false;
 }
 
-std::string name_of(ConstructionFamily family) {
+std::string family_name(ConstructionFamily family) {
   switch (family) {
     case ConstructionFamily::central:
       return "a central projection, such as two-point";
@@ -334,7 +334,7 @@ void expect_constructions(const SheetOfViews& views, std::span<const view::Proje
       if (!is_shown)
         throw Error(ErrorKind::input, wanted.where,
                     "'" + item.text + "' has no meaning in the view '" + *views.descriptions[i].name + "'",
-                    "it needs " + name_of(family));
+                    "it needs " + family_name(family));
     }
   }
 }

@@ -12,7 +12,7 @@ namespace epura::pipeline {
 
 namespace {
 
-std::string name_of(const world::World& world, const scene::SceneDescription& scene, std::size_t model, int body) {
+std::string solid_name(const world::World& world, const scene::SceneDescription& scene, std::size_t model, int body) {
   const mesh::Mesh& mesh = *world.models[model].mesh;
   const std::string& name = scene::name_of_body(mesh, body);
   if (!name.empty()) return "body '" + name + "'";
@@ -29,7 +29,7 @@ world::MassProperties mass_of(const world::World& world, const scene::SceneDescr
   for (std::size_t m = 0; m < world.models.size(); ++m) {
     const world::Placed& placed = world.models[m];
     for (world::Solid& solid : world::solids_of(placed.mesh->whole(), placed.to_world)) {
-      const std::string name = name_of(world, scene, m, solid.body);
+      const std::string name = solid_name(world, scene, m, solid.body);
       if (!solid.fault.empty())
         throw Error(ErrorKind::input, where, name + " has no volume: " + solid.fault,
                     "export it as a closed solid, or leave it out");

@@ -15,20 +15,20 @@ std::string format_point(const Vec3& p) {
   return format_rounded(p.x, 6) + "," + format_rounded(p.y, 6) + "," + format_rounded(p.z, 6);
 }
 
-std::string name_of(const CutSection& section, int model, int body) {
+std::string body_name(const CutSection& section, int model, int body) {
   const mesh::Mesh& mesh = *section.cut.world.models[model].mesh;
   return mesh.report.name + (mesh.report.bodies > 1 ? ": body " + std::to_string(body) : "");
 }
 
 // An area that should have been hatched must not look hollow.
 void warn_about(const Messages& messages, const CutSection& section, const cut::OpenOutline& open) {
-  messages.warn(name_of(section, open.model, open.body) + " has an outline in section " + section.surface.plane.name +
+  messages.warn(body_name(section, open.model, open.body) + " has an outline in section " + section.surface.plane.name +
                 " that is open at " + format_point(open.end) + "; the area it would enclose is not hatched");
 }
 
 void warn_about(const Messages& messages, const CutSection& section, const cut::BridgedGaps& gaps) {
   const std::string where = " wide at " + format_point(gaps.place);
-  messages.warn(name_of(section, gaps.model, gaps.body) + " has " +
+  messages.warn(body_name(section, gaps.model, gaps.body) + " has " +
                 (gaps.count == 1 ? "a gap " + format_rounded(gaps.widest, 6) + where
                                  : std::to_string(gaps.count) + " gaps, the widest " + format_rounded(gaps.widest, 6) +
                                        where + ",") +
