@@ -118,6 +118,8 @@ std::optional<Vec2> DrawnLines::meeting(const DrawnLine& line, std::size_t numbe
     if (i == number) beyond = all_[i].drawn.end_near(*place);
   }
   if (beyond && is_near(*beyond)) return beyond;
+  // Contours touch arcs; others that seem to are chords of nearly the same curve.
+  if (line.chain >= 0 && one.chain >= 0) return std::nullopt;
   const auto place = touch_near(line.drawn, one.drawn, end, touching_);
   return place && glm::distance(*place, end) <= most ? place : std::nullopt;
 }
