@@ -108,7 +108,7 @@ struct Line {
 
 // Returns the fit if the corners lie on the curve in order.
 std::optional<Fit> Line::along(const Ellipse& ellipse, const std::vector<Vec2>& points, bool is_known) const {
-  const double min = std::max(least_radius, least_radius_in_tolerances * tolerance);
+  const double min = is_known ? 0 : std::max(least_radius, least_radius_in_tolerances * tolerance);
   if (!(std::min(glm::length(ellipse.u), glm::length(ellipse.v)) >= min)) return std::nullopt;
   if (!(std::max(glm::length(ellipse.u), glm::length(ellipse.v)) <= most_radius)) return std::nullopt;
   const bool circle = glm::length(ellipse.u) == glm::length(ellipse.v);
@@ -171,16 +171,10 @@ double bulge_of(const Fit& fit) {
   return std::max(glm::length(fit.ellipse.u), glm::length(fit.ellipse.v)) * (1 - portable_cos(fit.longest_step / 2));
 }
 
-// An end of an open chain lies on the curve, or on a chord if the line becomes hidden or is covered by another there:
-// inside the curve, in the middle of the longest chord by the bulge, and less beside it.
+// An end of an open chain lies on the curve, or on a chord if the line becomes hidden or is covered by another there.
 bool ends_on_chord(const Fit& fit, const Vec2& end, double step, double tolerance) {
-  constexpr double rounding = 1e-3;
-  const double part = std::abs(step) / fit.longest_step;
-  if (!(step * fit.sweep > 0) || !(part <= 1 + rounding)) return false;
-  const Ellipse& e = fit.ellipse;
-  const double depth = 4 * part * (1 - part) * bulge_of(fit) * (1 + rounding);
-  const bool inside = glm::distance(end, e.centre) < glm::distance(e.at(e.angle_of(end)), e.centre);
-  return e.distance(end) <= (inside ? std::max(depth, 0.0) : 0) + tolerance;
+  const bool onward = step * fit.sweep > 0 && std::abs(step) <= fit.longest_step * 1.001;
+  return onward && fit.ellipse.distance(end) <= bulge_of(fit) * 1.001 + tolerance;
 }
 
 CurvePart part_of(Chain& chain, const Line& line, const CurveRun<Fit>& run) {

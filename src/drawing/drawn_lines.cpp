@@ -21,10 +21,18 @@ bool is_on(const std::array<Vec2, 2>& line, const PageCurve& curve) {
   return std::max(curve.distance(line[0]), curve.distance(line[1])) <= same_place;
 }
 
-// Whether a line is the one that ends at `end` on facets, or an arc of which that is a part.
-bool is_own(const DrawnLine& one, const DrawnLine& line, const Vec2& end) {
+// Whether a line is the one that ends at `end` on facets, or an arc of which that is a part, or the other end of a line
+// that closes there, within `near`.
+bool is_own(const DrawnLine& one, const DrawnLine& line, const Vec2& end, double near) {
   if (one.chain < 0 || one.chain != line.chain) return false;
-  return one.facets[0] == end || one.facets[1] == end || (one.curve >= 0 && one.curve == line.curve);
+  const double distance = std::min(glm::distance(one.facets[0], end), glm::distance(one.facets[1], end));
+  return distance <= near || (one.curve >= 0 && one.curve == line.curve);
+}
+
+// Hidden parts of an arc, and what goes on from it at a vertex, are nearly the same curve: they do not tell where it
+// ends.
+bool are_both_round(const DrawnLine& line, const DrawnLine& one) {
+  return !line.drawn.is_straight() && !one.drawn.is_straight();
 }
 
 void take_nearer(std::optional<Vec2>& nearest, const std::optional<Vec2>& place, const Vec2& end) {
@@ -72,7 +80,7 @@ bool DrawnLines::is_at(const DrawnLine& one, const Vec2& place) const {
 template <class Visit>
 void DrawnLines::visit_others_at(const Vec2& end, const DrawnLine& line, const Visit& visit) const {
   for (const std::size_t i : cells_.at(end))
-    if (!is_own(all_[i], line, end) && is_at(all_[i], end)) visit(i);
+    if (!is_own(all_[i], line, end, near_) && is_at(all_[i], end)) visit(i);
 }
 
 bool DrawnLines::has_arc_through(const Vec2& place, const Vec2& end) const {
@@ -103,41 +111,41 @@ std::optional<Vec2> DrawnLines::meeting(const DrawnLine& line, std::size_t numbe
   const auto is_near = [&](const Vec2& place) { return glm::distance(place, end) <= std::min(most, most_slant * off); };
   std::optional<Vec2> beyond;
   for (const std::size_t i : {number, number - 1, number + 1}) {
-    if (i >= all_.size() || all_[i].chain != one.chain || is_own(all_[i], line, end)) continue;
+    if (i >= all_.size() || all_[i].chain != one.chain || is_own(all_[i], line, end, near_)) continue;
     const auto place = crossing_near(line.drawn, all_[i].drawn, end);
     if (!place || !is_near(*place)) continue;
     if (all_[i].drawn.is_in_part(*place)) return place;
     if (i == number) beyond = all_[i].drawn.end_near(*place);
   }
   if (beyond && is_near(*beyond)) return beyond;
+  // Contours touch arcs; others that seem to are chords of nearly the same curve.
+  if (line.chain >= 0 && one.chain >= 0) return std::nullopt;
   const auto place = touch_near(line.drawn, one.drawn, end, touching_);
   return place && glm::distance(*place, end) <= most ? place : std::nullopt;
 }
 
 std::optional<Vec2> DrawnLines::end_in_edge(const DrawnLine& line, const Vec2& end) const {
+  std::optional<Vec2> nearest;
   bool found = false;
-  for (const bool visible : {true, false})
-    for (const bool moved : {true, false}) {
-      if (!moved && (!line.is_moved || !visible)) continue;
-      std::optional<Vec2> nearest;
-      visit_others_at(end, line, [&](std::size_t i) {
-        const DrawnLine& one = all_[i];
-        if (one.visible != visible || one.is_moved != moved) return;
-        found = found || line.chain >= 0;  // a contour is beside its own hidden part, which is such a line, too
-        take_nearer(nearest, meeting(line, i, end), end);
-      });
-      // What is drawn elsewhere is not where facets have it, even if the line only touches it.
-      if (nearest || found) return nearest;
-    }
-  return std::nullopt;
+  for (const bool moved : {true, false}) {
+    // What is drawn elsewhere is not where facets have it, even if the line only touches it.
+    if (nearest || found || (!moved && !line.is_moved)) break;
+    visit_others_at(end, line, [&](std::size_t i) {
+      const DrawnLine& one = all_[i];
+      if (!one.visible || one.is_moved != moved) return;
+      found = found || line.chain >= 0;  // a contour is beside its own hidden part, which is such a line, too
+      take_nearer(nearest, meeting(line, i, end), end);
+    });
+  }
+  return nearest;
 }
 
 std::optional<Vec2> DrawnLines::end_at_vertex(const DrawnLine& line, const Vec2& end, const Vec2& drawn_end) const {
   std::optional<Vec2> nearest;
   bool is_joined = false;
   visit_others_at(end, line, [&](std::size_t i) {
-    is_joined = is_joined || all_[i].drawn.distance(drawn_end) <= near_;
-    if (all_[i].is_moved) take_nearer(nearest, meeting(line, i, end), end);
+    is_joined = is_joined || all_[i].drawn.distance(drawn_end) <= touching_;
+    if (all_[i].is_moved && !are_both_round(line, all_[i])) take_nearer(nearest, meeting(line, i, end), end);
   });
   return is_joined ? std::nullopt : nearest;
 }

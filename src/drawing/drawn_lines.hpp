@@ -41,11 +41,11 @@ class DrawnLines {
 
   /// Where a line ends on paper that something hides from `end` on, which is on facets. What is drawn elsewhere hides
   /// before what is not. A straight line that is not drawn elsewhere itself ends where facets have it, unless such a
-  /// line hides it. What nothing visible hides has met a hidden line.
+  /// line hides it.
   [[nodiscard]] std::optional<Vec2> end_in_edge(const DrawnLine& line, const Vec2& end) const;
 
   /// The same for a line that ends in a vertex, on lines that are drawn elsewhere: nothing if `drawn_end`, its end on
-  /// paper, is on any line that it meets on facets.
+  /// paper, touches any line that it meets on facets.
   [[nodiscard]] std::optional<Vec2> end_at_vertex(const DrawnLine& line, const Vec2& end, const Vec2& drawn_end) const;
 
  private:

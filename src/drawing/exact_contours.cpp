@@ -331,7 +331,10 @@ class Mover {
         own.curve = static_cast<int>(&curve - chain.curves.data());
       }
     own.is_moved = own.is_moved || segment.crossing >= 0;
-    if (!ends_in_edge(segment, end)) return lines.end_at_vertex(own, end, drawn_end);
+    if (!ends_in_edge(segment, end)) {
+      if (own.curve < 0 || segment.crossing >= 0) return std::nullopt;
+      return lines.end_at_vertex(own, end, drawn_end);
+    }
     return lines.end_in_edge(own, end);
   }
 
