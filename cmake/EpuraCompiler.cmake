@@ -33,15 +33,22 @@ if(EPURA_SANITIZE)
   add_link_options(-fsanitize=${EPURA_SANITIZE})
 endif()
 
+# epura_compile_together(TARGET): several of its sources at once, if EPURA_UNITY says so.
+function(epura_compile_together target)
+  if(EPURA_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+    # A local name may be that of a constant of another source.
+    target_compile_options(${target} PRIVATE -Wno-shadow)
+  endif()
+endfunction()
+
 # epura_stage(NAME [APART] sources... [LINK libraries...]): one folder of src/ as one static library. APART: its sources
 # give one name to different things, so they are never compiled together.
 function(epura_stage name)
   cmake_parse_arguments(STAGE "APART" "" "LINK" ${ARGN})
   add_library(epura_${name} STATIC ${STAGE_UNPARSED_ARGUMENTS})
-  if(EPURA_UNITY AND NOT STAGE_APART)
-    set_target_properties(epura_${name} PROPERTIES UNITY_BUILD ON)
-    # A local name may be that of a constant of another source.
-    target_compile_options(epura_${name} PRIVATE -Wno-shadow)
+  if(NOT STAGE_APART)
+    epura_compile_together(epura_${name})
   endif()
   target_include_directories(epura_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(epura_${name} PUBLIC ${STAGE_LINK})
