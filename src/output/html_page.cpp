@@ -26,7 +26,7 @@ bool has_pictures(const FileContent& content) {
   });
 }
 
-std::string numbers(const std::vector<double>& values) {
+std::string compact_numbers(const std::vector<double>& values) {
   return json_list(
       values, [](double value) { return format_rounded(value, 12); }, ",");
 }
@@ -37,7 +37,7 @@ std::string view_of(const drawing::ViewDrawing& view) {
     for (int column = 0; column < 4; ++column) matrix.push_back(view.world_to_page[column][row]);
   return "{\"name\":" + json_string(view.name) + ",\"scale\":" + json_number(view.scale) +
          (view.projection.central ? ",\"central\":true" : "") + (view.breaks.any() ? ",\"broken\":true" : "") +
-         ",\"matrix\":" + numbers(matrix) + "}";
+         ",\"matrix\":" + compact_numbers(matrix) + "}";
 }
 
 // Paths of files are not shown to those who get the page.

@@ -137,7 +137,7 @@ void append_origin(std::string& svg, const sheet::Stroke& stroke, std::optional<
   svg += '"';
 }
 
-std::string numbers(const std::vector<double>& values, int digits) {
+std::string rounded_numbers(const std::vector<double>& values, int digits) {
   std::string text;
   for (const double value : values) text += (text.empty() ? "" : " ") + format_rounded(value, digits);
   return text;
@@ -151,7 +151,7 @@ void append_facts(std::string& svg, const sheet::LineFacts& facts, std::size_t m
   if (facts.more_faces > 0) faces += " +" + std::to_string(facts.more_faces);
   const std::string body = ";" + (facts.body > 0 ? std::to_string(facts.body) : std::string());
   // Planes need more digits: their coefficients are multiplied by positions.
-  const std::string depths = ";" + numbers(facts.depth, facts.depth.size() == 3 ? 9 : 6);
+  const std::string depths = ";" + rounded_numbers(facts.depth, facts.depth.size() == 3 ? 9 : 6);
   const auto fits = [&](std::size_t more) { return text.size() + more + body.size() + 1 <= most; };
   if (fits(faces.size())) text += faces;
   text += body;
