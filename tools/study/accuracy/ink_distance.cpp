@@ -77,14 +77,14 @@ double farthest(const InkGrid& grid, const InkLine& line, double known) {
 }
 
 // A piece of a line by its middle.
-struct Piece {
+struct MeasuredPiece {
   double distance, length;
 };
 
-std::vector<Piece> pieces_of(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink) {
+std::vector<MeasuredPiece> pieces_of(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink) {
   constexpr double shortest = 0.5;  // mm
   const InkGrid grid(ink);
-  std::vector<Piece> pieces;
+  std::vector<MeasuredPiece> pieces;
   for (const InkLine& line : lines) {
     const double length = glm::distance(line.from, line.to);
     const int parts = std::max(1, static_cast<int>(length / shortest));
@@ -107,18 +107,19 @@ double farthest_from_ink(const std::vector<InkLine>& lines, const std::vector<In
 }
 
 double distance_of_share(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink, double share) {
-  std::vector<Piece> pieces = pieces_of(lines, ink);
-  std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.distance < b.distance; });
+  std::vector<MeasuredPiece> pieces = pieces_of(lines, ink);
+  std::sort(pieces.begin(), pieces.end(),
+            [](const MeasuredPiece& a, const MeasuredPiece& b) { return a.distance < b.distance; });
   double whole = 0, within = 0;
-  for (const Piece& piece : pieces) whole += piece.length;
-  for (const Piece& piece : pieces)
+  for (const MeasuredPiece& piece : pieces) whole += piece.length;
+  for (const MeasuredPiece& piece : pieces)
     if ((within += piece.length) >= share * whole) return piece.distance;
   return pieces.empty() ? 0 : pieces.back().distance;
 }
 
 double length_beyond(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink, double most) {
   double beyond = 0;
-  for (const Piece& piece : pieces_of(lines, ink)) beyond += piece.distance > most ? piece.length : 0;
+  for (const MeasuredPiece& piece : pieces_of(lines, ink)) beyond += piece.distance > most ? piece.length : 0;
   return beyond;
 }
 

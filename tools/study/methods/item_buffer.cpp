@@ -23,7 +23,7 @@ namespace {
 constexpr int tile_side = 256;  // pixels; depth and items of a tile fit into the cache of a core
 constexpr double most_tiles = 1 << 22;
 constexpr double most_pixels_of_edges = 1e9;
-constexpr std::size_t chunk = 4096;
+constexpr std::size_t items_at_once = 4096;
 
 /// The nearest triangles at the pixel centres of a tile.
 class Tile {
@@ -88,7 +88,7 @@ class Tile {
 };
 
 /// Consecutive pixels of an edge in one tile.
-struct Piece {
+struct TilePiece {
   int edge;
   int first, last;  ///< steps of its walk
 };
@@ -118,10 +118,11 @@ ByTile<Thing> by_tile(const std::vector<std::vector<std::pair<int, Thing>>>& par
 // Calls `find(i, found)` for all items; `found` takes pairs of a tile and an item in it.
 template <class Thing, class Find>
 ByTile<Thing> sort_into_tiles(std::size_t count, int tiles, const Find& find) {
-  std::vector<std::vector<std::pair<int, Thing>>> parts((count + chunk - 1) / chunk);
+  std::vector<std::vector<std::pair<int, Thing>>> parts((count + items_at_once - 1) / items_at_once);
   parallel_for(parts.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t part = first; part < last; ++part)
-      for (std::size_t i = part * chunk; i < std::min((part + 1) * chunk, count); ++i) find(i, parts[part]);
+      for (std::size_t i = part * items_at_once; i < std::min((part + 1) * items_at_once, count); ++i)
+        find(i, parts[part]);
   });
   return by_tile(parts, tiles);
 }
@@ -146,7 +147,7 @@ class ItemBuffer {
 
   std::vector<visibility::Spans> hidden_spans() {
     const ByTile<int> triangles = triangles_by_tile();
-    const ByTile<Piece> pieces = pieces_by_tile();
+    const ByTile<TilePiece> pieces = pieces_by_tile();
     parallel_for(static_cast<std::size_t>(tiles_.count()), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t tile = begin; tile < end; ++tile) {
         if (pieces.first[tile] == pieces.first[tile + 1]) continue;
@@ -197,8 +198,8 @@ class ItemBuffer {
                        std::clamp(pixel[1] / tile_side, 0, tiles_.rows - 1));
   }
 
-  [[nodiscard]] ByTile<Piece> pieces_by_tile() const {
-    return sort_into_tiles<Piece>(walks_.size(), tiles_.count(), [&](std::size_t e, auto& found) {
+  [[nodiscard]] ByTile<TilePiece> pieces_by_tile() const {
+    return sort_into_tiles<TilePiece>(walks_.size(), tiles_.count(), [&](std::size_t e, auto& found) {
       int tile = -1;
       for (int step = 0; step < walks_[e].steps(); ++step) {
         const int here = tile_of(walks_[e].pixel(step));
@@ -210,7 +211,7 @@ class ItemBuffer {
     });
   }
 
-  void look(const Tile& buffer, const Piece& piece) {
+  void look(const Tile& buffer, const TilePiece& piece) {
     const PixelWalk& walk = walks_[piece.edge];
     const edges::FeatureEdge& edge = drawn_.edges[piece.edge];
     const PointRule rule(view_, {edge.vertex[0], edge.vertex[1]});
@@ -227,7 +228,7 @@ class ItemBuffer {
 
   [[nodiscard]] std::vector<visibility::Spans> spans_of_pixels() const {
     std::vector<visibility::Spans> spans(walks_.size());
-    parallel_for(walks_.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    parallel_for(walks_.size(), items_at_once, [&](std::size_t begin, std::size_t end) {
       for (std::size_t e = begin; e < end; ++e)
         for (int step = 0; step < walks_[e].steps(); ++step)
           if (hidden_[first_pixel_[e] + step] != 0) visibility::add_span(spans[e], walks_[e].part(step));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double narrow_line = 0.35;  // mm; an error of that width is seen
 
-std::string number(double value) { return std::isfinite(value) ? format_rounded(value, 4) : "inf"; }
+std::string rounded(double value) { return std::isfinite(value) ? format_rounded(value, 4) : "inf"; }
 
 // 998000 as 998k.
 std::string short_count(int count) {
@@ -46,12 +46,12 @@ Table table_of(const std::vector<PaperSeries>& all) {
       const PaperError& e = run.error;
       const auto [first, third] = quartiles_of(run.seconds);
       const bool states = e.budget.total() > 0;  // rivals do not
-      const auto compared = [&](double value) { return states ? number(value) : ""; };
+      const auto compared = [&](double value) { return states ? rounded(value) : ""; };
       table.rows.push_back({series.scene, series.way, std::to_string(run.around), std::to_string(run.triangles),
-                            number(e.ink()), number(e.drawn), number(e.truth), compared(e.budget.total()),
+                            rounded(e.ink()), rounded(e.drawn), rounded(e.truth), compared(e.budget.total()),
                             states ? report::row_of(e.budget.dominant()).name : "", compared(e.missed),
-                            compared(e.phantom), format_rounded(series.order(), 2), number(median_of(run.seconds)),
-                            number(first), number(third), std::to_string(run.seconds.size()),
+                            compared(e.phantom), format_rounded(series.order(), 2), rounded(median_of(run.seconds)),
+                            rounded(first), rounded(third), std::to_string(run.seconds.size()),
                             run.on_front ? "1" : "0"});
     }
   return table;

@@ -9,15 +9,12 @@ namespace epura::stability {
 
 namespace {
 
-const double r = std::sqrt(2.0 / 3.0);
-const Vec3 diagonal(1, 1, 1);
-
 // The rear corner lies exactly behind the front corner, and rear edges behind diagonals of triangles.
 Measured cube_along_its_diagonal(const Lab& lab, double cells) {
   Measured measured;
   for (const bool other : {false, true}) {
     const Result result = lab.draw(lab.world_of(fine_cube(static_cast<int>(cells), other)), {orthographic(diagonal)});
-    append(measured, lengths(result, 9 * r, 3 * r));
+    append(measured, lengths(result, 9 * isometric_edge, 3 * isometric_edge));
     measured.push_back(count("visible pieces", 9 * cells, result.pieces(true)));
   }
   return measured;
@@ -37,13 +34,13 @@ Measured cube_and_its_copy(const Lab& lab, double d) {
   Shape both = box({0, 0, 0}, {2, 2, 2});
   both.add(box({d, d, d}, {2 + d, 2 + d, 2 + d}));
   const Result result = lab.draw(lab.world_of(both), {orthographic(diagonal)}, {.intersection = false});
-  return lengths(result, 18 * r, 6 * r);
+  return lengths(result, 18 * isometric_edge, 6 * isometric_edge);
 }
 
 Measured turned_cube(const Lab& lab, double angle) {
   const Result result = lab.draw(lab.world_of(box({0, 0, 0}, {1, 1, 1})), {orthographic({1 + angle, 1, 1 - angle})});
   // Lengths on the page change by less than three times the angle.
-  return lengths(result, 9 * r, 3 * r, guaranteed_part + 3 * angle);
+  return lengths(result, 9 * isometric_edge, 3 * isometric_edge, guaranteed_part + 3 * angle);
 }
 
 // There must be one step where the larger plate is no longer in contact, but never specks.

@@ -11,14 +11,11 @@ namespace epura::stability {
 
 namespace {
 
-const double r = std::sqrt(2.0 / 3.0);
-const Vec3 diagonal(1, 1, 1);
-
 // Both have the same coordinates at the touching faces.
 Measured boxes_in_contact(const Lab& lab, double at) {
   Shape both = box({at, at, at}, {at + 1, at + 1, at + 1});
   both.add(box({at + 1, at, at}, {at + 2, at + 1, at + 1}));
-  return lengths(lab.draw(lab.world_of(both), {orthographic(diagonal)}), 14 * r, 5 * r);
+  return lengths(lab.draw(lab.world_of(both), {orthographic(diagonal)}), 14 * isometric_edge, 5 * isometric_edge);
 }
 
 // The edges of the two faces beside the gap are parallel on the page.
@@ -26,14 +23,16 @@ Measured boxes_with_a_gap(const Lab& lab, double gap) {
   Shape both = box({0, 0, 0}, {1, 1, 1});
   both.add(box({1 + gap, 0, 0}, {2 + gap, 1, 1}));
   const Result result = lab.draw(lab.world_of(both), {orthographic(diagonal)});
-  const bool apart = gap * r * std::sqrt(0.75) > result.merge_width();
-  return apart ? lengths(result, (16 + 2 * gap) * r, (7 - gap) * r) : lengths(result, 14 * r, 5 * r);
+  const bool apart = gap * isometric_edge * std::sqrt(0.75) > result.merge_width();
+  return apart ? lengths(result, (16 + 2 * gap) * isometric_edge, (7 - gap) * isometric_edge)
+               : lengths(result, 14 * isometric_edge, 5 * isometric_edge);
 }
 
 Measured cube_twice(const Lab& lab, double at) {
   Shape twice = triangulated_cube(false);
   twice.add(triangulated_cube(true));
-  return lengths(lab.draw(lab.world_of(twice.moved(at, at, at)), {orthographic(diagonal)}), 9 * r, 3 * r);
+  return lengths(lab.draw(lab.world_of(twice.moved(at, at, at)), {orthographic(diagonal)}), 9 * isometric_edge,
+                 3 * isometric_edge);
 }
 
 Measured faces_flipped_at_random(const Lab& lab, double seed) {
@@ -41,14 +40,15 @@ Measured faces_flipped_at_random(const Lab& lab, double seed) {
   Shape cube = triangulated_cube();
   for (auto& face : cube.faces)
     if (seed == 0 || random() % 2 == 0) std::swap(face[0], face[1]);
-  return lengths(lab.draw(lab.world_of(cube), {orthographic(diagonal)}), 9 * r, 3 * r);
+  return lengths(lab.draw(lab.world_of(cube), {orthographic(diagonal)}), 9 * isometric_edge, 3 * isometric_edge);
 }
 
 Measured cavity_in_a_cube(const Lab& lab, double at) {
   Measured measured;
   for (const bool outward : {false, true}) {
     const Shape cube = cube_with_a_cavity(outward).moved(at, at, at);
-    append(measured, lengths(lab.draw(lab.world_of(cube), {orthographic(diagonal)}), 27 * r, 15 * r));
+    append(measured,
+           lengths(lab.draw(lab.world_of(cube), {orthographic(diagonal)}), 27 * isometric_edge, 15 * isometric_edge));
   }
   return measured;
 }

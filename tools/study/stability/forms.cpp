@@ -117,9 +117,9 @@ Measured triangles_without_area(const Lab& lab, int cells, int parts) {
   const Vec3 towards = glm::normalize(Vec3(3, -2, 1));
   double all = 0;  // four edges along each axis, one of them hidden
   for (int axis = 0; axis < 3; ++axis) all += std::sqrt(1 - towards[axis] * towards[axis]);
-  const double r = std::sqrt(2.0 / 3.0);
   for (const Quantity& q : lengths(lab.draw(world, {orthographic(towards)}), 3 * all, all)) measured.push_back(q);
-  for (const Quantity& q : lengths(lab.draw(world, {orthographic({1, 1, 1})}), 9 * r, 3 * r)) measured.push_back(q);
+  for (const Quantity& q : lengths(lab.draw(world, {orthographic({1, 1, 1})}), 9 * isometric_edge, 3 * isometric_edge))
+    measured.push_back(q);
   return measured;
 }
 

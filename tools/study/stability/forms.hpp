@@ -2,6 +2,8 @@
 // Scenes of any size with lines known in closed form: each is built, drawn and measured. Lengths are in model units.
 #pragma once
 
+#include <cmath>
+
 #include "laboratory/lab.hpp"
 #include "laboratory/shapes.hpp"
 #include "study/stability/measured.hpp"
@@ -9,6 +11,10 @@
 namespace epura::stability {
 
 using namespace laboratory;
+
+/// The direction in which all edges of a cube have the same length on the page, and that of the edges of a unit cube.
+inline const Vec3 diagonal(1, 1, 1);
+inline const double isometric_edge = std::sqrt(2.0 / 3.0);
 
 /// Total lengths of the visible and the hidden lines; errors up to `allowed`, relative to the larger of drawing and
 /// total.

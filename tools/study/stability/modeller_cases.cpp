@@ -12,12 +12,9 @@ namespace epura::stability {
 
 namespace {
 
-const double r = std::sqrt(2.0 / 3.0);
-const Vec3 diagonal(1, 1, 1);
-
 Measured as_a_cube(const Lab& lab, const Shape& shape, int open_edges = 0) {
   const Result result = lab.draw(lab.world_of(shape), {orthographic(diagonal)});
-  Measured measured = lengths(result, 9 * r, 3 * r);
+  Measured measured = lengths(result, 9 * isometric_edge, 3 * isometric_edge);
   measured.push_back(count("open edges", open_edges, result.world.models[0].mesh->report.open_edges));
   return measured;
 }

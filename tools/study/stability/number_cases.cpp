@@ -16,19 +16,16 @@ namespace epura::stability {
 
 namespace {
 
-const double r = std::sqrt(2.0 / 3.0);
-const Vec3 diagonal(1, 1, 1);
-
 Measured scaled_cube(const Lab& lab, double factor) {
   const Result result = lab.draw(lab.world_of(box({0, 0, 0}, {1, 1, 1}).scaled(factor)), {orthographic(diagonal)});
-  return lengths(result, 9 * r * factor, 3 * r * factor);
+  return lengths(result, 9 * isometric_edge * factor, 3 * isometric_edge * factor);
 }
 
 // A quarter unit survives in doubles up to 2^50.
 Measured quarter_cube_far_away(const Lab& lab, double at) {
   const Shape cube = box({0, 0, 0}, {0.25, 0.25, 0.25}).moved(at, at, at);
   const Result result = lab.draw(lab.world_of(cube), {orthographic(diagonal)});
-  Measured measured = lengths(result, 9 * r / 4, 3 * r / 4);
+  Measured measured = lengths(result, 9 * isometric_edge / 4, 3 * isometric_edge / 4);
   measured.push_back(places(result));
   return measured;
 }
@@ -40,7 +37,7 @@ Measured small_beside_large(const Lab& lab, double ratio) {
   projection::Projection p = orthographic(diagonal);
   p.window = projection::Window{{-1, -1}, {1, 1}};
   const Result result = lab.draw(world, {p});
-  return lengths(result, 9 * r, 3 * r);
+  return lengths(result, 9 * isometric_edge, 3 * isometric_edge);
 }
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -28,7 +28,7 @@ struct ConvexBody {
   std::vector<Side> sides;
 };
 
-ConvexBody prism(int corners, double height) {
+ConvexBody regular_prism(int corners, double height) {
   const auto corner = [&](int i, double z) {
     const double a = 2 * M_PI * (i % corners) / corners;
     return Vec3(std::cos(a), std::sin(a), z);
@@ -91,7 +91,7 @@ std::vector<Side> cut_sides(const ConvexBody& body, const scene::CuttingPlane& p
 // that fan into thin triangles, the closer the thinner. No edge lies along it: all lengths change continuously with the
 // distance.
 Measured cut_beside_a_vertex(const Lab& lab, double distance) {
-  const ConvexBody body = prism(11, 3);
+  const ConvexBody body = regular_prism(11, 3);
   const world::World world = lab.world_of(fans_of(body));
   const Vec3 viewer = glm::normalize(Vec3(1, -1, 1)), normal = glm::normalize(Vec3(0.21, -0.9, 0.37));
   Measured measured;

@@ -10,8 +10,6 @@ namespace epura::stability {
 
 namespace {
 
-const double r = std::sqrt(2.0 / 3.0);
-
 world::World cube_at(const Lab& lab, double d) { return lab.world_of(box({d, d, d}, {d + 1, d + 1, d + 1})); }
 
 Measured mirrored(const Lab& lab, double degrees) {
@@ -73,7 +71,8 @@ Measured near_plane_through_a_cube(const Lab& lab, double left) {
 }
 
 Measured far_eye(const Lab& lab, double h) {
-  return lengths(lab.draw(cube_at(lab, 0), {perspective(Vec3(h), Vec3(0), Vec3(1), {0, 0, 1})}), 9 * r, 3 * r, 1e-9);
+  return lengths(lab.draw(cube_at(lab, 0), {perspective(Vec3(h), Vec3(0), Vec3(1), {0, 0, 1})}), 9 * isometric_edge,
+                 3 * isometric_edge, 1e-9);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ Table summary(const Report& report) {
   return table;
 }
 
-std::vector<std::string> row_of(const Row& row, std::size_t way) {
+std::vector<std::string> cells_of(const Row& row, std::size_t way) {
   const Outcome& outcome = row.outcomes[way];
   std::vector<std::string> cells{format_rounded(row.step, 4), std::string(way_names[way])};
   if (const Quantity* q = outcome.worst())
@@ -61,7 +61,7 @@ Table table_of(const CaseReport& one) {
                {"verdict", "", false}},
               {}};
   for (const Row& row : one.rows)
-    for (std::size_t way = 0; way < way_names.size(); ++way) table.rows.push_back(row_of(row, way));
+    for (std::size_t way = 0; way < way_names.size(); ++way) table.rows.push_back(cells_of(row, way));
   return table;
 }
 
