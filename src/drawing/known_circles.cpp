@@ -10,6 +10,7 @@
 #include <span>
 
 #include "base/error.hpp"
+#include "base/range.hpp"
 #include "construction/figure.hpp"
 #include "drawing/places.hpp"
 #include "features/least_squares.hpp"
@@ -42,16 +43,6 @@ std::optional<Axis> axis_of(const PartSurface& surface, const PartSurface& other
   return Axis{surface.origin, surface.axis};
 }
 
-struct Range {
-  double least = HUGE_VAL, most = -HUGE_VAL;
-
-  void add(double value) {
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-  [[nodiscard]] double middle() const { return (least + most) / 2; }
-};
-
 std::optional<Circle> circle_about(const Axis& axis, std::span<const Vec3> points, double tolerance) {
   Range height, radius;
   for (const Vec3& p : points) {
@@ -59,7 +50,7 @@ std::optional<Circle> circle_about(const Axis& axis, std::span<const Vec3> point
     height.add(along);
     radius.add(glm::distance(p, axis.origin + along * axis.direction));
   }
-  if (!(std::max(height.most - height.least, radius.most - radius.least) <= 2 * tolerance)) return std::nullopt;
+  if (!(std::max(height.size(), radius.size()) <= 2 * tolerance)) return std::nullopt;
   return Circle{axis.origin + height.middle() * axis.direction, axis.direction, radius.middle()};
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/range.hpp"
 #include "sheet/dash.hpp"
 #include "sheet/furniture.hpp"
 
@@ -32,11 +33,6 @@ Ends ends_of(const drawing::Limit& limit, double past) {
   const Vec2 along = glm::normalize(limit.to - limit.from);
   return {limit.from - (limit.meets[0] ? 0 : past) * along, limit.to + (limit.meets[1] ? 0 : past) * along, along};
 }
-
-/// A part of an axis of the page.
-struct Range {
-  double from, to;
-};
 
 int axis_of(const drawing::Limit& limit) {
   return std::abs(limit.to.x - limit.from.x) > std::abs(limit.to.y - limit.from.y) ? 0 : 1;
