@@ -168,9 +168,10 @@ std::vector<sheet::TurnedBox> text_boxes(std::span<const sheet::Layer> layers, c
   return boxes;
 }
 
-// One layer for each view, but none for views without cut faces.
+// One layer for each view, but none for views without cut faces. Hatching is interrupted at the texts of layers
+// `beside`.
 std::vector<std::vector<sheet::Layer>> hatch_layers(const SheetInput& input, const std::vector<ViewResult>& results,
-                                                    std::span<const sheet::TurnedBox> texts,
+                                                    std::span<const sheet::Layer> beside,
                                                     const sheet::LineWidths& widths, const Progress& progress) {
   const auto styles = [&](std::size_t view) -> const sheet::BodyStyles& {
     return input.views.plans[view].options.styles;
@@ -186,6 +187,8 @@ std::vector<std::vector<sheet::Layer>> hatch_layers(const SheetInput& input, con
     return styles(hatched[drawing])(model, body).hatch;
   };
   const std::vector<sheet::Hatching> hatching = sheet::choose_hatching(drawings, wish, progress);
+  std::vector<sheet::TurnedBox> texts;
+  if (faces > 0) texts = text_boxes(beside, input.plan.furniture.font);
   std::vector<std::vector<sheet::Layer>> layers(results.size());
   for (std::size_t i = 0; i < results.size(); ++i)
     if (!results[i].drawing.cut_faces.empty())
@@ -256,8 +259,8 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   const sheet::LineWidths widths = sheet::line_widths(paper, furniture.styles);
   construct(input, results);
   AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
-  const std::vector<sheet::TurnedBox> texts = text_boxes(beside.layers, furniture.font);
-  auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(input, results, texts, widths, p); });
+  auto hatching =
+      budget.or_nothing([&](const Progress& p) { return hatch_layers(input, results, beside.layers, widths, p); });
   hatching.resize(results.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
     append(finished.sheet.layers, std::move(beside.constructions[i]));
