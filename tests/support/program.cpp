@@ -12,6 +12,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/folder.hpp"
+
 namespace epura::test {
 
 namespace {
@@ -84,6 +86,12 @@ Outcome Running::wait() {
 Outcome epura(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
               const std::string& out_path, const std::string& limits) {
   return Running(arguments, folder, out_path, limits).wait();
+}
+
+std::vector<std::string> built_in_projections() {
+  std::vector<std::string> names = names_in(EPURA_TEST_PLUGINS);
+  for (std::string& name : names) name = std::filesystem::path(name).stem();
+  return names;
 }
 
 }  // namespace epura::test

@@ -50,4 +50,8 @@ Outcome epura(const std::vector<std::string>& arguments, const std::filesystem::
 inline std::filesystem::path root() { return std::filesystem::path(EPURA_TEST_SAMPLES).parent_path(); }
 inline std::string sample(const std::string& name) { return EPURA_TEST_SAMPLES "/models/" + name; }
 
+/// The names of the projections of the program, in the order of their bytes. Their files are not loaded: a program that
+/// tries something with each of them lists the names whenever it starts.
+std::vector<std::string> built_in_projections();
+
 }  // namespace epura::test

@@ -16,7 +16,6 @@
 #include "pipeline/draw_scene.hpp"
 #include "pipeline/picture.hpp"
 #include "program.hpp"
-#include "projections.hpp"
 #include "scene/construction_choice.hpp"
 #include "scene/line_roles.hpp"
 #include "scene/scene_file.hpp"

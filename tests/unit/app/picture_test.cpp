@@ -21,7 +21,6 @@
 #include "pipeline/kept_models.hpp"
 #include "program.hpp"
 #include "projection/matrices.hpp"
-#include "projections.hpp"
 
 namespace epura::test {
 namespace {

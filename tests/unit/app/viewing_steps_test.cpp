@@ -10,7 +10,6 @@
 #include "base/vec.hpp"
 #include "folder.hpp"
 #include "program.hpp"
-#include "projections.hpp"
 
 namespace epura::test {
 namespace {
