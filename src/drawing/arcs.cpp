@@ -20,7 +20,7 @@ namespace epura::drawing {
 
 namespace {
 
-constexpr int least_edges = 7;
+constexpr int least_edges_of_arc = 7;
 constexpr std::size_t least_known_corners = 3;  // of a line: its ends do not count
 constexpr double least_turn = 30 * degree;
 constexpr double much_better = 5;
@@ -78,7 +78,7 @@ struct Line {
       const double turning = turn(last - 1);
       if (!(turned * turning >= 0) || turning == 0) return last;
       turned += turning;
-      if (last - first >= least_edges && std::abs(turned) >= least_turn) return last;
+      if (last - first >= least_edges_of_arc && std::abs(turned) >= least_turn) return last;
     }
     return max;
   }
@@ -144,7 +144,7 @@ std::optional<Fit> Line::fit_known(int first, int last) const {
 }
 
 std::optional<Fit> Line::fit_any(int first, int last) const {
-  if (last - first < least_edges) return std::nullopt;
+  if (last - first < least_edges_of_arc) return std::nullopt;
   const std::vector<Vec2> points = points_of(first, last);
   std::optional<Fit> found;
   if (const auto circle = fit_circle(points))
@@ -326,7 +326,7 @@ CurveReport find_curves(std::vector<Chain>& chains, const CurveLimits& limits, c
       const std::span<const int> circles = known.of_chain.empty() ? std::span<const int>() : known.of_chain[i];
       const bool exact = !limits.exact.empty() && limits.exact[i] != 0;
       const double tolerance = exact ? part_if_exact * limits.tolerance : limits.tolerance;
-      if (chains[i].points.size() > least_edges || !circles.empty())
+      if (chains[i].points.size() > least_edges_of_arc || !circles.empty())
         reports[i] = find_in(chains[i], {chains[i], tolerance, known, circles}, limits.most_rise);
     }
     progress.advance(end - begin);

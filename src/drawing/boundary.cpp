@@ -16,7 +16,7 @@ namespace {
 constexpr double off_the_arc = 1e-4;  // mm
 
 /// The parameters of a line at which it crosses the circle, or the lines through the sides of the rectangle.
-using Places = std::vector<double>;
+using CutParameters = std::vector<double>;
 
 bool is_inside(const Boundary& boundary, const Vec2& p) {
   const Vec2 d = p - boundary.centre;
@@ -40,9 +40,9 @@ std::optional<std::array<double, 2>> side_crossings(double f, double d, double h
   return std::array{std::min(one, other), std::max(one, other)};
 }
 
-Places crossings_of(const Boundary& boundary, const Vec2& from, const Vec2& to) {
+CutParameters crossings_of(const Boundary& boundary, const Vec2& from, const Vec2& to) {
   const Vec2 f = from - boundary.centre, d = to - from;
-  Places places;
+  CutParameters places;
   const auto add = [&](const std::optional<std::array<double, 2>>& crossings) {
     if (crossings) places.insert(places.end(), crossings->begin(), crossings->end());
   };
@@ -81,7 +81,7 @@ std::vector<Vec2> ring_inside(const Boundary& boundary, const std::vector<Vec2>&
   std::vector<Vec2> ring;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 &from = outline[i], &to = outline[(i + 1) % outline.size()];
-    Places places = crossings_of(boundary, from, to);
+    CutParameters places = crossings_of(boundary, from, to);
     places.push_back(1);
     double before = 0;
     for (const double t : places) {

@@ -20,7 +20,7 @@ namespace epura::drawing {
 
 namespace {
 
-constexpr double same_place = 1e-9;  // mm
+constexpr double rounding_of_limits = 1e-9;  // mm
 // Points this close to a limit are drawn. Lengths in mm, or in the unit of the world before there is a scale.
 constexpr double beside = 1e-6;
 constexpr double on_freehand = 0.01;  // mm; more than its chords are off its waves
@@ -97,14 +97,14 @@ std::optional<std::array<double, 2>> extent_at(const ViewDrawing& drawing, int a
   const int across = 1 - axis;
   std::array<double, 2> extent{HUGE_VAL, -HUGE_VAL};
   const auto add = [&](double y) {
-    if (y < part.min[across] - same_place || y > part.max[across] + same_place) return;
+    if (y < part.min[across] - rounding_of_limits || y > part.max[across] + rounding_of_limits) return;
     extent = {std::min(extent[0], y), std::max(extent[1], y)};
   };
   for (const Segment& segment : drawing.segments) {
     if (!segment.visible) continue;
     const Vec2 &p = segment.from, &q = segment.to;
-    if (std::abs(p[axis] - at) <= same_place) add(p[across]);
-    if (std::abs(q[axis] - at) <= same_place) add(q[across]);
+    if (std::abs(p[axis] - at) <= rounding_of_limits) add(p[across]);
+    if (std::abs(q[axis] - at) <= rounding_of_limits) add(q[across]);
     if ((p[axis] < at) != (q[axis] < at))
       add(p[across] + (at - p[axis]) / (q[axis] - p[axis]) * (q[across] - p[across]));
   }
@@ -136,7 +136,7 @@ std::vector<Limit> straight_limits(const ViewDrawing& drawing, const Breaks& bre
         limit.meets = {other && *other == part.min[across], other && *other == part.max[across]};
         limit.from[across] += limit.meets[0] ? part.min[across] : (*extent)[0];
         limit.to[across] += limit.meets[1] ? part.max[across] : (*extent)[1];
-        check(limit.from[across] <= limit.to[across] + 2 * same_place, "a limit goes forwards");
+        check(limit.from[across] <= limit.to[across] + 2 * rounding_of_limits, "a limit goes forwards");
         limits.push_back(limit);
       }
   return limits;
@@ -234,7 +234,7 @@ Vec2 Breaks::restored(const Vec2& p) const {
   Vec2 whole = p;
   for (const int axis : {0, 1})
     for (const Interval& kept : kept_along(along[axis], gap))
-      if (p[axis] >= kept.min + kept.shift - same_place) whole[axis] = p[axis] - kept.shift;
+      if (p[axis] >= kept.min + kept.shift - rounding_of_limits) whole[axis] = p[axis] - kept.shift;
   return whole;
 }
 
@@ -286,11 +286,12 @@ std::vector<std::array<double, 2>> kept_of_line(const Breaks& breaks, const Vec2
 
 std::vector<std::array<Vec2, 2>> remaining_line(const Breaks& breaks, const Vec2& from, const Vec2& to) {
   for (const int axis : {0, 1}) {
-    if (std::abs(to[axis] - from[axis]) > same_place) continue;
+    if (std::abs(to[axis] - from[axis]) > rounding_of_limits) continue;
     const Vec2 a = breaks.moved(from), b = breaks.moved(to);
     for (const LeftOut& strip : breaks.along[axis])
-      if (from[axis] > strip.from + same_place && from[axis] < strip.to - same_place) return {};
-    return glm::distance(a, b) > same_place ? std::vector{std::array{a, b}} : std::vector<std::array<Vec2, 2>>{};
+      if (from[axis] > strip.from + rounding_of_limits && from[axis] < strip.to - rounding_of_limits) return {};
+    return glm::distance(a, b) > rounding_of_limits ? std::vector{std::array{a, b}}
+                                                    : std::vector<std::array<Vec2, 2>>{};
   }
   std::vector<std::array<Vec2, 2>> lines;
   for (const KeptPart& part : kept_parts(breaks))

@@ -20,7 +20,7 @@ const Vec2& place(const std::vector<Segment>& segments, End end) {
   return end % 2 == 0 ? s.from : s.to;
 }
 
-std::vector<End> find_partners(const std::vector<Segment>& segments, double touching, const Progress& progress) {
+std::vector<End> partners_of(const std::vector<Segment>& segments, double touching, const Progress& progress) {
   const auto place_of = [&](End end) { return place(segments, end); };
   const auto look_of = [&](End end) {
     const Segment& s = segments[line_of(end)];
@@ -108,7 +108,7 @@ std::map<std::array<int, 2>, int> ends_at_vertices(const std::vector<Segment>& s
 
 std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance, double touching,
                                   const Progress& progress) {
-  const std::vector<End> partner = find_partners(segments, touching, progress);
+  const std::vector<End> partner = partners_of(segments, touching, progress);
   std::vector<bool> used(segments.size(), false);
   std::vector<Chain> chains;
   Pace pace(progress, segments.size());

@@ -28,9 +28,9 @@ namespace {
 // Sine of the angle between an axis and the projectors up to which a cylinder is seen along its axis.
 constexpr double along_axis = 1e-6;
 // A piece that turns farther about the centre is no chord of a rim.
-constexpr double most_turn = 0.5 * std::numbers::pi;
+constexpr double most_turn_of_chord = 0.5 * std::numbers::pi;
 // Of circles that are one, relative to their size.
-constexpr double same_place = 1e-6;
+constexpr double same_circle = 1e-6;
 // Radians.
 constexpr double rounding = 1e-12;
 
@@ -42,7 +42,7 @@ Vec2 on_page(const Mat4& map, const Vec3& point) {
 }
 
 /// The image of a cylinder that is seen along its axis: an ellipse in an oblique projection.
-struct Circle {
+struct CircleEdgeOn {
   Vec2 centre, u, v;  ///< images of two radii at right angles
 
   /// A point in units of the radius, in the plane of the circle.
@@ -51,8 +51,8 @@ struct Circle {
     return Vec2(cross(p - centre, v), cross(u, p - centre)) / area;
   }
   [[nodiscard]] double size() const { return std::max(glm::length(u), glm::length(v)); }
-  [[nodiscard]] bool is_one_with(const Circle& other) const {
-    const double most = same_place * size();
+  [[nodiscard]] bool is_one_with(const CircleEdgeOn& other) const {
+    const double most = same_circle * size();
     return glm::distance(centre, other.centre) <= most && std::abs(glm::length(u) - glm::length(other.u)) <= most &&
            std::abs(glm::length(v) - glm::length(other.v)) <= most;
   }
@@ -73,14 +73,14 @@ class Circles {
     for (const features::PartFace& face : part->faces) {
       const auto circle = circle_of(face.surface, viewer, map);
       const auto same = std::find_if(circles_.begin(), circles_.end(),
-                                     [&](const Circle& other) { return circle && circle->is_one_with(other); });
+                                     [&](const CircleEdgeOn& other) { return circle && circle->is_one_with(other); });
       circle_of_face_.push_back(circle ? static_cast<int>(same - circles_.begin()) : -1);
       if (circle && same == circles_.end()) circles_.push_back(*circle);
     }
     if (!circles_.empty()) face_of_triangle_ = world::faces_of_triangles(placed);
   }
 
-  [[nodiscard]] const Circle& operator[](int circle) const { return circles_[static_cast<std::size_t>(circle)]; }
+  [[nodiscard]] const CircleEdgeOn& operator[](int circle) const { return circles_[static_cast<std::size_t>(circle)]; }
 
   [[nodiscard]] std::optional<OnCircle> find(int mesh_edge) const {
     if (circles_.empty()) return std::nullopt;
@@ -97,19 +97,20 @@ class Circles {
   }
 
  private:
-  static std::optional<Circle> circle_of(const features::PartSurface& surface, const Vec3& viewer, const Mat4& map) {
+  static std::optional<CircleEdgeOn> circle_of(const features::PartSurface& surface, const Vec3& viewer,
+                                               const Mat4& map) {
     if (surface.kind != features::SurfaceKind::cylinder) return std::nullopt;
     if (glm::length(glm::cross(surface.axis, viewer)) > along_axis) return std::nullopt;
     const Vec3 any = std::abs(surface.axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 u = glm::normalize(glm::cross(surface.axis, any)), v = glm::cross(surface.axis, u);
     const Vec2 centre = on_page(map, surface.origin);
-    const Circle circle{centre, on_page(map, surface.origin + surface.radius * u) - centre,
-                        on_page(map, surface.origin + surface.radius * v) - centre};
+    const CircleEdgeOn circle{centre, on_page(map, surface.origin + surface.radius * u) - centre,
+                              on_page(map, surface.origin + surface.radius * v) - centre};
     return cross(circle.u, circle.v) != 0 ? std::optional(circle) : std::nullopt;
   }
 
   const world::Placed* placed_;
-  std::vector<Circle> circles_;
+  std::vector<CircleEdgeOn> circles_;
   std::vector<int> circle_of_face_;    ///< -1: none
   std::vector<int> face_of_triangle_;  ///< empty without circles
 };
@@ -123,10 +124,10 @@ struct Chord {
   std::array<Vec2, 2> edge{};  ///< ends of the edge that it is a piece of
 };
 
-std::optional<Chord> chord_of(const Circle& circle, const Piece& piece, std::size_t number, bool inside) {
+std::optional<Chord> chord_of(const CircleEdgeOn& circle, const Piece& piece, std::size_t number, bool inside) {
   const Vec2 from = circle.local(piece.from), to = circle.local(piece.to);
   const double turn = portable_atan2(cross(from, to), glm::dot(from, to));
-  if (std::abs(turn) <= rounding || std::abs(turn) > most_turn) return std::nullopt;
+  if (std::abs(turn) <= rounding || std::abs(turn) > most_turn_of_chord) return std::nullopt;
   return Chord{number, inside, from, to, portable_atan2(from.y, from.x), turn};
 }
 
@@ -199,7 +200,7 @@ std::array<long, 2> place_of(const Chord& chord) {
 /// All chords of one circle.
 class Chords {
  public:
-  explicit Chords(const Circle& circle) : circle_(circle) {}
+  explicit Chords(const CircleEdgeOn& circle) : circle_(circle) {}
 
   /// `edge`: the ends of the edge that the piece is of.
   void add(const Piece& piece, std::size_t number, bool inside, const std::array<Vec2, 2>& edge) {
@@ -240,7 +241,7 @@ class Chords {
   }
 
  private:
-  Circle circle_;
+  CircleEdgeOn circle_;
   std::vector<Chord> chords_{};
 };
 
@@ -260,7 +261,7 @@ double draw_circles_once(const visibility::ResolvedView& lines, const view::Pape
     if (!pieces[i].drawn || edge.mesh_edge < 0 || pieces[i].kind == EdgeKind::section) continue;
     const auto on = circles[edge.model].find(edge.mesh_edge);
     if (!on) continue;
-    const Circle& circle = circles[edge.model][on->circle];
+    const CircleEdgeOn& circle = circles[edge.model][on->circle];
     const std::array<Vec2, 2> edge_on_paper{paper(lines.view.vertices[edge.vertex[0]]),
                                             paper(lines.view.vertices[edge.vertex[1]])};
     chords.try_emplace({edge.model, on->circle}, circle).first->second.add(pieces[i], i, on->inside, edge_on_paper);

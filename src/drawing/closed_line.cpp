@@ -15,7 +15,7 @@ namespace epura::drawing {
 namespace {
 
 using Rings = std::vector<std::vector<Vec2>>;
-using Piece = std::array<Vec2, 2>;
+using SidePart = std::array<Vec2, 2>;
 
 bool crosses_height(const Vec2& a, const Vec2& b, double y) { return (a.y > y) != (b.y > y); }
 
@@ -31,7 +31,7 @@ void visit_sides(const Rings& rings, const Visit& visit) {
 }
 
 // Adds the parts of a side between the places where it changes between inside and outside.
-void add_pieces(std::vector<Piece>& pieces, const Piece& side, const std::vector<Vec2>& places, bool& inside) {
+void add_pieces(std::vector<SidePart>& pieces, const SidePart& side, const std::vector<Vec2>& places, bool& inside) {
   Vec2 before = side[0];
   const auto add = [&](const Vec2& next) {
     if (inside && before != next) pieces.push_back({before, next});
@@ -45,7 +45,7 @@ void add_pieces(std::vector<Piece>& pieces, const Piece& side, const std::vector
 }
 
 // Joins pieces to rings. Nothing if an end is left over.
-std::optional<Rings> rings_of(const std::vector<Piece>& pieces) {
+std::optional<Rings> rings_of(const std::vector<SidePart>& pieces) {
   const auto less = [](const Vec2& a, const Vec2& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); };
   std::map<Vec2, std::vector<std::size_t>, decltype(less)> at(less);
   for (std::size_t i = 0; i < pieces.size(); ++i)
@@ -73,7 +73,7 @@ std::optional<Rings> rings_of(const std::vector<Piece>& pieces) {
 // The boundary of the common area of a line and an area: the parts of either boundary inside the other. Nothing if a
 // corner of one lies on a side of the other, up to rounding.
 std::optional<Rings> common_area(const ClosedLine& line, const Rings& rings) {
-  std::vector<Piece> pieces;
+  std::vector<SidePart> pieces;
   std::vector<std::vector<std::pair<double, Vec2>>> on_line(line.corners().size());
   for (const std::vector<Vec2>& ring : rings) {
     if (ring.empty()) continue;

@@ -20,7 +20,7 @@ namespace {
 constexpr double most_overlap = 16;
 constexpr double with_direction = 3;
 // Cosine of the angle between lines that continue each other.
-constexpr double same_direction = 0.85;
+constexpr double least_cosine = 0.85;
 // A line approaches the end at which it continues another one over so many times its distance from it.
 constexpr double approach = 1.5;
 
@@ -116,7 +116,7 @@ class Continuation {
   // Whether two ends may continue each other: the first line goes a little beyond the end of the second one.
   [[nodiscard]] bool may_continue(const Candidate& one, const Candidate& two) const {
     if (one.model != two.model || one.visible != two.visible) return false;
-    if (glm::dot(one.outwards, two.outwards) > -same_direction) return false;
+    if (glm::dot(one.outwards, two.outwards) > -least_cosine) return false;
     const double along = glm::dot(one.at - two.at, one.outwards);
     return along >= -distance_ && along <= most_overlap * distance_;
   }

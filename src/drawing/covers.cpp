@@ -18,10 +18,11 @@ namespace {
 
 // A cell that cannot be divided and contains more ends of strands than this is a crowd: many of its strands lie on one
 // line.
-constexpr std::ptrdiff_t crowd = 128;
+constexpr std::ptrdiff_t crowd_of_ends = 128;
 
 bool is_crowd(const Strands& strands) {
-  return std::count_if(strands.begin(), strands.end(), [](const Strand& s) { return s.begins || s.ends; }) > crowd;
+  return std::count_if(strands.begin(), strands.end(), [](const Strand& s) { return s.begins || s.ends; }) >
+         crowd_of_ends;
 }
 
 // Cells with more strands are searched on several threads.

@@ -23,11 +23,11 @@ constexpr double node_reach = 16;
 // How much farther a node may move than the mean heights of facets explain.
 constexpr double most_heights = 4;
 // At smaller angles, facets do not tell where surfaces cross.
-constexpr double least_sine = 1e-3;
+constexpr double least_sine_of_surfaces = 1e-3;
 // Part of what counts as touching to which a node lies on its surfaces.
 constexpr double precision = 0.01;
 // Sine of the angle between directions of the same line.
-constexpr double same_direction = 1e-3;
+constexpr double most_sine_along = 1e-3;
 
 /// A number that vanishes on a surface, or on its contour, near which it is a length.
 struct Condition {
@@ -177,7 +177,7 @@ std::optional<Vec3> ExactCrossings::solved(const Node& node) const {
     conditions.push_back({&face->surface, true});
     width = std::max(width, width_of_facets(*face, node.in_mesh));
   }
-  if (!(sine >= least_sine)) return std::nullopt;
+  if (!(sine >= least_sine_of_surfaces)) return std::nullopt;
   const double size = most_heights * heights / sine + 2 * width + node_reach * touching_;
   check(size >= 0, "facets tell how far a crossing may be from them");
   return Conditions(std::move(conditions), towards_viewer_, size).solve(node.in_mesh, precision * touching_);
@@ -190,7 +190,7 @@ std::optional<Vec2> ExactCrossings::moved(const Vec2& place) const {
 
 std::optional<Vec3> ExactCrossings::on_both(const Vec3& start, const Pair& pair) const {
   const double sine = sine_between(pair[0]->surface, pair[1]->surface, start);
-  if (!(sine >= least_sine)) return std::nullopt;
+  if (!(sine >= least_sine_of_surfaces)) return std::nullopt;
   const double size = most_heights * (pair[0]->sagitta + pair[1]->sagitta) / sine + node_reach * touching_;
   return Conditions({{&pair[0]->surface, false}, {&pair[1]->surface, false}}, towards_viewer_, size)
       .solve(start, precision * touching_);
@@ -202,7 +202,7 @@ const ExactCrossings::Pair* ExactCrossings::crossing_between(const Node* node, c
   const Vec2 along = glm::normalize(to - from);
   for (const Way& way : node->ways) {
     const Vec2 step = way.to - from;
-    if (glm::dot(step, along) > 0 && std::abs(cross(along, step)) <= same_direction * glm::length(step))
+    if (glm::dot(step, along) > 0 && std::abs(cross(along, step)) <= most_sine_along * glm::length(step))
       return &way.pair;
   }
   return nullptr;

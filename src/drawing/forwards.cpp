@@ -13,7 +13,7 @@ namespace epura::drawing {
 namespace {
 
 // The most points that are passed in the opposite order at once.
-constexpr std::size_t most_at_once = 8;
+constexpr std::size_t most_passed = 8;
 // By more than this part, the line must become shorter.
 constexpr double least_gain = 1e-9;
 
@@ -60,7 +60,7 @@ std::vector<Vec2> go_forwards(std::vector<Vec2> points, bool closed, double dist
     std::size_t changes_left = 4 * points.size();
     for (std::size_t first = 1; first + 2 < points.size();) {
       std::size_t count = 2;
-      const std::size_t most = std::min(most_at_once, points.size() - 1 - first);
+      const std::size_t most = std::min(most_passed, points.size() - 1 - first);
       while (count <= most && !is_better_reversed(std::span(points).subspan(first - 1, count + 2), distance)) ++count;
       if (count > most || changes_left == 0) {
         ++first;
@@ -70,7 +70,7 @@ std::vector<Vec2> go_forwards(std::vector<Vec2> points, bool closed, double dist
       check(first >= 1 && first + count < points.size(), "the ends of a line stay where they are");
       const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
       std::reverse(begin, begin + static_cast<std::ptrdiff_t>(count));
-      first -= std::min(first - 1, most_at_once);
+      first -= std::min(first - 1, most_passed);
     }
   }
   if (closed) points.pop_back();

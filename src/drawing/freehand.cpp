@@ -12,7 +12,7 @@ namespace epura::drawing {
 
 namespace {
 
-constexpr double step = 0.25;                     // mm between points: the chords are less than 0.005 mm off the waves
+constexpr double wave_step = 0.25;                // mm between points: the chords are less than 0.005 mm off the waves
 constexpr double long_wave = 13, short_wave = 7;  // mm, about
 constexpr double share_of_long = 0.6, phase = 1;  // radians; so that waves do not repeat visibly
 constexpr double most_of_turn = 0.25;             // waves grow no higher than this part of a small line's size
@@ -37,11 +37,11 @@ std::vector<Vec2> even_curve(const std::vector<Vec2>& points) {
   std::vector<Vec2> fine;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double apart = glm::distance(points[i], points[(i + 1) % points.size()]);
-    const int count = std::max(16, static_cast<int>(std::ceil(2 * apart / step)));
+    const int count = std::max(16, static_cast<int>(std::ceil(2 * apart / wave_step)));
     for (int k = 0; k < count; ++k) fine.push_back(on_curve(points, i, static_cast<double>(k) / count));
   }
   const double length = length_of(fine);
-  const int count = std::max(32, static_cast<int>(std::ceil(length / step)));
+  const int count = std::max(32, static_cast<int>(std::ceil(length / wave_step)));
   std::vector<Vec2> even;
   double passed = 0;
   for (std::size_t i = 0; i < fine.size(); ++i) {
@@ -83,7 +83,7 @@ double freehand_offset(double place) {
 }
 
 std::vector<Vec2> freehand_along(int along, const Vec2& from, const Vec2& to) {
-  const int count = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / step)));
+  const int count = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / wave_step)));
   std::vector<Vec2> line;
   for (int i = 0; i <= count; ++i) {
     Vec2 p = i == count ? to : from + static_cast<double>(i) / count * (to - from);

@@ -17,7 +17,7 @@ constexpr double cells_a_part = 16;
 constexpr double most_columns = 1 << 14;
 
 // What a search mostly finds, at most.
-constexpr std::size_t most_at_once = 64;
+constexpr std::size_t found_mostly = 64;
 
 constexpr int sectors = 32;
 // Cosine and sine of 25.1 degrees, a little more than what is promised.
@@ -59,8 +59,8 @@ InkCells::InkCells(const Vec2& min, const Vec2& max, double least) {
 std::vector<int> InkCells::find(const Vec2& from, const Vec2& to, double margin, Sectors wanted) const {
   // Nearly all the time is spent waiting for memory. It is therefore asked for in all cells before the first is opened.
   std::vector<int> clusters, found;
-  clusters.reserve(most_at_once);
-  found.reserve(most_at_once);
+  clusters.reserve(found_mostly);
+  found.reserve(found_mostly);
   const auto ask_for = [&](int cluster) {
     if (cluster == none) return;
     __builtin_prefetch(&clusters_[cluster]);

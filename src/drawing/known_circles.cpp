@@ -25,7 +25,7 @@ using features::SurfaceKind;
 // Semi-axes that differ by less than this part are those of a circle.
 constexpr double equal = 1e-9;
 // Fewer edges would be on a circle by chance.
-constexpr std::size_t least_edges = 2;
+constexpr std::size_t least_edges_of_rim = 2;
 
 struct Circle {
   Vec3 centre, axis;
@@ -59,7 +59,7 @@ std::optional<Circle> circle_of_border(const PartEdges& edges, int model, int nu
   const world::Placed& placed = edges.placed(model);
   const world::PlacedPart& part = *edges.part(model);
   const features::PartBorder& border = placed.part->borders[static_cast<std::size_t>(number)];
-  if (border.faces[0] < 0 || border.faces[0] == border.faces[1] || border.edges.size() < least_edges)
+  if (border.faces[0] < 0 || border.faces[0] == border.faces[1] || border.edges.size() < least_edges_of_rim)
     return std::nullopt;
   const mesh::Mesh& mesh = placed.mesh->whole();
   std::vector<Vec3> points;

@@ -27,10 +27,10 @@ struct MovedContour {
 
 bool is_moved(const edges::FeatureEdge& edge) { return edge.shown[0] >= 0 || edge.shown[1] >= 0; }
 
-class Meeting {
+class ContourMeetings {
  public:
-  Meeting(const visibility::ResolvedView& lines, const view::PaperMap& paper, double tolerance,
-          const std::vector<Piece>& pieces)
+  ContourMeetings(const visibility::ResolvedView& lines, const view::PaperMap& paper, double tolerance,
+                  const std::vector<Piece>& pieces)
       : lines_(lines), paper_(paper), tolerance_(tolerance), pieces_(pieces) {
     for (std::size_t i = 0; i < pieces.size(); ++i)
       if (pieces[i].visible && is_moved(edge_of(pieces[i])))
@@ -125,7 +125,7 @@ class Meeting {
 
 void meet_contours(const visibility::ResolvedView& lines, const view::PaperMap& paper, double tolerance,
                    std::vector<Piece>& pieces) {
-  const Meeting meeting(lines, paper, tolerance, pieces);
+  const ContourMeetings meeting(lines, paper, tolerance, pieces);
   if (meeting.empty()) return;
   std::vector<std::array<std::optional<Vec2>, 2>> met(pieces.size());
   parallel_for(pieces.size(), 1024, [&](std::size_t begin, std::size_t end) {

@@ -20,7 +20,7 @@ constexpr std::size_t grain = 1024;
 // Number of grid cells for each piece, and how many times the grid cuts a piece on average.
 constexpr double cells_a_piece = 1, cuts_a_piece = 2;
 // With more pieces than this in a cell, a glance costs more than it saves.
-constexpr std::size_t crowd = 96;
+constexpr std::size_t crowd_of_pieces = 96;
 // How much farther a glance reaches than the search, whose lines are parts of pieces, and rounded.
 constexpr double margin = 1e-6;
 
@@ -114,7 +114,7 @@ void NearGlance::find_last_along(const AlongLimits& limits, const Progress& prog
     Member& own = members_[static_cast<std::size_t>(turn)];
     search::visit_cells(grid, pieces[piece].from, pieces[piece].to, distance, [&](int cell, double, double) {
       const std::span<const Entry> others = std::as_const(by_cell)[static_cast<std::size_t>(cell)];
-      if (others.size() > crowd) own.after = turn - 1;  // it may run along any of them
+      if (others.size() > crowd_of_pieces) own.after = turn - 1;  // it may run along any of them
       auto other = std::partition_point(others.begin(), others.end(), [&](const Entry& e) { return e.turn >= turn; });
       while (other != others.end() && other->turn > own.after && !run_along(pieces[piece], own.direction, other->piece))
         ++other;

@@ -13,7 +13,7 @@ namespace epura::drawing {
 namespace {
 
 // Width of the finest cells in which ink is searched for, as a multiple of the distance.
-constexpr double cell = 2;
+constexpr double finest_cell = 2;
 // After this many other lines, the rest may be left out if those found cover the whole member.
 constexpr std::size_t many_others = 4;
 
@@ -29,8 +29,8 @@ std::array<Vec2, 2> box_of(const std::vector<Piece>& pieces) {
 KeptInk::KeptInk(const std::vector<Piece>& pieces, const AlongLimits& limits)
     : limits_(limits),
       box_(box_of(pieces)),
-      parts_(pieces, box_[0], box_[1], cell * limits.distance),
-      newer_(box_[0], box_[1], cell * limits.distance) {}
+      parts_(pieces, box_[0], box_[1], finest_cell * limits.distance),
+      newer_(box_[0], box_[1], finest_cell * limits.distance) {}
 
 void KeptInk::add(const InkPart& part, const Vec2& direction) {
   const int sector = sector_of(direction);
@@ -41,7 +41,7 @@ void KeptInk::add(const InkPart& part, const Vec2& direction) {
 }
 
 void KeptInk::begin_newer() {
-  newer_ = InkCells(box_[0], box_[1], cell * limits_.distance);
+  newer_ = InkCells(box_[0], box_[1], finest_cell * limits_.distance);
   first_newer_ = static_cast<int>(directions_.size());
 }
 

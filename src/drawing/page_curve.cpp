@@ -12,7 +12,7 @@ namespace epura::drawing {
 namespace {
 
 // Curves at smaller angles do not cross.
-constexpr double least_sine = 1e-6;
+constexpr double least_sine_of_curves = 1e-6;
 constexpr int most_steps = 30;
 constexpr double settled = 1e-11;  // mm of the last step
 
@@ -52,7 +52,7 @@ std::optional<Vec2> crossing_near(const PageCurve& one, const PageCurve& other, 
   for (int step = 0; step < most_steps; ++step) {
     const Vec2 gap = other.at(t) - one.at(s), along = one.derivative(s), across = other.derivative(t);
     const double area = cross(along, across), lengths = glm::length(along) * glm::length(across);
-    if (!(std::abs(area) > least_sine * lengths)) return std::nullopt;
+    if (!(std::abs(area) > least_sine_of_curves * lengths)) return std::nullopt;
     const double ds = cross(gap, across) / area, dt = cross(gap, along) / area;
     s += ds;
     t += dt;

@@ -85,7 +85,7 @@ InkParts parts_of(const std::vector<Piece>& pieces, const std::vector<char>& wan
 }
 
 // The pieces that end at a place: how many are visible, and how many are not.
-using Meeting = std::array<int, 2>;
+using EndsHere = std::array<int, 2>;
 
 }  // namespace
 
@@ -94,9 +94,9 @@ void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, 
   for (std::size_t i = 0; i < pieces.size(); ++i)
     is_glint[i] = is_moved[i] != 0 && pieces[i].drawn && length_of(pieces[i]) <= most ? 1 : 0;
   if (std::find(is_glint.begin(), is_glint.end(), 1) == is_glint.end()) return;
-  std::vector<Meeting> meeting(2 * pieces.size());
+  std::vector<EndsHere> meeting(2 * pieces.size());
   visit_meetings(pieces, progress, [&](std::span<const int> ends) {
-    Meeting there{0, 0};
+    EndsHere there{0, 0};
     for (const End end : ends)
       if (pieces[line_of(end)].drawn) ++there[pieces[line_of(end)].visible ? 0 : 1];
     for (const End end : ends) meeting[end] = there;
@@ -104,7 +104,7 @@ void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, 
   std::vector<char> turns(pieces.size(), 0);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::size_t own = pieces[i].visible ? 0 : 1;
-    const auto is_between = [&](const Meeting& there) {
+    const auto is_between = [&](const EndsHere& there) {
       check(is_glint[i] == 0 || there[own] > 0 || there[1 - own] == 0, "a line is among those that end where it ends");
       return there[own] == 1 && there[1 - own] == 1;
     };

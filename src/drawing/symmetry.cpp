@@ -12,8 +12,8 @@ namespace epura::drawing {
 
 namespace {
 
-constexpr double cell = 2;  // mm
-constexpr double step = 1;  // mm, between tested points; there is one at least in each line
+constexpr double cell_width = 2;   // mm
+constexpr double sample_step = 1;  // mm, between tested points; there is one at least in each line
 
 double distance_to(const Segment& segment, const Vec2& p) {
   const Vec2 d = segment.to - segment.from;
@@ -39,13 +39,13 @@ class Lines {
  private:
   using Cell = std::array<int, 2>;
   static Cell cell_of(const Vec2& p) {
-    return {static_cast<int>(std::floor(p.x / cell)), static_cast<int>(std::floor(p.y / cell))};
+    return {static_cast<int>(std::floor(p.x / cell_width)), static_cast<int>(std::floor(p.y / cell_width))};
   }
 
   // A piece of a line no longer than a cell lies in few cells.
   void add(std::size_t i) {
     const Vec2 &from = segments_[i].from, &to = segments_[i].to;
-    const int pieces = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / cell)));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / cell_width)));
     for (int k = 0; k < pieces; ++k) {
       const Vec2 p = glm::mix(from, to, double(k) / pieces), q = glm::mix(from, to, double(k + 1) / pieces);
       const Cell min = cell_of(glm::min(p, q) - slack_), max = cell_of(glm::max(p, q) + slack_);
@@ -73,7 +73,7 @@ double length_without_mirror_image(const ViewDrawing& drawing, int axis, double 
     progress.expect_time();
     if (!segment.visible) continue;
     const double length = glm::distance(segment.from, segment.to);
-    const int points = std::max(1, static_cast<int>(std::ceil(length / step)));
+    const int points = std::max(1, static_cast<int>(std::ceil(length / sample_step)));
     for (int i = 0; i < points; ++i) {
       Vec2 image = glm::mix(segment.from, segment.to, (i + 0.5) / points);
       image[axis] = 2 * at - image[axis];
