@@ -42,14 +42,11 @@ function(epura_compile_together target)
   endif()
 endfunction()
 
-# epura_stage(NAME [APART] sources... [LINK libraries...]): one folder of src/ as one static library. APART: its sources
-# give one name to different things, so they are never compiled together.
+# epura_stage(NAME sources... [LINK libraries...]): one folder of src/ as one static library.
 function(epura_stage name)
-  cmake_parse_arguments(STAGE "APART" "" "LINK" ${ARGN})
+  cmake_parse_arguments(STAGE "" "" "LINK" ${ARGN})
   add_library(epura_${name} STATIC ${STAGE_UNPARSED_ARGUMENTS})
-  if(NOT STAGE_APART)
-    epura_compile_together(epura_${name})
-  endif()
+  epura_compile_together(epura_${name})
   target_include_directories(epura_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(epura_${name} PUBLIC ${STAGE_LINK})
   if(EPURA_COVERAGE STREQUAL "all" OR name IN_LIST EPURA_COVERAGE)

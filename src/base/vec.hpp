@@ -29,6 +29,8 @@ inline Mat4 rows(const Vec4& r0, const Vec4& r1, const Vec4& r2, const Vec4& r3)
 /// Twice the signed area of the triangle of the origin, a and b: positive if b is to the left of a.
 inline double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
+inline Vec2 left_of(const Vec2& direction) { return {-direction.y, direction.x}; }
+
 inline bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// Returns the largest 32-bit float that is not above x. (std::nextafter takes much longer.)

@@ -137,7 +137,7 @@ bool all_inside(const Spots& spots, const Question& question, const Paper& paper
   return true;
 }
 
-Rectangle box_of(const Spots& spots) {
+Rectangle box_of_views(const Spots& spots) {
   Rectangle box = spots.front().box;
   for (const ViewSpot& spot : spots) box = united(box, spot.box);
   return box;
@@ -148,22 +148,22 @@ bool is_on_paper(const Spots& spots, const Paper& paper) {
   return std::all_of(spots.begin(), spots.end(), [&](const ViewSpot& spot) { return all.holds(spot.box, rounding); });
 }
 
-std::optional<double> fitting_scale(Question question, const Paper& paper) {
+std::optional<double> scale_that_fits(Question question, const Paper& paper) {
   question.choice = {std::nullopt, true};
   const auto found = find_on(question, paper);
   return found ? std::optional(found->scale) : std::nullopt;
 }
 
-Arrangement on_paper(const Question& question) {
+Arrangement moved_to_paper(const Question& question) {
   const Paper& paper = question.room.paper;
   auto found = find_on(question, paper);
   if (!found) found = overflow(question, paper);
-  check_drawing_size(box_of(found->spots).size());
+  check_drawing_size(box_of_views(found->spots).size());
   Arrangement arrangement{paper, found->scale, found->spots, all_inside(found->spots, question, paper)};
   if (question.choice.standard && found->largest > found->scale) arrangement.fitting = found->largest;
   if (arrangement.inside) return arrangement;
   arrangement.on_paper = is_on_paper(arrangement.views, paper);
-  arrangement.fitting = fitting_scale(question, paper);
+  arrangement.fitting = scale_that_fits(question, paper);
   return arrangement;
 }
 
@@ -176,7 +176,7 @@ Arrangement on_cut_paper(Question question) {
   for (; !found && question.choice.fixed && trial.width < 2 * scene::longest_side; trial.width *= 2, trial.height *= 2)
     found = find_on(question, trial);
   if (!found) found = overflow(question, trial);
-  const Rectangle box = box_of(found->spots);
+  const Rectangle box = box_of_views(found->spots);
   check_drawing_size(box.size());
   const bool given = std::any_of(question.views.begin(), question.views.end(), [](const auto& v) { return v.at; });
   const Vec2 corner = Vec2(margins.left, margins.above()) + question.room.clearance;
@@ -241,7 +241,7 @@ Arrangement arrange(std::span<const ViewToPlace> views, const scene::ScaleChoice
   }
   const Arrangement arrangement = stands_alone(question)  ? alone(question)
                                   : room.paper.width == 0 ? on_cut_paper(question)
-                                                          : on_paper(question);
+                                                          : moved_to_paper(question);
   check(arrangement.views.size() == views.size(), "every view has a place");
   for (std::size_t i = 0; i < views.size(); ++i) {
     const ViewSpot& spot = arrangement.views[i];

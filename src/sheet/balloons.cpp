@@ -18,11 +18,11 @@ namespace {
 
 constexpr double first_ring = 7, next_ring = 6;  // mm between the view and the circles, and between rings
 constexpr int rings = 9;
-constexpr double step = 2;     // mm between possible places on a ring
-constexpr double apart = 2.5;  // mm between circles, and between them and other things
+constexpr double ring_step = 2;         // mm between possible places on a ring
+constexpr double balloons_apart = 2.5;  // mm between circles, and between them and other things
 
 /// A possible place of a balloon.
-struct Place {
+struct BalloonPlace {
   Vec2 centre;
   int ring;
 };
@@ -30,7 +30,7 @@ struct Place {
 /// A balloon that has its place.
 struct Placed {
   std::size_t target;
-  Place place;
+  BalloonPlace place;
 };
 
 double distance_to_line(const Vec2& p, const Vec2& from, const Vec2& to) {
@@ -40,18 +40,19 @@ double distance_to_line(const Vec2& p, const Vec2& from, const Vec2& to) {
   return glm::length(p - from - t * along);
 }
 
-bool do_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+bool do_leaders_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const double s = cross(b - a, c - a), t = cross(b - a, d - a), u = cross(d - c, a - c), v = cross(d - c, b - c);
   return (s > 0) != (t > 0) && (u > 0) != (v > 0);
 }
 
 // Around the view, ring by ring, counterclockwise.
-std::vector<Place> places_around(const Rectangle& view, double radius) {
-  std::vector<Place> places;
+std::vector<BalloonPlace> places_around(const Rectangle& view, double radius) {
+  std::vector<BalloonPlace> places;
   for (int ring = 0; ring < rings; ++ring) {
     const Rectangle r = view.grown(radius + first_ring + next_ring * ring);
     const Vec2 size = r.size();
-    const int across = std::max(static_cast<int>(size.x / step), 1), up = std::max(static_cast<int>(size.y / step), 1);
+    const int across = std::max(static_cast<int>(size.x / ring_step), 1),
+              up = std::max(static_cast<int>(size.y / ring_step), 1);
     for (int i = 0; i <= across; ++i) {
       const double x = r.min.x + size.x * i / across;
       places.push_back({{x, r.max.y}, ring});
@@ -68,18 +69,19 @@ std::vector<Place> places_around(const Rectangle& view, double radius) {
 }
 
 /// Chooses places, one balloon after another.
-class Placer {
+class BalloonPlacer {
  public:
-  Placer(std::span<const BalloonTarget> targets, const Rectangle& view, double radius, const Neighbours& neighbours)
+  BalloonPlacer(std::span<const BalloonTarget> targets, const Rectangle& view, double radius,
+                const Neighbours& neighbours)
       : targets_(targets), radius_(radius), neighbours_(neighbours) {
-    const auto is_free = [&](const Place& place) {
-      const Rectangle box{place.centre - radius - apart, place.centre + radius + apart};
+    const auto is_free = [&](const BalloonPlace& place) {
+      const Rectangle box{place.centre - radius - balloons_apart, place.centre + radius + balloons_apart};
       if (neighbours.paper && !neighbours.paper->holds(box)) return false;
       const TurnedBox turned = turned_box(box);
       return std::none_of(neighbours.boxes.begin(), neighbours.boxes.end(),
                           [&turned](const TurnedBox& other) { return overlap(turned, other); });
     };
-    for (const Place& place : places_around(view, radius))
+    for (const BalloonPlace& place : places_around(view, radius))
       if (is_free(place)) places_.push_back(place);
   }
 
@@ -87,7 +89,7 @@ class Placer {
   bool add(std::size_t target) {
     std::optional<Placed> best;
     double least = HUGE_VAL;
-    for (const Place& place : places_) {
+    for (const BalloonPlace& place : places_) {
       const Placed one{target, place};
       const double cost = cost_of(one);
       if (cost >= least || !suits(one)) continue;
@@ -147,10 +149,10 @@ class Placer {
   }
 
   [[nodiscard]] bool suits(const Placed& one) const {
-    const double least = radius_ + apart;
+    const double least = radius_ + balloons_apart;
     return std::all_of(placed_.begin(), placed_.end(), [&](const Placed& other) {
       const Vec2 &a = one.place.centre, &b = other.place.centre;
-      return glm::length(a - b) >= radius_ + least && !do_cross(a, end_of(one), b, end_of(other)) &&
+      return glm::length(a - b) >= radius_ + least && !do_leaders_cross(a, end_of(one), b, end_of(other)) &&
              distance_to_line(a, b, end_of(other)) >= least && distance_to_line(b, a, end_of(one)) >= least;
     });
   }
@@ -158,7 +160,7 @@ class Placer {
   std::span<const BalloonTarget> targets_;
   double radius_;
   const Neighbours& neighbours_;
-  std::vector<Place> places_;
+  std::vector<BalloonPlace> places_;
   std::vector<Placed> placed_;
 };
 
@@ -177,11 +179,11 @@ double balloon_text(double dimension_text) { return dimension_text < 3 ? 3.5 : 5
 
 double balloon_radius(double dimension_text) { return 1.1 * balloon_text(dimension_text); }
 
-double balloon_room(double dimension_text) { return first_ring + 2 * balloon_radius(dimension_text) + apart; }
+double balloon_room(double dimension_text) { return first_ring + 2 * balloon_radius(dimension_text) + balloons_apart; }
 
 std::vector<std::string> place_balloons(Layer& layer, std::span<const BalloonTarget> targets, const Rectangle& view,
                                         const DimensionStyle& style, const Neighbours& neighbours) {
-  const Placer empty(targets, view, balloon_radius(style.text), neighbours);
+  const BalloonPlacer empty(targets, view, balloon_radius(style.text), neighbours);
   // Usually those near the border of the view first: their leaders are short and leave the others ways between them.
   const auto depth = [&](const Vec2& p) {
     const Vec2 inside = glm::min(p - view.min, view.max - p);
@@ -192,7 +194,7 @@ std::vector<std::string> place_balloons(Layer& layer, std::span<const BalloonTar
                                                                     [](const Vec2& p) { return p.y; }};
   std::vector<Placed> placed;
   for (const auto& order : orders) {
-    Placer tried = empty;
+    BalloonPlacer tried = empty;
     tried.add_all(order);
     if (tried.placed().size() > placed.size()) placed = tried.placed();
     if (placed.size() == targets.size()) break;

@@ -72,7 +72,7 @@ std::string with_own_signs(std::string text, const DimensionStyle& style) {
   return with_decimal_sign(std::move(text), style.notation.sign);
 }
 
-double width_of(const scene::FramePiece& piece, const DimensionStyle& style) {
+double width_of_symbol(const scene::FramePiece& piece, const DimensionStyle& style) {
   return piece.circled ? 2 * circle_radius * style.text
                        : style.lettering.width(with_own_signs(piece.text, style), style.text);
 }
@@ -81,11 +81,11 @@ double width_of(const scene::FramePiece& piece, const DimensionStyle& style) {
 double add_cell(Callout& callout, const scene::FrameCell& cell, double left, const DimensionStyle& style) {
   const double h = style.text;
   double inner = 0;
-  for (const scene::FramePiece& piece : cell) inner += width_of(piece, style) + (inner > 0 ? between * h : 0);
+  for (const scene::FramePiece& piece : cell) inner += width_of_symbol(piece, style) + (inner > 0 ? between * h : 0);
   const double width = std::max(inner + 2 * padding * h, frame_height * h);
   double x = left + (width - inner) / 2;
   for (const scene::FramePiece& piece : cell) {
-    const double own = width_of(piece, style), middle = x + own / 2;
+    const double own = width_of_symbol(piece, style), middle = x + own / 2;
     callout.texts.push_back({with_own_signs(piece.text, style), {middle, h / 2}, h, 0, Align::middle, "tolerance"});
     if (piece.circled) callout.strokes.push_back(circle_at({middle, h}, circle_radius * h));
     x += own + between * h;

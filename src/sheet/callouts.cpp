@@ -17,33 +17,33 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double side = 0.25, below = 0.5;            // free around texts on a reference line, in heights of capitals
+constexpr double beside_text = 0.25, below = 0.5;     // free around texts on a reference line, in heights of capitals
 constexpr double triangle = std::numbers::sqrt3 / 2;  // height of the triangle of a datum, likewise
-constexpr double clearance = 1.5;                     // mm, between a callout and everything else
-constexpr double shortest = 8, longest = 200, step = 1.5;  // mm, of leaders
+constexpr double callout_clearance = 1.5;             // mm, between a callout and everything else
+constexpr double shortest_leader = 8, longest = 200, leader_step = 1.5;  // mm, of leaders
 
 /// A direction of leaders, and how much it is disliked. mm
-struct Direction {
+struct LeaderDirection {
   int degrees;
   double cost;
 };
 
-constexpr std::array<Direction, 16> oblique{{{60, 0},
-                                             {120, 0},
-                                             {45, 1},
-                                             {135, 1},
-                                             {300, 2},
-                                             {240, 2},
-                                             {315, 3},
-                                             {225, 3},
-                                             {30, 4},
-                                             {150, 4},
-                                             {75, 5},
-                                             {105, 5},
-                                             {330, 6},
-                                             {210, 6},
-                                             {285, 7},
-                                             {255, 7}}};
+constexpr std::array<LeaderDirection, 16> oblique{{{60, 0},
+                                                   {120, 0},
+                                                   {45, 1},
+                                                   {135, 1},
+                                                   {300, 2},
+                                                   {240, 2},
+                                                   {315, 3},
+                                                   {225, 3},
+                                                   {30, 4},
+                                                   {150, 4},
+                                                   {75, 5},
+                                                   {105, 5},
+                                                   {330, 6},
+                                                   {210, 6},
+                                                   {285, 7},
+                                                   {255, 7}}};
 
 /// A possible place: its box, the way of its leader from the target, and how much it is disliked. mm
 struct Spot {
@@ -121,7 +121,7 @@ std::vector<Spot> spots_of(const Callout& callout, double length, double landing
     if (normal) add_bent_datums(spots, callout, length, landing);
     return spots;
   }
-  for (const Direction& direction : oblique) {
+  for (const LeaderDirection& direction : oblique) {
     const Vec2 along = turned_to(direction.degrees * std::numbers::pi / 180);
     const double weight = is_text ? for_oblique : for_slant_of_frame;
     const double slant = normal ? weight * (1 - std::abs(glm::dot(along, *normal))) : 0;
@@ -131,12 +131,13 @@ std::vector<Spot> spots_of(const Callout& callout, double length, double landing
   return spots;
 }
 
-bool has_area(const TurnedBox& box) { return box.half.x > 0 && box.half.y > 0; }
+bool has_inside(const TurnedBox& box) { return box.half.x > 0 && box.half.y > 0; }
 
 /// Chooses places, one callout after another.
-class Placer {
+class CalloutPlacer {
  public:
-  Placer(const drawing::ViewDrawing& view, const Neighbours& neighbours) : view_(view), paper_(neighbours.paper) {
+  CalloutPlacer(const drawing::ViewDrawing& view, const Neighbours& neighbours)
+      : view_(view), paper_(neighbours.paper) {
     for (const TurnedBox& box : neighbours.boxes) add(box);
     for (const drawing::CutFace& face : view.cut_faces)
       for (const std::vector<Vec2>& ring : face.rings) {
@@ -159,7 +160,7 @@ class Placer {
 
   // Replaces the best place by one that costs less, if there is one.
   void find_best(const Callout& callout, double landing, std::optional<Spot>& best, double& least) const {
-    for (double length = shortest; length <= longest && length < least; length += step)
+    for (double length = shortest_leader; length <= longest && length < least; length += leader_step)
       for (Spot& spot : spots_of(callout, length, landing)) {
         if (spot.cost >= least || !is_free(spot.box)) continue;
         const double cost = spot.cost + cost_of(spot);
@@ -187,7 +188,7 @@ class Placer {
   }
 
   [[nodiscard]] bool is_free(const Rectangle& box) const {
-    const Rectangle wide = box.grown(clearance);
+    const Rectangle wide = box.grown(callout_clearance);
     if (paper_ && !paper_->holds(wide)) return false;
     const TurnedBox turned = turned_box(wide);
     const auto is_met = [&turned](const TurnedBox& other) { return overlap(turned, other); };
@@ -202,7 +203,7 @@ class Placer {
   }
 
  private:
-  void add(const TurnedBox& box) { (has_area(box) ? areas_ : lines_).push_back(box); }
+  void add(const TurnedBox& box) { (has_inside(box) ? areas_ : lines_).push_back(box); }
 
   // Of what the leader crosses; infinite for lettering.
   [[nodiscard]] double cost_of(const Spot& spot) const {
@@ -242,7 +243,7 @@ Fill datum_triangle(const CalloutTarget& target, const Vec2& leader, const Dimen
   return {{{target.point + across, target.point - across, target.point + triangle * style.text * along}}};
 }
 
-void draw(CalloutLayers& layers, const Callout& callout, const Spot& spot, const DimensionStyle& style) {
+void draw_callout(CalloutLayers& layers, const Callout& callout, const Spot& spot, const DimensionStyle& style) {
   const CalloutTarget& target = spot.target;
   const Vec2 along = glm::normalize(spot.leader[1] - target.point);
   Stroke& leader = layers.notes.strokes.emplace_back();
@@ -303,7 +304,7 @@ class LineSetter {
 
 Callout note_callout(const std::vector<std::string>& lines, bool has_leader, const DimensionStyle& style) {
   Callout callout{lines.front()};
-  const double left = has_leader ? side * style.text : 0;
+  const double left = has_leader ? beside_text * style.text : 0;
   LineSetter setter(callout, style);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (i > 0) setter.next_line();
@@ -319,7 +320,8 @@ Callout general_notes(const std::string& heading, std::span<const std::vector<st
   Callout callout{heading};
   LineSetter setter(callout, style);
   setter.set(heading, 0);
-  const double indent = style.lettering.width(std::to_string(notes.size()) + ". ", style.text) + side * style.text;
+  const double indent =
+      style.lettering.width(std::to_string(notes.size()) + ". ", style.text) + beside_text * style.text;
   for (std::size_t i = 0; i < notes.size(); ++i) {
     setter.next_line(i == 0 ? 1.3 : 1);
     setter.set(std::to_string(i + 1) + ".", 0);
@@ -364,12 +366,12 @@ CalloutLayers callout_layers(const std::string& view, const DimensionStyle& styl
   return layers;
 }
 
-double callout_room(double height) { return shortest + height + clearance; }
+double callout_room(double height) { return shortest_leader + height + callout_clearance; }
 
 CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> callouts, const drawing::ViewDrawing& view,
                              const DimensionStyle& style, const Neighbours& neighbours) {
   const double landing = style.text;
-  Placer placer(view, neighbours);
+  CalloutPlacer placer(view, neighbours);
   CalloutFaults faults;
   std::size_t placed = 0;
   for (const Callout& callout : callouts) {
@@ -378,7 +380,7 @@ CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> cal
     const Spot spot = placer.fixed(callout, landing);
     if (!placer.is_free(spot.box)) faults.crossings.push_back(callout.name);
     placer.add(spot);
-    draw(layers, callout, spot, style);
+    draw_callout(layers, callout, spot, style);
   }
   // Those with the least choice first.
   for (const LeaderForm form : {LeaderForm::datum, LeaderForm::landing, LeaderForm::reference})
@@ -386,7 +388,7 @@ CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> cal
       if (callout.at || callout.form != form) continue;
       if (const auto spot = placer.best(callout, landing)) {
         placer.add(*spot);
-        draw(layers, callout, *spot, style);
+        draw_callout(layers, callout, *spot, style);
         ++placed;
       } else {
         faults.without_place.push_back(callout.name);

@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::array<std::string_view, 6> languages{"en", "de", "fr", "es", "pt", "ja"};
 
-struct Row {
+struct CaptionRow {
   std::string_view key;
   std::array<std::string_view, languages.size()> words;
 };
 
-constexpr std::array<Row, 32> rows{{
+constexpr std::array<CaptionRow, 32> rows{{
     {"owner",
      {"Legal owner", "Gesetzlicher Eigentümer", "Propriétaire légal", "Propietario legal", "Proprietário legal",
       "法的所有者"}},
@@ -81,7 +81,7 @@ std::string_view caption(std::string_view key, std::string_view language) {
   const std::string code = to_lower(language.substr(0, language.find_first_of("-_")));
   const auto* found = std::find(languages.begin(), languages.end(), code);
   const std::size_t column = found == languages.end() ? 0 : static_cast<std::size_t>(found - languages.begin());
-  const auto* row = std::find_if(rows.begin(), rows.end(), [key](const Row& one) { return one.key == key; });
+  const auto* row = std::find_if(rows.begin(), rows.end(), [key](const CaptionRow& one) { return one.key == key; });
   return row == rows.end() ? std::string_view() : row->words[column];
 }
 

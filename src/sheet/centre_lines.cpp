@@ -26,13 +26,13 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double beyond = 3;             // mm
-constexpr double least_diameter = 3;     // mm
-constexpr double shortest_piece = 1;     // mm, of the pieces that other lines leave
-constexpr double same_place = 0.02;      // mm
-constexpr double short_of_end = 0.75;    // mm, by which facets of a rim may fall short of its circle
-constexpr double same_direction = 1e-4;  // radians
-constexpr double least_opening = 0.25;   // part of a rim that is seen
+constexpr double past_rim = 3;                // mm
+constexpr double least_diameter = 3;          // mm
+constexpr double shortest_piece = 1;          // mm, of the pieces that other lines leave
+constexpr double same_axis_place = 0.02;      // mm
+constexpr double short_of_end = 0.75;         // mm, by which facets of a rim may fall short of its circle
+constexpr double same_axis_direction = 1e-4;  // radians
+constexpr double least_opening = 0.25;        // part of a rim that is seen
 constexpr double whole_opening = 0.95;
 
 /// A piece of the line at offset * normal along the direction of `angle`; the normal is 90 degrees further.
@@ -51,8 +51,8 @@ struct Piece {
 // Angles from 0 to pi, except that those just below pi count as just below 0; rounded, so that parallel lines share it.
 double angle_of_line(const Vec2& direction) {
   double angle = portable_atan2(direction.y, direction.x);
-  if (angle < -same_direction) angle += std::numbers::pi;
-  if (angle > std::numbers::pi - same_direction) angle -= std::numbers::pi;
+  if (angle < -same_axis_direction) angle += std::numbers::pi;
+  if (angle > std::numbers::pi - same_axis_direction) angle -= std::numbers::pi;
   return std::round(angle * 1e9) / 1e9;
 }
 
@@ -75,8 +75,8 @@ std::vector<int> classes_of(const std::vector<double>& values, double apart) {
 }
 
 // Groups of indices of items that are close to each other in both values.
-std::vector<std::vector<std::size_t>> groups_of(const std::vector<double>& a, double a_apart,
-                                                const std::vector<double>& b, double b_apart) {
+std::vector<std::vector<std::size_t>> groups_of_axes(const std::vector<double>& a, double a_apart,
+                                                     const std::vector<double>& b, double b_apart) {
   const std::vector<int> first = classes_of(a, a_apart), second = classes_of(b, b_apart);
   std::map<std::pair<int, int>, std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < a.size(); ++i) groups[{first[i], second[i]}].push_back(i);
@@ -104,7 +104,7 @@ std::vector<Piece> crosses(const std::vector<std::vector<SeenCircle>>& features)
   std::vector<Piece> pieces;
   const auto x = values_of(round, [](const auto& c) { return c.centre.x; });
   const auto y = values_of(round, [](const auto& c) { return c.centre.y; });
-  for (const auto& group : groups_of(x, same_place, y, same_place)) {
+  for (const auto& group : groups_of_axes(x, same_axis_place, y, same_axis_place)) {
     double radius = 0;
     std::optional<Vec2> spoke;
     for (const std::size_t i : group) {
@@ -113,10 +113,10 @@ std::vector<Piece> crosses(const std::vector<std::vector<SeenCircle>>& features)
     }
     const Vec2 centre = round[group.front()].centre;
     if (spoke)
-      pieces.push_back(piece_about(centre, *spoke, radius + beyond));
+      pieces.push_back(piece_about(centre, *spoke, radius + past_rim));
     else
       for (const Vec2& direction : {Vec2(1, 0), Vec2(0, 1)})
-        pieces.push_back(piece_about(centre, direction, radius + beyond));
+        pieces.push_back(piece_about(centre, direction, radius + past_rim));
   }
   check(pieces.size() <= 2 * round.size(), "a circle has two centre lines at most");
   return pieces;
@@ -130,13 +130,13 @@ std::optional<Piece> axis_through(std::span<const SeenCircle> circles) {
   bool alone = false;                         // one of them suffices
   for (const SeenCircle& circle : circles) {
     const double middle = place_along(angle, circle.centre), reach = circle.reach(piece.direction());
-    piece.from = std::min(piece.from, middle - reach - beyond);
-    piece.to = std::max(piece.to, middle + reach + beyond);
+    piece.from = std::min(piece.from, middle - reach - past_rim);
+    piece.to = std::max(piece.to, middle + reach + past_rim);
     first = std::min(first, middle);
     last = std::max(last, middle);
     alone = alone || reach <= edge_on * circle.radius();
   }
-  return alone || last - first > same_place ? std::optional(piece) : std::nullopt;
+  return alone || last - first > same_axis_place ? std::optional(piece) : std::nullopt;
 }
 
 // Circles of one feature belong together; single rims on one line in the view are treated as one feature.
@@ -155,7 +155,7 @@ std::vector<Piece> axes(const std::vector<std::vector<SeenCircle>>& features) {
   }
   const auto angles = values_of(rims, [](const auto& c) { return angle_of_line(c.axis); });
   const auto offsets = values_of(rims, [](const auto& c) { return offset_of(angle_of_line(c.axis), c.centre); });
-  for (const auto& group : groups_of(angles, same_direction, offsets, same_place)) {
+  for (const auto& group : groups_of_axes(angles, same_axis_direction, offsets, same_axis_place)) {
     std::vector<SeenCircle> circles;
     for (const std::size_t i : group) circles.push_back(rims[i]);
     add_axis(circles);
@@ -169,7 +169,7 @@ std::vector<Piece> merged(const std::vector<Piece>& pieces) {
   const auto angles = values_of(pieces, [](const Piece& p) { return p.angle; });
   const auto offsets = values_of(pieces, [](const Piece& p) { return p.offset; });
   std::vector<Piece> result;
-  for (const auto& group : groups_of(angles, same_direction, offsets, same_place)) {
+  for (const auto& group : groups_of_axes(angles, same_axis_direction, offsets, same_axis_place)) {
     std::vector<Piece> line;
     for (const std::size_t i : group) line.push_back(pieces[i]);
     std::sort(line.begin(), line.end(), [](const Piece& a, const Piece& b) { return a.from < b.from; });
@@ -180,7 +180,7 @@ std::vector<Piece> merged(const std::vector<Piece>& pieces) {
         continue;
       }
       Piece& last = result.back();
-      const bool same_middle = std::abs(last.from + last.to - piece.from - piece.to) <= 2 * same_place;
+      const bool same_middle = std::abs(last.from + last.to - piece.from - piece.to) <= 2 * same_axis_place;
       last.centred = last.centred && same_middle;
       last.to = std::max(last.to, piece.to);
       check(last.from <= piece.from, "pieces of a line are in order");
@@ -236,8 +236,8 @@ class Covers {
   std::set<double> angles_;
 };
 
-std::vector<Piece> uncovered(const std::vector<Piece>& pieces, std::span<const Layer> drawn, double apart,
-                             const Progress& progress) {
+std::vector<Piece> uncovered_parts(const std::vector<Piece>& pieces, std::span<const Layer> drawn, double apart,
+                                   const Progress& progress) {
   Covers covers(pieces, apart);
   for (const Layer& layer : drawn) {
     for (const Stroke& stroke : layer.strokes) {
@@ -262,12 +262,12 @@ void add_in_openings(Marks& marks, const std::vector<SeenCircle>& rings, const s
   for (std::size_t i = 0; i < rings.size(); ++i) {
     if (seen[i].turn < least_opening) continue;
     const Vec2 along = glm::normalize(rings[i].axis);
-    Piece piece = piece_about(rings[i].centre, along, rings[i].reach(along) + beyond);
+    Piece piece = piece_about(rings[i].centre, along, rings[i].reach(along) + past_rim);
     if (seen[i].turn < whole_opening) {
       const auto places = values_of(seen[i].points, [&](const Vec2& p) { return place_along(piece.angle, p); });
       const auto [low, high] = std::minmax_element(places.begin(), places.end());
-      piece.from = std::max(piece.from, *low - beyond);
-      piece.to = std::min(piece.to, *high + beyond);
+      piece.from = std::max(piece.from, *low - past_rim);
+      piece.to = std::min(piece.to, *high + past_rim);
       piece.centred = false;
     }
     marks.pieces.push_back(piece);
@@ -300,7 +300,8 @@ void add_where_seen(Marks& marks, const std::vector<SeenCircle>& rings, const Se
   const auto axis = axis_through(rings);
   if (!axis) return;
   std::array<visibility::Spans, 2> sides;
-  for (const design::RoundFeature& part : parts) seen.add_beside(part, {axis->at(0), axis->direction(), beyond}, sides);
+  for (const design::RoundFeature& part : parts)
+    seen.add_beside(part, {axis->at(0), axis->direction(), past_rim}, sides);
   for (const auto& [from, to] : seen_about(rings, sides)) {
     Piece piece = *axis;
     if (from > axis->from + short_of_end) piece.from = from;
@@ -330,7 +331,7 @@ void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const SeenFeatu
   const SeenCircle a = see(drawing, one.axis, one.rings.front()), b = see(drawing, other.axis, other.rings.front());
   if (a.is_round()) {
     const Vec2 way = b.centre - a.centre, direction = glm::normalize(way);
-    const double half = a.radius() + beyond;
+    const double half = a.radius() + past_rim;
     marks.pieces.push_back(piece_about(0.5 * (a.centre + b.centre), direction, glm::length(way) / 2 + half));
     for (const SeenCircle& end : {a, b})
       marks.pieces.push_back(piece_about(end.centre, {-direction.y, direction.x}, half));
@@ -398,7 +399,7 @@ std::vector<Piece> remaining(const drawing::Breaks& breaks, const std::vector<Pi
     for (const auto& [from, to] : drawing::remaining_line(breaks, piece.at(piece.from), piece.at(piece.to))) {
       Piece part{piece.angle, offset_of(piece.angle, from), place_along(piece.angle, from),
                  place_along(piece.angle, to), false};
-      part.centred = piece.centred && std::abs(part.to - part.from - (piece.to - piece.from)) <= same_place;
+      part.centred = piece.centred && std::abs(part.to - part.from - (piece.to - piece.from)) <= same_axis_place;
       if (part.to - part.from >= shortest_piece) left.push_back(part);
     }
   return left;
@@ -410,7 +411,7 @@ std::optional<Piece> inside(const std::optional<drawing::DetailFrame>& detail, P
   const auto part = drawing::part_inside(detail->boundary, piece.at(piece.from), piece.at(piece.to));
   const double length = piece.to - piece.from;
   if (!part || ((*part)[1] - (*part)[0]) * length < shortest_piece) return std::nullopt;
-  piece.centred = piece.centred && std::abs((*part)[0] + (*part)[1] - 1) * length <= same_place;
+  piece.centred = piece.centred && std::abs((*part)[0] + (*part)[1] - 1) * length <= same_axis_place;
   piece.to = piece.from + (*part)[1] * length;
   piece.from += (*part)[0] * length;
   return piece;
@@ -454,7 +455,7 @@ std::vector<Stroke> round_strokes(const SeenCircle& circle, const drawing::ViewD
   if (!drawing.detail && !drawing.breaks.any()) return {round_stroke(circle, width)};
   if (drawing.detail) add_round_strokes(strokes, circle, drawing.detail->boundary, {0, 0}, width);
   if (!drawing.breaks.any()) return strokes;
-  const Vec2 reach(circle.radius() + beyond);
+  const Vec2 reach(circle.radius() + past_rim);
   for (const drawing::KeptPart& part : drawing::kept_parts(drawing.breaks)) {
     const Vec2 min = glm::max(part.min, circle.centre - reach), max = glm::min(part.max, circle.centre + reach);
     if (min.x < max.x && min.y < max.y)
@@ -476,7 +477,7 @@ Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<
   pieces.insert(pieces.end(), marks.pieces.begin(), marks.pieces.end());
   pieces = remaining(view.drawing.breaks, merged(pieces));
   const auto& detail = view.drawing.detail;
-  for (const Piece& whole : uncovered(pieces, drawn, width / 2, progress)) {
+  for (const Piece& whole : uncovered_parts(pieces, drawn, width / 2, progress)) {
     const auto piece = inside(detail, whole);
     if (!piece) continue;
     const double length = piece->to - piece->from;

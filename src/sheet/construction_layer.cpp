@@ -27,7 +27,7 @@ using construction::Symbol;
 constexpr double mark_radius = 0.7;                                       // mm, of the circle around a point
 constexpr double index_height = 0.7, index_drop = 0.3, descender = 0.27;  // of the height of the symbol
 constexpr double row_step = 1.6;                                          // likewise, from one base line to the next
-constexpr double apart = 2;                                               // mm between the legend and other lettering
+constexpr double legend_apart = 2;                                        // mm between the legend and other lettering
 constexpr double leader_gap = 0.6;                                        // mm between a leader and its label
 constexpr double arrow_shaft = 9;                                         // mm
 constexpr int parts_of_circle = 180;
@@ -47,7 +47,7 @@ bool descends(std::string_view text) {
                      [text](const char* letter) { return text.find(letter) != std::string_view::npos; });
 }
 
-void add_symbol(Lettered& lettered, const Symbol& symbol, const DimensionStyle& style) {
+void add_construction_symbol(Lettered& lettered, const Symbol& symbol, const DimensionStyle& style) {
   const auto add = [&](const std::string& text, double height, double drop) {
     if (text.empty()) return;
     lettered.texts.push_back({text, {lettered.size.x, -drop}, height, 0, Align::left, "construction"});
@@ -62,12 +62,12 @@ void add_symbol(Lettered& lettered, const Symbol& symbol, const DimensionStyle& 
 Lettered lettered(const Symbol& symbol, const std::vector<Symbol>& also, const std::string& rest,
                   const DimensionStyle& style) {
   Lettered all;
-  add_symbol(all, symbol, style);
+  add_construction_symbol(all, symbol, style);
   for (const Symbol& other : also) {
-    add_symbol(all, {"≡"}, style);
-    add_symbol(all, other, style);
+    add_construction_symbol(all, {"≡"}, style);
+    add_construction_symbol(all, other, style);
   }
-  if (!rest.empty()) add_symbol(all, {" " + rest}, style);
+  if (!rest.empty()) add_construction_symbol(all, {" " + rest}, style);
   return all;
 }
 
@@ -400,7 +400,7 @@ void add(ConstructionLayer& drawn, Ink ink) {
   append(drawn.unnamed, std::move(ink.unnamed));
 }
 
-std::optional<Rectangle> box_of_ink(const Layer& layer, const Lettering& lettering) {
+std::optional<Rectangle> box_with_ink(const Layer& layer, const Lettering& lettering) {
   std::optional<Rectangle> all;
   for (const TurnedBox& box : boxes_of(layer, lettering)) all = all ? united(*all, around(box)) : around(box);
   return all;
@@ -423,7 +423,7 @@ void add_keys(ConstructionLayer& drawn, const Figure& figure, const Construction
   for (const Figure& key : figure.keys) {
     Ink own = Draughtsman(empty, style).drawn(key);
     const Layer alone{{}, drawn.layer.style, own.strokes, own.fills, own.texts};
-    Rectangle box = *box_of_ink(alone, style.lettering);
+    Rectangle box = *box_with_ink(alone, style.lettering);
     box.min.y -= descender * style.text;
     const Vec2 half = box.size() / 2.0;
     const Vec2 towards = above ? Vec2(above->centre().x, above->min.y - key_gap - half.y)
@@ -472,7 +472,7 @@ std::optional<Vec2> clear_position(const ConstructionRoom& room, const Vec2& siz
   const Vec2 last = room.area.max - size;
   for (double y = room.area.min.y; y <= last.y; y += step)
     for (double x = room.area.min.x; x <= last.x; x += step) {
-      const TurnedBox box = turned_box(Rectangle{{x, y}, Vec2(x, y) + size}.grown(apart));
+      const TurnedBox box = turned_box(Rectangle{{x, y}, Vec2(x, y) + size}.grown(legend_apart));
       const auto touches = [&box](const TurnedBox& other) { return overlap(box, other); };
       if (std::none_of(room.taken.begin(), room.taken.end(), touches)) return Vec2(x, y);
     }

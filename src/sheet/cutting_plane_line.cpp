@@ -17,31 +17,31 @@ namespace epura::sheet {
 namespace {
 
 // Lengths in multiples of the letter height, which is 20 narrow line widths: 5 mm for lines of 0.25 mm.
-constexpr double letter_widths = 20;
-constexpr double past_outline = 0.8;
+constexpr double cut_letter_widths = 20;
+constexpr double past_ink = 0.8;
 constexpr double wide_end = 1.4;
 constexpr double arrow_length = 2, head_length = 0.7;
-constexpr double head_half_angle = 15;  // degrees
+constexpr double cut_head_half_angle = 15;  // degrees
 constexpr double letter_gap = 0.3;
 constexpr double wide_turn = 0.7;
-constexpr double most_outer_corner = 3;  // half widths of the line
-constexpr double edge_on = 1e-9;         // radians
-constexpr double past_dividing = 3;      // mm; ISO 128-2: centre lines end past the outline
-constexpr double same_line = 0.05;       // mm
-constexpr double shortest_rest = 1;      // mm, of a centre line
+constexpr double most_outer_corner = 3;    // half widths of the line
+constexpr double seen_edge_on = 1e-9;      // radians
+constexpr double past_dividing = 3;        // mm; ISO 128-2: centre lines end past the outline
+constexpr double on_dividing_line = 0.05;  // mm
+constexpr double shortest_rest = 1;        // mm, of a centre line
 
 // In the world: along the plane, and perpendicular to the projectors.
 Vec3 along_trace(const projection::Projection& projection, const scene::CuttingPlane& plane) {
   return glm::cross(glm::normalize(projection.projector), plane.normal);
 }
 
-struct Extent {
+struct LineExtent {
   double from = HUGE_VAL, to = -HUGE_VAL;
 };
 
 // Of the ink of a view along a direction, from a point.
-Extent extent_of(const drawing::ViewDrawing& view, const Vec2& point, const Vec2& along) {
-  Extent extent;
+LineExtent extent_of(const drawing::ViewDrawing& view, const Vec2& point, const Vec2& along) {
+  LineExtent extent;
   for (const drawing::Segment& segment : view.segments)
     for (const Vec2& p : {segment.from, segment.to}) {
       extent.from = std::min(extent.from, glm::dot(p - point, along));
@@ -63,8 +63,8 @@ std::optional<double> reach_along(const drawing::ViewDrawing& view, const Vec2& 
   std::optional<double> reach;
   for (const drawing::Segment& segment : view.segments) {
     const double a = glm::dot(segment.from - point, across), b = glm::dot(segment.to - point, across);
-    if ((a > same_line && b > same_line) || (a < -same_line && b < -same_line)) continue;
-    const double part = std::abs(a - b) > same_line ? std::clamp(a / (a - b), 0.0, 1.0) : 0;
+    if ((a > on_dividing_line && b > on_dividing_line) || (a < -on_dividing_line && b < -on_dividing_line)) continue;
+    const double part = std::abs(a - b) > on_dividing_line ? std::clamp(a / (a - b), 0.0, 1.0) : 0;
     const double at = glm::dot(segment.from + part * (segment.to - segment.from) - point, along);
     if (at > 0) reach = std::max(reach.value_or(0), at);
   }
@@ -82,13 +82,13 @@ std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const cut::Cut
   const Mat4& map = parent.world_to_page;
   const scene::CuttingPlane& plane = surface.plane;
   const auto direction = [&](const Vec3& v) { return Vec2(map * Vec4(v, 0)); };
-  const double past = (past_outline + wide_end) * height;
+  const double past = (past_ink + wide_end) * height;
   const Vec2 along = glm::normalize(direction(along_trace(parent.projection, plane)));
   const Vec2 seen = sight_at(map, plane, along);
   Trace trace{{}, {}, {seen, seen}};
   if (surface.is_plane()) {
     const Vec2 point = drawing::position_on_page(parent, plane.point);
-    const Extent ink = extent_of(parent, point, along);
+    const LineExtent ink = extent_of(parent, point, along);
     if (!(ink.from <= ink.to)) return std::nullopt;
     trace.legs = {along};
     trace.corners = {point + (ink.from - past) * along, point + (ink.to + past) * along};
@@ -98,7 +98,7 @@ std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const cut::Cut
   const std::size_t last = trace.corners.size() - 1;
   for (const auto& [end, next] : {std::pair(std::size_t{0}, std::size_t{1}), std::pair(last, last - 1)}) {
     const Vec2 outwards = glm::normalize(trace.corners[end] - trace.corners[next]);
-    Extent ink = extent_of(parent, trace.corners[next], outwards);
+    LineExtent ink = extent_of(parent, trace.corners[next], outwards);
     if (!(ink.from <= ink.to)) return std::nullopt;
     if (surface.aligned) {
       // An inclined line past all of the ink would be too long.
@@ -115,14 +115,15 @@ std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const cut::Cut
 }
 
 /// The corners of a box around the line a, b.
-Fill wide_line(const Vec2& a, const Vec2& b, double width) {
+Fill wide_stroke(const Vec2& a, const Vec2& b, double width) {
   const Vec2 along = glm::normalize(b - a) * (width / 2);
   const Vec2 across(-along.y, along.x);
   return {{{a + across, a - across, b - across, b + across}}};
 }
 
 Fill arrow_head(const Vec2& tip, const Vec2& pointing, double length) {
-  const Vec2 across = Vec2(-pointing.y, pointing.x) * (length * portable_tan(head_half_angle * std::numbers::pi / 180));
+  const Vec2 across =
+      Vec2(-pointing.y, pointing.x) * (length * portable_tan(cut_head_half_angle * std::numbers::pi / 180));
   const Vec2 foot = tip - length * pointing;
   return {{{tip, foot + across, foot - across}}};
 }
@@ -130,8 +131,8 @@ Fill arrow_head(const Vec2& tip, const Vec2& pointing, double length) {
 // Adds one end of the line.
 void add_end(Layer& layer, const Vec2& end, const Vec2& outwards, const Vec2& seen, const LineWidths& widths,
              const std::string& name) {
-  const double height = letter_widths * widths.narrow;
-  layer.fills.push_back(wide_line(end, end - wide_end * height * outwards, widths.wide));
+  const double height = cut_letter_widths * widths.narrow;
+  layer.fills.push_back(wide_stroke(end, end - wide_end * height * outwards, widths.wide));
   const auto add_letter = [&](const Vec2& middle) {
     // Letters are upright whatever the direction of the line.
     layer.texts.push_back({name, middle - Vec2(0, height / 2), height, 0, Align::middle, "section"});
@@ -156,7 +157,7 @@ void add_turn(Layer& layer, const Trace& trace, std::size_t corner, const LineWi
   for (const Vec2& other : {trace.corners[corner - 1], trace.corners[corner + 1]}) {
     const Vec2 along = glm::normalize(other - at);
     const double length = std::min(wide, glm::distance(other, at) / 2);
-    layer.fills.push_back(wide_line(at - outer * along, at + length * along, widths.wide));
+    layer.fills.push_back(wide_stroke(at - outer * along, at + length * along, widths.wide));
   }
 }
 
@@ -167,7 +168,7 @@ std::vector<std::array<double, 2>> rest_of(const Stroke& stroke, const std::vect
   std::vector<std::array<double, 2>> covers;
   for (const auto& [from, to] : others) {
     const Vec2 along = (stroke.points.back() - start) / length, across(-along.y, along.x);
-    const auto is_beside = [&](const Vec2& p) { return std::abs(glm::dot(p - start, across)) > same_line; };
+    const auto is_beside = [&](const Vec2& p) { return std::abs(glm::dot(p - start, across)) > on_dividing_line; };
     if (is_beside(from) || is_beside(to)) continue;
     const double one = glm::dot(from - start, along), other = glm::dot(to - start, along);
     const double low = std::min(one, other), high = std::max(one, other);
@@ -196,8 +197,8 @@ void add_leg(Layer& layer, const Vec2& from, const Vec2& to, const LineWidths& w
 bool sees_edge_on(const projection::Projection& projection, const cut::CuttingSurface& surface) {
   if (projection.central) return false;
   const Vec3 towards = glm::normalize(projection.projector);
-  return std::abs(glm::dot(towards, surface.plane.normal)) <= edge_on &&
-         std::abs(glm::dot(towards, surface.along)) <= edge_on;
+  return std::abs(glm::dot(towards, surface.plane.normal)) <= seen_edge_on &&
+         std::abs(glm::dot(towards, surface.along)) <= seen_edge_on;
 }
 
 Vec2 cutting_plane_room(const projection::Projection& projection, const cut::CuttingSurface& surface,
@@ -207,24 +208,24 @@ Vec2 cutting_plane_room(const projection::Projection& projection, const cut::Cut
     const Vec3 image = v - glm::dot(v, projection.n) / glm::dot(p, projection.n) * p;
     return glm::abs(glm::normalize(Vec2(glm::dot(image, projection.u), glm::dot(image, projection.v))));
   };
-  const double height = letter_widths * widths.narrow;
+  const double height = cut_letter_widths * widths.narrow;
   if (surface.aligned) {
     Vec2 most(0, 0);
     for (const cut::CutRegion* end : {&surface.regions.front(), &surface.regions.back()})
-      most = glm::max(most, (past_outline + wide_end / 2 + letter_gap + 1) * height *
-                                    on_view(along_trace(projection, *end->plane)) +
-                                arrow_length * height * on_view(end->plane->normal));
+      most = glm::max(
+          most, (past_ink + wide_end / 2 + letter_gap + 1) * height * on_view(along_trace(projection, *end->plane)) +
+                    arrow_length * height * on_view(end->plane->normal));
     return most;
   }
   const Vec2 room =
-      (past_outline + wide_end / 2 + letter_gap + 1) * height * on_view(along_trace(projection, surface.plane));
+      (past_ink + wide_end / 2 + letter_gap + 1) * height * on_view(along_trace(projection, surface.plane));
   if (surface.divides.empty()) return room;
-  return room + (past_outline + wide_end + letter_gap + 1) * height * on_view(surface.plane.normal);
+  return room + (past_ink + wide_end + letter_gap + 1) * height * on_view(surface.plane.normal);
 }
 
 std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, const cut::CuttingSurface& surface,
                                         const LineWidths& widths) {
-  const double height = letter_widths * widths.narrow;
+  const double height = cut_letter_widths * widths.narrow;
   const auto trace = trace_of(parent, surface, height);
   if (!trace) return std::nullopt;
   check(trace->corners.size() == trace->legs.size() + 1, "a cutting plane goes from corner to corner");
@@ -280,12 +281,12 @@ void add_dividing_lines(Layer& centre, const drawing::ViewDrawing& view, const c
     const Vec2 image = Vec2(view.world_to_page * Vec4(down, 0));
     if (!(glm::length(image) > 0)) continue;
     const Vec2 along = glm::normalize(image), across(-along.y, along.x);
-    Extent ink = extent_of(view, point, along);
+    LineExtent ink = extent_of(view, point, along);
     if (!(ink.from <= ink.to)) continue;
     ink = {ink.from - past_dividing, ink.to + past_dividing};
     std::erase_if(centre.strokes, [&](const Stroke& stroke) {
       return std::all_of(stroke.points.begin(), stroke.points.end(),
-                         [&](const Vec2& p) { return std::abs(glm::dot(p - point, across)) < same_line; });
+                         [&](const Vec2& p) { return std::abs(glm::dot(p - point, across)) < on_dividing_line; });
     });
     add_leg(centre, point + ink.from * along, point + ink.to * along, widths);
   }

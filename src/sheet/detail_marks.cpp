@@ -16,11 +16,12 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double letter_widths = 20;  // height of letters in narrow lines: 5 mm for 0.25 mm
-constexpr double gap = 1;             // mm between a letter and all ink
-constexpr double leader_step = 3, longest_leader = 45;
+constexpr double detail_letter_widths = 20;  // height of letters in narrow lines: 5 mm for 0.25 mm
+constexpr double gap = 1;                    // mm between a letter and all ink
+constexpr double detail_leader_step = 3, longest_leader = 45;
 // Preferred directions first: up to the right, as a reader expects it.
-constexpr std::array<int, 16> directions = {45, 135, 315, 225, 30, 60, 120, 150, 330, 300, 210, 240, 0, 90, 180, 270};
+constexpr std::array<int, 16> letter_directions = {45,  135, 315, 225, 30, 60, 120, 150,
+                                                   330, 300, 210, 240, 0,  90, 180, 270};
 constexpr int corners_of_circle = 360;
 
 // Distance from the centre to the boundary in a direction.
@@ -35,9 +36,10 @@ double reach_of(const drawing::Boundary& boundary, const Vec2& direction) {
 bool is_near(const TurnedBox& box, const Rectangle& area) { return around(box).overlaps(area.grown(gap), -gap); }
 
 /// What letters must not touch, in the neighbourhood of one detail.
-class Obstacles {
+class LetterObstacles {
  public:
-  Obstacles(const LetterRoom& room, const Rectangle& neighbourhood, const Lettering& lettering) : area_(room.area) {
+  LetterObstacles(const LetterRoom& room, const Rectangle& neighbourhood, const Lettering& lettering)
+      : area_(room.area) {
     for (const Layer& layer : room.drawn) add(layer, neighbourhood, lettering);
     for (const TurnedBox& box : room.reserved)
       if (is_near(box, neighbourhood)) boxes_.push_back(box);
@@ -74,13 +76,13 @@ class Obstacles {
   std::vector<TurnedBox> boxes_;
 };
 
-struct Place {
+struct LetterPlace {
   Vec2 from;      ///< the boundary, where a leader begins
   double leader;  ///< its length, mm; 0: none
   TurnedBox letter;
 };
 
-Place place_at(const drawing::Boundary& boundary, int degrees, double leader, const Vec2& half) {
+LetterPlace place_at(const drawing::Boundary& boundary, int degrees, double leader, const Vec2& half) {
   const double angle = degrees * std::numbers::pi / 180;
   const Vec2 direction(portable_cos(angle), portable_sin(angle));
   const Vec2 from = boundary.centre + reach_of(boundary, direction) * direction;
@@ -89,12 +91,12 @@ Place place_at(const drawing::Boundary& boundary, int degrees, double leader, co
 }
 
 // The nearest free place, or the one that touches least.
-Place best_place(const drawing::Boundary& boundary, const Vec2& half, const Obstacles& obstacles) {
-  Place best = place_at(boundary, directions[0], 0, half);
+LetterPlace best_place(const drawing::Boundary& boundary, const Vec2& half, const LetterObstacles& obstacles) {
+  LetterPlace best = place_at(boundary, letter_directions[0], 0, half);
   std::size_t touched = obstacles.touched_by(best.letter);
-  for (double leader = 0; touched > 0 && leader <= longest_leader; leader += leader_step)
-    for (const int degrees : directions) {
-      const Place place = place_at(boundary, degrees, leader, half);
+  for (double leader = 0; touched > 0 && leader <= longest_leader; leader += detail_leader_step)
+    for (const int degrees : letter_directions) {
+      const LetterPlace place = place_at(boundary, degrees, leader, half);
       const std::size_t here = obstacles.touched_by(place.letter);
       if (here < touched) {
         best = place;
@@ -122,16 +124,16 @@ Stroke boundary_line(const drawing::Boundary& boundary) {
 Layer detail_marks(const std::string& view, std::span<const DetailMark> marks, const LetterRoom& room,
                    const Lettering& lettering, const LineWidths& widths) {
   Layer layer = empty_layer(view, scene::SheetLine::detail, widths);
-  const double height = letter_widths * widths.narrow;
+  const double height = detail_letter_widths * widths.narrow;
   std::vector<Stroke> boundaries;
   for (const DetailMark& mark : marks) boundaries.push_back(boundary_line(mark.boundary));
   std::vector<TurnedBox> letters = room.reserved;
   for (const DetailMark& mark : marks) {
     const Vec2 half = Vec2(lettering.width(mark.name, height), height) / 2.0;
     const Rectangle neighbourhood = box_of(mark.boundary).grown(longest_leader + 2 * (half.x + half.y));
-    Obstacles obstacles({room.area, room.drawn, letters}, neighbourhood, lettering);
+    LetterObstacles obstacles({room.area, room.drawn, letters}, neighbourhood, lettering);
     for (const Stroke& boundary : boundaries) obstacles.add(boundary, neighbourhood);
-    const Place place = best_place(mark.boundary, half, obstacles);
+    const LetterPlace place = best_place(mark.boundary, half, obstacles);
     if (place.leader > 0) {
       const Vec2 direction = glm::normalize(place.letter.centre - place.from);
       layer.strokes.push_back(line(place.from, place.from + place.leader * direction));

@@ -86,7 +86,7 @@ Glyph load_glyph(FT_Face face, unsigned index) {
   return glyph;
 }
 
-double height_of(const Glyph& glyph) {
+double glyph_height_of(const Glyph& glyph) {
   double height = 0;
   for (const GlyphOutline& outline : glyph.outlines)
     for (const GlyphOutline::Curve& curve : outline.curves) height = std::max(height, curve.end.y);
@@ -122,7 +122,7 @@ FontFile::FontFile(std::filesystem::path path, int number, std::string family)
   if (FT_New_Face(open_->library, file.c_str(), number, &open_->face) != 0) open_->face = nullptr;
   if (!is_open()) return;
   constexpr double usual_capital = 0.7;
-  open_->capital = has(U'H') ? height_of(glyph(index_of(U'H'))) : usual_capital * units_per_em();
+  open_->capital = has(U'H') ? glyph_height_of(glyph(index_of(U'H'))) : usual_capital * units_per_em();
 }
 
 FontFile::~FontFile() { FT_Done_FreeType(open_->library); }  // frees the face, too

@@ -15,7 +15,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double left_margin = 20, other_margin = 10;
+constexpr double binding_margin = 20, plain_margin = 10;
 constexpr double grid_strip = 5;  // outside the frame
 constexpr double field_length = 50;
 constexpr double letter_height = 3.5;
@@ -24,7 +24,7 @@ constexpr double trimming_long = 10, trimming_short = 5;
 constexpr Vec2 a5(210, 148);
 constexpr double longer_side_of_a4 = 297;
 
-bool has_iso_margins(const Paper& paper) { return paper.left == left_margin && paper.other == other_margin; }
+bool has_iso_margins(const Paper& paper) { return paper.left == binding_margin && paper.other == plain_margin; }
 
 // Ends of the fields between `min` and `max`, the ends of the frame.
 std::vector<double> field_ends(double length, double min, double max) {
@@ -130,7 +130,7 @@ Paper with_frame_margins(const Paper& paper) {
   if (paper.area) return paper;
   const Vec2 sides(std::max(paper.width, paper.height), std::min(paper.width, paper.height));
   if (sides.x < a5.x || sides.y < a5.y || ansi_sheet(paper) != nullptr) return paper;
-  return {paper.width, paper.height, left_margin, other_margin};
+  return {paper.width, paper.height, binding_margin, plain_margin};
 }
 
 Furniture frame(const Paper& paper, FrameKind kind, const std::optional<Rectangle>& title_block) {

@@ -27,12 +27,12 @@ using Line = std::array<Vec2, 2>;
 constexpr double least_spacing = 1, most_spacing = 4;
 constexpr double spacings_a_side = 16;  // along the side of a square
 constexpr double thin_width = 1;
-constexpr double nearest = 0.7;            // parts closer than this touch
-constexpr double shortest = 1e-3;          // mm; shorter hatching lines are omitted
-constexpr double meeting = 1e-9;           // mm; rounding between faces that meet
-constexpr double alike_degrees = 10;       // a hatching line within this angle of an outline looks like one
-constexpr double most_alike = 0.3 + 1e-6;  // part of the outlines that may be so, or across; never k/n of n sides
-constexpr double least_ratio = 1.4;        // of two distinguishable spacings
+constexpr double nearest = 0.7;               // parts closer than this touch
+constexpr double shortest_hatch_line = 1e-3;  // mm; shorter hatching lines are omitted
+constexpr double faces_meet = 1e-9;           // mm; rounding between faces that meet
+constexpr double alike_degrees = 10;          // a hatching line within this angle of an outline looks like one
+constexpr double most_alike = 0.3 + 1e-6;     // part of the outlines that may be so, or across; never k/n of n sides
+constexpr double least_ratio = 1.4;           // of two distinguishable spacings
 
 /// In order of preference; the factor applies to the spacing. If the first few do not distinguish a part from its
 /// neighbours by angle, the spacing must.
@@ -62,7 +62,7 @@ void visit_sides(const std::vector<Ring>& rings, const Visit& visit) {
 }
 
 // The parts of the line n . p = offset inside the rings. A corner on the line counts as before it, for both its sides.
-void add_line(const std::vector<Ring>& rings, const Vec2& along, double offset, std::vector<Line>& lines) {
+void add_hatch_line(const std::vector<Ring>& rings, const Vec2& along, double offset, std::vector<Line>& lines) {
   const Vec2 n(-along.y, along.x);
   std::vector<double> crossings;
   visit_sides(rings, [&](const Vec2& a, const Vec2& b) {
@@ -74,8 +74,8 @@ void add_line(const std::vector<Ring>& rings, const Vec2& along, double offset, 
   std::sort(crossings.begin(), crossings.end());
   for (std::size_t begin = 0, end = 1; end < crossings.size(); begin = end + 1, end += 2) {
     // Faces on both sides of a step meet without a line between them.
-    while (end + 2 < crossings.size() && crossings[end + 1] - crossings[end] < meeting) end += 2;
-    if (crossings[end] - crossings[begin] > shortest)
+    while (end + 2 < crossings.size() && crossings[end + 1] - crossings[end] < faces_meet) end += 2;
+    if (crossings[end] - crossings[begin] > shortest_hatch_line)
       lines.push_back({crossings[begin] * along + offset * n, crossings[end] * along + offset * n});
   }
 }
@@ -114,7 +114,7 @@ std::vector<Line> uncovered(const std::vector<Line>& lines, double degrees,
     std::sort(covered.begin(), covered.end());
     double at = glm::dot(along, line[0]);
     const auto keep_until = [&](double place) {
-      if (std::min(place, end) - at > shortest)
+      if (std::min(place, end) - at > shortest_hatch_line)
         rest.push_back({at * along + offset * n, std::min(place, end) * along + offset * n});
     };
     for (const auto& [from, to] : covered) {
@@ -127,7 +127,7 @@ std::vector<Line> uncovered(const std::vector<Line>& lines, double degrees,
   return rest;
 }
 
-std::vector<HatchLines> families_of(HatchPattern pattern, const Hatching& hatching) {
+std::vector<HatchLines> hatch_families(HatchPattern pattern, const Hatching& hatching) {
   constexpr double pair = 0.3;  // distance between the lines of a pair, as a part of the spacing
   const double angle = hatching.angle, spacing = hatching.spacing;
   switch (pattern) {
@@ -156,14 +156,14 @@ std::vector<Line> lines_of(const drawing::CutFace& face, const HatchLines& famil
   std::vector<std::vector<Line>> found(count > 0 ? static_cast<std::size_t>(count) : 0);
   parallel_for(found.size(), 16, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      add_line(face.rings, along, (first + static_cast<double>(i)) * family.spacing + family.start, found[i]);
+      add_hatch_line(face.rings, along, (first + static_cast<double>(i)) * family.spacing + family.start, found[i]);
   });
   std::vector<Line> lines;
   for (const std::vector<Line>& part : found) lines.insert(lines.end(), part.begin(), part.end());
   return lines;
 }
 
-mesh::Outlines outlines_of(const drawing::CutFace& face) {
+mesh::Outlines outlines_in(const drawing::CutFace& face) {
   mesh::Outlines outlines;
   for (const Ring& ring : face.rings) {
     const int first = static_cast<int>(outlines.places.size()), count = static_cast<int>(ring.size());
@@ -173,8 +173,8 @@ mesh::Outlines outlines_of(const drawing::CutFace& face) {
   return outlines;
 }
 
-double area_of(const drawing::CutFace& face) {
-  mesh::Outlines outlines = outlines_of(face);
+double area_within(const drawing::CutFace& face) {
+  mesh::Outlines outlines = outlines_in(face);
   double area = 0;
   for (const auto& [i, j, k] : mesh::fill_even_odd(outlines)) {
     const Vec2 ab = outlines.places[j] - outlines.places[i], ac = outlines.places[k] - outlines.places[i];
@@ -183,14 +183,14 @@ double area_of(const drawing::CutFace& face) {
   return area;
 }
 
-double length_of(const drawing::CutFace& face) {
+double outline_length_of(const drawing::CutFace& face) {
   double length = 0;
   visit_sides(face.rings, [&](const Vec2& a, const Vec2& b) { length += glm::distance(a, b); });
   return length;
 }
 
 // A strip of width w and length l >> w has the area w l and an outline of length 2 l.
-bool is_thin(const drawing::CutFace& face) { return 2 * area_of(face) < thin_width * length_of(face); }
+bool is_thin(const drawing::CutFace& face) { return 2 * area_within(face) < thin_width * outline_length_of(face); }
 
 struct Frame {
   Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
@@ -235,7 +235,7 @@ bool touch(const drawing::CutFace& one, const drawing::CutFace& two) {
     for (const Line& b : second)
       if (distance_to_segment(a[0], b[0], b[1]) < nearest || distance_to_segment(b[0], a[0], a[1]) < nearest)
         return true;
-  return mesh::is_inside(outlines_of(one), two.rings[0][0]) || mesh::is_inside(outlines_of(two), one.rings[0][0]);
+  return mesh::is_inside(outlines_in(one), two.rings[0][0]) || mesh::is_inside(outlines_in(two), one.rings[0][0]);
 }
 
 bool touch(const Part& one, const Part& two) {
@@ -273,7 +273,7 @@ std::vector<Part> parts_of(std::span<const drawing::ViewDrawing* const> drawings
     for (const drawing::CutFace& face : drawings[d]->cut_faces) {
       Part& part = parts.try_emplace({face.model, face.body}, Part{face.model, face.body, {}}).first->second;
       part.faces.emplace_back(static_cast<int>(d), &face);
-      part.largest = std::max(part.largest, area_of(face));
+      part.largest = std::max(part.largest, area_within(face));
     }
   std::vector<std::pair<PlaceOnSheet, Part>> placed;
   for (auto& [key, part] : parts) placed.emplace_back(place_of(part), std::move(part));
@@ -339,7 +339,7 @@ Hatching hatching_of(const Part& part, const HatchStyle& wish, const std::vector
 
 bool are_same(const std::vector<Line>& one, const std::vector<Line>& two) {
   return std::equal(one.begin(), one.end(), two.begin(), two.end(), [](const Line& a, const Line& b) {
-    return glm::distance(a[0], b[0]) < meeting && glm::distance(a[1], b[1]) < meeting;
+    return glm::distance(a[0], b[0]) < faces_meet && glm::distance(a[1], b[1]) < faces_meet;
   });
 }
 
@@ -365,7 +365,7 @@ std::vector<drawing::PaperTriangle> covers_of(const HatchedView& view) {
 }
 
 // A face of which something is hidden is lines only: as a whole, it would be hatched everywhere.
-void draw_lines(Layer& layer, HatchedFace hatched, const FaceToHatch& what) {
+void draw_hatch_lines(Layer& layer, HatchedFace hatched, const FaceToHatch& what) {
   bool is_whole = true;
   hatched.strokes.begin = layer.strokes.size();
   for (const HatchLines& family : hatched.lines) {
@@ -424,8 +424,8 @@ Layer hatch_layer(const HatchedView& view, std::span<const Hatching> hatching, c
       layer.fills.push_back({face.rings});
       continue;
     }
-    draw_lines(layer, {{face.rings}, pattern, found->angle, found->spacing, families_of(pattern, *found), {}},
-               {covers, face, widths.narrow, progress});
+    draw_hatch_lines(layer, {{face.rings}, pattern, found->angle, found->spacing, hatch_families(pattern, *found), {}},
+                     {covers, face, widths.narrow, progress});
   }
   return layer;
 }

@@ -34,7 +34,7 @@ using FontSet = std::unique_ptr<FcFontSet, FontconfigFree<FcFontSetSortDestroy>>
 
 const FcChar8* bytes(const char* text) { return reinterpret_cast<const FcChar8*>(text); }
 
-std::string text_of(FcPattern* font, const char* property) {
+std::string pattern_text(FcPattern* font, const char* property) {
   FcChar8* text = nullptr;
   return FcPatternGetString(font, property, 0, &text) == FcResultMatch ? reinterpret_cast<const char*>(text) : "";
 }
@@ -44,7 +44,7 @@ bool truth_of(FcPattern* font, const char* property) {
   return FcPatternGetBool(font, property, 0, &truth) == FcResultMatch && truth == FcTrue;
 }
 
-int number_of(FcPattern* font, const char* property, int otherwise) {
+int weight_number(FcPattern* font, const char* property, int otherwise) {
   int number = 0;
   return FcPatternGetInteger(font, property, 0, &number) == FcResultMatch ? number : otherwise;
 }
@@ -53,7 +53,8 @@ int number_of(FcPattern* font, const char* property, int otherwise) {
 bool is_usable(FcPattern* font) {
   constexpr int most_faces = 0xFFFF;
   return truth_of(font, FC_OUTLINE) && !truth_of(font, FC_COLOR) && !truth_of(font, FC_VARIABLE) &&
-         number_of(font, FC_SLANT, FC_SLANT_ROMAN) == FC_SLANT_ROMAN && number_of(font, FC_INDEX, 0) <= most_faces;
+         weight_number(font, FC_SLANT, FC_SLANT_ROMAN) == FC_SLANT_ROMAN &&
+         weight_number(font, FC_INDEX, 0) <= most_faces;
 }
 
 struct Candidate {
@@ -75,7 +76,7 @@ Font font_in_file(const std::string& file, const std::string& where) {
   const FontFile opened(file);
   if (!font || !truth_of(font.get(), FC_OUTLINE) || !opened.is_open() || !(opened.capital() > 0))
     throw Error(ErrorKind::input, where, "'" + file + "' is not an outline font", "give a .ttf or .otf file");
-  return {file, 0, text_of(font.get(), FC_FAMILY)};
+  return {file, 0, pattern_text(font.get(), FC_FAMILY)};
 }
 
 std::vector<std::string> families_of(FcPattern* font) {
@@ -88,9 +89,9 @@ std::vector<std::string> families_of(FcPattern* font) {
 
 // In an order that does not depend on the list: weight, then width, then file.
 auto rank_of(FcPattern* font) {
-  return std::tuple(std::abs(number_of(font, FC_WEIGHT, FC_WEIGHT_NORMAL) - FC_WEIGHT_NORMAL),
-                    std::abs(number_of(font, FC_WIDTH, FC_WIDTH_NORMAL) - FC_WIDTH_NORMAL), text_of(font, FC_FILE),
-                    number_of(font, FC_INDEX, 0));
+  return std::tuple(std::abs(weight_number(font, FC_WEIGHT, FC_WEIGHT_NORMAL) - FC_WEIGHT_NORMAL),
+                    std::abs(weight_number(font, FC_WIDTH, FC_WIDTH_NORMAL) - FC_WIDTH_NORMAL),
+                    pattern_text(font, FC_FILE), weight_number(font, FC_INDEX, 0));
 }
 
 Font font_of_family(const std::string& family, const std::string& where) {
@@ -110,7 +111,8 @@ Font font_of_family(const std::string& family, const std::string& where) {
       if (to_lower(name) == to_lower(family) && (best == nullptr || rank_of(font) < rank_of(best))) best = font;
     }
   }
-  if (best != nullptr) return {text_of(best, FC_FILE), number_of(best, FC_INDEX, 0), text_of(best, FC_FAMILY)};
+  if (best != nullptr)
+    return {pattern_text(best, FC_FILE), weight_number(best, FC_INDEX, 0), pattern_text(best, FC_FAMILY)};
   const std::vector<std::string> names(known.begin(), known.end());
   throw Error(ErrorKind::input, where, "no installed font family is called '" + family + "'",
               names.empty() ? "install it, or give its file" : did_you_mean(family, names));
@@ -151,8 +153,8 @@ void InstalledFonts::List::read() {
     FcPattern* font = sorted->fonts[i];
     FcCharSet* characters = nullptr;
     if (!is_usable(font) || FcPatternGetCharSet(font, FC_CHARSET, 0, &characters) != FcResultMatch) continue;
-    candidates.push_back(
-        {text_of(font, FC_FILE), text_of(font, FC_FAMILY), number_of(font, FC_INDEX, 0), characters, nullptr});
+    candidates.push_back({pattern_text(font, FC_FILE), pattern_text(font, FC_FAMILY), weight_number(font, FC_INDEX, 0),
+                          characters, nullptr});
   }
 }
 

@@ -16,9 +16,9 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double clearance = 1;   // mm, between a label and lines
-constexpr double descent = 0.25;  // of brackets, in text heights
-constexpr double step = 1, farthest_up = 30;
+constexpr double label_clearance = 1;    // mm, between a label and lines
+constexpr double below_brackets = 0.25;  // of brackets, in text heights
+constexpr double up_step = 1, farthest_up = 30;
 constexpr std::array<double, 11> aside{0, -5, 5, -10, 10, -20, 20, -30, 30, -40, 40};
 
 Rectangle box_on_paper(const Text& text, const Lettering& lettering) { return around(box_of(text, lettering)); }
@@ -33,7 +33,7 @@ void add_stroke(Obstacles& obstacles, const Stroke& stroke, const Rectangle& reg
   for (std::size_t i = 0; i + 1 < count + (stroke.closed ? 1 : 0); ++i) {
     const Vec2 &a = stroke.points[i], &b = stroke.points[(i + 1) % count];
     const Rectangle box{glm::min(a, b), glm::max(a, b)};
-    if (!region.overlaps(box.grown(clearance))) continue;
+    if (!region.overlaps(box.grown(label_clearance))) continue;
     obstacles.boxes.push_back(line_box(a, b));
     if (is_dimension) obstacles.dimensions.push_back(box);
   }
@@ -73,7 +73,7 @@ Obstacles obstacles_in(const Sheet& sheet, const Rectangle& region, const Text& 
 }
 
 bool is_free(const Rectangle& box, const Obstacles& obstacles) {
-  const TurnedBox turned = turned_box(box.grown(clearance));
+  const TurnedBox turned = turned_box(box.grown(label_clearance));
   return std::none_of(obstacles.boxes.begin(), obstacles.boxes.end(),
                       [&](const TurnedBox& obstacle) { return overlap(turned, obstacle); });
 }
@@ -89,9 +89,9 @@ bool is_below_dimension(const Rectangle& box, const Obstacles& obstacles) {
 std::optional<Vec2> free_move(const Rectangle& box, const Obstacles& obstacles, const Rectangle& area,
                               bool above_dimensions) {
   for (const double x : aside)
-    for (double y = 0; y <= farthest_up; y += step) {
+    for (double y = 0; y <= farthest_up; y += up_step) {
       const Rectangle moved{box.min + Vec2(x, y), box.max + Vec2(x, y)};
-      if (!area.holds(moved.grown(clearance))) break;
+      if (!area.holds(moved.grown(label_clearance))) break;
       if (is_free(moved, obstacles) && !(above_dimensions && is_below_dimension(moved, obstacles))) return Vec2(x, y);
     }
   return std::nullopt;
@@ -99,7 +99,7 @@ std::optional<Vec2> free_move(const Rectangle& box, const Obstacles& obstacles, 
 
 Vec2 move_of(const Text& label, const Sheet& sheet, const Rectangle& area, const Lettering& lettering) {
   Rectangle box = box_on_paper(label, lettering);
-  box.min.y -= descent * label.height;
+  box.min.y -= below_brackets * label.height;
   const Vec2 reach(*std::max_element(aside.begin(), aside.end()), farthest_up);
   const Obstacles obstacles = obstacles_in(sheet, Rectangle{box.min - reach, box.max + reach}, label, lettering);
   auto move = free_move(box, obstacles, area, true);

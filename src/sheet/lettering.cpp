@@ -30,7 +30,7 @@ bool controls_letters(char32_t code) {
 }
 
 // As `written`, with the characters that control others.
-std::u32string line_of(std::string_view text) {
+std::u32string base_line_of(std::string_view text) {
   std::u32string line;
   for (const char32_t character : characters(text))
     if (!is_invisible(character) || controls_letters(character)) line += is_control(character) ? U' ' : character;
@@ -51,7 +51,7 @@ void append_outlines(std::vector<GlyphOutline>& placed, const Glyph& glyph, cons
   }
 }
 
-std::vector<GlyphOutline> outlines_of(const std::vector<GlyphRun>& runs) {
+std::vector<GlyphOutline> outlines_of_text(const std::vector<GlyphRun>& runs) {
   std::vector<GlyphOutline> placed;
   double start = 0;  // mm
   for (const GlyphRun& run : runs) {
@@ -99,7 +99,7 @@ bool Lettering::covers(std::string_view text) const {
 
 // The lettering font has a few ideographs: those of a line that lacks others come from one font, too.
 std::vector<TextRun> Lettering::split(std::string_view text) const {
-  const std::u32string line = line_of(text);
+  const std::u32string line = base_line_of(text);
   std::u32string ideographs;
   std::copy_if(line.begin(), line.end(), std::back_inserter(ideographs), is_ideographic);
   const bool has_all = std::all_of(ideographs.begin(), ideographs.end(), [this](char32_t c) { return font_->has(c); });
@@ -159,7 +159,7 @@ std::vector<BorrowedCharacter> Lettering::borrowed(std::string_view text) const 
 }
 
 std::vector<GlyphOutline> Lettering::outlines(std::string_view text, double height) const {
-  if (!covers(text)) return outlines_of(runs(text, height));
+  if (!covers(text)) return outlines_of_text(runs(text, height));
   std::vector<GlyphOutline> placed;
   double at = 0;
   for (const char32_t character : characters(written(text))) {

@@ -17,10 +17,10 @@ namespace {
 // A zigzag in line widths: 14 across the line and 7.5 along it, which makes angles of 30 degrees; one for each 80 mm of
 // the line, and one more. ISO 128-2.
 constexpr double zigzag_across = 14, zigzag_along = 7.5;
-constexpr double zigzag_every = 80;   // mm
-constexpr double off_axis = 0.3;      // position of a zigzag in its part of the line: a centre line is in the middle
-constexpr double past_outline = 3;    // mm
-constexpr double past_symmetric = 6;  // mm; room for the symbol
+constexpr double zigzag_every = 80;     // mm
+constexpr double off_limit_axis = 0.3;  // position of a zigzag in its part of the line: a centre line is in the middle
+constexpr double past_limits = 3;       // mm
+constexpr double past_symmetric = 6;    // mm; room for the symbol
 // The symbol for symmetry: distances of its lines from the outline, and their length, mm.
 constexpr double symbol_begin = 2.5, symbol_apart = 1.5, symbol_length = 3.5;
 constexpr double same_line = 0.05;  // mm
@@ -34,20 +34,20 @@ Ends ends_of(const drawing::Limit& limit, double past) {
   return {limit.from - (limit.meets[0] ? 0 : past) * along, limit.to + (limit.meets[1] ? 0 : past) * along, along};
 }
 
-int axis_of(const drawing::Limit& limit) {
+int axis_of_limit(const drawing::Limit& limit) {
   return std::abs(limit.to.x - limit.from.x) > std::abs(limit.to.y - limit.from.y) ? 0 : 1;
 }
 
 // Zigzags beside each other are at the same places of their lines: so they are parallel, and do not touch.
 Range common_range(const std::vector<drawing::Limit>& limits, const drawing::Limit& limit) {
-  const int axis = axis_of(limit);
+  const int axis = axis_of_limit(limit);
   const auto range_of = [axis](const drawing::Limit& one) {
-    const Ends ends = ends_of(one, past_outline);
+    const Ends ends = ends_of(one, past_limits);
     return Range{std::min(ends.from[axis], ends.to[axis]), std::max(ends.from[axis], ends.to[axis])};
   };
   Range common = range_of(limit);
   for (const drawing::Limit& other : limits) {
-    if (other.symmetric || axis_of(other) != axis) continue;
+    if (other.symmetric || axis_of_limit(other) != axis) continue;
     const Range range = range_of(other);
     if (range.to <= common.from || range.from >= common.to) continue;
     common = {std::max(common.from, range.from), std::min(common.to, range.to)};
@@ -56,9 +56,9 @@ Range common_range(const std::vector<drawing::Limit>& limits, const drawing::Lim
 }
 
 Stroke zigzag_line(const drawing::Limit& limit, const Range& range, double width) {
-  const auto [from, to, along] = ends_of(limit, past_outline);
+  const auto [from, to, along] = ends_of(limit, past_limits);
   const Vec2 across(-along.y, along.x);
-  const int axis = axis_of(limit);
+  const int axis = axis_of_limit(limit);
   const double length = range.to - range.from;
   check(length > 0, "a break line has a length");
   Vec2 begin = from;
@@ -67,7 +67,7 @@ Stroke zigzag_line(const drawing::Limit& limit, const Range& range, double width
   const double half = zigzag_along * width / 2, quarter = zigzag_along * width / 4, high = zigzag_across * width / 2;
   Stroke stroke{{from}};
   for (int i = 0; i < count; ++i) {
-    const Vec2 middle = begin + (i + off_axis) * length / count * along;
+    const Vec2 middle = begin + (i + off_limit_axis) * length / count * along;
     stroke.points.push_back(middle - half * along);
     stroke.points.push_back(middle - quarter * along + high * across);
     stroke.points.push_back(middle + quarter * along - high * across);
@@ -136,7 +136,7 @@ std::optional<Layer> revolved_lines(const drawing::ViewDrawing& view, const Line
   for (const drawing::RevolvedFace& face : view.revolved) {
     for (const std::vector<Vec2>& ring : face.rings) layer.strokes.emplace_back(Stroke{ring}).closed = true;
     const auto& [from, to] = face.axis;
-    const Vec2 past = past_outline * glm::normalize(to - from);
+    const Vec2 past = past_limits * glm::normalize(to - from);
     Stroke axis{{from - past, to + past}};
     axis.dashes = fit_open(glm::distance(axis.points[0], axis.points[1]), widths.narrow, scene::long_dash_dot);
     layer.strokes.push_back(std::move(axis));

@@ -12,7 +12,7 @@ namespace epura::sheet {
 
 namespace {
 
-double width_of(scene::LineWidth width, const LineWidths& widths) {
+double width_of_kind(scene::LineWidth width, const LineWidths& widths) {
   switch (width) {
     case scene::LineWidth::wide:
       return widths.wide;
@@ -65,7 +65,7 @@ Dashes nominal_dashes(const scene::DashType& type, double width) {
 }
 
 double line_width(scene::SheetLine line, const LineWidths& widths) {
-  return given_style(line, widths).width.value_or(width_of(scene::row_of(line).width, widths));
+  return given_style(line, widths).width.value_or(width_of_kind(scene::row_of(line).width, widths));
 }
 
 LineStyle line_style(scene::SheetLine line, const LineWidths& widths) {

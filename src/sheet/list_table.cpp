@@ -12,30 +12,30 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double full_width = 180, row = 6;       // mm
-constexpr double text_height = 2.5, padding = 1;  // mm
-constexpr double descent = 0.35;                  // of lettering below its base line, in heights
+constexpr double list_width = 180, list_row = 6;       // mm
+constexpr double text_height = 2.5, list_padding = 1;  // mm
+constexpr double below_base_line = 0.35;               // of lettering below its base line, in heights
 
 // Returns whether the text was cut.
 bool write_cell(Layer& layer, const std::string& words, const Rectangle& cell, Align align,
                 const Lettering& lettering) {
-  const FittedText text = fit_text(words, cell.size().x - 2 * padding, text_height, lettering);
+  const FittedText text = fit_text(words, cell.size().x - 2 * list_padding, text_height, lettering);
   const double lines = static_cast<double>(text.lines.size());
   const double block = ((lines - 1) * line_spacing + 1) * text.height;
-  const double above = (cell.size().y - block - descent * text.height) / 2;
+  const double above = (cell.size().y - block - below_base_line * text.height) / 2;
   double base = cell.max.y - above - text.height;
   for (const std::string& line : text.lines) {
-    const double x = align == Align::right ? cell.max.x - padding : cell.min.x + padding;
+    const double x = align == Align::right ? cell.max.x - list_padding : cell.min.x + list_padding;
     layer.texts.push_back({line, {x, base}, text.height, 0, align});
     base -= line_spacing * text.height;
   }
   return text.cut;
 }
 
-void draw_lines(Layer& layer, const std::vector<ListColumn>& columns, const Rectangle& box) {
+void draw_rules(Layer& layer, const std::vector<ListColumn>& columns, const Rectangle& box) {
   layer.strokes.push_back(outline(box));
   for (std::size_t i = 1; i <= columns.front().texts.size(); ++i) {
-    const double y = box.min.y + row * static_cast<double>(i);
+    const double y = box.min.y + list_row * static_cast<double>(i);
     layer.strokes.push_back(line({box.min.x, y}, {box.max.x, y}));
   }
   double left = box.min.x;
@@ -49,9 +49,9 @@ void draw_lines(Layer& layer, const std::vector<ListColumn>& columns, const Rect
 
 Rectangle list_box(const std::optional<Rectangle>& below, std::size_t rows, const Paper& paper) {
   const Rectangle area = drawing_area(paper);
-  const double width = below ? below->size().x : std::min(full_width, area.size().x);
+  const double width = below ? below->size().x : std::min(list_width, area.size().x);
   const Vec2 corner(below ? below->min.x : area.max.x - width, below ? below->max.y : area.min.y);
-  return {corner, corner + Vec2(width, row * static_cast<double>(rows + 1))};
+  return {corner, corner + Vec2(width, list_row * static_cast<double>(rows + 1))};
 }
 
 Rectangle with_list(const std::optional<Rectangle>& below, std::size_t rows, const Paper& paper) {
@@ -67,14 +67,14 @@ std::vector<std::string> draw_list(Layer& layer, std::vector<ListColumn> columns
     if (column.width == 0) column.width = rest;
   for (const ListColumn& column : columns)
     check(column.texts.size() == columns.front().texts.size(), "the columns of a list are equally long");
-  draw_lines(layer, columns, box);
+  draw_rules(layer, columns, box);
   const std::size_t first = layer.texts.size();
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i <= columns.front().texts.size(); ++i) {
-    const double bottom = box.min.y + row * static_cast<double>(i);
+    const double bottom = box.min.y + list_row * static_cast<double>(i);
     double x = box.min.x;
     for (const ListColumn& column : columns) {
-      const Rectangle cell{{x, bottom}, {x + column.width, bottom + row}};
+      const Rectangle cell{{x, bottom}, {x + column.width, bottom + list_row}};
       const std::string& words = i == 0 ? column.caption : column.texts[i - 1];
       if (write_cell(layer, words, cell, column.is_number ? Align::right : Align::left, lettering))
         warnings.push_back("the " + names.name + " has no room for all of '" + words + "'");

@@ -49,7 +49,7 @@ std::array<Letter, 26> alphabet() {
 }
 
 // One letter for each character; empty for a blank.
-std::vector<Letter> letters_of(const std::string& text) {
+std::vector<Letter> strokes_of_letters(const std::string& text) {
   const std::array<Letter, 26> all = alphabet();
   std::vector<Letter> letters;
   for (const char c : text) {
@@ -61,20 +61,20 @@ std::vector<Letter> letters_of(const std::string& text) {
   return letters;
 }
 
-constexpr double letter_height = 6, letter_step = 6;
+constexpr double partial_letter_height = 6, letter_step = 6;
 constexpr double height_in_margin = 0.6;
 constexpr double line_per_height = 0.1;
 
 }  // namespace
 
 Layer partial_mark(const Paper& paper, const std::string& stage) {
-  const std::vector<Letter> letters = letters_of("partial: " + to_lower(stage));
+  const std::vector<Letter> letters = strokes_of_letters("partial: " + to_lower(stage));
   const double width = letter_step * static_cast<double>(letters.size());
-  const double unit = std::min(height_in_margin * paper.above() / letter_height, paper.width / width);
+  const double unit = std::min(height_in_margin * paper.above() / partial_letter_height, paper.width / width);
   const Vec2 start(std::min(paper.left, paper.width - unit * width),
-                   paper.height - paper.above() / 2 - unit * letter_height / 2);
+                   paper.height - paper.above() / 2 - unit * partial_letter_height / 2);
   Layer layer = empty_layer("sheet", scene::SheetLine::partial, line_widths(paper));
-  layer.style.width = line_per_height * letter_height * unit;
+  layer.style.width = line_per_height * partial_letter_height * unit;
   for (std::size_t i = 0; i < letters.size(); ++i)
     for (const std::vector<Vec2>& line : letters[i]) {
       Stroke stroke;

@@ -12,7 +12,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double on_axis = 0.02;  // mm
+constexpr double on_axis_line = 0.02;  // mm
 
 std::vector<std::array<int, 4>> visible_edges(const drawing::ViewDrawing& drawing) {
   std::vector<std::array<int, 4>> edges;
@@ -109,8 +109,8 @@ void SeenFeatures::add_beside(const design::RoundFeature& feature, const PageAxi
   visit_edges(feature, [&](const drawing::Segment& s) {
     const double from = glm::dot(s.from, axis.along), to = glm::dot(s.to, axis.along);
     const std::array<double, 2> span{std::min(from, to) - axis.beyond, std::max(from, to) + axis.beyond};
-    if (std::min(offset(s.from), offset(s.to)) <= on_axis) visibility::add_span(sides[0], span);
-    if (std::max(offset(s.from), offset(s.to)) >= -on_axis) visibility::add_span(sides[1], span);
+    if (std::min(offset(s.from), offset(s.to)) <= on_axis_line) visibility::add_span(sides[0], span);
+    if (std::max(offset(s.from), offset(s.to)) >= -on_axis_line) visibility::add_span(sides[1], span);
     return true;
   });
 }

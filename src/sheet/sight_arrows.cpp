@@ -13,13 +13,13 @@ namespace epura::sheet {
 namespace {
 
 // Lengths in heights of the letters, which are 20 narrow lines: 5 mm for 0.25 mm. As of cutting planes.
-constexpr double letter_widths = 20;
-constexpr double before_ink = 0.6, arrow_length = 2, head_length = 0.7, letter_gap = 0.8;
+constexpr double sight_letter_widths = 20;
+constexpr double before_ink = 0.6, sight_arrow_length = 2, sight_head_length = 0.7, sight_letter_gap = 0.8;
 constexpr double head_half_angle = 15;  // degrees
-constexpr double beside = 1;            // ink this near to the line of the arrow keeps it away
+constexpr double beside_arrow = 1;      // ink this near to the line of the arrow keeps it away
 
 // How far the ink near a line reaches along it, against the direction of sight.
-double reach_of_ink(const drawing::ViewDrawing& view, const SightArrow& arrow, double band) {
+double reach_against_sight(const drawing::ViewDrawing& view, const SightArrow& arrow, double band) {
   const Vec2 across(-arrow.sight.y, arrow.sight.x);
   double reach = -HUGE_VAL;
   for (const drawing::Segment& segment : view.segments) {
@@ -37,25 +37,25 @@ double reach_of_ink(const drawing::ViewDrawing& view, const SightArrow& arrow, d
 }  // namespace
 
 Layer sight_arrows(const drawing::ViewDrawing& view, std::span<const SightArrow> arrows, const LineWidths& widths) {
-  const double height = letter_widths * widths.narrow;
+  const double height = sight_letter_widths * widths.narrow;
   Layer layer = empty_layer(view.name, scene::SheetLine::arrows, widths);
   for (const SightArrow& arrow : arrows) {
-    const double reach = reach_of_ink(view, arrow, beside * height) + before_ink * height;
-    const Vec2 tip = arrow.target - reach * arrow.sight, tail = tip - arrow_length * height * arrow.sight;
-    const double head = head_length * height;
+    const double reach = reach_against_sight(view, arrow, beside_arrow * height) + before_ink * height;
+    const Vec2 tip = arrow.target - reach * arrow.sight, tail = tip - sight_arrow_length * height * arrow.sight;
+    const double head = sight_head_length * height;
     const Vec2 across =
         Vec2(-arrow.sight.y, arrow.sight.x) * (head * portable_tan(head_half_angle * std::numbers::pi / 180));
     const Vec2 foot = tip - head * arrow.sight;
     layer.fills.push_back({{{tip, foot + across, foot - across}}});
     layer.strokes.push_back(line(tail, foot));
-    const Vec2 letter = tail - letter_gap * height * arrow.sight;
+    const Vec2 letter = tail - sight_letter_gap * height * arrow.sight;
     layer.texts.push_back({arrow.letter, letter - Vec2(0, height / 2), height, 0, Align::middle, "arrow"});
   }
   return layer;
 }
 
 double sight_arrow_room(const LineWidths& widths) {
-  return (before_ink + arrow_length + letter_gap + 0.6) * letter_widths * widths.narrow;
+  return (before_ink + sight_arrow_length + sight_letter_gap + 0.6) * sight_letter_widths * widths.narrow;
 }
 
 }  // namespace epura::sheet

@@ -10,7 +10,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double rounding = 1e-12;
+constexpr double rounding_of_scales = 1e-12;
 constexpr int least_power = -300, most_power = 300;
 constexpr double largest_ratio = 1e9;  // larger ratios are not written as such
 
@@ -20,7 +20,7 @@ double by_tens(int digit, int power) { return *parse_number(std::to_string(digit
 }  // namespace
 
 double standard_scale_up_to(double scale) {
-  const double max = scale * (1 + rounding);
+  const double max = scale * (1 + rounding_of_scales);
   const double power = std::clamp<double>(std::floor(std::log10(max)), least_power, most_power);
   // The logarithm may be off by one at powers of ten.
   for (int tens = static_cast<int>(power) + 1; tens >= least_power; --tens)
@@ -40,7 +40,7 @@ std::string ratio_text(double scale) {
   if (!(larger <= largest_ratio)) return {};
   const std::string text = format_rounded(larger, 3);
   const auto rounded = parse_number(text);
-  if (!rounded || !(std::abs(*rounded - larger) <= rounding * larger)) return {};
+  if (!rounded || !(std::abs(*rounded - larger) <= rounding_of_scales * larger)) return {};
   const std::string plain = format_fixed(*rounded, 2);
   return scale >= 1 ? plain + ":1" : "1:" + plain;
 }

@@ -17,9 +17,9 @@ namespace epura::sheet {
 namespace {
 
 constexpr double full_width = 180, least_width = 120;
-constexpr double row = 9;  // mm; a caption, and a value with room for descenders
+constexpr double block_row = 9;  // mm; a caption, and a value with room for descenders
 constexpr double caption_height = 1.8, value_height = 3.5, title_height = 5;
-constexpr double padding = 1;        // between lines and text
+constexpr double block_padding = 1;  // between lines and text
 constexpr double caption_space = 3;  // of a cell's height
 constexpr double descent = 0.35;     // below the base line, in text heights
 constexpr int columns_of_free_fields = 3;
@@ -58,28 +58,31 @@ std::vector<Cell> standard_cells(const TitleBlock& block) {
     return row_of_cells;
   };
   const double right = full_width - right_part;
-  std::vector<Cell> cells{{"owner", 0, 0, owner_width, 3 * row},
-                          {"title", owner_width, 0, right - owner_width, 2 * row, title_height},
-                          {"number", right, row, right_part, row}};
-  add_row(
-      cells,
-      given(
-          {{"revision", 0, 0, 11, row}, {"date", 0, 0, 24, row}, {"language", 0, 0, 9, row}, {"sheet", 0, 0, 13, row}},
-          {"date", "sheet"}),
-      right, right_part);
-  add_row(cells, given({{"document_type", 0, 2 * row, 68, row}, {"status", 0, 2 * row, 57, row}}, {"document_type"}),
+  std::vector<Cell> cells{{"owner", 0, 0, owner_width, 3 * block_row},
+                          {"title", owner_width, 0, right - owner_width, 2 * block_row, title_height},
+                          {"number", right, block_row, right_part, block_row}};
+  add_row(cells,
+          given({{"revision", 0, 0, 11, block_row},
+                 {"date", 0, 0, 24, block_row},
+                 {"language", 0, 0, 9, block_row},
+                 {"sheet", 0, 0, 13, block_row}},
+                {"date", "sheet"}),
+          right, right_part);
+  add_row(cells,
+          given({{"document_type", 0, 2 * block_row, 68, block_row}, {"status", 0, 2 * block_row, 57, block_row}},
+                {"document_type"}),
           owner_width, full_width - owner_width);
   add_row(cells,
-          {{"creator", 0, 3 * row, 58, row},
-           {"approver", 0, 3 * row, 58, row},
-           {"scale", 0, 3 * row, 24, row},
-           {"size", 0, 3 * row, 18, row}},
+          {{"creator", 0, 3 * block_row, 58, block_row},
+           {"approver", 0, 3 * block_row, 58, block_row},
+           {"scale", 0, 3 * block_row, 24, block_row},
+           {"size", 0, 3 * block_row, 18, block_row}},
           0, full_width - symbol_width);
   add_row(cells,
-          given({{"material", 0, 4 * row, 69, row},
-                 {"mass", 0, 4 * row, 28, row},
-                 {"department", 0, 4 * row, 40, row},
-                 {"technical_reference", 0, 4 * row, 43, row}},
+          given({{"material", 0, 4 * block_row, 69, block_row},
+                 {"mass", 0, 4 * block_row, 28, block_row},
+                 {"department", 0, 4 * block_row, 40, block_row},
+                 {"technical_reference", 0, 4 * block_row, 43, block_row}},
                 {}),
           0, full_width);
   for (const Cell& cell : cells)
@@ -111,7 +114,7 @@ Content content_of(const TitleBlock& block) {
   return content;
 }
 
-double height_of(std::size_t rows) { return row * static_cast<double>(rows); }
+double cell_height_of(std::size_t rows) { return block_row * static_cast<double>(rows); }
 
 std::size_t rows_for(std::size_t fields) { return (fields + columns_of_free_fields - 1) / columns_of_free_fields; }
 
@@ -135,8 +138,9 @@ std::vector<Cell> free_cells(const std::vector<Field>& fields, std::size_t rows,
     const std::size_t line = i / columns_of_free_fields, column = i % columns_of_free_fields;
     const std::size_t here = std::min<std::size_t>(columns_of_free_fields, fields.size() - i + column);
     const double width = full_width / static_cast<double>(here);
-    cells.push_back({fields[i].first, width * static_cast<double>(column), bottom + height_of(rows - 1 - line), width,
-                     row, value_height, is_named(fields[i].first) ? std::string() : caption_of(fields[i].first)});
+    cells.push_back({fields[i].first, width * static_cast<double>(column), bottom + cell_height_of(rows - 1 - line),
+                     width, block_row, value_height,
+                     is_named(fields[i].first) ? std::string() : caption_of(fields[i].first)});
   }
   return cells;
 }
@@ -154,11 +158,11 @@ class Writer {
     const Rectangle r = rectangle(cell);
     if (cell.left > 0) divide({r.min.x, r.max.y}, r.min);
     if (r.max.y < box_.max.y) divide({r.min.x, r.max.y}, r.max);
-    const double width = r.size().x - 2 * padding;
+    const double width = r.size().x - 2 * block_padding;
     const std::string words =
         cell.caption.empty() ? std::string(caption(cell.name, value_of(block_, "language"))) : cell.caption;
-    write(fit_text(words, width, caption_height, lettering_), r.min.x + padding, r.max.y - padding - caption_height,
-          "caption");
+    write(fit_text(words, width, caption_height, lettering_), r.min.x + block_padding,
+          r.max.y - block_padding - caption_height, "caption");
     std::vector<FittedText> texts = {cell.name == "number" ? whole_number(width, r.size().y - caption_space)
                                                            : fitted(cell.name, width, height_in(cell))};
     if (cell.name == "title") texts.push_back(fitted("supplementary_title", width, value_height));
@@ -168,7 +172,7 @@ class Writer {
   }
 
   void draw_symbol() {
-    const Rectangle r = rectangle({"", full_width - symbol_width, 3 * row, symbol_width, row});
+    const Rectangle r = rectangle({"", full_width - symbol_width, 3 * block_row, symbol_width, block_row});
     divide({r.min.x, r.max.y}, r.min);
     if (r.max.y < box_.max.y) divide({r.min.x, r.max.y}, r.max);
     if (!block_.angle) return;
@@ -202,7 +206,7 @@ class Writer {
   // Marks above capitals, as of "Ž", would touch the caption above a text of the usual height.
   [[nodiscard]] double height_in(const Cell& cell) const {
     constexpr double smaller = 2.5, most = 1.11;  // mm; of the height of capitals
-    if (cell.height > row) return cell.text_height;
+    if (cell.height > block_row) return cell.text_height;
     double top = 0;
     for (const GlyphOutline& outline : lettering_.outlines(value_of(block_, cell.name), 1))
       for (const GlyphOutline::Curve& curve : outline.curves) top = std::max(top, curve.end.y);
@@ -232,7 +236,7 @@ class Writer {
     double top = room.centre().y + height / 2;
     for (const FittedText& text : texts) {
       const double above = (line_spacing - 1 - descent) * text.height;
-      write(text, room.min.x + padding, top - above - text.height, role);
+      write(text, room.min.x + block_padding, top - above - text.height, role);
       top -= line_spacing * text.height * static_cast<double>(text.lines.size());
     }
   }
@@ -244,14 +248,14 @@ class Writer {
   DrawnTitleBlock drawn_;
 };
 
-std::optional<Rectangle> box_of(const Content& content, const Paper& paper) {
+std::optional<Rectangle> box_of_cell(const Content& content, const Paper& paper) {
   const Rectangle area = drawing_area(paper);
   const double width = std::min(full_width, area.size().x), most_height = area.size().y / 2;
   if (width < least_width || content.height > most_height) return std::nullopt;
-  const auto most_rows = static_cast<std::size_t>((most_height - content.height) / row);
+  const auto most_rows = static_cast<std::size_t>((most_height - content.height) / block_row);
   const std::size_t rows = std::min(rows_for(content.free.size()), most_rows);
   const Vec2 corner(area.max.x - width, area.min.y);
-  return Rectangle{corner, corner + Vec2(width, content.height + height_of(rows))};
+  return Rectangle{corner, corner + Vec2(width, content.height + cell_height_of(rows))};
 }
 
 }  // namespace
@@ -266,23 +270,23 @@ std::string value_of(const TitleBlock& block, const std::string& name) {
 }
 
 std::optional<Rectangle> title_block_box(const TitleBlock& block, const Paper& paper) {
-  return block.place ? block.place : box_of(content_of(block), paper);
+  return block.place ? block.place : box_of_cell(content_of(block), paper);
 }
 
 Rectangle logo_box(const Rectangle& title_block) {
   const double width = owner_width * title_block.size().x / full_width;
-  const Vec2 corner = title_block.min + Vec2(padding, height_below_logo);
-  return {corner, title_block.min + Vec2(width - padding, 3 * row - caption_space)};
+  const Vec2 corner = title_block.min + Vec2(block_padding, height_below_logo);
+  return {corner, title_block.min + Vec2(width - block_padding, 3 * block_row - caption_space)};
 }
 
 DrawnTitleBlock draw_title_block(const TitleBlock& block, const Paper& paper, const Lettering& lettering) {
   const Content content = content_of(block);
-  const auto box = block.place ? block.place : box_of(content, paper);
+  const auto box = block.place ? block.place : box_of_cell(content, paper);
   if (!box)
     return {{},
             {"the sheet is too small for a title block\n  hint: choose a size such as A4, or leave it out with "
              "frame plain"}};
-  const auto rows = static_cast<std::size_t>((box->size().y - content.height) / row + 0.5);
+  const auto rows = static_cast<std::size_t>((box->size().y - content.height) / block_row + 0.5);
   const std::vector<Cell> free = free_cells(content.free, rows, content.height);
   check(free.size() <= content.free.size(), "every field has one cell");
   Writer writer(block, *box, lettering);

@@ -191,7 +191,7 @@ struct LayerKey {
   auto operator<=>(const LayerKey&) const = default;
 };
 
-scene::SheetLine line_of(EdgeKind kind, bool visible, const BodyStyle& look) {
+scene::SheetLine stroke_line_of(EdgeKind kind, bool visible, const BodyStyle& look) {
   if (!visible) return look.hidden == HiddenLines::solid ? scene::SheetLine::hidden_solid : scene::SheetLine::hidden;
   return look.line == LineRole::visible ? edge_line(kind, true).value() : scene::line_of(look.line);
 }
@@ -214,7 +214,7 @@ struct ChainPlan {
 };
 
 ChainPlan plan_of(const drawing::Chain& chain, const BodyStyle& look, const LineWidths& widths) {
-  const scene::SheetLine line = line_of(chain.kind, chain.visible, look);
+  const scene::SheetLine line = stroke_line_of(chain.kind, chain.visible, look);
   if (!is_drawn(chain.kind, chain.visible, look)) return {line, false, 0};
   const scene::DashType type = dash_type(line, widths);
   const double width = line_width(line, widths);
@@ -362,7 +362,7 @@ const BodyStyle& BodyStyles::operator()(int model, int body) const {
 }
 
 int line_strength(EdgeKind kind, bool visible, const BodyStyle& style) {
-  return is_drawn(kind, visible, style) ? static_cast<int>(line_of(kind, visible, style)) : -1;
+  return is_drawn(kind, visible, style) ? static_cast<int>(stroke_line_of(kind, visible, style)) : -1;
 }
 
 std::vector<Layer> view_layers(const drawing::ViewDrawing& drawing, const LineWidths& widths, const BodyStyles& styles,

@@ -14,8 +14,8 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double same_place = 1e-9;  // relative to the size of the world
-constexpr double farthest = 10'000;  // mm on paper
+constexpr double same_vertex = 1e-9;  // relative to the size of the world
+constexpr double farthest = 10'000;   // mm on paper
 
 struct TypeRule {
   std::size_t anchors;
@@ -32,7 +32,7 @@ constexpr std::array<TypeRule, 8> type_rules{{{2, "its two ends"},
                                               {0, "no anchors"},
                                               {0, "no anchors"}}};
 
-bool is_on_paper(DimensionDirection direction) { return direction <= DimensionDirection::vertical; }
+bool is_seen_on_paper(DimensionDirection direction) { return direction <= DimensionDirection::vertical; }
 
 std::optional<DimensionDirection> direction_of(const scene::DimensionDescription& dimension) {
   const bool linear = *dimension.type == DimensionType::linear;
@@ -43,7 +43,7 @@ std::optional<DimensionDirection> direction_of(const scene::DimensionDescription
   }
   const std::string known = linear ? "horizontal, vertical" : "width, height, depth";
   if (!direction.given()) refuse_input(dimension.where, "the dimension has no direction", "give one of " + known);
-  if (is_on_paper(*direction) != linear)
+  if (is_seen_on_paper(*direction) != linear)
     refuse_input(direction.where,
                  "'" + std::string(scene::word_of(*direction)) + "' is not a direction of " +
                      (linear ? "a linear" : "an overall") + " dimension",
@@ -76,7 +76,7 @@ Vec3 place_of_vertex(const world::World& world, const std::array<int, 2>& vertex
 }
 
 void expect_apart(const world::World& world, const Vec3& a, const Vec3& b, const std::string& where) {
-  if (glm::length(a - b) <= same_place * glm::length(world.box.size()))
+  if (glm::length(a - b) <= same_vertex * glm::length(world.box.size()))
     refuse_input(where, "two of its anchors are at the same place", "choose other vertices");
 }
 

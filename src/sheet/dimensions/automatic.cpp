@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "design/tolerances.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/stations.hpp"
@@ -22,14 +23,12 @@ namespace epura::sheet {
 
 namespace {
 
+using design::are_parallel;
+using design::are_same;
+using design::same_size;
 using scene::DimensionDescription;
 
-constexpr double parallel = 1e-6;
-constexpr double same_size = 1e-4;          // relative
 constexpr std::size_t most_of_a_kind = 16;  // notes, horizontal or vertical dimensions of a view
-
-bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
-bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
 
 bool are_coaxial(const Vec3& point, const Vec3& axis, const Vec3& other, double size) {
   return glm::length(glm::cross(other - point, axis)) <= same_size * size;

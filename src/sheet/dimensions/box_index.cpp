@@ -9,7 +9,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double side = 25;  // mm
+constexpr double index_cell = 25;  // mm
 // Boxes far off the paper belong to the outermost cells.
 constexpr double last_cell = 64;
 
@@ -20,7 +20,7 @@ std::array<double, 6> key_of(const TurnedBox& box) {
 }  // namespace
 
 BoxIndex::Cell BoxIndex::cell_at(const Vec2& place) {
-  const Vec2 cell = glm::clamp(glm::floor(place / side), Vec2(-last_cell), Vec2(last_cell));
+  const Vec2 cell = glm::clamp(glm::floor(place / index_cell), Vec2(-last_cell), Vec2(last_cell));
   return {static_cast<int>(cell.x), static_cast<int>(cell.y)};
 }
 

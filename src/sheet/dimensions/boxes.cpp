@@ -15,8 +15,6 @@ namespace {
 
 constexpr double border = 1e-6;  // mm
 
-Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }
-
 // Half the length of the box's projection onto a direction.
 double half_shadow(const TurnedBox& box, const Vec2& line) {
   return box.half.x * std::abs(glm::dot(box.along, line)) + box.half.y * std::abs(glm::dot(left_of(box.along), line));

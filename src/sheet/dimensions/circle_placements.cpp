@@ -10,13 +10,13 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr int directions = 24;
+constexpr int leader_directions = 24;
 constexpr int lengths = 24;
-constexpr double shortest = 8, longer = 4;  // leaders, mm
-constexpr double cost_of_length = 0.1;      // per millimetre of leader
-constexpr double cost_of_slope = 1;         // of a leader that is not at 45 degrees
-constexpr double steep = 0.5;               // cosine of its angle to the horizontal
-constexpr double cost_of_turn = 10;         // of a shoulder on the other side
+constexpr double shortest_leader_of_circle = 8, longer_leader = 4;  // leaders, mm
+constexpr double cost_of_length = 0.1;                              // per millimetre of leader
+constexpr double cost_of_slope = 1;                                 // of a leader that is not at 45 degrees
+constexpr double steep = 0.5;                                       // cosine of its angle to the horizontal
+constexpr double cost_of_turn = 10;                                 // of a shoulder on the other side
 constexpr double cost_of_label_leader = 5;
 constexpr double cost_of_inside = 1, cost_of_crossing_it = 0.5;
 
@@ -97,9 +97,9 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
   std::vector<DimensionPlacement> placements;
   if (circle.is_label) add_labels(placements, circle, measured.text, style);
   const bool whole = std::abs(circle.sweep) >= 2 * std::numbers::pi;
-  for (int i = 0; i < directions; ++i) {
+  for (int i = 0; i < leader_directions; ++i) {
     // The middle of each part of an arc; for a circle, the diagonals are included.
-    const double angle = circle.first + (whole ? i : i + 0.5) * circle.sweep / directions;
+    const double angle = circle.first + (whole ? i : i + 0.5) * circle.sweep / leader_directions;
     const Vec2 direction = turned_to(angle);
     const auto add = [&](double length, double cost) {
       for (const bool turned : {false, true})
@@ -112,13 +112,13 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
       continue;
     }
     for (int k = 0; k < lengths; ++k) {
-      const double length = shortest + longer * k;
+      const double length = shortest_leader_of_circle + longer_leader * k;
       add(length, cost_of_length * length + (circle.is_label ? cost_of_label_leader : 0));
       if (circle.is_radius && length <= circle.radius) add(-length, cost_of_inside + cost_of_length * length);
     }
     if (!circle.is_radius && !circle.is_label && whole) add_across(placements, circle, measured.text, angle, style);
   }
-  check(placements.size() >= directions, "a circle has a place for its text in each direction");
+  check(placements.size() >= leader_directions, "a circle has a place for its text in each direction");
   return placements;
 }
 

@@ -12,6 +12,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "design/tolerances.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "world/placed_part.hpp"
@@ -20,13 +21,14 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double same_place = 2e-5;  // relative to the size of the models
-constexpr double same_size = 2e-4;   // relative
-constexpr double parallel = 1e-4;    // sine
+using design::are_parallel;
+using design::parallel;
+
+constexpr double place_agrees = 2e-5;  // relative to the size of the models
+constexpr double size_agrees = 2e-4;   // relative
 constexpr std::array axis_names{"x", "y", "z"};
 
-bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
-bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
+bool agree(double a, double b) { return std::abs(a - b) <= size_agrees * std::max(std::abs(a), std::abs(b)); }
 
 // The number before "×" at the beginning of a text; 1 if there is none.
 int repeats_of(const std::string& text) {
@@ -115,7 +117,7 @@ struct CircleSize {
 class CoverageFinder {
  public:
   CoverageFinder(const DimensionSubject& subject, const Notation& notation) : subject_(subject), notation_(notation) {
-    const double slack = same_place * glm::length(subject.world.box.size());
+    const double slack = place_agrees * glm::length(subject.world.box.size());
     for (int axis = 0; axis < 3; ++axis) chains_.emplace_back(subject.extents[axis], slack);
     widths_.resize(subject.features.hexagons.size(), 0);
     add_places();
@@ -290,11 +292,11 @@ class CoverageFinder {
   }
 
   static bool is_equal(const CircleSize& size, const WorldCircle& circle) {
-    return are_parallel(size.axis, circle.axis) && are_same(size.radius, circle.radius);
+    return are_parallel(size.axis, circle.axis) && agree(size.radius, circle.radius);
   }
   static bool is_at(const CircleSize& size, const WorldCircle& circle) {
     return is_equal(size, circle) &&
-           glm::length(glm::cross(size.centre - circle.centre, size.axis)) <= same_size * 10 * circle.radius;
+           glm::length(glm::cross(size.centre - circle.centre, size.axis)) <= size_agrees * 10 * circle.radius;
   }
 
   // A dimension counts for the features on its circle, and for those equal to them if it is one of a fillet or has
@@ -343,9 +345,9 @@ class CoverageFinder {
   // Whether an overall dimension is this diameter.
   [[nodiscard]] bool given_elsewhere(const CircleSize& size) const {
     return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const design::Extent& extent) {
-      return extent.form == design::ExtentForm::diameter && are_same(extent.size(), 2 * size.radius) &&
+      return extent.form == design::ExtentForm::diameter && agree(extent.size(), 2 * size.radius) &&
              are_parallel(extent.axis, size.axis) &&
-             glm::length(glm::cross(size.centre - extent.centre, size.axis)) <= same_size * 10 * size.radius;
+             glm::length(glm::cross(size.centre - extent.centre, size.axis)) <= size_agrees * 10 * size.radius;
     });
   }
 
@@ -353,7 +355,7 @@ class CoverageFinder {
     // What is symmetrical to the axis of a round part needs no position.
     const design::Extent& extent = subject_.extents[axis];
     const double middle = (extent.from + extent.to) / 2;
-    if (extent.form != design::ExtentForm::length && are_same(b - middle, middle - a)) chains_[axis].join(middle, a);
+    if (extent.form != design::ExtentForm::length && agree(b - middle, middle - a)) chains_[axis].join(middle, a);
     const int parts = repeats_of(dimension.text);
     const bool is_row = parts > 1 && dimension.text.find('=') != std::string::npos;
     if (is_row)
@@ -415,7 +417,7 @@ class CoverageFinder {
       if (hole.pitch_circle < 0) return false;
       const design::DesignPitchCircle& circle = subject_.features.pitch_circles[std::size_t(hole.pitch_circle)];
       const bool labelled = std::any_of(labels_.begin(), labels_.end(), [&](const WorldCircle& label) {
-        return glm::length(label.centre - hole.mouth) <= same_size * label.radius;
+        return glm::length(label.centre - hole.mouth) <= size_agrees * label.radius;
       });
       return labelled && is_at(size, {circle.centre, circle.axis, circle.radius, {}, true});
     });
@@ -426,10 +428,10 @@ class CoverageFinder {
     const double leg = glm::length(dimension.points[1] - dimension.points[0]) / std::sqrt(2.0);
     const bool many = repeats_of(dimension.text) > 1;
     for (const design::DesignBevel& bevel : subject_.features.bevels) {
-      if (!bevel.is_chamfer || bevel.along != along || !are_same(bevel.leg(), leg)) continue;
+      if (!bevel.is_chamfer || bevel.along != along || !agree(bevel.leg(), leg)) continue;
       const double off = glm::length(bevel.ends[0] + bevel.ends[1] - dimension.points[0] - dimension.points[1]);
       for (int other = 0; other < 3; ++other)
-        if (other != along && (many || off <= same_size * leg))
+        if (other != along && (many || off <= size_agrees * leg))
           chains_[other].join(bevel.ends[0][other], bevel.ends[1][other]);
     }
   }
@@ -484,7 +486,7 @@ class CoverageFinder {
     const double middle = shaft.centre[axis];
     for (const double side : {-0.5, 0.5}) chains_[axis].join(middle, middle + side * shaft.size());
     const design::Extent& own = subject_.extents[axis];
-    if (are_same(own.to - middle, middle - own.from)) chains_[axis].join(middle, own.from);
+    if (agree(own.to - middle, middle - own.from)) chains_[axis].join(middle, own.from);
   }
 
   void join_circles(const AnchoredDimension& dimension) {
@@ -500,13 +502,13 @@ class CoverageFinder {
   }
 
   static bool lies_on(const Vec3& point, const WorldCircle& circle) {
-    return are_same(glm::length(glm::cross(point - circle.centre, circle.axis)), circle.radius);
+    return agree(glm::length(glm::cross(point - circle.centre, circle.axis)), circle.radius);
   }
 
   // Whether an overall dimension is the diameter of a ball of this size.
   [[nodiscard]] bool is_overall_sphere(const features::PartSurface& sphere) const {
     return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const design::Extent& extent) {
-      return extent.form == design::ExtentForm::sphere && are_same(extent.size(), 2 * sphere.radius);
+      return extent.form == design::ExtentForm::sphere && agree(extent.size(), 2 * sphere.radius);
     });
   }
 
@@ -534,7 +536,7 @@ class CoverageFinder {
       const auto same = [&](const features::PartSurface& other) { return features::are_one(other, surface); };
       const double radius = sphere ? surface.radius : surface.minor;
       const bool is_given =
-          std::any_of(radii_.begin(), radii_.end(), [&](double given) { return are_same(given, radius); });
+          std::any_of(radii_.begin(), radii_.end(), [&](double given) { return agree(given, radius); });
       if (is_given || std::any_of(seen.begin(), seen.end(), same) || (sphere && is_overall_sphere(surface))) continue;
       seen.push_back(surface);
       coverage_.undimensioned.push_back(sphere ? "sphere SR" + length(surface.radius)

@@ -367,16 +367,16 @@ void draw_once(PlacedDimensions& placed) {
 }
 
 template <class Ink>
-InkRange append(std::vector<Ink>& all, std::vector<Ink> more) {
+InkRange append_marks(std::vector<Ink>& all, std::vector<Ink> more) {
   const std::size_t begin = all.size();
   std::move(more.begin(), more.end(), std::back_inserter(all));
   return {begin, all.size()};
 }
 
 void add_to(Layer& layer, PlacedDimension dimension, const std::string& text, const DimensionStyle& style) {
-  const InkRange strokes = append(layer.strokes, std::move(dimension.strokes));
-  const InkRange fills = append(layer.fills, std::move(dimension.arrows));
-  const InkRange texts = append(layer.texts, std::move(dimension.texts));
+  const InkRange strokes = append_marks(layer.strokes, std::move(dimension.strokes));
+  const InkRange fills = append_marks(layer.fills, std::move(dimension.arrows));
+  const InkRange texts = append_marks(layer.texts, std::move(dimension.texts));
   const bool is_one = dimension.objects.size() == 1;
   check(!is_one || !dimension.text_boxes.empty(), "a dimension has a text");
   for (std::size_t i = 0; i < dimension.objects.size(); ++i) {

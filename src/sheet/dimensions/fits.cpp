@@ -20,12 +20,12 @@ constexpr int least_grade = 1, greatest_grade = 18;
 constexpr double micrometre = 1e-3;
 
 // Sizes up to and including the limit, mm; the fundamental deviations have finer steps.
-constexpr std::array<double, 13> steps{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
+constexpr std::array<double, 13> size_steps{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
 constexpr std::array<double, 25> fine_steps{3,   6,   10,  14,  18,  24,  30,  40,  50,  65,  80,  100, 120,
                                             140, 160, 180, 200, 225, 250, 280, 315, 355, 400, 450, 500};
 
 // Table 1: standard tolerances IT1 to IT18, micrometres.
-constexpr std::array<std::array<double, steps.size()>, greatest_grade> grades{{
+constexpr std::array<std::array<double, size_steps.size()>, greatest_grade> grades{{
     {0.8, 1, 1, 1.2, 1.5, 1.5, 2, 2.5, 3.5, 4.5, 6, 7, 8},
     {1.2, 1.5, 1.5, 2, 2.5, 2.5, 3, 4, 5, 7, 8, 9, 10},
     {2, 2.5, 2.5, 3, 4, 4, 5, 6, 8, 10, 12, 13, 15},
@@ -46,14 +46,14 @@ constexpr std::array<std::array<double, steps.size()>, greatest_grade> grades{{
     {1400, 1800, 2200, 2700, 3300, 3900, 4600, 5400, 6300, 7200, 8100, 8900, 9700},
 }};
 
-using Row = std::array<double, steps.size()>;
+using LimitRow = std::array<double, size_steps.size()>;
 using FineRow = std::array<double, fine_steps.size()>;
 
 // Tables 4 and 5: distance of the shaft's zone from the nominal size, micrometres, below it for c to h and above it for
 // k to u. Those of d to p depend on the main steps only.
 struct Clearance {
   std::string_view letter;
-  Row distance;
+  LimitRow distance;
 };
 constexpr std::array<Clearance, 9> main_rows{{
     {"d", {20, 30, 40, 50, 65, 80, 100, 120, 145, 170, 190, 210, 230}},
@@ -82,11 +82,11 @@ constexpr std::array<FineClearance, 5> fine_rows{{
            170, 190, 210, 236, 258, 284, 315, 350, 390, 435, 490, 540}},
 }};
 // j: lower deviations of j5 and j6, and of j7; J: upper deviations of J6 to J8. They follow no rule.
-constexpr Row j5_below{2, 2, 2, 3, 4, 5, 7, 9, 11, 13, 16, 18, 20};
-constexpr Row j7_below{4, 4, 5, 6, 8, 10, 12, 15, 18, 21, 26, 28, 32};
-constexpr std::array<Row, 3> holes_j_above{{{2, 5, 5, 6, 8, 10, 13, 16, 18, 22, 25, 29, 33},
-                                            {4, 6, 8, 10, 12, 14, 18, 22, 26, 30, 36, 39, 43},
-                                            {6, 10, 12, 15, 20, 24, 28, 34, 41, 47, 55, 60, 66}}};
+constexpr LimitRow j5_below{2, 2, 2, 3, 4, 5, 7, 9, 11, 13, 16, 18, 20};
+constexpr LimitRow j7_below{4, 4, 5, 6, 8, 10, 12, 15, 18, 21, 26, 28, 32};
+constexpr std::array<LimitRow, 3> holes_j_above{{{2, 5, 5, 6, 8, 10, 13, 16, 18, 22, 25, 29, 33},
+                                                 {4, 6, 8, 10, 12, 14, 18, 22, 26, 30, 36, 39, 43},
+                                                 {6, 10, 12, 15, 20, 24, 28, 34, 41, 47, 55, 60, 66}}};
 
 constexpr std::string_view known_letters = "C to H, J, JS, K to U for holes, and c to h, j, js, k to u for shafts";
 
@@ -100,7 +100,7 @@ double grade_of(int grade, std::size_t step) { return grades[std::size_t(grade -
 // Of a lower-case letter other than j and js; nothing for unknown letters.
 std::optional<double> distance_of(std::string_view letter, double size) {
   for (const Clearance& row : main_rows)
-    if (row.letter == letter) return row.distance[step_of(steps, size)];
+    if (row.letter == letter) return row.distance[step_of(size_steps, size)];
   for (const FineClearance& row : fine_rows)
     if (row.letter == letter) return row.distance[step_of(fine_steps, size)];
   return {};
@@ -114,11 +114,11 @@ double shaft_ei(const std::string& letter, int grade, double size) {
 // Upper deviation of holes K to U, micrometres: that of the shaft below the nominal size, and for fine grades the
 // difference of two grades, so that K7 with h6 fits as H7 with k6. ISO 286-1:2010, 4.3.2.5.
 double hole_es(const std::string& letter, int grade, double size) {
-  const std::size_t step = step_of(steps, size);
+  const std::size_t step = step_of(size_steps, size);
   const bool middle = letter == "k" || letter == "m" || letter == "n";
   if (letter == "k" && grade > 8) return step == 0 ? 0 : none;
   if (letter == "n" && grade > 8 && step > 0) return 0;
-  if (letter == "m" && grade == 6 && steps[step] == 315) return -9;  // the standard's exception: not -11
+  if (letter == "m" && grade == 6 && size_steps[step] == 315) return -9;  // the standard's exception: not -11
   const bool finer = step > 0 && grade >= 3 && grade <= (middle ? 8 : 7);
   const double es = -distance_of(letter, size).value_or(none);
   return finer ? es + grade_of(grade, step) - grade_of(grade - 1, step) : es;
@@ -126,7 +126,7 @@ double hole_es(const std::string& letter, int grade, double size) {
 
 // Micrometres; not finite if the standard does not define the class at this size.
 Deviations zone_of(const ToleranceClass& one, double size) {
-  const std::size_t step = step_of(steps, size);
+  const std::size_t step = step_of(size_steps, size);
   const double width = grade_of(one.grade, step);
   const std::string letter = to_lower(one.letters);
   if (letter == "js") return {width / 2, -width / 2};

@@ -8,18 +8,19 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "design/tolerances.hpp"
 
 namespace epura::sheet {
 
 namespace {
 
+using design::are_parallel;
 using design::DesignHexagon;
+using design::parallel;
 
-constexpr double parallel = 1e-4;   // sine
-constexpr double same_size = 2e-4;  // relative
+constexpr double same_width = 2e-4;  // relative
 
-bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
-bool are_same(double a, double b, double size) { return std::abs(a - b) <= same_size * size; }
+bool are_same(double a, double b, double size) { return std::abs(a - b) <= same_width * size; }
 
 /// A view, the normal of the flats between which it measures, and the direction in which the extension lines leave
 /// their ends.

@@ -13,11 +13,13 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double apart = 3;                            // mm, from everything else
+constexpr double table_apart = 3;                      // mm, from everything else
 constexpr double origin_radius = 0.5, origin_arm = 3;  // of the height of capitals
 constexpr int origin_parts = 24;
 
-void add_line(Layer& layer, const Vec2& from, const Vec2& to) { layer.strokes.emplace_back().points = {from, to}; }
+void add_table_line(Layer& layer, const Vec2& from, const Vec2& to) {
+  layer.strokes.emplace_back().points = {from, to};
+}
 
 }  // namespace
 
@@ -56,7 +58,7 @@ void draw_origin(Layer& layer, const HoleTable& table, const drawing::ViewDrawin
     // Beside the outline, outside the view.
     const Vec2 aside = -1.0 * Vec2(along.y, along.x) * (radius + 0.5 * style.text);
     const Vec2 tip = at + aside + arm * along;
-    add_line(layer, at + aside, tip);
+    add_table_line(layer, at + aside, tip);
     layer.fills.push_back(arrow_at(tip, along, style));
     const Vec2 beyond = tip + 0.7 * style.text * along - Vec2(0, style.text / 2);
     layer.texts.push_back({name, beyond, style.text, 0, Align::middle, "dimension"});
@@ -65,9 +67,9 @@ void draw_origin(Layer& layer, const HoleTable& table, const drawing::ViewDrawin
 
 std::optional<Vec2> free_corner(const Rectangle& room, std::span<const Rectangle> taken, const Vec2& size) {
   std::vector<Rectangle> grown;
-  for (const Rectangle& one : taken) grown.push_back(one.grown(apart));
+  for (const Rectangle& one : taken) grown.push_back(one.grown(table_apart));
   std::optional<Vec2> best;
-  for (const Rectangle& free : free_rectangles(room.grown(-apart), grown)) {
+  for (const Rectangle& free : free_rectangles(room.grown(-table_apart), grown)) {
     if (free.size().x < size.x || free.size().y < size.y) continue;
     if (!best || std::tuple(free.max.y, free.max.x) > std::tuple(best->y, best->x)) best = free.max;
   }

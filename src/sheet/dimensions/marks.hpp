@@ -54,7 +54,6 @@ struct PlacedDimension {
                                            ///< their texts
 };
 
-inline Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }
 inline Vec2 turned_to(double angle) { return {portable_cos(angle), portable_sin(angle)}; }
 
 /// The one of two opposite directions in which a text is read: from the bottom or from the right.

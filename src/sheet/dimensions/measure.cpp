@@ -15,10 +15,10 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double parallel = 1e-3;  // sine of a tilt that shortens by only half a millionth
-constexpr double whole = 1e-5;     // relative length by which ink may be shorter
+constexpr double most_tilt = 1e-3;  // sine of a tilt that shortens by only half a millionth
+constexpr double whole_ink = 1e-5;  // relative length by which ink may be shorter
 
-[[noreturn]] void refuse(const AnchoredDimension& dimension, const std::string& what, const std::string& hint) {
+[[noreturn]] void refuse_measure(const AnchoredDimension& dimension, const std::string& what, const std::string& hint) {
   throw Error(ErrorKind::input, dimension.where, what, hint);
 }
 
@@ -35,7 +35,7 @@ struct Sight {
   [[nodiscard]] Vec2 whole_page(const Vec3& p) const { return Vec2(drawing.world_to_page * Vec4(p, 1)); }
   // Image of a direction.
   [[nodiscard]] Vec2 page_of(const Vec3& d) const { return Vec2(drawing.world_to_page * Vec4(d, 0)); }
-  [[nodiscard]] bool in_plane(const Vec3& d) const { return std::abs(glm::dot(d, n)) <= parallel * glm::length(d); }
+  [[nodiscard]] bool in_plane(const Vec3& d) const { return std::abs(glm::dot(d, n)) <= most_tilt * glm::length(d); }
   [[nodiscard]] bool shows_an_axis() const { return in_plane({1, 0, 0}) || in_plane({0, 1, 0}) || in_plane({0, 0, 1}); }
   [[nodiscard]] double millimetres() const { return glm::length(page_of(drawing.projection.u)); }  // per unit of length
 };
@@ -52,12 +52,11 @@ DimensionText with_text(const AnchoredDimension& dimension, const MeasuredValue&
     begin = at + sign.size();
   }
   if (begin == 0 && dimension.tolerance)
-    refuse(dimension, "the text has no value for the tolerance", "write <> where the value belongs, or omit the text");
+    refuse_measure(dimension, "the text has no value for the tolerance",
+                   "write <> where the value belongs, or omit the text");
   text.add(dimension.text.substr(begin));
   return text;
 }
-
-Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }
 
 // Half views show one end of a length across their line of symmetry: the dimension line breaks off beyond that line.
 // ISO 129-1. Returns false for other lengths.
@@ -65,7 +64,7 @@ bool halve(MeasuredLength& length, const Sight& sight, const std::array<Vec2, 2>
   constexpr double past = 6, slack = 0.1;  // mm
   const drawing::Breaks& breaks = sight.drawing.breaks;
   for (const int axis : {0, 1}) {
-    if (std::abs(length.along[axis]) < 1 - parallel || !breaks.are_mirrored(unmoved[0], unmoved[1], axis, slack))
+    if (std::abs(length.along[axis]) < 1 - most_tilt || !breaks.are_mirrored(unmoved[0], unmoved[1], axis, slack))
       continue;
     const bool to = breaks.keeps(unmoved[0]);
     const double side = unmoved[to ? 1 : 0][axis] > unmoved[to ? 0 : 1][axis] ? 1 : -1;
@@ -79,8 +78,8 @@ bool halve(MeasuredLength& length, const Sight& sight, const std::array<Vec2, 2>
 
 void expect_shown(const AnchoredDimension& dimension, const Sight& sight, const Vec3& point) {
   if (!sight.drawing.breaks.keeps(sight.whole_page(point)))
-    refuse(dimension, "the view '" + sight.drawing.name + "' leaves out the part that it measures",
-           "measure in another view, or change the breaks of this one");
+    refuse_measure(dimension, "the view '" + sight.drawing.name + "' leaves out the part that it measures",
+                   "measure in another view, or change the breaks of this one");
 }
 
 MeasuredDimension length_between(const AnchoredDimension& dimension, const Sight& sight, const Vec2& along,
@@ -96,12 +95,12 @@ MeasuredDimension linear(const AnchoredDimension& dimension, const Sight& sight)
   const Vec3 d = dimension.points[1] - dimension.points[0];
   const bool horizontal = dimension.direction == DimensionDirection::horizontal;
   if (!sight.in_plane(d) && !(sight.orthographic && sight.shows_an_axis()))
-    refuse(dimension, "the view foreshortens the measured length",
-           "measure in a view parallel to it, or along an axis with 'aligned'");
+    refuse_measure(dimension, "the view foreshortens the measured length",
+                   "measure in a view parallel to it, or along an axis with 'aligned'");
   const double value = glm::dot(d, horizontal ? sight.drawing.projection.u : sight.drawing.projection.v);
   if (std::abs(value) <= 1e-9 * glm::length(d))
-    refuse(dimension, std::string("its anchors lie ") + (horizontal ? "one above the other" : "side by side"),
-           std::string("measure the ") + (horizontal ? "vertical" : "horizontal") + " distance");
+    refuse_measure(dimension, std::string("its anchors lie ") + (horizontal ? "one above the other" : "side by side"),
+                   std::string("measure the ") + (horizontal ? "vertical" : "horizontal") + " distance");
   MeasuredDimension measured = length_between(dimension, sight, horizontal ? Vec2(1, 0) : Vec2(0, 1), std::abs(value));
   if (dimension.opposite.size() == 2)
     std::get<MeasuredLength>(measured.form).opposite = {sight.page(dimension.opposite[0]),
@@ -110,27 +109,28 @@ MeasuredDimension linear(const AnchoredDimension& dimension, const Sight& sight)
 }
 
 // Several lengths from one place, or one after another.
-MeasuredDimension row(const AnchoredDimension& dimension, const Sight& sight) {
+MeasuredDimension measure_row(const AnchoredDimension& dimension, const Sight& sight) {
   const bool horizontal = dimension.direction == DimensionDirection::horizontal;
   const Vec3& axis = horizontal ? sight.drawing.projection.u : sight.drawing.projection.v;
   if (!sight.orthographic || !sight.shows_an_axis())
-    refuse(dimension, "the view foreshortens the measured lengths", "measure in an orthographic view along an axis");
+    refuse_measure(dimension, "the view foreshortens the measured lengths",
+                   "measure in an orthographic view along an axis");
   const auto value = [&](std::size_t i) { return glm::dot(dimension.points[i] - dimension.points[0], axis); };
   std::vector<std::size_t> order(dimension.points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return value(a) < value(b); });
-  MeasuredRow row{{}, 0, horizontal ? Vec2(1, 0) : Vec2(0, 1), {}, *dimension.arrangement};
-  if (dimension.opposite.size() == order.size()) row.opposite.emplace();
+  MeasuredRow measure_row{{}, 0, horizontal ? Vec2(1, 0) : Vec2(0, 1), {}, *dimension.arrangement};
+  if (dimension.opposite.size() == order.size()) measure_row.opposite.emplace();
   const bool is_chain = *dimension.arrangement == DimensionArrangement::chain;
   DimensionText all;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const std::size_t i = order[k];
     expect_shown(dimension, sight, dimension.points[i]);
-    if (i == 0) row.origin = k;
-    row.places.push_back(sight.page(dimension.points[i]));
-    if (row.opposite) row.opposite->push_back(sight.page(dimension.opposite[i]));
+    if (i == 0) measure_row.origin = k;
+    measure_row.places.push_back(sight.page(dimension.points[i]));
+    if (measure_row.opposite) measure_row.opposite->push_back(sight.page(dimension.opposite[i]));
     if (k > 0 && value(i) - value(order[k - 1]) <= 1e-9 * (value(order.back()) - value(order.front())))
-      refuse(dimension, "two of its places have the same extension line", "omit one of them");
+      refuse_measure(dimension, "two of its places have the same extension line", "omit one of them");
     if (is_chain && k + 1 == order.size()) break;
     const double length = is_chain ? value(order[k + 1]) - value(i) : value(i);
     const bool is_origin = !is_chain && i == 0;
@@ -138,11 +138,12 @@ MeasuredDimension row(const AnchoredDimension& dimension, const Sight& sight) {
     const bool is_negative = *dimension.arrangement == DimensionArrangement::ordinate && length < 0;
     DimensionText text(is_origin ? "0" : is_negative ? "-" : "");
     if (!is_origin) text.add(with_text(dimension, {std::abs(length)}, sight.notation));
-    row.texts.push_back(text);
+    measure_row.texts.push_back(text);
     if (!is_origin) all.add((all.pieces.empty() ? "" : ", ") + text.line());
   }
-  check(row.texts.size() + (is_chain ? 1 : 0) == row.places.size(), "a row has a text for each place or step");
-  return {std::move(row), all, dimension.offset};
+  check(measure_row.texts.size() + (is_chain ? 1 : 0) == measure_row.places.size(),
+        "a row has a text for each place or step");
+  return {std::move(measure_row), all, dimension.offset};
 }
 
 // The image of a world axis most nearly perpendicular to the line on paper, x before y before z, for extension lines of
@@ -153,7 +154,7 @@ Vec2 extension_axis(const Sight& sight, const Vec2& along) {
   for (int axis = 0; axis < 3; ++axis) {
     const Vec2 image = sight.page_of(Mat3(1)[axis]);
     const double size = glm::length(image);
-    if (size <= parallel * sight.millimetres()) continue;
+    if (size <= most_tilt * sight.millimetres()) continue;
     const double lean = std::abs(glm::dot(image / size, along));
     if (lean < min - 1e-9) {
       min = lean;
@@ -167,11 +168,12 @@ MeasuredDimension aligned(const AnchoredDimension& dimension, const Sight& sight
   const Vec3 d = dimension.points[1] - dimension.points[0];
   const double length = glm::length(d);
   const Vec2 image = sight.page_of(d);
-  const bool seen = glm::length(image) > parallel * sight.millimetres() * length;
-  const bool on_axis = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) >= (1 - parallel * parallel) * length;
+  const bool seen = glm::length(image) > most_tilt * sight.millimetres() * length;
+  const bool on_axis = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) >= (1 - most_tilt * most_tilt) * length;
   if (!seen || !(sight.in_plane(d) || on_axis))
-    refuse(dimension, seen ? "the view foreshortens the measured line" : "the view looks along the measured line",
-           "measure it in a view parallel to it");
+    refuse_measure(dimension,
+                   seen ? "the view foreshortens the measured line" : "the view looks along the measured line",
+                   "measure it in a view parallel to it");
   const Vec2 along = image / glm::length(image);
   MeasuredDimension measured = length_between(dimension, sight, along, length);
   if (!sight.in_plane(d)) std::get<MeasuredLength>(measured.form).extension = extension_axis(sight, along);
@@ -183,14 +185,15 @@ MeasuredDimension angular(const AnchoredDimension& dimension, const Sight& sight
   for (std::size_t i = 0; i < 2; ++i) {
     const Vec3 leg = dimension.points[i + 1] - dimension.points[0];
     if (!sight.in_plane(leg))
-      refuse(dimension, "the view changes the angle: a leg is not parallel to its plane",
-             "measure it in a view along the axis of the angle");
+      refuse_measure(dimension, "the view changes the angle: a leg is not parallel to its plane",
+                     "measure it in a view along the axis of the angle");
     legs[i] = glm::normalize(leg);
   }
   const double angle = portable_atan2(glm::length(glm::cross(legs[0], legs[1])), glm::dot(legs[0], legs[1]));
   const double degrees = angle * 180 / std::numbers::pi;
   check(degrees >= 0 && degrees <= 180 * (1 + 1e-9), "an angle between legs is at most half a turn");
-  if (degrees < 0.005) refuse(dimension, "its legs lie on one line: the angle is zero", "choose other vertices");
+  if (degrees < 0.005)
+    refuse_measure(dimension, "its legs lie on one line: the angle is zero", "choose other vertices");
   expect_shown(dimension, sight, dimension.points[0]);
   const Vec2 unmoved = sight.whole_page(dimension.points[0]), corner = sight.page(dimension.points[0]);
   return {
@@ -239,7 +242,7 @@ MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, const Anc
 // The length of an arc that the view shows in true shape.
 MeasuredDimension arc_length(const AnchoredDimension& dimension, const Sight& sight) {
   for (const WorldCircle& circle : dimension.circles) {
-    if (circle.whole || circle.rim.size() < 2 || glm::length(glm::cross(circle.axis, sight.n)) > parallel) continue;
+    if (circle.whole || circle.rim.size() < 2 || glm::length(glm::cross(circle.axis, sight.n)) > most_tilt) continue;
     const MeasuredCircle arc = on_paper(circle, sight, dimension);
     for (const Vec3& end : {circle.rim.front(), circle.rim.back()}) expect_shown(dimension, sight, end);
     const auto leg = [&](double angle) { return arc.radius * Vec2(portable_cos(angle), portable_sin(angle)); };
@@ -247,13 +250,13 @@ MeasuredDimension arc_length(const AnchoredDimension& dimension, const Sight& si
     return {MeasuredAngle{arc.centre, {leg(arc.first), leg(arc.first + arc.sweep)}, arc.sweep},
             with_text(dimension, {value, sight.notation.arc}, sight.notation), dimension.offset};
   }
-  refuse(dimension, "the view shows no arc at this place in its true form",
-         "measure an arc of less than a full turn, in a view along its axis");
+  refuse_measure(dimension, "the view shows no arc at this place in its true form",
+                 "measure an arc of less than a full turn, in a view along its axis");
 }
 
 // For a circle seen edge-on: the distance between its ends.
-MeasuredDimension edge_on(const AnchoredDimension& dimension, const WorldCircle& circle, const Sight& sight,
-                          const DimensionText& text) {
+MeasuredDimension diameter_edge_on(const AnchoredDimension& dimension, const WorldCircle& circle, const Sight& sight,
+                                   const DimensionText& text) {
   const Vec3 across = glm::normalize(glm::cross(circle.axis, sight.n)) * circle.radius;
   const Vec2 along = glm::normalize(sight.page_of(across));
   const Vec3 one = circle.centre - across, other = circle.centre + across;
@@ -272,14 +275,14 @@ MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sigh
     return with_text(dimension, {value, is_radius ? "R" : sight.notation.diameter}, sight.notation);
   };
   for (const WorldCircle& circle : dimension.circles)
-    if (glm::length(glm::cross(circle.axis, sight.n)) <= parallel)
+    if (glm::length(glm::cross(circle.axis, sight.n)) <= most_tilt)
       return {on_paper(circle, sight, dimension), text(circle), dimension.offset};
   for (const WorldCircle& circle : dimension.circles)
     if (!is_radius && circle.whole && sight.orthographic && sight.in_plane(circle.axis))
-      return edge_on(dimension, circle, sight, text(circle));
-  refuse(dimension, "the view does not show the circle in its true form",
-         is_radius ? "measure it in a view along its axis"
-                   : "measure it in a view along its axis, or perpendicular to it");
+      return diameter_edge_on(dimension, circle, sight, text(circle));
+  refuse_measure(dimension, "the view does not show the circle in its true form",
+                 is_radius ? "measure it in a view along its axis"
+                           : "measure it in a view along its axis, or perpendicular to it");
 }
 
 // The ends of the ink, without lines beside faces, along a direction on paper: among several, the farthest along
@@ -309,7 +312,7 @@ std::array<Vec2, 2> ends_of_ink(const drawing::ViewDrawing& drawing, const Vec2&
 void complete_half(std::array<Vec2, 2>& ends, const drawing::Breaks& breaks, const Vec2& along) {
   for (const int axis : {0, 1}) {
     const std::optional<double> mirror = breaks.mirror(axis);
-    if (!mirror || std::abs(along[axis]) < 1 - parallel) continue;
+    if (!mirror || std::abs(along[axis]) < 1 - most_tilt) continue;
     const auto distance = [&](const Vec2& p) { return std::abs(p[axis] - *mirror); };
     const bool second = distance(ends[0]) > distance(ends[1]);
     ends[second ? 1 : 0][axis] = 2 * *mirror - ends[second ? 0 : 1][axis];
@@ -320,8 +323,8 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   const int axis = axis_of(*dimension.direction);
   const Vec3 e = Mat3(1)[axis];
   if (!sight.orthographic || !sight.in_plane(e))
-    refuse(dimension, "the view does not show this size in true length",
-           "choose an orthographic view parallel to the axis");
+    refuse_measure(dimension, "the view does not show this size in true length",
+                   "choose an orthographic view parallel to the axis");
   const Vec2 image = sight.page_of(e), along = glm::normalize(image);
   const double value = dimension.points[1][axis] - dimension.points[0][axis];
   check(value >= 0, "an extent is not negative");
@@ -337,9 +340,9 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   // line may be drawn slightly displaced, or replaced by another.
   const double beside = 2 * (sight.drawing.contours_moved + sight.drawing.joined_within) / glm::length(image);
   const double least = value - dimension.beyond_vertices - beside;
-  if (!(drawn > 0) || drawn < least - whole * value || drawn > value + beside + whole * value)
-    refuse(dimension, "the view does not show all of the models along this axis",
-           "omit --near and --far, and include contour in --edges");
+  if (!(drawn > 0) || drawn < least - whole_ink * value || drawn > value + beside + whole_ink * value)
+    refuse_measure(dimension, "the view does not show all of the models along this axis",
+                   "omit --near and --far, and include contour in --edges");
   const std::string sign = dimension.form == design::ExtentForm::length   ? ""
                            : dimension.form == design::ExtentForm::sphere ? "S" + sight.notation.diameter
                                                                           : sight.notation.diameter;
@@ -353,13 +356,13 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
 MeasuredDimension measure(const drawing::ViewDrawing& drawing, const AnchoredDimension& dimension,
                           const Notation& notation) {
   if (drawing.projection.central)
-    refuse(dimension, "the view '" + drawing.name + "' is a perspective, which shows no true lengths",
-           "measure in an orthographic view");
+    refuse_measure(dimension, "the view '" + drawing.name + "' is a perspective, which shows no true lengths",
+                   "measure in an orthographic view");
   const Sight sight{drawing, notation};
   check(sight.millimetres() > 0, "a parallel view has a scale");
   switch (dimension.type) {
     case DimensionType::linear:
-      return dimension.arrangement ? row(dimension, sight) : linear(dimension, sight);
+      return dimension.arrangement ? measure_row(dimension, sight) : linear(dimension, sight);
     case DimensionType::aligned:
       return aligned(dimension, sight);
     case DimensionType::angular:

@@ -13,25 +13,25 @@ namespace epura::sheet {
 
 namespace {
 
-struct Direction {
+struct PageDirection {
   DimensionDirection direction;
   Vec3 along;
   std::array<Vec3, 4> seen_from;  // clearest first
 };
 
-const std::array<Direction, 3> directions{
+const std::array<PageDirection, 3> page_directions{
     {{DimensionDirection::width, {1, 0, 0}, {{{0, -1, 0}, {0, 0, 1}, {0, 1, 0}, {0, 0, -1}}}},
      {DimensionDirection::height, {0, 0, 1}, {{{0, -1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 1, 0}}}},
      {DimensionDirection::depth, {0, 1, 0}, {{{-1, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}}}}}};
 
-constexpr double same_direction = 1e-6;
+constexpr double along_axes = 1e-6;
 
 bool looks_from(const projection::Projection& projection, const Vec3& viewer) {
-  return !projection.central && glm::length(projection.n - viewer) < same_direction &&
-         glm::length(glm::normalize(projection.projector) - viewer) < same_direction;
+  return !projection.central && glm::length(projection.n - viewer) < along_axes &&
+         glm::length(glm::normalize(projection.projector) - viewer) < along_axes;
 }
 
-const NamedProjection* clearest(std::span<const NamedProjection> views, const Direction& direction,
+const NamedProjection* clearest(std::span<const NamedProjection> views, const PageDirection& direction,
                                 const std::string& name) {
   for (const Vec3& viewer : direction.seen_from)
     for (const NamedProjection& view : views)
@@ -55,19 +55,20 @@ int rows_of(const scene::DimensionDescription& dimension) {
   return *dimension.arrangement == DimensionArrangement::ordinate ? 2 : 1;
 }
 
-Lines lines_of(std::span<const scene::DimensionDescription> dimensions, const projection::Projection& projection) {
+Lines dividing_lines_of(std::span<const scene::DimensionDescription> dimensions,
+                        const projection::Projection& projection) {
   Lines lines;
   for (const scene::DimensionDescription& dimension : dimensions) {
     const std::optional<DimensionDirection>& direction = dimension.direction.value;
-    const auto along = std::find_if(directions.begin(), directions.end(),
-                                    [&direction](const Direction& d) { return d.direction == direction; });
+    const auto along = std::find_if(page_directions.begin(), page_directions.end(),
+                                    [&direction](const PageDirection& d) { return d.direction == direction; });
     // A leader needs no row of its own beside the ink.
     const bool is_leader =
-        dimension.circle && std::abs(glm::dot(dimension.circle->axis, projection.n)) > 1 - same_direction;
+        dimension.circle && std::abs(glm::dot(dimension.circle->axis, projection.n)) > 1 - along_axes;
     if (is_leader) continue;
     if (dimension.offset.given()) {
       lines.farthest = std::max(lines.farthest, std::abs(*dimension.offset));
-    } else if (along != directions.end()) {
+    } else if (along != page_directions.end()) {
       const bool upright = std::abs(glm::dot(along->along, projection.v)) > 0.5;
       ++(upright ? lines.right : lines.below);
     } else {
@@ -85,12 +86,12 @@ std::vector<scene::DimensionDescription> overall_dimensions(const scene::Dimensi
                                                             std::span<const NamedProjection> views,
                                                             const std::array<design::Extent, 3>& extents) {
   std::vector<scene::DimensionDescription> dimensions;
-  const auto stands_already = [&](const Direction& direction) {
+  const auto stands_already = [&](const PageDirection& direction) {
     return std::any_of(dimensions.begin(), dimensions.end(), [&](const scene::DimensionDescription& other) {
       return extents[axis_of(direction.direction)].is_same_as(extents[axis_of(*other.direction)]);
     });
   };
-  for (const Direction& direction : directions) {
+  for (const PageDirection& direction : page_directions) {
     const NamedProjection* view = clearest(views, direction, overall.view.value_or(""));
     if (view == nullptr || stands_already(direction)) continue;
     scene::DimensionDescription& dimension = dimensions.emplace_back(overall);
@@ -100,13 +101,13 @@ std::vector<scene::DimensionDescription> overall_dimensions(const scene::Dimensi
   if (dimensions.empty())
     throw Error(ErrorKind::input, overall.where, "no view shows the size of the models in true length",
                 "add a view such as front, top or left");
-  check(dimensions.size() <= directions.size(), "a direction has one overall size");
+  check(dimensions.size() <= page_directions.size(), "a direction has one overall size");
   return dimensions;
 }
 
 Room dimension_room(std::span<const scene::DimensionDescription> dimensions, const projection::Projection& projection,
                     double text_height) {
-  const Lines lines = lines_of(dimensions, projection);
+  const Lines lines = dividing_lines_of(dimensions, projection);
   const auto room = [&](int needed_lines) {
     constexpr int most_lines = 4;  // more leave too little of a sheet for the views; short dimensions share lines
     const int count = std::min(needed_lines, most_lines);

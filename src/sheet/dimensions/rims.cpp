@@ -28,7 +28,7 @@ double distance(const Vec3& point, const WorldCircle& circle) {
   return std::hypot(glm::length(d - height * circle.axis) - circle.radius, height);
 }
 
-std::string text_of(const Vec3& p) {
+std::string text_of_radius(const Vec3& p) {
   return format_fixed(p.x, 4) + "," + format_fixed(p.y, 4) + "," + format_fixed(p.z, 4);
 }
 
@@ -137,9 +137,10 @@ std::vector<WorldCircle> Rims::through(const scene::Anchor& anchor, const Vec3& 
   }
   if (circles.empty() && vertex != nullptr) circles = of_faces(*vertex);
   if (!circles.empty()) return circles;
-  throw Error(ErrorKind::input, where, "needs a vertex on the rim of a circle, and there is none at " + text_of(place),
+  throw Error(ErrorKind::input, where,
+              "needs a vertex on the rim of a circle, and there is none at " + text_of_radius(place),
               nearest ? "the nearest circle has radius " + format_rounded(nearest->circle.radius, 6) + " around " +
-                            text_of(nearest->circle.centre) + "; for example, use its vertex " +
+                            text_of_radius(nearest->circle.centre) + "; for example, use its vertex " +
                             std::to_string(nearest->vertices.front())
                       : "no circle was found: rims of holes, bosses and shafts are circles");
 }

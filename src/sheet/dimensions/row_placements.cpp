@@ -16,14 +16,14 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr int levels = 24;
+constexpr int row_levels = 24;
 constexpr int levels_of_shifted = 6;
-constexpr double cost_of_level = 1;
-constexpr double cost_of_shift = 0.1;       // per millimetre
-constexpr double cost_of_extension = 0.02;  // per millimetre of extension lines
-constexpr double origin_radius = 0.35;      // of the circle at a common origin, in lengths of an arrow
-constexpr double line_of_text = 1.5;        // between texts beside each other, in their heights
-constexpr double dot_below = 1.2;           // between arrows, in their lengths: nearer ones are dots
+constexpr double cost_of_row_level = 1;
+constexpr double cost_of_shift = 0.1;           // per millimetre
+constexpr double cost_of_row_extension = 0.02;  // per millimetre of extension lines
+constexpr double common_origin_radius = 0.35;   // of the circle at a common origin, in lengths of an arrow
+constexpr double line_of_text = 1.5;            // between texts beside each other, in their heights
+constexpr double dot_below = 1.2;               // between arrows, in their lengths: nearer ones are dots
 
 // Whether the texts of a row with a common origin need more room than its places have.
 bool is_crowded(const MeasuredRow& row, const DimensionStyle& style) {
@@ -240,7 +240,7 @@ class RowDrawer {
       if (i != row_.origin) add_arrow(i);
     }
     check(drawn_.text_boxes.size() == places_.size(), "every place of a row has its text");
-    const double radius = origin_radius * style_.arrow();
+    const double radius = common_origin_radius * style_.arrow();
     drawn_.strokes.push_back(circle_at(foot(row_.origin), radius));
     const double origin = at(row_.origin) - at(0), end = at(places_.size() - 1) - at(0);
     for (const auto& [from, to] : {std::array{0.0, origin - radius}, {origin + radius, end}})
@@ -306,9 +306,9 @@ std::vector<DimensionPlacement> placements_of(const MeasuredRow& row, const Meas
     const double outline = side > 0 ? reach.max : -reach.min;
     double extensions = 0;
     for (const Vec2& place : places) extensions += outline - side * glm::dot(place - places.front(), across);
-    for (int level = 0; level < levels; ++level) {
+    for (int level = 0; level < row_levels; ++level) {
       const double distance = side * (outline + first_dimension + level * dimension_step(style.text));
-      const double cost = cost_of_extension * extensions + cost_of_level * level;
+      const double cost = cost_of_row_extension * extensions + cost_of_row_level * level;
       placements.push_back({RowDrawer(row, places, distance, style).draw(), cost});
       if (level >= levels_of_shifted || !is_crowded(row, style)) continue;
       for (const double shift : {-10, 10, -20, 20, -30, 30, -40, 40})
@@ -316,7 +316,7 @@ std::vector<DimensionPlacement> placements_of(const MeasuredRow& row, const Meas
             {RowDrawer(row, places, distance, style, shift).draw(), cost + cost_of_shift * std::abs(shift)});
     }
   }
-  check(placements.size() >= std::size_t{2} * levels, "a row has places on both sides");
+  check(placements.size() >= std::size_t{2} * row_levels, "a row has places on both sides");
   return placements;
 }
 

@@ -14,8 +14,8 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double parallel = 1e-6;
-constexpr double same_place = 1e-5;  // relative to the size of the models
+constexpr double off_axis = 1e-6;
+constexpr double same_station = 1e-5;  // relative to the size of the models
 
 bool is_horizontal(const Station& station) { return std::abs(station.view->projection.u[station.axis]) > 0.5; }
 
@@ -25,7 +25,7 @@ double rank(const Station& station, const Vec3& point) {
   return is_horizontal(station) ? -glm::dot(point, projection.v) : glm::dot(point, projection.u);
 }
 
-scene::DimensionDescription distance(const Station& from, const Station& to, const std::string& where) {
+scene::DimensionDescription distance_along(const Station& from, const Station& to, const std::string& where) {
   scene::DimensionDescription dimension;
   dimension.where = where;
   dimension.view = {from.view->name, where};
@@ -51,7 +51,7 @@ bool are_a_row(std::span<const Station> stations, double slack) {
 
 int world_axis(const Vec3& direction) {
   for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(std::abs(direction[axis]) - 1) <= parallel * parallel + 1e-9) return axis;
+    if (std::abs(std::abs(direction[axis]) - 1) <= off_axis * off_axis + 1e-9) return axis;
   return -1;
 }
 
@@ -63,14 +63,14 @@ bool is_plain(const projection::Projection& projection) {
 Stations::Stations(const DimensionSubject& subject)
     : subject_(subject),
       points_(design::points_of_faces(subject.world)),
-      slack_(same_place * glm::length(subject.world.box.size())) {
+      slack_(same_station * glm::length(subject.world.box.size())) {
   for (int axis = 0; axis < 3; ++axis) {
     const design::Extent& extent = subject.extents[axis];
     known_[axis] = {extent.from, extent.to};
     // The middle of a shaft needs no dimension, even where a flat is.
     if (extent.form == design::ExtentForm::length) continue;
     for (int other = 0; other < 3; ++other)
-      if (std::abs(extent.axis[other]) <= parallel) known_[other].push_back(extent.centre[other]);
+      if (std::abs(extent.axis[other]) <= off_axis) known_[other].push_back(extent.centre[other]);
   }
 }
 
@@ -132,13 +132,13 @@ void Stations::add_row(std::vector<Station> row, const std::string& where, const
     for (std::size_t i = 0; i < row.size(); ++i)
       for (std::size_t j = i + 1; j < row.size(); ++j)
         if (std::abs(row[i].at + row[j].at - extent.from - extent.to) <= slack_) {
-          dimensions.push_back(distance(row[i], row[j], where));
+          dimensions.push_back(distance_along(row[i], row[j], where));
           row.erase(row.begin() + static_cast<std::ptrdiff_t>(j));
           row.erase(row.begin() + static_cast<std::ptrdiff_t>(i--));
           break;
         }
   std::erase_if(row, [&](const Station& station) {
-    if (station.from) dimensions.push_back(distance(base_of(station), station, where));
+    if (station.from) dimensions.push_back(distance_along(base_of(station), station, where));
     return station.from.has_value();
   });
   if (row.empty()) return;
@@ -148,13 +148,13 @@ void Stations::add_row(std::vector<Station> row, const std::string& where, const
   });
   const bool equal = are_a_row(row, slack_);
   for (const Station& station : row) {
-    dimensions.push_back(distance(base, station, where));
+    dimensions.push_back(distance_along(base, station, where));
     if (equal) break;
   }
   if (!equal) return;
   check(row.size() >= 2, "a row of equal steps has two places");
   const double pitch = std::abs(row[1].at - row[0].at);
-  dimensions.push_back(distance(row.front(), row.back(), where));
+  dimensions.push_back(distance_along(row.front(), row.back(), where));
   dimensions.back().text = {std::to_string(row.size() - 1) + "× " + length_text(pitch, notation) + " (=<>)", where};
 }
 
@@ -182,7 +182,7 @@ std::vector<scene::DimensionDescription> Stations::arranged(std::span<const Stat
     std::stable_sort(row.stations.begin(), row.stations.end(), [&](const Station& a, const Station& b) {
       return std::abs(a.at - row.base.at) < std::abs(b.at - row.base.at);
     });
-    scene::DimensionDescription dimension = distance(row.base, row.stations.front(), where);
+    scene::DimensionDescription dimension = distance_along(row.base, row.stations.front(), where);
     for (std::size_t i = 1; i < row.stations.size(); ++i) {
       dimension.anchors.emplace_back(row.stations[i].point);
       dimension.opposite.push_back(row.stations[i].opposite);

@@ -25,7 +25,7 @@ Vec2 foot_of(const MeasuredLength& length, const Vec2& anchor, double distance) 
 }
 
 // The extent of a part of the dimension line, mm from its lower end.
-struct Extent {
+struct ValueExtent {
   double begin, end;
 };
 
@@ -33,7 +33,7 @@ struct Extent {
 // arrows.
 struct Layout {
   bool outward;  // arrows are between the extension lines
-  Extent line;
+  ValueExtent line;
   double text_middle;
 };
 

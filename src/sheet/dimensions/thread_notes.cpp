@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "base/error.hpp"
+#include "design/tolerances.hpp"
 #include "sheet/dimensions/hole_table.hpp"
 #include "sheet/dimensions/stations.hpp"
 
@@ -11,7 +12,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double parallel = 1e-6;
+using design::parallel;
 
 /// The holes or cylinders with one thread: the first one, their number and what follows the name of the thread.
 struct ThreadGroup {

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sheet/dimensions/view_choice.hpp"
 
+#include "design/tolerances.hpp"
 #include "sheet/dimensions/stations.hpp"
 
 namespace epura::sheet {
 
-namespace {
-
-constexpr double parallel = 1e-6;
-
-bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
-
-}  // namespace
+using design::are_parallel;
 
 ViewChoice::ViewChoice(const scene::DimensionDescription& wanted, std::span<const NamedProjection> views) {
   for (const NamedProjection& view : views)
