@@ -90,7 +90,14 @@ std::vector<scene::DimensionDescription> overall_dimensions(const scene::Dimensi
       return extents[axis_of(direction.direction)].is_same_as(extents[axis_of(*other.direction)]);
     });
   };
-  for (const Direction& direction : directions) {
+  // A diameter stands in a view whose outline has it.
+  std::array<const Direction*, 3> order{};
+  std::transform(directions.begin(), directions.end(), order.begin(), [](const Direction& one) { return &one; });
+  std::stable_partition(order.begin(), order.end(), [&](const Direction* direction) {
+    return !extents[axis_of(direction->direction)].interrupted;
+  });
+  for (const Direction* ordered : order) {
+    const Direction& direction = *ordered;
     const NamedProjection* view = clearest(views, direction, overall.view.value_or(""));
     if (view == nullptr || stands_already(direction)) continue;
     scene::DimensionDescription& dimension = dimensions.emplace_back(overall);
