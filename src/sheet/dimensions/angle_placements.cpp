@@ -15,7 +15,7 @@ constexpr int radii = 24;
 constexpr int beyond_legs = 8;                   // how many of these are beyond long legs
 constexpr double first_radius = 14, longer = 4;  // mm
 constexpr double cost_of_radius = 0.1;           // per millimetre
-constexpr double cost_of_line = 3;               // of the view that an arc crosses
+constexpr double cost_of_line = 3;               // of the view that an arc crosses, beyond one
 constexpr double cost_outside = 3;               // of a text outside the angle
 constexpr double arrows_inside = 3;              // room for two arrows, in lengths of an arrow
 constexpr double steepest = 0.5;                 // sine of the slope of a text that falls to the right
@@ -173,7 +173,7 @@ std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const 
       radius = std::max(radius, std::max(glm::length(angle.legs[0]), glm::length(angle.legs[1])) + first_dimension +
                                     longer * (k - radii + beyond_legs));
     const bool room = radius * sweep > style.width(measured.text) + 2 * style.above();
-    const double crossed = cost_of_line * lines_across(drawing, sector_of(angle), radius);
+    const double crossed = cost_of_line * std::max(lines_across(drawing, sector_of(angle), radius) - 1, 0);
     for (const int place : {0, 1, -1}) {
       const double crowded = place == 0 ? (room ? 0 : 2 * cost_outside) : cost_outside;
       placements.push_back(
