@@ -340,13 +340,31 @@ class PartReader {
       const double low = round.radius_at(round.from), high = round.radius_at(round.to);
       const bool rises = low < high;
       const double from = rises ? round.from : round.to, to = rises ? round.to : round.from;
-      const DesignCone cone{model_,
-                            {round.at(from), round.at(to)},
-                            {std::min(low, high), std::max(low, high)},
-                            surface.axis,
-                            portable_atan2(std::abs(high - low), std::abs(to - from)) / degree};
+      DesignCone cone{model_,
+                      {round.at(from), round.at(to)},
+                      {std::min(low, high), std::max(low, high)},
+                      surface.axis,
+                      portable_atan2(std::abs(high - low), std::abs(to - from)) / degree};
+      cone.rounded = rounded_ends(round, cone);
       (is_chamfer(round, cone) ? found.chamfers : found.cones).push_back(cone);
     }
+  }
+
+  // At which ends of a cone a torus continues it.
+  [[nodiscard]] std::array<bool, 2> rounded_ends(const RoundFace& round, const DesignCone& cone) const {
+    const mesh::Mesh& mesh = world_.models[model_].mesh->whole();
+    const Vec3 middle = (cone.ends[0] + cone.ends[1]) / 2.0, upwards = cone.ends[1] - cone.ends[0];
+    std::array<bool, 2> rounded{};
+    for (const features::PartBorder& border : world_.models[model_].part->borders)
+      for (const int side : {0, 1}) {
+        if (border.faces[side] != round.number || border.faces[1 - side] < 0) continue;
+        const features::PartSurface& other = part_.faces[border.faces[1 - side]].surface;
+        if (border.kind != features::BorderKind::tangent || other.kind != SurfaceKind::torus) continue;
+        const int vertex = mesh.edges[static_cast<std::size_t>(border.edges.front())].vertex[0];
+        const Vec3& point = world_.points[world_.first_vertex[model_] + vertex];
+        rounded[glm::dot(point - middle, upwards) > 0 ? 1 : 0] = true;
+      }
+    return rounded;
   }
 
   // Whether a cone lies between a plane at its smaller end and a cylinder at its larger one.

@@ -83,10 +83,13 @@ struct DesignArc {
 /// A full cone, with the material inside.
 struct DesignCone {
   int model;
-  std::array<Vec3, 2> ends;     ///< on its axis; the first one is that of the smaller circle
-  std::array<double, 2> radii;  ///< at its ends
-  Vec3 axis;                    ///< unit
-  double angle;                 ///< between its side and the axis, degrees
+  std::array<Vec3, 2> ends;       ///< on its axis; the first one is that of the smaller circle
+  std::array<double, 2> radii;    ///< at its ends
+  Vec3 axis;                      ///< unit
+  double angle;                   ///< between its side and the axis, degrees
+  std::array<bool, 2> rounded{};  ///< whether a rounded edge continues it tangentially at its ends
+
+  [[nodiscard]] Vec3 apex() const { return ends[0] + (ends[0] - ends[1]) * (radii[0] / (radii[1] - radii[0])); }
 };
 
 /// Part of a turn around an axis.

@@ -3,6 +3,7 @@
 // 6410-1.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "features/recognise.hpp"
@@ -37,8 +38,10 @@ struct HelicalForms {
 HelicalForms find_helical_threads(const mesh::Mesh& mesh, const features::PartFaces& part, double unit);
 
 /// Puts the cylinder through its crests in the place of a thread: the faces at both ends are continued to its circles,
-/// or end there. Returns false, and leaves the mesh as it is, where they cannot be: the triangles of a thread have to
-/// end in two closed lines around its axis.
-bool replace_by_cylinder(mesh::Mesh& mesh, const features::PartFaces& part, const HelicalThread& thread);
+/// or end there. Returns the faces of the triangles, numbered as in the part, with the cylinder after the others.
+/// Returns nothing, and leaves the mesh as it is, where they cannot be continued: the triangles of a thread have to end
+/// in two closed lines around its axis.
+std::optional<std::vector<int>> replace_by_cylinder(mesh::Mesh& mesh, const features::PartFaces& part,
+                                                    const HelicalThread& thread);
 
 }  // namespace epura::design

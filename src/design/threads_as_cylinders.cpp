@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/angle.hpp"
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "design/helical_threads.hpp"
 #include "design/tolerances.hpp"
@@ -51,14 +52,15 @@ class Replacer {
     clearance_ = clear_of_crests * (most - least);
   }
 
-  bool replace() {
+  std::optional<std::vector<int>> replace() {
     mesh::Points old = mesh_.points;
     if (auto lines = lines_of_cylinder()) {
       rebuild(*lines);
-      return true;
+      check(faces_.size() == mesh_.polygon.size(), "every triangle has a face");
+      return std::move(faces_);
     }
     mesh_.points = std::move(old);
-    return false;
+    return std::nullopt;
   }
 
  private:
@@ -146,12 +148,15 @@ class Replacer {
       if (!set_angles(lines[i])) return std::nullopt;
     }
     std::vector<EndLine> all{lines[0]};
-    for (const std::size_t i : {0U, 1U})
-      if (const bool is_there =
-              ends[i].ending == Ending::moved ||
-              std::abs(radius(mesh_.point(lines[i].vertices.front())) - thread_.crest) <= same_radius * thread_.crest;
-          !is_there)
-        all.push_back(circle_beside(lines[i], height_at(ends[i].face, thread_.crest)));
+    const int cylinder = static_cast<int>(part_.faces.size());
+    for (const std::size_t i : {0U, 1U}) {
+      const bool is_there = ends[i].ending == Ending::moved || std::abs(radius(mesh_.point(lines[i].vertices.front())) -
+                                                                        thread_.crest) <= same_radius * thread_.crest;
+      if (!is_there) all.push_back(circle_beside(lines[i], height_at(ends[i].face, thread_.crest)));
+      if (i == 0 && !is_there) strips_.push_back(ends[i].face);
+      if (i == 0) strips_.push_back(cylinder);
+      if (i == 1 && !is_there) strips_.push_back(ends[i].face);
+    }
     all.push_back(lines[1]);
     return all;
   }
@@ -375,28 +380,29 @@ class Replacer {
       return at == same.end() ? v : at->second;
     };
     mesh::Mesh made;
-    const auto add = [&](int a, int b, int c, int polygon, int body) {
-      if (a == b || b == c || c == a) return;
-      made.corners.insert(made.corners.end(), {a, b, c});
+    const auto add = [&](const std::array<int, 3>& corners, int polygon, int body, int face) {
+      const std::array<int, 3> c{of(corners[0]), of(corners[1]), of(corners[2])};
+      if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return;
+      made.corners.insert(made.corners.end(), c.begin(), c.end());
       made.polygon.push_back(polygon);
       made.body.push_back(body);
+      faces_.push_back(face);
     };
+    const auto face_of = [this](int t) { return part_.face_of_triangle[static_cast<std::size_t>(t)]; };
+    const auto body_of = [this](int t) { return mesh_.body[static_cast<std::size_t>(t)]; };
     int next = 0;
     for (int t = 0; t < mesh_.triangle_count(); ++t) {
-      next = std::max(next, mesh_.polygon[static_cast<std::size_t>(t)] + 1);
-      if (removed_[static_cast<std::size_t>(t)] != 0) continue;
-      const auto [a, b, c] = mesh_.triangle(t);
-      add(of(a), of(b), of(c), mesh_.polygon[static_cast<std::size_t>(t)], mesh_.body[static_cast<std::size_t>(t)]);
+      const int polygon = mesh_.polygon[static_cast<std::size_t>(t)];
+      next = std::max(next, polygon + 1);
+      if (removed_[static_cast<std::size_t>(t)] == 0) add(mesh_.triangle(t), polygon, body_of(t), face_of(t));
     }
-    for (const auto& [corners, t] : added_)
-      add(corners[0], corners[1], corners[2], next++, mesh_.body[static_cast<std::size_t>(t)]);
-    const int body = mesh_.body[static_cast<std::size_t>(thread_.triangles.front())];
+    for (const auto& [corners, t] : added_) add(corners, next++, body_of(t), face_of(t));
+    const int body = body_of(thread_.triangles.front());
+    check(strips_.size() + 1 == lines.size(), "there is a strip between two lines");
     for (std::size_t i = 1; i < lines.size(); ++i)
-      for (const auto& [a, b, c] : strip_between(lines[i - 1], lines[i])) {
-        if (thread_.internal)
-          add(of(a), of(c), of(b), next++, body);
-        else
-          add(of(a), of(b), of(c), next++, body);
+      for (auto [a, b, c] : strip_between(lines[i - 1], lines[i])) {
+        if (thread_.internal) std::swap(b, c);
+        add({a, b, c}, next++, body, strips_[i - 1]);
       }
     finish(std::move(made));
   }
@@ -413,13 +419,16 @@ class Replacer {
   const HelicalThread& thread_;
   std::vector<char> removed_;                              // by triangle
   std::vector<std::pair<std::array<int, 3>, int>> added_;  // in the place of triangles that are cut
+  std::vector<int> strips_;                                // the faces of those between the lines
+  std::vector<int> faces_;                                 // of the new triangles
   Vec3 u_{}, v_{};
   double clearance_ = 0;  // between the thread and the circle at which faces around it are cut
 };
 
 }  // namespace
 
-bool replace_by_cylinder(mesh::Mesh& mesh, const features::PartFaces& part, const HelicalThread& thread) {
+std::optional<std::vector<int>> replace_by_cylinder(mesh::Mesh& mesh, const features::PartFaces& part,
+                                                    const HelicalThread& thread) {
   return Replacer(mesh, part, thread).replace();
 }
 

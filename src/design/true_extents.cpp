@@ -170,6 +170,7 @@ class ExtentFinder {
     std::array<Extent, 3> found;
     for (int axis = 0; axis < 3; ++axis) {
       found[axis] = {-farthest_[axis], farthest_[axis + 3]};
+      found[axis].interrupted = is_interrupted_[axis] || is_interrupted_[axis + 3];
       set_form(found[axis], axis);
     }
     return found;
@@ -267,8 +268,10 @@ class ExtentFinder {
     const PartSurface& surface = interrupted.face->surface;
     for (int end = 0; end < 6; ++end) {
       const Vec3 direction = direction_of(end);
-      if (interrupted.ends_flat[end] == 0 && is_across(surface.axis, direction))
-        add(end, {glm::dot(direction, surface.origin) + surface.radius + surface.minor, interrupted.face, true});
+      if (interrupted.ends_flat[end] != 0 || !is_across(surface.axis, direction)) continue;
+      const double reach = glm::dot(direction, surface.origin) + surface.radius + surface.minor;
+      if (reach > farthest_[end] + same * size_) is_interrupted_[end] = true;
+      add(end, {reach, interrupted.face, true});
     }
   }
 
@@ -336,6 +339,7 @@ class ExtentFinder {
   std::vector<Interrupted> interrupted_;
   std::vector<std::optional<world::PlacedPart>> parts_;
   std::array<double, 6> farthest_{};
+  std::array<bool, 6> is_interrupted_{};
   std::array<std::vector<Reach>, 6> reaches_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
+#include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "features/borders.hpp"
 #include "features/region.hpp"
@@ -29,6 +30,7 @@ class DeclaredFaces {
     part_.border_of_edge.assign(mesh_.edges.size(), -1);
     add_declared_borders();
     add_other_borders();
+    part_.declared = true;
     return std::move(part_);
   }
 
@@ -197,10 +199,45 @@ class DeclaredFaces {
   std::vector<std::vector<int>> triangles_;  ///< by face
 };
 
+// Adds a border as declared edges, one for each part of it without a gap.
+void declare_again(DeclaredPart& declared, const PartBorder& border, const mesh::Mesh& mesh) {
+  const auto ends_of = [&](std::size_t i) { return mesh.edges[static_cast<std::size_t>(border.edges[i])].vertex; };
+  const auto has = [&](std::size_t i, int v) {
+    return i < border.edges.size() && (ends_of(i)[0] == v || ends_of(i)[1] == v);
+  };
+  std::vector<int>& vertices = declared.edge_vertices;
+  for (std::size_t i = 0; i < border.edges.size(); ++i) {
+    const auto [a, b] = ends_of(i);
+    const bool continues = i > 0 && has(i, vertices.back());
+    if (!continues) {
+      vertices.push_back(has(i + 1, a) ? b : a);
+      declared.edges.push_back({border.angle, border.kind == BorderKind::tangent ? 1 : 0, 0});
+    }
+    vertices.push_back(vertices.back() == a ? b : a);
+    declared.edges.back().end = static_cast<int>(vertices.size());
+  }
+}
+
 }  // namespace
 
 PartFaces part_of(const mesh::Mesh& mesh, const DeclaredPart& declared, double tangent_angle) {
   return DeclaredFaces(mesh, declared, tangent_angle).make();
+}
+
+PartFaces part_with_face(const PartFaces& part, const mesh::Mesh& before, const ReplacedTriangles& now,
+                         double tangent_angle) {
+  check(now.face_of_triangle.size() == now.mesh.polygon.size(), "every triangle has a face");
+  DeclaredPart declared;
+  for (const PartFace& face : part.faces) declared.faces.push_back(face.surface);
+  declared.faces.push_back(now.added);
+  for (std::size_t t = 0; t < now.face_of_triangle.size(); ++t) {
+    const auto polygon = static_cast<std::size_t>(now.mesh.polygon[t]);
+    if (polygon >= declared.face_of_polygon.size()) declared.face_of_polygon.resize(polygon + 1, 0);
+    declared.face_of_polygon[polygon] = now.face_of_triangle[t];
+  }
+  for (const PartBorder& border : part.borders)
+    if (border.kind != BorderKind::open) declare_again(declared, border, before);
+  return part_of(now.mesh, declared, tangent_angle);
 }
 
 }  // namespace epura::features

@@ -31,4 +31,15 @@ struct DeclaredPart {
 /// degrees are tangent.
 PartFaces part_of(const mesh::Mesh& mesh, const DeclaredPart& declared, double tangent_angle);
 
+/// A mesh of which some triangles were replaced, and its faces.
+struct ReplacedTriangles {
+  const mesh::Mesh& mesh;
+  std::vector<int> face_of_triangle;  ///< as numbered before; `added` comes after these
+  PartSurface added;
+};
+
+/// Keeps a declared part where the triangles are the same, with one more face. `before` is the mesh of the part.
+PartFaces part_with_face(const PartFaces& part, const mesh::Mesh& before, const ReplacedTriangles& now,
+                         double tangent_angle);
+
 }  // namespace epura::features

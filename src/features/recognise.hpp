@@ -46,6 +46,7 @@ struct PartFaces {
   std::vector<int> border_of_edge;  ///< of the mesh; -1 inside a face
   double tolerance = 0;             ///< greatest distance at which vertices were considered to lie on surfaces
   double recognised = 0;            ///< fraction of the area that lies on planes, cylinders, cones, spheres and tori
+  bool declared = false;            ///< by the file
 
   /// Returns the border that an edge of the mesh belongs to; null inside a face.
   [[nodiscard]] const PartBorder* border_at(std::ptrdiff_t edge) const {

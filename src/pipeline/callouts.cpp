@@ -109,7 +109,7 @@ std::vector<PagePoint> beside(const std::vector<PagePoint>& points, const std::v
   std::vector<PagePoint> both;
   for (std::size_t i = 0; i < points.size(); ++i)
     for (const double side : {-aside, aside})
-      both.push_back({points[i].at + (lines[i] ? side * sheet::left_of(*lines[i]) : Vec2(0, 0))});
+      both.push_back({points[i].at + (lines[i] ? side * left_of(*lines[i]) : Vec2(0, 0))});
   return both;
 }
 
@@ -132,7 +132,7 @@ void expect_shown(const ViewCallout& callout, const Vec2& at, const drawing::Vie
 bool is_enclosed(const drawing::ViewDrawing& drawing, const Vec2& at, const Vec2& normal) {
   constexpr double past_line = 0.5;  // mm
   const double far = glm::length(drawing.max - drawing.min), half = 0.5, rise = std::sqrt(3.0) / 2;
-  const Vec2 across = sheet::left_of(normal);
+  const Vec2 across = left_of(normal);
   const std::array<Vec2, 3> ways{normal, half * normal + rise * across, half * normal - rise * across};
   return std::all_of(ways.begin(), ways.end(), [&](const Vec2& way) {
     return sheet::ink_in(sheet::line_box(at + past_line * way, at + far * way), drawing) > 0;
@@ -170,7 +170,7 @@ CalloutTargets find_targets(const world::World& world, const drawing::ViewDrawin
     sheet::CalloutTarget target{at, end_of(callouts[i].description, lines[i].has_value())};
     if (lines[i]) {
       const bool right = sides[2 * i].has_value(), left = sides[2 * i + 1].has_value();
-      const Vec2 normal = (left && !right ? -1.0 : 1.0) * sheet::left_of(*lines[i]);
+      const Vec2 normal = (left && !right ? -1.0 : 1.0) * left_of(*lines[i]);
       target.is_border = left != right;
       target.normal = target.is_border && is_enclosed(drawing, at, normal) ? -normal : normal;
     } else {

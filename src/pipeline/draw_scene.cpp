@@ -300,6 +300,12 @@ void set_least_threads(SheetOfViews& views, const SheetPlan& plan) {
   for (PlannedView& view : views.plans) view.options.least_thread = std::max(least_thread, 2 * wide);
 }
 
+FinishedSheet does_not_fit() {
+  FinishedSheet nothing{{}};
+  nothing.inside = false;
+  return nothing;
+}
+
 FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   const world::World& whole = worlds.main();
   const auto shown = [&](std::size_t view) -> const ShownWorld& { return worlds.of(views.descriptions[view]); };
@@ -318,6 +324,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   std::vector<sheet::DimensionsInView> anchored;
   if (options.lint) anchored = anchored_dimensions(whole, views, seen, annotations);
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
+  if (views.room_share < 1 && !plan.inside) return does_not_fit();
   set_least_threads(views, plan);
   tell_of_scales(messages, plan, scene.sheets[static_cast<std::size_t>(views.sheet)], views);
   warn_about_details(messages, views, plan);
@@ -354,6 +361,8 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   FinishedSheet sheet = compose(
       {whole, scene, views, plan, annotations, std::move(targets), balloons_of(views, items_seen)}, results, budget);
   sheet.next_size = plan.next_size;
+  sheet.chosen = plan.chosen;
+  sheet.inside = plan.inside;
   leave_out(anchored, sheet.left_out);
   add_all(gathered.dimensioned, std::move(anchored));
   gathered.answers += sheet.answers = std::move(answers_of_sheet);
@@ -374,9 +383,15 @@ std::size_t left_out_of(const FinishedSheet& sheet) {
   return count;
 }
 
-// "auto" takes larger sheets as long as these leave out fewer dimensions, at a larger scale or else at the same one.
+// The room for dimensions that the first scale has is an estimate: short ones share lines, and most are on one side of
+// their view. So the next larger scale counts if everything is placed on half of it.
+bool may_be_larger(const scene::SceneDescription& scene, const world::World& world, const FinishedSheet& sheet) {
+  constexpr std::size_t most = 200'000;  // triangles: drawing more once again takes too long
+  return sheet.chosen && sheet.inside && dimensions_features(scene) && world.triangles.size() <= most;
+}
+
 FinishedSheet Run::draw_sheet_with_room(const ShownWorlds& worlds, SheetOfViews views) {
-  if (!is_sized_by_scale(scene.sheets[static_cast<std::size_t>(views.sheet)])) return draw_sheet(worlds, views);
+  constexpr double share = 0.5, to_next = 2.6;  // times 1, 2 or 5 is above the next one, and below the one after that
   const Messages outside = messages;
   const Gathered before = gathered;
   const auto draw = [&] {
@@ -395,22 +410,34 @@ FinishedSheet Run::draw_sheet_with_room(const ShownWorlds& worlds, SheetOfViews 
   auto [first, told_of_first] = draw();
   FinishedSheet best = std::move(first);
   HeldMessages told = std::move(told_of_first);
-  const auto improves = [&](const std::optional<double>& scale) {
-    views.kept_scale = scale;
+  const auto take_if = [&](const std::function<bool(const FinishedSheet&)>& is_better) {
     Gathered of_best = std::exchange(gathered, before);
-    auto [larger, told_of_larger] = draw();
-    if (left_out_of(larger) >= left_out_of(best) || !gathered.report.partial.stages.empty()) {
+    auto [other, told_of_other] = draw();
+    if (!other.inside || !is_better(other) || !gathered.report.partial.stages.empty()) {
       gathered = std::move(of_best);
       return false;
     }
-    best = std::move(larger);
-    told = std::move(told_of_larger);
+    best = std::move(other);
+    told = std::move(told_of_other);
     return true;
   };
-  while (left_out_of(best) > 0 && best.next_size && !progress.is_out_of_time()) {
-    views.least_size = *best.next_size;
-    const bool has_scale = scene.sheets[static_cast<std::size_t>(views.sheet)].scale.given();
-    if (!improves(std::nullopt) && (has_scale || progress.is_out_of_time() || !improves(best.scale))) break;
+  const auto improves = [&](const std::optional<double>& scale) {
+    views.kept_scale = scale;
+    return take_if([&](const FinishedSheet& larger) { return left_out_of(larger) < left_out_of(best); });
+  };
+  const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(views.sheet)];
+  if (is_sized_by_scale(description)) {
+    while (left_out_of(best) > 0 && best.next_size && !progress.is_out_of_time()) {
+      views.least_size = *best.next_size;
+      const bool has_scale = description.scale.given();
+      if (!improves(std::nullopt) && (has_scale || progress.is_out_of_time() || !improves(best.scale))) break;
+    }
+  } else if (may_be_larger(scene, worlds.main(), best) && !progress.is_out_of_time()) {
+    views.kept_scale = sheet::standard_scale_up_to(to_next * best.scale);
+    views.room_share = share;
+    take_if([&](const FinishedSheet& larger) {
+      return left_out_of(larger) == 0 && larger.findings.empty() && larger.warnings.size() <= best.warnings.size();
+    });
   }
   told.tell(messages);
   return best;

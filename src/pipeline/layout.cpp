@@ -147,8 +147,8 @@ Views views_to_place(const world::World& world, const SheetOfViews& sheet, std::
     const Vec2 moved = breaks.moved(origin);
     sheet::ViewToPlace view{sheet::view_place(views[i].projection), {}};
     const sheet::Room room = room_around(annotations[i], views[i].projection, layout.widths);
-    view.before = room.before;
-    view.after = room.after;
+    view.before = sheet.room_share * room.before;
+    view.after = sheet.room_share * room.after;
     const bool in_epura = sheet.epura && (i == sheet.epura->elevation || i == sheet.epura->plan);
     if (in_epura) {
       make_room_for_ground_line(view, i == sheet.epura->elevation);
@@ -330,7 +330,8 @@ LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfView
   options.angle = sheet.angle.value_or(ProjectionAngle::first);
   options.fit = sheet.fit.value_or(SheetFit::model);
   const bool is_standard = options.frame == FrameKind::full || is_sized_by_scale(sheet);
-  options.scale = sheet.scale.value_or({.fixed = on_sheet.kept_scale, .standard = !on_sheet.kept_scale && is_standard});
+  options.scale = sheet.scale.value_or({.fixed = std::nullopt, .standard = is_standard});
+  if (on_sheet.kept_scale && !options.scale.fixed) options.scale = {.fixed = on_sheet.kept_scale};
   if (options.frame == FrameKind::full) options.title_block = title_block_of(scene, number);
   read_files(options, sheet);
   return options;
@@ -375,7 +376,7 @@ SheetPlan plan_sheet(const world::World& world, const scene::SceneDescription& s
   SheetPlan plan{{arrangement.paper, options.frame, std::move(options.title_block)},
                  {},
                  arrangement.scale,
-                 options.scale.standard,
+                 options.scale.standard || sheet.room_share < 1,
                  arrangement.inside,
                  arrangement.on_paper,
                  arrangement.fitting,

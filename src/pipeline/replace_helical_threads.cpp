@@ -13,6 +13,7 @@
 #include "base/text.hpp"
 #include "design/helical_threads.hpp"
 #include "design/tolerances.hpp"
+#include "features/declared_part.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "world/placed_part.hpp"
 
@@ -38,6 +39,15 @@ bool has_cylinder(const features::PartFaces& part, const design::HelicalThread& 
   });
 }
 
+// The faces of a part whose thread is a cylinder now. What the file declares about others remains.
+features::PartFaces faces_with(const design::HelicalThread& thread, const world::Placed& before, const mesh::Mesh& mesh,
+                               std::vector<int> face_of_triangle, const Progress& progress) {
+  if (!before.part->declared) return features::recognise_faces(mesh, {}, progress);
+  const features::PartSurface cylinder{features::SurfaceKind::cylinder, thread.origin, thread.axis, thread.crest};
+  return features::part_with_face(*before.part, *before.mesh, {mesh, std::move(face_of_triangle), cylinder},
+                                  features::RecogniseOptions().tangent_angle);
+}
+
 std::ptrdiff_t open_edges_of(const mesh::Mesh& mesh) {
   return std::count_if(mesh.edges.begin(), mesh.edges.end(),
                        [](const mesh::MeshEdge& edge) { return edge.count != 2; });
@@ -50,9 +60,11 @@ std::optional<design::HelicalThread> replace_one(world::Placed& placed, double u
   others = std::move(forms.others);
   for (design::HelicalThread& thread : forms.threads) {
     mesh::Mesh mesh = *placed.mesh;
-    if (!design::replace_by_cylinder(mesh, *placed.part, thread)) continue;
+    auto face_of_triangle = design::replace_by_cylinder(mesh, *placed.part, thread);
+    if (!face_of_triangle) continue;
     if (open_edges_of(mesh) > open_edges_of(*placed.mesh)) continue;
-    auto part = std::make_shared<features::PartFaces>(features::recognise_faces(mesh, {}, progress));
+    auto part =
+        std::make_shared<features::PartFaces>(faces_with(thread, placed, mesh, std::move(*face_of_triangle), progress));
     if (!has_cylinder(*part, thread)) continue;
     placed.mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
     placed.part = std::move(part);

@@ -35,6 +35,8 @@ struct SheetOfViews {
   bool states_error = false;           ///< above the title block
   int least_size = 0;                  ///< from which "auto" chooses, of its sizes in ascending order
   std::optional<double> kept_scale{};  ///< instead of the largest one
+  double room_share = 1;               ///< of what is estimated as room for dimensions; less is an attempt, which ends
+                                       ///< without a sheet if the views do not fit
   std::vector<world::Item> items{};    ///< of its parts list; empty: it has none
   std::optional<EpuraViews> epura{};   ///< if they have that layout
 };

@@ -12,8 +12,10 @@ namespace epura::sheet {
 namespace {
 
 constexpr int radii = 24;
+constexpr int beyond_legs = 8;                   // how many of these are beyond long legs
 constexpr double first_radius = 14, longer = 4;  // mm
 constexpr double cost_of_radius = 0.1;           // per millimetre
+constexpr double cost_of_line = 3;               // of the view that an arc crosses, beyond one
 constexpr double cost_outside = 3;               // of a text outside the angle
 constexpr double arrows_inside = 3;              // room for two arrows, in lengths of an arrow
 constexpr double steepest = 0.5;                 // sine of the slope of a text that falls to the right
@@ -130,10 +132,27 @@ PlacedDimension length_of_arc(const MeasuredAngle& angle, const DimensionText& t
   return dimension;
 }
 
+// How many lines of a view an arc of this radius crosses between the legs; many count as a few.
+int lines_across(const drawing::ViewDrawing& drawing, const Sector& sector, double radius) {
+  constexpr int most = 6;
+  constexpr double beside = 0.03;  // radians from a leg
+  const double half = std::abs(sector.sweep) / 2;
+  const Vec2 middle = turned_to(sector.first + sector.sweep / 2);
+  int count = 0;
+  for (const drawing::Segment& segment : drawing.segments) {
+    const Vec2 from = segment.from - sector.corner, to = segment.to - sector.corner;
+    const double near = glm::length(from), far = glm::length(to);
+    if ((near < radius) == (far < radius)) continue;
+    const Vec2 at = from + (radius - near) / (far - near) * (to - from);
+    if (std::abs(portable_atan2(cross(middle, at), glm::dot(middle, at))) < half - beside && ++count == most) break;
+  }
+  return count;
+}
+
 }  // namespace
 
 std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
-                                              const drawing::ViewDrawing&, const DimensionStyle& style) {
+                                              const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   std::vector<DimensionPlacement> placements;
   const double sweep = std::abs(sector_of(angle).sweep);
   for (int k = 0; k < (measured.offset ? 1 : radii); ++k) {
@@ -148,12 +167,17 @@ std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const 
       }
       continue;
     }
-    const double radius = measured.offset ? offset : first_radius + longer * k;
+    double radius = measured.offset ? offset : first_radius + longer * k;
+    // The last ones are outside the legs.
+    if (!measured.offset && k >= radii - beyond_legs)
+      radius = std::max(radius, std::max(glm::length(angle.legs[0]), glm::length(angle.legs[1])) + first_dimension +
+                                    longer * (k - radii + beyond_legs));
     const bool room = radius * sweep > style.width(measured.text) + 2 * style.above();
+    const double crossed = cost_of_line * std::max(lines_across(drawing, sector_of(angle), radius) - 1, 0);
     for (const int place : {0, 1, -1}) {
       const double crowded = place == 0 ? (room ? 0 : 2 * cost_outside) : cost_outside;
       placements.push_back(
-          {angular_dimension(angle, measured.text, radius, place, style), cost_of_radius * radius + crowded});
+          {angular_dimension(angle, measured.text, radius, place, style), cost_of_radius * radius + crowded + crossed});
     }
   }
   check(placements.size() == std::size_t{3} * (measured.offset ? 1 : radii), "each arc has three places for its text");

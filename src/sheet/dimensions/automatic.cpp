@@ -14,6 +14,7 @@
 #include "base/text.hpp"
 #include "design/tolerances.hpp"
 #include "sheet/dimensions/anchors.hpp"
+#include "sheet/dimensions/cone_angles.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "sheet/dimensions/thread_notes.hpp"
@@ -443,7 +444,8 @@ class Planner {
     });
   }
 
-  // Diameters and positions of the ends of cones, as far as no cylinder and no step has them.
+  // The angle of a cone with a rounded end; diameters and positions of other ends, as far as no cylinder and no step
+  // has them.
   void add_cones() {
     for (const design::DesignCone& cone : subject_.features.cones) {
       check(cone.radii[0] >= 0 && cone.radii[0] <= cone.radii[1], "a cone begins at its smaller end");
@@ -453,7 +455,14 @@ class Planner {
       const projection::Projection& projection = view->projection;
       const bool horizontal = are_parallel(projection.u, cone.axis);
       const Vec3 out = horizontal ? -projection.v : projection.u;
+      const bool by_angle = has_angle(cone, glm::length(box_.size()));
+      if (by_angle) {
+        const NamedProjection* shown = view_of_angle(cone, subject_.features, views_);
+        DimensionDescription& angle = add(DimensionType::angular, *shown, "<>");
+        for (const Vec3& anchor : anchors_of_angle(cone, shown->projection)) angle.anchors.emplace_back(anchor);
+      }
       for (const int end : {0, 1}) {
+        if (by_angle && end == rounded_end(cone)) continue;
         const design::DesignCylinder circle{cone.model, cone.ends[end],  cone.ends[end],
                                             cone.axis,  cone.radii[end], false};
         if (!(circle.radius > 0)) continue;

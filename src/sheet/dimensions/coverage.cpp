@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "design/tolerances.hpp"
+#include "sheet/dimensions/cone_angles.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "world/placed_part.hpp"
@@ -396,6 +397,19 @@ class CoverageFinder {
     } else if (dimension.type == DimensionType::diameter) {
       if (dimension.is_label) join_label(dimension.circles.front());
       join_circles(dimension);
+    } else if (dimension.type == DimensionType::angular) {
+      join_cones(dimension);
+    }
+  }
+
+  // An angle gives the rounded end of a cone.
+  void join_cones(const AnchoredDimension& dimension) {
+    for (const design::DesignCone& cone : subject_.features.cones) {
+      if (!has_angle(cone, glm::length(subject_.world.box.size())) || !is_angle_of(dimension, cone)) continue;
+      if (const int axis = world_axis(cone.axis); axis >= 0) chains_[axis].join(cone.ends[0][axis], cone.ends[1][axis]);
+      const int end = rounded_end(cone);
+      for (CircleSize& size : sizes_)
+        if (is_at(size, {cone.ends[end], cone.axis, cone.radii[end], {}, true})) ++size.dimensions;
     }
   }
 

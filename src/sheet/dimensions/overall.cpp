@@ -91,7 +91,14 @@ std::vector<scene::DimensionDescription> overall_dimensions(const scene::Dimensi
       return extents[axis_of(direction.direction)].is_same_as(extents[axis_of(*other.direction)]);
     });
   };
-  for (const PageDirection& direction : page_directions) {
+  // A diameter stands in a view whose outline has it.
+  std::array<const PageDirection*, 3> order{};
+  std::transform(page_directions.begin(), page_directions.end(), order.begin(), [](const PageDirection& one) { return &one; });
+  std::stable_partition(order.begin(), order.end(), [&](const PageDirection* direction) {
+    return !extents[axis_of(direction->direction)].interrupted;
+  });
+  for (const PageDirection* ordered : order) {
+    const PageDirection& direction = *ordered;
     const NamedProjection* view = clearest(views, direction, overall.view.value_or(""));
     if (view == nullptr || stands_already(direction)) continue;
     scene::DimensionDescription& dimension = dimensions.emplace_back(overall);

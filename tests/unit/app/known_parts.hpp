@@ -379,6 +379,20 @@ inline std::vector<KnownPart> plates() {
        {"160", "40", "20", "⌀8", "2× R5", "12", "⌀9 ⌴⌀14 ↧6", "⌀6 ⌵⌀12×90°", "20", "54", "100", "140", "20"}}};
 }
 
+// A shaft whose head of 90 degrees is tangent to a rounded edge.
+inline Loop countersunk() {
+  Loop profile{{0, 1e-9}, {0, 6}, {20, 6}};
+  const double radius = 2, middle = 28, touch = std::sqrt(0.5) * radius;
+  const Vec2 centre(middle, 6 + (middle - touch - 20) - touch);
+  constexpr int steps = 12;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = 135.0 * (steps - i) / steps;
+    profile.push_back(centre + radius * Vec2(cosine(angle), sine(angle)));
+  }
+  profile.emplace_back(middle + radius, 1e-9);
+  return profile;
+}
+
 inline std::vector<KnownPart> round_parts() {
   return {{"flange of 4", flange(4, {15, 50, 36, 5}, 12), {"⌀100", "12", "⌀30", "4× ⌀10", "⌀72"}},
           {"flange of 5", flange(5, {20, 60, 45, 6}, 10), {"⌀120", "10", "⌀40", "5× ⌀12", "⌀90"}},
@@ -399,6 +413,7 @@ inline std::vector<KnownPart> round_parts() {
            {"90", "⌀40", "⌀20", "30", "70"}},
           {"a cut cone", shaft({{0, 1e-9}, {0, 8}, {50, 25}, {60, 25}, {60, 1e-9}}), {"60", "⌀50", "⌀16", "50"}},
           {"a rounded edge", shaft(rounded_pin(20, 4, 50)), {"50", "⌀40", "R4"}},
+          {"a countersunk head", shaft(countersunk()), {"30", "⌀26.34", "⌀12", "20", "90°", "R2"}},
           {"a tube", shaft({{0, 6}, {0, 10}, {60, 10}, {60, 6}, {0, 6}}), {"60", "⌀20", "⌀12"}},
           {"a bushing",
            shaft({{0, 8}, {0, 20}, {10, 20}, {10, 14}, {50, 14}, {50, 8}, {0, 8}}),

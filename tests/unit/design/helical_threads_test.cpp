@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
+#include "features/declared_part.hpp"
 #include "recognised.hpp"
 
 namespace epura::test {
@@ -154,6 +156,25 @@ TEST(HelicalThreads, AreNotRings) {
   EXPECT_TRUE(forms_of(bellows).others.empty());
 }
 
+// Every face but those of the thread is where it was, and the new one is a cylinder all around.
+void expect_faces_kept(const mesh::Mesh& before, const features::PartFaces& part, const mesh::Mesh& mesh,
+                       const std::vector<int>& face_of_triangle, const design::HelicalThread& thread) {
+  const features::PartSurface cylinder{features::SurfaceKind::cylinder, thread.origin, thread.axis, thread.crest};
+  const features::PartFaces kept = features::part_with_face(part, before, {mesh, face_of_triangle, cylinder}, 5);
+  std::set<int> of_thread;
+  for (const int t : thread.triangles) of_thread.insert(part.face_of_triangle[static_cast<std::size_t>(t)]);
+  ASSERT_EQ(kept.faces.size(), part.faces.size() - of_thread.size() + 1);
+  const features::PartFace& last = kept.faces.back();
+  EXPECT_EQ(last.surface.kind, features::SurfaceKind::cylinder);
+  EXPECT_EQ(last.inwards, thread.internal);
+  EXPECT_GT(last.sweep, 359);
+  for (const features::PartFace& face : kept.faces) EXPECT_LT(face.residual, 1e-9);
+  std::size_t declared = 0;
+  for (const features::PartBorder& border : part.borders)
+    if (of_thread.count(border.faces[0]) + of_thread.count(border.faces[1]) == 0) ++declared;
+  EXPECT_EQ(kept.borders.size(), declared + 2) << "the cylinder has two ends";
+}
+
 // The crests of a screw are its major diameter, those of a hole the minor one.
 TEST(HelicalThreads, BecomeCylindersOfClosedBodies) {
   const double disc = around / 2.0 * std::sin(2 * pi / around);  // area of a polygon in a circle of radius 1
@@ -166,7 +187,10 @@ TEST(HelicalThreads, BecomeCylindersOfClosedBodies) {
     ASSERT_EQ(threads.size(), 1U);
     EXPECT_EQ(threads.front().internal, internal);
     const double radius = internal ? minor_radius : major_radius, height = internal ? 7.5 : 12;
-    ASSERT_TRUE(design::replace_by_cylinder(mesh, faces, threads.front()));
+    const mesh::Mesh before = mesh;
+    const auto face_of_triangle = design::replace_by_cylinder(mesh, faces, threads.front());
+    ASSERT_TRUE(face_of_triangle);
+    expect_faces_kept(before, faces, mesh, *face_of_triangle, threads.front());
     for (const mesh::MeshEdge& edge : mesh.edges) EXPECT_EQ(edge.count, 2);
     const double core = pi * radius * radius * height;
     EXPECT_NEAR(volume_of(mesh), internal ? plate - core : head + core, 0.005 * core);

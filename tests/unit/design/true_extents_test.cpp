@@ -101,6 +101,8 @@ TEST(TrueExtents, OfASlottedHeadWithARoundedEdge) {
   expect_extent(slotted[0], -20, 20, diameter);
   expect_extent(slotted[1], -20, 20, diameter);
   EXPECT_TRUE(slotted[0].is_same_as(slotted[1]));
+  EXPECT_TRUE(slotted[0].interrupted);
+  EXPECT_FALSE(slotted[1].interrupted);
   // Of half a head, nothing lies on the other side.
   const auto one = design::true_extents(world_of(half(0, pi)));
   expect_extent(one[1], 0, 20, length);

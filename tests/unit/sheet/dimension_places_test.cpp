@@ -345,6 +345,16 @@ TEST(OverallDimensions, AShaftHasOneDiameter) {
             "width front height front depth top ");
 }
 
+// A slot along x leaves the outline of the front view narrower than the head.
+TEST(OverallDimensions, ADiameterStandsWhereItsEndsAre) {
+  const std::vector<sheet::NamedProjection> views{view("front", from_front), view("top", {0, 0, 1}, {0, 1, 0})};
+  design::Extent across{-40, 40, design::ExtentForm::diameter, {0, 0, 0}, {0, 0, 1}};
+  const design::Extent along = across;
+  across.interrupted = true;
+  EXPECT_EQ(format_dimensions(sheet::overall_dimensions(dimension("overall", {}), views, {across, along, {0, 80}})),
+            "height front depth top ");
+}
+
 TEST(OverallDimensions, HaveTheRoomThatWasKeptFree) {
   const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
   const projection::Projection front = orthographic(from_front);
