@@ -28,12 +28,29 @@ fs::path absolute(std::string_view folder) {
   return folder;
 }
 
-// Whoever can write there can make this program run any code.
-void expect_private(const fs::path& folder) {
+bool everyone_can_write(const fs::path& path) {
   std::error_code missing;
-  const fs::file_status status = fs::status(folder, missing);
-  if (!missing && fs::is_directory(status) && (status.permissions() & fs::perms::others_write) != fs::perms::none)
+  const fs::file_status status = fs::status(path, missing);
+  return !missing && (status.permissions() & fs::perms::others_write) != fs::perms::none;
+}
+
+// Whoever can write there can make this program run any code. A library may be a link to a file elsewhere.
+void expect_private(const fs::path& folder) {
+  std::error_code failure;
+  if (!fs::is_directory(folder, failure)) return;
+  if (everyone_can_write(folder))
     throw Error(ErrorKind::plugin, folder.string(), "everyone can put plugins into this folder", "chmod o-w it");
+  std::vector<BadPlugin> unreadable;
+  for (const fs::path& library : libraries_in(folder, unreadable)) {
+    const fs::path file = fs::canonical(library, failure);
+    if (failure) continue;
+    if (everyone_can_write(file))
+      throw Error(ErrorKind::plugin, library.string(), "everyone can change this plugin", "chmod o-w it");
+    if (everyone_can_write(file.parent_path()))
+      throw Error(ErrorKind::plugin, library.string(),
+                  "everyone can replace " + file.string() + ", to which this links",
+                  "chmod o-w its folder, or copy it");
+  }
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ struct BadPlugin {
 /// Returns the folders in which plugins are searched for, in order of precedence: `extra`, then $EPURA_PLUGIN_PATH
 /// (absolute paths of folders, separated by colons), then the folder `own` of those that came with this program. Never
 /// contains the current folder unless `extra` names it. Throws Error{plugin} for relative paths in the variable, and
-/// for folders before `own` that everyone can write to.
+/// for folders before `own` that everyone can write to, or in which everyone can change a library.
 std::vector<std::filesystem::path> plugin_folders(const std::vector<std::filesystem::path>& extra,
                                                   const std::string& own);
 

@@ -150,5 +150,30 @@ TEST(FoldersOfPlugins, EveryoneCanWriteToAreRefused) {
   EXPECT_EQ(epura({"plugins", "--plugin-path", "open"}, folder / "").code, 0);
 }
 
+TEST(FoldersOfPlugins, WithAPluginThatEveryoneCanChangeAreRefused) {
+  const Folder folder;
+  fs::create_directory(folder / "mine");
+  fs::copy(mark_folder + "/plain.so", folder / "mine");
+  const auto list = [&] { return epura({"plugins", "--plugin-path", "mine"}, folder / ""); };
+  EXPECT_EQ(list().code, 0);
+  fs::permissions(folder / "mine/plain.so", fs::perms::others_write, fs::perm_options::add);
+  const Outcome outcome = list();
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find("mine/plain.so: everyone can change this plugin"), std::string::npos) << outcome.err;
+}
+
+TEST(FoldersOfPlugins, WithALinkToAPluginThatEveryoneCanReplaceAreRefused) {
+  const Folder folder;
+  for (const char* name : {"mine", "open"}) fs::create_directory(folder / name);
+  fs::copy(mark_folder + "/plain.so", folder / "open");
+  fs::create_symlink("../open/plain.so", folder / "mine/plain.so");
+  const auto list = [&] { return epura({"plugins", "--plugin-path", "mine"}, folder / ""); };
+  EXPECT_EQ(list().code, 0);
+  fs::permissions(folder / "open", fs::perms::all);
+  const Outcome outcome = list();
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find("mine/plain.so: everyone can replace"), std::string::npos) << outcome.err;
+}
+
 }  // namespace
 }  // namespace epura::test

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "drawing/arcs.hpp"
+#include "drawing/curve_part.hpp"
 #include "laboratory/lab.hpp"
 
 namespace epura::test {
@@ -80,6 +83,40 @@ TEST(KnownCircles, AreThoseOfTheSurfaceWhereALineHidesTheirMiddle) {
   Drawn drawn = draw(shape, orthographic({1, 1, 1}));
   for (const drawing::CurvePart& curve : curves_of(drawn))
     EXPECT_NEAR(std::max(glm::length(curve.u), glm::length(curve.v)), radius * drawn.mm, 1e-6);
+}
+
+// The end of a shaft that is not cut squarely, by so little that its rim could pass for a circle on the page: as a
+// circle, it would be drawn up to 6e-4 mm beside the rim.
+TEST(KnownCircles, AreNoneWhereAPlaneCutsACylinderObliquely) {
+  constexpr double slope = 1e-5;
+  Shape shape = frustum(1, 1, 1, 24);
+  for (Point& point : shape.points)
+    if (point[2] > 0.5) point[2] += slope * point[0];
+  Drawn drawn = draw(shape, orthographic({1, 1, 1}));
+  const drawing::KnownCircles known = drawing::known_circles(drawing::PartEdges(drawn.world), drawn.drawing);
+  EXPECT_EQ(known.ellipses.size(), 1U);
+  drawing::find_curves(drawn.drawing.chains, {tolerance}, known);
+  const auto page = [&](const Vec3& point) { return Vec2(drawn.drawing.world_to_page * Vec4(point, 1)); };
+  // Of either rim: centre, and the halves of two conjugate diameters.
+  const std::array rims{std::array{page({0, 0, 0}), page({1, 0, 0}), page({0, 1, 0})},
+                        std::array{page({0, 0, 1}), page({1, 0, 1 + slope}), page({0, 1, 1})}};
+  int arcs = 0;
+  for (const drawing::Chain& chain : drawn.drawing.chains)
+    for (const drawing::CurvePart& curve : chain.curves) {
+      ++arcs;
+      for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const Vec2 place = drawing::position_on_curve(curve, curve.from + part * (curve.to - curve.from));
+        double least = HUGE_VAL;
+        for (const auto& [centre, u, v] : rims) {
+          const Vec2 a = u - centre, b = v - centre, p = place - centre;
+          // Its coordinates along the diameters have the length 1 on the rim.
+          const double off = std::hypot(cross(p, b), cross(a, p)) / std::abs(cross(a, b)) - 1;
+          least = std::min(least, std::abs(off) * drawn.mm);
+        }
+        EXPECT_LT(least, 1e-8);
+      }
+    }
+  EXPECT_EQ(arcs, 4);
 }
 
 TEST(KnownCircles, AreNoneOnPolygonsAndInCentralProjections) {
