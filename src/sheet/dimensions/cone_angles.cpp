@@ -14,7 +14,7 @@ namespace {
 using design::are_parallel;
 
 // The direction on the page in which a view shows a radius of a cone.
-Vec3 aside(const design::DesignCone& cone, const projection::Projection& projection) {
+Vec3 beside_cone(const design::DesignCone& cone, const projection::Projection& projection) {
   return are_parallel(projection.u, cone.axis) ? -projection.v : projection.u;
 }
 
@@ -59,7 +59,7 @@ const NamedProjection* view_of_angle(const design::DesignCone& cone, const desig
   const NamedProjection* first = nullptr;
   for (const NamedProjection* view : views.all()) {
     if (!is_across(cone, view->projection)) continue;
-    if (shows_both_sides(cone, features, aside(cone, view->projection))) return view;
+    if (shows_both_sides(cone, features, beside_cone(cone, view->projection))) return view;
     if (first == nullptr) first = view;
   }
   return first;
@@ -67,7 +67,7 @@ const NamedProjection* view_of_angle(const design::DesignCone& cone, const desig
 
 std::array<Vec3, 3> anchors_of_angle(const design::DesignCone& cone, const projection::Projection& across) {
   check(is_across(cone, across), "the axis of a cone is upright or level where its angle is measured");
-  const Vec3 out = cone.radii[1] * aside(cone, across);
+  const Vec3 out = cone.radii[1] * beside_cone(cone, across);
   return {cone.apex(), cone.ends[1] + out, cone.ends[1] - out};
 }
 

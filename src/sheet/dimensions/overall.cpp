@@ -93,7 +93,8 @@ std::vector<scene::DimensionDescription> overall_dimensions(const scene::Dimensi
   };
   // A diameter stands in a view whose outline has it.
   std::array<const PageDirection*, 3> order{};
-  std::transform(page_directions.begin(), page_directions.end(), order.begin(), [](const PageDirection& one) { return &one; });
+  std::transform(page_directions.begin(), page_directions.end(), order.begin(),
+                 [](const PageDirection& one) { return &one; });
   std::stable_partition(order.begin(), order.end(), [&](const PageDirection* direction) {
     return !extents[axis_of(direction->direction)].interrupted;
   });
