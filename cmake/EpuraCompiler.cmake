@@ -37,8 +37,8 @@ endif()
 function(epura_compile_together target)
   if(EPURA_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
-    # A local name may be that of a constant of another source.
-    target_compile_options(${target} PRIVATE -Wno-shadow)
+    # A local name may be that of a constant of another source; to GCC, sources that are included are headers.
+    target_compile_options(${target} PRIVATE -Wno-shadow $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()
 
