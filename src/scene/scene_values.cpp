@@ -251,6 +251,12 @@ std::vector<std::string> read_lines(const TomlValue& value) {
   return lines;
 }
 
+// For instance `--hidden front:hidden=dashed`.
+bool is_of_one_view(const TomlValue& value, const std::string& word) {
+  return value.is_option && value.where.starts_with("--") &&
+         word.find(":" + value.where.substr(2) + "=") != std::string::npos;
+}
+
 std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + ", " + unit;
 }
@@ -273,9 +279,10 @@ std::size_t read_word(const TomlValue& value, const std::vector<std::string>& wo
   const std::string word = read_text(value);
   const auto found = std::find(words.begin(), words.end(), to_lower(word));
   if (found == words.end())
-    throw Error(ErrorKind::input, value.where,
-                (value.is_option ? "" : "'" + value.key + "': ") + "unknown value '" + word + "'",
-                did_you_mean(word, words));
+    throw Error(
+        ErrorKind::input, value.where,
+        (value.is_option ? "" : "'" + value.key + "': ") + "unknown value '" + word + "'",
+        is_of_one_view(value, word) ? "options of one view stand in --views: " + word : did_you_mean(word, words));
   return static_cast<std::size_t>(found - words.begin());
 }
 

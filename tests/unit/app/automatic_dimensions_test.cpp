@@ -286,6 +286,21 @@ TEST_F(AutomaticDimensions, WithoutRoomAreLeftOut) {
   EXPECT_FALSE(contains(checked.out, "crossing")) << checked.out;
 }
 
+// An estimate of the room for dimensions would take 1:5 for both.
+TEST_F(AutomaticDimensions, ChooseTheLargestScaleAtWhichTheyFit) {
+  const auto scale_on = [&](const char* size, const char* frame, const char* model) {
+    const Outcome run = epura({"lint", sample(model), "--views", "front,top,left", "--dimensions", "auto", "--sheet",
+                               size, "--frame", frame, "--scale", "auto", "-o", "x.svg"},
+                              folder / "");
+    EXPECT_EQ(run.code, 0) << run.out << run.err;
+    const std::string key = "the scale is ";
+    const std::size_t begin = run.err.find(key) + key.size();
+    return run.err.substr(begin, run.err.find(',', begin) - begin);
+  };
+  EXPECT_EQ(scale_on("250x180", "plain", "bracket.obj"), "1:2");
+  EXPECT_EQ(scale_on("A4", "full", "flange.obj"), "1:5") << "at 1:2, the title block is in the way";
+}
+
 // Notes cover nearly all of an A4 sheet, so that "auto" takes the next one.
 TEST_F(AutomaticDimensions, ChooseTheSheetThatHasRoom) {
   folder.file("part.obj", plates()[3].obj);

@@ -92,6 +92,9 @@ TEST_F(Refusal, SceneFilesNameThePlaceOnce) {
                       {at + ":5:10: 'hidden': unknown value 'dotted'"});
   expect_draw_refused({scene("[[view]]\nprojection = 'front'\n"), "--visibility", "exakt"},
                       {"epura: --visibility: unknown value 'exakt'"});
+  expect_draw_refused(
+      {cube, "--projection", "front", "--hidden", "front:hidden=dashed"},
+      {"epura: --hidden: unknown value 'front:hidden=dashed'", "stand in --views: front:hidden=dashed"});
   expect_draw_refused({folder.file("s.toml", "[[model]]\nfile = 'missing.obj'\n")},
                       {at + ":2:8: " + (folder / "missing.obj").string() + ": cannot read", "check the path"});
   expect_draw_refused({scene("[[sheet]]\n[[sheet]]\n[[view]]\nprojection = 'front'\n")},
