@@ -20,6 +20,7 @@ namespace {
 
 constexpr int deepest = 100;             // groups in groups
 constexpr double longest_side = 20'000;  // mm
+constexpr double least_text = 1e-6;      // mm
 
 // Elements that show nothing.
 constexpr std::array<std::string_view, 7> silent = {
@@ -284,6 +285,8 @@ class Reader {
       refuse(node, "a text is mirrored or slanted", "only scale and turn it");
     words.at = map({place("x"), place("y")});
     words.size = *size * across;
+    if (!(words.size > least_text && std::isfinite(words.size)))
+      refuse(node, "a text has no height", "give it a font-size and a transform that leave it one");
     words.angle = portable_atan2(map.along.y, map.along.x) * 180 / std::numbers::pi;
     const std::string_view anchor = context.style.of("text-anchor");
     words.anchor = anchor == "middle" ? TextAnchor::middle : anchor == "end" ? TextAnchor::end : TextAnchor::start;

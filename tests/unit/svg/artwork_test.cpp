@@ -141,6 +141,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"<rect width=\"1em\" height=\"1\"/>", "width", ""},
                     Refused{"<text x=\"0\" y=\"0\" style=\"font-size:1em\">a</text>", "size", "font-size"},
                     Refused{"<text transform=\"scale(-1,1)\" style=\"font-size:3px\">a</text>", "mirrored", "turn"},
+                    Refused{"<text style=\"font-size:0px\">a</text>", "height", "font-size"},
+                    Refused{"<text style=\"font-size:-3px\">a</text>", "height", "font-size"},
+                    Refused{"<text transform=\"scale(0)\" style=\"font-size:3px\">a</text>", "height", "transform"},
+                    Refused{"<text transform=\"scale(1e200) scale(1e200)\" style=\"font-size:3px\">a</text>", "height",
+                            ""},
                     Refused{"<g transform=\"skewX(3)\"/>", "transform", ""},
                     Refused{"<style>g > rect{fill:red}</style>", "selector", "classes"}));
 
