@@ -19,7 +19,7 @@ constexpr double slack = 1e-7;
 // Several rounds, because each group of views that moves changes the room of the others a little.
 constexpr int rounds_of_balance = 4;
 
-void append_text(std::vector<ViewSpot>& spots, const std::vector<ViewSpot>& more) {
+void append_spots(std::vector<ViewSpot>& spots, const std::vector<ViewSpot>& more) {
   spots.insert(spots.end(), more.begin(), more.end());
 }
 
@@ -233,7 +233,7 @@ std::optional<std::vector<ViewSpot>> Arranger::arranged(double scale, double sha
   std::vector<Rectangle> taken = room_.taken;
   const auto add = [&](const std::optional<Spots>& spots) {
     if (!spots) return false;
-    append_text(all, *spots);
+    append_spots(all, *spots);
     for (const ViewSpot& spot : *spots) taken.push_back(spot.box.grown(room_.gap));
     return true;
   };

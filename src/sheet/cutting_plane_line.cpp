@@ -11,13 +11,13 @@
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
+#include "sheet/furniture.hpp"
 
 namespace epura::sheet {
 
 namespace {
 
-// Lengths in multiples of the letter height, which is 20 narrow line widths: 5 mm for lines of 0.25 mm.
-constexpr double cut_letter_widths = 20;
+// Lengths in heights of the letters.
 constexpr double past_ink = 0.8;
 constexpr double wide_end = 1.4;
 constexpr double arrow_length = 2, head_length = 0.7;
@@ -131,7 +131,7 @@ Fill arrow_head(const Vec2& tip, const Vec2& pointing, double length) {
 // Adds one end of the line.
 void add_end(Layer& layer, const Vec2& end, const Vec2& outwards, const Vec2& seen, const LineWidths& widths,
              const std::string& name) {
-  const double height = cut_letter_widths * widths.narrow;
+  const double height = letter_widths * widths.narrow;
   layer.fills.push_back(wide_stroke(end, end - wide_end * height * outwards, widths.wide));
   const auto add_letter = [&](const Vec2& middle) {
     // Letters are upright whatever the direction of the line.
@@ -208,7 +208,7 @@ Vec2 cutting_plane_room(const projection::Projection& projection, const cut::Cut
     const Vec3 image = v - glm::dot(v, projection.n) / glm::dot(p, projection.n) * p;
     return glm::abs(glm::normalize(Vec2(glm::dot(image, projection.u), glm::dot(image, projection.v))));
   };
-  const double height = cut_letter_widths * widths.narrow;
+  const double height = letter_widths * widths.narrow;
   if (surface.aligned) {
     Vec2 most(0, 0);
     for (const cut::CutRegion* end : {&surface.regions.front(), &surface.regions.back()})
@@ -225,7 +225,7 @@ Vec2 cutting_plane_room(const projection::Projection& projection, const cut::Cut
 
 std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, const cut::CuttingSurface& surface,
                                         const LineWidths& widths) {
-  const double height = cut_letter_widths * widths.narrow;
+  const double height = letter_widths * widths.narrow;
   const auto trace = trace_of(parent, surface, height);
   if (!trace) return std::nullopt;
   check(trace->corners.size() == trace->legs.size() + 1, "a cutting plane goes from corner to corner");

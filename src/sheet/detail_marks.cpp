@@ -16,8 +16,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double detail_letter_widths = 20;  // height of letters in narrow lines: 5 mm for 0.25 mm
-constexpr double gap = 1;                    // mm between a letter and all ink
+constexpr double gap = 1;  // mm between a letter and all ink
 constexpr double detail_leader_step = 3, longest_leader = 45;
 // Preferred directions first: up to the right, as a reader expects it.
 constexpr std::array<int, 16> letter_directions = {45,  135, 315, 225, 30, 60, 120, 150,
@@ -124,7 +123,7 @@ Stroke boundary_line(const drawing::Boundary& boundary) {
 Layer detail_marks(const std::string& view, std::span<const DetailMark> marks, const LetterRoom& room,
                    const Lettering& lettering, const LineWidths& widths) {
   Layer layer = empty_layer(view, scene::SheetLine::detail, widths);
-  const double height = detail_letter_widths * widths.narrow;
+  const double height = letter_widths * widths.narrow;
   std::vector<Stroke> boundaries;
   for (const DetailMark& mark : marks) boundaries.push_back(boundary_line(mark.boundary));
   std::vector<TurnedBox> letters = room.reserved;

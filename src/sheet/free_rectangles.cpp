@@ -11,7 +11,7 @@ namespace epura::sheet {
 namespace {
 
 // The parts left of, right of, below and above the taken rectangle.
-std::array<Rectangle, 4> around_text(const Rectangle& whole, const Rectangle& taken) {
+std::array<Rectangle, 4> rest_around(const Rectangle& whole, const Rectangle& taken) {
   std::array<Rectangle, 4> parts = {whole, whole, whole, whole};
   parts[0].max.x = taken.min.x;
   parts[1].min.x = taken.max.x;
@@ -33,7 +33,7 @@ std::vector<Rectangle> free_rectangles(const Rectangle& room, std::span<const Re
         kept.push_back(r);
         continue;
       }
-      for (const Rectangle& part : around_text(r, obstacle))
+      for (const Rectangle& part : rest_around(r, obstacle))
         if (has_area(part)) parts.push_back(part);
     }
     // Only new parts can lie in another rectangle: the kept ones were already maximal.

@@ -13,6 +13,8 @@ namespace epura::sheet {
 
 /// Line widths, mm. ISO 5457: frame 0.7, grid 0.35.
 inline constexpr double wide_line = 0.7, medium_line = 0.35, narrow_line = 0.18;
+/// Height of the letters of sections, details and arrows, in narrow lines of the view: 5 mm for 0.25 mm.
+inline constexpr double letter_widths = 20;
 
 struct Furniture {
   std::vector<Stroke> wide{}, medium{}, narrow{};

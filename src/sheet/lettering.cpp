@@ -30,7 +30,7 @@ bool controls_letters(char32_t code) {
 }
 
 // As `written`, with the characters that control others.
-std::u32string base_line_of(std::string_view text) {
+std::u32string one_line_of(std::string_view text) {
   std::u32string line;
   for (const char32_t character : characters(text))
     if (!is_invisible(character) || controls_letters(character)) line += is_control(character) ? U' ' : character;
@@ -99,7 +99,7 @@ bool Lettering::covers(std::string_view text) const {
 
 // The lettering font has a few ideographs: those of a line that lacks others come from one font, too.
 std::vector<TextRun> Lettering::split(std::string_view text) const {
-  const std::u32string line = base_line_of(text);
+  const std::u32string line = one_line_of(text);
   std::u32string ideographs;
   std::copy_if(line.begin(), line.end(), std::back_inserter(ideographs), is_ideographic);
   const bool has_all = std::all_of(ideographs.begin(), ideographs.end(), [this](char32_t c) { return font_->has(c); });

@@ -13,7 +13,6 @@ namespace epura::sheet {
 namespace {
 
 // Lengths in heights of the letters, which are 20 narrow lines: 5 mm for 0.25 mm. As of cutting planes.
-constexpr double sight_letter_widths = 20;
 constexpr double before_ink = 0.6, sight_arrow_length = 2, sight_head_length = 0.7, sight_letter_gap = 0.8;
 constexpr double head_half_angle = 15;  // degrees
 constexpr double beside_arrow = 1;      // ink this near to the line of the arrow keeps it away
@@ -37,7 +36,7 @@ double reach_against_sight(const drawing::ViewDrawing& view, const SightArrow& a
 }  // namespace
 
 Layer sight_arrows(const drawing::ViewDrawing& view, std::span<const SightArrow> arrows, const LineWidths& widths) {
-  const double height = sight_letter_widths * widths.narrow;
+  const double height = letter_widths * widths.narrow;
   Layer layer = empty_layer(view.name, scene::SheetLine::arrows, widths);
   for (const SightArrow& arrow : arrows) {
     const double reach = reach_against_sight(view, arrow, beside_arrow * height) + before_ink * height;
@@ -55,7 +54,7 @@ Layer sight_arrows(const drawing::ViewDrawing& view, std::span<const SightArrow>
 }
 
 double sight_arrow_room(const LineWidths& widths) {
-  return (before_ink + sight_arrow_length + sight_letter_gap + 0.6) * sight_letter_widths * widths.narrow;
+  return (before_ink + sight_arrow_length + sight_letter_gap + 0.6) * letter_widths * widths.narrow;
 }
 
 }  // namespace epura::sheet

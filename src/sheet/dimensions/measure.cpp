@@ -119,16 +119,16 @@ MeasuredDimension measure_row(const AnchoredDimension& dimension, const Sight& s
   std::vector<std::size_t> order(dimension.points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return value(a) < value(b); });
-  MeasuredRow measure_row{{}, 0, horizontal ? Vec2(1, 0) : Vec2(0, 1), {}, *dimension.arrangement};
-  if (dimension.opposite.size() == order.size()) measure_row.opposite.emplace();
+  MeasuredRow row{{}, 0, horizontal ? Vec2(1, 0) : Vec2(0, 1), {}, *dimension.arrangement};
+  if (dimension.opposite.size() == order.size()) row.opposite.emplace();
   const bool is_chain = *dimension.arrangement == DimensionArrangement::chain;
   DimensionText all;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const std::size_t i = order[k];
     expect_shown(dimension, sight, dimension.points[i]);
-    if (i == 0) measure_row.origin = k;
-    measure_row.places.push_back(sight.page(dimension.points[i]));
-    if (measure_row.opposite) measure_row.opposite->push_back(sight.page(dimension.opposite[i]));
+    if (i == 0) row.origin = k;
+    row.places.push_back(sight.page(dimension.points[i]));
+    if (row.opposite) row.opposite->push_back(sight.page(dimension.opposite[i]));
     if (k > 0 && value(i) - value(order[k - 1]) <= 1e-9 * (value(order.back()) - value(order.front())))
       refuse_measure(dimension, "two of its places have the same extension line", "omit one of them");
     if (is_chain && k + 1 == order.size()) break;
@@ -138,12 +138,11 @@ MeasuredDimension measure_row(const AnchoredDimension& dimension, const Sight& s
     const bool is_negative = *dimension.arrangement == DimensionArrangement::ordinate && length < 0;
     DimensionText text(is_origin ? "0" : is_negative ? "-" : "");
     if (!is_origin) text.add(with_text(dimension, {std::abs(length)}, sight.notation));
-    measure_row.texts.push_back(text);
+    row.texts.push_back(text);
     if (!is_origin) all.add((all.pieces.empty() ? "" : ", ") + text.line());
   }
-  check(measure_row.texts.size() + (is_chain ? 1 : 0) == measure_row.places.size(),
-        "a row has a text for each place or step");
-  return {std::move(measure_row), all, dimension.offset};
+  check(row.texts.size() + (is_chain ? 1 : 0) == row.places.size(), "a row has a text for each place or step");
+  return {std::move(row), all, dimension.offset};
 }
 
 // The image of a world axis most nearly perpendicular to the line on paper, x before y before z, for extension lines of
