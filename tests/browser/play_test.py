@@ -229,9 +229,25 @@ def test_matrices(browser, server):
 
 
 def test_end(browser, server):
+    """An answer of the server that comes late does not take back that it has ended."""
+    browser.evaluate("""(() => {
+        const ask = fetch, late = new Promise(give => window.giveAnswer = give);
+        window.fetch = async (resource, options) => {
+            const answer = await ask(resource, options);
+            if (resource.startsWith('view')) {
+                window.isAnswered = true;
+                await late;
+            }
+            return answer;
+        };
+        document.getElementById('reset').click();
+    })()""")
+    wait_until(browser, "window.isAnswered")
     same("the server ends", server.end(), (130, "epura: cancelled\n"))
     browser.evaluate("document.getElementById('exact').click()")
     wait_until(browser, "document.getElementById('status').classList.contains('wrong')")
+    browser.evaluate("giveAnswer()")
+    browser.settle()
     check("the page says so", "does not answer" in text(browser, "status"), text(browser, "status"))
 
 

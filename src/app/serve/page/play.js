@@ -66,15 +66,19 @@ const report = error => {
 // One request at a time; when it is answered, the newest values are asked for.
 let asking = null, isChanged = false;
 const askUntilNew = async () => {
+  let isRefused = false;
   while (isChanged) {
     isChanged = false;
     try {
       const view = await (await fetchFrom('view')).json(), isOther = view.paper.join() !== page.view.paper.join();
       page.view = view;
       if (isOther) fit();
-      if (part('status').classList.contains('wrong')) say('Wireframe');
+      // What is wrong with the exact drawing stays.
+      if (isRefused) say('Wireframe');
+      isRefused = false;
       requestAnimationFrame(show);
     } catch (error) {
+      isRefused = true;
       report(error);
     }
   }
