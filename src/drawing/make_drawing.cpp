@@ -14,6 +14,7 @@
 #include "drawing/forwards.hpp"
 #include "drawing/ink.hpp"
 #include "drawing/meet_contours.hpp"
+#include "drawing/moved_contours.hpp"
 #include "drawing/specks.hpp"
 
 namespace epura::drawing {
@@ -26,12 +27,15 @@ constexpr double unseen = 0.1;
 // The part of that distance within which a line goes back and forth on itself.
 constexpr double on_one_line = 0.5;
 
+// Hidden pieces of contours that are drawn on the surface are among them in any case.
 std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::PaperMap& paper, bool keep_hidden,
                              const Progress& progress) {
   const edges::FeatureEdges& drawn = lines.drawn;
   const auto visit_drawn = [&](std::size_t e, const auto& visit) {
+    const edges::FeatureEdge& edge = drawn.edges[e];
+    const bool keeps = (keep_hidden || is_moved(edge)) && !edge.by_chance;
     lines.hidden.visit_parts(e, [&](double from, double to, bool visible) {
-      if (visible || (keep_hidden && !drawn.edges[e].by_chance)) visit(from, to, visible);
+      if (visible || keeps) visit(from, to, visible);
     });
   };
   std::vector<std::size_t> first(drawn.edges.size() + 1, 0);  // index of the first piece, by edge
@@ -172,10 +176,7 @@ void find_looks(std::vector<Piece>& pieces, const visibility::ResolvedView& line
 std::vector<char> are_moved(const std::vector<Piece>& pieces, const visibility::ResolvedView& lines) {
   std::vector<char> moved;
   moved.reserve(pieces.size());
-  for (const Piece& piece : pieces) {
-    const edges::FeatureEdge& edge = lines.drawn.edges[piece.edge];
-    moved.push_back(edge.shown[0] >= 0 || edge.shown[1] >= 0 ? 1 : 0);
-  }
+  for (const Piece& piece : pieces) moved.push_back(is_moved(lines.drawn.edges[piece.edge]) ? 1 : 0);
   return moved;
 }
 
@@ -276,9 +277,11 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
 
   const Coincidence limits = coincidence_on_paper(view, paper);
   progress.begin("merging lines");
-  std::vector<Piece> pieces = pieces_of(lines, paper, options.hidden || !options.leave_out, progress);
+  const bool keep_hidden = options.hidden || !options.leave_out;
+  std::vector<Piece> pieces = pieces_of(lines, paper, keep_hidden, progress);
   drawing.contours_moved = lines.drawn.moved * paper.scale;
   meet_contours(lines, paper, 4 * limits.tolerance, pieces);
+  if (!keep_hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
   find_looks(pieces, lines, options.near);
   turn_glints(pieces, are_moved(pieces, lines), longest_glint(options.near.distance, drawing.contours_moved), progress);
   if (options.near.distance > 0) drawing.joined_within = draw_circles_once(lines, paper, limits.min, pieces, progress);

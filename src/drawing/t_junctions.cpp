@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/t_junctions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "drawing/make_drawing.hpp"
+#include "drawing/moved_contours.hpp"
+#include "search/bounds_tree.hpp"
+
+namespace epura::drawing {
+
+namespace {
+
+// Pieces along a contour, to each side, among which the crossing is looked for, and how far it may be: a multiple of
+// the distance by which the contour is moved.
+constexpr std::size_t most_pieces = 12;
+constexpr double most_moved = 4;
+// The sine of the angle at which contours cross rather than run along each other.
+constexpr double least_sine = 0.02;
+
+/// Which end of an edge comes next along a contour.
+struct Way {
+  int edge;
+  std::size_t ahead;  ///< 0 or 1
+};
+
+/// The contours of all models as they are drawn, from vertex to vertex.
+class ContourWays {
+ public:
+  ContourWays(const visibility::ResolvedView& lines, const std::vector<Piece>& pieces) : lines_(lines) {
+    const edges::FeatureEdges& drawn = lines.drawn;
+    for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
+      if (drawn.edges[e].kind != EdgeKind::contour) continue;
+      for (const std::size_t end : {0, 1})
+        ends_.push_back({drawn.edges[e].vertex[end], {static_cast<int>(e), 1 - end}});
+    }
+    std::sort(ends_.begin(), ends_.end(), [](const Start& a, const Start& b) {
+      return std::pair(a.vertex, a.way.edge) < std::pair(b.vertex, b.way.edge);
+    });
+    first_.assign(drawn.edges.size() + 1, pieces.size());
+    for (std::size_t i = pieces.size(); i-- > 0;) first_[static_cast<std::size_t>(pieces[i].edge)] = i;
+    for (std::size_t e = drawn.edges.size(); e-- > 0;) first_[e] = std::min(first_[e], first_[e + 1]);
+  }
+
+  /// Continues a way beyond the end of its edge; nothing where the contour ends or branches.
+  [[nodiscard]] std::optional<Way> next(const Way& way) const {
+    const int vertex = lines_.drawn.edges[way.edge].vertex[way.ahead];
+    const auto here = std::equal_range(ends_.begin(), ends_.end(), Start{vertex, {}},
+                                       [](const Start& a, const Start& b) { return a.vertex < b.vertex; });
+    if (here.second - here.first != 2) return std::nullopt;
+    return here.first->way.edge == way.edge ? (here.first + 1)->way : here.first->way;
+  }
+
+  /// Returns the first piece of an edge along a way, or the number of pieces if it has none.
+  [[nodiscard]] std::size_t begin(const Way& way) const {
+    const std::size_t first = first_[static_cast<std::size_t>(way.edge)],
+                      last = first_[static_cast<std::size_t>(way.edge) + 1];
+    if (first == last) return first_.back();
+    return way.ahead == 1 ? first : last - 1;
+  }
+
+ private:
+  struct Start {
+    int vertex;
+    Way way;
+  };
+
+  const visibility::ResolvedView& lines_;
+  std::vector<Start> ends_;         ///< by vertex
+  std::vector<std::size_t> first_;  ///< piece, by edge
+};
+
+/// A piece of a contour, in the order of a walk along it.
+struct Step {
+  std::size_t piece;
+  std::size_t ahead;  ///< its end in that order, 0 or 1
+};
+
+/// A change between visible and hidden that moves: pieces that turn, and the part of the last one that turns with them.
+struct Change {
+  std::vector<Step> turned{};
+  std::optional<Step> last{};  ///< none where the contour is visible beyond the pieces that turn
+  double s = 0;                ///< on the edge of the last one
+  double distance = 0;         ///< from where the change was, along the contour
+};
+
+/// Where something in front of a contour crosses it.
+struct Crossing {
+  double t = HUGE_VAL;      ///< along a piece, 0 to 1 in the order of a walk
+  bool is_outline = false;  ///< a surface ends there: what is beyond may be hidden
+};
+
+search::Bounds<2> box_around(const Vec2& a, const Vec2& b, double margin) {
+  const Vec2 low = glm::min(a, b) - margin, high = glm::max(a, b) + margin;
+  return {{{low.x, high.x}, {low.y, high.y}}};
+}
+
+class TJunctions {
+ public:
+  TJunctions(const visibility::ResolvedView& lines, const view::PaperMap& paper, double tolerance,
+             std::vector<Piece>& pieces)
+      : lines_(lines),
+        paper_(paper),
+        pieces_(pieces),
+        contours_(lines, paper, tolerance, pieces),
+        ways_(lines, pieces),
+        settled_(pieces.size(), {false, false}) {}
+
+  std::vector<SettledEnds> move() {
+    if (contours_.empty()) return settled_;
+    const std::vector<Step> ends = hidden_ends();
+    if (ends.empty()) return settled_;
+    find_lines_near(ends);
+    std::vector<std::optional<Change>> changes(ends.size());
+    parallel_for(ends.size(), 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) changes[i] = change_at(ends[i]);
+    });
+    for (const auto& change : changes)
+      if (change) apply(*change);
+    insert_added();
+    return std::move(settled_);
+  }
+
+ private:
+  [[nodiscard]] static const Vec2& end_of(const Piece& piece, std::size_t end) {
+    return end == 0 ? piece.from : piece.to;
+  }
+
+  // The visible pieces that end where something hides the rest of their edge, with that end ahead.
+  [[nodiscard]] std::vector<Step> hidden_ends() const {
+    std::vector<Step> ends;
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      for (const std::size_t ahead : {0, 1})
+        if (is_hidden_beyond({i, ahead})) ends.push_back({i, ahead});
+    return ends;
+  }
+
+  // How far a change is moved at most.
+  [[nodiscard]] double reach(const Step& visible) const { return most_moved * moved(pieces_[visible.piece]); }
+
+  void find_lines_near(const std::vector<Step>& ends) {
+    const search::BoundsTree<2> wanted(ends.size(), [&](std::size_t i) {
+      const Vec2& end = end_of(pieces_[ends[i].piece], ends[i].ahead);
+      return box_around(end, end, reach(ends[i]));
+    });
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (!pieces_[i].visible) continue;
+      wanted.visit(box_around(pieces_[i].from, pieces_[i].to, 0), [&](std::size_t) {
+        near_.push_back(i);
+        return false;
+      });
+    }
+    near_tree_ = search::BoundsTree<2>(
+        near_.size(), [&](std::size_t i) { return box_around(pieces_[near_[i]].from, pieces_[near_[i]].to, 0); });
+  }
+
+  // The piece after a step; nothing where the contour ends or branches, or has pieces that are left out.
+  [[nodiscard]] std::optional<Step> after(const Step& step) const {
+    const Piece& piece = pieces_[step.piece];
+    const double s = piece.s[step.ahead];
+    if (s > 0 && s < 1) {
+      const std::size_t next = step.ahead == 1 ? step.piece + 1 : step.piece - 1;
+      if (next >= pieces_.size() || pieces_[next].edge != piece.edge) return std::nullopt;
+      return pieces_[next].s[1 - step.ahead] == s ? std::optional(Step{next, step.ahead}) : std::nullopt;
+    }
+    const auto way = ways_.next({piece.edge, step.ahead});
+    if (!way) return std::nullopt;
+    const std::size_t next = ways_.begin(*way);
+    if (next == pieces_.size()) return std::nullopt;
+    const double begins = pieces_[next].s[1 - way->ahead];
+    return begins == (way->ahead == 1 ? 0 : 1) ? std::optional(Step{next, way->ahead}) : std::nullopt;
+  }
+
+  [[nodiscard]] Vec2 along(const Step& step) const {
+    const Piece& piece = pieces_[step.piece];
+    return end_of(piece, step.ahead) - end_of(piece, 1 - step.ahead);
+  }
+
+  // Contours of facets go back and forth where those of the surface do not.
+  [[nodiscard]] bool turns_back(const Step& step, const Step& next) const {
+    return glm::dot(along(step), along(next)) < 0;
+  }
+
+  // The steps from one on, as long as they are as visible as that, and go on.
+  [[nodiscard]] std::vector<Step> walk(const Step& from) const {
+    std::vector<Step> steps{from};
+    while (steps.size() < most_pieces) {
+      const auto next = after(steps.back());
+      if (!next || next->piece == from.piece) break;
+      const Piece& piece = pieces_[next->piece];
+      if (piece.visible != pieces_[from.piece].visible || turns_back(steps.back(), *next)) break;
+      if (!piece.visible && contours_.edge_of(piece).hollow != 0) break;
+      steps.push_back(*next);
+    }
+    return steps;
+  }
+
+  // Whether a visible piece of a moved contour goes on as a hidden one; not at a cusp, where the surface itself hides
+  // it.
+  [[nodiscard]] bool is_hidden_beyond(const Step& visible) const {
+    const Piece& piece = pieces_[visible.piece];
+    if (!piece.visible || !is_moved(contours_.edge_of(piece))) return false;
+    const auto next = after(visible);
+    return next && !pieces_[next->piece].visible && contours_.edge_of(pieces_[next->piece]).hollow == 0;
+  }
+
+  // Whether two pieces are of one edge, or their edges meet in a vertex.
+  [[nodiscard]] bool are_joined(const Piece& a, const Piece& b) const {
+    const auto &p = contours_.edge_of(a).vertex, &q = contours_.edge_of(b).vertex;
+    return a.edge == b.edge || p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1];
+  }
+
+  // Depth, growing towards the viewer, of a part of a piece as it is drawn.
+  [[nodiscard]] double depth_at(const Piece& piece, double part) const {
+    const edges::FeatureEdge& edge = contours_.edge_of(piece);
+    const auto depth = [&](std::size_t end) {
+      return lines_.view.vertices[edge.shown[end] < 0 ? edge.vertex[end] : edge.shown[end]].depth;
+    };
+    const double s = piece.s[0] + part * (piece.s[1] - piece.s[0]);
+    return depth(0) + s * (depth(1) - depth(0));
+  }
+
+  // Returns where along a piece visible lines in front of it first cross it as drawn.
+  [[nodiscard]] std::optional<Crossing> crossing_of(const Step& step) const {
+    const Piece& own = pieces_[step.piece];
+    const Vec2 from = end_of(own, 1 - step.ahead), along = end_of(own, step.ahead) - from;
+    Crossing first;
+    near_tree_.visit(box_around(own.from, own.to, 0), [&](std::size_t number) {
+      const Piece& other = pieces_[near_[number]];
+      if (are_joined(own, other)) return true;
+      const Vec2 across = other.to - other.from, way = other.from - from;
+      const double area = cross(along, across);
+      if (!(std::abs(area) > least_sine * glm::length(along) * glm::length(across))) return true;
+      const double t = cross(way, across) / area, u = cross(way, along) / area;
+      if (!(t >= 0 && t < first.t && t <= 1 && u >= 0 && u <= 1)) return true;
+      if (depth_at(other, u) > depth_at(own, step.ahead == 1 ? t : 1 - t))
+        first = {t, other.kind == EdgeKind::contour || other.kind == EdgeKind::boundary};
+      return true;
+    });
+    return first.t <= 1 ? std::optional(first) : std::nullopt;
+  }
+
+  // Looks for the first outline that crosses the contour from a step on. Hidden pieces that nothing crosses, between
+  // visible ones, are hidden by the facets alone.
+  [[nodiscard]] std::optional<Change> crossing_along(const Step& from, double farthest) const {
+    Change change;
+    std::optional<Step> next;
+    for (const Step& step : walk(from)) {
+      const Piece& piece = pieces_[step.piece];
+      if (const auto crossing = crossing_of(step)) {
+        change.last = step;
+        change.s = piece.s[1 - step.ahead] + crossing->t * (piece.s[step.ahead] - piece.s[1 - step.ahead]);
+        change.distance += crossing->t * length_of(piece);
+        return crossing->is_outline && change.distance <= farthest ? std::optional(change) : std::nullopt;
+      }
+      change.turned.push_back(step);
+      change.distance += length_of(piece);
+      if (change.distance > farthest) return std::nullopt;
+      next = after(step);
+    }
+    const bool is_gap = !pieces_[from.piece].visible && next && pieces_[next->piece].visible;
+    return is_gap ? std::optional(change) : std::nullopt;
+  }
+
+  // By how much the ends of an edge are drawn beside those in the mesh.
+  [[nodiscard]] double moved(const Piece& piece) const {
+    Piece edge = piece;
+    edge.s = {0, 1};
+    double most = 0;
+    for (const std::size_t end : {0, 1}) {
+      const Vec2 drawn = position_on_paper(lines_.view, paper_, contours_.edge_of(piece), edge.s[end]);
+      most = std::max(most, glm::distance(drawn, contours_.in_mesh(edge, end)));
+    }
+    return most;
+  }
+
+  [[nodiscard]] std::optional<Change> change_at(const Step& visible) const {
+    const auto hidden = after(visible);
+    const auto onwards = crossing_along(*hidden, reach(visible));
+    const auto back = crossing_along({visible.piece, 1 - visible.ahead}, reach(visible));
+    if (!onwards || !back) return onwards ? onwards : back;
+    return onwards->distance <= back->distance ? onwards : back;
+  }
+
+  void settle(std::size_t piece, std::size_t end) {
+    check(piece < settled_.size() && end < 2, "a piece has two ends");
+    settled_[piece][end] = true;
+  }
+
+  // What was turned before, from the other side, stays.
+  void apply(const Change& change) {
+    const auto is_done = [&](const Step& step) { return settled_[step.piece][0] || settled_[step.piece][1]; };
+    if (std::any_of(change.turned.begin(), change.turned.end(), is_done)) return;
+    if (change.last && is_done(*change.last)) return;
+    if (change.last) divide(*change.last, change.s);
+    for (const Step& step : change.turned) {
+      pieces_[step.piece].visible = !pieces_[step.piece].visible;
+      for (const std::size_t end : {0, 1}) settle(step.piece, end);
+    }
+  }
+
+  // The part of a piece up to a place on its edge turns.
+  void divide(const Step& step, double s) {
+    Piece& rest = pieces_[step.piece];
+    const std::size_t begin = 1 - step.ahead;
+    Piece part = rest;
+    part.visible = !rest.visible;
+    part.s[step.ahead] = rest.s[begin] = s;
+    const Vec2 place = position_on_paper(lines_.view, paper_, contours_.edge_of(rest), s);
+    (step.ahead == 1 ? part.to : part.from) = (begin == 1 ? rest.to : rest.from) = place;
+    added_.push_back({step.piece + (step.ahead == 1 ? 0 : 1), part});
+    settle(step.piece, begin);
+  }
+
+  // Each before the piece that it precedes on its edge.
+  void insert_added() {
+    if (added_.empty()) return;
+    std::sort(added_.begin(), added_.end(), [](const Added& a, const Added& b) { return a.before < b.before; });
+    std::vector<Piece> all;
+    std::vector<SettledEnds> settled;
+    all.reserve(pieces_.size() + added_.size());
+    settled.reserve(all.capacity());
+    auto next = added_.begin();
+    for (std::size_t i = 0; i <= pieces_.size(); ++i) {
+      for (; next != added_.end() && next->before == i; ++next) {
+        all.push_back(next->piece);
+        settled.push_back({true, true});
+      }
+      if (i == pieces_.size()) break;
+      all.push_back(pieces_[i]);
+      settled.push_back(settled_[i]);
+    }
+    pieces_ = std::move(all);
+    settled_ = std::move(settled);
+  }
+
+  struct Added {
+    std::size_t before;
+    Piece piece;
+  };
+
+  const visibility::ResolvedView& lines_;
+  const view::PaperMap& paper_;
+  std::vector<Piece>& pieces_;
+  MovedContours contours_;
+  ContourWays ways_;
+  std::vector<std::size_t> near_;  ///< visible pieces near the ends, and a tree over them
+  search::BoundsTree<2> near_tree_;
+  std::vector<SettledEnds> settled_;
+  std::vector<Added> added_;
+};
+
+}  // namespace
+
+std::vector<SettledEnds> move_t_junctions(const visibility::ResolvedView& lines, const view::PaperMap& paper,
+                                          double tolerance, std::vector<Piece>& pieces) {
+  return TJunctions(lines, paper, tolerance, pieces).move();
+}
+
+}  // namespace epura::drawing
