@@ -75,17 +75,14 @@ class ThreadFinder {
       if (is_free_form(part_.faces[f])) free_forms_.push_back(extent_of(f));
     if (free_forms_.empty()) return {};
     for (const PartFace& face : part_.faces)
-      if (is_axis(face.surface.kind) && face.sweep >= 180 && !is_known(face.surface)) find_around(face.surface);
+      if (features::has_axis(face.surface.kind) && face.sweep >= 180 && !is_known(face.surface))
+        find_around(face.surface);
     for (const FaceExtent& form : free_forms_) find_in(form.face);
     return {std::move(found_), std::move(others_)};
   }
 
  private:
   static bool is_free_form(const PartFace& face) { return face.surface.kind == SurfaceKind::free_form; }
-
-  static bool is_axis(SurfaceKind kind) {
-    return kind == SurfaceKind::cylinder || kind == SurfaceKind::cone || kind == SurfaceKind::torus;
-  }
 
   // Whether the threads around an axis have been looked for.
   bool is_known(const features::PartSurface& surface) {

@@ -254,6 +254,7 @@ class TJunctions {
     for (const Step& step : walk(from)) {
       const Piece& piece = pieces_[step.piece];
       if (const auto crossing = crossing_of(step)) {
+        check(crossing->t >= 0 && crossing->t <= 1, "a crossing lies on the line that is crossed");
         change.last = step;
         change.s = piece.s[1 - step.ahead] + crossing->t * (piece.s[step.ahead] - piece.s[1 - step.ahead]);
         change.distance += crossing->t * length_of(piece);
@@ -336,6 +337,7 @@ class TJunctions {
       all.push_back(pieces_[i]);
       settled.push_back(settled_[i]);
     }
+    check(all.size() == pieces_.size() + added_.size(), "every part of a piece has its place");
     pieces_ = std::move(all);
     settled_ = std::move(settled);
   }

@@ -14,11 +14,6 @@ namespace {
 constexpr double whole_turn = 359;
 constexpr double parallel = 1 - 1e-6;
 
-bool has_axis(const PartFace& face) {
-  return face.surface.kind == SurfaceKind::cylinder || face.surface.kind == SurfaceKind::cone ||
-         face.surface.kind == SurfaceKind::torus;
-}
-
 class HoleFinder {
  public:
   HoleFinder(const mesh::Mesh& mesh, const PartFaces& part)
@@ -50,7 +45,7 @@ class HoleFinder {
   }
 
   [[nodiscard]] bool is_about(const PartFace& face, const PartSurface& bore) const {
-    if (!has_axis(face) || !face.inwards || face.sweep < whole_turn) return false;
+    if (!has_axis(face.surface.kind) || !face.inwards || face.sweep < whole_turn) return false;
     if (std::abs(glm::dot(face.surface.axis, bore.axis)) < parallel) return false;
     const Vec3 from = face.surface.origin - bore.origin;
     const double aside = glm::length(from - glm::dot(from, bore.axis) * bore.axis);

@@ -79,9 +79,9 @@ struct Motion {
 };
 
 Motion motion_of(const PartSurface& s, const Vec3& middle) {
-  const bool has_axis = s.kind != SurfaceKind::sphere;
-  const Vec3 radial = has_axis ? polar_of(s, middle).outwards : normal_near(s, middle);
-  return {middle, square_to(has_axis ? s.axis : Vec3(0, 0, 1)), radial, normal_near(s, middle)};
+  const bool turns = s.kind != SurfaceKind::sphere;
+  const Vec3 radial = turns ? polar_of(s, middle).outwards : normal_near(s, middle);
+  return {middle, square_to(turns ? s.axis : Vec3(0, 0, 1)), radial, normal_near(s, middle)};
 }
 
 /// Derivatives of a point's distance with respect to each change, in the order in which `moved` takes them.

@@ -39,6 +39,11 @@ PartSurface moved(PartSurface surface, const Mat4& transform, double scale);
 /// Whether two round surfaces are identical, to a millionth of their size. False for planes and free forms.
 bool are_one(const PartSurface& one, const PartSurface& other);
 
+/// Whether a surface of this kind turns about an axis that it determines.
+inline bool has_axis(SurfaceKind kind) {
+  return kind == SurfaceKind::cylinder || kind == SurfaceKind::cone || kind == SurfaceKind::torus;
+}
+
 /// Returns how many numbers determine a surface.
 int unknowns_of(SurfaceKind kind);
 

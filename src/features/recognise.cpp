@@ -9,6 +9,7 @@
 
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
+#include "features/blends.hpp"
 #include "features/borders.hpp"
 #include "features/chords.hpp"
 #include "features/facets.hpp"
@@ -94,7 +95,7 @@ class Result {
 
   void measure_turn(const Region& region, PartFace& face) const {
     const SurfaceKind kind = region.surface.kind;
-    if (kind != SurfaceKind::cylinder && kind != SurfaceKind::cone && kind != SurfaceKind::torus) return;
+    if (!has_axis(kind)) return;
     std::vector<Vec3> points;
     for (const int f : region.facets)
       for (const int v : facets_.vertices_of(f)) points.push_back(facets_.points[v]);
@@ -158,6 +159,7 @@ bool is_scan(const Facets& facets, const std::vector<int>& region_of) {
 PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& options, const Progress& progress) {
   const Facets facets = make_facets(mesh);
   auto [regions, region_of] = find_round_regions(facets, progress);
+  grow_blends(facets, region_of, regions);
   // The few flat places of a scan or an artist's mesh do not belong to a part.
   PartFaces nothing{{}, std::vector<int>(mesh.polygon.size(), -1), {}, {}, facets.tolerance / facets.scale, 0};
   if (is_scan(facets, region_of)) return nothing;

@@ -418,37 +418,6 @@ TEST(RecogniseFaces, TrianglesNeedNotLieAlongTheSurface) {
   }
 }
 
-/// Rings about z with their own number of vertices, the next one turned by half a step, and triangles between them.
-struct Ring {
-  double radius, height;
-  int count;
-};
-
-Part stitched(const std::vector<Ring>& rings) {
-  Part part;
-  std::vector<std::vector<int>> vertices;
-  const auto angle = [&](std::size_t ring, int i) { return 2 * pi * (i + 0.5 * double(ring % 2)) / rings[ring].count; };
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    vertices.emplace_back();
-    for (int i = 0; i < rings[r].count; ++i)
-      vertices[r].push_back(part.add(
-          {rings[r].radius * std::cos(angle(r, i)), rings[r].radius * std::sin(angle(r, i)), rings[r].height}));
-  }
-  for (std::size_t r = 0; r + 1 < rings.size(); ++r) {
-    const int n = rings[r].count, m = rings[r + 1].count;
-    for (int i = 0, j = 0; i < n || j < m;) {
-      const bool below = j == m || (i < n && angle(r, i + 1) <= angle(r + 1, j + 1));
-      const int a = vertices[r][i % n], b = vertices[r + 1][j % m];
-      part.faces.push_back(below ? std::vector{a, vertices[r][(i + 1) % n], b}
-                                 : std::vector{a, vertices[r + 1][(j + 1) % m], b});
-      ++(below ? i : j);
-    }
-  }
-  part.faces.push_back({vertices.front().rbegin(), vertices.front().rend()});
-  part.faces.push_back(vertices.back());
-  return part;
-}
-
 TEST(RecogniseFaces, FacetsThatTiltAlongTheBorderOfAFillet) {
   // As tessellators of CAD programs leave them: the face has more vertices inside than on its border.
   std::vector<Ring> rings{{38, 0, 30}, {38, 8, 30}};

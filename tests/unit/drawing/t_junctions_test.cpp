@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/t_junctions.hpp"
+
+#include <gtest/gtest.h>
+
+#include "shapes.hpp"
+
+namespace epura::test {
+namespace {
+
+using drawing::Piece;
+
+constexpr double behind = 0, in_front = 1;
+
+/// A contour along the x axis of three edges, as drawn; that of the mesh is half a millimetre above it.
+struct Contours {
+  world::World world = world_of(box({0, 0, 0}, {1, 1, 1}));
+  view::ProjectedScene view;
+  edges::FeatureEdges drawn;
+  std::vector<Piece> pieces;
+
+  Contours() {
+    for (const double x : {0.0, 1.0, 2.0, 3.0}) view.vertices.push_back({x, 0.5, behind, 1});
+    for (const double x : {0.0, 1.0, 2.0, 3.0}) view.vertices.push_back({x, 0, behind, 1});
+    for (const int i : {0, 1, 2})
+      drawn.edges.push_back({{i, i + 1}, {0, 1}, EdgeKind::contour, 0, i, -1, {4 + i, 5 + i}});
+  }
+
+  // A line upwards at x, as drawn.
+  void add_upright(double x, double depth, EdgeKind kind = EdgeKind::contour) {
+    const int first = static_cast<int>(view.vertices.size());
+    for (const double y : {-1.0, 1.0}) view.vertices.push_back({x, y, depth, 1});
+    const int edge = static_cast<int>(drawn.edges.size());
+    drawn.edges.push_back({{first, first + 1}, {0, 1}, kind, 0, edge, -1, {-1, -1}});
+    add(edge, true, 0, 1);
+  }
+
+  void add(int edge, bool visible, double from, double to) {
+    const auto at = [&](double s) {
+      const edges::FeatureEdge& one = drawn.edges[edge];
+      const auto place = [&](std::size_t end) {
+        return view.vertices[one.shown[end] < 0 ? one.vertex[end] : one.shown[end]].at();
+      };
+      return place(0) + s * (place(1) - place(0));
+    };
+    pieces.push_back({at(from), at(to), visible, true, EdgeKind::contour, edge, {from, to}});
+  }
+
+  std::vector<drawing::SettledEnds> move() {
+    return drawing::move_t_junctions({world, view, drawn, visibility::nothing_hidden(drawn)}, {1, Vec2(0)}, 0.01,
+                                     pieces);
+  }
+
+  // Up to where the contour is visible from its start, and the length of what is visible.
+  [[nodiscard]] std::array<double, 2> visible() const {
+    std::array<double, 2> seen{0, 0};
+    for (const Piece& piece : pieces) {
+      if (piece.edge > 2 || !piece.visible) continue;
+      EXPECT_LT(piece.from.x, piece.to.x);
+      if (piece.from.x == seen[0]) seen[0] = piece.to.x;
+      seen[1] += drawing::length_of(piece);
+    }
+    return seen;
+  }
+};
+
+TEST(TJunctions, ContoursGoOnToWhatHidesThemAsDrawn) {
+  Contours contours;
+  contours.add(0, true, 0, 0.25);
+  contours.add(0, false, 0.25, 1);
+  contours.add(1, false, 0, 1);
+  contours.add(2, false, 0, 1);
+  contours.add_upright(1.5, in_front);
+  const auto settled = contours.move();
+  EXPECT_EQ(contours.visible(), (std::array{1.5, 1.5}));
+  ASSERT_EQ(settled.size(), contours.pieces.size());
+  double at = 0;  // in order, without gaps
+  for (const Piece& piece : contours.pieces) {
+    if (piece.edge > 2) continue;
+    EXPECT_EQ(piece.from.x, at);
+    at = piece.to.x;
+  }
+  EXPECT_EQ(at, 3);
+}
+
+TEST(TJunctions, ContoursEndAtWhatHidesThemAsDrawn) {
+  Contours contours;
+  contours.add(0, true, 0, 1);
+  contours.add(1, true, 0, 0.75);
+  contours.add(1, false, 0.75, 1);
+  contours.add(2, false, 0, 1);
+  contours.add_upright(0.5, in_front);
+  contours.move();
+  EXPECT_EQ(contours.visible(), (std::array{0.5, 0.5}));
+}
+
+TEST(TJunctions, NothingHidesAContourThatNothingCrosses) {
+  Contours contours;
+  contours.add(0, true, 0, 0.5);
+  contours.add(0, false, 0.5, 1);
+  contours.add(1, false, 0, 0.25);
+  contours.add(1, true, 0.25, 1);
+  contours.add(2, true, 0, 1);
+  contours.move();
+  EXPECT_EQ(contours.visible(), (std::array{3.0, 3.0}));
+}
+
+// Nor do lines behind it, and of lines in front, only outlines hide what is beyond them.
+TEST(TJunctions, OnlyOutlinesInFrontHideContours) {
+  for (const bool is_crease : {false, true}) {
+    Contours contours;
+    contours.add(0, true, 0, 0.25);
+    contours.add(0, false, 0.25, 1);
+    contours.add(1, false, 0, 1);
+    contours.add(2, false, 0, 1);
+    contours.add_upright(0.75, is_crease ? in_front : behind - 1, is_crease ? EdgeKind::crease : EdgeKind::contour);
+    if (is_crease) contours.pieces.back().kind = EdgeKind::crease;
+    contours.move();
+    EXPECT_EQ(contours.visible(), (std::array{0.25, 0.25}));
+  }
+}
+
+// Beyond a cusp, the surface hides its own contour.
+TEST(TJunctions, CuspsStay) {
+  Contours contours;
+  contours.drawn.edges[0].hollow = -0.75F;
+  contours.add(0, true, 0, 0.25);
+  contours.add(0, false, 0.25, 1);
+  contours.add(1, false, 0, 1);
+  contours.add(2, false, 0, 1);
+  contours.add_upright(0.5, in_front);
+  contours.move();
+  EXPECT_EQ(contours.visible(), (std::array{0.25, 0.25}));
+}
+
+// However far away: four times as far as the contour of the mesh is from what is drawn.
+TEST(TJunctions, ContoursAreMovedNoFartherThanFacets) {
+  Contours contours;
+  contours.add(0, true, 0, 0.25);
+  contours.add(0, false, 0.25, 1);
+  contours.add(1, false, 0, 1);
+  contours.add(2, false, 0, 1);
+  contours.add_upright(2.5, in_front);
+  contours.move();
+  EXPECT_EQ(contours.visible(), (std::array{0.25, 0.25}));
+}
+
+}  // namespace
+}  // namespace epura::test
