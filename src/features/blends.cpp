@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/angle.hpp"
+
 namespace epura::features {
 
 namespace {
@@ -14,6 +16,12 @@ namespace {
 // Two points are on one circle around an axis if their heights differ by so many tolerances at most.
 constexpr double same_height = 16;
 constexpr std::size_t fewest_seeds = 3;
+// A blend that its facets alone do not prove extends over so much of its circle and of its tube at least, and its
+// radius is that by which it is tangent, up to such a part.
+constexpr double least_turn = 20 * degree;
+constexpr double same_radius = 0.02;
+// The part of its border beyond which facets may continue it that have no surface either.
+constexpr double most_open = 0.1;
 
 /// A side at which a region ends on a circle around its axis, and the facet beyond it.
 struct RimSide {
@@ -87,9 +95,35 @@ class BlendGrower {
     const auto torus = tangent_torus(surface, sides.front().end, seeds);
     if (!torus) return;
     auto region = grower_.grow(*torus, seeds);
-    if (!region || !grower_.is_evident(*region)) return;
+    if (!region || !grower_.is_evident(*region) || !is_blend(*region, *torus)) return;
     for (const int f : region->facets) region_of_[f] = static_cast<int>(regions_.size());
     regions_.push_back(std::move(*region));
+  }
+
+  [[nodiscard]] bool is_blend(const Region& region, const PartSurface& tangent) const {
+    if (std::abs(region.surface.minor - tangent.minor) > same_radius * tangent.minor) return false;
+    std::vector<Vec3> points;
+    for (const int f : region.facets)
+      for (const int v : facets_.supports_of(f)) points.push_back(facets_.points[v]);
+    const double allowance = allowance_of(facets_, region.sagitta);
+    return places_of(region.surface, points, false, allowance).sweep >= least_turn &&
+           places_of(region.surface, points, true, allowance).sweep >= least_turn && is_whole(region);
+  }
+
+  // Whether it ends at edges and at other surfaces, not anywhere in a free form.
+  [[nodiscard]] bool is_whole(const Region& region) const {
+    std::vector<int> own = region.facets;
+    std::sort(own.begin(), own.end());
+    double open = 0, all = 0;
+    for (const int f : own)
+      facets_.for_sides(f, [&](int t, int side, int other) {
+        if (std::binary_search(own.begin(), own.end(), other)) return;
+        const double length = facets_.length_of(t, side);
+        all += length;
+        const bool is_known = region_of_[other] >= 0 || facets_.facets[other].is_plane;
+        if (!is_known && facets_.cosine_of_fold(t, side) >= smooth_cosine) open += length;
+      });
+    return open <= most_open * all;
   }
 
   // The circle through a point of the profile, tangent to it there, that comes nearest to the vertices of the seeds:

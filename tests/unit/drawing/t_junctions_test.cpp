@@ -120,6 +120,24 @@ TEST(TJunctions, OnlyOutlinesInFrontHideContours) {
   }
 }
 
+TEST(TJunctions, ContoursAreFollowedEitherWay) {
+  Contours contours;
+  contours.add(0, false, 0, 1);
+  contours.add(1, false, 0, 1);
+  contours.add(2, false, 0, 0.75);
+  contours.add(2, true, 0.75, 1);
+  contours.add_upright(1.5, in_front);
+  contours.move();
+  double at = 0;
+  for (const Piece& piece : contours.pieces) {
+    if (piece.edge > 2) continue;
+    EXPECT_EQ(piece.from.x, at);
+    at = piece.to.x;
+    EXPECT_EQ(piece.visible, piece.from.x >= 1.5);
+  }
+  EXPECT_EQ(at, 3);
+}
+
 // Beyond a cusp, the surface hides its own contour.
 TEST(TJunctions, CuspsStay) {
   Contours contours;
@@ -129,6 +147,18 @@ TEST(TJunctions, CuspsStay) {
   contours.add(1, false, 0, 1);
   contours.add(2, false, 0, 1);
   contours.add_upright(0.5, in_front);
+  contours.move();
+  EXPECT_EQ(contours.visible(), (std::array{0.25, 0.25}));
+}
+
+TEST(TJunctions, ContoursDoNotGoOnBeyondACusp) {
+  Contours contours;
+  contours.drawn.edges[1].hollow = 1;
+  contours.add(0, true, 0, 0.25);
+  contours.add(0, false, 0.25, 1);
+  contours.add(1, false, 0, 1);
+  contours.add(2, false, 0, 1);
+  contours.add_upright(1.5, in_front);
   contours.move();
   EXPECT_EQ(contours.visible(), (std::array{0.25, 0.25}));
 }
