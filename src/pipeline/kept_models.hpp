@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models that several runs share, so that each is read once.
+// Models that several models of a scene, or several runs, share, so that each file is read once.
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
 
@@ -14,9 +15,14 @@ namespace epura::pipeline {
 /// What makes two readings of a file equal: its name, the importer's parameters, and both bounds for facets.
 using ReadingKey = std::tuple<std::string, foreign::Assignments, double, double>;
 
+struct KeptModel {
+  std::shared_ptr<const mesh::Mesh> mesh;
+  importer::ReadModel rest{};  ///< without the mesh
+};
+
 /// Not to be used by several threads at once.
 struct KeptModels {
-  std::map<ReadingKey, importer::ReadModel> models{};
+  std::map<ReadingKey, KeptModel> models{};
 };
 
 }  // namespace epura::pipeline

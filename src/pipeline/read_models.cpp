@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -26,11 +27,20 @@ namespace {
 
 bool is_drawn(const scene::ModelDescription& model) { return model.drawn.value_or(true); }
 
+KeptModel without_mesh(importer::ReadModel model) {
+  auto mesh = std::make_shared<const mesh::Mesh>(std::move(model.mesh));
+  model.mesh = {};
+  return {std::move(mesh), std::move(model)};
+}
+
 // Leaves out the bodies that are not to be drawn.
-void leave_out(importer::ReadModel& model, const std::vector<scene::StyleDescription>& styles) {
+KeptModel leave_out(KeptModel model, const std::vector<scene::StyleDescription>& styles) {
   std::vector<bool> omitted;
   for (const scene::StyleDescription& style : styles) omitted.push_back(!style.drawn.value_or(true));
-  if (std::find(omitted.begin(), omitted.end(), true) != omitted.end()) omit_bodies(model, omitted);
+  if (std::find(omitted.begin(), omitted.end(), true) == omitted.end()) return model;
+  model.rest.mesh = *model.mesh;
+  omit_bodies(model.rest, omitted);
+  return without_mesh(std::move(model.rest));
 }
 
 bool wants_wires(const scene::SceneDescription& scene) {
@@ -95,15 +105,23 @@ importer::ReadModel read_file(const scene::ModelDescription& model, const import
   return model.file.where == *model.file ? read_it(*model.file) : at_place(model.file, read_it);
 }
 
-importer::ReadModel read(const scene::ModelDescription& model, const Reading& reading, const Progress& progress) {
-  if (model.soup != nullptr) return {mesh::make_mesh(*model.soup, *model.name, progress)};
-  importer::ReadOptions options = reading.options;
+const KeptModel& read(const scene::ModelDescription& model, importer::ReadOptions options, KeptModels& kept,
+                      const Progress& progress) {
   options.tolerance /= enlargement_of(model);
-  if (reading.kept == nullptr || model.content != nullptr) return read_file(model, options, progress);
   const ReadingKey key{*model.file, model.import, options.tolerance, options.relative_tolerance};
-  const auto known = reading.kept->models.find(key);
-  if (known != reading.kept->models.end()) return known->second;
-  return reading.kept->models.emplace(key, read_file(model, options, progress)).first->second;
+  const auto known = kept.models.find(key);
+  if (known != kept.models.end()) return known->second;
+  return kept.models.emplace(key, without_mesh(read_file(model, options, progress))).first->second;
+}
+
+// What is in memory has no name of its own by which it might be known.
+KeptModel model_of(const scene::ModelDescription& model, const Reading& reading, KeptModels& kept,
+                   const Progress& progress) {
+  if (!is_drawn(model)) return without_mesh({});
+  if (model.soup != nullptr) return without_mesh({mesh::make_mesh(*model.soup, *model.name, progress)});
+  if (model.content == nullptr) return read(model, reading.options, kept, progress);
+  KeptModels own;
+  return read(model, reading.options, own, progress);
 }
 
 // The largest paper on which the views may be drawn. A drawing without a paper size is made as large as fits on A4.
@@ -116,11 +134,12 @@ sheet::Paper largest_paper(const scene::SheetDescription& sheet, std::size_t vie
 // In the units of read_model; 0 if it is unknown, as for a pipe.
 std::size_t work_of(const std::vector<scene::ModelDescription>& models) {
   std::size_t bytes = 0;
+  std::set<std::string> files;
   for (const scene::ModelDescription& model : models) {
     std::error_code kind;
     if (is_drawn(model) && model.content != nullptr)
       bytes += 2 * model.content->size();
-    else if (is_drawn(model) && model.soup == nullptr)
+    else if (is_drawn(model) && model.soup == nullptr && files.insert(*model.file).second)
       bytes += 2 * std::filesystem::file_size(*model.file, kind);
     if (kind) return 0;
   }
@@ -189,20 +208,22 @@ ReadWorld read_models(const scene::SceneDescription& scene, const Reading& readi
   std::string without_unit;
   std::vector<world::Placed> placed;
   std::vector<std::vector<importer::BodyPart>> parts;
-  for (std::size_t i = 0; i < models.size(); ++i) {
+  KeptModels own;
+  KeptModels& kept = reading.kept == nullptr ? own : *reading.kept;
+  for (const scene::ModelDescription& description : models) {
     // Models that are not drawn keep their numbers.
-    const bool drawn = is_drawn(models[i]);
-    importer::ReadModel model = drawn ? read(models[i], reading, progress) : importer::ReadModel{};
-    const Mat4 place = place_of(models[i], model);
-    if (drawn && models[i].soup == nullptr && without_unit.empty() && !models[i].unit.given() && !model.unit)
-      without_unit = model.mesh.report.name;
+    const bool drawn = is_drawn(description);
+    KeptModel model = model_of(description, reading, kept, progress);
+    const Mat4 place = place_of(description, model.rest);
+    if (drawn && description.soup == nullptr && without_unit.empty() && !description.unit.given() && !model.rest.unit)
+      without_unit = model.mesh->report.name;
     std::vector<scene::StyleDescription> styles =
-        scene::styles_of_bodies(model.mesh, scene::name_of(models[i]), scene.styles);
-    leave_out(model, styles);
-    parts.push_back(std::move(model.body_parts));
-    placed.push_back({std::make_shared<const mesh::Mesh>(std::move(model.mesh)), place, {}, std::move(styles)});
+        scene::styles_of_bodies(*model.mesh, scene::name_of(description), scene.styles);
+    model = leave_out(std::move(model), styles);
+    parts.push_back(std::move(model.rest.body_parts));
+    placed.push_back({std::move(model.mesh), place, {}, std::move(styles)});
     if (!drawn) continue;
-    if (models[i].surfaces.value_or(Surfaces::automatic) == Surfaces::automatic) placed.back().part = model.part;
+    if (description.surfaces.value_or(Surfaces::automatic) == Surfaces::automatic) placed.back().part = model.rest.part;
     reports.push_back(placed.back().mesh->report);
     warn_about(messages, reports.back(), says_wires);
   }

@@ -18,7 +18,7 @@ namespace epura::pipeline {
 /// How models are read.
 struct Reading {
   importer::ReadOptions options{};
-  std::shared_ptr<KeptModels> kept{};  ///< null: every model is read
+  std::shared_ptr<KeptModels> kept{};  ///< null: every file is read, once
 };
 
 /// The precision that the drawings need so that no ink is off by more than RunOptions::max_error: from the given

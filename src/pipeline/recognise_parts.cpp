@@ -2,6 +2,7 @@
 #include "pipeline/recognise_parts.hpp"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,19 +68,25 @@ void recognise_parts(world::World& world, const scene::SceneDescription& scene, 
   // Dimensions of features need faces even where folds alone identify all edges.
   std::optional<double> least;
   if (!dimensions_features(scene) && !options.lint && scene.threads.empty()) least = least_fold(world, scene, options);
-  std::vector<int> wanted;
+  std::vector<std::vector<int>> wanted;  // models of one mesh
+  std::map<const mesh::Mesh*, std::size_t> number;
   const bool asked = std::any_of(scene.views.begin(), scene.views.end(), is_asked);
-  for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
-    if (asked && scene.models[model].surfaces.value_or(Surfaces::automatic) == Surfaces::automatic &&
-        world.models[model].part == nullptr && world.models[model].mesh->triangle_count() > 0)
-      wanted.push_back(model);
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
+    const world::Placed& placed = world.models[model];
+    if (!asked || scene.models[model].surfaces.value_or(Surfaces::automatic) != Surfaces::automatic ||
+        placed.part != nullptr || placed.mesh->triangle_count() == 0)
+      continue;
+    const auto [known, is_new] = number.emplace(placed.mesh.get(), wanted.size());
+    if (is_new) wanted.emplace_back();
+    wanted[known->second].push_back(model);
+  }
   progress.begin("recognising faces", wanted.size());
   const Progress limited = progress.with_part_of_the_time(part_for_faces);
   try {
     parallel_for(wanted.size(), 1, limited, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        world::Placed& placed = world.models[wanted[i]];
-        placed.part = part_of(*placed.mesh, least, limited);
+        const auto part = part_of(*world.models[wanted[i].front()].mesh, least, limited);
+        for (const int model : wanted[i]) world.models[model].part = part;
         progress.advance(1);
       }
     });

@@ -39,8 +39,16 @@ bool has_cylinder(const features::PartFaces& part, const design::HelicalThread& 
   });
 }
 
+/// A mesh and its part without helical threads.
+struct Replaced {
+  std::shared_ptr<const mesh::Mesh> mesh;
+  std::shared_ptr<const features::PartFaces> part;
+  std::vector<design::HelicalThread> threads{};
+  std::vector<design::OtherHelix> others{};  ///< that are no threads
+};
+
 // The faces of a part whose thread is a cylinder now. What the file declares about others remains.
-features::PartFaces faces_with(const design::HelicalThread& thread, const world::Placed& before, const mesh::Mesh& mesh,
+features::PartFaces faces_with(const design::HelicalThread& thread, const Replaced& before, const mesh::Mesh& mesh,
                                std::vector<int> face_of_triangle, const Progress& progress) {
   if (!before.part->declared) return features::recognise_faces(mesh, {}, progress);
   const features::PartSurface cylinder{features::SurfaceKind::cylinder, thread.origin, thread.axis, thread.crest};
@@ -53,24 +61,31 @@ std::ptrdiff_t open_edges_of(const mesh::Mesh& mesh) {
                        [](const mesh::MeshEdge& edge) { return edge.count != 2; });
 }
 
-// Replaces one of the threads of a model; nothing if none can be. `others` are the helices that are no threads.
-std::optional<design::HelicalThread> replace_one(world::Placed& placed, double unit,
-                                                 std::vector<design::OtherHelix>& others, const Progress& progress) {
-  design::HelicalForms forms = design::find_helical_threads(*placed.mesh, *placed.part, unit);
-  others = std::move(forms.others);
+// Replaces one of the threads; false if none can be.
+bool replace_one(Replaced& model, double unit, const Progress& progress) {
+  design::HelicalForms forms = design::find_helical_threads(*model.mesh, *model.part, unit);
+  model.others = std::move(forms.others);
   for (design::HelicalThread& thread : forms.threads) {
-    mesh::Mesh mesh = *placed.mesh;
-    auto face_of_triangle = design::replace_by_cylinder(mesh, *placed.part, thread);
+    mesh::Mesh mesh = *model.mesh;
+    auto face_of_triangle = design::replace_by_cylinder(mesh, *model.part, thread);
     if (!face_of_triangle) continue;
-    if (open_edges_of(mesh) > open_edges_of(*placed.mesh)) continue;
+    if (open_edges_of(mesh) > open_edges_of(*model.mesh)) continue;
     auto part =
-        std::make_shared<features::PartFaces>(faces_with(thread, placed, mesh, std::move(*face_of_triangle), progress));
+        std::make_shared<features::PartFaces>(faces_with(thread, model, mesh, std::move(*face_of_triangle), progress));
     if (!has_cylinder(*part, thread)) continue;
-    placed.mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
-    placed.part = std::move(part);
-    return std::move(thread);
+    model.mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
+    model.part = std::move(part);
+    model.threads.push_back(std::move(thread));
+    return true;
   }
-  return std::nullopt;
+  return false;
+}
+
+Replaced replace_all(const world::Placed& placed, double unit, const Progress& progress) {
+  constexpr int most = 64;  // each costs a recognition
+  Replaced model{placed.mesh, placed.part};
+  for (int i = 0; i < most && replace_one(model, unit, progress); ++i) continue;
+  return model;
 }
 
 bool is_described(const FoundThread& found, const world::World& world, const scene::SceneDescription& scene) {
@@ -108,21 +123,25 @@ void tell(const Messages& messages, const std::vector<design::OtherHelix>& other
 
 world::World replace_helical_threads(world::World world, scene::SceneDescription& scene, const Messages& messages,
                                      const Progress& progress) {
-  constexpr int most = 64;  // of a model: each costs a recognition
   std::vector<FoundThread> found;
   std::vector<design::OtherHelix> others;
+  std::map<std::pair<const mesh::Mesh*, double>, Replaced> known;  // several models may show one mesh
   for (world::Placed& placed : world.models) {
-    std::vector<design::OtherHelix> of_model;
     const auto unit = world::similarity_scale(placed.to_world);
-    for (int i = 0; i < most && placed.part != nullptr && unit; ++i) {
-      const auto thread = replace_one(placed, *unit, of_model, progress);
-      if (!thread) break;
-      const Vec3 middle = thread->origin + (thread->low + thread->high) / 2 * thread->axis;
-      found.push_back({thread->thread, Vec3(placed.to_world * Vec4(middle, 1)),
-                       glm::normalize(Vec3(placed.to_world * Vec4(thread->axis, 0))), *unit * thread->crest,
-                       *unit * (thread->high - thread->low) / 2});
+    if (placed.part == nullptr || !unit) continue;
+    const std::pair key(placed.mesh.get(), *unit);
+    auto same = known.find(key);
+    if (same == known.end()) same = known.emplace(key, replace_all(placed, *unit, progress)).first;
+    const Replaced& model = same->second;
+    placed.mesh = model.mesh;
+    placed.part = model.part;
+    for (const design::HelicalThread& thread : model.threads) {
+      const Vec3 middle = thread.origin + (thread.low + thread.high) / 2 * thread.axis;
+      found.push_back({thread.thread, Vec3(placed.to_world * Vec4(middle, 1)),
+                       glm::normalize(Vec3(placed.to_world * Vec4(thread.axis, 0))), *unit * thread.crest,
+                       *unit * (thread.high - thread.low) / 2});
     }
-    others.insert(others.end(), of_model.begin(), of_model.end());
+    others.insert(others.end(), model.others.begin(), model.others.end());
   }
   if (!others.empty()) tell(messages, others);
   if (found.empty()) return world;
