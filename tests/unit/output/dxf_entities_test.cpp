@@ -96,7 +96,7 @@ TEST(DxfDimensions, HaveABlockWithTheirInk) {
   EXPECT_EQ(dimension.point(14), Vec2(70, 55));
   EXPECT_EQ(dimension.point(10), Vec2(70, 60));
   EXPECT_EQ(dimension.text(1), "20 \\U+007B\\U+2300\\U+007D");
-  const DxfRecord& style = table_of(dxf, "DIMSTYLE")[0];
+  const DxfRecord style = table_of(dxf, "DIMSTYLE")[0];
   EXPECT_EQ(style.number(140), 3.5);
   // Its handle has a code of its own.
   EXPECT_EQ(style.all(105).size(), 1U);
