@@ -283,6 +283,7 @@ class MovedEnds {
     if (edges.empty()) return;
     const ModelContours contours(placed, view_.projection, part_angle, on_border);
     for (const int e : edges) drawn_.edges[e].by_chance = contours.is_by_chance(triangles_at(drawn_.edges[e]));
+    for (const int e : around_single_facets(model, part_angle)) drawn_.edges[e].by_chance = true;
     const int first = world_.first_vertex[model];
     std::vector<int> vertices;
     for (const int e : edges)
@@ -344,6 +345,28 @@ class MovedEnds {
       if (is_smoothed_at_ends(edge) || (is_straight_at(edge) && !is_on_border(edge, on_border))) found.push_back(e);
     }
     return found;
+  }
+
+  // Contours around a facet that alone faces the other way than all its neighbours, to which it is joined smoothly: of
+  // a part of the surface that faces the other way, there would be more facets.
+  [[nodiscard]] std::vector<int> around_single_facets(int model, double part_angle) const {
+    const world::Placed& placed = world_.models[model];
+    std::vector<int> smooth;
+    std::vector<signed char> sides(static_cast<std::size_t>(placed.mesh->triangle_count()), 0);
+    const auto [first, last] = edges_of(model);
+    for (int e = first; e < last; ++e) {
+      const FeatureEdge& edge = drawn_.edges[e];
+      if (edge.kind != EdgeKind::contour || edge.t != std::array<double, 2>{0, 1}) continue;
+      const features::PartBorder* border = placed.part->border_at(edge.mesh_edge);
+      const std::span<const int> triangles = triangles_at(edge);
+      if (triangles.size() != 2 || (border != nullptr && border->angle > part_angle)) continue;
+      for (const int t : triangles) ++sides[t];
+      smooth.push_back(e);
+    }
+    std::erase_if(smooth, [&](int e) {
+      return std::ranges::none_of(triangles_at(drawn_.edges[e]), [&](int t) { return sides[t] == 3; });
+    });
+    return smooth;
   }
 
   [[nodiscard]] bool is_smoothed_at_ends(const FeatureEdge& edge) const {
