@@ -244,6 +244,7 @@ void hide_folds(const world::World& world, const view::ProjectedScene& view, con
   std::vector<std::size_t> all;
   for (std::size_t e = 0; e < drawn.edges.size(); ++e)
     if (is_doubtful(drawn.edges[e])) all.push_back(e);
+  check(all.size() >= folds.size(), "visible folds are among all");
   view::ProjectedScene faces = view_of(world, view, faces_with(world, drawn, all));
   TestedLines lines(world, faces);
   Tests tests;
