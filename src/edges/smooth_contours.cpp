@@ -360,7 +360,7 @@ class MovedEnds {
       const features::PartBorder* border = placed.part->border_at(edge.mesh_edge);
       const std::span<const int> triangles = triangles_at(edge);
       if (triangles.size() != 2 || (border != nullptr && border->angle > part_angle)) continue;
-      for (const int t : triangles) ++sides[t];
+      for (const int t : triangles) check(++sides[t] <= 3, "a triangle has three sides");
       smooth.push_back(e);
     }
     std::erase_if(smooth, [&](int e) {
