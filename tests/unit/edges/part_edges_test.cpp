@@ -475,23 +475,30 @@ Shape shaft_on_plate(int rows, int sides) {
   return shape;
 }
 
-// The edges around each triangle of the fillet that alone is seen from the other side than all its neighbours.
+// The edges around each triangle of the fillet that alone is seen from the other side than all its neighbours, where no
+// other such edges meet them.
 std::set<std::array<int, 2>> around_single_facets(const mesh::Mesh& mesh, const Vec3& towards) {
   const auto is_front = [&](int t) {
     const auto [a, b, c] = mesh.triangle(t);
     return glm::dot(glm::cross(mesh.point(b) - mesh.point(a), mesh.point(c) - mesh.point(a)), towards) > 0;
   };
   std::map<int, std::vector<std::array<int, 2>>> turned_over;
+  std::map<int, int> contours_at;
   for (const mesh::MeshEdge& edge : mesh.edges) {
     const auto two = mesh.triangles_of(edge);
     if (is_front(two[0]) == is_front(two[1])) continue;
+    for (const int v : edge.vertex) ++contours_at[v];
     const auto is_on_fillet = [&](int v) { return mesh.point(v).z > -1e-9 && mesh.point(v).z < 6 + 1e-9; };
     if (!is_on_fillet(edge.vertex[0]) || !is_on_fillet(edge.vertex[1])) continue;
     for (const int t : two) turned_over[t].push_back(edge.vertex);
   }
   std::set<std::array<int, 2>> edges;
+  const auto is_alone = [&](const std::array<int, 2>& edge) {
+    return contours_at[edge[0]] == 2 && contours_at[edge[1]] == 2;
+  };
   for (const auto& [t, around] : turned_over)
-    if (around.size() == 3) edges.insert(around.begin(), around.end());
+    if (around.size() == 3 && std::all_of(around.begin(), around.end(), is_alone))
+      edges.insert(around.begin(), around.end());
   return edges;
 }
 
