@@ -55,7 +55,7 @@ class Continuation {
         links_(pieces.size()) {}
 
   void run(const Progress& progress) {
-    const Polylines lines(pieces_, std::vector<signed char>(pieces_.size(), 1), progress);
+    const Polylines lines(pieces_, std::vector<signed char>(pieces_.size(), 1), progress, touching_);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (lines.is_closed(i)) continue;
       std::vector<End> members(lines[i].begin(), lines[i].end());

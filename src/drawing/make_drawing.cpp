@@ -224,7 +224,7 @@ double join_where_near(std::vector<Piece>& pieces, const visibility::ResolvedVie
   };
   take(continue_lines(std::move(pieces), models, {near.distance, limits.tolerance}, progress));
   const std::vector<signed char> left = ranks_of(pieces, lines, near);
-  take(drop_specks(std::move(pieces), left, near.distance, progress));
+  take(drop_specks(std::move(pieces), left, {near.distance, limits.tolerance}, progress));
   return within;
 }
 

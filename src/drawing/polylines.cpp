@@ -11,12 +11,12 @@
 namespace epura::drawing {
 
 Polylines::Polylines(const std::vector<Piece>& pieces, const std::vector<signed char>& strength,
-                     const Progress& progress) {
+                     const Progress& progress, double touching) {
   const auto place = [&](End end) { return end % 2 == 0 ? pieces[line_of(end)].from : pieces[line_of(end)].to; };
   const auto look = [&](End end) { return std::array{static_cast<double>(strength[line_of(end)])}; };
   const auto kind = [&](End end) { return pieces[line_of(end)].kind; };
   const std::vector<End> partner =
-      find_partners(LineEnds{static_cast<int>(pieces.size()), place, look, kind}, 0, progress);
+      find_partners(LineEnds{static_cast<int>(pieces.size()), place, look, kind}, touching, progress);
   std::vector<char> used(pieces.size(), 0);
   members_.reserve(pieces.size());
   const auto follow = [&](End start, bool closed) {

@@ -15,8 +15,9 @@ namespace epura::drawing {
 class Polylines {
  public:
   /// `strength` by piece: stronger pieces are drawn instead of weaker ones; if it is negative, the piece is not ink.
-  /// Throws OutOfTime.
-  Polylines(const std::vector<Piece>& pieces, const std::vector<signed char>& strength, const Progress& progress);
+  /// Ends up to `touching` mm apart meet. Throws OutOfTime.
+  Polylines(const std::vector<Piece>& pieces, const std::vector<signed char>& strength, const Progress& progress,
+            double touching = 0);
 
   [[nodiscard]] std::size_t size() const { return lines_.size(); }
   /// The ends at which its pieces are entered, in order.

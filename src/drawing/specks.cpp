@@ -43,13 +43,14 @@ std::vector<char> find_needless(const std::vector<Piece>& pieces, const Progress
   return needless;
 }
 
-/// Returns for each piece whether it belongs to a polyline of at most `most` mm. Links alone connect others, unless
-/// these continue each other anyway, or the link is too short for a gap to be seen.
-std::vector<char> find_short(const std::vector<Piece>& pieces, const std::vector<signed char>& strength, double most,
-                             const Progress& progress) {
+/// Returns for each piece whether it belongs to a polyline no longer than the distance. Links alone connect others,
+/// unless these continue each other anyway, or the link is too short for a gap to be seen.
+std::vector<char> find_short(const std::vector<Piece>& pieces, const std::vector<signed char>& strength,
+                             const ContinuingLimits& limits, const Progress& progress) {
+  const double most = limits.distance;
   constexpr double unseen = 0.1;
   std::vector<char> is_short(pieces.size(), 0), needless;
-  const Polylines lines(pieces, strength, progress);
+  const Polylines lines(pieces, strength, progress, limits.touching);
   check(lines.size() <= pieces.size(), "a polyline has a piece");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     double length = 0;
@@ -114,9 +115,10 @@ void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, 
     if (turns[i] != 0) pieces[i].visible = !pieces[i].visible;
 }
 
-LeftInk drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, double distance,
+LeftInk drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, const ContinuingLimits& limits,
                     const Progress& progress) {
-  const std::vector<char> is_short = find_short(pieces, strength, distance, progress);
+  const double distance = limits.distance;
+  const std::vector<char> is_short = find_short(pieces, strength, limits, progress);
   if (std::find(is_short.begin(), is_short.end(), 1) == is_short.end()) return {std::move(pieces)};
   const InkParts specks = parts_of(pieces, is_short, distance);
   const search::OccupiedCells near_specks = specks.cells_within(distance, cells_a_distance * distance);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "drawing/continue_lines.hpp"
 #include "drawing/ink.hpp"
 
 namespace epura::drawing {
@@ -13,10 +14,10 @@ namespace epura::drawing {
 /// mm, less than anyone sees, it does not. `is_moved` is by piece. Throws OutOfTime.
 void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, double most, const Progress& progress);
 
-/// Drops polylines of at most `distance` mm whose ends both lie within that distance of longer lines that are drawn,
+/// Drops polylines no longer than the distance whose ends both lie within that distance of longer lines that are drawn,
 /// and are visible if they are. Links that continue no line stay unless they are too short to be seen, or begin
 /// where other lines continue each other. `strength` is by piece: a negative one means no ink. Throws OutOfTime.
-LeftInk drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, double distance,
+LeftInk drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, const ContinuingLimits& limits,
                     const Progress& progress = {});
 
 }  // namespace epura::drawing

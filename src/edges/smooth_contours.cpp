@@ -283,6 +283,7 @@ class MovedEnds {
     if (edges.empty()) return;
     const ModelContours contours(placed, view_.projection, part_angle, on_border);
     for (const int e : edges) drawn_.edges[e].by_chance = contours.is_by_chance(triangles_at(drawn_.edges[e]));
+    for (const int e : around_single_facets(model, part_angle)) drawn_.edges[e].by_chance = true;
     const int first = world_.first_vertex[model];
     std::vector<int> vertices;
     for (const int e : edges)
@@ -344,6 +345,32 @@ class MovedEnds {
       if (is_smoothed_at_ends(edge) || (is_straight_at(edge) && !is_on_border(edge, on_border))) found.push_back(e);
     }
     return found;
+  }
+
+  // Contours around a facet that alone faces the other way than all its neighbours, to which it is joined smoothly, if
+  // no other contour meets them: of a part of the surface that faces the other way, there would be more facets.
+  [[nodiscard]] std::vector<int> around_single_facets(int model, double part_angle) const {
+    const world::Placed& placed = world_.models[model];
+    const int first_vertex = world_.first_vertex[model];
+    std::vector<int> smooth;
+    std::vector<signed char> sides(static_cast<std::size_t>(placed.mesh->triangle_count()), 0);
+    std::vector<int> contours_at(placed.mesh->points.size(), 0);
+    const auto [first, last] = edges_of(model);
+    for (int e = first; e < last; ++e) {
+      const FeatureEdge& edge = drawn_.edges[e];
+      if (edge.kind != EdgeKind::contour || edge.t != std::array<double, 2>{0, 1}) continue;
+      for (const int v : edge.vertex) ++contours_at[v - first_vertex];
+      const features::PartBorder* border = placed.part->border_at(edge.mesh_edge);
+      const std::span<const int> triangles = triangles_at(edge);
+      if (triangles.size() != 2 || (border != nullptr && border->angle > part_angle)) continue;
+      for (const int t : triangles) check(++sides[t] <= 3, "a triangle has three sides");
+      smooth.push_back(e);
+    }
+    const auto is_alone = [&](int t) {
+      return sides[t] == 3 && std::ranges::all_of(placed.mesh->triangle(t), [&](int v) { return contours_at[v] == 2; });
+    };
+    std::erase_if(smooth, [&](int e) { return std::ranges::none_of(triangles_at(drawn_.edges[e]), is_alone); });
+    return smooth;
   }
 
   [[nodiscard]] bool is_smoothed_at_ends(const FeatureEdge& edge) const {

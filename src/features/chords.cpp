@@ -77,12 +77,88 @@ void take_pieces(const Facets& facets, std::vector<int>& region_of, std::vector<
   }
 }
 
+// Whether a facet may be a piece of a round surface: all its vertices lie on it, and it faces as the surface does there
+// within an eighth of a turn. The flat end of a cone has more corners.
+bool lies_on(const Facets& facets, int facet, const Region& region) {
+  constexpr double least_facing = 0.7;
+  if (facets.facets[facet].is_plane) return false;
+  const double allowance = allowance_of(facets, region.sagitta);
+  const auto vertices = facets.supports_of(facet);
+  return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
+    const Vec3& p = facets.points[v];
+    return std::abs(signed_distance(region.surface, p)) <= allowance &&
+           std::abs(glm::dot(normal_near(region.surface, p), facets.facets[facet].normal)) >= least_facing;
+  });
+}
+
+/// Free facets connected with each other that lie on the surface of a region, if nothing but this region is around
+/// them.
+class Island {
+ public:
+  Island(const Facets& facets, const std::vector<int>& region_of, const Region& region, int number)
+      : facets_(facets), region_of_(region_of), region_(region), number_(number) {}
+
+  /// Returns nothing if the island is larger than a coarse spot of a mesh.
+  [[nodiscard]] std::vector<int> from(int facet) const {
+    constexpr std::size_t most = 64;
+    std::vector<int> island{facet};
+    bool is_enclosed = lies_on(facets_, facet, region_);
+    for (std::size_t i = 0; i < island.size() && is_enclosed && island.size() <= most; ++i)
+      is_enclosed = add_around(island[i], island);
+    return is_enclosed && island.size() <= most ? island : std::vector<int>();
+  }
+
+ private:
+  // Adds free neighbours; returns whether all neighbours belong to the island or its region.
+  bool add_around(int facet, std::vector<int>& island) const {
+    for (const int t : facets_.triangles_of(facet))
+      for (const Side& side : facets_.sides[t]) {
+        if (side.neighbour < 0) return false;
+        const int other = facets_.facet_of[side.neighbour];
+        if (other == facet || region_of_[other] == number_) continue;
+        if (std::find(island.begin(), island.end(), other) != island.end()) continue;
+        if (region_of_[other] >= 0 || !lies_on(facets_, other, region_)) return false;
+        island.push_back(other);
+      }
+    return true;
+  }
+
+  const Facets& facets_;
+  const std::vector<int>& region_of_;
+  const Region& region_;
+  int number_;
+};
+
+// Meshers for computations leave single facets many times as large as those around them. A flat of the part is never
+// enclosed by a round face that has all its corners: its border would be a curve.
+void take_islands(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions) {
+  for (int f = 0; f < static_cast<int>(facets.facets.size()); ++f) {
+    if (region_of[f] >= 0) continue;
+    std::vector<int> beside;
+    facets.for_sides(f, [&](int, int, int other) {
+      const int number = region_of[other];
+      if (number >= 0 && is_round(regions[number])) beside.push_back(number);
+    });
+    std::sort(beside.begin(), beside.end());
+    beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+    for (const int number : beside) {
+      const std::vector<int> island = Island(facets, region_of, regions[number], number).from(f);
+      for (const int one : island) {
+        region_of[one] = number;
+        add(facets, one, regions[number]);
+      }
+      if (!island.empty()) break;
+    }
+  }
+}
+
 }  // namespace
 
 void take_chords(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions) {
   take_pieces(facets, region_of, regions, is_piece);
   for (Region& region : regions) region.exact = region.facets.size();
   take_pieces(facets, region_of, regions, is_trimmed_piece);
+  take_islands(facets, region_of, regions);
 }
 
 }  // namespace epura::features

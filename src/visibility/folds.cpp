@@ -110,8 +110,8 @@ Faces faces_with(const world::World& world, const edges::FeatureEdges& drawn, co
   for (const std::size_t e : numbers) {
     const edges::FeatureEdge& edge = drawn.edges[e];
     const mesh::Mesh& mesh = *world.models[edge.model].mesh;
-    const auto triangles = mesh.triangles_of(mesh.edges[static_cast<std::size_t>(edge.mesh_edge)]);
-    faces.push_back({edge.model, face_at(world, edge.model, triangles.front())});
+    for (const int t : mesh.triangles_of(mesh.edges[static_cast<std::size_t>(edge.mesh_edge)]))
+      faces.push_back({edge.model, face_at(world, edge.model, t)});
   }
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
@@ -237,10 +237,15 @@ void hide_behind_own_face(const world::World& world, const view::ProjectedScene&
 void hide_folds(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                 HiddenSpans& hidden, const Progress& progress) {
   hide_behind_own_face(world, view, drawn, hidden, progress);
-  const std::vector<std::size_t> folds =
-      visible_edges(drawn, hidden, [](const edges::FeatureEdge& edge) { return edge.by_chance || edge.hollow != 0; });
+  const auto is_doubtful = [](const edges::FeatureEdge& edge) { return edge.by_chance || edge.hollow != 0; };
+  const std::vector<std::size_t> folds = visible_edges(drawn, hidden, is_doubtful);
   if (folds.empty()) return;
-  view::ProjectedScene faces = view_of(world, view, faces_with(world, drawn, folds));
+  // A facet at the border of a face may lie over the next one, whose border is hidden there.
+  std::vector<std::size_t> all;
+  for (std::size_t e = 0; e < drawn.edges.size(); ++e)
+    if (is_doubtful(drawn.edges[e])) all.push_back(e);
+  check(all.size() >= folds.size(), "visible folds are among all");
+  view::ProjectedScene faces = view_of(world, view, faces_with(world, drawn, all));
   TestedLines lines(world, faces);
   Tests tests;
   tests.lines.beside_slivers = drawn.beside_slivers;

@@ -44,7 +44,6 @@ double gap_of(const TopoDS_Shape& shape) {
 
 /// Orients a closed shell so that the outside is known, which loose faces do not tell.
 TopoDS_Shape closed_as_solid(const TopoDS_Shape& shell) {
-  if (!BRep_Tool::IsClosed(shell)) return shell;
   TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(shell)).Solid();
   return BRepLib::OrientClosedSolid(solid) ? TopoDS_Shape(solid) : shell;
 }
@@ -70,12 +69,13 @@ std::vector<TopoDS_Shape> sew(const std::vector<TopoDS_Shape>& pieces, std::size
 
 Bodies bodies_of(const TopoDS_Shape& shape) {
   Bodies bodies;
-  append(bodies.shapes, all(shape, TopAbs_SOLID, TopAbs_SHAPE));
+  append(bodies.closed, all(shape, TopAbs_SOLID, TopAbs_SHAPE));
+  bodies.solids = bodies.closed.size();
   std::vector<TopoDS_Shape> open = all(shape, TopAbs_FACE, TopAbs_SHELL);
   std::size_t face_count = open.size();
   for (const TopoDS_Shape& shell : all(shape, TopAbs_SHELL, TopAbs_SOLID)) {
     if (BRep_Tool::IsClosed(shell)) {
-      bodies.shapes.push_back(closed_as_solid(shell));
+      bodies.closed.push_back(closed_as_solid(shell));
       continue;
     }
     open.push_back(shell);
@@ -89,14 +89,23 @@ Bodies bodies_of(const TopoDS_Shape& shape) {
   }
   std::vector<TopoDS_Shape> faces;
   for (const TopoDS_Shape& piece : open) {
-    if (piece.ShapeType() == TopAbs_SHELL) {
-      bodies.shapes.push_back(closed_as_solid(piece));
-    } else {
+    if (piece.ShapeType() != TopAbs_SHELL) {
       faces.push_back(piece);
+    } else if (BRep_Tool::IsClosed(piece)) {
+      bodies.closed.push_back(closed_as_solid(piece));
+    } else {
+      bodies.open.push_back(piece);
     }
   }
-  if (!faces.empty()) bodies.shapes.push_back(compound_of(faces));
+  if (!faces.empty()) bodies.open.push_back(compound_of(faces));
   return bodies;
+}
+
+Company company_in(const TopoDS_Shape& shape) {
+  const std::vector<TopoDS_Shape> shells = all(shape, TopAbs_SHELL, TopAbs_SOLID);
+  return {
+      TopExp_Explorer(shape, TopAbs_SOLID).More(),
+      std::any_of(shells.begin(), shells.end(), [](const TopoDS_Shape& shell) { return BRep_Tool::IsClosed(shell); })};
 }
 
 }  // namespace occt

@@ -8,7 +8,7 @@
 
 namespace occt {
 
-Model read_brep(const std::string& path, epura::plugin::Sink& sink) {
+Model read_brep(const std::string& path, Construction construction, epura::plugin::Sink& sink) {
   expect_kind(path, is_brep, "a BREP file of Open CASCADE");
   const Handle(Stage) stage = new Stage(sink, 0, share_of_reading);
   TopoDS_Shape shape;
@@ -19,7 +19,7 @@ Model read_brep(const std::string& path, epura::plugin::Sink& sink) {
   if (!is_read || shape.IsNull()) throw std::runtime_error(damaged);
   Model model;
   const Attributes attributes;
-  TreeBuilder tree(model, attributes);
+  TreeBuilder tree(model, attributes, construction);
   tree.add(shape, {}, {{}, EPURA_NONE, EPURA_NONE, gp_Trsf()});
   tree.finish();
   return model;

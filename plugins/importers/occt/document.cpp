@@ -30,21 +30,23 @@ std::optional<Colour> colour_of(const TDF_Label& label) {
   return colour;
 }
 
-void add(const TDF_Label& label, Place place, TreeBuilder& tree) {
+void add(const TDF_Label& label, Place place, TreeBuilder& tree, const Company& company = {}) {
   const std::string product = name_of(label);
   if (place.name.empty()) place.name = product;
   if (!XCAFDoc_ShapeTool::IsAssembly(label)) {
-    tree.add(XCAFDoc_ShapeTool::GetShape(label), product, std::move(place));
+    tree.add(XCAFDoc_ShapeTool::GetShape(label), product, std::move(place), company);
     return;
   }
   if (!place.colour) place.colour = colour_of(label);
   const std::uint32_t assembly = tree.add_assembly(std::move(place));
+  const Company own = company_in(XCAFDoc_ShapeTool::GetShape(label));
   TDF_LabelSequence components;
   XCAFDoc_ShapeTool::GetComponents(label, components);
   for (const TDF_Label& component : components) {
     TDF_Label referred;
     if (!XCAFDoc_ShapeTool::GetReferredShape(component, referred)) continue;
-    add(referred, {name_of(component), assembly, EPURA_NONE, location_of(component), colour_of(component)}, tree);
+    add(referred, {name_of(component), assembly, EPURA_NONE, location_of(component), colour_of(component)}, tree,
+        tree.is_product(XCAFDoc_ShapeTool::GetShape(referred)) ? Company{} : own);
   }
 }
 

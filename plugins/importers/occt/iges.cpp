@@ -45,7 +45,7 @@ void note_unit(const IGESData_GlobalSection& header, Model& model) {
 
 }  // namespace
 
-Model read_iges(const std::string& path, epura::plugin::Sink& sink) {
+Model read_iges(const std::string& path, Construction construction, epura::plugin::Sink& sink) {
   expect_kind(path, is_iges, "an IGES file: column 73 of its first line is not S");
   // Open CASCADE crashes on some files without it.
   if (!has_end(end_of(path))) throw cut_off(path, "the line of section T");
@@ -76,7 +76,7 @@ Model read_iges(const std::string& path, epura::plugin::Sink& sink) {
     const std::string name = name_of(root);
     if (!name.empty()) attributes.names.Bind(shape.Located(TopLoc_Location()), name);
   }
-  TreeBuilder tree(model, attributes);
+  TreeBuilder tree(model, attributes, construction);
   tree.add(everything, {}, {{}, EPURA_NONE, EPURA_NONE, gp_Trsf()});
   tree.finish();
   return model;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <NCollection_DataMap.hxx>
+#include <NCollection_Map.hxx>
 #include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
@@ -53,10 +54,17 @@ struct Model {
 using Names = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher>;
 using Colours = NCollection_DataMap<TopoDS_Shape, Colour, TopTools_ShapeMapHasher>;
 
+/// Shapes of products, without their locations. XCAF makes a component of each representation of a product, too.
+using Products = NCollection_Map<TopoDS_Shape, TopTools_ShapeMapHasher>;
+
+/// Whether surfaces, lines and points beside the bodies of a part are drawn.
+enum class Construction { omit, draw };
+
 /// What a file says of its shapes.
 struct Attributes {
   Names names;
   Colours colours;
+  Products products{};
 };
 
 /// "1 edge", "12 edges".

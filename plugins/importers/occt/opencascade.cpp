@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads STEP, IGES and BREP files by Open CASCADE, with the faces and edges of the part in addition to the triangles.
 #include <array>
-#include <cmath>
-#include <limits>
+#include <epura/parameter_rows.hpp>
 #include <stdexcept>
 #include <string>
 
@@ -16,32 +15,21 @@ namespace {
 using epura::plugin::Sink;
 using epura::plugin::Source;
 
-constexpr std::array<epura_parameter, 2> fineness{
-    epura_parameter{sizeof(epura_parameter),
-                    EPURA_NUMBER,
-                    1,
-                    "deflection",
-                    "mm",
-                    "distance between curved surfaces and their facets; as the drawing needs unless given",
-                    nullptr,
-                    {std::numeric_limits<double>::quiet_NaN()},
-                    1e-6,
-                    1e6},
-    epura_parameter{sizeof(epura_parameter),
-                    EPURA_NUMBER,
-                    1,
-                    "angle",
-                    "deg",
-                    "between neighbouring facets of a round face at most",
-                    nullptr,
-                    {20},
-                    1,
-                    60}};
+constexpr std::array<epura_parameter, 3> parameters_of_all{
+    epura::plugin::number("deflection", "mm",
+                          "distance between curved surfaces and their facets; as the drawing needs unless given",
+                          epura::plugin::from_box, 1e-6, 1e6),
+    epura::plugin::number("angle", "deg", "between neighbouring facets of a round face at most", 20, 1, 60),
+    epura::plugin::choice("construction", "datum planes, sketches and points beside the solids of a part", "omit|draw",
+                          0)};
 
-void import(occt::Model (*read)(const std::string&, Sink&), const Source& source, Sink& sink) {
+using Read = occt::Model (*)(const std::string&, occt::Construction, Sink&);
+
+void import(Read read, const Source& source, Sink& sink) {
   const occt::Silence silence;
   occt::Complaints::install();
-  occt::Model model = occt::guarded("cannot be read", [&] { return read(source.path, sink); });
+  const auto construction = source.values[2] != 0 ? occt::Construction::draw : occt::Construction::omit;
+  occt::Model model = occt::guarded("cannot be read", [&] { return read(source.path, construction, sink); });
   if (model.parts.empty())
     throw std::runtime_error("holds no face and no line to draw" +
                              (model.notes.empty() ? std::string() : ": " + model.notes.front()));
@@ -60,7 +48,7 @@ struct Step {
   static constexpr auto name = "step";
   static constexpr auto summary = "STEP (ISO 10303-21: AP203, AP214, AP242), by Open CASCADE";
   static constexpr auto extensions = "step|stp|p21";
-  static constexpr auto& parameters = fineness;
+  static constexpr auto& parameters = parameters_of_all;
 
   static bool recognises(std::string_view first_bytes) { return occt::is_step(first_bytes); }
   static void read(const Source& source, Sink& sink) { import(occt::read_step, source, sink); }
@@ -70,7 +58,7 @@ struct Iges {
   static constexpr auto name = "iges";
   static constexpr auto summary = "IGES 5.3, by Open CASCADE";
   static constexpr auto extensions = "iges|igs";
-  static constexpr auto& parameters = fineness;
+  static constexpr auto& parameters = parameters_of_all;
 
   static bool recognises(std::string_view first_bytes) { return occt::is_iges(first_bytes); }
   static void read(const Source& source, Sink& sink) { import(occt::read_iges, source, sink); }
@@ -80,7 +68,7 @@ struct Brep {
   static constexpr auto name = "brep";
   static constexpr auto summary = "shapes as Open CASCADE writes them";
   static constexpr auto extensions = "brep|brp";
-  static constexpr auto& parameters = fineness;
+  static constexpr auto& parameters = parameters_of_all;
 
   static bool recognises(std::string_view first_bytes) { return occt::is_brep(first_bytes); }
   static void read(const Source& source, Sink& sink) { import(occt::read_brep, source, sink); }

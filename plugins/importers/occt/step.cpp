@@ -3,6 +3,7 @@
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
+#include <StepBasic_ProductDefinition.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_ShellBasedSurfaceModel.hxx>
@@ -78,9 +79,22 @@ Names names_of_bodies(const STEPControl_Reader& reader) {
   return names;
 }
 
+Products products_of(const STEPControl_Reader& reader) {
+  Products products;
+  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
+  const Handle(StepData_StepModel) model = reader.StepModel();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto product = Handle(StepBasic_ProductDefinition)::DownCast(model->Value(i));
+    if (product.IsNull()) continue;
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, product);
+    if (!shape.IsNull()) products.Add(shape.Located(TopLoc_Location()));
+  }
+  return products;
+}
+
 }  // namespace
 
-Model read_step(const std::string& file, epura::plugin::Sink& sink) {
+Model read_step(const std::string& file, Construction construction, epura::plugin::Sink& sink) {
   // By default, Open CASCADE looks for referenced files in the working folder.
   const std::string path = std::filesystem::absolute(file).string();
   expect_kind(path, is_step, "a STEP file: it does not begin with ISO-10303-21");
@@ -114,8 +128,8 @@ Model read_step(const std::string& file, epura::plugin::Sink& sink) {
   const bool is_transferred = reader.Transfer(document, stage->Start());
   stage->finish();
   if (!is_transferred) throw std::runtime_error("holds no shape" + (faults.empty() ? std::string() : ": " + faults));
-  const Attributes attributes{names_of_bodies(reader.Reader()), colours_of(document)};
-  TreeBuilder tree(model, attributes);
+  const Attributes attributes{names_of_bodies(reader.Reader()), colours_of(document), products_of(reader.Reader())};
+  TreeBuilder tree(model, attributes, construction);
   add_document(document, tree);
   tree.finish();
   return model;

@@ -53,11 +53,11 @@ std::vector<gp_Pnt> points_outside_edges(const TopoDS_Shape& shape) {
 
 }  // namespace
 
-void TreeBuilder::add(const TopoDS_Shape& shape, const std::string& part_name, Place place) {
+void TreeBuilder::add(const TopoDS_Shape& shape, const std::string& part_name, Place place, const Company& company) {
   if (shape.IsNull()) return;
   const TopoDS_Shape own = without_location(shape);
   int index = prototypes_.FindIndex(own);
-  if (index == 0) index = prototypes_.Add(own, make(own, part_name));
+  if (index == 0) index = prototypes_.Add(own, make(own, part_name, company));
   const Prototype& prototype = prototypes_(index);
   if (prototype.part == EPURA_NONE && prototype.inside.empty()) return;
   const auto number = static_cast<std::uint32_t>(model_.places.size());
@@ -70,12 +70,25 @@ void TreeBuilder::add(const TopoDS_Shape& shape, const std::string& part_name, P
   }
 }
 
+bool TreeBuilder::is_product(const TopoDS_Shape& shape) const {
+  return attributes_.products.Contains(without_location(shape));
+}
+
 std::uint32_t TreeBuilder::add_assembly(Place place) {
   model_.places.push_back(std::move(place));
   return static_cast<std::uint32_t>(model_.places.size() - 1);
 }
 
 void TreeBuilder::finish() {
+  std::vector<std::string> omitted;
+  for (const auto& [count, thing] : {std::pair(omitted_surfaces_, "surface"), std::pair(omitted_lines_, "line"),
+                                     std::pair(omitted_points_, "point")})
+    if (count > 0) omitted.push_back(counted(count, thing));
+  if (!omitted.empty()) {
+    std::string list = omitted.front();
+    for (std::size_t i = 1; i < omitted.size(); ++i) list += (i + 1 < omitted.size() ? ", " : " and ") + omitted[i];
+    model_.notes.push_back(list + " beside solids left out as construction geometry: FILE:construction=draw draws it");
+  }
   auto note = [this](std::size_t count, const std::string& thing, const std::string& one, const std::string& many) {
     if (count > 0) model_.notes.push_back(counted(count, thing) + (count == 1 ? one : many));
   };
@@ -86,23 +99,42 @@ void TreeBuilder::finish() {
                            std::to_string(sewn_into_));
 }
 
-TreeBuilder::Prototype TreeBuilder::make(const TopoDS_Shape& shape, const std::string& name) {
+TreeBuilder::Prototype TreeBuilder::make(const TopoDS_Shape& shape, const std::string& name, const Company& company) {
   WireEdges wires = edges_outside_faces(shape);
-  endless_ += wires.endless;
-  std::vector<gp_Pnt> points = points_outside_edges(shape);
-  Bodies found = bodies_of(shape);
-  loose_ += found.loose;
-  sewn_into_ += found.sewn_into;
+  Content content{bodies_of(shape), std::move(wires.edges), wires.endless, points_outside_edges(shape)};
+  if (construction_ == Construction::omit) omit_construction(content, company);
+  endless_ += content.endless;
+  loose_ += content.bodies.loose;
+  sewn_into_ += content.bodies.sewn_into;
+  std::vector<TopoDS_Shape> bodies = std::move(content.bodies.closed);
+  bodies.insert(bodies.end(), content.bodies.open.begin(), content.bodies.open.end());
   Prototype prototype;
-  separate_repeats(found.shapes, prototype);
-  if (!found.shapes.empty() || !wires.edges.empty() || !points.empty()) {
-    prototype.part = add_part(name, found.shapes);
+  separate_repeats(bodies, prototype);
+  if (!bodies.empty() || !content.wires.empty() || !content.points.empty()) {
+    prototype.part = add_part(name, bodies);
     Part& part = model_.parts[prototype.part];
-    part.wires = std::move(wires.edges);
-    part.points = std::move(points);
+    part.wires = std::move(content.wires);
+    part.points = std::move(content.points);
     part.colour = colour_of(shape);
   }
   return prototype;
+}
+
+// Datum planes, sketches and reference points. Files rarely say so: STEP has constructive geometry, but programs write
+// datums as surfaces, curves and points of the part's own representation. What has no body beside it is the part
+// itself. Surfaces stay beside bodies that were only sewn, since they may be bodies with larger gaps.
+void TreeBuilder::omit_construction(Content& content, const Company& company) {
+  Bodies& bodies = content.bodies;
+  if (bodies.closed.empty() && !company.has_solid && !company.has_closed_shell) return;
+  omitted_lines_ += content.wires.size() + content.endless;
+  omitted_points_ += content.points.size();
+  content.wires.clear();
+  content.points.clear();
+  content.endless = 0;
+  if ((bodies.solids == 0 && !company.has_solid) || bodies.open.empty()) return;
+  omitted_surfaces_ += bodies.open.size();
+  bodies.open.clear();
+  if (bodies.closed.size() == bodies.solids) bodies.loose = bodies.sewn_into = 0;
 }
 
 void TreeBuilder::separate_repeats(std::vector<TopoDS_Shape>& bodies, Prototype& prototype) {

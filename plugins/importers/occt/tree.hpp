@@ -8,17 +8,23 @@
 #include <TDocStd_Document.hxx>
 #include <epura/importer_plugin.hpp>
 
+#include "bodies.hpp"
 #include "model.hpp"
 
 namespace occt {
 
 class TreeBuilder {
  public:
-  TreeBuilder(Model& model, const Attributes& attributes) : model_(model), attributes_(attributes) {}
+  TreeBuilder(Model& model, const Attributes& attributes, Construction construction)
+      : model_(model), attributes_(attributes), construction_(construction) {}
 
-  /// Adds the shape where `place` says, after its own location. `part_name` is that of the shape wherever it occurs.
-  void add(const TopoDS_Shape& shape, const std::string& part_name, Place place);
+  /// Adds the shape where `place` says, after its own location. `part_name` is that of the shape wherever it occurs;
+  /// `company` is in the same product as the shape.
+  void add(const TopoDS_Shape& shape, const std::string& part_name, Place place, const Company& company = {});
   std::uint32_t add_assembly(Place place);
+
+  /// Whether the shape is that of a product, not one of several representations of one.
+  [[nodiscard]] bool is_product(const TopoDS_Shape& shape) const;
 
   /// Adds notes about omitted parts of the shapes.
   void finish();
@@ -30,7 +36,16 @@ class TreeBuilder {
     std::vector<Place> inside;
   };
 
-  Prototype make(const TopoDS_Shape& shape, const std::string& name);
+  /// What a shape consists of.
+  struct Content {
+    Bodies bodies;
+    std::vector<TopoDS_Edge> wires;
+    std::size_t endless = 0;  ///< other edges outside faces, which are infinite or have no curve
+    std::vector<gp_Pnt> points;
+  };
+
+  Prototype make(const TopoDS_Shape& shape, const std::string& name, const Company& company);
+  void omit_construction(Content& content, const Company& company);
   void separate_repeats(std::vector<TopoDS_Shape>& bodies, Prototype& prototype);
   std::uint32_t add_part(const std::string& name, const std::vector<TopoDS_Shape>& bodies);
   [[nodiscard]] std::string name_of(const TopoDS_Shape& body) const;
@@ -38,8 +53,10 @@ class TreeBuilder {
 
   Model& model_;
   const Attributes& attributes_;
+  Construction construction_;
   NCollection_IndexedDataMap<TopoDS_Shape, Prototype, TopTools_ShapeMapHasher> prototypes_;
   std::size_t endless_ = 0, loose_ = 0, sewn_into_ = 0;
+  std::size_t omitted_surfaces_ = 0, omitted_lines_ = 0, omitted_points_ = 0;
 };
 
 /// Adds the tree of an XCAF document.

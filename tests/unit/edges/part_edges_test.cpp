@@ -439,6 +439,83 @@ TEST(SmoothContours, OfFacetsThatATessellationTurnsOverAreNotDrawn) {
   }
 }
 
+// A shaft on a plate with a fillet between them, on which the vertices of the tessellation have no order.
+Shape shaft_on_plate(int rows, int sides) {
+  std::mt19937 random(1);
+  const auto shift = [&] { return 0.8 * (double(random()) / double(std::mt19937::max()) - 0.5); };
+  Shape shape;
+  const auto add_ring = [&](double radius, double z) {
+    for (int i = 0; i < sides; ++i) {
+      const double u = 2 * pi * i / sides;
+      shape.points.push_back({radius * std::cos(u), radius * std::sin(u), z});
+    }
+  };
+  add_ring(60, -10);
+  add_ring(60, 0);
+  for (int row = 0; row <= rows; ++row)
+    for (int i = 0; i < sides; ++i) {
+      const bool inside = row > 0 && row < rows;
+      const double v = (rows - row + (inside ? shift() : 0)) * pi / 2 / rows;
+      const double u = 2 * pi * (i + (inside ? shift() : 0)) / sides, radius = 43 - 6 * std::cos(v);
+      shape.points.push_back({radius * std::cos(u), radius * std::sin(u), 6 - 6 * std::sin(v)});
+    }
+  add_ring(37, 40);
+  std::vector<int> below, above;
+  for (int i = 0; i < sides; ++i) {
+    below.insert(below.begin(), i);
+    above.push_back((rows + 3) * sides + i);
+    for (int row = 0; row < rows + 3; ++row) {
+      const int a = row * sides + i, b = row * sides + (i + 1) % sides;
+      shape.faces.push_back({a, b, b + sides});
+      shape.faces.push_back({a, b + sides, a + sides});
+    }
+  }
+  shape.faces.push_back(below);
+  shape.faces.push_back(above);
+  return shape;
+}
+
+// The edges around each triangle of the fillet that alone is seen from the other side than all its neighbours, where no
+// other such edges meet them.
+std::set<std::array<int, 2>> around_single_facets(const mesh::Mesh& mesh, const Vec3& towards) {
+  const auto is_front = [&](int t) {
+    const auto [a, b, c] = mesh.triangle(t);
+    return glm::dot(glm::cross(mesh.point(b) - mesh.point(a), mesh.point(c) - mesh.point(a)), towards) > 0;
+  };
+  std::map<int, std::vector<std::array<int, 2>>> turned_over;
+  std::map<int, int> contours_at;
+  for (const mesh::MeshEdge& edge : mesh.edges) {
+    const auto two = mesh.triangles_of(edge);
+    if (is_front(two[0]) == is_front(two[1])) continue;
+    for (const int v : edge.vertex) ++contours_at[v];
+    const auto is_on_fillet = [&](int v) { return mesh.point(v).z > -1e-9 && mesh.point(v).z < 6 + 1e-9; };
+    if (!is_on_fillet(edge.vertex[0]) || !is_on_fillet(edge.vertex[1])) continue;
+    for (const int t : two) turned_over[t].push_back(edge.vertex);
+  }
+  std::set<std::array<int, 2>> edges;
+  const auto is_alone = [&](const std::array<int, 2>& edge) {
+    return contours_at[edge[0]] == 2 && contours_at[edge[1]] == 2;
+  };
+  for (const auto& [t, around] : turned_over)
+    if (around.size() == 3 && std::all_of(around.begin(), around.end(), is_alone))
+      edges.insert(around.begin(), around.end());
+  return edges;
+}
+
+// Where the contour of a fillet ends behind a shaft, its facets may face either way.
+TEST(SmoothContours, OfSingleFacetsAreNotDrawn) {
+  const world::World world = recognised(world_of(shaft_on_plate(6, 48)));
+  int found = 0;
+  for (int turn = 0; turn < 360; turn += 7) {
+    const Vec3 towards(std::cos(turn * pi / 180), std::sin(turn * pi / 180), 0.6);
+    const std::set<std::array<int, 2>> around = around_single_facets(*world.models[0].mesh, towards);
+    found += static_cast<int>(around.size());
+    for (const drawing::Segment& segment : draw(world, orthographic(towards)).drawing.segments)
+      EXPECT_FALSE(around.contains(segment.edge)) << turn << (segment.visible ? " visible" : " hidden");
+  }
+  EXPECT_GT(found, 10);
+}
+
 // A pipe whose rows of vertices are turned by half a facet against each other, as meshers for computations make them.
 Shape staggered_pipe(double radius, int rows, int sides) {
   Shape shape;

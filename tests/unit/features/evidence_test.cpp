@@ -2,7 +2,14 @@
 // What would break if this were wrong: radii that no designer chose, and fillets in pieces.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "features/chords.hpp"
 #include "features/recognise.hpp"
+#include "features/round_regions.hpp"
 #include "shapes.hpp"
 
 namespace epura {
@@ -57,6 +64,65 @@ Part edge_with_one_arc(double size) {
 TEST(Evidence, AnArcAndThreeVerticesAreACylinderOnlyIfTheyLieOnItExactly) {
   EXPECT_EQ(count(recognise(edge_with_one_arc(10).round_to_float()), features::SurfaceKind::cylinder), 1);
   EXPECT_EQ(count(recognise(edge_with_one_arc(500).round_to_float()), features::SurfaceKind::cylinder), 0);
+}
+
+/// A shaft of fine facets, but for a spot of sixteen by sixteen of them with two triangles in the middle as wide as
+/// half of it.
+Part shaft_with_coarse_spot() {
+  constexpr int sides = 192, rows = 30, half = 8;
+  Part part;
+  for (int row = 0; row <= rows; ++row)
+    for (int i = 0; i < sides; ++i) {
+      // Triangles of other rows lie in other planes.
+      const double a = 2 * std::numbers::pi * (i + 0.1 * ((3 * row + i) % 5)) / sides;
+      part.add({31 * std::cos(a), 31 * std::sin(a), double(row)});
+    }
+  const auto at = [&](int row, int i) { return row * sides + (i + sides) % sides; };
+  constexpr int middle = 15;  // the row; the spot is around i = 0
+  for (int row = 0; row < rows; ++row)
+    for (int i = 0; i < sides; ++i) {
+      const bool in_spot = row >= middle - half && row < middle + half && (i < half || i >= sides - half);
+      if (in_spot) continue;
+      part.faces.push_back({at(row, i), at(row, i + 1), at(row + 1, i + 1)});
+      part.faces.push_back({at(row, i), at(row + 1, i + 1), at(row + 1, i)});
+    }
+  // Strips across the corners of the spot, each longer than the one before.
+  for (const int up : {-1, 1})
+    for (const int right : {-1, 1}) {
+      const auto on_side = [&](int k) { return at(middle + up * (half - k), right * half); };
+      const auto on_end = [&](int k) { return at(middle + up * half, right * (half - k)); };
+      const auto add = [&](int a, int b, int c) {
+        part.faces.push_back(up * right > 0 ? std::vector{a, b, c} : std::vector{a, c, b});
+      };
+      add(on_side(0), on_end(1), on_side(1));
+      for (int k = 1; k < half; ++k) {
+        add(on_side(k), on_end(k), on_end(k + 1));
+        add(on_side(k), on_end(k + 1), on_side(k + 1));
+      }
+    }
+  const int left = at(middle, -half), right = at(middle, half), low = at(middle - half, 0), high = at(middle + half, 0);
+  part.faces.push_back({low, right, high});
+  part.faces.push_back({low, high, left});
+  std::vector<int> bottom, top;
+  for (int i = 0; i < sides; ++i) {
+    bottom.insert(bottom.begin(), at(0, i));
+    top.push_back(at(rows, i));
+  }
+  part.faces.push_back(bottom);
+  part.faces.push_back(top);
+  return part;
+}
+
+TEST(Evidence, TrianglesManyTimesAsLargeAsThoseAroundThemAreNoFlats) {
+  const mesh::Mesh mesh = shaft_with_coarse_spot().mesh();
+  const features::Facets facets = features::make_facets(mesh);
+  auto [regions, region_of] = features::find_round_regions(facets, {});
+  ASSERT_GT(regions.front().facets.size(), facets.facets.size() / 2);
+  // In most meshes, the spot is too small to prove its surface.
+  regions.resize(1);
+  for (int& region : region_of) region = region == 0 ? 0 : -1;
+  features::take_chords(facets, region_of, regions);
+  EXPECT_EQ(std::count(region_of.begin(), region_of.end(), -1), 2) << "the ends";
 }
 
 }  // namespace

@@ -36,8 +36,10 @@
 #include <algorithm>
 #include <cmath>
 #include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
 #include <map>
 #include <numbers>
+#include <regex>
 
 #include "shapes.hpp"
 #include "support.hpp"
@@ -118,6 +120,8 @@ TopoDS_Shape circle(double radius, double height) {
   return BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(0, 0, height), gp::DZ()), radius)).Shape();
 }
 
+TopoDS_Shape point(double x, double y, double z) { return BRepBuilderAPI_MakeVertex(gp_Pnt(x, y, z)).Shape(); }
+
 // Of pieces that no face has.
 struct Wires {
   int pieces = 0;
@@ -139,11 +143,13 @@ Wires wires_of(const mesh::Mesh& mesh) {
   return wires;
 }
 
+const foreign::Assignments drawn{{"construction", "draw"}};
+
 TEST(StepImporter, BringsEdgesWithoutFaces) {
   const Folder folder;
   BRepBuilderAPI_MakePolygon polygon(gp_Pnt(-5, 50, 5), gp_Pnt(35, 50, 5), gp_Pnt(35, 50, 65));
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
-  const importer::ReadModel model = read(step_file(folder, compound_of({box, polygon.Wire(), circle(100, -7)})));
+  const importer::ReadModel model = read(step_file(folder, compound_of({box, polygon.Wire(), circle(100, -7)})), drawn);
   ASSERT_NE(model.part, nullptr);
   EXPECT_EQ(model.part->faces.size(), 6U);
   EXPECT_EQ(count(*model.part, features::BorderKind::sharp), 12);
@@ -164,7 +170,7 @@ TEST(StepImporter, BringsEdgesWithoutFaces) {
 TEST(StepImporter, DividesWiresAsItDividesEdges) {
   const Folder folder;
   const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 30).Shape();
-  const mesh::Mesh mesh = read(step_file(folder, compound_of({cylinder, circle(10, 15)}))).mesh;
+  const mesh::Mesh mesh = read(step_file(folder, compound_of({cylinder, circle(10, 15)})), drawn).mesh;
   EXPECT_EQ(wires_of(mesh).pieces, wires_of(mesh).ends.size());
   for (const auto& [vertex, count] : wires_of(mesh).ends) {
     const Vec3 on_wire = mesh.point(vertex);
@@ -183,7 +189,7 @@ TEST(StepImporter, WiresAreHiddenByFaces) {
   const Folder folder;
   BRepBuilderAPI_MakePolygon polygon(gp_Pnt(-5, 50, 5), gp_Pnt(35, 50, 5), gp_Pnt(35, 50, 65));
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
-  const importer::ReadModel model = read(step_file(folder, compound_of({box, polygon.Wire()})));
+  const importer::ReadModel model = read(step_file(folder, compound_of({box, polygon.Wire()})), drawn);
   const Result result = draw(world_of(model), orthographic({0, -1, 0}));
   double visible = 0, hidden = 0;
   for (const drawing::Segment& s : result.drawing.segments)
@@ -196,7 +202,7 @@ TEST(StepImporter, WiresAreHiddenByFaces) {
 TEST(StepImporter, WiresOnRoundFacesAreSeenToTheContour) {
   const Folder folder;
   const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 30).Shape();
-  const importer::ReadModel model = read(step_file(folder, compound_of({cylinder, circle(10, 15)})));
+  const importer::ReadModel model = read(step_file(folder, compound_of({cylinder, circle(10, 15)})), drawn);
   const Result result = draw(world_of(model), orthographic({0.3, -1, 0.6}));
   std::map<bool, int> whole;
   int divided = 0;
@@ -229,11 +235,90 @@ TEST(StepImporter, DrawsNoEdgeOfAFaceTwice) {
   const TopoDS_Shape own = TopExp_Explorer(box, TopAbs_EDGE).Current();
   be_quiet();
   const std::string path = (folder / "part.brep").string();
-  ASSERT_TRUE(
-      BRepTools::Write(compound_of({box, own, BRepBuilderAPI_MakeVertex(gp_Pnt(0, 0, 90)).Shape()}), path.c_str()));
-  const importer::ReadModel model = read(path);
+  ASSERT_TRUE(BRepTools::Write(compound_of({box, own, point(0, 0, 90)}), path.c_str()));
+  const importer::ReadModel model = read(path, drawn);
   EXPECT_EQ(model.mesh.report.wires, model.mesh.report.point_arms);
   EXPECT_EQ(model.mesh.report.points, 1);
+}
+
+TopoDS_Shape datum_plane() {
+  return BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(20, 15, 10), gp::DX()), -100, 100, -100, 100).Shape();
+}
+
+constexpr const char* left_out =
+    "1 surface, 2 lines and 1 point beside solids left out as construction geometry: FILE:construction=draw draws it";
+
+/// A box with a plane, a sketch and a point, as one product in one representation.
+std::string file_with_construction(const Folder& folder) {
+  be_quiet();
+  const STEPControl_Writer before;
+  Interface_Static::SetCVal("write.step.assembly", "Off");
+  BRepBuilderAPI_MakePolygon sketch(gp_Pnt(-5, 50, 5), gp_Pnt(35, 50, 5), gp_Pnt(35, 50, 65));
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
+  std::string path = step_file(folder, compound_of({box, datum_plane(), sketch.Wire(), point(0, 0, 90)}));
+  Interface_Static::SetCVal("write.step.assembly", "Auto");
+  return path;
+}
+
+void expect_construction_left_out(const std::string& path) {
+  const importer::ReadModel model = read(path);
+  expect_extent(model.mesh, Vec3(0), Vec3(40, 30, 20), 1e-12);
+  EXPECT_EQ(model.mesh.report.open_edges, 0);
+  EXPECT_EQ(model.mesh.report.wires, 0);
+  EXPECT_EQ(model.mesh.report.points, 0);
+  EXPECT_EQ(model.mesh.report.notes, (std::vector<std::string>{left_out}));
+  const importer::ReadModel all = read(path, drawn);
+  EXPECT_EQ(all.mesh.report.triangles, model.mesh.report.triangles + 2);
+  EXPECT_EQ(all.mesh.report.open_edges, 4);
+  EXPECT_EQ(all.mesh.report.points, 1);
+  EXPECT_EQ(wires_of(all.mesh).pieces, 2 + all.mesh.report.point_arms);
+  EXPECT_TRUE(all.mesh.report.notes.empty());
+}
+
+TEST(StepImporter, LeavesOutConstructionBesideSolids) {
+  const Folder folder;
+  expect_construction_left_out(file_with_construction(folder));
+}
+
+// Most programs write solids, surfaces and curves of a product into representations of their own.
+TEST(StepImporter, LeavesOutConstructionInOtherRepresentationsOfTheProduct) {
+  const Folder folder;
+  std::string text = read_file(file_with_construction(folder));
+  const std::regex all("(#\\d+) = SHAPE_REPRESENTATION\\('',\\((#\\d+),(#\\d+),([#\\d,]+)\\),(#\\d+)\\);");
+  ASSERT_TRUE(std::regex_search(text, all));
+  text = std::regex_replace(text, all,
+                            "$1 = SHAPE_REPRESENTATION('',($2),$5);\n"
+                            "#9001 = ADVANCED_BREP_SHAPE_REPRESENTATION('',($3),$5);\n"
+                            "#9002 = SHAPE_REPRESENTATION('',($4),$5);\n"
+                            "#9003 = SHAPE_REPRESENTATION_RELATIONSHIP('','',$1,#9001);\n"
+                            "#9004 = SHAPE_REPRESENTATION_RELATIONSHIP('','',$1,#9002);");
+  expect_construction_left_out(folder.file("separate.step", text));
+}
+
+TEST(StepImporter, SurfacesAndLinesWithoutASolidAreThePart) {
+  const Folder folder;
+  const importer::ReadModel model = read(step_file(folder, compound_of({datum_plane(), circle(10, 3)})));
+  EXPECT_EQ(model.mesh.report.triangles, 2);
+  EXPECT_GT(wires_of(model.mesh).pieces, 17);
+  EXPECT_TRUE(model.mesh.report.notes.empty());
+}
+
+// One gap that is too wide makes a body an open surface.
+TEST(StepImporter, SurfacesBesideSewnBodiesStay) {
+  be_quiet();
+  const Folder folder;
+  std::vector<TopoDS_Shape> pieces{circle(10, 3)};
+  for (TopExp_Explorer each(BRepPrimAPI_MakeBox(40, 30, 20).Shape(), TopAbs_FACE); each.More(); each.Next())
+    pieces.push_back(each.Current());
+  pieces.push_back(BRepPrimAPI_MakeBox(gp_Pnt(100, 0, 0), 40, 30, 20).TopFace());
+  const std::string path = (folder / "part.brep").string();
+  ASSERT_TRUE(BRepTools::Write(compound_of(pieces), path.c_str()));
+  const importer::ReadModel model = read(path);
+  EXPECT_EQ(model.mesh.report.triangles, 12 + 2);
+  EXPECT_EQ(model.mesh.report.wires, 0);
+  ASSERT_EQ(model.mesh.report.notes.size(), 2U);
+  EXPECT_TRUE(model.mesh.report.notes[0].starts_with("1 line beside solids left out")) << model.mesh.report.notes[0];
+  EXPECT_EQ(model.mesh.report.notes[1], "7 loose faces and shells were sewn into 2");
 }
 
 TEST(IgesImporter, BringsCurves) {
@@ -405,6 +490,27 @@ TEST(StepImporter, AssembliesKeepNamesAndPlaces) {
   EXPECT_EQ(model.mesh.report.body_colours, (std::vector{blue, red, red}));
   expect_extent(model.mesh, Vec3(0), Vec3(50, 20, 114), 1e-9);
   EXPECT_NEAR(volume_of(model.mesh), 4000 + 2 * 40 * std::numbers::pi, 2);
+}
+
+// A seal, a label or the run of a cable is a part of its own.
+TEST(StepImporter, SurfacesAndLinesThatArePartsOfAnAssemblyStay) {
+  be_quiet();
+  const Folder folder;
+  Handle(TDocStd_Document) document;
+  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+  const Handle(XCAFDoc_ShapeTool) tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const TDF_Label whole = tool->NewShape();
+  for (const TopoDS_Shape& shape : {BRepPrimAPI_MakeBox(40, 30, 20).Shape(), datum_plane(), circle(10, 3)})
+    tool->AddComponent(whole, tool->AddShape(shape, Standard_False), TopLoc_Location());
+  tool->UpdateAssemblies();
+  const std::string path = (folder / "assembly.step").string();
+  STEPCAFControl_Writer writer;
+  ASSERT_TRUE(writer.Transfer(document));
+  ASSERT_EQ(writer.Write(path.c_str()), IFSelect_RetDone);
+  const importer::ReadModel model = read(path);
+  EXPECT_EQ(model.mesh.report.triangles, 12 + 2);
+  EXPECT_GT(wires_of(model.mesh).pieces, 17);
+  EXPECT_TRUE(model.mesh.report.notes.empty());
 }
 
 TEST(StepImporter, ReadsIgesAndBrep) {
