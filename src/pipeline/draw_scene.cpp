@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -14,6 +15,7 @@
 #include "pipeline/annotations.hpp"
 #include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
+#include "pipeline/coarse_meshes.hpp"
 #include "pipeline/compose.hpp"
 #include "pipeline/constructions.hpp"
 #include "pipeline/details.hpp"
@@ -114,21 +116,6 @@ struct Run {
 /// An attempt whose facets are too coarse for --max-error, by this factor.
 struct TooCoarse {
   double factor;
-};
-
-/// Messages of an attempt, told when it is known to be the last.
-class HeldMessages {
- public:
-  Messages messages() {
-    return {[this](const std::string& sentence) { held_.emplace_back(true, sentence); },
-            [this](std::string_view lines) { held_.emplace_back(false, lines); }};
-  }
-  void tell(const Messages& messages) const {
-    for (const auto& [warns, text] : held_) warns ? messages.warn(text) : messages.print(text);
-  }
-
- private:
-  std::vector<std::pair<bool, std::string>> held_;
 };
 
 void Run::find_heights(const world::World& world) {
@@ -363,6 +350,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
   warn_about_details(messages, views, plan);
   std::vector<ViewResult> results;
   std::string answers_of_sheet;
+  std::set<std::string> coarse;  // warnings, each for all views
   std::vector<std::vector<std::optional<SeenPoint>>> items_seen(seen.size());
   std::vector<std::vector<sheet::CalloutTarget>> targets;
   report::Partial partial;
@@ -379,6 +367,8 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
       warn_if_unseen(messages, *section, seen[i], views.plans[i].options.name);
     results.push_back(draw_view(input, std::move(seen[i]), time_of_next_view(), watch));
     warn_if_empty(messages, results.back(), input);
+    for (const std::string& warning : warnings_of_coarse_meshes(input, results.back().drawing, scene, progress))
+      if (coarse.insert(warning).second) messages.warn(warning);
     note(results.back());
     CalloutTargets found = find_targets(world(i), results.back().drawing, annotations[i].callouts);
     for (const std::string& warning : found.warnings) messages.warn(warning);
