@@ -352,6 +352,7 @@ class ThreadFinder {
   // or both, within two turns, all is as far from the axis as the crests.
   [[nodiscard]] static std::optional<bool> hand_of(const std::vector<Vec2>& crests, const Range& heights,
                                                    double pitch) {
+    constexpr double off = 0.15;  // turns
     for (const double cut : {0, 1, 2}) {
       const double from = heights.from + cut * pitch, to = heights.to - cut * pitch;
       if (to - from < least_turns * pitch) break;
@@ -359,8 +360,15 @@ class ThreadFinder {
       for (const Vec2& at : crests)
         if (at.y >= from && at.y <= to) some.push_back(at);
       if (some.empty() || !goes_around(some)) break;
-      for (const bool left : {false, true})
-        if (order_along(some, pitch, left) >= least_order) return left;
+      const double turns = (to - from) / pitch;
+      for (const bool left : {false, true}) {
+        const double order = order_along(some, pitch, left);
+        // A few turns suit a pitch about as large, too, but less than their own.
+        const auto suits_better = [&](double more) {
+          return cut > 0 && order_along(some, (to - from) / (turns + more), left) > order;
+        };
+        if (order >= least_order && !suits_better(off) && !suits_better(-off)) return left;
+      }
     }
     return std::nullopt;
   }
