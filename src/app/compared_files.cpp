@@ -15,6 +15,7 @@
 #include "base/text.hpp"
 #include "pipeline/draw_scene.hpp"
 #include "pipeline/targets.hpp"
+#include "sheet/standard_scale.hpp"
 
 namespace epura {
 
@@ -113,7 +114,8 @@ std::array<compare::PictureFile, 2> pictures_to_compare(const CompareOptions& op
   // Curved surfaces are divided into the same facets in both only if the scale is known before they are read.
   const char* const format = "drawing.json";
   const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
-  const double scale = draw_scene(one, format, options, silent).sheets[0].scale;
+  double scale = draw_scene(one, format, options, silent).sheets[0].scale;
+  if (!one.sheets[0].scale.given()) scale = sheet::standard_scale_up_to(scale);
   set_scale(one, scale);
   set_scale(other, scale);
   Drawn before = draw_scene(one, format, options, warnings()), after = draw_scene(other, format, options, warnings());

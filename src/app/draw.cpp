@@ -32,7 +32,8 @@ bool want_facts(const std::vector<pipeline::Target>& targets) {
 void expect_outputs(const DrawOptions& options) {
   const bool asked = !options.run.why.empty() || options.run.dump || options.run.explain || options.run.lint;
   if (!asked && options.outputs.empty())
-    throw Error(ErrorKind::input, "command line", "--output is required", "see 'epura draw --help'");
+    throw Error(ErrorKind::input, "command line", "--output is required",
+                "write where to draw, such as -o drawing.pdf; see 'epura draw --help'");
   if (asked && std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end())
     throw Error(ErrorKind::input, "--output -",
                 "conflicts with the answers of --why, --dump and explain on standard output",

@@ -10,6 +10,7 @@
 
 #include "base/angle.hpp"
 #include "base/portable_math.hpp"
+#include "base/range.hpp"
 #include "design/centred_features.hpp"
 #include "design/design_holes.hpp"
 #include "design/engraving.hpp"
@@ -206,11 +207,23 @@ class PartReader {
     return bevel;
   }
 
+  // The ends of all faces of one cylinder.
+  [[nodiscard]] std::array<Vec3, 2> reach_of(const RoundFace& whole) const {
+    const Vec3 axis = whole.face.surface.axis;
+    Range reach;
+    for (const RoundFace& round : round_)
+      if (&round == &whole || are_one_turn(round, whole))
+        for (const double at : {round.from, round.to}) reach.add(glm::dot(round.at(at) - whole.at(0), axis));
+    return {whole.at(0) + reach.from * axis, whole.at(0) + reach.to * axis};
+  }
+
   void add_shafts(std::vector<DesignCylinder>& cylinders) const {
     for (const RoundFace& round : round_)
-      if (round.face.surface.kind == SurfaceKind::cylinder && !round.face.inwards && round.is_whole())
+      if (round.face.surface.kind == SurfaceKind::cylinder && !round.face.inwards && round.is_whole()) {
         cylinders.push_back({model_, round.at(round.from), round.at(round.to), round.face.surface.axis,
                              round.face.surface.radius, false});
+        cylinders.back().reach = reach_of(round);
+      }
     for (const InterruptedFace& one : interrupted_) {
       const RoundFace& first = round_[static_cast<std::size_t>(one.parts.front())];
       const features::PartSurface& surface = first.face.surface;
@@ -425,21 +438,38 @@ void add_pitch_circles(const CentredFeatures& centred, DesignFeatures& found) {
   }
 }
 
-// Whether all of a level is inside a shaft, beside its axis, and reaches across it: no side of a keyway.
-bool is_cut_into(const DesignLevel& level, const DesignCylinder& shaft) {
-  const double slack = same_size * shaft.radius, length = glm::dot(shaft.to - shaft.from, shaft.axis);
+bool holds(const DesignCylinder& shaft, const Vec3& p) {
+  const double slack = same_size * shaft.radius, along = glm::dot(p, shaft.axis);
+  Range reach;
+  for (const Vec3& end : shaft.reach.value_or(std::array{shaft.from, shaft.to})) reach.add(glm::dot(end, shaft.axis));
+  return along >= reach.from - slack && along <= reach.to + slack &&
+         distance_from_line(p, shaft.from, shaft.axis) <= shaft.radius + slack;
+}
+
+bool are_coaxial(const DesignCylinder& a, const DesignCylinder& b) {
+  return !a.inwards && !b.inwards && are_parallel(a.axis, b.axis) &&
+         distance_from_line(b.from, a.from, a.axis) <= same_size * std::max(a.radius, b.radius);
+}
+
+// Whether a level is cut into a shaft, beside its axis, and reaches across it: no side of a keyway. Steps and grooves
+// divide the shaft into several.
+bool is_cut_into(const DesignLevel& level, const DesignCylinder& shaft, const std::vector<DesignCylinder>& cylinders) {
+  const double slack = same_size * shaft.radius;
   if (shaft.inwards || std::abs(shaft.axis[level.axis]) > parallel) return false;
   if (std::abs(level.at - shaft.from[level.axis]) <= slack) return false;
+  std::vector<const DesignCylinder*> line;
+  for (const DesignCylinder& other : cylinders)
+    if (are_coaxial(shaft, other)) line.push_back(&other);
+  const auto is_inside = [&line](const Vec3& p) {
+    return std::any_of(line.begin(), line.end(), [&p](const DesignCylinder* one) { return holds(*one, p); });
+  };
+  if (std::none_of(level.points.begin(), level.points.end(), [&](const Vec3& p) { return holds(shaft, p); }) ||
+      !std::all_of(level.points.begin(), level.points.end(), is_inside))
+    return false;
   const Vec3 across = glm::cross(shaft.axis, Mat3(1)[level.axis]);
-  double least = HUGE_VAL, most = -HUGE_VAL;
-  for (const Vec3& p : level.points) {
-    const double along = glm::dot(p - shaft.from, shaft.axis), aside = glm::dot(p - shaft.from, across);
-    if (along < std::min(0.0, length) - slack || along > std::max(0.0, length) + slack) return false;
-    if (distance_from_line(p, shaft.from, shaft.axis) > shaft.radius + slack) return false;
-    least = std::min(least, aside);
-    most = std::max(most, aside);
-  }
-  return least < -slack && most > slack;
+  Range aside;
+  for (const Vec3& p : level.points) aside.add(glm::dot(p - shaft.from, across));
+  return aside.from < -slack && aside.to > slack;
 }
 
 // Of several shafts around a level, the thinnest counts.
@@ -447,7 +477,8 @@ void find_other_sides(DesignFeatures& found) {
   for (DesignLevel& level : found.levels) {
     const DesignCylinder* thinnest = nullptr;
     for (const DesignCylinder& shaft : found.cylinders)
-      if ((thinnest == nullptr || shaft.radius < thinnest->radius) && is_cut_into(level, shaft)) thinnest = &shaft;
+      if ((thinnest == nullptr || shaft.radius < thinnest->radius) && is_cut_into(level, shaft, found.cylinders))
+        thinnest = &shaft;
     if (thinnest == nullptr) continue;
     const double middle = thinnest->from[level.axis];
     level.other_side = level.at > middle ? middle - thinnest->called() : middle + thinnest->called();

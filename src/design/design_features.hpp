@@ -58,6 +58,8 @@ struct DesignCylinder {
   bool inwards;
   std::optional<DesignThread> thread{};
   bool whole = true;  ///< otherwise slots, flats or teeth interrupt it
+  /// Its ends with those of other faces of the same cylinder that are no full turns.
+  std::optional<std::array<Vec3, 2>> reach{};
 
   /// Radius by which it is called.
   [[nodiscard]] double called() const { return thread ? thread->diameter / 2 : radius; }

@@ -314,29 +314,77 @@ class ThreadFinder {
         crests.emplace_back(around.turn(p), around.height(p));
     if (!goes_around(crests)) return std::nullopt;
     const double length = reach.height.to - reach.height.from;
-    const auto thread = best_size(crests, crest, internal, length);
+    const auto thread = best_size(crests, crest, internal, reach.height);
     if (!thread) {
       if (const auto pitch = pitch_of(crests, length)) others_.push_back({2 * crest * unit_, *pitch * unit_});
       return std::nullopt;
     }
-    return HelicalThread{around.origin,     around.axis,     internal, crest,
-                         reach.height.from, reach.height.to, *thread,  triangles};
+    return HelicalThread{around.origin,
+                         around.axis,
+                         internal,
+                         crest,
+                         reach.height.from,
+                         reach.height.to,
+                         full_depth(around, vertices, internal, near),
+                         *thread,
+                         triangles};
+  }
+
+  // The heights at which vertices are as far from the crests as most roots are: a chamfer may reach below these.
+  [[nodiscard]] Range full_depth(const AroundAxis& around, const std::vector<int>& vertices, bool internal,
+                                 double near) const {
+    constexpr std::size_t share = 10;  // of the vertices, one of so many is beyond
+    std::vector<double> radii;
+    for (const int v : vertices) radii.push_back((internal ? -1 : 1) * around.radius(mesh_.point(v)));
+    std::vector<double> sorted = radii;
+    const auto root = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / share);
+    std::nth_element(sorted.begin(), root, sorted.end());
+    Range heights;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      if (std::abs(radii[i] - *root) <= near) heights.add(around.height(mesh_.point(vertices[i])));
+    return heights;
+  }
+
+  // Whether crests are a left-handed helix; nothing if they are none. Where a thread runs out into a shaft at one end
+  // or both, within two turns, all is as far from the axis as the crests.
+  [[nodiscard]] static std::optional<bool> hand_of(const std::vector<Vec2>& crests, const Range& heights,
+                                                   double pitch) {
+    constexpr double off = 0.15;  // turns
+    for (const double cut : {0, 1, 2}) {
+      const double from = heights.from + cut * pitch, to = heights.to - cut * pitch;
+      if (to - from < least_turns * pitch) break;
+      std::vector<Vec2> some;
+      for (const Vec2& at : crests)
+        if (at.y >= from && at.y <= to) some.push_back(at);
+      if (some.empty() || !goes_around(some)) break;
+      const double turns = (to - from) / pitch;
+      for (const bool left : {false, true}) {
+        const double order = order_along(some, pitch, left);
+        // A few turns suit a pitch about as large, too, but less than their own.
+        const auto suits_better = [&](double more) {
+          return cut > 0 && order_along(some, (to - from) / (turns + more), left) > order;
+        };
+        if (order >= least_order && !suits_better(off) && !suits_better(-off)) return left;
+      }
+    }
+    return std::nullopt;
   }
 
   // The size whose diameter is nearest, of those whose pitch is that of the crests.
   [[nodiscard]] std::optional<scene::Thread> best_size(const std::vector<Vec2>& crests, double crest, bool internal,
-                                                       double length) const {
+                                                       const Range& reach) const {
     const double diameter = 2 * crest * unit_;
     std::optional<scene::Thread> best;
     double least = HUGE_VAL;
     for (const scene::Thread& thread : scene::threads_between(diameter / scene::largest_shaft, 1.5 * diameter + 1)) {
-      if (!scene::suits(thread, diameter, internal) || length * unit_ < least_turns * thread.pitch) continue;
-      const bool left = order_along(crests, thread.pitch / unit_, true) >= least_order;
-      if (!left && order_along(crests, thread.pitch / unit_, false) < least_order) continue;
+      if (!scene::suits(thread, diameter, internal) || (reach.to - reach.from) * unit_ < least_turns * thread.pitch)
+        continue;
+      const auto left = hand_of(crests, reach, thread.pitch / unit_);
+      if (!left) continue;
       const double off = std::abs((internal ? thread.minor() : thread.diameter) - diameter);
       if (off >= least) continue;
       best = thread;
-      if (left) best->text += "-LH";
+      if (*left) best->text += "-LH";
       least = off;
     }
     return best;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/range.hpp"
 #include "features/recognise.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/threads.hpp"
@@ -18,6 +19,7 @@ struct HelicalThread {
   bool internal;
   double crest;                ///< radius of the cylinder through the crests
   double low, high;            ///< heights of its ends, from the origin
+  Range full;                  ///< heights between which it has its full depth; beyond, it runs out
   scene::Thread thread;        ///< size of ISO 261 with this pitch
   std::vector<int> triangles;  ///< ascending
 };

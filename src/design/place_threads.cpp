@@ -62,6 +62,16 @@ class ThreadPlacer {
     }
   }
 
+  [[nodiscard]] std::optional<double> depth_between(double radius, const Vec3& begin, const Vec3& end) const {
+    for (const Cylinder& one : cylinders_) {
+      const double height = one.height_of(end);
+      if (!are_same(one.surface().radius, radius) || !one.is_around(end) || height < one.low || height > one.high)
+        continue;
+      return one.height_of(begin) > height ? one.high - height : height - one.low;
+    }
+    return std::nullopt;
+  }
+
   void place(const scene::ThreadDescription& description, int number, const Vec3& position) {
     const scene::Thread thread = scene::parse_thread(*description.thread, description.thread.where);
     const Cylinder cylinder = cylinder_at(description, thread, position);
@@ -194,6 +204,10 @@ void place_threads(world::World& world, std::span<const scene::ThreadDescription
   if (threads.empty()) return;
   ThreadPlacer placer(world);
   for (std::size_t i = 0; i < threads.size(); ++i) placer.place(threads[i], static_cast<int>(i), positions[i]);
+}
+
+std::optional<double> depth_of_thread(world::World& world, double radius, const Vec3& begin, const Vec3& end) {
+  return ThreadPlacer(world).depth_between(radius, begin, end);
 }
 
 }  // namespace epura::design

@@ -135,23 +135,31 @@ class Shells {
       const double part = glm::dot(point(a) - from, glm::cross(point(b) - from, point(c) - from)) / 6;
       volume_[root] += turned ? -part : part;
     }
+    double enclosed = 0;
     for (std::size_t root = 0; root < box.size(); ++root) {
       const Vec3 size = box[root].size();
       const double longest = std::max({size.x, size.y, size.z});
       if (ways_.is_contradictory(static_cast<int>(root)) ||
           !(std::abs(volume_[root]) > least_volume * longest * longest * longest))
         volume_[root] = 0;
+      enclosed += volume_[root];
     }
+    // Faces at which two bodies touch all around, as a shaft and its bearing do, enclose nothing by themselves. Which
+    // of two coincident ones belongs to which body makes no difference, as long as it is the same everywhere.
+    for (std::size_t root = 0; root < box.size(); ++root)
+      if (volume_[root] == 0 && !ways_.is_contradictory(static_cast<int>(root))) volume_[root] = enclosed;
   }
 
   // The triangles in order around the edge, where material alternately begins and ends; empty if there is no such
   // order. Coincident faces of two bodies enclose nothing: one body ends before the other begins.
   [[nodiscard]] Leaves in_turns(const MeshEdge& edge) {
-    const double volume = volume_[ways_.of(table_.halfedges_of(edge)[0] / 3).root];
     Leaves leaves;
-    if (volume == 0) return leaves;
     for (Leaves& cluster : clusters_around(edge)) {
-      for (Leaf& leaf : cluster) leaf.ends_material = (leaf.forward ^ ways_.of(leaf.triangle).turned) == (volume > 0);
+      for (Leaf& leaf : cluster) {
+        const auto [root, turned] = ways_.of(leaf.triangle);
+        if (volume_[root] == 0) return {};
+        leaf.ends_material = (leaf.forward ^ turned) == (volume_[root] > 0);
+      }
       std::stable_partition(cluster.begin(), cluster.end(), [](const Leaf& leaf) { return leaf.ends_material; });
       leaves.insert(leaves.end(), cluster.begin(), cluster.end());
     }

@@ -467,6 +467,12 @@ bool has_lettering(const SheetInput& input, std::span<const ViewResult> views) {
 
 }  // namespace
 
+bool AnnotationLayers::leaves_out_more_than(const std::optional<std::size_t>& most) const {
+  std::size_t count = 0;
+  for (const std::vector<std::size_t>& of_view : left_out) count += of_view.size();
+  return most && count > *most;
+}
+
 AnnotationLayers annotation_layers(const SheetInput& input, std::span<const ViewResult> views,
                                    const std::vector<sheet::Text>& labels, const Budget& budget) {
   const sheet::SheetFurniture& furniture = input.plan.furniture;
@@ -499,6 +505,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     if (input.annotations[i].dimensions.empty()) continue;
     open_font();
     attached[i] = add_dimensions(result, around, {input, views, i, reserved}, style(), budget);
+    if (result.leaves_out_more_than(input.most_left_out)) return result;
   }
   if (lettering) {
     add_callouts(result, around, input, views, style(), std::move(attached));

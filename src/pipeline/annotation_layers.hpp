@@ -20,10 +20,13 @@ struct AnnotationLayers {
   std::vector<std::vector<std::size_t>> left_out;  ///< by view: numbers of dimensions for which the sheet has no room
   std::vector<std::string> warnings;
   std::vector<report::Finding> findings;
+
+  [[nodiscard]] bool leaves_out_more_than(const std::optional<std::size_t>& most) const;
 };
 
 /// `views` are in the order of the sheet; `labels` are above them. Throws Error{input} for dimensions that cannot be
-/// drawn. Opens no font if there is nothing to write.
+/// drawn. Returns as soon as it leaves out more dimensions than `input` permits. Opens no font if there is nothing to
+/// write.
 AnnotationLayers annotation_layers(const SheetInput& input, std::span<const ViewResult> views,
                                    const std::vector<sheet::Text>& labels, const Budget& budget);
 

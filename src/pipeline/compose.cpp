@@ -259,6 +259,11 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   const sheet::LineWidths widths = sheet::line_widths(paper, furniture.styles);
   construct(input, results);
   AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
+  finished.is_crowded = !beside.warnings.empty();
+  if (beside.leaves_out_more_than(input.most_left_out)) {
+    finished.left_out = std::move(beside.left_out);
+    return finished;
+  }
   auto hatching =
       budget.or_nothing([&](const Progress& p) { return hatch_layers(input, results, beside.layers, widths, p); });
   hatching.resize(results.size());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -14,6 +15,7 @@
 #include "pipeline/annotations.hpp"
 #include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
+#include "pipeline/coarse_meshes.hpp"
 #include "pipeline/compose.hpp"
 #include "pipeline/constructions.hpp"
 #include "pipeline/details.hpp"
@@ -61,6 +63,17 @@ struct Gathered {
   std::vector<sheet::DimensionsInView> dimensioned{};  ///< for lint
 };
 
+/// A sheet before its views are positioned.
+struct PreparedSheet {
+  SheetOfViews views;
+  std::vector<view::ProjectedScene> seen;  ///< empty once it is drawn
+  std::vector<Annotations> annotations;
+  std::vector<sheet::DimensionsInView> anchored;  ///< for lint
+};
+
+struct Attempt;
+using DrawSheet = std::function<FinishedSheet()>;
+
 /// The state of a run.
 struct Run {
   scene::SceneDescription scene;
@@ -88,29 +101,21 @@ struct Run {
   std::vector<view::ProjectedScene> map_views(const WorldOfView& world, const SheetOfViews& views);
   void choose_by_world(SheetOfViews& views, const ShownWorlds& worlds,
                        const std::vector<view::ProjectedScene>& seen) const;
-  FinishedSheet draw_sheet(const ShownWorlds& worlds, SheetOfViews views);
-  FinishedSheet draw_sheet_with_room(const ShownWorlds& worlds, SheetOfViews views);
+  PreparedSheet prepare_sheet(const ShownWorlds& worlds, SheetOfViews views);
+  SheetPlan plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const LayoutWish& layout) const;
+  FinishedSheet draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared, const SheetPlan& plan,
+                           const std::optional<std::size_t>& most_left_out);
+  void finish(FinishedSheet& sheet, const SheetPlan& plan, std::vector<sheet::DimensionsInView> anchored);
+  Attempt attempt(const DrawSheet& draw);
+  std::optional<Attempt> attempt_if(const DrawSheet& draw, const std::function<bool(const FinishedSheet&)>& is_better);
+  std::optional<Attempt> attempt_better(const ShownWorlds& worlds, PreparedSheet& sheet, const SheetPlan& usual);
+  FinishedSheet draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views);
   std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
 
 /// An attempt whose facets are too coarse for --max-error, by this factor.
 struct TooCoarse {
   double factor;
-};
-
-/// Messages of an attempt, told when it is known to be the last.
-class HeldMessages {
- public:
-  Messages messages() {
-    return {[this](const std::string& sentence) { held_.emplace_back(true, sentence); },
-            [this](std::string_view lines) { held_.emplace_back(false, lines); }};
-  }
-  void tell(const Messages& messages) const {
-    for (const auto& [warns, text] : held_) warns ? messages.warn(text) : messages.print(text);
-  }
-
- private:
-  std::vector<std::pair<bool, std::string>> held_;
 };
 
 void Run::find_heights(const world::World& world) {
@@ -300,19 +305,10 @@ void set_least_threads(SheetOfViews& views, const SheetPlan& plan) {
   for (PlannedView& view : views.plans) view.options.least_thread = std::max(least_thread, 2 * wide);
 }
 
-FinishedSheet does_not_fit() {
-  FinishedSheet nothing{{}};
-  nothing.inside = false;
-  return nothing;
-}
-
-FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
+// All that does not depend on where the views are on the sheet.
+PreparedSheet Run::prepare_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   const world::World& whole = worlds.main();
-  const auto shown = [&](std::size_t view) -> const ShownWorld& { return worlds.of(views.descriptions[view]); };
-  const auto section = [&](std::size_t view) { return section_of(shown(view).sections, views.descriptions[view]); };
-  const auto world = [&](std::size_t view) -> const world::World& {
-    return section(view) == nullptr ? shown(view).world : section(view)->cut.world;
-  };
+  const auto world = [&](std::size_t view) -> const world::World& { return worlds.seen_in(views.descriptions[view]); };
   orient_arrow_views(views, world);
   std::vector<view::ProjectedScene> seen = map_views(world, views);
   choose_by_world(views, worlds, seen);
@@ -320,16 +316,41 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   views.epura = epura_views(scene.sheets[static_cast<std::size_t>(views.sheet)], views, seen);
   expect_constructions(views, seen);
   views.items = items_of(whole, views);
-  const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
+  std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
   std::vector<sheet::DimensionsInView> anchored;
   if (options.lint) anchored = anchored_dimensions(whole, views, seen, annotations);
-  const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
-  if (views.room_share < 1 && !plan.inside) return does_not_fit();
+  return {std::move(views), std::move(seen), std::move(annotations), std::move(anchored)};
+}
+
+// Projecting takes less time than keeping a copy takes memory.
+void project_again(PreparedSheet& sheet, const ShownWorlds& worlds) {
+  if (!sheet.seen.empty()) return;
+  for (std::size_t i = 0; i < sheet.views.plans.size(); ++i) {
+    const scene::ViewDescription& view = sheet.views.descriptions[i];
+    sheet.seen.push_back(project_scene(worlds.seen_in(view), sheet.views.plans[i], view));
+  }
+}
+
+SheetPlan Run::plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const LayoutWish& layout) const {
+  project_again(sheet, worlds);
+  sheet.views.layout = layout;
+  return plan_sheet(worlds.main(), scene, sheet.views, sheet.seen, sheet.annotations);
+}
+
+FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared, const SheetPlan& plan,
+                              const std::optional<std::size_t>& most_left_out) {
+  project_again(prepared, worlds);
+  std::vector<view::ProjectedScene> seen = std::exchange(prepared.seen, {});
+  SheetOfViews views = prepared.views;
+  const std::vector<Annotations>& annotations = prepared.annotations;
+  const auto shown = [&](std::size_t view) -> const ShownWorld& { return worlds.of(views.descriptions[view]); };
+  const auto world = [&](std::size_t view) -> const world::World& { return worlds.seen_in(views.descriptions[view]); };
   set_least_threads(views, plan);
   tell_of_scales(messages, plan, scene.sheets[static_cast<std::size_t>(views.sheet)], views);
   warn_about_details(messages, views, plan);
   std::vector<ViewResult> results;
   std::string answers_of_sheet;
+  std::set<std::string> coarse;  // warnings, each for all views
   std::vector<std::vector<std::optional<SeenPoint>>> items_seen(seen.size());
   std::vector<std::vector<sheet::CalloutTarget>> targets;
   report::Partial partial;
@@ -337,14 +358,17 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const std::vector<BrokenOutSection> broken_out =
         cut_broken_outs(world(i), scene, views.descriptions[i], seen[i].projection, messages);
-    ViewInput input{world(i), section(i), views.plans[i].options, plan.places[i], shown(i).traces, broken_out};
+    const CutSection* section = section_of(shown(i).sections, views.descriptions[i]);
+    ViewInput input{world(i), section, views.plans[i].options, plan.places[i], shown(i).traces, broken_out};
     input.known = scene.views.size() > 1 ? &intersections[&world(i)] : nullptr;
     input.heights = heights ? &*heights : nullptr;
     // Of a detail, this is said of the view that it enlarges.
-    if (input.section != nullptr && !input.options.detail)
-      warn_if_unseen(messages, *input.section, seen[i], views.plans[i].options.name);
+    if (section != nullptr && !input.options.detail)
+      warn_if_unseen(messages, *section, seen[i], views.plans[i].options.name);
     results.push_back(draw_view(input, std::move(seen[i]), time_of_next_view(), watch));
     warn_if_empty(messages, results.back(), input);
+    for (const std::string& warning : warnings_of_coarse_meshes(input, results.back().drawing, scene, progress))
+      if (coarse.insert(warning).second) messages.warn(warning);
     note(results.back());
     CalloutTargets found = find_targets(world(i), results.back().drawing, annotations[i].callouts);
     for (const std::string& warning : found.warnings) messages.warn(warning);
@@ -358,13 +382,10 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   if (options.arcs) tell_of_curves(messages, results);
   if (!plan.inside) warn_about(messages, plan);
   gathered.report.cut_off = gathered.report.cut_off || !plan.on_paper;
-  FinishedSheet sheet = compose(
-      {whole, scene, views, plan, annotations, std::move(targets), balloons_of(views, items_seen)}, results, budget);
-  sheet.next_size = plan.next_size;
-  sheet.chosen = plan.chosen;
-  sheet.inside = plan.inside;
-  leave_out(anchored, sheet.left_out);
-  add_all(gathered.dimensioned, std::move(anchored));
+  FinishedSheet sheet = compose({worlds.main(), scene, views, plan, annotations, std::move(targets),
+                                 balloons_of(views, items_seen), most_left_out},
+                                results, budget);
+  finish(sheet, plan, prepared.anchored);
   gathered.answers += sheet.answers = std::move(answers_of_sheet);
   if (options.line_facts)
     for (std::size_t i = 0; i < sheet.drawings.size(); ++i) add_line_facts(sheet.sheet, sheet.drawings[i], world(i));
@@ -377,70 +398,109 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   return sheet;
 }
 
+void Run::finish(FinishedSheet& sheet, const SheetPlan& plan, std::vector<sheet::DimensionsInView> anchored) {
+  sheet.next_size = plan.next_size;
+  sheet.inside = plan.inside;
+  leave_out(anchored, sheet.left_out);
+  add_all(gathered.dimensioned, std::move(anchored));
+}
+
+/// A sheet that is drawn, but not noted as a result yet.
+struct Attempt {
+  FinishedSheet sheet;
+  HeldMessages told;
+  Gathered gathered;
+};
+
+// Leaves `gathered` as it was. If the sheet cannot be drawn, the messages are told.
+Attempt Run::attempt(const DrawSheet& draw) {
+  const Messages outside = messages;
+  const Gathered before = gathered;
+  HeldMessages held;
+  messages = held.messages();
+  try {
+    FinishedSheet sheet = draw();
+    messages = outside;
+    return {std::move(sheet), std::move(held), std::exchange(gathered, before)};
+  } catch (...) {
+    messages = outside;
+    gathered = before;
+    held.tell(messages);
+    throw;
+  }
+}
+
+// Nothing unless it is complete and `is_better`; another sheet is drawn then.
+std::optional<Attempt> Run::attempt_if(const DrawSheet& draw,
+                                       const std::function<bool(const FinishedSheet&)>& is_better) {
+  constexpr double part = 0.4;  // of the time left
+  const Messages outside = std::exchange(messages, {});
+  const Progress whole = std::exchange(progress, progress.with_part_of_the_time(part));
+  std::optional<Attempt> result;
+  const auto restore = [&] {
+    messages = outside;
+    progress = whole;
+  };
+  try {
+    result = attempt(draw);
+  } catch (const OutOfTime&) {
+  } catch (const Error&) {
+    // Something is not on this paper. What is wrong on any paper is told of the other sheet.
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
+  if (result && !(is_better(result->sheet) && result->gathered.report.partial.stages.empty())) return std::nullopt;
+  return result;
+}
+
 std::size_t left_out_of(const FinishedSheet& sheet) {
   std::size_t count = 0;
   for (const std::vector<std::size_t>& of_view : sheet.left_out) count += of_view.size();
   return count;
 }
 
-// The room for dimensions that the first scale has is an estimate: short ones share lines, and most are on one side of
-// their view. So the next larger scale counts if everything is placed on half of it.
-bool may_be_larger(const scene::SceneDescription& scene, const world::World& world, const FinishedSheet& sheet) {
-  constexpr std::size_t most = 200'000;  // triangles: drawing more once again takes too long
-  return sheet.chosen && sheet.inside && dimensions_features(scene) && world.triangles.size() <= most;
+bool is_complete(const FinishedSheet& sheet) {
+  return left_out_of(sheet) == 0 && sheet.findings.empty() && !sheet.is_crowded;
 }
 
-FinishedSheet Run::draw_sheet_with_room(const ShownWorlds& worlds, SheetOfViews views) {
-  constexpr double share = 0.5, to_next = 2.6;  // times 1, 2 or 5 is above the next one, and below the one after that
-  const Messages outside = messages;
-  const Gathered before = gathered;
-  const auto draw = [&] {
-    HeldMessages held;
-    messages = held.messages();
-    try {
-      FinishedSheet sheet = draw_sheet(worlds, views);
-      messages = outside;
-      return std::pair(std::move(sheet), std::move(held));
-    } catch (...) {
-      messages = outside;
-      held.tell(messages);
-      throw;
-    }
-  };
-  auto [first, told_of_first] = draw();
-  FinishedSheet best = std::move(first);
-  HeldMessages told = std::move(told_of_first);
-  const auto take_if = [&](const std::function<bool(const FinishedSheet&)>& is_better) {
-    Gathered of_best = std::exchange(gathered, before);
-    auto [other, told_of_other] = draw();
-    if (!other.inside || !is_better(other) || !gathered.report.partial.stages.empty()) {
-      gathered = std::move(of_best);
-      return false;
-    }
-    best = std::move(other);
-    told = std::move(told_of_other);
-    return true;
-  };
-  const auto improves = [&](const std::optional<double>& scale) {
-    views.kept_scale = scale;
-    return take_if([&](const FinishedSheet& larger) { return left_out_of(larger) < left_out_of(best); });
-  };
-  const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(views.sheet)];
-  if (is_sized_by_scale(description)) {
-    while (left_out_of(best) > 0 && best.next_size && !progress.is_out_of_time()) {
-      views.least_size = *best.next_size;
-      const bool has_scale = description.scale.given();
-      if (!improves(std::nullopt) && (has_scale || progress.is_out_of_time() || !improves(best.scale))) break;
-    }
-  } else if (may_be_larger(scene, worlds.main(), best) && !progress.is_out_of_time()) {
-    views.kept_scale = sheet::standard_scale_up_to(to_next * best.scale);
-    views.room_share = share;
-    take_if([&](const FinishedSheet& larger) {
-      return left_out_of(larger) == 0 && larger.findings.empty() && larger.warnings.size() <= best.warnings.size();
-    });
+// The room for dimensions in the usual layout is an estimate: short ones share lines, and most are on one side of their
+// view. So a better layout, which has half of it, counts if everything has a place.
+std::optional<Attempt> Run::attempt_better(const ShownWorlds& worlds, PreparedSheet& sheet, const SheetPlan& usual) {
+  constexpr std::size_t most = 200'000;  // triangles: drawing more once again takes too long
+  if (!usual.inside || !dimensions_features(scene) || worlds.main().triangles.size() > most) return std::nullopt;
+  const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)];
+  std::optional<SheetPlan> tried;
+  for (const LayoutWish& wish : better_layouts(description, usual)) {
+    const SheetPlan better = plan_of(worlds, sheet, wish);
+    if (!better.inside || !is_better(better, tried.value_or(usual))) continue;
+    if (auto found = attempt_if([&] { return draw_sheet(worlds, sheet, better, 0); }, is_complete)) return found;
+    tried = better;
   }
-  told.tell(messages);
-  return best;
+  return std::nullopt;
+}
+
+FinishedSheet Run::draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views) {
+  PreparedSheet sheet = prepare_sheet(worlds, std::move(views));
+  const SheetPlan usual = plan_of(worlds, sheet, {});
+  std::optional<Attempt> best = attempt_better(worlds, sheet, usual);
+  if (!best) best = attempt([&] { return draw_sheet(worlds, sheet, usual, std::nullopt); });
+  const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)];
+  const auto improves = [&](const std::optional<double>& scale) {
+    const std::size_t left_out = left_out_of(best->sheet);
+    const SheetPlan plan = plan_of(worlds, sheet, {*best->sheet.next_size, scale});
+    auto larger = attempt_if([&] { return draw_sheet(worlds, sheet, plan, left_out - 1); },
+                             [&](const FinishedSheet& other) { return other.inside && left_out_of(other) < left_out; });
+    if (larger) best = std::move(larger);
+    return larger.has_value();
+  };
+  const bool is_sized = is_sized_by_scale(description);
+  while (is_sized && left_out_of(best->sheet) > 0 && best->sheet.next_size && !progress.is_out_of_time())
+    if (!improves(std::nullopt) && (description.scale.value_or({}).fixed || !improves(best->sheet.scale))) break;
+  best->told.tell(messages);
+  gathered = std::move(best->gathered);
+  return std::move(best->sheet);
 }
 
 void place_threads(world::World& world, const scene::SceneDescription& scene) {
@@ -474,7 +534,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   std::vector<FinishedSheet> finished;
   for (SheetOfViews sheet : sheets) {
     sheet.states_error = options.error_note;
-    finished.push_back(draw_sheet_with_room(worlds, std::move(sheet)));
+    finished.push_back(draw_best_sheet(worlds, std::move(sheet)));
   }
   if (options.lint) {
     add_all(gathered.report.findings, uncovered_sizes(worlds.main(), scene, gathered.dimensioned, progress));

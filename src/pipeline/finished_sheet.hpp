@@ -24,7 +24,8 @@ struct FinishedSheet {
   std::vector<std::vector<std::size_t>> left_out{};  ///< by view: numbers of dimensions for which it has no room
   std::string answers{};                             ///< to the questions about its edges
   std::optional<int> next_size{};                    ///< as in SheetPlan
-  bool chosen = false, inside = true;                ///< as in SheetPlan
+  bool inside = true;                                ///< as in SheetPlan
+  bool is_crowded = false;                           ///< something has no place on it, or a worse one
 };
 
 /// Marks a sheet as incomplete since time was over in a stage; a further call replaces the stage.

@@ -147,8 +147,8 @@ Views views_to_place(const world::World& world, const SheetOfViews& sheet, std::
     const Vec2 moved = breaks.moved(origin);
     sheet::ViewToPlace view{sheet::view_place(views[i].projection), {}};
     const sheet::Room room = room_around(annotations[i], views[i].projection, layout.widths);
-    view.before = sheet.room_share * room.before;
-    view.after = sheet.room_share * room.after;
+    view.before = sheet.layout.room_share * room.before;
+    view.after = sheet.layout.room_share * room.after;
     const bool in_epura = sheet.epura && (i == sheet.epura->elevation || i == sheet.epura->plan);
     if (in_epura) {
       make_room_for_ground_line(view, i == sheet.epura->elevation);
@@ -195,7 +195,7 @@ sheet::Arrangement arranged_on(const scene::PaperChoice& size, const LayoutOptio
   return sheet::arrange(views, options.scale, options.angle, room);
 }
 
-constexpr int largest = 4;
+constexpr int largest = largest_size_rank;
 
 // The sizes from which "auto" chooses, from 0, the smallest, to `largest`.
 scene::PaperChoice size_of_rank(const scene::SheetDescription& sheet, int rank) {
@@ -331,13 +331,29 @@ LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfView
   options.fit = sheet.fit.value_or(SheetFit::model);
   const bool is_standard = options.frame == FrameKind::full || is_sized_by_scale(sheet);
   options.scale = sheet.scale.value_or({.fixed = std::nullopt, .standard = is_standard});
-  if (on_sheet.kept_scale && !options.scale.fixed) options.scale = {.fixed = on_sheet.kept_scale};
+  if (on_sheet.layout.kept_scale && !options.scale.fixed) options.scale = {.fixed = on_sheet.layout.kept_scale};
   if (options.frame == FrameKind::full) options.title_block = title_block_of(scene, number);
   read_files(options, sheet);
   return options;
 }
 
 }  // namespace
+
+std::vector<LayoutWish> better_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual) {
+  constexpr double share = 0.5, to_next = 2.6;  // times 1, 2 or 5 is above the next one, and below the one after that
+  const bool is_sized = is_sized_by_scale(sheet);
+  std::vector<LayoutWish> layouts;
+  if (is_sized) layouts.push_back({0, std::nullopt, share});
+  if (usual.chosen)
+    layouts.push_back({is_sized ? usual.size_rank() : 0, sheet::standard_scale_up_to(to_next * usual.scale), share});
+  return layouts;
+}
+
+bool is_better(const SheetPlan& one, const SheetPlan& other) {
+  constexpr double rounding = 1e-9;
+  if (one.size_rank() != other.size_rank()) return one.size_rank() < other.size_rank();
+  return one.scale > other.scale * (1 + rounding);
+}
 
 bool is_sized_by_scale(const scene::SheetDescription& sheet) {
   const scene::PaperChoice::Kind kind = sheet.size.value_or({}).kind;
@@ -366,7 +382,7 @@ SheetPlan plan_sheet(const world::World& world, const scene::SceneDescription& s
   expect_paper_for_lists(scene, options, usual);
   options.widths = sheet::line_widths(sheet::make_paper(usual, false), options.styles);
   const Views placing = views_to_place(world, sheet, views, annotations, options);
-  const auto [arrangement, size, next_size] = arranged(description, options, placing.to_place, sheet.least_size);
+  const auto [arrangement, size, next_size] = arranged(description, options, placing.to_place, sheet.layout.least_size);
   if (options.title_block) {
     options.title_block->scale = sheet::with_decimal_sign(sheet::ratio_text(arrangement.scale),
                                                           description.decimal_sign.value_or(DecimalSign::point));
@@ -376,7 +392,7 @@ SheetPlan plan_sheet(const world::World& world, const scene::SceneDescription& s
   SheetPlan plan{{arrangement.paper, options.frame, std::move(options.title_block)},
                  {},
                  arrangement.scale,
-                 options.scale.standard || sheet.room_share < 1,
+                 options.scale.standard || (sheet.layout.room_share < 1 && !description.scale.value_or({}).fixed),
                  arrangement.inside,
                  arrangement.on_paper,
                  arrangement.fitting,

@@ -17,6 +17,9 @@
 
 namespace epura::pipeline {
 
+/// Of the sizes from which "auto" chooses, in ascending order from 0.
+inline constexpr int largest_size_rank = 4;
+
 /// The layout of a sheet, before anything is drawn on it.
 struct SheetPlan {
   sheet::SheetFurniture furniture;  ///< with its paper, without labels of views
@@ -27,7 +30,15 @@ struct SheetPlan {
   bool on_paper = true;             ///< no ink is beyond the paper
   std::optional<double> fitting{};  ///< as in Arrangement
   std::optional<int> next_size{};   ///< the least size of a larger sheet, if "auto" may choose that
+
+  [[nodiscard]] int size_rank() const { return next_size ? *next_size - 1 : largest_size_rank; }
 };
+
+/// Layouts with half of the estimated room for dimensions, best first, that may be better than the usual one.
+std::vector<LayoutWish> better_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual);
+
+/// Whether one layout has a smaller sheet than the other, or a larger scale on the same one.
+bool is_better(const SheetPlan& one, const SheetPlan& other);
 
 /// Whether the size of the sheet is to be chosen.
 bool is_sized_by_scale(const scene::SheetDescription& sheet);
@@ -52,6 +63,7 @@ struct SheetInput {
   const std::vector<Annotations>& annotations;                ///< by view
   std::vector<std::vector<sheet::CalloutTarget>> targets{};   ///< of callouts, by view
   std::vector<std::vector<sheet::BalloonTarget>> balloons{};  ///< by view
+  std::optional<std::size_t> most_left_out{};  ///< dimensions without room; with more, the sheet is of no use
 
   [[nodiscard]] const scene::SheetDescription& sheet() const {
     return scene.sheets[static_cast<std::size_t>(views.sheet)];

@@ -2,6 +2,7 @@
 #include "pipeline/replace_helical_threads.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -12,6 +13,7 @@
 
 #include "base/text.hpp"
 #include "design/helical_threads.hpp"
+#include "design/place_threads.hpp"
 #include "design/tolerances.hpp"
 #include "features/declared_part.hpp"
 #include "sheet/dimensions/anchors.hpp"
@@ -25,8 +27,20 @@ namespace {
 struct FoundThread {
   scene::Thread thread;
   Vec3 middle, axis;
-  double radius, half;  ///< of the cylinder, half of its length
+  double radius, half;                        ///< of the cylinder, half of its length
+  std::optional<std::array<Vec3, 2>> full{};  ///< where it begins and ends, if it runs out at one end
 };
+
+// A helix ends within a pitch of its full depth, unless its roots rise to a shaft.
+std::optional<std::array<Vec3, 2>> full_part_of(const design::HelicalThread& thread, const Mat4& to_world,
+                                                double pitch) {
+  constexpr double least = 0.6;  // of a pitch
+  const bool below = thread.full.from - thread.low > least * pitch,
+             above = thread.high - thread.full.to > least * pitch;
+  if (below == above) return std::nullopt;
+  const auto at = [&](double height) { return Vec3(to_world * Vec4(thread.origin + height * thread.axis, 1)); };
+  return above ? std::array{at(thread.low), at(thread.full.to)} : std::array{at(thread.high), at(thread.full.from)};
+}
 
 // Whether the cylinder of a thread is a face of a part, all around.
 bool has_cylinder(const features::PartFaces& part, const design::HelicalThread& thread) {
@@ -139,7 +153,8 @@ world::World replace_helical_threads(world::World world, scene::SceneDescription
       const Vec3 middle = thread.origin + (thread.low + thread.high) / 2 * thread.axis;
       found.push_back({thread.thread, Vec3(placed.to_world * Vec4(middle, 1)),
                        glm::normalize(Vec3(placed.to_world * Vec4(thread.axis, 0))), *unit * thread.crest,
-                       *unit * (thread.high - thread.low) / 2});
+                       *unit * (thread.high - thread.low) / 2,
+                       full_part_of(thread, placed.to_world, thread.thread.pitch / *unit)});
     }
     others.insert(others.end(), model.others.begin(), model.others.end());
   }
@@ -153,6 +168,11 @@ world::World replace_helical_threads(world::World world, scene::SceneDescription
     const std::string where = "thread " + one.thread.text;
     scene::ThreadDescription thread{where, {one.thread.text, where}, {scene::Anchor(one.middle), where}};
     thread.callout = {false, where};
+    if (one.full) {
+      thread.at = {scene::Anchor((*one.full)[0]), where};
+      if (const auto depth = design::depth_of_thread(world, one.radius, (*one.full)[0], (*one.full)[1]))
+        thread.depth = {*depth, where};
+    }
     added.push_back(std::move(thread));
   }
   for (scene::ThreadDescription& thread : added) scene.threads.push_back(std::move(thread));

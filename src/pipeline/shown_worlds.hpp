@@ -30,6 +30,11 @@ class ShownWorlds {
   [[nodiscard]] const ShownWorld& of(const scene::ViewDescription& view) const {
     return worlds_[world_of_view_.at(*view.name)];
   }
+  /// What the view shows, cut if it is a section.
+  [[nodiscard]] const world::World& seen_in(const scene::ViewDescription& view) const {
+    const CutSection* section = section_of(of(view).sections, view);
+    return section == nullptr ? of(view).world : section->cut.world;
+  }
   [[nodiscard]] bool is_main(const scene::ViewDescription& view) const { return world_of_view_.at(*view.name) == 0; }
   /// The surfaces of all sections that are shown, by name.
   [[nodiscard]] SectionSurfaces surfaces() const;

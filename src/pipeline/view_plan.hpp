@@ -27,18 +27,22 @@ struct EpuraViews {
   std::size_t elevation, plan;
 };
 
+/// How a sheet is to be laid out as far as the scene leaves that open.
+struct LayoutWish {
+  int least_size = 0;                  ///< from which "auto" chooses, of its sizes in ascending order
+  std::optional<double> kept_scale{};  ///< instead of the largest one
+  double room_share = 1;               ///< of what is estimated as room for dimensions
+};
+
 /// A sheet, and the scene's views on it.
 struct SheetOfViews {
   int sheet;
   std::vector<scene::ViewDescription> descriptions;
   std::vector<PlannedView> plans;
-  bool states_error = false;           ///< above the title block
-  int least_size = 0;                  ///< from which "auto" chooses, of its sizes in ascending order
-  std::optional<double> kept_scale{};  ///< instead of the largest one
-  double room_share = 1;               ///< of what is estimated as room for dimensions; less is an attempt, which ends
-                                       ///< without a sheet if the views do not fit
-  std::vector<world::Item> items{};    ///< of its parts list; empty: it has none
-  std::optional<EpuraViews> epura{};   ///< if they have that layout
+  bool states_error = false;  ///< above the title block
+  LayoutWish layout{};
+  std::vector<world::Item> items{};   ///< of its parts list; empty: it has none
+  std::optional<EpuraViews> epura{};  ///< if they have that layout
 };
 
 /// In the order of the sheets; a sheet may have no views.

@@ -343,42 +343,107 @@ bool are_same(const std::vector<Line>& one, const std::vector<Line>& two) {
   });
 }
 
+// What keeps hatching lines from a view.
+struct HatchCovers {
+  const std::vector<drawing::PaperTriangle>& before;  ///< hides cut faces
+  std::vector<TurnedBox> texts;                       ///< apart from each other, with some room around
+  std::vector<drawing::PaperTriangle> all;
+};
+
 // A face whose lines are drawn.
 struct FaceToHatch {
-  const std::vector<drawing::PaperTriangle>& before;  // hide it, or are texts on it
+  const HatchCovers& covers;
   const drawing::CutFace& face;
   double width;
   const Progress& progress;
 };
 
-// What hides cut faces, and texts on them with some room around.
-std::vector<drawing::PaperTriangle> covers_of(const HatchedView& view) {
-  constexpr double room = 0.7;  // mm
-  std::vector<drawing::PaperTriangle> covers = view.drawing.before_cuts;
-  for (const TurnedBox& text : view.texts) {
-    const Vec2 along = (text.half.x + room) * text.along, up = (text.half.y + room) * Vec2(-text.along.y, text.along.x);
-    const Vec2 a = text.centre - along - up, c = text.centre + along + up;
-    covers.push_back({a, a + 2.0 * along, c});
-    covers.push_back({a, c, a + 2.0 * up});
+Ring corners_of(const TurnedBox& box) {
+  const Vec2 along = box.half.x * box.along, up = box.half.y * Vec2(-box.along.y, box.along.x);
+  return {box.centre - along - up, box.centre + along - up, box.centre + along + up, box.centre - along + up};
+}
+
+// The box around two that lie in one direction.
+TurnedBox united(const TurnedBox& one, const TurnedBox& other) {
+  const Vec2 up(-one.along.y, one.along.x);
+  Vec2 min(HUGE_VAL), max(-HUGE_VAL);
+  for (const TurnedBox* box : {&one, &other})
+    for (const Vec2& p : corners_of(*box)) {
+      const Vec2 at(glm::dot(p, one.along), glm::dot(p, up));
+      min = glm::min(min, at);
+      max = glm::max(max, at);
+    }
+  const Vec2 middle = (min + max) / 2.0;
+  return {middle.x * one.along + middle.y * up, one.along, (max - min) / 2.0};
+}
+
+// The lines of a note have one box.
+std::vector<TurnedBox> united_texts(const std::vector<TurnedBox>& texts) {
+  constexpr double same_direction = 1e-9;
+  std::vector<TurnedBox> apart;
+  for (TurnedBox text : texts) {
+    const auto is_on = [&text](const TurnedBox& other) {
+      return std::abs(cross(text.along, other.along)) <= same_direction && overlap(text, other);
+    };
+    for (auto on = std::find_if(apart.begin(), apart.end(), is_on); on != apart.end();
+         on = std::find_if(apart.begin(), apart.end(), is_on)) {
+      text = united(text, *on);
+      apart.erase(on);
+    }
+    apart.push_back(text);
   }
+  return apart;
+}
+
+HatchCovers covers_of(const HatchedView& view) {
+  constexpr double room = 0.7;  // mm
+  HatchCovers covers{view.drawing.before_cuts, {}, view.drawing.before_cuts};
+  for (TurnedBox text : view.texts) {
+    text.half += Vec2(room);
+    const Ring corners = corners_of(text);
+    covers.all.push_back({corners[0], corners[1], corners[2]});
+    covers.all.push_back({corners[0], corners[2], corners[3]});
+    covers.texts.push_back(text);
+  }
+  covers.texts = united_texts(covers.texts);
   return covers;
 }
 
-// A face of which something is hidden is lines only: as a whole, it would be hatched everywhere.
+// The texts inside a face, as outlines of islands; nothing if one is only partly inside, or on another one.
+std::optional<std::vector<Ring>> islands_in(const drawing::CutFace& face, const std::vector<TurnedBox>& texts) {
+  std::vector<Ring> islands;
+  std::vector<const TurnedBox*> inside;
+  const mesh::Outlines outlines = outlines_in(face);
+  for (const TurnedBox& text : texts) {
+    bool crosses = false;
+    visit_sides(face.rings, [&](const Vec2& a, const Vec2& b) { crosses = crosses || overlap(text, line_box(a, b)); });
+    if (crosses) return std::nullopt;
+    if (!mesh::is_inside(outlines, text.centre)) continue;
+    if (std::any_of(inside.begin(), inside.end(), [&](const TurnedBox* other) { return overlap(text, *other); }))
+      return std::nullopt;
+    inside.push_back(&text);
+    islands.push_back(corners_of(text));
+  }
+  return islands;
+}
+
+// A face of which something is hidden is lines only: as a whole, it would be hatched everywhere. Texts are islands.
 void draw_hatch_lines(Layer& layer, HatchedFace hatched, const FaceToHatch& what) {
-  bool is_whole = true;
+  const auto islands = islands_in(what.face, what.covers.texts);
+  bool is_whole = islands.has_value();
   hatched.strokes.begin = layer.strokes.size();
   for (const HatchLines& family : hatched.lines) {
     const std::vector<Line> lines = lines_of(what.face, family, what.progress);
-    const std::vector<Line> seen = uncovered(lines, family.angle, what.before);
-    is_whole = is_whole && are_same(seen, lines);
-    for (const Line& line : seen) {
+    is_whole = is_whole && are_same(uncovered(lines, family.angle, what.covers.before), lines);
+    for (const Line& line : uncovered(lines, family.angle, what.covers.all)) {
       Stroke& stroke = layer.strokes.emplace_back(Stroke{{line[0], line[1]}});
       if (family.is_dashed) stroke.dashes = fit_open(glm::distance(line[0], line[1]), what.width);
     }
   }
   hatched.strokes.end = layer.strokes.size();
-  if (is_whole && hatched.strokes.begin < hatched.strokes.end) layer.hatched.push_back(std::move(hatched));
+  if (!is_whole || hatched.strokes.begin == hatched.strokes.end) return;
+  hatched.face.rings.insert(hatched.face.rings.end(), islands->begin(), islands->end());
+  layer.hatched.push_back(std::move(hatched));
 }
 
 }  // namespace
@@ -411,7 +476,7 @@ std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* cons
 Layer hatch_layer(const HatchedView& view, std::span<const Hatching> hatching, const LineWidths& widths,
                   const Progress& progress) {
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::hatch, widths);
-  const std::vector<drawing::PaperTriangle> covers = covers_of(view);
+  const HatchCovers covers = covers_of(view);
   for (const drawing::CutFace& face : view.drawing.cut_faces) {
     const auto found = std::find_if(hatching.begin(), hatching.end(),
                                     [&](const Hatching& h) { return h.model == face.model && h.body == face.body; });

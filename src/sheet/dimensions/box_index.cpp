@@ -54,15 +54,17 @@ void BoxIndex::remove(std::span<const TurnedBox> boxes) {
 
 int BoxIndex::overlaps(const TurnedBox& box) const {
   const auto [min, max] = around(box);
+  const Cell first = cell_at(min), last = cell_at(max);
   int count = 0;
-  visit_cells(cell_at(min), cell_at(max), [&, &min = min, &max = max](const Cell& cell) {
+  visit_cells(first, last, [&, &min = min, &max = max](const Cell& cell) {
     const auto found = cells_.find(cell);
     if (found == cells_.end()) return;
     for (const std::size_t i : found->second) {
       const Entry& entry = entries_[i];
       if (entry.min.x > max.x || entry.max.x < min.x || entry.min.y > max.y || entry.max.y < min.y) continue;
       // Both may share several cells; only the cell with the lower left corner of their intersection counts.
-      if (cell_at(glm::max(entry.min, min)) == cell && overlap(entry.box, box)) count += entry.count;
+      const bool counts = first == last || cell_at(glm::max(entry.min, min)) == cell;
+      if (counts && overlap(entry.box, box)) count += entry.count;
     }
   });
   return count;

@@ -28,6 +28,13 @@ double whole_width(const std::string& number, const DimensionStyle& style) {
   return style.lettering.width(number.substr(0, number.find_first_of(".,\xC2")), stacked_height(style));
 }
 
+// All around, the first one again at the end.
+std::vector<Vec2> directions(int count) {
+  std::vector<Vec2> all;
+  for (int i = 0; i <= count; ++i) all.push_back(turned_to(2 * std::numbers::pi * i / count));
+  return all;
+}
+
 double width_of(const TextPiece& piece, const DimensionStyle& style) {
   if (!piece.is_stack()) return style.lettering.width(piece.upper, style.text);
   double whole = 0, rest = 0;
@@ -58,14 +65,14 @@ Vec2 reading_direction(const Vec2& along) {
 
 Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionStyle& style) {
   const Vec2 foot = tip - style.arrow() * direction;
-  const Vec2 across = style.arrow() * portable_tan(half_tip) * left_of(direction);
+  static const double slope = portable_tan(half_tip);
+  const Vec2 across = style.arrow() * slope * left_of(direction);
   return {{{tip, foot + across, foot - across}}};
 }
 
 Stroke circle_at(const Vec2& centre, double radius, int parts) {
   Stroke stroke;
-  for (int i = 0; i <= parts; ++i)
-    stroke.points.push_back(centre + radius * turned_to(2 * std::numbers::pi * i / parts));
+  for (const Vec2& direction : directions(parts)) stroke.points.push_back(centre + radius * direction);
   stroke.curves = {{0, parts, centre, {radius, 0}, {0, radius}, 0, 2 * std::numbers::pi}};
   return stroke;
 }
@@ -82,9 +89,10 @@ Stroke arc_at(const Vec2& centre, double radius, double from, double to) {
 Fill dot_at(const Vec2& centre) {
   constexpr double radius = 0.625;  // mm
   constexpr int parts = 48;
+  // Rows have many, and are tried in many places.
+  static const std::vector<Vec2> all = directions(parts);
   Fill fill{{{}}};
-  for (int i = 0; i < parts; ++i)
-    fill.rings.front().push_back(centre + radius * turned_to(2 * std::numbers::pi * i / parts));
+  for (int i = 0; i < parts; ++i) fill.rings.front().push_back(centre + radius * all[static_cast<std::size_t>(i)]);
   return fill;
 }
 

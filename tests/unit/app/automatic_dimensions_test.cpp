@@ -301,6 +301,27 @@ TEST_F(AutomaticDimensions, ChooseTheLargestScaleAtWhichTheyFit) {
   EXPECT_EQ(scale_on("A4", "full", "flange.obj"), "1:5") << "at 1:2, the title block is in the way";
 }
 
+// An estimate of the room would take A2 for the first, and A3 for the second. With half of it, the third would be on
+// A1, without some of its dimensions.
+TEST_F(AutomaticDimensions, ChooseTheSmallestSheetOnWhichTheyFit) {
+  const auto chosen = [&](const std::string& model, const Words& more) {
+    Words arguments{"draw",    model,  "--views", "front,top,left", "--dimensions", "auto",
+                    "--sheet", "auto", "-o",      "x.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = epura(arguments, folder / "");
+    EXPECT_EQ(run.code, 0) << model << ": " << run.err;
+    EXPECT_FALSE(contains(run.err, "no room")) << model << ": " << run.err;
+    const std::string json = read_file(folder / "x.json"), key = "\"sheet\": ";
+    const std::size_t begin = json.find(key) + key.size();
+    return json.substr(begin, json.find('}', begin) + 1 - begin);
+  };
+  EXPECT_EQ(chosen(sample("elbow.obj"), {}), R"({"size": [420, 297], "scale": 0.5})");
+  EXPECT_EQ(chosen(sample("bracket.obj"), {"--scale", "1:2"}), R"({"size": [297, 210], "scale": 0.5})");
+  EXPECT_EQ(chosen(sample("house.obj"), {}), R"({"size": [1189, 841], "scale": 0.02})");
+  for (const auto& parts : {plates(), round_parts(), blocks()})
+    for (const KnownPart& part : parts) chosen(folder.file("part.obj", part.obj), {});
+}
+
 // Notes cover nearly all of an A4 sheet, so that "auto" takes the next one.
 TEST_F(AutomaticDimensions, ChooseTheSheetThatHasRoom) {
   folder.file("part.obj", plates()[3].obj);

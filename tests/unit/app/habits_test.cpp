@@ -45,6 +45,12 @@ TEST_F(Habits, BlanksBesideCommasDoNotCount) {
   EXPECT_EQ(drawn({"--edges", "contour, crease"}), drawn({"--edges", "contour,crease"}));
 }
 
+TEST_F(Habits, PapersHaveTheNamesOfPrinters) {
+  for (const auto& [name, size] :
+       {std::pair("letter", "ANSI-A"), {"Tabloid", "ANSI-B"}, {"ledger", "ANSI-B"}, {"ANSI C", "ANSI-C"}})
+    EXPECT_EQ(drawn({"--sheet", name}), drawn({"--sheet", size})) << name;
+}
+
 TEST_F(Habits, ShortNamesOfProjections) {
   for (const auto& [name, full] : {std::pair("iso", "isometric"), std::pair("perspective", "two-point")}) {
     const Outcome run = draw({"--projection", name, "-o", "x.json"});

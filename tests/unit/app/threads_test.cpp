@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -168,6 +169,56 @@ TEST_F(ThreadDrawings, HelicalFacesAreDrawnAsThreads) {
       {"lint", "--allow-outside", screw, "--views", "front,top", "--dimensions", "auto", "-o", "x.svg"}, folder / "");
   EXPECT_EQ(run.code, 0) << run.out << run.err;
   EXPECT_TRUE(contains(read_file(folder / "x.svg"), "aria-label=\"M10\""));
+}
+
+/// A screw M10 of eight turns, whose roots rise to its shank of the same diameter over some turns, with so many
+/// vertices around it and in a pitch.
+std::string screw_with_run_out(int around, int steps, double run_out) {
+  constexpr double pitch = 1.5, major = 5, depth = 0.812, length = 12;
+  std::string obj, faces;
+  int rings = 0;
+  const auto add_ring = [&](double z, const auto& radius) {
+    for (int i = 0; i < around; ++i) {
+      const double angle = 2 * std::numbers::pi * i / around, r = radius(angle);
+      obj += "v " + format_number(r * std::cos(angle)) + " " + format_number(r * std::sin(angle)) + " " +
+             format_number(z) + "\n";
+      if (rings == 0) continue;
+      const int low = (rings - 1) * around + 1, next = (i + 1) % around;
+      faces += "f " + std::to_string(low + i) + " " + std::to_string(low + next) + " " +
+               std::to_string(low + around + next) + " " + std::to_string(low + around + i) + "\n";
+    }
+    ++rings;
+  };
+  const auto always = [](double of) { return [of](double) { return of; }; };
+  for (int k = 0; k <= 8 * steps; ++k) {
+    const double z = pitch * k / steps, full = std::clamp((length - z) / (run_out * pitch), 0.0, 1.0);
+    add_ring(z, [&](double angle) {
+      return major - full * depth * (1 - std::cos(2 * std::numbers::pi * k / steps - angle)) / 2;
+    });
+  }
+  for (const auto& [z, r] : {std::pair(22.0, major), {22.0, 8.0}, {28.0, 8.0}}) add_ring(z, always(r));
+  std::string bottom, top;
+  for (int i = 0; i < around; ++i) {
+    bottom = " " + std::to_string(i + 1) + bottom;
+    top += " " + std::to_string((rings - 1) * around + i + 1);
+  }
+  return obj + faces + "f" + bottom + "\nf" + top + "\n";
+}
+
+// The lines of its roots end where it has its full depth, and a wide line crosses the shank there (ISO 6410-1).
+TEST_F(ThreadDrawings, EndWhereTheyRunOut) {
+  for (const auto& [around, steps] : {std::pair(40, 8), {24, 8}, {16, 4}, {12, 4}})
+    for (const double run_out : {1.0, 2.0}) {
+      const std::string screw = folder.file("screw.obj", screw_with_run_out(around, steps, run_out));
+      const std::string front = scene(screw, "[[view]]\nprojection = 'front'\n");
+      const std::string what = std::to_string(around) + "/" + std::to_string(steps) + ", " + format_number(run_out);
+      double length = 0;
+      for (const ThreadLine& line : drawn(front, "thread")) length += glm::length(line.to - line.from);
+      EXPECT_NEAR(length / 4, 12 - 1.5 * run_out, 0.15 * run_out + 1.5 / steps + 1e-6) << what;
+      double end = 0;
+      for (const ThreadLine& line : drawn(front, "thread-end")) end += glm::length(line.to - line.from);
+      EXPECT_NEAR(end, 2 * 10, 0.1) << what;
+    }
 }
 
 // Stretched by a tenth, the thread has a pitch of 1.65 mm, which M10 does not come with.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <random>
 #include <set>
@@ -131,6 +132,63 @@ TEST(Bodies, OneThatFillsTheCornerOfAnotherIsItsOwn) {
       EXPECT_EQ(built(some, single).report.bodies, 2) << single << " " << seed;
     }
   EXPECT_EQ(built(turned(both, false)).report.bodies, 2);
+}
+
+// A shaft in a bearing, which touches it all around: the faces between them are a closed band of their own, twice, and
+// share no edge with two faces alone. Their quadrangles are divided differently.
+TEST(Bodies, OneInARingIsItsOwn) {
+  constexpr int corners = 12;
+  const auto ring_at = [](Shape& shape, double radius, double z) {
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      shape.points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+  };
+  const auto strip = [](Shape& shape, int low, int high) {
+    for (int i = 0; i < corners; ++i) {
+      const int j = (i + 1) % corners, a = low * corners, b = high * corners;
+      shape.faces.push_back({a + i, a + j, b + j});
+      shape.faces.push_back({a + i, b + j, b + i});
+    }
+  };
+  Shape bearing, shaft;
+  for (const auto& [radius, z] : {std::pair(8.0, 0.0), {15.0, 0.0}, {15.0, 12.0}, {8.0, 12.0}})
+    ring_at(bearing, radius, z);
+  for (int i = 0; i < 4; ++i) strip(bearing, i, (i + 1) % 4);
+  for (const double z : {-10.0, 0.0, 12.0, 25.0}) ring_at(shaft, 8, z);
+  for (int i = 0; i < 3; ++i) strip(shaft, i, i + 1);
+  std::vector<int> bottom, top;
+  for (int i = 0; i < corners; ++i) {
+    bottom.insert(bottom.begin(), i);
+    top.push_back(3 * corners + i);
+  }
+  shaft.faces.push_back(bottom);
+  shaft.faces.push_back(top);
+  for (const Shape& pair : {welded({bearing, shaft}), shuffled(welded({bearing, shaft}), 3)}) {
+    const mesh::Mesh mesh = built(pair);
+    EXPECT_EQ(mesh.report.dropped_duplicates, 0);
+    EXPECT_EQ(mesh.report.bodies, 2);
+  }
+}
+
+// The face at which they touch is there twice, divided alike or not. The two sides of a sheet are no bodies.
+TEST(Bodies, ThatHaveAFaceInCommonAreTwo) {
+  const auto face_of = [](double x) {
+    Shape sheet;
+    sheet.points = {{x, 0, 0}, {x, 1, 0}, {x, 1, 1}, {x, 0, 1}};
+    sheet.faces = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
+    return sheet;
+  };
+  const Shape left = box({0, 0, 0}, {1, 1, 1}), right = box({1, 0, 0}, {3, 1, 1});
+  for (const Shape& pair :
+       {welded({left, right}), welded({left, inside_out(right)}), welded({inside_out(left), right})}) {
+    const mesh::Mesh mesh = built(pair);
+    EXPECT_EQ(mesh.report.dropped_duplicates, 0);
+    EXPECT_EQ(mesh.report.bodies, 2);
+  }
+  EXPECT_EQ(built(face_of(0)).report.dropped_duplicates, 2) << "a sheet";
+  EXPECT_EQ(built(welded({left, face_of(0.5)})).report.dropped_duplicates, 2) << "in a box, which it does not meet";
+  EXPECT_EQ(built(welded({left, left})).report.dropped_duplicates, static_cast<int>(left.faces.size()));
 }
 
 TEST(Bodies, CavitiesThatShareAnEdgeAreTwo) {

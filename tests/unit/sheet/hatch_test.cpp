@@ -83,7 +83,31 @@ TEST(Hatch, IsInterruptedAtTexts) {
     EXPECT_FALSE(sheet::overlap(sheet::line_box(stroke.points[0], stroke.points[1]), text))
         << middle.x << ' ' << middle.y;
   }
-  EXPECT_TRUE(layer.hatched.empty()) << "other programs would hatch all of it";
+}
+
+// As a whole, for other programs, the face has islands where texts are; it is lines only where that cannot be told.
+TEST(Hatch, HasIslandsAtTexts) {
+  const drawing::ViewDrawing drawing = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}}});
+  const auto rings_with = [&](const std::vector<sheet::TurnedBox>& texts) {
+    const sheet::Layer layer = sheet::hatch_layer({drawing, plain, texts}, choose(drawing), {0.5, 0.25});
+    return layer.hatched.empty() ? std::vector<std::vector<Vec2>>() : layer.hatched.front().face.rings;
+  };
+  const auto area = [](const std::vector<Vec2>& ring) {
+    double sum = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) sum += cross(ring[i], ring[(i + 1) % ring.size()]) / 2;
+    return std::abs(sum);
+  };
+  const sheet::TurnedBox text{{20, 20}, {1, 0}, {5, 2}}, below{{19, 15}, {1, 0}, {4, 2}},
+      upright{{30, 10}, {0, 1}, {5, 2}};
+  EXPECT_EQ(rings_with({}).size(), 1U);
+  ASSERT_EQ(rings_with({text}).size(), 2U);
+  EXPECT_NEAR(area(rings_with({text})[1]), 11.4 * 5.4, 1e-9);
+  EXPECT_EQ(rings_with({text, upright}).size(), 3U);
+  ASSERT_EQ(rings_with({text, below}).size(), 2U) << "two lines of a note";
+  EXPECT_NEAR(area(rings_with({text, below})[1]), 11.4 * 10.4, 1e-9);
+  EXPECT_EQ(rings_with({{{60, 20}, {1, 0}, {5, 2}}}).size(), 1U) << "beside the face";
+  EXPECT_EQ(rings_with({{{38, 20}, {1, 0}, {5, 2}}}).size(), 0U) << "across its outline";
+  EXPECT_EQ(rings_with({text, {{20, 20}, {0, 1}, {5, 2}}}).size(), 0U) << "two texts across each other";
 }
 
 TEST(Hatch, LengthOfLinesIsAreaBySpacing) {
