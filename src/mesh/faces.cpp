@@ -2,11 +2,8 @@
 #include "mesh/faces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 
-#include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
 
 namespace epura::mesh {
@@ -78,54 +75,6 @@ Entry entry_of(const Faces& faces, std::size_t face) {
   return {std::min(next, previous), std::max(next, previous), static_cast<int>(face)};
 }
 
-template <class Visit>
-void visit_sides_of(std::span<const int> ring, const Visit& visit) {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const auto [a, b] = std::minmax(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
-    visit(std::array{a, b});
-  }
-}
-
-// Two bodies that touch may have a face there each, with the same vertices. Such faces are no duplicates if just two
-// other ones continue them at all edges where they end: without either, a body would be open. Sheets with two sides end
-// in nothing, or in one face.
-void keep_contacts(const Faces& faces, const std::vector<int>& twin, std::vector<char>& duplicate) {
-  struct Side {
-    std::vector<int> twins;
-    int others = 0;
-  };
-  std::map<std::array<int, 2>, Side> sides;
-  std::vector<char> is_one(faces.size(), 0);
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    if (twin[f] >= 0) {
-      is_one[f] = is_one[static_cast<std::size_t>(twin[f])] = 1;
-      visit_sides_of(faces.ring(f),
-                     [&](const std::array<int, 2>& side) { sides[side].twins.push_back(static_cast<int>(f)); });
-    }
-  if (sides.empty()) return;
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    if (is_one[f] == 0 && duplicate[f] == 0)
-      visit_sides_of(faces.ring(f), [&](const std::array<int, 2>& side) {
-        if (const auto at = sides.find(side); at != sides.end()) ++at->second.others;
-      });
-  DisjointSets areas(faces.size());
-  for (const auto& [ends, side] : sides)
-    for (const int other : side.twins) areas.join(side.twins.front(), other);
-  const std::vector<int> area = std::move(areas).roots();
-  std::vector<char> ends_well(faces.size(), 0), ends_badly(faces.size(), 0);
-  for (const auto& [ends, side] : sides) {
-    const auto of = static_cast<std::size_t>(area[static_cast<std::size_t>(side.twins.front())]);
-    const bool is_end = side.twins.size() == 1;
-    if (is_end && side.others == 2) ends_well[of] = 1;
-    if (side.others != (is_end ? 2 : 0)) ends_badly[of] = 1;
-  }
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    if (twin[f] >= 0) {
-      const auto of = static_cast<std::size_t>(area[f]);
-      if (ends_well[of] != 0 && ends_badly[of] == 0) duplicate[f] = 0;
-    }
-}
-
 }  // namespace
 
 int drop_faces_without_three_corners(Faces& faces) {
@@ -154,7 +103,6 @@ int drop_duplicate_faces(Faces& faces, int vertex_count) {
     entries[bucket_end[std::ranges::min(faces.ring(f))]++] = entry_of(faces, f);
 
   std::vector<char> duplicate(faces.size(), 0);
-  std::vector<int> twin(faces.size(), -1);  // of the second of two equal faces
   parallel_for(static_cast<std::size_t>(vertex_count), 4096, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       const std::span<Entry> bucket(entries.data() + (v == 0 ? 0 : bucket_end[v - 1]), entries.data() + bucket_end[v]);
@@ -162,17 +110,10 @@ int drop_duplicate_faces(Faces& faces, int vertex_count) {
         const int order = compare(faces, a, b);
         return order != 0 ? order < 0 : a.face < b.face;
       });
-      const auto equals_next = [&](std::size_t i) {
-        return i + 1 < bucket.size() && compare(faces, bucket[i], bucket[i + 1]) == 0;
-      };
-      for (std::size_t i = 1; i < bucket.size(); ++i) {
-        duplicate[bucket[i].face] = equals_next(i - 1);
-        const bool are_two = duplicate[bucket[i].face] != 0 && !equals_next(i) && (i == 1 || !equals_next(i - 2));
-        if (are_two) twin[bucket[i].face] = bucket[i - 1].face;
-      }
+      for (std::size_t i = 1; i < bucket.size(); ++i)
+        duplicate[bucket[i].face] = compare(faces, bucket[i - 1], bucket[i]) == 0;
     }
   });
-  keep_contacts(faces, twin, duplicate);
   return keep_faces(faces,
                     [&](std::size_t face, std::span<const int> ring) { return duplicate[face] ? 0 : ring.size(); });
 }

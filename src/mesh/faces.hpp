@@ -28,8 +28,7 @@ int drop_faces_without_three_corners(Faces& faces);
 
 int drop_faces_with_non_finite_corners(Faces& faces, const Points& points);
 
-/// Of faces with the same vertices in the same cyclic order or its reverse, keeps the first; and the second where two
-/// closed bodies touch.
+/// Of faces with the same vertices in the same cyclic order or its reverse, keeps the first.
 int drop_duplicate_faces(Faces& faces, int vertex_count);
 
 }  // namespace epura::mesh

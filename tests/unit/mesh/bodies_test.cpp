@@ -171,26 +171,6 @@ TEST(Bodies, OneInARingIsItsOwn) {
   }
 }
 
-// The face at which they touch is there twice, divided alike or not. The two sides of a sheet are no bodies.
-TEST(Bodies, ThatHaveAFaceInCommonAreTwo) {
-  const auto face_of = [](double x) {
-    Shape sheet;
-    sheet.points = {{x, 0, 0}, {x, 1, 0}, {x, 1, 1}, {x, 0, 1}};
-    sheet.faces = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
-    return sheet;
-  };
-  const Shape left = box({0, 0, 0}, {1, 1, 1}), right = box({1, 0, 0}, {3, 1, 1});
-  for (const Shape& pair :
-       {welded({left, right}), welded({left, inside_out(right)}), welded({inside_out(left), right})}) {
-    const mesh::Mesh mesh = built(pair);
-    EXPECT_EQ(mesh.report.dropped_duplicates, 0);
-    EXPECT_EQ(mesh.report.bodies, 2);
-  }
-  EXPECT_EQ(built(face_of(0)).report.dropped_duplicates, 2) << "a sheet";
-  EXPECT_EQ(built(welded({left, face_of(0.5)})).report.dropped_duplicates, 2) << "in a box, which it does not meet";
-  EXPECT_EQ(built(welded({left, left})).report.dropped_duplicates, static_cast<int>(left.faces.size()));
-}
-
 TEST(Bodies, CavitiesThatShareAnEdgeAreTwo) {
   const Shape cavities = inside_out(cubes_at_an_edge());
   EXPECT_EQ(built(welded({box({-1, -1, -1}, {3, 3, 3}), cavities})).report.bodies, 3);
