@@ -113,7 +113,7 @@ std::array<compare::PictureFile, 2> pictures_to_compare(const CompareOptions& op
   scene::SceneDescription one = described(options.before, options), other = described(options.after, options);
   // Curved surfaces are divided into the same facets in both only if the scale is known before they are read.
   const char* const format = "drawing.json";
-  const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
+  const pipeline::Messages silent = pipeline::silent_messages();
   double scale = draw_scene(one, format, options, silent).sheets[0].scale;
   if (!one.sheets[0].scale.given()) scale = sheet::standard_scale_up_to(scale);
   set_scale(one, scale);

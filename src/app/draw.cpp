@@ -55,7 +55,7 @@ std::string draw_again(const DrawOptions& options, const scene::SceneDescription
   again.keeps_drawings = want_drawings(targets);
   again.line_facts = want_facts(targets);
   pipeline::Stopwatch watch;
-  const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
+  const pipeline::Messages silent = pipeline::silent_messages();
   const pipeline::DrawnScene drawn = pipeline::draw_scene(scene, again, {silent, {}, watch});
   std::string bytes;
   for (const pipeline::FileBytes& file : pipeline::encode_all(targets, drawn.sheets, options.vector, {}, {}))

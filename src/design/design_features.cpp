@@ -457,15 +457,15 @@ bool is_cut_into(const DesignLevel& level, const DesignCylinder& shaft, const st
   const double slack = same_size * shaft.radius;
   if (shaft.inwards || std::abs(shaft.axis[level.axis]) > parallel) return false;
   if (std::abs(level.at - shaft.from[level.axis]) <= slack) return false;
+  if (std::none_of(level.points.begin(), level.points.end(), [&](const Vec3& p) { return holds(shaft, p); }))
+    return false;
   std::vector<const DesignCylinder*> line;
   for (const DesignCylinder& other : cylinders)
     if (are_coaxial(shaft, other)) line.push_back(&other);
   const auto is_inside = [&line](const Vec3& p) {
     return std::any_of(line.begin(), line.end(), [&p](const DesignCylinder* one) { return holds(*one, p); });
   };
-  if (std::none_of(level.points.begin(), level.points.end(), [&](const Vec3& p) { return holds(shaft, p); }) ||
-      !std::all_of(level.points.begin(), level.points.end(), is_inside))
-    return false;
+  if (!std::all_of(level.points.begin(), level.points.end(), is_inside)) return false;
   const Vec3 across = glm::cross(shaft.axis, Mat3(1)[level.axis]);
   Range aside;
   for (const Vec3& p : level.points) aside.add(glm::dot(p - shaft.from, across));

@@ -28,11 +28,10 @@ std::optional<Vec2> crossing_with(const MovedContour& contour, const Piece& piec
   return glm::distance(place, end) <= within ? std::optional(place) : std::nullopt;
 }
 
-// Returns where an end of a piece inside its edge is drawn, or nothing if it stays where it is.
-std::optional<Vec2> met(const MovedContours& contours, const Piece& piece, std::size_t end) {
-  if (piece.s[end] <= 0 || piece.s[end] >= 1) return std::nullopt;
-  const Vec2 place = contours.in_mesh(piece, end), drawn = end == 0 ? piece.from : piece.to;
-  const bool moved = is_moved(contours.edge_of(piece));
+// Returns where an end of a piece inside its edge is drawn, given its place in the mesh and as drawn so far; nothing if
+// it stays there. `moved`: the piece itself is of a contour that is drawn on the surface.
+std::optional<Vec2> met(const MovedContours& contours, const Piece& piece, bool moved, const Vec2& place,
+                        const Vec2& drawn) {
   std::optional<Vec2> met;
   contours.visit_at(place, piece.edge, [&](const MovedContour& contour, double at) {
     const Vec2 there = contour.drawn[0] + at * (contour.drawn[1] - contour.drawn[0]);
@@ -54,14 +53,16 @@ std::optional<Vec2> met(const MovedContours& contours, const Piece& piece, std::
 
 void meet_contours(const visibility::ResolvedView& lines, const view::PaperMap& paper, double tolerance,
                    std::vector<Piece>& pieces) {
-  const std::vector<SettledEnds> settled = move_t_junctions(lines, paper, tolerance, pieces);
+  const std::vector<SettledEnds> settled = move_t_junctions(lines, paper, pieces);
   const MovedContours contours(lines, paper, tolerance, pieces);
   if (contours.empty()) return;
   std::vector<std::array<std::optional<Vec2>, 2>> places(pieces.size());
   parallel_for(pieces.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (const std::size_t k : {0, 1})
-        if (!settled[i][k]) places[i][k] = met(contours, pieces[i], k);
+        if (!settled[i][k] && pieces[i].s[k] > 0 && pieces[i].s[k] < 1)
+          places[i][k] = met(contours, pieces[i], is_moved(edge_of(lines, pieces[i])),
+                             in_mesh(lines, paper, pieces[i], k), k == 0 ? pieces[i].from : pieces[i].to);
   });
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (places[i][0]) pieces[i].from = *places[i][0];

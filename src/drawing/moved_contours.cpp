@@ -7,12 +7,20 @@
 
 namespace epura::drawing {
 
+Vec2 in_mesh(const visibility::ResolvedView& lines, const view::PaperMap& paper, const Piece& piece, std::size_t end) {
+  const edges::FeatureEdge& edge = edge_of(lines, piece);
+  const Vec2 a = paper(lines.view.vertices[edge.vertex[0]]), b = paper(lines.view.vertices[edge.vertex[1]]);
+  return a + piece.s[end] * (b - a);
+}
+
 MovedContours::MovedContours(const visibility::ResolvedView& lines, const view::PaperMap& paper, double tolerance,
                              const std::vector<Piece>& pieces)
-    : lines_(lines), paper_(paper), tolerance_(tolerance), pieces_(pieces) {
+    : tolerance_(tolerance), pieces_(pieces) {
   for (std::size_t i = 0; i < pieces.size(); ++i)
-    if (pieces[i].visible && is_moved(edge_of(pieces[i])))
-      contours_.push_back({i, {in_mesh(pieces[i], 0), in_mesh(pieces[i], 1)}, {pieces[i].from, pieces[i].to}});
+    if (pieces[i].visible && is_moved(edge_of(lines, pieces[i])))
+      contours_.push_back({i,
+                           {in_mesh(lines, paper, pieces[i], 0), in_mesh(lines, paper, pieces[i], 1)},
+                           {pieces[i].from, pieces[i].to}});
   std::stable_sort(contours_.begin(), contours_.end(),
                    [](const MovedContour& a, const MovedContour& b) { return a.in_mesh[0].x < b.in_mesh[0].x; });
   tree_ = search::BoundsTree<2>(contours_.size(), [&](std::size_t i) {
@@ -20,12 +28,6 @@ MovedContours::MovedContours(const visibility::ResolvedView& lines, const view::
     const Vec2 low = glm::min(a, b), high = glm::max(a, b);
     return search::Bounds<2>{{{low.x, high.x}, {low.y, high.y}}};
   });
-}
-
-Vec2 MovedContours::in_mesh(const Piece& piece, std::size_t end) const {
-  const edges::FeatureEdge& edge = edge_of(piece);
-  const Vec2 a = paper_(lines_.view.vertices[edge.vertex[0]]), b = paper_(lines_.view.vertices[edge.vertex[1]]);
-  return a + piece.s[end] * (b - a);
 }
 
 bool MovedContours::has_inner_end(const MovedContour& contour, const Vec2& place) const {

@@ -19,6 +19,13 @@ namespace epura::drawing {
 /// Whether a contour is drawn in another place than its edge of the mesh.
 inline bool is_moved(const edges::FeatureEdge& edge) { return edge.shown[0] >= 0 || edge.shown[1] >= 0; }
 
+inline const edges::FeatureEdge& edge_of(const visibility::ResolvedView& lines, const Piece& piece) {
+  return lines.drawn.edges[static_cast<std::size_t>(piece.edge)];
+}
+
+/// Returns where an end of a piece is in the mesh.
+Vec2 in_mesh(const visibility::ResolvedView& lines, const view::PaperMap& paper, const Piece& piece, std::size_t end);
+
 /// A visible piece of a contour that is not drawn where it is in the mesh.
 struct MovedContour {
   std::size_t piece;
@@ -32,12 +39,6 @@ class MovedContours {
                 const std::vector<Piece>& pieces);
 
   [[nodiscard]] bool empty() const { return contours_.empty(); }
-  [[nodiscard]] double tolerance() const { return tolerance_; }
-
-  [[nodiscard]] const edges::FeatureEdge& edge_of(const Piece& piece) const { return lines_.drawn.edges[piece.edge]; }
-
-  /// Returns where an end of a piece is in the mesh.
-  [[nodiscard]] Vec2 in_mesh(const Piece& piece, std::size_t end) const;
 
   /// Calls `visit(contour, parameter)` for contours of other edges on which a place in the mesh lies, with its
   /// position, 0 to 1, until it returns false.
@@ -59,8 +60,6 @@ class MovedContours {
  private:
   [[nodiscard]] std::optional<double> parameter_of(const MovedContour& contour, const Vec2& place) const;
 
-  const visibility::ResolvedView& lines_;
-  const view::PaperMap& paper_;
   double tolerance_;
   const std::vector<Piece>& pieces_;
   std::vector<MovedContour> contours_;

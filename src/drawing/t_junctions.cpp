@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
@@ -84,6 +85,7 @@ struct Step {
 
 /// A change between visible and hidden that moves: pieces that turn, and the part of the last one that turns with them.
 struct Change {
+  Step visible{}, hidden{};  ///< the pieces between which it was
   std::vector<Step> turned{};
   std::optional<Step> last{};  ///< none where the contour is visible beyond the pieces that turn
   double s = 0;                ///< on the edge of the last one
@@ -103,17 +105,15 @@ search::Bounds<2> box_around(const Vec2& a, const Vec2& b, double margin) {
 
 class TJunctions {
  public:
-  TJunctions(const visibility::ResolvedView& lines, const view::PaperMap& paper, double tolerance,
-             std::vector<Piece>& pieces)
+  TJunctions(const visibility::ResolvedView& lines, const view::PaperMap& paper, std::vector<Piece>& pieces)
       : lines_(lines),
         paper_(paper),
         pieces_(pieces),
-        contours_(lines, paper, tolerance, pieces),
         ways_(lines, pieces),
-        settled_(pieces.size(), {false, false}) {}
+        settled_(pieces.size(), {false, false}),
+        changed_(pieces.size(), 0) {}
 
   std::vector<SettledEnds> move() {
-    if (contours_.empty()) return settled_;
     const std::vector<Step> ends = hidden_ends();
     if (ends.empty()) return settled_;
     find_lines_near(ends);
@@ -195,7 +195,7 @@ class TJunctions {
       if (!next || next->piece == from.piece) break;
       const Piece& piece = pieces_[next->piece];
       if (piece.visible != pieces_[from.piece].visible || turns_back(steps.back(), *next)) break;
-      if (!piece.visible && contours_.edge_of(piece).hollow != 0) break;
+      if (!piece.visible && edge_of(lines_, piece).hollow != 0) break;
       steps.push_back(*next);
     }
     return steps;
@@ -205,20 +205,20 @@ class TJunctions {
   // it.
   [[nodiscard]] bool is_hidden_beyond(const Step& visible) const {
     const Piece& piece = pieces_[visible.piece];
-    if (!piece.visible || !is_moved(contours_.edge_of(piece))) return false;
+    if (!piece.visible || !is_moved(edge_of(lines_, piece))) return false;
     const auto next = after(visible);
-    return next && !pieces_[next->piece].visible && contours_.edge_of(pieces_[next->piece]).hollow == 0;
+    return next && !pieces_[next->piece].visible && edge_of(lines_, pieces_[next->piece]).hollow == 0;
   }
 
   // Whether two pieces are of one edge, or their edges meet in a vertex.
   [[nodiscard]] bool are_joined(const Piece& a, const Piece& b) const {
-    const auto &p = contours_.edge_of(a).vertex, &q = contours_.edge_of(b).vertex;
+    const auto &p = edge_of(lines_, a).vertex, &q = edge_of(lines_, b).vertex;
     return a.edge == b.edge || p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1];
   }
 
   // Depth, growing towards the viewer, of a part of a piece as it is drawn.
   [[nodiscard]] double depth_at(const Piece& piece, double part) const {
-    const edges::FeatureEdge& edge = contours_.edge_of(piece);
+    const edges::FeatureEdge& edge = edge_of(lines_, piece);
     const auto depth = [&](std::size_t end) {
       return lines_.view.vertices[edge.shown[end] < 0 ? edge.vertex[end] : edge.shown[end]].depth;
     };
@@ -275,8 +275,8 @@ class TJunctions {
     edge.s = {0, 1};
     double most = 0;
     for (const std::size_t end : {0, 1}) {
-      const Vec2 drawn = position_on_paper(lines_.view, paper_, contours_.edge_of(piece), edge.s[end]);
-      most = std::max(most, glm::distance(drawn, contours_.in_mesh(edge, end)));
+      const Vec2 drawn = position_on_paper(lines_.view, paper_, edge_of(lines_, piece), edge.s[end]);
+      most = std::max(most, glm::distance(drawn, in_mesh(lines_, paper_, edge, end)));
     }
     return most;
   }
@@ -285,8 +285,13 @@ class TJunctions {
     const auto hidden = after(visible);
     const auto onwards = crossing_along(*hidden, reach(visible));
     const auto back = crossing_along({visible.piece, 1 - visible.ahead}, reach(visible));
-    if (!onwards || !back) return onwards ? onwards : back;
-    return onwards->distance <= back->distance ? onwards : back;
+    const bool goes_on = onwards && (!back || onwards->distance <= back->distance);
+    std::optional<Change> change = goes_on ? onwards : back;
+    if (change) {
+      change->visible = visible;
+      change->hidden = *hidden;
+    }
+    return change;
   }
 
   void settle(std::size_t piece, std::size_t end) {
@@ -296,11 +301,18 @@ class TJunctions {
 
   // What was turned before, from the other side, stays.
   void apply(const Change& change) {
-    const auto is_done = [&](const Step& step) { return settled_[step.piece][0] || settled_[step.piece][1]; };
-    if (std::any_of(change.turned.begin(), change.turned.end(), is_done)) return;
-    if (change.last && is_done(*change.last)) return;
-    if (change.last) divide(*change.last, change.s);
+    const auto is_changed = [&](const Step& step) { return changed_[step.piece] != 0; };
+    if (std::any_of(change.turned.begin(), change.turned.end(), is_changed)) return;
+    if (change.last && is_changed(*change.last)) return;
+    // What was visible only as far as here goes on now, or nothing is visible on either side.
+    settle(change.visible.piece, change.visible.ahead);
+    settle(change.hidden.piece, 1 - change.hidden.ahead);
+    if (change.last)
+      divide(*change.last, change.s);
+    else if (const auto beyond = after(change.turned.back()))
+      settle(beyond->piece, 1 - beyond->ahead);
     for (const Step& step : change.turned) {
+      changed_[step.piece] = 1;
       pieces_[step.piece].visible = !pieces_[step.piece].visible;
       for (const std::size_t end : {0, 1}) settle(step.piece, end);
     }
@@ -313,16 +325,18 @@ class TJunctions {
     Piece part = rest;
     part.visible = !rest.visible;
     part.s[step.ahead] = rest.s[begin] = s;
-    const Vec2 place = position_on_paper(lines_.view, paper_, contours_.edge_of(rest), s);
+    const Vec2 place = position_on_paper(lines_.view, paper_, edge_of(lines_, rest), s);
     (step.ahead == 1 ? part.to : part.from) = (begin == 1 ? rest.to : rest.from) = place;
     added_.push_back({step.piece + (step.ahead == 1 ? 0 : 1), part});
+    changed_[step.piece] = 1;
     settle(step.piece, begin);
   }
 
   // Each before the piece that it precedes on its edge.
   void insert_added() {
     if (added_.empty()) return;
-    std::sort(added_.begin(), added_.end(), [](const Added& a, const Added& b) { return a.before < b.before; });
+    const auto order = [](const Added& one) { return std::tuple(one.before, one.piece.edge, one.piece.s[0]); };
+    std::sort(added_.begin(), added_.end(), [&](const Added& a, const Added& b) { return order(a) < order(b); });
     std::vector<Piece> all;
     std::vector<SettledEnds> settled;
     all.reserve(pieces_.size() + added_.size());
@@ -350,19 +364,21 @@ class TJunctions {
   const visibility::ResolvedView& lines_;
   const view::PaperMap& paper_;
   std::vector<Piece>& pieces_;
-  MovedContours contours_;
   ContourWays ways_;
   std::vector<std::size_t> near_;  ///< visible pieces near the ends, and a tree over them
   search::BoundsTree<2> near_tree_;
   std::vector<SettledEnds> settled_;
+  std::vector<char> changed_;  ///< by piece
   std::vector<Added> added_;
 };
 
 }  // namespace
 
 std::vector<SettledEnds> move_t_junctions(const visibility::ResolvedView& lines, const view::PaperMap& paper,
-                                          double tolerance, std::vector<Piece>& pieces) {
-  return TJunctions(lines, paper, tolerance, pieces).move();
+                                          std::vector<Piece>& pieces) {
+  const auto& edges = lines.drawn.edges;
+  if (std::none_of(edges.begin(), edges.end(), is_moved)) return std::vector<SettledEnds>(pieces.size());
+  return TJunctions(lines, paper, pieces).move();
 }
 
 }  // namespace epura::drawing

@@ -19,9 +19,9 @@ namespace epura::drawing {
 using SettledEnds = std::array<bool, 2>;
 
 /// Moves the change between visible and hidden along contours to the visible contours that hide them. Pieces are in the
-/// order of edges and of their places on them, with the hidden ones of moved contours, and stay so. Two places within
-/// `tolerance` mm are the same. Returns by piece which ends it has settled.
+/// order of edges and of their places on them, with the hidden ones of moved contours, and stay so. Returns by piece
+/// which ends it has settled.
 std::vector<SettledEnds> move_t_junctions(const visibility::ResolvedView& lines, const view::PaperMap& paper,
-                                          double tolerance, std::vector<Piece>& pieces);
+                                          std::vector<Piece>& pieces);
 
 }  // namespace epura::drawing

@@ -141,13 +141,11 @@ void take_islands(const Facets& facets, std::vector<int>& region_of, std::vector
     });
     std::sort(beside.begin(), beside.end());
     beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
-    for (const int number : beside) {
-      const std::vector<int> island = Island(facets, region_of, regions[number], number).from(f);
-      for (const int one : island) {
-        region_of[one] = number;
-        add(facets, one, regions[number]);
-      }
-      if (!island.empty()) break;
+    if (beside.size() != 1) continue;
+    Region& region = regions[beside.front()];
+    for (const int one : Island(facets, region_of, region, beside.front()).from(f)) {
+      region_of[one] = beside.front();
+      add(facets, one, region);
     }
   }
 }

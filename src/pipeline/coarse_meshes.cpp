@@ -42,17 +42,6 @@ double mean_rise(const ViewInput& input, const drawing::ViewDrawing& drawing, in
   return length < least_outline ? 0 : sum / length;
 }
 
-// Views of outlines alone do not need the faces of parts, so that they are not known yet.
-bool is_part(const world::Placed& placed, const Progress& progress) {
-  constexpr double least_recognised = 0.3;  // of the area
-  if (placed.part != nullptr) return true;
-  try {
-    return features::recognise_faces(*placed.mesh, {}, progress).recognised >= least_recognised;
-  } catch (const OutOfTime&) {
-    return true;
-  }
-}
-
 bool is_rounded(const scene::ModelDescription& model) {
   return std::any_of(model.import.begin(), model.import.end(),
                      [](const auto& parameter) { return parameter.first == "subdivide"; });
@@ -61,35 +50,63 @@ bool is_rounded(const scene::ModelDescription& model) {
 // Whoever asks for all edges of the mesh beside its creases or its border wants to see them.
 bool wants_mesh(const edges::EdgeOptions& edges) { return edges.smooth && (edges.crease || edges.boundary); }
 
-std::string warning_of(const world::Placed& placed, const edges::EdgeOptions& edges, bool is_angular, bool is_round) {
-  const std::string name = std::filesystem::path(placed.mesh->report.name).filename().string();
-  const std::string round = "round the mesh by " + name + ":subdivide=2", outlines = "--edges contour,boundary";
-  if (!is_angular)
-    return "edges of the kind 'smooth' are all those of the mesh of '" + name + "'\n  hint: draw its outlines by " +
-           outlines + (is_round ? "" : "; if they are angular, " + round);
-  return "the outlines of '" + name + "' are angular: its mesh is coarse for this scale" +
-         (edges.smooth ? ", and all edges of it are of the kind 'smooth'" : "") + "\n  hint: " + round +
-         (edges.smooth || edges.crease ? ", and draw its outlines alone by " + outlines : "");
-}
-
 }  // namespace
 
-std::vector<std::string> warnings_of_coarse_meshes(const ViewInput& input, const drawing::ViewDrawing& drawing,
-                                                   const scene::SceneDescription& scene, const Progress& progress) {
+CoarseMeshes::CoarseMeshes(const scene::SceneDescription& scene, PartsByModel& parts) : scene_(scene), parts_(parts) {}
+
+void CoarseMeshes::look(const ViewInput& input, const drawing::ViewDrawing& drawing, const Progress& progress) {
   constexpr double visible_rise = 0.1;  // mm
   constexpr int most_triangles = 50'000, most_bodies = 20;
-  std::vector<std::string> warnings;
-  if (input.section != nullptr || input.options.wireframe || wants_mesh(input.options.edges)) return warnings;
+  const edges::EdgeOptions& edges = input.options.edges;
+  if (input.section != nullptr || input.options.wireframe || wants_mesh(edges)) return;
   for (int model = 0; model < static_cast<int>(input.world.models.size()); ++model) {
     const world::Placed& placed = input.world.models[model];
-    const scene::ModelDescription& description = scene.models[input.world.number_in_scene(model)];
+    const int number = input.world.number_in_scene(model);
+    const scene::ModelDescription& description = scene_.models[static_cast<std::size_t>(number)];
     if (placed.part != nullptr || description.surfaces.value_or(Surfaces::automatic) == Surfaces::mesh ||
         placed.mesh->triangle_count() > most_triangles || placed.mesh->report.bodies > most_bodies)
       continue;
-    const bool is_round = is_rounded(description);
-    const bool is_angular = !is_round && mean_rise(input, drawing, model) >= visible_rise;
-    if ((is_angular || input.options.edges.smooth) && !is_part(placed, progress))
-      warnings.push_back(warning_of(placed, input.options.edges, is_angular, is_round));
+    const bool is_angular = !is_rounded(description) && mean_rise(input, drawing, model) >= visible_rise;
+    if (!(is_angular || edges.smooth) || is_part(number, *placed.mesh, progress)) continue;
+    Coarse& found = coarse_[number];
+    found.name = std::filesystem::path(placed.mesh->report.name).filename().string();
+    found.is_angular = found.is_angular || is_angular;
+    found.has_smooth = found.has_smooth || edges.smooth;
+    found.has_creases = found.has_creases || edges.crease;
+  }
+}
+
+// Views of outlines alone do not need the faces of parts, so that they are not known yet.
+bool CoarseMeshes::is_part(int model, const mesh::Mesh& mesh, const Progress& progress) {
+  constexpr double least_recognised = 0.3;  // of the area
+  constexpr double part_of_the_time = 0.1;
+  const auto known = parts_.find(model);
+  if (known != parts_.end()) return known->second;
+  bool is_part = true;
+  try {
+    const Progress limited = progress.with_part_of_the_time(part_of_the_time);
+    is_part = features::recognise_faces(mesh, {}, limited).recognised >= least_recognised;
+  } catch (const OutOfTime&) {
+    // Nothing is said without knowing.
+  }
+  return parts_[model] = is_part;
+}
+
+std::vector<std::string> CoarseMeshes::warnings() const {
+  std::vector<std::string> warnings;
+  for (const auto& [model, mesh] : coarse_) {
+    const std::string round = "round the mesh by " + mesh.name + ":subdivide=2";
+    const std::string outlines = "--edges contour,boundary";
+    if (mesh.is_angular)
+      warnings.push_back("the outlines of '" + mesh.name + "' are angular: its mesh is coarse for this scale" +
+                         (mesh.has_smooth ? ", and all edges of it are of the kind 'smooth'" : "") +
+                         "\n  hint: " + round +
+                         (mesh.has_smooth || mesh.has_creases ? ", and draw its outlines alone by " + outlines : ""));
+    else
+      warnings.push_back(
+          "edges of the kind 'smooth' are all those of the mesh of '" + mesh.name + "'\n  hint: draw its outlines by " +
+          outlines +
+          (is_rounded(scene_.models[static_cast<std::size_t>(model)]) ? "" : "; if they are angular, " + round));
   }
   return warnings;
 }

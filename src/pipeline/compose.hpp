@@ -16,8 +16,8 @@
 namespace epura::pipeline {
 
 /// Composes the views of a sheet, in order, with their annotations and the sheet's furniture. Work for which there is
-/// no time is omitted, and noted in the budget. A sheet that leaves out more dimensions than `input` permits has little
-/// but these.
+/// no time is omitted, and noted in the budget. A sheet that leaves out more dimensions than `input` permits is
+/// returned unfinished, with `left_out` alone.
 FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results, const Budget& budget);
 
 }  // namespace epura::pipeline

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -85,6 +84,7 @@ struct Run {
   std::vector<std::vector<importer::BodyPart>> parts{};  ///< of the bodies of each model
   bool refers_to_models = false;                         ///< for free forms
   std::map<const world::World*, std::optional<KnownIntersections>> intersections{};
+  PartsByModel known_parts{};
 
   double fineness = 1;  ///< of imported surfaces, as a multiple of what --max-error usually needs
   std::optional<world::FacetHeights> heights{};
@@ -350,7 +350,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
   warn_about_details(messages, views, plan);
   std::vector<ViewResult> results;
   std::string answers_of_sheet;
-  std::set<std::string> coarse;  // warnings, each for all views
+  CoarseMeshes coarse(scene, known_parts);
   std::vector<std::vector<std::optional<SeenPoint>>> items_seen(seen.size());
   std::vector<std::vector<sheet::CalloutTarget>> targets;
   report::Partial partial;
@@ -367,8 +367,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
       warn_if_unseen(messages, *section, seen[i], views.plans[i].options.name);
     results.push_back(draw_view(input, std::move(seen[i]), time_of_next_view(), watch));
     warn_if_empty(messages, results.back(), input);
-    for (const std::string& warning : warnings_of_coarse_meshes(input, results.back().drawing, scene, progress))
-      if (coarse.insert(warning).second) messages.warn(warning);
+    coarse.look(input, results.back().drawing, progress);
     note(results.back());
     CalloutTargets found = find_targets(world(i), results.back().drawing, annotations[i].callouts);
     for (const std::string& warning : found.warnings) messages.warn(warning);
@@ -379,6 +378,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
         budget.or_nothing([&](const Progress& until) { return answer(options, input, results.back(), until); });
     results.back().work = {};  // frees memory for what follows
   }
+  for (const std::string& warning : coarse.warnings()) messages.warn(warning);
   if (options.arcs) tell_of_curves(messages, results);
   if (!plan.inside) warn_about(messages, plan);
   gathered.report.cut_off = gathered.report.cut_off || !plan.on_paper;
@@ -400,7 +400,6 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
 
 void Run::finish(FinishedSheet& sheet, const SheetPlan& plan, std::vector<sheet::DimensionsInView> anchored) {
   sheet.next_size = plan.next_size;
-  sheet.inside = plan.inside;
   leave_out(anchored, sheet.left_out);
   add_all(gathered.dimensioned, std::move(anchored));
 }
@@ -434,7 +433,7 @@ Attempt Run::attempt(const DrawSheet& draw) {
 std::optional<Attempt> Run::attempt_if(const DrawSheet& draw,
                                        const std::function<bool(const FinishedSheet&)>& is_better) {
   constexpr double part = 0.4;  // of the time left
-  const Messages outside = std::exchange(messages, {});
+  const Messages outside = std::exchange(messages, silent_messages());
   const Progress whole = std::exchange(progress, progress.with_part_of_the_time(part));
   std::optional<Attempt> result;
   const auto restore = [&] {
@@ -490,8 +489,9 @@ FinishedSheet Run::draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views
   const auto improves = [&](const std::optional<double>& scale) {
     const std::size_t left_out = left_out_of(best->sheet);
     const SheetPlan plan = plan_of(worlds, sheet, {*best->sheet.next_size, scale});
+    if (!plan.inside) return false;
     auto larger = attempt_if([&] { return draw_sheet(worlds, sheet, plan, left_out - 1); },
-                             [&](const FinishedSheet& other) { return other.inside && left_out_of(other) < left_out; });
+                             [&](const FinishedSheet& other) { return left_out_of(other) < left_out; });
     if (larger) best = std::move(larger);
     return larger.has_value();
   };

@@ -24,7 +24,6 @@ struct FinishedSheet {
   std::vector<std::vector<std::size_t>> left_out{};  ///< by view: numbers of dimensions for which it has no room
   std::string answers{};                             ///< to the questions about its edges
   std::optional<int> next_size{};                    ///< as in SheetPlan
-  bool inside = true;                                ///< as in SheetPlan
   bool is_crowded = false;                           ///< something has no place on it, or a worse one
 };
 

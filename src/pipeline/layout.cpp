@@ -340,12 +340,12 @@ LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfView
 }  // namespace
 
 std::vector<LayoutWish> better_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual) {
-  constexpr double share = 0.5, to_next = 2.6;  // times 1, 2 or 5 is above the next one, and below the one after that
+  constexpr double share = 0.5;
   const bool is_sized = is_sized_by_scale(sheet);
   std::vector<LayoutWish> layouts;
   if (is_sized) layouts.push_back({0, std::nullopt, share});
   if (usual.chosen)
-    layouts.push_back({is_sized ? usual.size_rank() : 0, sheet::standard_scale_up_to(to_next * usual.scale), share});
+    layouts.push_back({is_sized ? usual.size_rank() : 0, sheet::next_standard_scale(usual.scale), share});
   return layouts;
 }
 

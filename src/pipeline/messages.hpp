@@ -15,6 +15,10 @@ struct Messages {
   std::function<void(std::string_view lines)> print;
 };
 
+inline Messages silent_messages() {
+  return {[](const std::string&) {}, [](std::string_view) {}};
+}
+
 /// Messages of an attempt, told when it is known to be the last.
 class HeldMessages {
  public:

@@ -204,7 +204,7 @@ Picture make_picture(const PictureRequest& request, const RunOptions& options, c
   run.verify = run.explain = run.lint = run.line_facts = false;
   run.why.clear();
   run.dump.reset();
-  const Messages silent{[](const std::string&) {}, [](std::string_view) {}};
+  const Messages silent = silent_messages();
   Stopwatch watch;
   const DrawnScene drawn = draw_scene(own, run, {silent, progress, watch});
   const drawing::ViewDrawing& drawing = drawn.sheets.front().drawings.front();

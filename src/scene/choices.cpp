@@ -17,7 +17,8 @@ PaperChoice custom_size(std::string_view text, const std::string& where) {
   const auto height = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
   if (!width || !height)
     throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a paper size",
-                "write none, auto, A0 to A4, ANSI-A to ANSI-E, or width x height in mm such as 300x200");
+                "write none, auto, A0 to A4, ANSI-A to ANSI-E, letter, tabloid, ledger, or width x height in mm such "
+                "as 300x200");
   const auto usable = [](double side) { return side >= 1 && side <= longest_side; };
   if (!usable(*width) || !usable(*height))
     throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a usable paper size",

@@ -381,11 +381,11 @@ ValueKind<ScaleChoice> scale_choice() {
 }
 
 ValueKind<PaperChoice> paper_choice() {
-  return {
-      {"text",
-       "SIZE",
-       {"A4", "A3", "A2", "A1", "A0", "ANSI-A", "ANSI-B", "ANSI-C", "ANSI-D", "ANSI-E", "none", "auto", "ANSI-auto"}},
-      [](const TomlValue& value) { return parse_paper_size(read_text(value), value.where); }};
+  return {{"text",
+           "SIZE",
+           {"A4", "A3", "A2", "A1", "A0", "ANSI-A", "ANSI-B", "ANSI-C", "ANSI-D", "ANSI-E", "letter", "tabloid",
+            "ledger", "none", "auto", "ANSI-auto"}},
+          [](const TomlValue& value) { return parse_paper_size(read_text(value), value.where); }};
 }
 
 ValueKind<EdgeKinds> edge_kinds() {

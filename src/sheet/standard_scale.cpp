@@ -29,9 +29,13 @@ double standard_scale_up_to(double scale) {
   return by_tens(1, least_power);
 }
 
-double nearest_standard_scale(double scale) {
+double next_standard_scale(double standard) {
   constexpr double to_next = 2.6;  // times 1, 2 or 5 is above the next one, and below the one after that
-  const double below = standard_scale_up_to(scale), above = standard_scale_up_to(to_next * below);
+  return standard_scale_up_to(to_next * standard);
+}
+
+double nearest_standard_scale(double scale) {
+  const double below = standard_scale_up_to(scale), above = next_standard_scale(below);
   return scale / below < above / scale ? below : above;
 }
 

@@ -10,6 +10,9 @@ namespace epura::sheet {
 /// 1:10^300 and 5*10^301:1.
 double standard_scale_up_to(double scale);
 
+/// The standard scale above a standard scale.
+double next_standard_scale(double standard);
+
 /// The standard scale nearest to `scale` in proportion.
 double nearest_standard_scale(double scale);
 

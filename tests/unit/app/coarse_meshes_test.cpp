@@ -91,5 +91,18 @@ TEST_F(CoarseMeshes, AreToldOnceForAllViews) {
   EXPECT_EQ(run.err.find(angular, first + 1), std::string::npos) << run.err;
 }
 
+// Angular in one of its views, and small in the other.
+TEST_F(CoarseMeshes, AreToldOnceForViewsThatDiffer) {
+  folder.file("part.obj", pebble(12));
+  folder.file("two.toml",
+              "model = [{file = \"part.obj\"}]\nsheet = {size = \"A3\"}\n"
+              "[[view]]\nprojection = \"front\"\nedges = [\"contour\", \"smooth\"]\nscale = \"1:20\"\n"
+              "[[view]]\nprojection = \"isometric\"\nedges = [\"contour\", \"smooth\"]\nscale = \"1:1\"\n");
+  const Outcome run = epura({"draw", "two.toml", "-o", "x.svg"}, folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, angular)) << run.err;
+  EXPECT_FALSE(contains(run.err, "if they are angular")) << run.err;
+}
+
 }  // namespace
 }  // namespace epura::test

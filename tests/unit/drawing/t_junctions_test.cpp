@@ -47,8 +47,7 @@ struct Contours {
   }
 
   std::vector<drawing::SettledEnds> move() {
-    return drawing::move_t_junctions({world, view, drawn, visibility::nothing_hidden(drawn)}, {1, Vec2(0)}, 0.01,
-                                     pieces);
+    return drawing::move_t_junctions({world, view, drawn, visibility::nothing_hidden(drawn)}, {1, Vec2(0)}, pieces);
   }
 
   // Up to where the contour is visible from its start, and the length of what is visible.
@@ -74,6 +73,12 @@ TEST(TJunctions, ContoursGoOnToWhatHidesThemAsDrawn) {
   const auto settled = contours.move();
   EXPECT_EQ(contours.visible(), (std::array{1.5, 1.5}));
   ASSERT_EQ(settled.size(), contours.pieces.size());
+  // Nothing else may move the ends where the change was, and where it is.
+  for (std::size_t i = 0; i < settled.size(); ++i)
+    for (const std::size_t end : {0, 1})
+      if (const double s = contours.pieces[i].s[end]; contours.pieces[i].edge <= 2 && s > 0 && s < 1) {
+        EXPECT_TRUE(settled[i][end]) << i;
+      }
   double at = 0;  // in order, without gaps
   for (const Piece& piece : contours.pieces) {
     if (piece.edge > 2) continue;
@@ -101,8 +106,9 @@ TEST(TJunctions, NothingHidesAContourThatNothingCrosses) {
   contours.add(1, false, 0, 0.25);
   contours.add(1, true, 0.25, 1);
   contours.add(2, true, 0, 1);
-  contours.move();
+  const auto settled = contours.move();
   EXPECT_EQ(contours.visible(), (std::array{3.0, 3.0}));
+  EXPECT_TRUE(settled[0][1] && settled[1][0] && settled[2][1] && settled[3][0]) << "both ends of the gap";
 }
 
 // Nor do lines behind it, and of lines in front, only outlines hide what is beyond them.
