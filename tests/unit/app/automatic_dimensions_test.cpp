@@ -301,6 +301,17 @@ TEST_F(AutomaticDimensions, ChooseTheLargestScaleAtWhichTheyFit) {
   EXPECT_EQ(scale_on("A4", "full", "flange.obj"), "1:5") << "at 1:2, the title block is in the way";
 }
 
+// A better layout is tried first: what is wrong with any is told.
+TEST_F(AutomaticDimensions, TellWhatIsWrongOnAnySheet) {
+  for (const char* size : {"auto", "A3"}) {
+    const Outcome run = epura({"draw", sample("elbow.obj"), "--views", "front,top,left", "--dimensions", "auto",
+                               "--sheet", size, "--max-error", "0.0001", "-o", "x.svg"},
+                              folder / "");
+    EXPECT_EQ(run.code, 2) << run.err;
+    EXPECT_TRUE(contains(run.err, "--max-error: is 1e-04 mm, but lines of view")) << run.err;
+  }
+}
+
 // An estimate of the room would take A2 for the first, and A3 for the second. With half of it, the third would be on
 // A1, without some of its dimensions.
 TEST_F(AutomaticDimensions, ChooseTheSmallestSheetOnWhichTheyFit) {
