@@ -46,6 +46,14 @@ struct Contours {
     pieces.push_back({at(from), at(to), visible, true, EdgeKind::contour, edge, {from, to}});
   }
 
+  // Facets hide all but the first quarter of a millimetre.
+  void add_first_quarter() {
+    add(0, true, 0, 0.25);
+    add(0, false, 0.25, 1);
+    add(1, false, 0, 1);
+    add(2, false, 0, 1);
+  }
+
   std::vector<drawing::SettledEnds> move() {
     return drawing::move_t_junctions({world, view, drawn, visibility::nothing_hidden(drawn)}, {1, Vec2(0)}, pieces);
   }
@@ -65,10 +73,7 @@ struct Contours {
 
 TEST(TJunctions, ContoursGoOnToWhatHidesThemAsDrawn) {
   Contours contours;
-  contours.add(0, true, 0, 0.25);
-  contours.add(0, false, 0.25, 1);
-  contours.add(1, false, 0, 1);
-  contours.add(2, false, 0, 1);
+  contours.add_first_quarter();
   contours.add_upright(1.5, in_front);
   const auto settled = contours.move();
   EXPECT_EQ(contours.visible(), (std::array{1.5, 1.5}));
@@ -115,10 +120,7 @@ TEST(TJunctions, NothingHidesAContourThatNothingCrosses) {
 TEST(TJunctions, OnlyOutlinesInFrontHideContours) {
   for (const bool is_crease : {false, true}) {
     Contours contours;
-    contours.add(0, true, 0, 0.25);
-    contours.add(0, false, 0.25, 1);
-    contours.add(1, false, 0, 1);
-    contours.add(2, false, 0, 1);
+    contours.add_first_quarter();
     contours.add_upright(0.75, is_crease ? in_front : behind - 1, is_crease ? EdgeKind::crease : EdgeKind::contour);
     if (is_crease) contours.pieces.back().kind = EdgeKind::crease;
     contours.move();
@@ -148,10 +150,7 @@ TEST(TJunctions, ContoursAreFollowedEitherWay) {
 TEST(TJunctions, CuspsStay) {
   Contours contours;
   contours.drawn.edges[0].hollow = -0.75F;
-  contours.add(0, true, 0, 0.25);
-  contours.add(0, false, 0.25, 1);
-  contours.add(1, false, 0, 1);
-  contours.add(2, false, 0, 1);
+  contours.add_first_quarter();
   contours.add_upright(0.5, in_front);
   contours.move();
   EXPECT_EQ(contours.visible(), (std::array{0.25, 0.25}));
@@ -160,10 +159,7 @@ TEST(TJunctions, CuspsStay) {
 TEST(TJunctions, ContoursDoNotGoOnBeyondACusp) {
   Contours contours;
   contours.drawn.edges[1].hollow = 1;
-  contours.add(0, true, 0, 0.25);
-  contours.add(0, false, 0.25, 1);
-  contours.add(1, false, 0, 1);
-  contours.add(2, false, 0, 1);
+  contours.add_first_quarter();
   contours.add_upright(1.5, in_front);
   contours.move();
   EXPECT_EQ(contours.visible(), (std::array{0.25, 0.25}));
@@ -172,10 +168,7 @@ TEST(TJunctions, ContoursDoNotGoOnBeyondACusp) {
 // However far away: four times as far as the contour of the mesh is from what is drawn.
 TEST(TJunctions, ContoursAreMovedNoFartherThanFacets) {
   Contours contours;
-  contours.add(0, true, 0, 0.25);
-  contours.add(0, false, 0.25, 1);
-  contours.add(1, false, 0, 1);
-  contours.add(2, false, 0, 1);
+  contours.add_first_quarter();
   contours.add_upright(2.5, in_front);
   contours.move();
   EXPECT_EQ(contours.visible(), (std::array{0.25, 0.25}));

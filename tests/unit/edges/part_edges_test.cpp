@@ -63,6 +63,22 @@ Profile ring(double radius, double tube, int steps) {
   return profile;
 }
 
+// Joins rings of vertices, each of which follows the one below it, by `bands` bands of triangles, and closes both ends.
+void close_rings(Shape& shape, int sides, int bands) {
+  std::vector<int> below, above;
+  for (int i = 0; i < sides; ++i) {
+    below.insert(below.begin(), i);
+    above.push_back(bands * sides + i);
+    for (int row = 0; row < bands; ++row) {
+      const int a = row * sides + i, b = row * sides + (i + 1) % sides;
+      shape.faces.push_back({a, b, b + sides});
+      shape.faces.push_back({a, b + sides, a + sides});
+    }
+  }
+  shape.faces.push_back(below);
+  shape.faces.push_back(above);
+}
+
 // A cylinder with a rounded foot, on which the vertices of the tessellation have no order.
 Shape rounded_foot(int rows, int sides) {
   std::mt19937 random(1);
@@ -79,18 +95,7 @@ Shape rounded_foot(int rows, int sides) {
     const auto& p = shape.points[std::size_t(rows * sides + i)];
     shape.points.push_back({p[0], p[1], 30});
   }
-  std::vector<int> below, above;
-  for (int i = 0; i < sides; ++i) {
-    below.insert(below.begin(), i);
-    above.push_back((rows + 1) * sides + i);
-    for (int row = 0; row <= rows; ++row) {
-      const int a = row * sides + i, b = row * sides + (i + 1) % sides;
-      shape.faces.push_back({a, b, b + sides});
-      shape.faces.push_back({a, b + sides, a + sides});
-    }
-  }
-  shape.faces.push_back(below);
-  shape.faces.push_back(above);
+  close_rings(shape, sides, rows + 1);
   return shape;
 }
 
@@ -460,18 +465,7 @@ Shape shaft_on_plate(int rows, int sides) {
       shape.points.push_back({radius * std::cos(u), radius * std::sin(u), 6 - 6 * std::sin(v)});
     }
   add_ring(37, 40);
-  std::vector<int> below, above;
-  for (int i = 0; i < sides; ++i) {
-    below.insert(below.begin(), i);
-    above.push_back((rows + 3) * sides + i);
-    for (int row = 0; row < rows + 3; ++row) {
-      const int a = row * sides + i, b = row * sides + (i + 1) % sides;
-      shape.faces.push_back({a, b, b + sides});
-      shape.faces.push_back({a, b + sides, a + sides});
-    }
-  }
-  shape.faces.push_back(below);
-  shape.faces.push_back(above);
+  close_rings(shape, sides, rows + 3);
   return shape;
 }
 
