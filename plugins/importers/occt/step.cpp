@@ -60,35 +60,35 @@ void note_units(STEPControl_Reader& reader, Model& model) {
   for (const std::string& unit : others) model.notes.push_back("the file is in " + unit + ": converted to millimetres");
 }
 
-/// The names of solids and surfaces, since XCAF has only the names of products.
-Names names_of_bodies(const STEPControl_Reader& reader) {
-  Names names;
+/// Calls visit(entity, shape) for each entity of a kind in the file that has become a shape, where that is not moved.
+template <class Entity, class Visit>
+void visit_shapes(const STEPControl_Reader& reader, const Visit& visit) {
   const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
   const Handle(StepData_StepModel) model = reader.StepModel();
   for (int i = 1; i <= model->NbEntities(); ++i) {
-    const auto item = Handle(StepRepr_RepresentationItem)::DownCast(model->Value(i));
-    if (item.IsNull() || item->Name().IsNull()) continue;
-    if (!item->IsKind(STANDARD_TYPE(StepShape_SolidModel)) &&
-        !item->IsKind(STANDARD_TYPE(StepShape_ShellBasedSurfaceModel)))
-      continue;
-    const std::string name = meaningful(item->Name()->ToCString());
-    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, item);
-    if (name.empty() || shape.IsNull()) continue;
-    names.Bind(shape.Located(TopLoc_Location()), name);
+    const auto entity = Handle(Entity)::DownCast(model->Value(i));
+    if (entity.IsNull()) continue;
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
+    if (!shape.IsNull()) visit(*entity, shape.Located(TopLoc_Location()));
   }
+}
+
+/// The names of solids and surfaces, since XCAF has only the names of products.
+Names names_of_bodies(const STEPControl_Reader& reader) {
+  Names names;
+  const auto bind = [&](const StepRepr_RepresentationItem& item, const TopoDS_Shape& shape) {
+    const std::string name = item.Name().IsNull() ? "" : meaningful(item.Name()->ToCString());
+    if (!name.empty()) names.Bind(shape, name);
+  };
+  visit_shapes<StepShape_SolidModel>(reader, bind);
+  visit_shapes<StepShape_ShellBasedSurfaceModel>(reader, bind);
   return names;
 }
 
 Products products_of(const STEPControl_Reader& reader) {
   Products products;
-  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
-  const Handle(StepData_StepModel) model = reader.StepModel();
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    const auto product = Handle(StepBasic_ProductDefinition)::DownCast(model->Value(i));
-    if (product.IsNull()) continue;
-    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, product);
-    if (!shape.IsNull()) products.Add(shape.Located(TopLoc_Location()));
-  }
+  visit_shapes<StepBasic_ProductDefinition>(
+      reader, [&](const StepBasic_ProductDefinition&, const TopoDS_Shape& shape) { products.Add(shape); });
   return products;
 }
 
