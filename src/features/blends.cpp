@@ -30,13 +30,6 @@ struct RimSide {
   Vec3 end;
 };
 
-/// A point in a half-plane that begins at an axis: its distance from it, and its height along it.
-Vec2 profile_of(const PartSurface& surface, const Vec3& point) {
-  const Vec3 from = point - surface.origin;
-  const double height = glm::dot(from, surface.axis);
-  return {glm::length(from - height * surface.axis), height};
-}
-
 /// The normal of a surface at a point, in the half-plane through that.
 Vec2 profile_normal(const PartSurface& surface, const Vec3& point) {
   const Vec3 from = point - surface.origin, normal = normal_near(surface, point);

@@ -11,8 +11,8 @@
 
 #include "base/convex_hull.hpp"
 #include "base/parallel.hpp"
+#include "features/estimates.hpp"
 #include "features/least_squares.hpp"
-#include "features/part_surface.hpp"
 
 namespace epura::features {
 

@@ -31,6 +31,12 @@ Vec3 smallest_axis(const Mat3& symmetric) {
   return glm::normalize(axes[least]);
 }
 
+Vec3 mean_of(std::span<const Vec3> points) {
+  Vec3 sum(0);
+  for (const Vec3& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
 std::array<Vec3, 2> square_to(const Vec3& axis) {
   const Vec3 u = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
   return {u, glm::cross(axis, u)};

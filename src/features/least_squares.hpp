@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "base/vec.hpp"
 
@@ -66,6 +67,9 @@ class NormalEquations {
   Matrix matrix_{};
   Unknowns right_{};
 };
+
+/// Returns the mean of one or more points.
+Vec3 mean_of(std::span<const Vec3> points);
 
 /// Returns the unit eigenvector of the smallest eigenvalue of a symmetric matrix.
 Vec3 smallest_axis(const Mat3& symmetric);

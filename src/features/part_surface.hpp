@@ -50,6 +50,10 @@ int unknowns_of(SurfaceKind kind);
 /// Returns the distance, positive outside: away from the axis or centre, or on the side of the normal of a plane.
 double signed_distance(const PartSurface& surface, const Vec3& point);
 
+/// Returns a point in a half-plane that begins at the axis: its distance from the axis, and its height along it from
+/// the origin.
+Vec2 profile_of(const PartSurface& surface, const Vec3& point);
+
 /// Returns the unit normal near a point, outwards as above; zero if there is none.
 Vec3 normal_near(const PartSurface& surface, const Vec3& point);
 
@@ -60,36 +64,5 @@ double residual_of(const PartSurface& surface, std::span<const Vec3> points);
 /// the fit fails, as for planes, which begin_plane fits. Gives up early if the points are unlikely to come as near as
 /// `wanted`.
 double refine(PartSurface& surface, std::span<const Vec3> points, double wanted = HUGE_VAL);
-
-/// The properties of a facet that a fit uses: a point in its middle and a unit normal.
-struct Facing {
-  Vec3 middle, normal;
-  double weight;
-};
-
-// Estimates to refine, from a few adjacent facets and their vertices.
-
-std::optional<PartSurface> begin_plane(std::span<const Vec3> points);
-std::optional<PartSurface> begin_cylinder(std::span<const Facing> facings, std::span<const Vec3> points);
-std::optional<PartSurface> begin_cone(std::span<const Facing> facings, std::span<const Vec3> points);
-std::optional<PartSurface> begin_sphere(std::span<const Vec3> points);
-/// Normals meet the axis: finds the line that comes nearest to that (Pottmann, Wallner: Computational Line Geometry,
-/// 2001). Exact for nets of meridians and parallels.
-std::optional<PartSurface> begin_torus_by_normals(std::span<const Facing> facings, std::span<const Vec3> points);
-
-/// The principal curvatures of a surface.
-struct Curvatures {
-  Vec3 point, normal;
-  std::array<double, 2> value;  ///< positive where the surface turns towards the normal
-  std::array<Vec3, 2> direction;
-};
-
-/// Returns the curvatures in the middle of points, whatever their arrangement.
-std::optional<Curvatures> curvatures_of(const Facing& middle, std::span<const Vec3> points);
-
-// Return the best of several surfaces with these curvatures.
-
-std::optional<PartSurface> begin_cone_by_curvatures(const Curvatures& at, std::span<const Vec3> points);
-std::optional<PartSurface> begin_torus_by_curvatures(const Curvatures& at, std::span<const Vec3> points);
 
 }  // namespace epura::features

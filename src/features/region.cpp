@@ -9,6 +9,7 @@
 #include "base/angle.hpp"
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
+#include "features/estimates.hpp"
 #include "features/least_squares.hpp"
 
 namespace epura::features {

@@ -14,6 +14,7 @@
 
 #include "base/parallel.hpp"
 #include "features/clusters.hpp"
+#include "features/estimates.hpp"
 
 namespace epura::features {
 

@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "features/estimates.hpp"
+
 namespace epura {
 namespace {
 
@@ -81,6 +83,24 @@ TEST(PartSurface, FitFindsATorus) {
   EXPECT_NEAR(surface.radius, 0.4, 1e-12);
   EXPECT_NEAR(surface.minor, 0.1, 1e-12);
   expect_axis(surface);
+}
+
+// Radii grow in the direction into which the axis turns by the same step. The points are those of a coarse fillet
+// around a hub, four columns of ten.
+TEST(PartSurface, FitFindsATorusFromATiltedOne) {
+  constexpr double radius = 0.31, minor = 0.0124;
+  std::vector<Vec3> points;
+  for (int i = -1; i <= 2; ++i)
+    for (int j = 0; j < 10; ++j) {
+      const double v = pi + j * pi / 18;
+      points.push_back(centre + (radius + minor * std::cos(v)) * around(0.1 * i) + minor * std::sin(v) * axis);
+    }
+  const Vec3 tilted = glm::normalize(axis + 0.14 * across + 0.01 * upwards);
+  const Vec3 outwards = glm::normalize(across - glm::dot(across, tilted) * tilted);
+  const Vec3 hub = centre + radius * across - 0.92 * radius * outwards;
+  features::PartSurface surface{features::SurfaceKind::torus, hub, tilted, 0.92 * radius, minor};
+  EXPECT_LT(features::refine(surface, points), 1e-13);
+  EXPECT_NEAR(surface.radius, radius, 1e-11);
 }
 
 TEST(PartSurface, DistancesAndNormalsAgree) {
