@@ -106,6 +106,14 @@ class Copying {
 
 }  // namespace
 
+Facets part_of(const Facets& all, const std::vector<int>& facets) {
+  Cluster part{facets, {}};
+  Copying copying(all);
+  copying.number(part, 0);
+  copying.copy(part);
+  return std::move(part.own);
+}
+
 std::vector<Cluster> clusters_of(const Facets& all) {
   std::vector<std::vector<int>> facets;
   if (all.facets.size() > least_facets) facets = divided(bodies_of(all));

@@ -16,6 +16,9 @@ struct Cluster {
   [[nodiscard]] const Facets& facets(const Facets& all) const { return whole.empty() ? all : own; }
 };
 
+/// Returns some facets of a mesh, given in ascending order, as a mesh of their own.
+Facets part_of(const Facets& all, const std::vector<int>& facets);
+
 /// Facets that are connected through sides are in one cluster; small bodies share one. The clusters are ordered by the
 /// first facets of their bodies, whatever the number of threads.
 std::vector<Cluster> clusters_of(const Facets& all);

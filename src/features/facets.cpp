@@ -391,10 +391,9 @@ double Facets::fold_at(int triangle, int side) const {
   return cosine > -1 ? std::sqrt((1 - cosine) / (1 + cosine)) : HUGE_VAL;
 }
 
-Facets make_facets(const mesh::Mesh& mesh, double looseness) {
+Facets make_facets(const mesh::Mesh& mesh) {
   Facets facets;
   read_triangles(mesh, facets);
-  facets.tolerance *= looseness;
   find_sides(mesh, facets);
   Flattening(mesh, facets).run();
   return facets;

@@ -81,7 +81,6 @@ struct Facets {
   [[nodiscard]] bool is_sliver(int facet) const { return facets[facet].width <= 16 * tolerance; }
 };
 
-/// `looseness` enlarges the tolerance that follows from the precision of the file's coordinates.
-Facets make_facets(const mesh::Mesh& mesh, double looseness = 1);
+Facets make_facets(const mesh::Mesh& mesh);
 
 }  // namespace epura::features

@@ -483,12 +483,12 @@ void complete_regions(const Facets& facets, std::vector<int>& region_of, std::ve
   Completion(facets, region_of, regions).run();
 }
 
-void dissolve_rows(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions) {
+void dissolve_rows(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions, std::size_t first) {
   const std::vector<char> is_row = Rows(facets, region_of, regions).find();
   std::vector<int> number(regions.size(), -1);
   std::vector<Region> kept;
   for (std::size_t r = 0; r < regions.size(); ++r) {
-    if (is_row[r] != 0) continue;
+    if (r >= first && is_row[r] != 0) continue;
     number[r] = static_cast<int>(kept.size());
     kept.push_back(std::move(regions[r]));
   }

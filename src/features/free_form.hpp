@@ -3,6 +3,7 @@
 // neighbours.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "features/facets.hpp"
@@ -15,9 +16,10 @@ namespace epura::features {
 /// the same width.
 void complete_regions(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions);
 
-/// Removes regions that are rows of a free form's tessellation: facets between two circles lie on a cone, and narrow
-/// strips of anything nearly do.
-void dissolve_rows(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions);
+/// Removes regions, from the one with number `first` on, that are rows of a free form's tessellation: facets between
+/// two circles lie on a cone, and narrow strips of anything nearly do.
+void dissolve_rows(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions,
+                   std::size_t first = 0);
 
 /// Merges neighbours that lie on the surface of the largest of them into one region.
 void merge_regions(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions);

@@ -12,6 +12,7 @@
 #include "features/blends.hpp"
 #include "features/borders.hpp"
 #include "features/chords.hpp"
+#include "features/clusters.hpp"
 #include "features/facets.hpp"
 #include "features/free_form.hpp"
 #include "features/region.hpp"
@@ -154,6 +155,36 @@ bool is_scan(const Facets& facets, const std::vector<int>& region_of) {
   return sure < least_recognised * all;
 }
 
+// Finds cylinders none of whose facets has all its vertices on the surface, to the precision of the file: CAD kernels
+// trim faces along inexact curves, and a fillet between two of these has no other vertices.
+void find_inexact_cylinders(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions,
+                            const Progress& progress) {
+  constexpr double looseness = 4;
+  const auto is_left = [&](int f) { return region_of[f] < 0 && !facets.facets[f].is_plane; };
+  std::vector<int> left;
+  for (int f = 0; f < static_cast<int>(region_of.size()); ++f) {
+    bool goes_on = false;
+    if (is_left(f))
+      facets.for_sides(f, [&](int t, int side, int other) {
+        goes_on = goes_on || (is_left(other) && facets.cosine_of_fold(t, side) > smooth_cosine);
+      });
+    if (goes_on) left.push_back(f);
+  }
+  if (left.empty()) return;
+  Facets loose = part_of(facets, left);
+  loose.tolerance *= looseness;
+  const std::size_t first = regions.size();
+  for (Region& region : find_round_regions(loose, progress, Wanted::cylinders).regions) {
+    if (region.surface.kind != SurfaceKind::cylinder) continue;
+    for (int& f : region.facets) {
+      f = left[f];
+      region_of[f] = static_cast<int>(regions.size());
+    }
+    regions.push_back(std::move(region));
+  }
+  dissolve_rows(facets, region_of, regions, first);
+}
+
 }  // namespace
 
 PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& options, const Progress& progress) {
@@ -166,6 +197,7 @@ PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& option
   merge_regions(facets, region_of, regions);
   dissolve_rows(facets, region_of, regions);
   take_chords(facets, region_of, regions);
+  find_inexact_cylinders(facets, region_of, regions, progress);
   complete_regions(facets, region_of, regions);
   merge_regions(facets, region_of, regions);
   PartFaces result = Result(mesh, facets, region_of, regions).faces();

@@ -25,6 +25,7 @@ constexpr std::size_t most_beside = 4;
 // The search is abandoned when at least `least_seeds` seeds were tried and fewer than one in `seeds_for_one` has grown.
 constexpr int least_seeds = 256;
 constexpr int seeds_for_one = 192;
+constexpr int seeds_for_one_cylinder = 64;
 constexpr int patience = 512;
 constexpr char enough_failures = 8;
 constexpr int facets_at_once = 256;
@@ -52,6 +53,7 @@ struct Neighbour {
 
 /// Counts attempts: the longer few of them succeed, as in free forms, the fewer facets are tried.
 struct Effort {
+  int most_tried;  ///< seeds for each that grows
   int tried = 0;
   int grown = 0;
   int in_vain = -patience;
@@ -64,7 +66,7 @@ struct Effort {
     in_vain = std::max(in_vain - 8, -patience);
   }
 
-  [[nodiscard]] bool is_hopeless() const { return tried >= least_seeds && tried > seeds_for_one * grown; }
+  [[nodiscard]] bool is_hopeless() const { return tried >= least_seeds && tried > most_tried * grown; }
 };
 
 /// A facet from which a surface might have grown, and whether it did.
@@ -91,9 +93,10 @@ struct Ring {
 /// Searches one cluster.
 class Search {
  public:
-  Search(const Facets& facets, const Progress& progress)
+  Search(const Facets& facets, const Progress& progress, Wanted wanted)
       : facets_(facets),
         progress_(progress),
+        wanted_(wanted),
         failures_(facets.facets.size(), 0),
         stamp_(facets.facets.size(), 0),
         vertex_stamp_(facets.points.size(), 0),
@@ -291,6 +294,7 @@ class Search {
     };
     if (const auto cylinder = begin_cylinder(patch.facings, patch.points); is_near(cylinder))
       consider(guesses, cylinder, patch);
+    if (wanted_ == Wanted::cylinders) return;
     if (!guesses.empty() && guesses.front().explained == patch.nearby.size()) return;
     if (const auto cone = begin_cone(patch.facings, patch.points); is_near(cone)) consider(guesses, cone, patch);
     if (patch.points.size() < 5) return;
@@ -298,11 +302,12 @@ class Search {
   }
 
   void guess_patch(std::vector<Guess>& guesses, const Patch& patch) const {
+    consider(guesses, begin_cylinder(patch.facings, patch.points), patch);
+    if (wanted_ == Wanted::cylinders) return;
     const auto curvatures = curvatures_of(patch.facings.front(), patch.points);
     const auto by_curvatures = [&](const auto& begin) {
       return curvatures ? begin(*curvatures, patch.points) : std::nullopt;
     };
-    consider(guesses, begin_cylinder(patch.facings, patch.points), patch);
     if (!consider(guesses, begin_cone(patch.facings, patch.points), patch))
       consider(guesses, by_curvatures(begin_cone_by_curvatures), patch);
     if (!consider(guesses, begin_torus_by_normals(patch.facings, patch.points), patch))
@@ -390,6 +395,7 @@ class Search {
 
   const Facets& facets_;
   const Progress& progress_;
+  Wanted wanted_;
   RoundRegions found_;
   std::vector<Origin> origins_;  ///< of the regions
   int stage_ = 0;
@@ -408,8 +414,9 @@ class Search {
 /// Searches all clusters in parallel.
 class SideBySide {
  public:
-  SideBySide(const Facets& all, const Progress& progress) : all_(all), clusters_(clusters_of(all)) {
-    for (const Cluster& cluster : clusters_) searches_.emplace_back(cluster.facets(all), progress);
+  SideBySide(const Facets& all, const Progress& progress, Wanted wanted)
+      : all_(all), wanted_(wanted), clusters_(clusters_of(all)) {
+    for (const Cluster& cluster : clusters_) searches_.emplace_back(cluster.facets(all), progress, wanted);
   }
 
   RoundRegions run() {
@@ -436,7 +443,7 @@ class SideBySide {
   // All clusters advance together, largest facets first: the attempts in one depend slightly on the results in others,
   // but never on which thread was faster.
   void pass(bool beside_regions) {
-    Effort effort;
+    Effort effort{wanted_ == Wanted::cylinders ? seeds_for_one_cylinder : seeds_for_one};
     const auto count = static_cast<int>(all_.facets.size());
     const int window = clusters_.size() > 1 ? facets_at_once : count;
     for (int end = std::min(window, count);; end = std::min(end + window, count)) {
@@ -516,14 +523,15 @@ class SideBySide {
   }
 
   const Facets& all_;
+  Wanted wanted_;
   std::vector<Cluster> clusters_;
   std::deque<Search> searches_;
 };
 
 }  // namespace
 
-RoundRegions find_round_regions(const Facets& facets, const Progress& progress) {
-  return SideBySide(facets, progress).run();
+RoundRegions find_round_regions(const Facets& facets, const Progress& progress, Wanted wanted) {
+  return SideBySide(facets, progress, wanted).run();
 }
 
 }  // namespace epura::features

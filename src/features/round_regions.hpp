@@ -16,7 +16,10 @@ struct RoundRegions {
   std::vector<int> region_of;  ///< by facet; -1 for none
 };
 
+/// What is searched for.
+enum class Wanted { all_kinds, cylinders };
+
 /// Starts with the first facets. Throws OutOfTime.
-RoundRegions find_round_regions(const Facets& facets, const Progress& progress);
+RoundRegions find_round_regions(const Facets& facets, const Progress& progress, Wanted wanted = Wanted::all_kinds);
 
 }  // namespace epura::features

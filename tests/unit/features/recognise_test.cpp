@@ -375,6 +375,23 @@ TEST(RecogniseFaces, VerticesOfTrimmedBordersNeedNotBeExact) {
   }
 }
 
+// A round corner, both of whose ends are trimmed along inexact curves: no triangle has three exact vertices.
+TEST(RecogniseFaces, NoTriangleOfACylinderNeedsExactVertices) {
+  Part part = prism(joined({arc({8, 3}, 2, 0, 90, 20), {{-10, 5}, {-10, -5}, {10, -5}}}), 30).triangulate();
+  int moved = 0;
+  part.move([&](const Vec3& p) {
+    const Vec3 from(p.x - 8, p.y - 3, 0);
+    if (from.x < 0.1 || from.y < 0.1) return p;
+    const double by = ++moved % 2 == 0 ? 6e-5 : -6e-5;
+    return p + by * from / 2.0;
+  });
+  ASSERT_GE(moved, 38);
+  const features::PartFaces faces = recognise(part);
+  EXPECT_EQ(count(faces, features::SurfaceKind::cylinder), 1);
+  EXPECT_EQ(count(faces, features::SurfaceKind::plane), 6);
+  EXPECT_EQ(faces.faces.size(), 7U);
+}
+
 // A net of triangles with its vertices moved along the surface, and diagonals either way.
 Part askew(int rows, int columns, const std::function<Vec3(double, double)>& place) {
   std::mt19937 random(5);
