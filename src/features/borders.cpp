@@ -17,6 +17,9 @@ namespace epura::features {
 
 namespace {
 
+// Normals of free forms are estimates: where they are not farther apart than twice the greatest angle between tangent
+// faces, so much of a border need not exceed that angle for it to be tangent.
+constexpr double most_of_estimated = 0.75;
 // Inside a free-form face, an edge with a sharper fold fades out at its ends.
 constexpr double fading_cosine = 0.766;  // 40 degrees
 
@@ -213,15 +216,22 @@ class BorderFinder {
     const BorderEdge& any = edges_[chain.edges.front()];
     PartBorder border{any.faces, any.open ? BorderKind::open : BorderKind::tangent, 0, {}, chain.closed};
     for (const int e : chain.edges) border.edges.push_back(edges_[e].edge);
-    border.angle = angle_along(chain.edges);
+    border.angle = angle_along(chain.edges, most_of_it);
+    if (!any.open && border.angle > tangent_angle_ && border.angle <= 2 * tangent_angle_ && is_beside_free_form(any))
+      border.angle = angle_along(chain.edges, most_of_estimated);
     if (!any.open && border.angle > tangent_angle_) border.kind = BorderKind::sharp;
     return border;
   }
 
-  [[nodiscard]] double angle_along(const std::vector<int>& chain) const {
+  [[nodiscard]] bool is_beside_free_form(const BorderEdge& edge) const {
+    return std::any_of(edge.faces.begin(), edge.faces.end(),
+                       [&](int face) { return face >= 0 && regions_[face].surface.kind == SurfaceKind::free_form; });
+  }
+
+  [[nodiscard]] double angle_along(const std::vector<int>& chain, double most) const {
     std::vector<AngleAlong> angles;
     for (const int e : chain) angles.push_back({edges_[e].angle, edges_[e].length});
-    return angle_of_most(std::move(angles));
+    return angle_of_most(std::move(angles), most);
   }
 
   const mesh::Mesh& mesh_;
@@ -236,14 +246,13 @@ class BorderFinder {
 
 }  // namespace
 
-double angle_of_most(std::vector<AngleAlong> angles) {
-  constexpr double most_of_it = 0.9;  // at a corner, a third face may interfere
+double angle_of_most(std::vector<AngleAlong> angles, double most) {
   std::sort(angles.begin(), angles.end());
   double length = 0, below = 0;
   for (const auto& [angle, part] : angles) length += part;
   for (const auto& [angle, part] : angles) {
     below += part;
-    if (below >= most_of_it * length) return angle;
+    if (below >= most * length) return angle;
   }
   return angles.back()[0];
 }

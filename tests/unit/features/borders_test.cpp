@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// What would break if this were wrong: edges drawn where a fillet runs smoothly into a wall.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "shapes.hpp"
+
+namespace epura::test {
+namespace {
+
+/// A fillet in the corner between a wall and a floor whose radius grows along it, so that it is a free form. Its first
+/// facets beside the wall are twice as wide where a random vertex is missing there.
+Part growing_fillet(unsigned seed) {
+  constexpr int columns = 5, rows = 7;
+  std::mt19937 random(seed);
+  Part part;
+  std::vector<int> wall, floor, previous, angles_before;
+  for (int i = 0; i < columns; ++i) {
+    std::vector<int> column, angles;
+    const double radius = 6 + 0.4 * i * i, x = 16 * i;
+    for (int j = 0; j <= rows; ++j) {
+      if (j == rows - 1 && random() % 2 == 0) continue;
+      const double a = 0.5 * pi * j / rows;
+      column.push_back(part.add(Vec3(x, radius - radius * std::sin(a), radius - radius * std::cos(a))));
+      angles.push_back(j);
+    }
+    floor.push_back(column.front());
+    wall.push_back(column.back());
+    for (std::size_t j = 0, k = 0; !previous.empty() && (j + 1 < previous.size() || k + 1 < column.size());) {
+      const bool left = k + 1 == column.size() || (j + 1 < previous.size() && angles_before[j + 1] <= angles[k + 1]);
+      if (left)
+        part.faces.push_back({previous[j], column[k], previous[j + 1]});
+      else
+        part.faces.push_back({previous[j], column[k], column[k + 1]});
+      ++(left ? j : k);
+    }
+    previous = std::exchange(column, {});
+    angles_before = std::exchange(angles, {});
+  }
+  const auto close = [&](std::vector<int> side, const Vec3& next, const Vec3& last) {
+    side.push_back(part.add(next));
+    side.push_back(part.add(last));
+    part.faces.push_back(std::move(side));
+  };
+  constexpr double length = 16 * (columns - 1);
+  close(wall, {length, 0, 40}, {0, 0, 40});
+  close({floor.rbegin(), floor.rend()}, {0, 40, 0}, {length, 40, 0});
+  return part.round_to_float();
+}
+
+// Over a quarter of the border, the normals that are estimated from such facets may be off by more than 5 degrees.
+TEST(Borders, TiltedFacetsDoNotMakeAFilletEndSharply) {
+  for (unsigned seed = 0; seed < 64; ++seed) {
+    const features::PartFaces faces = features::recognise_faces(growing_fillet(seed).mesh());
+    EXPECT_EQ(std::count_if(
+                  faces.faces.begin(), faces.faces.end(),
+                  [](const features::PartFace& face) { return face.surface.kind == features::SurfaceKind::free_form; }),
+              1);
+    for (const features::PartBorder& border : faces.borders)
+      EXPECT_NE(border.kind, features::BorderKind::sharp) << seed << ": " << border.angle;
+  }
+}
+
+}  // namespace
+}  // namespace epura::test
