@@ -96,6 +96,15 @@ struct Change {
 struct Crossing {
   double t = HUGE_VAL;      ///< along a piece, 0 to 1 in the order of a walk
   bool is_outline = false;  ///< a surface ends there: what is beyond may be hidden
+  int covered = 0;          ///< where that surface is: 1 beyond the crossing, -1 before it, 0 unknown
+};
+
+/// What was passed along a contour before something crosses it.
+struct Search {
+  std::vector<Step> passed{};
+  Step crossed{};
+  std::optional<Crossing> crossing{};  ///< of `crossed`
+  double distance = 0;                 ///< along the contour
 };
 
 search::Bounds<2> box_around(const Vec2& a, const Vec2& b, double margin) {
@@ -226,6 +235,21 @@ class TJunctions {
     return depth(0) + s * (depth(1) - depth(0));
   }
 
+  // Returns on which side of an outline, as it lies in the mesh, its surface is: 1 to the left of the way along its
+  // edge, -1 to the right; 0 if that is unknown.
+  [[nodiscard]] int surface_side(const Piece& outline) const {
+    const edges::FeatureEdge& edge = edge_of(lines_, outline);
+    if (edge.mesh_edge < 0) return 0;
+    const auto place = [&](int vertex) { return paper_(lines_.view.vertices[static_cast<std::size_t>(vertex)]); };
+    const Vec2 from = place(edge.vertex[0]), along = place(edge.vertex[1]) - from;
+    const mesh::Mesh& mesh = *lines_.world.models[edge.model].mesh;
+    double side = 0;
+    for (const int t : mesh.triangles_of(mesh.edges[static_cast<std::size_t>(edge.mesh_edge)]))
+      for (const int v : mesh.triangle(t))
+        side += cross(along, place(lines_.world.first_vertex[edge.model] + v) - from);
+    return side > 0 ? 1 : side < 0 ? -1 : 0;
+  }
+
   // Returns where along a piece visible lines in front of it first cross it as drawn.
   [[nodiscard]] std::optional<Crossing> crossing_of(const Step& step) const {
     const Piece& own = pieces_[step.piece];
@@ -240,33 +264,65 @@ class TJunctions {
       const double t = cross(way, across) / area, u = cross(way, along) / area;
       if (!(t >= 0 && t < first.t && t <= 1 && u >= 0 && u <= 1)) return true;
       if (depth_at(other, u) > depth_at(own, step.ahead == 1 ? t : 1 - t))
-        first = {t, other.kind == EdgeKind::contour || other.kind == EdgeKind::boundary};
+        first = {t, other.kind == EdgeKind::contour || other.kind == EdgeKind::boundary,
+                 surface_side(other) * (area < 0 ? 1 : -1)};
       return true;
     });
     return first.t <= 1 ? std::optional(first) : std::nullopt;
   }
 
-  // Looks for the first outline that crosses the contour from a step on. Hidden pieces that nothing crosses, between
-  // visible ones, are hidden by the facets alone.
-  [[nodiscard]] std::optional<Change> crossing_along(const Step& from, double farthest) const {
-    Change change;
-    std::optional<Step> next;
+  // The pieces from a step on that nothing crosses, all as visible as that, and what crosses the one after them;
+  // nothing if they are longer than `farthest`.
+  [[nodiscard]] std::optional<Search> search_along(const Step& from, double farthest) const {
+    Search search;
     for (const Step& step : walk(from)) {
-      const Piece& piece = pieces_[step.piece];
-      if (const auto crossing = crossing_of(step)) {
-        check(crossing->t >= 0 && crossing->t <= 1, "a crossing lies on the line that is crossed");
-        change.last = step;
-        change.s = piece.s[1 - step.ahead] + crossing->t * (piece.s[step.ahead] - piece.s[1 - step.ahead]);
-        change.distance += crossing->t * length_of(piece);
-        return crossing->is_outline && change.distance <= farthest ? std::optional(change) : std::nullopt;
+      const double length = length_of(pieces_[step.piece]);
+      search.crossing = crossing_of(step);
+      search.distance += search.crossing ? search.crossing->t * length : length;
+      if (search.distance > farthest) return std::nullopt;
+      if (search.crossing) {
+        check(search.crossing->t >= 0 && search.crossing->t <= 1, "a crossing lies on the line that is crossed");
+        search.crossed = step;
+        return search;
       }
-      change.turned.push_back(step);
-      change.distance += length_of(piece);
-      if (change.distance > farthest) return std::nullopt;
-      next = after(step);
+      search.passed.push_back(step);
     }
-    const bool is_gap = !pieces_[from.piece].visible && next && pieces_[next->piece].visible;
-    return is_gap ? std::optional(change) : std::nullopt;
+    return search;
+  }
+
+  // Whether a search ended at a piece that is as visible as wanted.
+  [[nodiscard]] bool ends_at(const Search& search, bool visible) const {
+    const auto next = search.crossing ? std::nullopt : after(search.passed.back());
+    return next && pieces_[next->piece].visible == visible;
+  }
+
+  // Looks for the first outline that crosses the contour from a step on: a hidden way leads into the surface that hides
+  // it, a visible one out of that. Hidden pieces that nothing crosses, between visible ones, are hidden by the facets
+  // alone.
+  [[nodiscard]] std::optional<Change> crossing_along(const Step& from, double farthest) const {
+    const auto search = search_along(from, farthest);
+    const bool visible = pieces_[from.piece].visible;
+    if (!search) return std::nullopt;
+    Change change{.turned = search->passed, .distance = search->distance};
+    if (!search->crossing) return !visible && ends_at(*search, true) ? std::optional(change) : std::nullopt;
+    const int inwards = visible ? -1 : 1;
+    if (!search->crossing->is_outline || search->crossing->covered == -inwards) return std::nullopt;
+    const Piece& piece = pieces_[search->crossed.piece];
+    const std::size_t ahead = search->crossed.ahead;
+    change.last = search->crossed;
+    change.s = piece.s[1 - ahead] + search->crossing->t * (piece.s[ahead] - piece.s[1 - ahead]);
+    return change;
+  }
+
+  // Visible pieces between hidden ones which nothing crosses, but where the next thing that crosses the contour is an
+  // outline that it passes on the way out from behind its surface: they are visible between facets alone.
+  [[nodiscard]] std::optional<Change> covered_along(const Step& visible, const Step& hidden, double farthest) const {
+    const auto beyond = search_along(hidden, farthest);
+    if (!beyond || !beyond->crossing || !beyond->crossing->is_outline || beyond->crossing->covered >= 0)
+      return std::nullopt;
+    const auto back = search_along({visible.piece, 1 - visible.ahead}, farthest);
+    if (!back || !ends_at(*back, false)) return std::nullopt;
+    return Change{.turned = back->passed, .distance = back->distance};
   }
 
   // By how much the ends of an edge are drawn beside those in the mesh.
@@ -287,6 +343,7 @@ class TJunctions {
     const auto back = crossing_along({visible.piece, 1 - visible.ahead}, reach(visible));
     const bool goes_on = onwards && (!back || onwards->distance <= back->distance);
     std::optional<Change> change = goes_on ? onwards : back;
+    if (!change) change = covered_along(visible, *hidden, reach(visible));
     if (change) {
       change->visible = visible;
       change->hidden = *hidden;

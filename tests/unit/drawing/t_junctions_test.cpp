@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "shapes.hpp"
 
 namespace epura::test {
@@ -14,7 +17,7 @@ constexpr double behind = 0, in_front = 1;
 
 /// A contour along the x axis of three edges, as drawn; that of the mesh is half a millimetre above it.
 struct Contours {
-  world::World world = world_of(box({0, 0, 0}, {1, 1, 1}));
+  world::World world = world_of(Shape{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}});
   view::ProjectedScene view;
   edges::FeatureEdges drawn;
   std::vector<Piece> pieces;
@@ -23,7 +26,18 @@ struct Contours {
     for (const double x : {0.0, 1.0, 2.0, 3.0}) view.vertices.push_back({x, 0.5, behind, 1});
     for (const double x : {0.0, 1.0, 2.0, 3.0}) view.vertices.push_back({x, 0, behind, 1});
     for (const int i : {0, 1, 2})
-      drawn.edges.push_back({{i, i + 1}, {0, 1}, EdgeKind::contour, 0, i, -1, {4 + i, 5 + i}});
+      drawn.edges.push_back({{i, i + 1}, {0, 1}, EdgeKind::contour, 0, -1, -1, {4 + i, 5 + i}});
+  }
+
+  // The left edge, at x, of a triangle in front whose third corner is at `other`.
+  void add_triangle(double x, double other) {
+    world.first_vertex[0] = static_cast<int>(view.vertices.size());
+    add_upright(x, in_front);
+    view.vertices.push_back({other, 0, in_front, 1});
+    const mesh::Mesh& mesh = *world.models[0].mesh;
+    const auto is_upright = [](const mesh::MeshEdge& edge) { return edge.vertex == std::array{0, 1}; };
+    drawn.edges.back().mesh_edge =
+        static_cast<int>(std::find_if(mesh.edges.begin(), mesh.edges.end(), is_upright) - mesh.edges.begin());
   }
 
   // A line upwards at x, as drawn.
@@ -31,7 +45,7 @@ struct Contours {
     const int first = static_cast<int>(view.vertices.size());
     for (const double y : {-1.0, 1.0}) view.vertices.push_back({x, y, depth, 1});
     const int edge = static_cast<int>(drawn.edges.size());
-    drawn.edges.push_back({{first, first + 1}, {0, 1}, kind, 0, edge, -1, {-1, -1}});
+    drawn.edges.push_back({{first, first + 1}, {0, 1}, kind, 0, -1, -1, {-1, -1}});
     add(edge, true, 0, 1);
   }
 
@@ -144,6 +158,35 @@ TEST(TJunctions, ContoursAreFollowedEitherWay) {
     EXPECT_EQ(piece.visible, piece.from.x >= 1.5);
   }
   EXPECT_EQ(at, 3);
+}
+
+TEST(TJunctions, ContoursGoOnIntoWhatHidesThemOnly) {
+  Contours behind_it;
+  behind_it.add_first_quarter();
+  behind_it.add_triangle(1.5, 3);
+  behind_it.move();
+  EXPECT_EQ(behind_it.visible(), (std::array{1.5, 1.5}));
+  Contours beside_it;
+  beside_it.add_first_quarter();
+  beside_it.add_triangle(1.5, -3);
+  beside_it.move();
+  EXPECT_EQ(beside_it.visible(), (std::array{0.25, 0.25}));
+}
+
+// Facets let half a millimetre be seen between them.
+TEST(TJunctions, NothingIsSeenBehindWhatAContourComesOutOf) {
+  Contours contours;
+  contours.add(0, false, 0, 0.25);
+  contours.add(0, true, 0.25, 0.75);
+  contours.add(0, false, 0.75, 1);
+  contours.add(1, false, 0, 1);
+  contours.add(2, true, 0, 1);
+  contours.add_triangle(1.5, -3);
+  contours.move();
+  for (const Piece& piece : contours.pieces)
+    if (piece.edge <= 2) {
+      EXPECT_EQ(piece.visible, piece.from.x >= 1.5) << piece.from.x;
+    }
 }
 
 // Beyond a cusp, the surface hides its own contour.
