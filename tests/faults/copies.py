@@ -64,12 +64,12 @@ class Copies:
                 continue
             before = Before(self.folder.path, kept, texts)
             os.write(answers, b"y")
-            child = int(lines.next(self.longest).split()[1])
-            ended = lines.next(self.longest)
+            child = int(self.answer(lines).split()[1])
+            ended = self.answer(lines)
             hangs = ended is None
             if hangs:
                 os.kill(child, signal.SIGKILL)
-                ended = lines.next(self.longest)
+                ended = self.answer(lines)
             how, code = ended.split()
             if how == "again":
                 self.left.add(int(number))
@@ -77,6 +77,12 @@ class Copies:
                 yield int(number), "hangs" if hangs else int(code), text_of(texts)
             before.restore()
             os.write(answers, b"y")
+
+    def answer(self, lines):
+        """The next line of the thread that is copied: other threads tell of their calls meanwhile."""
+        while (line := lines.next(self.longest)) is not None and line.startswith("alone"):
+            self.left.add(int(line.split()[1]))
+        return line
 
 
 class Lines:
