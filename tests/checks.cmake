@@ -22,7 +22,7 @@ add_test(NAME functions_state_what_holds COMMAND ${Python3_EXECUTABLE} -B ${CMAK
 if(TARGET epura-faults)
   add_test(NAME faults COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/faults/run --sample --jobs 2
            $<TARGET_FILE:epura> $<TARGET_FILE:epura-faults>)
-  set_tests_properties(faults PROPERTIES TIMEOUT 600)
+  set_tests_properties(faults PROPERTIES TIMEOUT 900)
 endif()
 # In a browser, where there is one (package chromium).
 foreach(test page payload element play)

@@ -81,13 +81,25 @@ int tell_exception() {
   return broken_exit_code;
 }
 
+bool is_without_memory() {
+  void* const volatile some = std::malloc(1 << 16);
+  std::free(some);
+  return some == nullptr;
+}
+
+// Libraries ask for memory even at their end: where there is none, glibc would end the program with a code of its own.
+int ends_with(int code) {
+  if (!is_without_memory()) return code;
+  std::fflush(stdout);
+  ::_exit(code);
+}
+
 // Where an exception cannot go on: at the end of a thread, or out of a function that promises to throw none.
 [[noreturn]] void end_by_exception() {
   if (std::current_exception() != nullptr) ::_exit(tell_exception());
   // There is none, or no memory for it; or it cannot leave a function that promises to throw none, such as the one of
   // libstdc++ that goes on to the next file of a folder. What these meet is missing memory, too.
-  void* const volatile some = std::malloc(1 << 16);
-  if (some == nullptr || std::uncaught_exceptions() > 0) {
+  if (is_without_memory() || std::uncaught_exceptions() > 0) {
     tell_no_memory();
     ::_exit(static_cast<int>(ErrorKind::input));
   }
@@ -135,9 +147,9 @@ int run_program(const std::function<int()>& run) {
     const int code = run();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       throw Error(ErrorKind::output, "standard output", "cannot be written");
-    return code;
+    return ends_with(code);
   } catch (...) {
-    return tell_exception();
+    return ends_with(tell_exception());
   }
 }
 

@@ -16,7 +16,14 @@ namespace epura {
 
 namespace {
 
-std::size_t thread_limit() { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism); }
+/// The limits to one thread that there are. For these, oneTBB is not even loaded: for one thread it is not needed, and
+/// where memory ends while it loads its own libraries, glibc 2.36 crashes.
+std::atomic<int> limits_to_one = 0;
+
+std::size_t thread_limit() {
+  if (limits_to_one > 0) return 1;
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
 
 /// If memory or processes are scarce, oneTBB ends the program from one of its own threads: this can only be detected
 /// beforehand.
@@ -70,11 +77,17 @@ void parallel_both(const std::function<void()>& first, const std::function<void(
 
 ThreadLimit::ThreadLimit(int threads) : control_(nullptr) {
   if (threads <= 0) return;
-  std::size_t limit = static_cast<std::size_t>(threads);
-  if (!can_begin(limit - 1)) limit = 1;
-  if (limit != thread_limit()) control_ = new tbb::global_control(tbb::global_control::max_allowed_parallelism, limit);
+  const auto limit = static_cast<std::size_t>(threads);
+  is_to_one_ = limit == 1 || !can_begin(limit - 1);
+  if (is_to_one_)
+    ++limits_to_one;
+  else if (limit != thread_limit())
+    control_ = new tbb::global_control(tbb::global_control::max_allowed_parallelism, limit);
 }
 
-ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_); }
+ThreadLimit::~ThreadLimit() {
+  if (is_to_one_) --limits_to_one;
+  delete static_cast<tbb::global_control*>(control_);
+}
 
 }  // namespace epura

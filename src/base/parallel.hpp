@@ -47,7 +47,9 @@ class ThreadLimit {
   ~ThreadLimit();
 
  private:
-  [[maybe_unused]] void* control_;  // unused in tests/schedules, where nothing is limited
+  // Unused in tests/schedules, where nothing is limited.
+  [[maybe_unused]] void* control_;
+  [[maybe_unused]] bool is_to_one_ = false;
 };
 
 }  // namespace epura

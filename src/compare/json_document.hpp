@@ -1,18 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
-// A RapidJSON document whose parser uses our own stack: the stack of version 1.1 adds to a null pointer before its
-// first allocation, which is undefined behaviour.
+// A RapidJSON document with our own memory and stack: version 1.1 writes to where it got no memory, and its stack adds
+// to a null pointer before the first allocation, which is undefined behaviour.
 #pragma once
 
 #include <rapidjson/document.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
+#include <new>
 #include <vector>
 
 namespace epura::compare {
 
+/// Memory of the C library, or std::bad_alloc. The names are those of rapidjson.
+class JsonMemory {
+ public:
+  static constexpr bool kNeedFree = true;
+
+  void* Malloc(std::size_t size) { return Realloc(nullptr, 0, size); }
+  void* Realloc(void* old, std::size_t, std::size_t size) {
+    if (size == 0) return Free(old), nullptr;
+    void* const memory = std::realloc(old, size);
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+  }
+  static void Free(void* old) { std::free(old); }
+};
+
 /// Selects that stack as a template argument of rapidjson.
-struct JsonStackMemory : rapidjson::CrtAllocator {};
+struct JsonStackMemory : JsonMemory {};
 
 }  // namespace epura::compare
 
@@ -70,6 +87,7 @@ class rapidjson::internal::Stack<epura::compare::JsonStackMemory> {
 
 namespace epura::compare {
 
-using JsonDocument = rapidjson::GenericDocument<rapidjson::UTF8<>, rapidjson::MemoryPoolAllocator<>, JsonStackMemory>;
+using JsonDocument =
+    rapidjson::GenericDocument<rapidjson::UTF8<>, rapidjson::MemoryPoolAllocator<JsonMemory>, JsonStackMemory>;
 
 }  // namespace epura::compare

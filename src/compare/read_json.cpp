@@ -22,7 +22,7 @@ namespace {
 // Numbers are kept as text: rapidjson would not round all of them correctly.
 constexpr unsigned flags = rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseIterativeFlag;
 
-using Value = rapidjson::Value;
+using Value = JsonDocument::ValueType;
 
 std::optional<double> number_in(const Value& value) {
   const auto read = value.IsString() ? parse_number(value.GetString()) : std::nullopt;

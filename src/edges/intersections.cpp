@@ -37,6 +37,11 @@ struct Piece {
 
 Vec3 middle_of(const world::World& world, double normalisation) { return world.box.centre() * normalisation; }
 
+/// Whatever the numbers and the orientation of the two triangles are, a crossing runs in one way along its line: where
+/// it lies on the outline of a face, its direction decides on which side it counts (hiding_rule.hpp). No line of a
+/// usual part is perpendicular to this.
+constexpr Vec3 usual_way{0.7548776662466927, 0.5698402909980532, 0.3247179572447460};
+
 class Crossings {
  public:
   Crossings(const world::World& world, double normalisation, double contact)
@@ -81,8 +86,9 @@ class Crossings {
     if (common_vertices(first, second) >= 2) return std::nullopt;
     if (stays_apart(second, planes_[first]) || stays_apart(first, planes_[second])) return std::nullopt;
     if (!boxes_overlap(box(first), box(second))) return std::nullopt;
-    const Vec3 along = glm::cross(planes_[first].normal, planes_[second].normal);
+    Vec3 along = glm::cross(planes_[first].normal, planes_[second].normal);
     if (glm::length(along) < least_angle) return std::nullopt;
+    if (glm::dot(along, usual_way) < 0) along = -along;
     const auto one = cut(first, planes_[second]);
     if (!one) return std::nullopt;
     const auto two = cut(second, planes_[first]);

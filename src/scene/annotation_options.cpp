@@ -13,8 +13,9 @@ namespace {
 
 Option<DimensionWords> anchor_option(const std::string& key, const std::string& help) {
   const ValueKind<AnchorWords> kind = anchor();
-  return {{.key = key, .form = kind.form, .help = help},
-          [key, read = kind.read](DimensionWords& words, const TomlValue& value) {
+  // Apart: where memory ends, GCC 12 frees the members of an aggregate within an aggregate twice.
+  OptionInfo info{.key = key, .form = kind.form, .help = help};
+  return {std::move(info), [key, read = kind.read](DimensionWords& words, const TomlValue& value) {
             words.anchors.emplace_back(key, read(value));
           }};
 }

@@ -74,9 +74,15 @@ void close(GlyphOutline& outline) {
   outline.curves.erase(outline.curves.begin());
 }
 
+// A font that there is no memory to read is not a font without glyphs.
+bool is_read(FT_Error error) {
+  if (error == FT_Err_Out_Of_Memory) throw std::bad_alloc();
+  return error == 0;
+}
+
 Glyph load_glyph(FT_Face face, unsigned index) {
   Glyph glyph;
-  if (FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE) != 0) return glyph;
+  if (!is_read(FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE))) return glyph;
   glyph.advance = static_cast<double>(face->glyph->metrics.horiAdvance);
   const FT_Outline_Funcs functions{move_to, line_to, curve_to, cubic_to, 0, 0};
   FT_Outline_Decompose(&face->glyph->outline, &functions, &glyph.outlines);
@@ -108,6 +114,11 @@ using ShapingBuffer = std::unique_ptr<hb_buffer_t, HarfBuzzFree<hb_buffer_destro
 }  // namespace
 
 struct FontFile::Open {
+  Open() = default;
+  Open(const Open&) = delete;
+  Open& operator=(const Open&) = delete;
+  ~Open() { FT_Done_FreeType(library); }  // frees the face, too
+
   FT_Library library = nullptr;
   FT_Face face = nullptr;
   double capital = 0;
@@ -119,13 +130,13 @@ struct FontFile::Open {
 FontFile::FontFile(std::filesystem::path path, int number, std::string family)
     : file(std::move(path)), face(number), name(std::move(family)), open_(std::make_unique<Open>()) {
   if (FT_Init_FreeType(&open_->library) != 0) throw std::bad_alloc();  // nothing else can fail
-  if (FT_New_Face(open_->library, file.c_str(), number, &open_->face) != 0) open_->face = nullptr;
+  if (!is_read(FT_New_Face(open_->library, file.c_str(), number, &open_->face))) open_->face = nullptr;
   if (!is_open()) return;
   constexpr double usual_capital = 0.7;
   open_->capital = has(U'H') ? glyph_height_of(glyph(index_of(U'H'))) : usual_capital * units_per_em();
 }
 
-FontFile::~FontFile() { FT_Done_FreeType(open_->library); }  // frees the face, too
+FontFile::~FontFile() = default;
 
 bool FontFile::is_open() const { return open_->face != nullptr && FT_IS_SCALABLE(open_->face); }
 
@@ -150,9 +161,12 @@ double FontFile::capital() const { return open_->capital; }
 std::vector<ShapedGlyph> FontFile::shaped(const std::u32string& characters, bool right_to_left) const {
   const std::lock_guard lock(open_->reading);
   if (!open_->shaping) {
-    const ShapingBlob blob(hb_blob_create_from_file(file.c_str()));
+    const ShapingBlob blob(hb_blob_create_from_file_or_fail(file.c_str()));
+    if (blob == nullptr) throw Error(ErrorKind::input, file.string(), "the lettering font cannot be opened again");
     const ShapingFace shaping_face(hb_face_create(blob.get(), static_cast<unsigned>(face)));
-    open_->shaping.reset(hb_font_create(shaping_face.get()));  // its scale is that of the font units
+    ShapingFont font(hb_font_create(shaping_face.get()));  // its scale is that of the font units
+    if (shaping_face.get() == hb_face_get_empty() || font.get() == hb_font_get_empty()) throw std::bad_alloc();
+    open_->shaping = std::move(font);
   }
   const ShapingBuffer buffer(hb_buffer_create());
   static_assert(sizeof(char32_t) == sizeof(std::uint32_t));
@@ -164,6 +178,7 @@ std::vector<ShapedGlyph> FontFile::shaped(const std::u32string& characters, bool
   hb_buffer_set_language(buffer.get(), hb_language_from_string("und", -1));
   hb_buffer_guess_segment_properties(buffer.get());
   hb_shape(open_->shaping.get(), buffer.get(), nullptr, 0);
+  if (hb_buffer_allocation_successful(buffer.get()) == 0) throw std::bad_alloc();
   unsigned count = 0;
   const hb_glyph_info_t* info = hb_buffer_get_glyph_infos(buffer.get(), &count);
   const hb_glyph_position_t* position = hb_buffer_get_glyph_positions(buffer.get(), &count);

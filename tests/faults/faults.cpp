@@ -3,7 +3,10 @@
 //
 // EPURA_FAULT=CALL:N:WHAT: the N-th call fails; CALL:N+:WHAT: and all after it. WHAT is the name of an error, or
 // "short" (a part of what was asked for is read or written), or "kill" (the process ends there).
-// EPURA_FAULT_COUNTS=FILE: appends "CALL NUMBER" for each call when the process ends.
+// CALL:FIRST-LAST/STEP:WHAT with EPURA_FAULT_BRANCH (branch.hpp): each of these fails in a copy of the process.
+// EPURA_FAULT_ALONE: only in the first process, not in those that it starts.
+// EPURA_FAULT_COUNTS=FILE: keeps a table there, a row for each process: how many calls of each kind there had been when
+// it began (as a copy of another, perhaps), and how many there are.
 // EPURA_FAULT_CLOCK=SECONDS: what the clock on the wall shows is that much later.
 #include <dirent.h>
 #include <dlfcn.h>
@@ -26,6 +29,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+
+#include "branch.hpp"
 
 extern "C" {
 void* __libc_malloc(size_t size);
@@ -74,16 +79,66 @@ constexpr int shortened = -1, killed = -2;
 std::atomic<long> counts[calls];
 long wanted = 0;
 int failing = calls, how = 0;
-bool goes_on = false;
+bool goes_on = false, is_alone = false;
+// The calls that fail in copies, and what processes that are started from a copy read in place of EPURA_FAULT.
+long last_wanted = 0, step = 0;
+pid_t original = 0, pretended = 0;  // the process before it was copied; one that a copy seems to have killed
+const char* what = "";
+
+constexpr long most_rows = 200;
+struct Row {
+  long before[calls], now[calls];
+};
+struct Table {
+  std::atomic<long> rows;
+  char words[calls][16];
+  Row counts[most_rows];
+};
+Table* table = nullptr;
+Row* row = nullptr;
+char variable[128] = "EPURA_FAULT=none:0:kill";
+
+// However a process ends, the table has its counts.
+void begin_row() {
+  if (table == nullptr) return;
+  const long number = table->rows.fetch_add(1, std::memory_order_relaxed);
+  row = number < most_rows ? &table->counts[number] : nullptr;
+  for (int call = 0; row != nullptr && call < calls; ++call) row->before[call] = row->now[call] = counts[call];
+}
+
+void begin_counting() {
+  const char* path = getenv("EPURA_FAULT_COUNTS");
+  if (path == nullptr) return;
+  const int file = static_cast<int>(syscall(SYS_openat, AT_FDCWD, path, O_RDWR | O_CLOEXEC, 0));
+  const long place = syscall(SYS_mmap, nullptr, sizeof(Table), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  syscall(SYS_close, file);
+  if (place < 0) return;
+  table = reinterpret_cast<Table*>(place);
+  for (int call = 0; call < calls; ++call) strcpy(table->words[call], names[call]);
+  begin_row();
+}
+
+// For processes that this one starts.
+void set_variable(const char* fault, const char* word) {
+  if (fault != nullptr)
+    snprintf(variable, sizeof variable, "EPURA_FAULT=%s:%ld%s:%s", fault, wanted, goes_on ? "+" : "", word);
+  for (char** place = environ; *place != nullptr; ++place)
+    if (strncmp(*place, "EPURA_FAULT=", 12) == 0) *place = variable;
+}
 
 // Neither memory nor locks are needed here: this runs before everything else.
 __attribute__((constructor)) void begin() {
+  begin_counting();
   const char* text = getenv("EPURA_FAULT");
   if (text == nullptr) return;
   const char* colon = strchr(text, ':');
   if (colon == nullptr) return;
   char* rest = nullptr;
   const long number = strtol(colon + 1, &rest, 10);
+  if (*rest == '-') {
+    last_wanted = strtol(rest + 1, &rest, 10);
+    step = strtol(rest + 1, &rest, 10);
+  }
   goes_on = *rest == '+';
   const char* word = strchr(rest, ':');
   if (word == nullptr) return;
@@ -96,24 +151,28 @@ __attribute__((constructor)) void begin() {
   for (int call = 0; call < calls; ++call)
     if (strlen(names[call]) == static_cast<size_t>(colon - text) && strncmp(text, names[call], colon - text) == 0)
       failing = call;
+  original = getpid();
+  if (step > 0 && !branch::begin()) step = 0;
+  what = word;
+  is_alone = getenv("EPURA_FAULT_ALONE") != nullptr;
+  if (is_alone || step > 0) set_variable(nullptr, nullptr);
 }
 
-__attribute__((destructor)) void end() {
-  const char* path = getenv("EPURA_FAULT_COUNTS");
-  if (path == nullptr) return;
-  const int file = static_cast<int>(syscall(SYS_openat, AT_FDCWD, path, O_WRONLY | O_CREAT | O_APPEND, 0600));
-  for (int call = 0; call < calls; ++call) {
-    char line[64];
-    const int size = snprintf(line, sizeof line, "%s %ld\n", names[call], counts[call].load());
-    syscall(SYS_write, file, line, size);
-  }
-  syscall(SYS_close, file);
+// In a copy, the call fails as if only that had been asked for.
+void fail_in_copy(long number) {
+  if (number < wanted || number > last_wanted || (number - wanted) % step != 0 || !branch::copy_before(number)) return;
+  wanted = number;
+  set_variable(names[failing], what);
 }
 
 // Counts a call. Whether it is one that fails; then errno is set.
 bool fails(Call call) {
   const long number = counts[call].fetch_add(1, std::memory_order_relaxed) + 1;
-  if (call != failing || !(number == wanted || (goes_on && number > wanted))) return false;
+  if (row != nullptr) row->now[call] = number;
+  if (call != failing || (is_alone && getpid() != original)) return false;
+  if (step > 0 && !branch::is_copy() && getpid() == original) fail_in_copy(number);
+  if (step > 0 && !branch::is_copy()) return false;
+  if (!(number == wanted || (goes_on && number > wanted))) return false;
   if (how == killed) syscall(SYS_kill, getpid(), SIGKILL);
   if (how > 0) errno = how;
   return true;
@@ -201,6 +260,7 @@ FILE* fopen(const char* path, const char* how_to) {
 FILE* fopen64(const char* path, const char* how_to) { return fopen(path, how_to); }
 
 ssize_t read(int file, void* bytes, size_t size) {
+  branch::expect_own(file);
   return transfer(read_bytes, size, [&](size_t part) { return syscall(SYS_read, file, bytes, part); });
 }
 ssize_t pread(int file, void* bytes, size_t size, off_t offset) {
@@ -208,19 +268,23 @@ ssize_t pread(int file, void* bytes, size_t size, off_t offset) {
 }
 ssize_t pread64(int file, void* bytes, size_t size, off_t offset) { return pread(file, bytes, size, offset); }
 ssize_t recv(int socket, void* bytes, size_t size, int flags) {
+  branch::expect_own(socket);
   return transfer(read_bytes, size,
                   [&](size_t part) { return syscall(SYS_recvfrom, socket, bytes, part, flags, nullptr, nullptr); });
 }
 ssize_t write(int file, const void* bytes, size_t size) {
+  branch::expect_own(file);
   return transfer(write_bytes, size, [&](size_t part) { return syscall(SYS_write, file, bytes, part); });
 }
 ssize_t send(int socket, const void* bytes, size_t size, int flags) {
+  branch::expect_own(socket);
   return transfer(write_bytes, size,
                   [&](size_t part) { return syscall(SYS_sendto, socket, bytes, part, flags, nullptr, 0); });
 }
 
 // The descriptor is closed in any case, as Linux does.
 int close(int file) {
+  branch::forget(file);
   const bool failed = fails(close_file);
   const int number = errno;
   const int result = static_cast<int>(syscall(SYS_close, file));
@@ -257,20 +321,45 @@ dirent64* readdir64(DIR* folder) {
 int pthread_create(pthread_t* thread_made, const pthread_attr_t* attributes, void* (*run)(void*), void* argument) {
   if (fails(thread)) return how > 0 ? how : EAGAIN;
   using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
-  return real<Create>("pthread_create")(thread_made, attributes, run, argument);
+  const int failure = real<Create>("pthread_create")(thread_made, attributes, run, argument);
+  if (failure == 0) branch::add_thread(*thread_made);
+  return failure;
 }
-pid_t fork() { return fails(fork_process) ? -1 : real<pid_t (*)()>("fork")(); }
+int pthread_join(pthread_t thread, void** result) {
+  return branch::is_gone(thread) ? 0 : real<int (*)(pthread_t, void**)>("pthread_join")(thread, result);
+}
+pid_t fork() {
+  const pid_t child = fails(fork_process) ? -1 : real<pid_t (*)()>("fork")();
+  if (child == 0) begin_row();
+  branch::add_child(child);
+  return child;
+}
+int kill(pid_t process, int signal) {
+  if (!branch::is_own(process)) pretended = process;
+  return process == pretended ? 0 : static_cast<int>(syscall(SYS_kill, process, signal));
+}
+pid_t waitpid(pid_t process, int* status, int options) {
+  if (process > 0 && process == pretended) {
+    if (status != nullptr) *status = SIGKILL;
+    return process;
+  }
+  branch::expect_own_child(process);
+  return static_cast<pid_t>(syscall(SYS_wait4, process, status, options, nullptr));
+}
 int posix_spawn(pid_t* child, const char* path, const posix_spawn_file_actions_t* actions,
                 const posix_spawnattr_t* how_to, char* const words[], char* const variables[]) {
   if (fails(spawn)) return how > 0 ? how : EAGAIN;
   using Spawn = int (*)(pid_t*, const char*, const posix_spawn_file_actions_t*, const posix_spawnattr_t*, char* const*,
                         char* const*);
-  return real<Spawn>("posix_spawn")(child, path, actions, how_to, words, variables);
+  const int failure = real<Spawn>("posix_spawn")(child, path, actions, how_to, words, variables);
+  if (failure == 0) branch::add_child(*child);
+  return failure;
 }
 int socketpair(int domain, int type, int protocol, int ends[2]) {
   return fails(pair) ? -1 : static_cast<int>(syscall(SYS_socketpair, domain, type, protocol, ends));
 }
 int poll(pollfd* events, nfds_t count, int wait_ms) {
+  for (nfds_t i = 0; i < count; ++i) branch::expect_own(events[i].fd);
   return fails(wait_for) ? -1 : static_cast<int>(syscall(SYS_poll, events, count, wait_ms));
 }
 

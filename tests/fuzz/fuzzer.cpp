@@ -2,6 +2,8 @@
 // One target as libFuzzer runs it. Errors of the user are right answers; what ends the process is a finding.
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <exception>
 #include <optional>
 #include <string>
 
@@ -10,6 +12,12 @@
 
 // lib3mf leaves the entries of archives open: the process of importers ends soon after.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libzip\n"; }
+
+// epura ends by an exit code where a sentence does not hold; libFuzzer keeps only inputs that abort.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  std::set_terminate(std::abort);
+  return 0;
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
   static const std::optional<epura::fuzz::Target> target = epura::fuzz::target_named(EPURA_FUZZ_TARGET);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Memory of the program epura-importer: where there is none, the process ends, which is told. The libraries of
+// importers may go on instead: Open CASCADE leaves out the face for which it had no memory, and some of its algorithms
+// say nothing.
+#include <dlfcn.h>
+#include <malloc.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstdlib>
+#include <string_view>
+
+// Sanitizers have allocators of their own.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define EPURA_FOREIGN_MEMORY
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define EPURA_FOREIGN_MEMORY
+#endif
+
+#ifndef EPURA_FOREIGN_MEMORY
+namespace {
+
+// Those of the C library, or of one that is loaded before it. A function-local static with a guard would be too much
+// here: the first caller is the loader.
+template <class Function>
+Function* next(Function*& known, const char* name) {
+  if (known == nullptr) known = reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+  return known;
+}
+
+decltype(::malloc)* next_malloc = nullptr;
+decltype(::calloc)* next_calloc = nullptr;
+decltype(::realloc)* next_realloc = nullptr;
+decltype(::aligned_alloc)* next_aligned_alloc = nullptr;
+decltype(::memalign)* next_memalign = nullptr;
+decltype(::posix_memalign)* next_posix_memalign = nullptr;
+
+[[noreturn]] void end() {
+  constexpr std::string_view sentence = "epura: not enough memory for this model\n";
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, sentence.data(), sentence.size());
+  ::_exit(1);
+}
+
+void* or_end(void* memory, std::size_t size) { return memory == nullptr && size > 0 ? (end(), nullptr) : memory; }
+
+}  // namespace
+
+extern "C" {
+
+void* malloc(std::size_t size) noexcept { return or_end(next(next_malloc, "malloc")(size), size); }
+void* calloc(std::size_t count, std::size_t size) noexcept {
+  return or_end(next(next_calloc, "calloc")(count, size), count * size);
+}
+void* realloc(void* old, std::size_t size) noexcept { return or_end(next(next_realloc, "realloc")(old, size), size); }
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  return or_end(next(next_aligned_alloc, "aligned_alloc")(alignment, size), size);
+}
+void* memalign(std::size_t alignment, std::size_t size) noexcept {
+  return or_end(next(next_memalign, "memalign")(alignment, size), size);
+}
+int posix_memalign(void** place, std::size_t alignment, std::size_t size) noexcept {
+  const int failure = next(next_posix_memalign, "posix_memalign")(place, alignment, size);
+  if (failure == ENOMEM) end();
+  return failure;
+}
+}
+#endif
