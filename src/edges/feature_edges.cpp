@@ -311,6 +311,7 @@ struct EdgeJudge {
 
     // Bodies that touch in an edge are judged separately; the strongest reason wins.
     std::optional<EdgeKind> strongest;
+    check(all.empty() || mesh().body.size() == mesh().polygon.size(), "each triangle has a body");
     std::vector<std::pair<int, int>> by_body;
     for (const int t : all) {
       by_body.emplace_back(mesh().body[t], t);
