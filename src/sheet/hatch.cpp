@@ -435,6 +435,7 @@ void draw_hatch_lines(Layer& layer, HatchedFace hatched, const FaceToHatch& what
   for (const HatchLines& family : hatched.lines) {
     const std::vector<Line> lines = lines_of(what.face, family, what.progress);
     std::vector<Line> seen = uncovered(lines, family.angle, what.covers.before);
+    check(seen.size() >= lines.size() || !what.covers.before.empty(), "nothing hides lines without covers");
     is_whole = is_whole && are_same(seen, lines);
     if (!what.covers.texts.empty()) seen = uncovered(lines, family.angle, what.covers.all);
     for (const Line& line : seen) {
