@@ -487,10 +487,13 @@ void find_other_sides(DesignFeatures& found) {
 
 }  // namespace
 
-bool DesignRound::reaches(const Vec3& out) const {
-  return sectors.empty() || std::any_of(sectors.begin(), sectors.end(), [&](const Sector& sector) {
-           return glm::dot(out, sector.middle) > portable_cos(std::min(sector.half, 180.0) * degree);
-         });
+double DesignRound::turn_from(const Vec3& out) const {
+  double least = sectors.empty() ? 0 : 180;
+  for (const Sector& sector : sectors) {
+    const double apart = portable_atan2(glm::length(glm::cross(out, sector.middle)), glm::dot(out, sector.middle));
+    least = std::min(least, apart / degree - sector.half);
+  }
+  return least;
 }
 
 std::vector<Vec3> DesignRound::section(const Vec3& out) const {

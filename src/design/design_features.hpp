@@ -110,7 +110,9 @@ struct DesignRound {
   std::vector<Sector> sectors{};  ///< what slots have left of it; empty for a full turn
 
   /// Whether it is there in a direction from the axis.
-  [[nodiscard]] bool reaches(const Vec3& out) const;
+  [[nodiscard]] bool reaches(const Vec3& out) const { return turn_from(out) <= 0; }
+  /// Degrees from a direction to the nearest one in which it is there; not positive if it is there.
+  [[nodiscard]] double turn_from(const Vec3& out) const;
   /// The points of its section in one direction from the axis, in order.
   [[nodiscard]] std::vector<Vec3> section(const Vec3& out) const;
 };

@@ -68,7 +68,7 @@ PaperChoice parse_paper_size(std::string_view text, const std::string& where) {
   if (lower == "auto") return {PaperChoice::Kind::automatic, 0, {0, 0}};
   if (lower.size() == 2 && lower[0] == 'a' && lower[1] >= '0' && lower[1] <= '4')
     return {PaperChoice::Kind::iso, lower[1] - '0', {0, 0}};
-  if (lower == "ansi-auto") return {PaperChoice::Kind::automatic_ansi, 0, {0, 0}};
+  if (lower == "ansi-auto" || lower == "ansi auto") return {PaperChoice::Kind::automatic_ansi, 0, {0, 0}};
   if (lower.size() == 6 && (lower.starts_with("ansi-") || lower.starts_with("ansi ")) && lower[5] >= 'a' &&
       lower[5] <= 'e')
     return {PaperChoice::Kind::ansi, lower[5] - 'a', {0, 0}};

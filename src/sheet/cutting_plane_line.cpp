@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
 #include "sheet/furniture.hpp"
+#include "sheet/sight_arrows.hpp"
 
 namespace epura::sheet {
 
@@ -21,7 +20,6 @@ namespace {
 constexpr double past_ink = 0.8;
 constexpr double wide_end = 1.4;
 constexpr double arrow_length = 2, head_length = 0.7;
-constexpr double cut_head_half_angle = 15;  // degrees
 constexpr double letter_gap = 0.3;
 constexpr double wide_turn = 0.7;
 constexpr double most_outer_corner = 3;    // half widths of the line
@@ -121,13 +119,6 @@ Fill wide_stroke(const Vec2& a, const Vec2& b, double width) {
   return {{{a + across, a - across, b - across, b + across}}};
 }
 
-Fill arrow_head(const Vec2& tip, const Vec2& pointing, double length) {
-  const Vec2 across =
-      Vec2(-pointing.y, pointing.x) * (length * portable_tan(cut_head_half_angle * std::numbers::pi / 180));
-  const Vec2 foot = tip - length * pointing;
-  return {{{tip, foot + across, foot - across}}};
-}
-
 // Adds one end of the line.
 void add_end(Layer& layer, const Vec2& end, const Vec2& outwards, const Vec2& seen, const LineWidths& widths,
              const std::string& name) {
@@ -142,7 +133,7 @@ void add_end(Layer& layer, const Vec2& end, const Vec2& outwards, const Vec2& se
   // The tip of the arrow touches the edge of the wide line.
   const Vec2 tip = end - (wide_end / 2 * height) * outwards - (widths.wide / 2) * seen;
   const Vec2 tail = tip - arrow_length * height * seen;
-  layer.fills.push_back(arrow_head(tip, seen, head_length * height));
+  layer.fills.push_back(sight_head(tip, seen, head_length * height));
   layer.strokes.push_back({{tail, tip - head_length * height * seen}});
   add_letter(tail + (letter_gap + 0.5) * height * outwards);
 }

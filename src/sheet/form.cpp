@@ -15,6 +15,7 @@
 #include "scene/line_roles.hpp"
 #include "scene/title_fields.hpp"
 #include "sheet/fit_text.hpp"
+#include "sheet/frame.hpp"
 #include "sheet/projection_symbol.hpp"
 
 namespace epura::sheet {
@@ -22,7 +23,6 @@ namespace epura::sheet {
 namespace {
 
 constexpr std::array<std::string_view, 4> area_names = {"drawing_area", "title_block", "projection_symbol", "logo"};
-constexpr double form_binding_margin = 20, form_plain_margin = 10;  // ISO 5457
 
 std::vector<std::string> known_fields() {
   std::vector<std::string> names = {"scale", "size", "sheet"};
@@ -253,8 +253,7 @@ std::shared_ptr<const Form> read_form(const scene::LocatedText& file) {
         "give a text the id or, in Inkscape, the label of a field: title, number, owner, date, scale, sheet ...");
   const Vec2 size = form->art.size;
   form->drawing_area =
-      area_of(form->art, "drawing_area")
-          .value_or(Rectangle{{form_binding_margin, form_plain_margin}, size - Vec2(form_plain_margin)});
+      area_of(form->art, "drawing_area").value_or(Rectangle{{binding_margin, plain_margin}, size - Vec2(plain_margin)});
   form->title_block = area_of(form->art, "title_block");
   if (!form->title_block) form->title_block = fields;
   form->symbol = area_of(form->art, "projection_symbol");

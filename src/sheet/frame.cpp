@@ -15,7 +15,6 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double binding_margin = 20, plain_margin = 10;
 constexpr double grid_strip = 5;  // outside the frame
 constexpr double field_length = 50;
 constexpr double letter_height = 3.5;

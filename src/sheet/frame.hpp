@@ -10,6 +10,9 @@
 
 namespace epura::sheet {
 
+/// Of ISO 5457, mm: on the left, and elsewhere.
+inline constexpr double binding_margin = 20, plain_margin = 10;
+
 /// The paper with the margins that a frame needs (20 mm on the left, 10 mm elsewhere) if it is at least as large as A5;
 /// smaller sheets, and those of ASME Y14.1, keep their margins.
 Paper with_frame_margins(const Paper& paper);

@@ -434,8 +434,11 @@ void draw_hatch_lines(Layer& layer, HatchedFace hatched, const FaceToHatch& what
   hatched.strokes.begin = layer.strokes.size();
   for (const HatchLines& family : hatched.lines) {
     const std::vector<Line> lines = lines_of(what.face, family, what.progress);
-    is_whole = is_whole && are_same(uncovered(lines, family.angle, what.covers.before), lines);
-    for (const Line& line : uncovered(lines, family.angle, what.covers.all)) {
+    std::vector<Line> seen = uncovered(lines, family.angle, what.covers.before);
+    check(seen.size() >= lines.size() || !what.covers.before.empty(), "nothing hides lines without covers");
+    is_whole = is_whole && are_same(seen, lines);
+    if (!what.covers.texts.empty()) seen = uncovered(lines, family.angle, what.covers.all);
+    for (const Line& line : seen) {
       Stroke& stroke = layer.strokes.emplace_back(Stroke{{line[0], line[1]}});
       if (family.is_dashed) stroke.dashes = fit_open(glm::distance(line[0], line[1]), what.width);
     }

@@ -24,4 +24,7 @@ Layer sight_arrows(const drawing::ViewDrawing& view, std::span<const SightArrow>
 /// How far an arrow and its letter extend past the ink on the side from which the view is seen, mm.
 double sight_arrow_room(const LineWidths& widths);
 
+/// The head of an arrow in a direction of sight, as cutting planes have, too: 30 degrees.
+Fill sight_head(const Vec2& tip, const Vec2& sight, double length);
+
 }  // namespace epura::sheet

@@ -15,7 +15,9 @@
 #include "design/tolerances.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/cone_angles.hpp"
+#include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
+#include "sheet/dimensions/rounded_edges.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "sheet/dimensions/thread_notes.hpp"
 #include "sheet/dimensions/view_choice.hpp"
@@ -29,33 +31,19 @@ using design::are_same;
 using design::same_size;
 using scene::DimensionDescription;
 
-constexpr std::size_t most_of_a_kind = 16;  // notes, horizontal or vertical dimensions of a view
+constexpr std::size_t most_of_a_kind = 40;  // notes, horizontal or vertical dimensions of a view
 
 bool are_coaxial(const Vec3& point, const Vec3& axis, const Vec3& other, double size) {
   return glm::length(glm::cross(other - point, axis)) <= same_size * size;
-}
-
-// Lists of features that one note can describe, in the order of their first members.
-template <class Feature>
-std::vector<std::vector<const Feature*>> groups_of(const std::vector<Feature>& features,
-                                                   const std::function<bool(const Feature&, const Feature&)>& equal) {
-  std::vector<std::vector<const Feature*>> groups;
-  for (const Feature& feature : features) {
-    const auto same =
-        std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return equal(*group.front(), feature); });
-    if (same == groups.end())
-      groups.push_back({&feature});
-    else
-      same->push_back(&feature);
-  }
-  return groups;
 }
 
 bool are_equal_chamfers(const design::DesignBevel& a, const design::DesignBevel& b) {
   return a.model == b.model && a.along == b.along && are_same(a.leg(), b.leg());
 }
 
-std::string times(std::size_t count) { return count > 1 ? std::to_string(count) + "× " : ""; }
+bool are_equal_ends(const design::DesignCylinder& a, const design::DesignCylinder& b) {
+  return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
+}
 
 class Planner {
  public:
@@ -162,9 +150,11 @@ class Planner {
   void add_holes() {
     for (const auto& group : groups_of<design::DesignHole>(subject_.features.holes, design::are_equal)) {
       ++groups_;
-      const NamedProjection* view = views_.along(group.front()->axis, !group.front()->through);
+      const NamedProjection* along = views_.along(group.front()->axis, !group.front()->through);
+      const NamedProjection* view = along != nullptr ? along : views_.beside(group.front()->axis);
       if (view == nullptr) continue;
-      if (has_table() && can_have_table(*view)) {
+      check(group.front()->called() > 0, "a hole has a diameter");
+      if (along != nullptr && has_table() && can_have_table(*view)) {
         add_to_table(group, *view);
         continue;
       }
@@ -173,7 +163,7 @@ class Planner {
       add(DimensionType::diameter, *view, note_of(*group.front(), group.size())).circle = {
           shown->mouth, shown->axis, shown->called() / 2, {}};
       for (const design::DesignHole* hole : group)
-        if (hole->pitch_circle < 0) add_position(*view, hole->mouth, groups_);
+        if (along != nullptr && hole->pitch_circle < 0) add_position(*along, hole->mouth, groups_);
     }
   }
 
@@ -275,6 +265,7 @@ class Planner {
       // Across an interrupted one, its outline may not be seen.
       const bool is_clear = across != nullptr && (group.front()->whole || along == nullptr);
       const NamedProjection* view = is_clear ? across : along;
+      if (view == nullptr && group.front()->whole) view = views_.beside(axis);
       if (view == nullptr) continue;
       const design::DesignCylinder& shown = *group.front();
       check(shown.called() > 0, "a cylinder has a radius");
@@ -385,17 +376,6 @@ class Planner {
     });
   }
 
-  // The first view that shows the section of a rounded edge, and the side of the axis on which it does.
-  [[nodiscard]] std::pair<const NamedProjection*, Vec3> view_of(const design::DesignRound& round) const {
-    for (const NamedProjection* view : views_.all()) {
-      const projection::Projection& projection = view->projection;
-      for (const auto& [along, aside] : {std::pair(projection.u, projection.v), std::pair(projection.v, projection.u)})
-        for (const double side : {1.0, -1.0})
-          if (are_parallel(along, round.axis) && round.reaches(side * aside)) return {view, side * aside};
-    }
-    return {nullptr, Vec3(0)};
-  }
-
   // Those whose radius is not that of a fillet with a dimension, to which they belong.
   void add_rounds() {
     const auto equal = [](const design::DesignRound& a, const design::DesignRound& b) {
@@ -403,11 +383,9 @@ class Planner {
     };
     for (const auto& group : groups_of<design::DesignRound>(subject_.features.rounds, equal)) {
       const design::DesignRound& round = *group.front();
-      const auto [view, out] = view_of(round);
-      if (view == nullptr || has_radius(round.radius)) continue;
-      const projection::Projection& projection = view->projection;
-      add(DimensionType::radius, *view, times(group.size()) + "<>").circle = {
-          round.centre + round.ring * out, projection.n, round.radius, round.section(out)};
+      std::optional<SeenSection> seen = seen_section(round, views_);
+      if (!seen || has_radius(round.radius)) continue;
+      add(DimensionType::radius, *seen->view, times(group.size()) + "<>").circle = std::move(seen->circle);
     }
   }
 
@@ -447,6 +425,7 @@ class Planner {
   // The angle of a cone with a rounded end; diameters and positions of other ends, as far as no cylinder and no step
   // has them.
   void add_cones() {
+    std::vector<design::DesignCylinder> ends;
     for (const design::DesignCone& cone : subject_.features.cones) {
       check(cone.radii[0] >= 0 && cone.radii[0] <= cone.radii[1], "a cone begins at its smaller end");
       ++groups_;
@@ -466,12 +445,27 @@ class Planner {
         const design::DesignCylinder circle{cone.model, cone.ends[end],  cone.ends[end],
                                             cone.axis,  cone.radii[end], false};
         if (!(circle.radius > 0)) continue;
-        if (!is_overall(circle) && !design::has_coaxial_outline(subject_.features, circle))
-          add(DimensionType::diameter, *view, "<>").circle = {circle.from, circle.axis, circle.radius, {}};
+        const auto is_same = [&](const design::DesignCylinder& other) {
+          return are_equal_ends(other, circle) && glm::distance(other.from, circle.from) <= same_size * circle.radius;
+        };
+        if (!is_overall(circle) && !design::has_coaxial_outline(subject_.features, circle) &&
+            std::none_of(ends.begin(), ends.end(), is_same))
+          ends.push_back(circle);
         if (const int axis = world_axis(cone.axis); axis >= 0)
           stations_.add({view, axis, circle.from[axis], circle.from + circle.radius * out, -1,
                          circle.from - circle.radius * out});
       }
+    }
+    add_ends_of_cones(ends);
+  }
+
+  void add_ends_of_cones(const std::vector<design::DesignCylinder>& ends) {
+    for (const auto& group : groups_of<design::DesignCylinder>(ends, are_equal_ends)) {
+      const design::DesignCylinder& shown = *group.front();
+      const NamedProjection* view = views_.across(shown.axis);
+      check(view != nullptr, "an end of a cone is measured across its axis");
+      add(DimensionType::diameter, *view, times(group.size()) + "<>").circle = {
+          shown.from, shown.axis, shown.radius, {}};
     }
   }
 

@@ -54,6 +54,7 @@ void BoxIndex::remove(std::span<const TurnedBox> boxes) {
 
 int BoxIndex::overlaps(const TurnedBox& box) const {
   const auto [min, max] = around(box);
+  check(min.x <= max.x && min.y <= max.y, "a rectangle contains its box");
   const Cell first = cell_at(min), last = cell_at(max);
   int count = 0;
   visit_cells(first, last, [&, &min = min, &max = max](const Cell& cell) {
@@ -61,6 +62,7 @@ int BoxIndex::overlaps(const TurnedBox& box) const {
     if (found == cells_.end()) return;
     for (const std::size_t i : found->second) {
       const Entry& entry = entries_[i];
+      if (entry.count == 0) continue;
       if (entry.min.x > max.x || entry.max.x < min.x || entry.min.y > max.y || entry.max.y < min.y) continue;
       // Both may share several cells; only the cell with the lower left corner of their intersection counts.
       const bool counts = first == last || cell_at(glm::max(entry.min, min)) == cell;

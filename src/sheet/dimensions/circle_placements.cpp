@@ -34,18 +34,9 @@ PlacedDimension drawn(const Leader& leader, const MeasuredCircle& circle, const 
   const Vec2 elbow = tip + length * direction;
   check(circle.radius >= 0, "a circle has a radius");
   const Vec2 outward = length < 0 ? -direction : direction;
-  const double width = style.width(text) + 2 * style.above();
-  const Vec2 shoulder = elbow + Vec2((outward.x < 0) != turned ? -width : width, 0);
   PlacedDimension dimension;
-  dimension.strokes.emplace_back().points = {tip, elbow, shoulder};
-  dimension.lines = {line_box(tip, elbow)};
+  add_leader(dimension, text, {tip, elbow, (outward.x < 0) != turned}, style);
   dimension.arrows = {arrow_at(tip, -outward, style)};
-  set_text(dimension, text, {(elbow + shoulder) * 0.5, {1, 0}, style.above()}, style);
-  // The box includes the shoulder, which no line should meet either.
-  TurnedBox& box = dimension.text_boxes.back();
-  box.centre.y -= style.above() / 2;
-  box.half += Vec2(style.above(), style.above() / 2);
-  dimension.zones = {box};
   if (circle.is_label) return dimension;
   DimensionObject& object = dimension.objects.emplace_back(
       DimensionObject{circle.is_radius ? DimensionShape::radius : DimensionShape::diameter, {circle.centre, tip}});
@@ -119,6 +110,31 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
     if (!circle.is_radius && !circle.is_label && whole) add_across(placements, circle, measured.text, angle, style);
   }
   check(placements.size() >= leader_directions, "a circle has a place for its text in each direction");
+  return placements;
+}
+
+std::vector<DimensionPlacement> placements_in_crowd(const MeasuredCircle& circle, const MeasuredDimension& measured,
+                                                    const drawing::ViewDrawing&, const DimensionStyle& style) {
+  constexpr int more_directions = 3, more_lengths = 2;  // times
+  check(circle.radius >= 0 && circle.sweep != 0, "an arc has a length");
+  std::vector<DimensionPlacement> placements;
+  if (measured.offset || circle.is_label) return placements;
+  const bool whole = std::abs(circle.sweep) >= 2 * std::numbers::pi;
+  for (int i = 0; i < more_directions * leader_directions; ++i) {
+    const double angle = circle.first + (i + (whole ? 0 : 0.5)) * circle.sweep / (more_directions * leader_directions);
+    const Vec2 direction = turned_to(angle);
+    for (int k = 0; k < more_lengths * lengths; ++k) {
+      const double length = shortest_leader_of_circle + longer_leader * k;
+      const double cost = cost_of_length * length + slope_cost(angle);
+      const auto add = [&](const Leader& leader, double more) {
+        placements.push_back({drawn(leader, circle, measured.text, style), cost + more});
+      };
+      add({direction, length}, 0);
+      if (std::abs(direction.x) < steep) add({direction, length, true}, cost_of_turn);
+      // From inside, and past the centre.
+      if (circle.is_radius) add({direction, -length}, cost_of_inside);
+    }
+  }
   return placements;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -14,7 +13,9 @@
 #include "base/text.hpp"
 #include "design/tolerances.hpp"
 #include "sheet/dimensions/cone_angles.hpp"
+#include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
+#include "sheet/dimensions/missing_views.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "world/placed_part.hpp"
 
@@ -30,14 +31,6 @@ constexpr double size_agrees = 2e-4;   // relative
 constexpr std::array axis_names{"x", "y", "z"};
 
 bool agree(double a, double b) { return std::abs(a - b) <= size_agrees * std::max(std::abs(a), std::abs(b)); }
-
-// The number before "×" at the beginning of a text; 1 if there is none.
-int repeats_of(const std::string& text) {
-  int count = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  const bool is_count = error == std::errc() && text.compare(std::size_t(end - text.data()), 2, "×") == 0;
-  return is_count ? std::max(count, 1) : 1;
-}
 
 bool is_auxiliary(const std::string& text) { return !text.empty() && text.front() == '('; }
 
@@ -137,7 +130,7 @@ class CoverageFinder {
     for (const CircleSize& size : sizes_) {
       check(size.dimensions >= 0 && places_of(size) > 0, "a size is of one place or more");
       if (size.dimensions == 0 && !given_elsewhere(size) && !is_in_table(size) && !is_given_by_equal(size, views))
-        coverage_.undimensioned.push_back(size.name);
+        coverage_.undimensioned.push_back(size.name + remedy_for(size.axis, views));
       if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
     }
     for (std::size_t i = 0; i < widths_.size(); ++i) {
@@ -145,7 +138,7 @@ class CoverageFinder {
       if (widths_[i] == 0) coverage_.undimensioned.push_back(name);
       if (widths_[i] > 1) coverage_.repeated.push_back(name);
     }
-    add_uncheckable();
+    add_uncheckable(views);
     merge(coverage_.undimensioned);
     merge(coverage_.repeated);
     return std::move(coverage_);
@@ -503,16 +496,24 @@ class CoverageFinder {
     if (agree(own.to - middle, middle - own.from)) chains_[axis].join(middle, own.from);
   }
 
+  // A diameter gives both sides of its circle; "4×" those of all that are equal to it.
   void join_circles(const AnchoredDimension& dimension) {
+    const bool many = repeats_of(dimension.text) > 1;
     for (const WorldCircle& circle : dimension.circles)
       for (int axis = 0; axis < 3; ++axis) {
         if (std::abs(circle.axis[axis]) > parallel) continue;
         const double middle = circle.centre[axis];
-        for (const double side : {-circle.radius, circle.radius}) chains_[axis].join(middle, middle + side);
+        join_sides(axis, middle, circle.radius);
+        for (const CircleSize& size : sizes_)
+          if (many && is_equal(size, circle)) join_sides(axis, size.centre[axis], circle.radius);
         for (const design::DesignHole& hole : subject_.features.holes)
           if (lies_on(hole.mouth, circle) && are_parallel(hole.axis, circle.axis))
             chains_[axis].join(middle, hole.mouth[axis]);
       }
+  }
+
+  void join_sides(int axis, double middle, double radius) {
+    for (const double side : {-radius, radius}) chains_[axis].join(middle, middle + side);
   }
 
   static bool lies_on(const Vec3& point, const WorldCircle& circle) {
@@ -527,7 +528,7 @@ class CoverageFinder {
   }
 
   // Spheres and tori, whose sizes no dimension gives, and models without recognised faces.
-  void add_uncheckable() {
+  void add_uncheckable(std::span<const DimensionsInView> views) {
     for (std::size_t model = 0; model < subject_.world.models.size(); ++model) {
       const world::Placed& placed = subject_.world.models[model];
       const std::string name = "model " + std::to_string(model);
@@ -536,12 +537,12 @@ class CoverageFinder {
         coverage_.undimensioned.push_back(name + ": nothing is recognised, so only overall sizes are checked");
         continue;
       }
-      add_doubly_curved(*part);
+      add_doubly_curved(*part, views);
     }
   }
 
   // Parts of a fillet around a corner belong to it: a dimension of its radius gives theirs.
-  void add_doubly_curved(const world::PlacedPart& part) {
+  void add_doubly_curved(const world::PlacedPart& part, std::span<const DimensionsInView> views) {
     std::vector<features::PartSurface> seen;
     for (const features::PartFace& face : part.faces) {
       const features::PartSurface& surface = face.surface;
@@ -555,7 +556,7 @@ class CoverageFinder {
       seen.push_back(surface);
       coverage_.undimensioned.push_back(sphere ? "sphere SR" + length(surface.radius)
                                                : "torus R" + length(surface.minor) + " around ⌀" +
-                                                     length(2 * surface.radius));
+                                                     length(2 * surface.radius) + remedy_beside(surface.axis, views));
     }
   }
 

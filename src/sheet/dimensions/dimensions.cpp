@@ -27,7 +27,8 @@ constexpr double cost_of_zone = 1000;  // two dimensions at the same position
 constexpr double cost_of_text = 300;   // a line through a text
 constexpr double cost_of_other = 20;   // a line through another view, or through something else on the sheet
 constexpr double cost_of_crossing = 3;
-constexpr double cost_of_ink = 0.3;  // a line of the drawing that a leader crosses
+constexpr std::size_t most_in_crowd = 12;  // dimensions for which less usual places are tried: it takes long
+constexpr double cost_of_ink = 0.3;        // a line of the drawing that a leader crosses
 
 /// Objects already on the paper.
 struct Surroundings {
@@ -53,17 +54,22 @@ struct Surroundings {
   /// The cost of a placed dimension; computed no further once it exceeds `max`.
   [[nodiscard]] double cost(const PlacedDimension& dimension, double max) const {
     double cost = 0;
-    for (const TurnedBox& text : dimension.text_boxes) cost += cost_of_text * lines.overlaps(text);
-    for (const TurnedBox& zone : dimension.zones)
-      cost += cost_of_zone * (zones.overlaps(zone) + (is_off_paper(zone) ? 1 : 0)) +
-              cost_of_crossing * lines.overlaps(zone);
-    for (const TurnedBox& line : dimension.lines)
-      cost += cost_of_text * texts.overlaps(line) + cost_of_crossing * zones.overlaps(line) +
-              cost_of_other * others.overlaps(line);
-    for (const TurnedBox& text : dimension.text_boxes)
-      if (cost < max && ink.in(text) > 0) cost += cost_of_text;
-    if (cost < max)
-      for (const TurnedBox& line : dimension.lines) cost += cost_of_ink * ink.in(line);
+    // Rows have hundreds of boxes.
+    const auto add_all = [&](const std::vector<TurnedBox>& boxes, const auto& cost_of) {
+      for (auto box = boxes.begin(); box != boxes.end() && cost < max; ++box) cost += cost_of(*box);
+    };
+    add_all(dimension.text_boxes, [&](const TurnedBox& text) { return cost_of_text * lines.overlaps(text); });
+    add_all(dimension.zones, [&](const TurnedBox& zone) {
+      return cost_of_zone * (zones.overlaps(zone) + (is_off_paper(zone) ? 1 : 0)) +
+             cost_of_crossing * lines.overlaps(zone);
+    });
+    add_all(dimension.lines, [&](const TurnedBox& line) {
+      return cost_of_text * texts.overlaps(line) + cost_of_crossing * zones.overlaps(line) +
+             cost_of_other * others.overlaps(line);
+    });
+    add_all(dimension.text_boxes, [&](const TurnedBox& text) { return ink.in(text) > 0 ? cost_of_text : 0; });
+    add_all(dimension.lines, [&](const TurnedBox& line) { return cost_of_ink * ink.in(line); });
+    check(cost >= 0, "nothing is better than free paper");
     return cost;
   }
 };
@@ -112,19 +118,35 @@ void check_ends(const Form& form, const PlacedDimension& dimension) {
     check(ends_at(form, end_of(arrow)), "a dimension ends at what it measures");
 }
 
-// The placements are in ascending order of their cost.
-const PlacedDimension& best_of(const std::vector<DimensionPlacement>& placements, const Surroundings& surroundings) {
-  const DimensionPlacement* best = nullptr;
-  double min = HUGE_VAL;
+struct BestPlacement {
+  const PlacedDimension* dimension = nullptr;
+  double cost = HUGE_VAL;
+};
+
+// The cheapest placement if it costs less than `best`. They are in ascending order of their cost.
+BestPlacement better_of(const std::vector<DimensionPlacement>& placements, const Surroundings& surroundings,
+                        BestPlacement best = {}) {
   for (const DimensionPlacement& placement : placements) {
-    if (placement.cost >= min) break;
-    const double cost = placement.cost + surroundings.cost(placement.dimension, min - placement.cost);
-    if (cost >= min) continue;
-    min = cost;
-    best = &placement;
+    if (placement.cost >= best.cost) break;
+    const double cost = placement.cost + surroundings.cost(placement.dimension, best.cost - placement.cost);
+    if (cost < best.cost) best = {&placement.dimension, cost};
   }
-  check(best != nullptr, "a dimension has no place");
-  return best->dimension;
+  check(best.dimension != nullptr, "a dimension has a place");
+  return best;
+}
+
+// Less usual placements, of forms that have some.
+std::vector<DimensionPlacement> placements_in_crowd(const MeasuredDimension& measured,
+                                                    const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
+  if (const auto* length = std::get_if<MeasuredLength>(&measured.form))
+    return placements_in_crowd(*length, measured, drawing, style);
+  if (const auto* circle = std::get_if<MeasuredCircle>(&measured.form))
+    return placements_in_crowd(*circle, measured, drawing, style);
+  return {};
+}
+
+void sort_by_cost(std::vector<DimensionPlacement>& placements) {
+  std::stable_sort(placements.begin(), placements.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
 }
 
 // Dimensions without a choice come first; then distances, small before large; then angles; then circles.
@@ -153,7 +175,8 @@ class Placer {
         neighbours_(neighbours),
         order_(order_of(dimensions)),
         surroundings_{drawing, neighbours.paper, BoxIndex(neighbours.boxes)},
-        placed_(dimensions.size()) {
+        placed_(dimensions.size()),
+        stays_(dimensions.size(), false) {
     surroundings_.texts.add(neighbours.texts);
   }
 
@@ -166,7 +189,34 @@ class Placer {
     const auto has_place = [](const std::optional<PlacedDimension>& placed) { return placed.has_value(); };
     check(progress.is_out_of_time() || std::all_of(placed_.begin(), placed_.end(), has_place),
           "every dimension has a place");
-    // Those that later ones cross are placed anew, now that all others are known. No round makes anything worse.
+    place_crossed_anew(progress);
+  }
+
+  /// Takes out some of the first dimensions until none of these has conflicts, and puts back those for which there is
+  /// room then. If some remain, less usual places are tried. Returns the numbers of those that are left out.
+  std::vector<std::size_t> leave_out(std::size_t count, const Progress& progress) {
+    count = std::min(count, placed_.size());
+    const PlacedDimensions all = placed_;
+    std::vector<std::size_t> left_out = leave_out_crossed(count, progress);
+    if (left_out.empty() || left_out.size() > most_in_crowd) return left_out;
+    const PlacedDimensions usual = placed_;
+    is_crowded_ = true;
+    put_back(all);
+    place_crossed_anew(progress);
+    std::vector<std::size_t> others = leave_out_crossed(count, progress);
+    if (others.size() < left_out.size())
+      left_out = std::move(others);
+    else
+      put_back(usual);
+    std::erase_if(left_out, [&](std::size_t i) { return !progress.is_out_of_time() && makes_room_in_crowd(i, count); });
+    return left_out;
+  }
+
+  PlacedDimensions result() { return std::move(placed_); }
+
+ private:
+  // Those that later ones cross are placed anew, now that all others are known. No round makes anything worse.
+  void place_crossed_anew(const Progress& progress) {
     constexpr int rounds = 3;
     for (int round = 0; round < rounds; ++round)
       for (const std::size_t i : order_) {
@@ -179,11 +229,8 @@ class Placer {
         place(i);
       }
   }
-
-  /// Takes out some of the first dimensions until none of these has conflicts, those with most of them first and rows,
-  /// which stand for many, last, and puts back those for which there is room then. Returns the numbers of the others.
-  std::vector<std::size_t> leave_out(std::size_t count, const Progress& progress) {
-    count = std::min(count, placed_.size());
+  // Those with most conflicts are taken out first, and rows, which stand for many, last.
+  std::vector<std::size_t> leave_out_crossed(std::size_t count, const Progress& progress) {
     std::vector<int> conflicts(count);
     for (std::size_t i = 0; i < count; ++i)
       if (placed_[i]) conflicts[i] = conflicts_of(i);
@@ -203,25 +250,30 @@ class Placer {
                   [&](std::size_t i) { return !progress.is_out_of_time() && (finds_room(i) || makes_room(i, count)); });
     return left_out;
   }
-
-  PlacedDimensions result() { return std::move(placed_); }
-
- private:
   void place(std::size_t i) {
-    placed_[i] = is_row(i) ? best_of(placements_of_row(i), surroundings_) : best_of(placements(i), surroundings_);
+    const std::vector<DimensionPlacement> all = is_row(i) ? std::vector<DimensionPlacement>() : placements(i);
+    BestPlacement best = better_of(is_row(i) ? placements_of_row(i) : all, surroundings_);
+    if (is_crowded_ && best.cost >= cost_of_text) best = better_of(more_placements(i), surroundings_, best);
+    placed_[i] = *best.dimension;
     std::visit([&](const auto& form) { check_ends(form, *placed_[i]); }, dimensions_[i].form);
     surroundings_.add(*placed_[i]);
   }
   [[nodiscard]] std::vector<DimensionPlacement> placements(std::size_t i) const {
     const auto of_form = [&](const auto& form) { return placements_of(form, dimensions_[i], drawing_, style_); };
     std::vector<DimensionPlacement> all = std::visit(of_form, dimensions_[i].form);
-    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    sort_by_cost(all);
     return all;
   }
   // Rows are large, and tried again and again.
   const std::vector<DimensionPlacement>& placements_of_row(std::size_t i) {
     auto [known, is_new] = rows_.try_emplace(i);
     if (is_new) known->second = placements(i);
+    return known->second;
+  }
+  const std::vector<DimensionPlacement>& more_placements(std::size_t i) {
+    auto [known, is_new] = more_.try_emplace(i);
+    if (is_new) known->second = placements_in_crowd(dimensions_[i], drawing_, style_);
+    if (is_new) sort_by_cost(known->second);
     return known->second;
   }
   [[nodiscard]] bool is_row(std::size_t i) const { return std::holds_alternative<MeasuredRow>(dimensions_[i].form); }
@@ -243,25 +295,35 @@ class Placer {
       if (worst == conflicts.size() || rank(i) >= rank(worst)) worst = i;
     return worst;
   }
-  // Moves all that is where the row would be.
-  bool makes_room_for_row(std::size_t row, std::size_t count) {
-    place(row);
+  // Moves all that is where the dimension would be, and in a crowd what is where these would be, `deep` times.
+  bool moves_others(std::size_t number, std::size_t count, int deep = 0) {
+    const PlacedDimensions before = placed_;
+    place(number);
     std::vector<std::size_t> moved;
-    bool all_move = faults_of(*placed_[row], drawing_, neighbours_) == 0;
+    bool all_move = faults_of(*placed_[number], drawing_, neighbours_) == 0;
     for (std::size_t i = 0; i < placed_.size() && all_move; ++i) {
-      if (i == row || !placed_[i] || !do_cross(*placed_[row], *placed_[i])) continue;
-      all_move = i < count && !is_row(i);
+      if (i == number || !placed_[i] || !do_cross(*placed_[number], *placed_[i])) continue;
+      all_move = i < count && !is_row(i) && !stays_[i];
       moved.push_back(i);
     }
+    stays_[number] = true;
     if (all_move) {
-      const PlacedDimensions before = placed_;
       for (const std::size_t i : moved) take(i);
-      if (std::all_of(moved.begin(), moved.end(), [&](std::size_t i) { return finds_room(i); })) return true;
-      for (const std::size_t i : moved) put_back(i, before[i]);
+      all_move = std::all_of(moved.begin(), moved.end(), [&](std::size_t i) {
+        return finds_room(i) || (deep > 0 && moves_others(i, count, deep - 1));
+      });
     }
-    check(placed_[row].has_value(), "a row that finds no room was placed");
-    take(row);
-    return false;
+    stays_[number] = false;
+    if (!all_move) put_back(before);
+    check(all_move == placed_[number].has_value(), "a dimension that finds no room is not placed");
+    return all_move;
+  }
+  void put_back(const PlacedDimensions& before) {
+    for (std::size_t i = 0; i < placed_.size(); ++i)
+      if (placed_[i]) take(i);
+    placed_ = before;
+    for (const std::optional<PlacedDimension>& dimension : placed_)
+      if (dimension) surroundings_.add(*dimension);
   }
   void put_back(std::size_t i, const std::optional<PlacedDimension>& before) {
     if (placed_[i]) take(i);
@@ -270,7 +332,7 @@ class Placer {
   }
   // Moves another one of the first ones.
   bool makes_room(std::size_t i, std::size_t count) {
-    if (is_row(i)) return makes_room_for_row(i, count);
+    if (is_row(i)) return moves_others(i, count);
     for (std::size_t other = 0; other < count; ++other) {
       if (!placed_[other] || is_row(other)) continue;
       const auto before = placed_[other];
@@ -282,6 +344,10 @@ class Placer {
       put_back(other, before);
     }
     return false;
+  }
+  bool makes_room_in_crowd(std::size_t i, std::size_t count) {
+    constexpr int deep = 3;
+    return finds_room(i) || moves_others(i, count, deep) || (!is_row(i) && makes_room(i, count));
   }
   [[nodiscard]] int conflicts_of(std::size_t number) const {
     int count = faults_of(*placed_[number], drawing_, neighbours_);
@@ -297,7 +363,9 @@ class Placer {
   std::vector<std::size_t> order_;
   Surroundings surroundings_;
   PlacedDimensions placed_;
-  std::map<std::size_t, std::vector<DimensionPlacement>> rows_;
+  std::vector<bool> stays_;  ///< while others are moved
+  std::map<std::size_t, std::vector<DimensionPlacement>> rows_, more_;
+  bool is_crowded_ = false;  ///< whether less usual placements are tried, too
 };
 
 // U+2300, or the letter that replaces it.

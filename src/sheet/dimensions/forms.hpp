@@ -35,4 +35,11 @@ std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const 
 std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, const MeasuredDimension& measured,
                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style);
 
+/// More placements, which are less usual: of a length, the text farther out beside it, or on a leader to its dimension
+/// line; of a circle, leaders in more directions, and longer ones. None if there is an offset.
+std::vector<DimensionPlacement> placements_in_crowd(const MeasuredLength& length, const MeasuredDimension& measured,
+                                                    const drawing::ViewDrawing& drawing, const DimensionStyle& style);
+std::vector<DimensionPlacement> placements_in_crowd(const MeasuredCircle& circle, const MeasuredDimension& measured,
+                                                    const drawing::ViewDrawing& drawing, const DimensionStyle& style);
+
 }  // namespace epura::sheet

@@ -49,6 +49,41 @@ double sign_of_offset(const Vec2& across) {
   return (std::abs(across.y) > on_axis ? across.y > 0 : across.x > 0) ? 1 : -1;
 }
 
+namespace {
+
+/// One side of a view, for dimension lines further and further out.
+struct Side {
+  MeasuredLength ends;  ///< of the extension lines there
+  double sign;          ///< of distances, to the left of the dimension line
+  double outline;       ///< distance of the outline
+  double cost;          ///< of the extension lines
+
+  [[nodiscard]] double distance(int level, double text_height) const {
+    return sign * (outline + first_dimension + level * dimension_step(text_height));
+  }
+};
+
+// Below or on the right first.
+std::array<Side, 2> sides_of(const MeasuredLength& length, const drawing::ViewDrawing& drawing) {
+  const double upwards = sign_of_offset(left_of(length.along));
+  const bool vertical = std::abs(length.along.y) > std::abs(length.along.x);
+  const double first_side = vertical ? upwards : -upwards;
+  const auto side_of = [&](double sign) {
+    MeasuredLength ends = length;
+    if (sign != first_side && length.opposite) {
+      ends.from = (*length.opposite)[0];
+      ends.to = (*length.opposite)[1];
+    }
+    const Reach reach = reach_of_ink(ends, drawing);
+    const double outline = sign > 0 ? reach.max : -reach.min;
+    const double end = glm::dot(ends.to - ends.from, left_of(ends.along));
+    return Side{ends, sign, outline, cost_of_extension * (2 * outline - sign * end)};
+  };
+  return {side_of(first_side), side_of(-first_side)};
+}
+
+}  // namespace
+
 std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, const MeasuredDimension& measured,
                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   const double upwards = sign_of_offset(left_of(length.along));
@@ -65,23 +100,43 @@ std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, cons
     add_at(length, side * (std::max(0.0, side * end_of(length)) + std::abs(*measured.offset)), 0);
     return placements;
   }
-  // Below or on the right if nothing else matters.
-  const bool vertical = std::abs(length.along.y) > std::abs(length.along.x);
-  const double first_side = vertical ? upwards : -upwards;
-  for (const double side : {first_side, -first_side}) {
-    MeasuredLength ends = length;
-    if (side != first_side && length.opposite) {
-      ends.from = (*length.opposite)[0];
-      ends.to = (*length.opposite)[1];
-    }
-    const Reach reach = reach_of_ink(ends, drawing);
-    const double outline = side > 0 ? reach.max : -reach.min;
-    const double cost = cost_of_extension * (2 * outline - side * end_of(ends));
+  for (const Side& side : sides_of(length, drawing))
     for (int level = 0; level < levels; ++level)
-      add_at(ends, side * (outline + first_dimension + level * dimension_step(style.height(measured.text))),
-             cost + cost_of_level * level);
-  }
+      add_at(side.ends, side.distance(level, style.height(measured.text)), side.cost + cost_of_level * level);
   check(placements.size() == std::size_t{2} * levels * places, "a length has places on both sides");
+  return placements;
+}
+
+std::vector<DimensionPlacement> placements_in_crowd(const MeasuredLength& length, const MeasuredDimension& measured,
+                                                    const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
+  constexpr double step = 5;                                                        // mm
+  constexpr int most_beside = 10;                                                   // steps
+  constexpr int most_of_leader = 8;                                                 // steps
+  constexpr double cost_of_beside = 1, cost_of_leader = 2, cost_of_farther = 0.05;  // the last one per millimetre
+  std::vector<DimensionPlacement> placements;
+  if (measured.offset) return placements;
+  for (const Side& side : sides_of(length, drawing)) {
+    const Vec2 out = side.sign * left_of(length.along);
+    for (int level = 0; level < levels; ++level) {
+      const double distance = side.distance(level, style.height(measured.text));
+      const double cost = side.cost + cost_of_level * level;
+      for (const double towards : {1.0, -1.0}) {
+        for (int i = 0; i < most_beside; ++i)
+          placements.push_back(
+              {straight_dimension_beside(side.ends, measured.text, distance, {towards > 0, step * i}, style),
+               cost + cost_of_beside + cost_of_farther * step * i});
+        // Steep enough to leave the extension lines of a narrow length to its sides.
+        for (const double slope : {1.0, 2.0}) {
+          const Vec2 direction = glm::normalize(towards * length.along + slope * out);
+          for (int i = 1; i <= most_of_leader; ++i)
+            placements.push_back(
+                {straight_dimension_with_leader(side.ends, measured.text, distance, step * i * direction, style),
+                 cost + cost_of_leader + cost_of_farther * step * i});
+        }
+      }
+    }
+  }
+  check(placements.size() > std::size_t{levels}, "a length has less usual places on each level");
   return placements;
 }
 

@@ -149,4 +149,19 @@ void set_text(PlacedDimension& dimension, const DimensionText& text, const TextP
   check(dimension.text_boxes.back().half.x > 0 && dimension.text_boxes.back().half.y > 0, "a text has a size");
 }
 
+void add_leader(PlacedDimension& dimension, const DimensionText& text, const ShoulderedLeader& leader,
+                const DimensionStyle& style) {
+  const auto& [tip, elbow, to_left] = leader;
+  const double width = style.width(text) + 2 * style.above();
+  const Vec2 shoulder = elbow + Vec2(to_left ? -width : width, 0);
+  dimension.strokes.emplace_back().points = {tip, elbow, shoulder};
+  dimension.lines.push_back(line_box(tip, elbow));
+  set_text(dimension, text, {(elbow + shoulder) * 0.5, {1, 0}, style.above()}, style);
+  // The box includes the shoulder, which no line should meet either.
+  TurnedBox& box = dimension.text_boxes.back();
+  box.centre.y -= style.above() / 2;
+  box.half += Vec2(style.above(), style.above() / 2);
+  dimension.zones.push_back(box);
+}
+
 }  // namespace epura::sheet

@@ -86,4 +86,12 @@ struct TextPosition {
 void set_text(PlacedDimension& dimension, const DimensionText& text, const TextPosition& at,
               const DimensionStyle& style);
 
+/// Adds a leader from `tip`, which bends at `elbow` into a shoulder to the right, or to the left, and the text on it.
+struct ShoulderedLeader {
+  Vec2 tip, elbow;
+  bool to_left;
+};
+void add_leader(PlacedDimension& dimension, const DimensionText& text, const ShoulderedLeader& leader,
+                const DimensionStyle& style);
+
 }  // namespace epura::sheet

@@ -16,6 +16,19 @@ inline constexpr int text_places = 5;
 PlacedDimension straight_dimension(const MeasuredLength& length, const DimensionText& text, double distance, int place,
                                    const DimensionStyle& style);
 
+/// A text beside the extension lines, at the right or upper end of the dimension line or at the other one; the line
+/// reaches to it. How much farther out than usual.
+struct TextBeside {
+  bool at_high;
+  double farther;
+};
+PlacedDimension straight_dimension_beside(const MeasuredLength& length, const DimensionText& text, double distance,
+                                          const TextBeside& beside, const DimensionStyle& style);
+
+/// The same with the text on a leader that begins in the middle of the dimension line. ISO 129-1.
+PlacedDimension straight_dimension_with_leader(const MeasuredLength& length, const DimensionText& text, double distance,
+                                               const Vec2& leader, const DimensionStyle& style);
+
 /// The part of a dimension line between two extension lines; `read` points from its lower or left end to the other one.
 /// An open end has no arrow.
 struct DimensionLine {

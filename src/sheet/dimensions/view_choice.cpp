@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sheet/dimensions/view_choice.hpp"
 
+#include <cmath>
+
 #include "design/tolerances.hpp"
 #include "sheet/dimensions/stations.hpp"
 
@@ -26,6 +28,12 @@ const NamedProjection* ViewChoice::along(const Vec3& axis, bool towards) const {
 const NamedProjection* ViewChoice::across(const Vec3& axis) const {
   for (const NamedProjection* view : views_)
     if (are_parallel(view->projection.u, axis) || are_parallel(view->projection.v, axis)) return view;
+  return nullptr;
+}
+
+const NamedProjection* ViewChoice::beside(const Vec3& axis) const {
+  for (const NamedProjection* view : views_)
+    if (std::abs(glm::dot(view->projection.n, axis)) <= design::parallel) return view;
   return nullptr;
 }
 

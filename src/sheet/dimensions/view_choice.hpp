@@ -20,6 +20,8 @@ class ViewChoice {
   [[nodiscard]] const NamedProjection* along(const Vec3& axis, bool towards = false) const;
   /// The first view in which an axis is horizontal or vertical; null if there is none.
   [[nodiscard]] const NamedProjection* across(const Vec3& axis) const;
+  /// The first view to which an axis is parallel, in whatever direction on paper; null if there is none.
+  [[nodiscard]] const NamedProjection* beside(const Vec3& axis) const;
 
  private:
   std::vector<const NamedProjection*> views_;

@@ -409,6 +409,29 @@ TEST_F(AutomaticDimensions, LintSaysWhatIsMissing) {
   EXPECT_TRUE(contains(json.out, "{\"kind\": \"not dimensioned\", \"what\": \"2× hole ⌀8 ↧18\"}")) << json.out;
 }
 
+// Turned in the plane of the front view, it has its diameters there; turned out of it, a view along its axis shows
+// them.
+TEST_F(AutomaticDimensions, OfShaftsThatLieAskew) {
+  const std::string part =
+      folder.file("part.obj", shaft({{0, 1e-9}, {0, 10}, {40, 10}, {40, 15}, {100, 15}, {100, 1e-9}}));
+  const Outcome in_plane = lint(part, "auto", {"--transform", "rotate:y,30"});
+  EXPECT_EQ(in_plane.code, 0) << in_plane.out << in_plane.err;
+  const std::vector<std::string> texts = dimensions_in(read_file(folder / "x.svg"));
+  for (const char* diameter : {"⌀20", "⌀30"})
+    EXPECT_EQ(std::count(texts.begin(), texts.end(), diameter), 1) << diameter;
+
+  const Words turned{"--transform", "rotate:y,30 rotate:z,20"};
+  const Outcome askew = lint(part, "auto", turned);
+  EXPECT_EQ(askew.code, 1);
+  static const std::regex remedy("cylinder ⌀20, which no view shows in its true form: add the view (\\S+)\n");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(askew.out, found, remedy)) << askew.out;
+  const Outcome along = epura({"lint", part, "--projection", "front", "--projection", "top", "--projection", "left",
+                               "--projection", found[1].str(), "--dimensions", "auto", turned[0], turned[1]},
+                              folder / "");
+  EXPECT_EQ(along.code, 0) << along.out << along.err;
+}
+
 TEST_F(AutomaticDimensions, LintFindsWhatIsThereTwice) {
   folder.file("part.obj", blocks()[1].obj);
   const std::string linear = "[[dimension]]\ntype = 'linear'\ndirection = 'horizontal'\n";

@@ -46,8 +46,11 @@ TEST_F(Habits, BlanksBesideCommasDoNotCount) {
 }
 
 TEST_F(Habits, PapersHaveTheNamesOfPrinters) {
-  for (const auto& [name, size] :
-       {std::pair("letter", "ANSI-A"), {"Tabloid", "ANSI-B"}, {"ledger", "ANSI-B"}, {"ANSI C", "ANSI-C"}})
+  for (const auto& [name, size] : {std::pair("letter", "ANSI-A"),
+                                   {"Tabloid", "ANSI-B"},
+                                   {"ledger", "ANSI-B"},
+                                   {"ANSI C", "ANSI-C"},
+                                   {"ANSI auto", "ANSI-auto"}})
     EXPECT_EQ(drawn({"--sheet", name}), drawn({"--sheet", size})) << name;
 }
 

@@ -138,6 +138,28 @@ TEST(DimensionPlaces, SmallInsideLarge) {
   expect_no_line_through_a_text(layer, front);
 }
 
+// Symmetrical lengths inside one another, whose texts are wider than they are: beside its extension lines, each text
+// would be on those of a wider length.
+TEST(DimensionPlaces, NarrowLengthsInsideOneAnother) {
+  const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+  std::vector<scene::DimensionDescription> dimensions;
+  for (int i = 1; i <= 8; ++i) {
+    scene::DimensionDescription& one = dimensions.emplace_back(dimension("linear", {}, "horizontal"));
+    for (const double side : {-1.0, 1.0}) one.anchors.emplace_back(Vec3(30 + 2 * side * i, 0, 0));
+    one.text = {"12× wide <>", "scene.toml:10:8"};
+  }
+  // There is no room above the view.
+  const sheet::Neighbours neighbours{sheet::Rectangle{{0, 0}, {200, 150}}, {}, {}};
+  const sheet::Lettering lettering;
+  const sheet::PlacedLayer placed_layer =
+      sheet::place_dimensions({world, front, dimensions, dimensions.size()}, {lettering, 0.25}, neighbours);
+  EXPECT_EQ(placed_layer.texts_left_out, std::vector<std::string>());
+  EXPECT_EQ(placed_layer.crossings, std::vector<std::string>());
+  expect_texts_apart(placed_layer.layer);
+  expect_no_line_through_a_text(placed_layer.layer, front);
+}
+
 TEST(DimensionPlaces, NeighboursShareALine) {
   const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));

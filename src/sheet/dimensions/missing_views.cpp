@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/missing_views.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "design/tolerances.hpp"
+#include "sheet/dimensions/stations.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+bool is_seen_along(const Vec3& axis, std::span<const DimensionsInView> views) {
+  return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
+    return is_plain(view.projection) && design::are_parallel(view.projection.n, axis);
+  });
+}
+
+std::string view_along(const Vec3& axis) {
+  constexpr std::array views{"left", "front", "top"};
+  if (const int along = world_axis(axis); along >= 0) return views[std::size_t(along)];
+  const double largest = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
+  check(largest > 0, "an axis has a direction");
+  std::string name = "auxiliary:direction=";
+  for (int i = 0; i < 3; ++i) name += (i > 0 ? "," : "") + format_rounded(axis[i] / largest, 6);
+  return name;
+}
+
+}  // namespace
+
+std::string remedy_for(const Vec3& axis, std::span<const DimensionsInView> views) {
+  if (is_seen_along(axis, views)) return "";
+  return ", which no view shows in its true form: add the view " + view_along(axis);
+}
+
+std::string remedy_beside(const Vec3& axis, std::span<const DimensionsInView> views) {
+  for (const int normal : {1, 0, 2})
+    if (const Vec3 n = Mat3(1)[normal]; std::abs(glm::dot(n, axis)) <= design::parallel && !is_seen_along(n, views))
+      return ", whose section may be seen in the view " + view_along(n);
+  return "";
+}
+
+}  // namespace epura::sheet

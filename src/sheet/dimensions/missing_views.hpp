@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which view to add for a size that no view shows.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "sheet/dimensions/coverage.hpp"
+
+namespace epura::sheet {
+
+/// What to say of a circle or arc around an axis along which no view looks; nothing if one does.
+std::string remedy_for(const Vec3& axis, std::span<const DimensionsInView> views);
+
+/// The same for a rounded edge around an axis, whose section may be seen in a view that is not there.
+std::string remedy_beside(const Vec3& axis, std::span<const DimensionsInView> views);
+
+}  // namespace epura::sheet
