@@ -6,7 +6,6 @@
 #include <map>
 
 #include "cut/cut_doubts.hpp"
-#include "mesh/contact_faces.hpp"
 
 namespace epura::cut {
 
@@ -22,17 +21,14 @@ std::vector<bool> inside_out(const CutModel& model, const std::vector<char>& is_
   const world::World& world = model.world;
   const mesh::Mesh& mesh = *world.models[model.model].mesh;
   std::vector<double> volume(is_open.size(), 0);
-  const auto add = [&](int triangle, int body, double sign) {
-    if (is_open[body] != 0) return;
+  for (std::size_t t = 0; t < mesh.body.size(); ++t) {
+    if (is_open[mesh.body[t]] != 0) continue;
     std::array<Vec3, 3> p;
     for (std::size_t i = 0; i < 3; ++i)
-      p[i] =
-          world.points[world.triangles[world.first_triangle[model.model] + triangle][i]] * model.frame.normalisation -
-          model.frame.origin;
-    volume[body] += sign * glm::dot(p[0], glm::cross(p[1], p[2]));
-  };
-  for (int t = 0; t < mesh.triangle_count(); ++t) add(t, mesh.body[t], 1);
-  for (const auto& [t, body] : mesh.contacts) add(t, body, -1);
+      p[i] = world.points[world.triangles[world.first_triangle[model.model] + t][i]] * model.frame.normalisation -
+             model.frame.origin;
+    volume[mesh.body[t]] += glm::dot(p[0], glm::cross(p[1], p[2]));
+  }
   visit_bodies(model.cut.segments, [&](int body, std::span<const CutSegment> segments) {
     if (is_open[body] != 0) volume[body] = directed_area(segments, model.places, model.frame);
   });
@@ -110,10 +106,7 @@ std::vector<char> open_bodies(const mesh::Mesh& mesh) {
   std::vector<int> bodies;
   for (const mesh::MeshEdge& edge : mesh.edges) {
     bodies.clear();
-    for (const int t : mesh.triangles_of(edge)) {
-      bodies.push_back(mesh.body[t]);
-      if (const auto other = mesh::body_behind(mesh, t)) bodies.push_back(*other);
-    }
+    for (const int t : mesh.triangles_of(edge)) bodies.push_back(mesh.body[t]);
     if (bodies.size() == 2 && bodies[0] == bodies[1]) continue;
     std::sort(bodies.begin(), bodies.end());
     for (std::size_t begin = 0, end = 0; begin < bodies.size(); begin = end) {

@@ -38,8 +38,6 @@ class Knife {
         cut_triangle(t, {corners[0] - first_, corners[1] - first_, corners[2] - first_});
       }
     }
-    for (const auto& [t, body] : mesh_.contacts)
-      if (is_uncut_.empty() || !is_uncut_[body]) add_segments(t, body, kept_ring(mesh_.triangle(t)));
     if (mesh_.report.wires > 0)
       for (const mesh::MeshEdge& edge : mesh_.edges)
         if (edge.wire) cut_wire(edge.vertex);
@@ -57,35 +55,23 @@ class Knife {
 
   [[nodiscard]] int side(int vertex) const { return vertex < file_vertices_ ? sides_.of[first_ + vertex] : 0; }
 
-  // The part of a triangle behind the plane; empty if there is none.
-  std::vector<int> kept_ring(const std::array<int, 3>& corners) {
+  void cut_triangle(int triangle, const std::array<int, 3>& corners) {
     std::vector<int> ring;
-    if (std::none_of(corners.begin(), corners.end(), [&](int corner) { return side(corner) < 0; })) return ring;
     for (std::size_t i = 0; i < 3; ++i) {
       const int a = corners[i], b = corners[(i + 1) % 3];
       if (side(a) <= 0) ring.push_back(a);
       if (side(a) * side(b) < 0) ring.push_back(cut_edge(std::min(a, b), std::max(a, b)));
     }
-    return ring;
-  }
-
-  void cut_triangle(int triangle, const std::array<int, 3>& corners) {
-    const std::vector<int> ring = kept_ring(corners);
     for (std::size_t i = 2; i < ring.size(); ++i) {
       result_.triangles.push_back({ring[0], ring[i - 1], ring[i]});
       result_.polygon.push_back(mesh_.polygon[triangle]);
       result_.body.push_back(mesh_.body[triangle]);
       result_.source.push_back(triangle);
     }
-    add_segments(triangle, mesh_.body[triangle], ring);
-  }
-
-  void add_segments(int triangle, int body, const std::vector<int>& ring) {
-    const int turn = body == mesh_.body[triangle] ? 1 : -1;  // a contact bounds the other body from its other side
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const int a = ring[i], b = ring[(i + 1) % ring.size()];
       if (side(a) == 0 && side(b) == 0)
-        result_.segments.push_back({body, {std::min(a, b), std::max(a, b)}, a > b ? turn : -turn, triangle});
+        result_.segments.push_back({mesh_.body[triangle], {std::min(a, b), std::max(a, b)}, a > b ? 1 : -1, triangle});
     }
   }
 

@@ -30,10 +30,7 @@ class Splitter {
   }
 
   mesh::Mesh split(const world::Placed& placed) {
-    for (int t = 0; t < mesh_.triangle_count(); ++t) {
-      while (contact_ < mesh_.contacts.size() && mesh_.contacts[contact_].triangle < t) ++contact_;
-      split_triangle(t);
-    }
+    for (int t = 0; t < mesh_.triangle_count(); ++t) split_triangle(t);
     if (mesh_.report.wires > 0)
       for (const mesh::MeshEdge& edge : mesh_.edges)
         if (edge.wire) split_wire(edge.vertex);
@@ -128,8 +125,6 @@ class Splitter {
     for (std::size_t i = 2; i < ring.size(); ++i) {
       corners_.insert(corners_.end(), {ring[0], ring[i - 1], ring[i]});
       polygon_.push_back(mesh_.polygon[triangle]);
-      if (contact_ < mesh_.contacts.size() && mesh_.contacts[contact_].triangle == triangle)
-        contacts_.push_back({static_cast<int>(body_.size()), mesh_.contacts[contact_].body});
       body_.push_back(mesh_.body[triangle]);
       regions_.push_back(region);
     }
@@ -165,7 +160,6 @@ class Splitter {
     split.polygon = std::move(polygon_);
     mesh::make_edges(split, wires_);
     split.body = std::move(body_);
-    split.contacts = std::move(contacts_);
     split.report = mesh_.report;
     split.cut_vertices = std::move(vertices_);
     split.first_cut_vertex = static_cast<int>(mesh_.points.size());
@@ -180,8 +174,6 @@ class Splitter {
   std::vector<Vec3> points_;
   std::vector<mesh::CutVertex> vertices_;
   std::vector<int> corners_, polygon_, body_, regions_;
-  std::vector<mesh::ContactTriangle> contacts_;
-  std::size_t contact_ = 0;  ///< the first one that is not before the triangle
   std::vector<std::array<int, 2>> wires_;
   std::map<std::tuple<int, int, double, double, double>, int> made_;  ///< edge and border -> vertex
 };

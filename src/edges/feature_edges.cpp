@@ -12,7 +12,6 @@
 #include "edges/dihedral.hpp"
 #include "edges/slivers.hpp"
 #include "edges/tangent_edges.hpp"
-#include "mesh/contact_faces.hpp"
 
 namespace epura::edges {
 
@@ -312,18 +311,11 @@ struct EdgeJudge {
     // Bodies that touch in an edge are judged separately; the strongest reason wins.
     std::optional<EdgeKind> strongest;
     check(all.empty() || mesh().body.size() == mesh().polygon.size(), "each triangle has a body");
-    std::vector<std::pair<int, int>> by_body;
-    for (const int t : all) {
-      by_body.emplace_back(mesh().body[t], t);
-      if (const auto other = mesh::body_behind(mesh(), t)) by_body.emplace_back(*other, t);
-    }
-    const auto before = [](const auto& a, const auto& b) { return a.first < b.first; };
-    std::stable_sort(by_body.begin(), by_body.end(), before);
-    for (std::size_t begin = 0, end = 0; begin < by_body.size(); begin = end) {
-      std::vector<int> triangles;
-      for (; end < by_body.size() && by_body[end].first == by_body[begin].first; ++end)
-        triangles.push_back(by_body[end].second);
-      const auto kind = judge_body(edge, ends, triangles);
+    std::vector<int> triangles(all.begin(), all.end());
+    std::stable_sort(triangles.begin(), triangles.end(), [&](int a, int b) { return mesh().body[a] < mesh().body[b]; });
+    for (std::size_t begin = 0, end = 0; begin < triangles.size(); begin = end) {
+      while (end < triangles.size() && mesh().body[triangles[end]] == mesh().body[triangles[begin]]) ++end;
+      const auto kind = judge_body(edge, ends, {triangles.begin() + begin, triangles.begin() + end});
       if (kind && (!strongest || *kind < *strongest)) strongest = kind;
     }
     return strongest;

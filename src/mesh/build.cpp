@@ -7,7 +7,6 @@
 
 #include "base/vec.hpp"
 #include "mesh/bodies.hpp"
-#include "mesh/contact_faces.hpp"
 #include "mesh/cracks.hpp"
 #include "mesh/edge_table.hpp"
 #include "mesh/faces.hpp"
@@ -50,16 +49,16 @@ EdgeTable edges_of(const Faces& triangles, const MeshReport& report) {
 }
 
 /// If all faces are triangles, the edge table shows whether any are equal, which is rare.
-void drop_equal_triangles(Faces& triangles, EdgeTable& table, std::vector<TwinFaces>& twins, MeshReport& report) {
+void drop_equal_triangles(Faces& triangles, EdgeTable& table, MeshReport& report) {
   if (!has_equal_triangles(table, triangles.corners)) return;
-  report.dropped_duplicates += drop_duplicate_faces(triangles, report.vertices, twins);
+  report.dropped_duplicates += drop_duplicate_faces(triangles, report.vertices);
   table = edges_of(triangles, report);
 }
 
 /// Welds across cracks, such as the seam of a surface of revolution whose first and last points are computed from the
 /// cosines and sines of 0 and of a full turn; some triangles may then be equal. Vertices that the file numbers keep
 /// their numbers.
-void close_cracks(Soup& soup, Faces& triangles, EdgeTable& table, std::vector<TwinFaces>& twins, MeshReport& report) {
+void close_cracks(Soup& soup, Faces& triangles, EdgeTable& table, MeshReport& report) {
   const bool single = soup.single_precision || soup.corners_repeat_points;  // text STL usually holds floats
   Mending mending = mend_cracks(soup.points, triangles.corners, table, single ? 0x1p-23 : 0x1p-52);
   if (mending.joined == 0) return;
@@ -73,30 +72,22 @@ void close_cracks(Soup& soup, Faces& triangles, EdgeTable& table, std::vector<Tw
     for (auto& wire : soup.wires) wire = {mending.representative[wire[0]], mending.representative[wire[1]]};
   }
   table = edges_of(triangles, report);
-  drop_equal_triangles(triangles, table, twins, report);
+  drop_equal_triangles(triangles, table, report);
 }
 
-/// The triangles of a mesh, their edges, and the faces that it has twice.
-struct UsableTriangles {
-  Faces triangles;
-  EdgeTable table;
-  std::vector<TwinFaces> twins;
-};
-
-UsableTriangles usable_triangles(Soup& soup, MeshReport& report, const Progress& progress) {
-  UsableTriangles usable;
-  auto& [triangles, table, twins] = usable;
+/// Puts their edges into `table`.
+Faces usable_triangles(Soup& soup, EdgeTable& table, MeshReport& report, const Progress& progress) {
   Faces faces = usable_faces(soup, report);
   const bool polygons = faces.corners.size() != 3 * faces.size();
-  if (polygons) report.dropped_duplicates = drop_duplicate_faces(faces, report.vertices, twins);
+  if (polygons) report.dropped_duplicates = drop_duplicate_faces(faces, report.vertices);
   progress.expect_time();
-  triangles = triangulate(std::move(faces), soup.points, progress);
+  Faces triangles = triangulate(std::move(faces), soup.points, progress);
   progress.expect_time();
   table = edges_of(triangles, report);
-  if (!polygons) drop_equal_triangles(triangles, table, twins, report);
+  if (!polygons) drop_equal_triangles(triangles, table, report);
   progress.expect_time();
-  close_cracks(soup, triangles, table, twins, report);
-  return usable;
+  close_cracks(soup, triangles, table, report);
+  return triangles;
 }
 
 /// The triangles of a face are consecutive.
@@ -153,10 +144,10 @@ void note_triangles_without_area(Mesh& mesh) {
   sentences.push_back(std::to_string(count) + (count == 1 ? " triangle has" : " triangles have") + " no area");
 }
 
-void number_bodies(Mesh& mesh, const Soup& soup, const EdgeTable& table, const std::vector<TwinFaces>& twins) {
+void number_bodies(Mesh& mesh, const Soup& soup, const EdgeTable& table) {
   const bool named = soup.body_names.size() > 1;
   if (!named) {
-    if (!divide_at_contacts(mesh, twins)) mesh.body = connected_parts(mesh, table);
+    mesh.body = connected_parts(mesh, table);
     if (!soup.body_names.empty()) mesh.report.only_body = soup.body_names.front();
     mesh.report.body_colours = soup.body_colours;
   } else {
@@ -186,7 +177,8 @@ Mesh build_mesh(Soup soup, std::string name, const Progress& progress) {
   report.vertices = static_cast<int>(soup.points.size());
   report.non_finite_vertices = count_non_finite(soup.points);
   if (soup.printed) report.resolution = decimal_resolution(soup.points);
-  auto [triangles, table, twins] = usable_triangles(soup, report, progress);
+  EdgeTable table;
+  Faces triangles = usable_triangles(soup, table, report, progress);
 
   progress.expect_time();
   const PointMarks marks = add_crosses(soup, report.name);
@@ -198,7 +190,7 @@ Mesh build_mesh(Soup soup, std::string name, const Progress& progress) {
   mesh.corners = std::move(triangles.corners);
   mesh.polygon = std::move(triangles.number);
   note_triangles_without_area(mesh);
-  number_bodies(mesh, soup, table, twins);
+  number_bodies(mesh, soup, table);
   count_edges(mesh, table);
   take_wires(mesh, soup, table, report);
 

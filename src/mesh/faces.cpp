@@ -93,7 +93,7 @@ int drop_faces_with_non_finite_corners(Faces& faces, const Points& points) {
   });
 }
 
-int drop_duplicate_faces(Faces& faces, int vertex_count, std::vector<TwinFaces>& twins) {
+int drop_duplicate_faces(Faces& faces, int vertex_count) {
   // Counting sort by the lowest vertex: equal faces are in one short bucket.
   std::vector<int> bucket_end(static_cast<std::size_t>(vertex_count) + 1, 0);
   for (std::size_t f = 0; f < faces.size(); ++f) ++bucket_end[std::ranges::min(faces.ring(f)) + 1];
@@ -103,7 +103,6 @@ int drop_duplicate_faces(Faces& faces, int vertex_count, std::vector<TwinFaces>&
     entries[bucket_end[std::ranges::min(faces.ring(f))]++] = entry_of(faces, f);
 
   std::vector<char> duplicate(faces.size(), 0);
-  std::vector<int> twin(faces.size(), -1);  // of the second of two equal faces
   parallel_for(static_cast<std::size_t>(vertex_count), 4096, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       const std::span<Entry> bucket(entries.data() + (v == 0 ? 0 : bucket_end[v - 1]), entries.data() + bucket_end[v]);
@@ -111,18 +110,10 @@ int drop_duplicate_faces(Faces& faces, int vertex_count, std::vector<TwinFaces>&
         const int order = compare(faces, a, b);
         return order != 0 ? order < 0 : a.face < b.face;
       });
-      const auto equals_next = [&](std::size_t i) {
-        return i + 1 < bucket.size() && compare(faces, bucket[i], bucket[i + 1]) == 0;
-      };
-      for (std::size_t i = 1; i < bucket.size(); ++i) {
-        duplicate[bucket[i].face] = equals_next(i - 1);
-        const bool are_two = duplicate[bucket[i].face] != 0 && !equals_next(i) && (i == 1 || !equals_next(i - 2));
-        if (are_two) twin[bucket[i].face] = bucket[i - 1].face;
-      }
+      for (std::size_t i = 1; i < bucket.size(); ++i)
+        duplicate[bucket[i].face] = compare(faces, bucket[i - 1], bucket[i]) == 0;
     }
   });
-  for (std::size_t face = 0; face < faces.size(); ++face)
-    if (twin[face] >= 0) twins.push_back({faces.number[twin[face]], faces.number[face]});
   return keep_faces(faces,
                     [&](std::size_t face, std::span<const int> ring) { return duplicate[face] ? 0 : ring.size(); });
 }

@@ -28,13 +28,7 @@ int drop_faces_without_three_corners(Faces& faces);
 
 int drop_faces_with_non_finite_corners(Faces& faces, const Points& points);
 
-/// Two faces of the file with the same vertices, by their numbers; the second one was dropped.
-struct TwinFaces {
-  int kept, dropped;
-};
-
-/// Of faces with the same vertices in the same cyclic order or its reverse, keeps the first. Appends those that had one
-/// twin, in the order of the dropped ones.
-int drop_duplicate_faces(Faces& faces, int vertex_count, std::vector<TwinFaces>& twins);
+/// Of faces with the same vertices in the same cyclic order or its reverse, keeps the first.
+int drop_duplicate_faces(Faces& faces, int vertex_count);
 
 }  // namespace epura::mesh

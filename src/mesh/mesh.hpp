@@ -83,11 +83,6 @@ struct MeshReport {
 /// Whether more faces collapse than exporters and rounding can explain: details of the model may be lost.
 constexpr bool are_many(int collapsed, int faces) { return collapsed > faces / 10; }
 
-/// A triangle at which two bodies touch: it belongs to one of them, and bounds this one, too.
-struct ContactTriangle {
-  int triangle, body;
-};
-
 struct Mesh {
   Points points;                ///< of the file, including unused ones, followed by those of `cut_vertices`
   std::vector<int> corners;     ///< three vertices per triangle
@@ -95,9 +90,6 @@ struct Mesh {
   std::vector<int> body;        ///< triangle -> body
   UnsetVector<MeshEdge> edges;  ///< sorted by their vertices
   UnsetVector<int> edge_triangles;
-  /// Faces that the file has for either body, and of which the drawing needs one: sections need both. In ascending
-  /// order.
-  std::vector<ContactTriangle> contacts;
   std::vector<CutVertex> cut_vertices;  ///< of a cut mesh, numbered from `first_cut_vertex`
   int first_cut_vertex = 0;
   std::shared_ptr<const Mesh> uncut;  ///< the original of a cut mesh; null otherwise

@@ -133,7 +133,6 @@ ApartMesh apart_mesh(const mesh::Mesh& whole, const std::vector<MovedBody>& bodi
     vertex = copy->second;
   }
   if (copies.empty()) return apart;
-  apart.mesh.contacts.clear();  // they touch no longer
   mesh::make_edges(apart.mesh, mesh::wires_of(whole));
   return apart;
 }

@@ -7,8 +7,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "mesh/contact_faces.hpp"
-
 namespace epura::world {
 
 namespace {
@@ -41,11 +39,8 @@ std::vector<EdgeFaults> faults_of(const mesh::Mesh& mesh, std::size_t bodies) {
   std::vector<EdgeFaults> faults(bodies);
   for (const mesh::MeshEdge& edge : mesh.edges) {
     std::vector<std::pair<int, int>> uses;  // body, direction
-    for (const int t : mesh.triangles_of(edge)) {
-      const int direction = runs_along(mesh, t, edge) ? 1 : -1;
-      uses.emplace_back(mesh.body[static_cast<std::size_t>(t)], direction);
-      if (const auto other = mesh::body_behind(mesh, t)) uses.emplace_back(*other, -direction);
-    }
+    for (const int t : mesh.triangles_of(edge))
+      uses.emplace_back(mesh.body[static_cast<std::size_t>(t)], runs_along(mesh, t, edge) ? 1 : -1);
     std::sort(uses.begin(), uses.end());
     for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
       int direction = 0;
@@ -103,11 +98,6 @@ std::vector<Shell> shells_of(const mesh::Mesh& mesh, const Mat4& to_world, const
     const auto corners = mesh.triangle(t);
     for (std::size_t i = 0; i < 3; ++i) p[i] = Vec3(to_world * Vec4(mesh.point(corners[i]), 1));
     add_triangle(shells[static_cast<std::size_t>(body)], p, origin);
-  }
-  for (const auto& [t, body] : mesh.contacts) {
-    const auto [a, b, c] = mesh.triangle(t);
-    const auto place = [&](int v) { return Vec3(to_world * Vec4(mesh.point(v), 1)); };
-    add_triangle(shells[static_cast<std::size_t>(body)], {place(a), place(c), place(b)}, origin);
   }
   return shells;
 }

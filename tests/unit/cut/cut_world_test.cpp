@@ -133,19 +133,6 @@ Shape torus(double large, double small, int around, int across) {
 
 double polygon_area(int n, double radius) { return n / 2.0 * std::sin(2 * pi / n) * radius * radius; }
 
-// The face at which they touch is there twice, of which the mesh keeps one.
-TEST(CutWorld, OfBodiesWithAFaceInCommonHasBothFaces) {
-  const Shape left = box({0, 0, 0}, {20, 20, 10}), right = box({20, 0, 0}, {50, 20, 10});
-  for (const Shape& both :
-       {joined(left, right), joined(right, left), joined(inside_out(left), right), joined(left, inside_out(right))}) {
-    const cut::CutWorld result = cut(world_of({both}), {0, 10, 0}, {0, -1, 0});
-    ASSERT_EQ(result.faces.size(), 2U);
-    const double area = ring_area(result.world, result.faces[0].rings.at(0));
-    EXPECT_DOUBLE_EQ(std::min(area, 500 - area), 200);
-    EXPECT_DOUBLE_EQ(area + ring_area(result.world, result.faces[1].rings.at(0)), 500);
-  }
-}
-
 TEST(CutWorld, OfACubeIsHalfACube) {
   const world::World cube = world_of(box({0, 0, 0}, {2, 2, 2}));
   const cut::CutWorld half = cut(cube, {0, 0.5, 0}, {0, -3, 0});

@@ -171,40 +171,6 @@ TEST(Bodies, OneInARingIsItsOwn) {
   }
 }
 
-// The face at which they touch is there twice, divided alike; the drawing keeps one. The two sides of a sheet are no
-// bodies, and neither is a copy.
-TEST(Bodies, ThatHaveAFaceInCommonAreTwo) {
-  const auto face_of = [](double x) {
-    Shape sheet;
-    sheet.points = {{x, 0, 0}, {x, 1, 0}, {x, 1, 1}, {x, 0, 1}};
-    sheet.faces = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
-    return sheet;
-  };
-  const auto twice = [](const Shape& shape) { return static_cast<int>(shape.faces.size()); };
-  const Shape left = box({0, 0, 0}, {1, 1, 1}), right = box({1, 0, 0}, {3, 1, 1}), end = box({3, 0, 0}, {4, 1, 1});
-  for (const Shape& pair :
-       {welded({left, right}), welded({left, inside_out(right)}), welded({inside_out(left), right})}) {
-    const mesh::Mesh mesh = built(pair);
-    EXPECT_EQ(mesh.report.dropped_duplicates, 1);
-    EXPECT_EQ(mesh.report.bodies, 2);
-    ASSERT_EQ(mesh.contacts.size(), 2u);
-    for (const auto& [triangle, body] : mesh.contacts) {
-      EXPECT_EQ(mesh.body[triangle] + body, 1);
-      for (const int corner : mesh.triangle(triangle)) EXPECT_EQ(mesh.point(corner).x, 1);
-    }
-  }
-  EXPECT_EQ(built(welded({left, right, end})).report.bodies, 3);
-  EXPECT_EQ(built(welded({left, right, end})).contacts.size(), 4u);
-  EXPECT_EQ(built(face_of(0)).contacts.size(), 0u) << "a sheet";
-  EXPECT_EQ(built(welded({left, face_of(0.5)})).contacts.size(), 0u) << "in a box, which it does not meet";
-  const mesh::Mesh copies = built(welded({left, left}));
-  EXPECT_EQ(copies.report.dropped_duplicates, twice(left));
-  EXPECT_EQ(copies.report.bodies, 1);
-  EXPECT_EQ(copies.contacts.size(), 0u);
-  const mesh::Mesh both = built(welded({left, right, right}));
-  EXPECT_EQ(both.report.dropped_duplicates, twice(right) + 1);
-}
-
 TEST(Bodies, CavitiesThatShareAnEdgeAreTwo) {
   const Shape cavities = inside_out(cubes_at_an_edge());
   EXPECT_EQ(built(welded({box({-1, -1, -1}, {3, 3, 3}), cavities})).report.bodies, 3);
