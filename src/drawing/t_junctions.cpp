@@ -236,18 +236,23 @@ class TJunctions {
   }
 
   // Returns on which side of an outline, as it lies in the mesh, its surface is: 1 to the left of the way along its
-  // edge, -1 to the right; 0 if that is unknown.
+  // edge, -1 to the right; 0 if that is unknown, as where a corner is behind the viewer.
   [[nodiscard]] int surface_side(const Piece& outline) const {
     const edges::FeatureEdge& edge = edge_of(lines_, outline);
     if (edge.mesh_edge < 0) return 0;
-    const auto place = [&](int vertex) { return paper_(lines_.view.vertices[static_cast<std::size_t>(vertex)]); };
+    bool is_seen = true;
+    const auto place = [&](int number) {
+      const view::PageVertex& vertex = lines_.view.vertices[static_cast<std::size_t>(number)];
+      is_seen = is_seen && vertex.w > 0;
+      return paper_(vertex);
+    };
     const Vec2 from = place(edge.vertex[0]), along = place(edge.vertex[1]) - from;
     const mesh::Mesh& mesh = *lines_.world.models[edge.model].mesh;
     double side = 0;
     for (const int t : mesh.triangles_of(mesh.edges[static_cast<std::size_t>(edge.mesh_edge)]))
       for (const int v : mesh.triangle(t))
         side += cross(along, place(lines_.world.first_vertex[edge.model] + v) - from);
-    return side > 0 ? 1 : side < 0 ? -1 : 0;
+    return !is_seen ? 0 : side > 0 ? 1 : side < 0 ? -1 : 0;
   }
 
   // Returns where along a piece visible lines in front of it first cross it as drawn.

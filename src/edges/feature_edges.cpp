@@ -310,7 +310,6 @@ struct EdgeJudge {
 
     // Bodies that touch in an edge are judged separately; the strongest reason wins.
     std::optional<EdgeKind> strongest;
-    check(all.empty() || mesh().body.size() == mesh().polygon.size(), "each triangle has a body");
     std::vector<int> triangles(all.begin(), all.end());
     std::stable_sort(triangles.begin(), triangles.end(), [&](int a, int b) { return mesh().body[a] < mesh().body[b]; });
     for (std::size_t begin = 0, end = 0; begin < triangles.size(); begin = end) {

@@ -53,7 +53,7 @@ extern "C" {
 
 void* malloc(std::size_t size) noexcept { return or_end(next(next_malloc, "malloc")(size), size); }
 void* calloc(std::size_t count, std::size_t size) noexcept {
-  return or_end(next(next_calloc, "calloc")(count, size), count * size);
+  return or_end(next(next_calloc, "calloc")(count, size), count > 0 ? size : 0);
 }
 void* realloc(void* old, std::size_t size) noexcept { return or_end(next(next_realloc, "realloc")(old, size), size); }
 void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {

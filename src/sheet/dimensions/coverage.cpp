@@ -130,7 +130,7 @@ class CoverageFinder {
     for (const CircleSize& size : sizes_) {
       check(size.dimensions >= 0 && places_of(size) > 0, "a size is of one place or more");
       if (size.dimensions == 0 && !given_elsewhere(size) && !is_in_table(size) && !is_given_by_equal(size, views))
-        coverage_.undimensioned.push_back(size.name + remedy_for(size.axis, views));
+        coverage_.undimensioned.push_back(size.name + remedy_for(size.axis, is_only_along(size), views));
       if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
     }
     for (std::size_t i = 0; i < widths_.size(); ++i) {
@@ -145,6 +145,9 @@ class CoverageFinder {
   }
 
  private:
+  // Diameters can be given in views beside their axis, too.
+  static bool is_only_along(const CircleSize& size) { return size.anywhere || size.kind == "pitch circle"; }
+
   [[nodiscard]] std::string length(double value) const { return length_text(value, notation_); }
 
   void add_place(const Vec3& centre, const Vec3& axis, const std::string& name) {

@@ -20,6 +20,12 @@ bool is_seen_along(const Vec3& axis, std::span<const DimensionsInView> views) {
   });
 }
 
+bool is_seen_beside(const Vec3& axis, std::span<const DimensionsInView> views) {
+  return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
+    return is_plain(view.projection) && std::abs(glm::dot(view.projection.n, axis)) <= design::parallel;
+  });
+}
+
 std::string view_along(const Vec3& axis) {
   constexpr std::array views{"left", "front", "top"};
   if (const int along = world_axis(axis); along >= 0) return views[std::size_t(along)];
@@ -32,8 +38,8 @@ std::string view_along(const Vec3& axis) {
 
 }  // namespace
 
-std::string remedy_for(const Vec3& axis, std::span<const DimensionsInView> views) {
-  if (is_seen_along(axis, views)) return "";
+std::string remedy_for(const Vec3& axis, bool only_along, std::span<const DimensionsInView> views) {
+  if (is_seen_along(axis, views) || (!only_along && is_seen_beside(axis, views))) return "";
   return ", which no view shows in its true form: add the view " + view_along(axis);
 }
 
