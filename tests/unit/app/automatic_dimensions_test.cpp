@@ -430,6 +430,9 @@ TEST_F(AutomaticDimensions, OfShaftsThatLieAskew) {
                                "--projection", found[1].str(), "--dimensions", "auto", turned[0], turned[1]},
                               folder / "");
   EXPECT_EQ(along.code, 0) << along.out << along.err;
+  // Where a view beside its axis could have them, none need be added.
+  const Outcome beside = epura({"lint", part, "--projection", "front", "--dimensions", "overall"}, folder / "");
+  EXPECT_TRUE(contains(beside.out, "not dimensioned: cylinder ⌀20\n")) << beside.out;
 }
 
 TEST_F(AutomaticDimensions, LintFindsWhatIsThereTwice) {
