@@ -92,7 +92,7 @@ struct Run {
   void note(const ViewResult& result);
   void note(const FinishedSheet& sheet);
   void judge(const ViewResult& result);
-  [[nodiscard]] bool may_be_finer() const;
+  [[nodiscard]] bool may_be_finer(double factor) const;
   void find_heights(const world::World& world);
   std::vector<std::vector<sheet::BalloonTarget>> balloons_of(
       const SheetOfViews& views, const std::vector<std::vector<std::optional<SeenPoint>>>& seen) const;
@@ -129,13 +129,15 @@ void Run::find_heights(const world::World& world) {
   }
 }
 
-// Whether a model comes from an importer, which chooses facets.
-bool Run::may_be_finer() const {
+// Whether a model comes from an importer, which chooses facets, and facets finer by a factor may be asked of it.
+bool Run::may_be_finer(double factor) const {
   constexpr double finest = 20;  // beyond, meshes become hundreds of times as large
+  constexpr double most = 160;   // the same with the largest step beyond it
   const auto is_imported = [](const mesh::MeshReport& mesh) {
     return !mesh.format.empty() && mesh::format_named(mesh.format) == nullptr;
   };
-  return fineness < finest && std::any_of(gathered.report.meshes.begin(), gathered.report.meshes.end(), is_imported);
+  return fineness < finest && fineness * factor <= most &&
+         std::any_of(gathered.report.meshes.begin(), gathered.report.meshes.end(), is_imported);
 }
 
 void Run::judge(const ViewResult& result) {
@@ -147,7 +149,10 @@ void Run::judge(const ViewResult& result) {
   if (!options.max_error) return;
   const double by_facets = error[ErrorTerm::surface] + error[ErrorTerm::intersections] + error[ErrorTerm::contours];
   const double part = part_for_facets(*options.max_error, options.arcs.has_value());
-  if (error.total() > *options.max_error && may_be_finer() && by_facets > part) throw TooCoarse{by_facets / part};
+  // Heights over facets are as the squares of their lengths, but ends of contours are off by lengths.
+  const double ratio = by_facets / part;
+  const double factor = error[ErrorTerm::contours] > by_facets / 2 ? ratio * ratio : ratio;
+  if (error.total() > *options.max_error && ratio > 1 && may_be_finer(factor)) throw TooCoarse{factor};
   expect_within(*options.max_error, error);
   messages.print(sentence_of(error));
 }

@@ -76,6 +76,17 @@ TEST(MaxError, IsRefusedWhereItCannotBeKept) {
   refused(draw_within("0"), "--max-error: is 0");
 }
 
+// No facets are asked for that would take Open CASCADE minutes and not suffice: ends of contours come nearer only with
+// their length.
+TEST(MaxError, IsRefusedAtOnceWhereNoFacetsSuffice) {
+  const Folder folder;
+  const Outcome run = epura({"draw", sample("step/clamp.step"), "--views", "front,top", "--max-error", "0.02",
+                             "--time-limit", "20", "-o", "x.svg"},
+                            folder / "");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(contains(run.err, "lines of view 'front' may be off by ")) << run.err;
+}
+
 // The coarsest decimals that keep to their share are chosen.
 TEST(MaxError, ChoosesMergingAndDecimals) {
   const Folder folder;
