@@ -80,8 +80,8 @@ TEST(MaxError, IsRefusedWhereItCannotBeKept) {
 // their length.
 TEST(MaxError, IsRefusedAtOnceWhereNoFacetsSuffice) {
   const Folder folder;
-  const Outcome run = epura({"draw", sample("step/clamp.step"), "--views", "front,top", "--max-error", "0.02",
-                             "--time-limit", "20", "-o", "x.svg"},
+  const Outcome run = epura({"draw", EPURA_TEST_SAMPLES "/step/clamp.step", "--views", "front,top", "--max-error",
+                             "0.02", "--time-limit", "20", "-o", "x.svg"},
                             folder / "");
   EXPECT_EQ(run.code, 2);
   EXPECT_TRUE(contains(run.err, "lines of view 'front' may be off by ")) << run.err;
