@@ -16,8 +16,6 @@ struct Facing {
   double weight;
 };
 
-// Estimates to refine, from a few adjacent facets and their vertices.
-
 std::optional<PartSurface> begin_plane(std::span<const Vec3> points);
 std::optional<PartSurface> begin_cylinder(std::span<const Facing> facings, std::span<const Vec3> points);
 std::optional<PartSurface> begin_cone(std::span<const Facing> facings, std::span<const Vec3> points);

@@ -175,7 +175,7 @@ void find_inexact_cylinders(const Facets& facets, std::vector<int>& region_of, s
   loose.tolerance *= looseness;
   const std::size_t first = regions.size();
   for (Region& region : find_round_regions(loose, progress, Wanted::cylinders).regions) {
-    if (region.surface.kind != SurfaceKind::cylinder) continue;
+    if (region.surface.kind != SurfaceKind::cylinder) continue;  // a patch of a free form is nearly a cone
     for (int& f : region.facets) {
       f = left[f];
       region_of[f] = static_cast<int>(regions.size());

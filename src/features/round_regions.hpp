@@ -16,7 +16,7 @@ struct RoundRegions {
   std::vector<int> region_of;  ///< by facet; -1 for none
 };
 
-/// What is searched for.
+/// What is searched for: among cylinders, there are cones where they fit better.
 enum class Wanted { all_kinds, cylinders };
 
 /// Starts with the first facets. Throws OutOfTime.

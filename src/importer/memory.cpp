@@ -45,7 +45,10 @@ decltype(::posix_memalign)* next_posix_memalign = nullptr;
   ::_exit(1);
 }
 
-void* or_end(void* memory, std::size_t size) { return memory == nullptr && size > 0 ? (end(), nullptr) : memory; }
+void* or_end(void* memory, std::size_t size) {
+  if (memory == nullptr && size > 0) end();
+  return memory;
+}
 
 }  // namespace
 

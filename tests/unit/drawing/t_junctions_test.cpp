@@ -72,6 +72,18 @@ struct Contours {
     return drawing::move_t_junctions({world, view, drawn, visibility::nothing_hidden(drawn)}, {1, Vec2(0)}, pieces);
   }
 
+  // The contour is in one piece after the other, of which those from `x` on are visible.
+  void expect_visible_from(double x) const {
+    double at = 0;
+    for (const Piece& piece : pieces) {
+      if (piece.edge > 2) continue;
+      EXPECT_EQ(piece.from.x, at);
+      at = piece.to.x;
+      EXPECT_EQ(piece.visible, piece.from.x >= x) << piece.from.x;
+    }
+    EXPECT_EQ(at, 3);
+  }
+
   // Up to where the contour is visible from its start, and the length of what is visible.
   [[nodiscard]] std::array<double, 2> visible() const {
     std::array<double, 2> seen{0, 0};
@@ -150,14 +162,7 @@ TEST(TJunctions, ContoursAreFollowedEitherWay) {
   contours.add(2, true, 0.75, 1);
   contours.add_upright(1.5, in_front);
   contours.move();
-  double at = 0;
-  for (const Piece& piece : contours.pieces) {
-    if (piece.edge > 2) continue;
-    EXPECT_EQ(piece.from.x, at);
-    at = piece.to.x;
-    EXPECT_EQ(piece.visible, piece.from.x >= 1.5);
-  }
-  EXPECT_EQ(at, 3);
+  contours.expect_visible_from(1.5);
 }
 
 TEST(TJunctions, ContoursGoOnIntoWhatHidesThemOnly) {
@@ -183,10 +188,7 @@ TEST(TJunctions, NothingIsSeenBehindWhatAContourComesOutOf) {
   contours.add(2, true, 0, 1);
   contours.add_triangle(1.5, -3);
   contours.move();
-  for (const Piece& piece : contours.pieces)
-    if (piece.edge <= 2) {
-      EXPECT_EQ(piece.visible, piece.from.x >= 1.5) << piece.from.x;
-    }
+  contours.expect_visible_from(1.5);
 }
 
 // Beyond a cusp, the surface hides its own contour.
