@@ -60,6 +60,14 @@ double angle_of(const PartSurface& surface, const Vec3& point, bool around_tube)
   return angle < 0 ? angle + full_turn : angle;
 }
 
+// Returns the normal near a vertex; zero where the allowance leaves it open: that close to the apex of a cone.
+Vec3 normal_at_vertex(const PartSurface& surface, const Vec3& point, double allowance) {
+  constexpr double still_open = 8;
+  const bool is_at_apex = surface.kind == SurfaceKind::cone &&
+                          glm::length(glm::cross(surface.axis, point - surface.origin)) <= still_open * allowance;
+  return is_at_apex ? Vec3(0) : normal_near(surface, point);
+}
+
 /// Whether a facet is too thin for its normal to mean anything: narrower than the arcs that the tessellation leaves
 /// out. A greater sagitta than that of a coarse tessellation does not count.
 bool has_no_say(const Facets& facets, int facet, const PartSurface& surface, double sagitta) {
@@ -76,7 +84,7 @@ bool approximates(const Facets& facets, int facet, const PartSurface& surface, d
     if (!(std::abs(signed_distance(surface, facets.points[v])) <= allowance)) return false;
   if (has_no_say(facets, facet, surface, sagitta)) return true;
   for (const int v : facets.supports_of(facet)) {
-    const Vec3 normal = normal_near(surface, facets.points[v]);
+    const Vec3 normal = normal_at_vertex(surface, facets.points[v], allowance);
     if (normal != Vec3(0) && std::abs(glm::dot(normal, f.normal)) < least_agreement) return false;
   }
   return sagitta == 0 || std::abs(signed_distance(surface, f.middle)) <= most_sagittas * sagitta + allowance;
@@ -92,8 +100,10 @@ bool is_chord(const Facets& facets, int facet, const PartSurface& surface, doubl
   const auto facing = [&](const Vec3& p) { return std::abs(glm::dot(normal_near(surface, p), f.normal)); };
   // A facet that does not tilt, but spans a large angle, is a flat of the part.
   if (facing(f.middle) > tilted_facing)
-    for (const int v : facets.supports_of(facet))
-      if (facing(facets.points[v]) < least_agreement && normal_near(surface, facets.points[v]) != Vec3(0)) return false;
+    for (const int v : facets.supports_of(facet)) {
+      const Vec3 normal = normal_at_vertex(surface, facets.points[v], allowance);
+      if (normal != Vec3(0) && std::abs(glm::dot(normal, f.normal)) < least_agreement) return false;
+    }
   const double most = most_sagittas * sagitta + allowance;
   for (const int t : facets.triangles_of(facet)) {
     const auto& [a, b, c] = facets.corners[t];
@@ -338,13 +348,14 @@ std::optional<Region> RegionGrower::grow(const PartSurface& beginning, std::span
 }
 
 double RegionGrower::mean_turn_of(const Region& region) const {
+  const double allowance = allowance_of(facets_, region.sagitta);
   double sum = 0;
   int count = 0;
   for (const int f : region.facets) {
     if (has_no_say(facets_, f, region.surface, region.sagitta)) continue;
     double least = 1;
     for (const int v : facets_.supports_of(f)) {
-      const Vec3 normal = normal_near(region.surface, facets_.points[v]);
+      const Vec3 normal = normal_at_vertex(region.surface, facets_.points[v], allowance);
       if (normal != Vec3(0)) least = std::min(least, std::abs(glm::dot(normal, facets_.facets[f].normal)));
     }
     sum += angle_of_cosine(least);
