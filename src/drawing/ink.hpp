@@ -22,6 +22,7 @@ struct Piece {
   int edge;                 ///< index in the list of drawn edges
   std::array<double, 2> s;  ///< page parameters of the ends along the edge
   bool is_step = false;     ///< FacesEdgeOn::has_step
+  bool by_facets = false;   ///< only facets hide it that lie behind it as their surface does: facet_doubts.hpp decides
 };
 
 /// What is left of pieces, and within which distance of what was removed there is ink, mm.

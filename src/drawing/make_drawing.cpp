@@ -11,6 +11,7 @@
 #include "drawing/circles_edge_on.hpp"
 #include "drawing/continue_lines.hpp"
 #include "drawing/edge_on.hpp"
+#include "drawing/facet_doubts.hpp"
 #include "drawing/forwards.hpp"
 #include "drawing/ink.hpp"
 #include "drawing/meet_contours.hpp"
@@ -24,6 +25,8 @@ namespace {
 constexpr double coincident_cells = 4;
 // The part of the distance at which lines are one that nobody sees in a single line.
 constexpr double unseen = 0.1;
+// The part of that distance up to which the outline of facets is taken for the contour that they hide.
+constexpr double beside_outline = 0.3;
 // The part of that distance within which a line goes back and forth on itself.
 constexpr double on_one_line = 0.5;
 
@@ -35,27 +38,38 @@ std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::
     const edges::FeatureEdge& edge = drawn.edges[e];
     const bool keeps = (keep_hidden || is_moved(edge)) && !edge.by_chance;
     lines.hidden.visit_parts(e, [&](double from, double to, bool visible) {
-      if (visible || keeps) visit(from, to, visible);
+      if (!visible && !keeps) return;
+      if (visible)
+        for (const visibility::FacetsSpan& span : lines.hidden.hidden_by_facets(e)) {
+          const double begin = std::clamp(span.from, from, to), end = std::clamp(span.to, from, to);
+          if (!(begin < end)) continue;
+          if (from < begin) visit(from, begin, true, false);
+          visit(begin, end, true, true);
+          from = end;
+        }
+      if (from < to) visit(from, to, visible, false);
     });
   };
   std::vector<std::size_t> first(drawn.edges.size() + 1, 0);  // index of the first piece, by edge
   for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
     first[e + 1] = first[e];
-    visit_drawn(e, [&](double, double, bool) { ++first[e + 1]; });
+    visit_drawn(e, [&](double, double, bool, bool) { ++first[e + 1]; });
   }
   std::vector<Piece> pieces(first.back());
   parallel_for(drawn.edges.size(), 1024, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       const edges::FeatureEdge& edge = drawn.edges[e];
       Piece* piece = pieces.data() + first[e];
-      visit_drawn(e, [&](double from, double to, bool visible) {
+      visit_drawn(e, [&](double from, double to, bool visible, bool by_facets) {
         *piece++ = {position_on_paper(lines.view, paper, edge, from),
                     position_on_paper(lines.view, paper, edge, to),
                     visible,
                     /*drawn=*/true,
                     edge.kind,
                     static_cast<int>(e),
-                    {from, to}};
+                    {from, to},
+                    /*is_step=*/false,
+                    by_facets};
       });
       check(piece == pieces.data() + first[e + 1], "every piece of an edge has its place");
     }
@@ -279,6 +293,7 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   progress.begin("merging lines");
   const bool keep_hidden = options.hidden || !options.leave_out;
   std::vector<Piece> pieces = pieces_of(lines, paper, keep_hidden, progress);
+  settle_doubts(pieces, beside_outline * options.near.distance, progress);
   drawing.contours_moved = lines.drawn.moved * paper.scale;
   meet_contours(lines, paper, 4 * limits.tolerance, pieces);
   if (!keep_hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });

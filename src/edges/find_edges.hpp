@@ -34,6 +34,8 @@ struct FeatureEdge {
   bool by_chance = false;            ///< a contour of facets where their surface has none: drawn as an outline only
   float hollow = 0;  ///< the part of a contour beyond a cusp, where its surface hides it: seen as an outline only; up
                      ///< to 1 from its start if positive, from its end if negative
+  float clear = 0;   ///< distance towards the viewer, in units of the file, in which the surface does not hide its
+                     ///< contour; 0 where that is not known
 
   /// The parameters of that part.
   [[nodiscard]] std::array<double, 2> hollow_part() const {
@@ -47,13 +49,24 @@ struct MetAcrossSlivers {
   std::vector<int> triangles;
 };
 
+/// A contour of which facets of its own face would hide a part, though their surface does not: facets from whose middle
+/// it is less than `clear` back to `from`, along the projector `towards` the viewer, never hide it. In the file's
+/// units.
+struct ClearContour {
+  int model, mesh_edge, face;
+  Vec3 from, towards;
+  double clear;
+};
+
 struct FeatureEdges {
   std::vector<FeatureEdge>
       edges;  ///< in order of model and mesh edge, then the intersection lines, then those of threads
-  std::vector<MetAcrossSlivers> beside_slivers;  ///< for edges next to slivers, in order of model and mesh edge
-  std::vector<FaceCrossing> crossings;           ///< intersections; lines of threads, with one triangle twice
-  double moved = 0;     ///< greatest distance between ink and the edges that it shows; view units
-  double searched = 1;  ///< fraction of the search for crossings that was completed in time
+  // In order of model and mesh edge:
+  std::vector<MetAcrossSlivers> beside_slivers;
+  std::vector<ClearContour> clear_contours;
+  std::vector<FaceCrossing> crossings;  ///< intersections; lines of threads, with one triangle twice
+  double moved = 0;                     ///< greatest distance between ink and the edges that it shows; view units
+  double searched = 1;                  ///< fraction of the search for crossings that was completed in time
 };
 
 /// If time runs out during the search for crossings, those found so far are returned; if it runs out before, OutOfTime

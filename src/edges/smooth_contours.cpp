@@ -12,6 +12,7 @@
 #include "base/groups.hpp"
 #include "base/nearest.hpp"
 #include "base/parallel.hpp"
+#include "edges/own_hiding.hpp"
 
 namespace epura::edges {
 
@@ -54,6 +55,17 @@ std::vector<char> vertices_on_borders(const world::Placed& placed) {
     if (placed.part->border_at(static_cast<std::ptrdiff_t>(e)) != nullptr || placed.mesh->edges[e].count != 2)
       for (const int v : placed.mesh->edges[e].vertex) on_border[v] = 1;
   return on_border;
+}
+
+// Whether one of the triangles is so small that which way it faces means nothing.
+bool is_any_tiny(const world::Placed& placed, std::span<const int> triangles) {
+  constexpr double tolerances = 8;
+  const double most = tolerances * placed.part->tolerance;
+  return std::ranges::any_of(triangles, [&](int t) {
+    const auto [a, b, c] = placed.mesh->triangle(t);
+    const Vec3 p = placed.mesh->point(a), q = placed.mesh->point(b), r = placed.mesh->point(c);
+    return std::max({glm::distance(p, q), glm::distance(q, r), glm::distance(r, p)}) <= most;
+  });
 }
 
 /// The contours of one model, in units of its file.
@@ -110,20 +122,13 @@ class ModelContours {
     return nearest;
   }
 
-  /// Returns FeatureEdge::hollow of a contour between two triangles of a torus whose ends are drawn at these places.
-  /// Where the surface bends away from the viewer along the projector, it hides its own contour (Koenderink: What does
-  /// the occluding contour tell us about solid shape?, Perception 13, 1984).
-  [[nodiscard]] float hollow_part(std::span<const int> triangles, const std::array<Vec3, 2>& ends) const {
+  /// Judges where the face of a contour hides it, if both triangles are of one face, seen from outside only.
+  void judge(std::span<const int> triangles, const std::array<Vec3, 2>& ends, FeatureEdge& contour) const {
+    const bool is_solid = mesh_.report.open_edges == 0 && mesh_.report.misoriented_edges == 0;
     const int face = part_.face_of_triangle[triangles[0]];
-    const features::PartSurface& surface = surface_of(triangles[0]);
-    if (part_.face_of_triangle[triangles[1]] != face || !is_ring(surface) || !is_solid()) return 0;
-    const double outwards = part_.faces[static_cast<std::size_t>(face)].inwards ? -1 : 1;
-    const double from = outwards * bend_of_torus(surface, ends[0]), to = outwards * bend_of_torus(surface, ends[1]);
-    if (from >= 0 && to >= 0) return 0;
-    if (from < 0 && to < 0) return 1;
-    const double cusp = from / (from - to);
-    check(cusp >= 0 && cusp <= 1, "a cusp lies between the ends of a contour");
-    return static_cast<float>(from < 0 ? cusp : cusp - 1);
+    if (part_.face_of_triangle[triangles[1]] != face || !is_solid) return;
+    const std::array<Vec3, 2> views{glm::normalize(towards_viewer(ends[0])), glm::normalize(towards_viewer(ends[1]))};
+    judge_own_hiding(part_.faces[static_cast<std::size_t>(face)], ends, views, contour);
   }
 
   /// Whether an edge between two triangles of one face is a contour only because the tessellation turned one of them
@@ -141,27 +146,6 @@ class ModelContours {
   }
 
  private:
-  // Whether the viewer sees no face from inside.
-  [[nodiscard]] bool is_solid() const { return mesh_.report.open_edges == 0 && mesh_.report.misoriented_edges == 0; }
-
-  // A torus that does not meet itself. What bends inwards of another one is recognised by chance: nearly a sphere.
-  static bool is_ring(const features::PartSurface& surface) {
-    return surface.kind == SurfaceKind::torus && surface.minor < surface.radius;
-  }
-
-  // Returns the curvature of a torus along the projector through a point, times a positive factor: positive where it
-  // bends like a ball. By Euler, the curvatures around the tube, 1 / minor, and around the axis, which changes its sign
-  // at the top of the tube, add up by the squares of the components.
-  [[nodiscard]] double bend_of_torus(const features::PartSurface& torus, const Vec3& point) const {
-    const Vec3 from = point - torus.origin, out = from - glm::dot(from, torus.axis) * torus.axis;
-    const double away = glm::length(out);
-    if (!(away > 0)) return 0;
-    const Vec3 view = glm::normalize(towards_viewer(point)), normal = features::normal_near(torus, point);
-    const Vec3 around_axis = glm::cross(torus.axis, out) / away;
-    const double along_axis = glm::dot(view, around_axis), along_tube = glm::dot(view, glm::cross(normal, around_axis));
-    return along_tube * along_tube + along_axis * along_axis * (away - torus.radius) / away;
-  }
-
   // Returns the point nearest to a vertex of the circle in which projectors touch a sphere. Nothing if it is some
   // facets away, or on the page farther than the sphere falls over so many: four times its sagitta over one.
   [[nodiscard]] std::optional<Vec3> on_sphere(int vertex, int triangle) const {
@@ -225,7 +209,7 @@ class ModelContours {
     const double longest =
         std::max({glm::distance(mesh_.point(a), mesh_.point(b)), glm::distance(mesh_.point(b), mesh_.point(c)),
                   glm::distance(mesh_.point(c), mesh_.point(a))});
-    if (is_ring(surface_of(triangle))) return longest;
+    if (is_ring_torus(surface_of(triangle))) return longest;
     return longest > 0 ? glm::length(normal_of(triangle)) / longest : 0;
   }
 
@@ -316,7 +300,7 @@ class MovedEnds {
         edge.shown[end] = shown[i];
         ends[end] = shown[i] < 0 ? placed.mesh->point(edge.vertex[end] - first) : *places[i];
       }
-      edge.hollow = contours.hollow_part(triangles_at(edge), ends);
+      contours.judge(triangles_at(edge), ends, edge);
     }
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (shown[i] < 0) continue;
@@ -461,6 +445,11 @@ void smooth_contours(const world::World& world, view::ProjectedScene& view, cons
     // Contours of a cut mesh must end in the cutting plane.
     if (placed.part != nullptr && placed.mesh->uncut == nullptr) ends.move(model, options.part_angle);
   }
+  std::erase_if(drawn.edges, [&](const FeatureEdge& edge) {
+    if (!edge.by_chance) return false;
+    const world::Placed& placed = world.models[edge.model];
+    return is_any_tiny(placed, placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]));
+  });
 }
 
 }  // namespace epura::edges

@@ -19,6 +19,7 @@
 #include "pipeline/view_error.hpp"
 #include "verify/outline.hpp"
 #include "verify/verify.hpp"
+#include "visibility/clear_contours.hpp"
 #include "visibility/folds.hpp"
 #include "visibility/height_field.hpp"
 
@@ -317,7 +318,10 @@ void ViewRun::hide() {
   } else if (wanted) {
     step.run = true;
     step.why = options_.leave_out.visibility ? "exact" : "requested by --plan";
-    hidden_ = timed(step.times.stage, [&] { return hidden_in_time(); });
+    hidden_ = timed(step.times.stage, [&] {
+      visibility::find_clear_contours(input_.world, view_, drawn_);
+      return hidden_in_time();
+    });
   }
   if (!hidden_.undecided.empty()) partial_.add_stage("hiding lines");
   partial_.undecided += count_of(hidden_.undecided.size());

@@ -100,6 +100,7 @@ LineFindings LineScan::judge(const ScanLine& line, const MetByLine& met, std::sp
   }
   std::vector<Cut> cuts;
   for (const int segment : segments) {
+    if (scene_.is_hidden_by_facets(edge_of(segment))) continue;
     const auto cut = cut_of(line, this->segment(segment), segment);
     if (cut && std::abs(cut->u) <= line.reach && cut->sine >= least_sine && window_.contains(line.position(cut->u)))
       cuts.push_back(*cut);

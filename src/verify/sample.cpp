@@ -42,12 +42,19 @@ void add_spans(const VerifyInput& input, int edge, std::vector<TestedSpan>& span
   const auto add = [&](double from, double to, bool visible) {
     if (from < to && (visible || !is_doubtful)) spans.push_back({edge, from, to, visible, -1});
   };
+  const auto add_visible = [&](double from, double to) {
+    for (const visibility::FacetsSpan& span : hidden.hidden_by_facets(static_cast<std::size_t>(edge))) {
+      add(from, std::min(to, span.from), true);
+      from = std::max(from, span.to);
+    }
+    add(from, to, true);
+  };
   for (std::size_t i = hidden.first[edge]; i < hidden.first[edge + 1]; ++i) {
-    add(at, hidden.spans[i][0], true);
+    add_visible(at, hidden.spans[i][0]);
     add(hidden.spans[i][0], hidden.spans[i][1], false);
     at = hidden.spans[i][1];
   }
-  add(at, 1, true);
+  add_visible(at, 1);
 }
 
 void stratify(Population& population, const edges::FeatureEdges& drawn, double size) {

@@ -40,13 +40,26 @@ Vec3 reference_of(const VerifyInput& input) {
   return best;
 }
 
+std::array<int, 2> vertices_of(const world::World& world, int model, int mesh_edge) {
+  const int first = world.first_vertex[model];
+  const auto& [a, b] = world.models[model].mesh->edges[mesh_edge].vertex;
+  return {first + a, first + b};
+}
+
+// Edges of which facets alone hide a part.
+std::vector<std::array<int, 2>> hidden_by_facets(const VerifyInput& input) {
+  std::vector<std::array<int, 2>> edges;
+  for (const visibility::FacetsSpan& span : input.hidden.by_facets) {
+    const edges::FeatureEdge& edge = input.drawn.edges[span.edge];
+    edges.push_back(vertices_of(input.world, edge.model, edge.mesh_edge));
+  }
+  std::ranges::sort(edges);
+  return edges;
+}
+
 std::vector<std::array<int, 2>> left_out_of(const VerifyInput& input, double thread_depth) {
   std::vector<std::array<int, 2>> edges;
-  const auto add = [&](int model, int mesh_edge) {
-    const int first = input.world.first_vertex[model];
-    const auto& [a, b] = input.world.models[model].mesh->edges[mesh_edge].vertex;
-    edges.push_back({first + a, first + b});
-  };
+  const auto add = [&](int model, int mesh_edge) { edges.push_back(vertices_of(input.world, model, mesh_edge)); };
   for (const edges::MeshEdgeOfModel& edge : edges::chamfer_circles(input.world, input.projection, thread_depth))
     add(edge.model, edge.mesh_edge);
   // Where facets would turn over or fold back, the slices tell (LineMarks); not where a surface hides what is drawn.
@@ -64,7 +77,8 @@ ScanScene::ScanScene(const VerifyInput& input, double precision, double thread_d
     : world(input.world),
       local(input.world.points.size()),
       vague_(input.world.points.size()),
-      left_out_(left_out_of(input, thread_depth)) {
+      left_out_(left_out_of(input, thread_depth)),
+      hidden_by_facets_(hidden_by_facets(input)) {
   const Vec3 reference = reference_of(input);
   const Sight<Bounded> sight = sight_of(input, reference);
   const Vec4 base = input.drawing.world_to_page * Vec4(reference, 1);
@@ -95,6 +109,10 @@ bool ScanScene::is_vague(const std::array<int, 2>& edge) const {
 
 bool ScanScene::is_left_out(const std::array<int, 2>& edge) const {
   return std::ranges::binary_search(left_out_, edge);
+}
+
+bool ScanScene::is_hidden_by_facets(const std::array<int, 2>& edge) const {
+  return std::ranges::binary_search(hidden_by_facets_, edge);
 }
 
 std::optional<std::array<Vec2, 2>> ScanScene::line_of(const std::array<int, 2>& edge) const {

@@ -48,13 +48,15 @@ class ScanScene {
   [[nodiscard]] bool is_vague(const std::array<int, 2>& edge) const;
   /// Whether a convention leaves the line of an edge out, or, in part, the surface on which its contour is drawn.
   [[nodiscard]] bool is_left_out(const std::array<int, 2>& edge) const;
+  /// Whether facets hide a part of a contour, though their surface does not: it may be drawn or not.
+  [[nodiscard]] bool is_hidden_by_facets(const std::array<int, 2>& edge) const;
   /// The part in front of the viewer of an edge between two vertices, on the page; nothing if there is none.
   [[nodiscard]] std::optional<std::array<Vec2, 2>> line_of(const std::array<int, 2>& edge) const;
 
  private:
   double eye_;
   UnsetVector<char> vague_;
-  std::vector<std::array<int, 2>> left_out_;  ///< ascending
+  std::vector<std::array<int, 2>> left_out_, hidden_by_facets_;  ///< ascending
 };
 
 }  // namespace epura::verify

@@ -163,7 +163,7 @@ struct Tests {
 /// Adds to the hidden spans of each tested edge what `hides` returns for it and its line.
 template <class Hides>
 HiddenSpans with_spans(const HiddenSpans& hidden, const Tests& tests, const HiddenSpans& found, const Hides& hides) {
-  HiddenSpans all{{0}, {}, hidden.undecided, hidden.by_surface};
+  HiddenSpans all{{0}, {}, hidden.undecided, hidden.by_surface, hidden.by_facets};
   all.first.reserve(hidden.first.size());
   all.spans.reserve(hidden.spans.size() + found.spans.size());
   std::size_t next = 0;
@@ -225,6 +225,7 @@ void hide_behind_own_face(const world::World& world, const view::ProjectedScene&
   TestedLines lines(world, faces);
   Tests tests;
   tests.lines.beside_slivers = drawn.beside_slivers;
+  tests.lines.clear_contours = drawn.clear_contours;
   for (const std::size_t e : contours) tests.add(e, lines.drawn(drawn.edges[e]));
   const auto all = [](std::size_t, std::span<const std::array<double, 2>> spans) {
     return Spans(spans.begin(), spans.end());

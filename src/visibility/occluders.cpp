@@ -72,9 +72,10 @@ double greatest_depth(const view::ProjectedScene& view) {
 }  // namespace
 
 OccluderGrid::OccluderGrid(const world::World& world, const view::ProjectedScene& view,
-                           const std::vector<edges::FeatureEdge>& edges, const Progress& progress)
+                           const std::vector<edges::FeatureEdge>& edges, Covers covers, const Progress& progress)
     : view_(view),
       edges_(edges),
+      covers_(covers),
       progress_(progress),
       front_(greatest_depth(view)),
       copies_(world, view, progress),
@@ -169,6 +170,7 @@ search::CellGrid OccluderGrid::grid_for(const Content& content, int depth) const
 void OccluderGrid::find_covers(const Content& content, Level& level) const {
   const search::CellGrid& grid = level.grid;
   level.cover.assign(static_cast<std::size_t>(grid.count()), -HUGE_VAL);
+  if (covers_ == Covers::none) return;
   const Vec2 slack = cover_slack(grid);
   parallel_for(content.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -250,6 +252,7 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
 
 // Cells with many pairs are worth a search for sheets. Returns whether one was found, and drops what lies behind it.
 bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
+  if (covers_ == Covers::none) return false;
   const search::CellGrid& grid = level.grid;
   std::atomic<bool> any = false;
   parallel_for(static_cast<std::size_t>(grid.count()), 64, [&](std::size_t begin, std::size_t end) {

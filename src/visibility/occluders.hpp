@@ -44,6 +44,9 @@ struct CellSegment {
   const CandidateTree* tree;              ///< the same triangles as a tree, where they are many; null otherwise
 };
 
+/// Which triangles hide what lies behind them in cells that they cover, without a test.
+enum class Covers { any, none };
+
 /// A uniform grid of cells over the drawn edges. A cell has no candidates if no edge runs through it, and none that lie
 /// behind all its edges or behind a triangle that covers it entirely. Cells with too many edges and candidates get a
 /// tree or are divided further.
@@ -51,7 +54,8 @@ class OccluderGrid {
  public:
   /// Throws OutOfTime.
   OccluderGrid(const world::World& world, const view::ProjectedScene& view,
-               const std::vector<edges::FeatureEdge>& edges, const Progress& progress = {});
+               const std::vector<edges::FeatureEdge>& edges, Covers covers = Covers::any,
+               const Progress& progress = {});
 
   /// Calls `visit(CellSegment)` for the cells along an edge; together, the segments cover the whole edge.
   template <class Visit>
@@ -144,6 +148,7 @@ class OccluderGrid {
 
   const view::ProjectedScene& view_;
   const std::vector<edges::FeatureEdge>& edges_;
+  Covers covers_;
   Progress progress_;
   double front_;  ///< greatest depth of the scene
   ThirdCopies copies_;

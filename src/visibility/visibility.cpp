@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -21,13 +22,26 @@ namespace {
 struct Occlusion {
   const world::World& world;
   const view::ProjectedScene& view;
-  const OccluderGrid& occluders;
   const edges::FeatureEdges& drawn;
+  const OccluderGrid& occluders;
+  const std::optional<OccluderGrid>& uncovered;  ///< for edges whose own triangles may cover cells
 
   [[nodiscard]] Spans hidden_spans(const edges::FeatureEdge& edge) const {
+    const OwnTriangles own(world, drawn, edge);
+    return hidden_in(own.include_clear_facets() ? *uncovered : occluders, edge, own);
+  }
+
+  // With facets that lie behind the edge as their surface does.
+  [[nodiscard]] Spans hidden_by_facets(const edges::FeatureEdge& edge) const {
+    return hidden_in(occluders, edge, OwnTriangles(world, drawn, edge).meeting());
+  }
+
+ private:
+  [[nodiscard]] Spans hidden_in(const OccluderGrid& grid, const edges::FeatureEdge& edge,
+                                const OwnTriangles& own) const {
     const PageEdge line{edge.vertex[0], edge.vertex[1]};
-    OcclusionQuery hider(view, occluders, line, OwnTriangles(world, drawn, edge));
-    occluders.along(line, [&](const CellSegment& stretch) { hider.hide(stretch); });
+    OcclusionQuery hider(view, grid, line, own);
+    grid.along(line, [&](const CellSegment& stretch) { hider.hide(stretch); });
     return std::move(hider).spans();
   }
 };
@@ -120,6 +134,14 @@ Spans hidden_by_all(const view::ProjectedScene& view, const PageEdge& line, cons
   return spans;
 }
 
+// Finds the entry of an edge in a list in order of model and mesh edge.
+template <class Entry>
+const Entry* find_entry(const std::vector<Entry>& list, const edges::FeatureEdge& edge) {
+  const auto key = [](const Entry& entry) { return std::pair(entry.model, entry.mesh_edge); };
+  const auto found = std::ranges::lower_bound(list, std::pair(edge.model, edge.mesh_edge), {}, key);
+  return found != list.end() && key(*found) == std::pair(edge.model, edge.mesh_edge) ? &*found : nullptr;
+}
+
 }  // namespace
 
 OwnTriangles::OwnTriangles(const world::World& world, const edges::FeatureEdges& drawn,
@@ -129,23 +151,47 @@ OwnTriangles::OwnTriangles(const world::World& world, const edges::FeatureEdges&
     numbers_ = drawn.crossings[edge.crossing].triangles;
     return;
   }
-  const mesh::Mesh& mesh = *world.models[edge.model].mesh;
-  const auto met = std::lower_bound(
-      drawn.beside_slivers.begin(), drawn.beside_slivers.end(), std::pair(edge.model, edge.mesh_edge),
-      [](const edges::MetAcrossSlivers& m, const auto& key) { return std::pair(m.model, m.mesh_edge) < key; });
-  const bool beside_slivers =
-      met != drawn.beside_slivers.end() && met->model == edge.model && met->mesh_edge == edge.mesh_edge;
-  numbers_ = beside_slivers ? std::span(met->triangles) : mesh.triangles_of(mesh.edges[edge.mesh_edge]);
+  const world::Placed& placed = world.models[edge.model];
+  const mesh::Mesh& mesh = *placed.mesh;
+  const auto* met = find_entry(drawn.beside_slivers, edge);
+  numbers_ = met != nullptr ? std::span(met->triangles) : mesh.triangles_of(mesh.edges[edge.mesh_edge]);
   first_ = world.first_triangle[edge.model];
+  clear_ = find_entry(drawn.clear_contours, edge);
+  if (clear_ != nullptr) placed_ = &placed;
+}
+
+bool OwnTriangles::is_behind_contour(int triangle) const {
+  return triangle >= 0 && triangle < static_cast<int>(placed_->part->face_of_triangle.size()) &&
+         is_clear(*placed_, *clear_, triangle);
+}
+
+bool is_clear(const world::Placed& placed, const edges::ClearContour& contour, int triangle) {
+  if (placed.part->face_of_triangle[static_cast<std::size_t>(triangle)] != contour.face) return false;
+  const auto [a, b, c] = placed.mesh->triangle(triangle);
+  const Vec3 middle = (placed.mesh->point(a) + placed.mesh->point(b) + placed.mesh->point(c)) / 3.0;
+  return glm::dot(middle - contour.from, contour.towards) < contour.clear;
 }
 
 HiddenSpans find_hidden(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                         Progress progress) {
   progress.begin("finding occluders");
-  const OccluderGrid occluders(world, view, drawn.edges, progress);
-  const Occlusion hider{world, view, occluders, drawn};
-  return decide(
+  const OccluderGrid occluders(world, view, drawn.edges, Covers::any, progress);
+  std::vector<edges::FeatureEdge> clear;
+  std::vector<int> numbers;
+  for (std::size_t e = 0; !drawn.clear_contours.empty() && e < drawn.edges.size(); ++e) {
+    if (!OwnTriangles(world, drawn, drawn.edges[e]).include_clear_facets()) continue;
+    clear.push_back(drawn.edges[e]);
+    numbers.push_back(static_cast<int>(e));
+  }
+  std::optional<OccluderGrid> uncovered;
+  if (!clear.empty()) uncovered.emplace(world, view, clear, Covers::none, progress);
+  const Occlusion hider{world, view, drawn, occluders, uncovered};
+  HiddenSpans hidden = decide(
       view, drawn, [&](const edges::FeatureEdge& edge) { return hider.hidden_spans(edge); }, progress);
+  for (std::size_t i = 0; i < clear.size(); ++i)
+    for (const auto& [from, to] : hider.hidden_by_facets(clear[i])) hidden.by_facets.push_back({numbers[i], from, to});
+  check(std::ranges::is_sorted(hidden.by_facets, {}, &FacetsSpan::edge), "what facets hide is in the order of edges");
+  return hidden;
 }
 
 HiddenSpans find_hidden_directly(const world::World& world, const view::ProjectedScene& view,
@@ -161,6 +207,7 @@ void keep_decided(edges::FeatureEdges& drawn, HiddenSpans& hidden) {
   std::size_t kept = 0, spans = 0;
   auto next = hidden.undecided.begin();
   std::vector<int> by_surface;
+  std::vector<FacetsSpan> by_facets;
   for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
     if (next != hidden.undecided.end() && static_cast<std::size_t>(*next) == e) {
       ++next;
@@ -168,6 +215,8 @@ void keep_decided(edges::FeatureEdges& drawn, HiddenSpans& hidden) {
     }
     if (std::binary_search(hidden.by_surface.begin(), hidden.by_surface.end(), static_cast<int>(e)))
       by_surface.push_back(static_cast<int>(kept));
+    for (const FacetsSpan& span : hidden.hidden_by_facets(e))
+      by_facets.push_back({static_cast<int>(kept), span.from, span.to});
     drawn.edges[kept] = drawn.edges[e];
     for (std::size_t i = hidden.first[e]; i < hidden.first[e + 1]; ++i) hidden.spans[spans++] = hidden.spans[i];
     hidden.first[++kept] = spans;
@@ -178,6 +227,7 @@ void keep_decided(edges::FeatureEdges& drawn, HiddenSpans& hidden) {
   hidden.spans.resize(spans);
   hidden.undecided.clear();
   hidden.by_surface = std::move(by_surface);
+  hidden.by_facets = std::move(by_facets);
 }
 
 std::vector<int> all_but_longest(const view::ProjectedScene& view, const std::vector<edges::FeatureEdge>& edges,

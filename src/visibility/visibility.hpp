@@ -13,13 +13,25 @@
 
 namespace epura::visibility {
 
+/// A part of an edge that only facets hide which lie behind it as their surface does (edges::ClearContour).
+struct FacetsSpan {
+  int edge;
+  double from, to;
+};
+
 /// Hidden parts of edge e: spans[first[e]] to spans[first[e + 1]], as page parameters from its first vertex (0) to its
 /// second (1), ascending and disjoint. What is not hidden is visible.
 struct HiddenSpans {
   std::vector<std::size_t> first;
   std::vector<std::array<double, 2>> spans;
-  std::vector<int> undecided;     ///< edges not examined before time was up, ascending
-  std::vector<int> by_surface{};  ///< edges that facets alone do not hide as far as this, ascending (folds.hpp)
+  std::vector<int> undecided;           ///< edges not examined before time was up, ascending
+  std::vector<int> by_surface{};        ///< edges that facets alone do not hide as far as this, ascending (folds.hpp)
+  std::vector<FacetsSpan> by_facets{};  ///< visible nevertheless; ascending
+
+  /// What facets alone hide of an edge, though their surface does not.
+  [[nodiscard]] std::span<const FacetsSpan> hidden_by_facets(std::size_t e) const {
+    return std::ranges::equal_range(by_facets, static_cast<int>(e), {}, &FacetsSpan::edge);
+  }
 
   /// Calls `visit(from, to, visible)` for the parts of edge e from its first vertex to its second.
   template <class Visit>
@@ -45,7 +57,8 @@ struct ResolvedView {
   const HiddenSpans& hidden;
 };
 
-/// The triangles that meet in an edge; they never hide it.
+/// The triangles that never hide an edge: those that meet in it, and facets of its face that lie behind it as the
+/// surface does (edges::ClearContour).
 class OwnTriangles {
  public:
   OwnTriangles() = default;  ///< none
@@ -53,13 +66,30 @@ class OwnTriangles {
 
   /// Whether one of them is this triangle of the world.
   [[nodiscard]] bool contain(int triangle) const {
-    return std::find(numbers_.begin(), numbers_.end(), triangle - first_) != numbers_.end();
+    return std::find(numbers_.begin(), numbers_.end(), triangle - first_) != numbers_.end() ||
+           (clear_ != nullptr && is_behind_contour(triangle - first_));
+  }
+
+  /// Whether there are others than those that meet in the edge.
+  [[nodiscard]] bool include_clear_facets() const { return clear_ != nullptr; }
+  /// Without these others.
+  [[nodiscard]] OwnTriangles meeting() const {
+    OwnTriangles own = *this;
+    own.clear_ = nullptr;
+    return own;
   }
 
  private:
+  [[nodiscard]] bool is_behind_contour(int triangle) const;
+
   std::span<const int> numbers_;
   int first_ = 0;  ///< added to the numbers
+  const edges::ClearContour* clear_ = nullptr;
+  const world::Placed* placed_ = nullptr;
 };
+
+/// Whether a triangle of the model never hides a contour, since its surface lies behind it.
+bool is_clear(const world::Placed& placed, const edges::ClearContour& contour, int triangle);
 
 /// Tests every edge against every triangle that meets it on the page. The result does not depend on the number of
 /// threads. Under a time limit, the longest edges come first, and those for which there is no time left stay undecided;

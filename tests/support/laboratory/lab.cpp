@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "visibility/clear_contours.hpp"
 #include "visibility/folds.hpp"
 
 namespace epura::laboratory {
@@ -57,6 +58,7 @@ Result Lab::draw(world::World world, const Camera& camera, const edges::EdgeOpti
   r.unit = 1 / r.view.map.normalisation;
   r.condition = view::condition_of(camera.projection, r.world.box);
   r.drawn = edges::find_feature_edges(r.world, r.view, options);
+  visibility::find_clear_contours(r.world, r.view, r.drawn);
   r.hidden = visibility::find_hidden(r.world, r.view, r.drawn);
   visibility::hide_folds(r.world, r.view, r.drawn, r.hidden);
   r.drawing = drawing::make_drawing({r.world, r.view, r.drawn, r.hidden}, {1, Vec2(0)}, {"study", true});

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/facet_doubts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "base/disjoint_sets.hpp"
+#include "base/error.hpp"
+#include "base/same_key.hpp"
+#include "drawing/kept_ink.hpp"
+#include "drawing/partners.hpp"
+
+namespace epura::drawing {
+
+namespace {
+
+// Places on a piece at which other lines are looked for: half the distance apart, up to a number.
+constexpr double places_a_distance = 2;
+constexpr std::size_t most_places = 64;
+
+/// The pieces in doubt, with places on each that have no other visible line near them.
+class Doubts {
+ public:
+  Doubts(const std::vector<Piece>& pieces, double distance)
+      : pieces_(pieces), distance_(distance), parts_(parts_of(pieces, distance)) {
+    for (const InkPart& part : parts_.all()) {
+      const double length = length_of(pieces[part.piece]);
+      const double wanted = std::ceil(places_a_distance * length / distance);
+      alone_.emplace_back(1 + static_cast<std::size_t>(std::clamp(wanted, 1.0, double{most_places})), 1);
+    }
+  }
+
+  /// Takes note of visible lines.
+  void look_at_others(const Progress& progress) {
+    const search::OccupiedCells near = parts_.cells_within(distance_, 8 * distance_);
+    Pace pace(progress, pieces_.size());
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      pace.left(pieces_.size() - i);
+      const Piece& piece = pieces_[i];
+      if (!piece.visible || piece.by_facets || !near.may_meet(piece.from, piece.to)) continue;
+      for (const int part : parts_.find(piece.from, piece.to, distance_)) note({piece.from, piece.to}, part);
+    }
+  }
+
+  /// Returns for each piece whether it belongs to a run of which a place is alone.
+  [[nodiscard]] std::vector<char> close_gaps(const Progress& progress) const {
+    DisjointSets runs(parts_.all().size());
+    const auto place = [&](int end) {
+      const Vec2& at = parts_.line(end / 2)[static_cast<std::size_t>(end % 2)];
+      return std::array{std::round(at.x * 0x1p30), std::round(at.y * 0x1p30)};
+    };
+    visit_same_keys(2 * static_cast<int>(parts_.all().size()), place, progress, [&](std::span<const int> ends) {
+      for (const int end : ends) runs.join(ends.front() / 2, end / 2);
+    });
+    const std::vector<int> run = std::move(runs).roots();
+    std::vector<char> is_gap(run.size(), 0);
+    for (std::size_t part = 0; part < run.size(); ++part)
+      if (std::ranges::count(alone_[part], 1) > 0) is_gap[run[part]] = 1;
+    std::vector<char> closes(pieces_.size(), 0);
+    for (std::size_t part = 0; part < run.size(); ++part) {
+      const int piece = parts_[static_cast<int>(part)].piece;
+      check(pieces_[piece].by_facets, "a gap is closed by what facets hide");
+      closes[piece] = is_gap[run[part]];
+    }
+    return closes;
+  }
+
+ private:
+  static InkParts parts_of(const std::vector<Piece>& pieces, double distance) {
+    Vec2 min(HUGE_VAL), max(-HUGE_VAL);
+    for (const Piece& piece : pieces)
+      if (piece.by_facets) {
+        min = glm::min(min, glm::min(piece.from, piece.to));
+        max = glm::max(max, glm::max(piece.from, piece.to));
+      }
+    InkParts parts(pieces, min, max, distance);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (pieces[i].by_facets) parts.add({static_cast<int>(i), 0, 1});
+    return parts;
+  }
+
+  void note(const std::array<Vec2, 2>& line, int part) {
+    const Piece& piece = pieces_[parts_[part].piece];
+    std::vector<char>& alone = alone_[static_cast<std::size_t>(part)];
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+      const Vec2 place = place_on(piece, static_cast<double>(i) / static_cast<double>(alone.size() - 1));
+      if (glm::distance(nearest_on(line, place), place) <= distance_) alone[i] = 0;
+    }
+  }
+
+  const std::vector<Piece>& pieces_;
+  double distance_;
+  InkParts parts_;
+  std::vector<std::vector<char>> alone_{};  ///< by part and place
+};
+
+std::vector<char> closing_gaps(const std::vector<Piece>& pieces, double distance, const Progress& progress) {
+  Doubts doubts(pieces, distance);
+  doubts.look_at_others(progress);
+  return doubts.close_gaps(progress);
+}
+
+// Joins pieces that continue each other on an edge.
+void join_on_edges(std::vector<Piece>& pieces) {
+  std::size_t kept = 0;
+  for (const Piece& piece : pieces) {
+    Piece* last = kept > 0 ? &pieces[kept - 1] : nullptr;
+    if (last != nullptr && last->edge == piece.edge && last->visible == piece.visible && last->s[1] == piece.s[0]) {
+      last->to = piece.to;
+      last->s[1] = piece.s[1];
+    } else {
+      pieces[kept++] = piece;
+    }
+  }
+  pieces.resize(kept);
+}
+
+}  // namespace
+
+void settle_doubts(std::vector<Piece>& pieces, double distance, const Progress& progress) {
+  if (std::ranges::none_of(pieces, &Piece::by_facets)) return;
+  const std::vector<char> closes =
+      distance > 0 ? closing_gaps(pieces, distance, progress) : std::vector<char>(pieces.size(), 0);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!pieces[i].by_facets) continue;
+    pieces[i].visible = closes[i] != 0;
+    pieces[i].by_facets = false;
+  }
+  join_on_edges(pieces);
+}
+
+}  // namespace epura::drawing
