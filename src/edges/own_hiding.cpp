@@ -55,8 +55,10 @@ double way_to_torus(const PartSurface& torus, const std::array<Vec3, 2>& ends, c
     b += along / 2;
     c += (along * along + 2 * squares - 4 * torus.radius * torus.radius * (1 - rise * rise)) / 2;
   }
-  if (b >= 0 || b * b < c) return HUGE_VAL;
-  return std::max(0.0, -b - std::sqrt(b * b - c));
+  if (b * b < c) return HUGE_VAL;
+  const double half = std::sqrt(b * b - c);
+  if (c < 0) return half - b;  // inside the tube, which the projector leaves
+  return b < 0 ? -b - half : HUGE_VAL;
 }
 
 }  // namespace

@@ -134,34 +134,40 @@ TEST(OwnHiding, NeverByBallsShaftsAndConesFromOutside) {
   EXPECT_EQ(judged(face_of(free_form), {20, 0, 0}, {0, 1, 0}).clear, 0);
 }
 
-// Projectors that touch the torus meet it again at twice `clear`, or not at all.
+// Projectors that touch the torus, from outside or in a fillet, meet it again at twice `clear`, or not at all.
 TEST(OwnHiding, OfATorusIsWhereProjectorsMeetItAgain) {
-  const features::PartFace face = face_of(features::SurfaceKind::torus);
-  const auto distance = [](const Vec3& p) { return std::hypot(std::hypot(p.x, p.y) - 20, p.z) - 8; };
+  features::PartFace face = face_of(features::SurfaceKind::torus);
+  const auto distance = [&](const Vec3& p) {
+    return (std::hypot(std::hypot(p.x, p.y) - 20, p.z) - 8) * (face.inwards ? -1 : 1);
+  };
   std::mt19937 random(5);
   std::uniform_real_distribution<double> angle(0, 2 * pi);
-  int again = 0, never = 0, hollow = 0;
-  for (int i = 0; i < 2000; ++i) {
+  std::array<int, 2> again{}, never{}, hollow{};
+  for (int i = 0; i < 4000; ++i) {
+    face.inwards = i % 2 == 1;
     const double a = angle(random), t = angle(random), b = angle(random);
     const Vec3 out(std::cos(a), std::sin(a), 0), on(-std::sin(a), std::cos(a), 0), axis(0, 0, 1);
     const Vec3 at = (20 + 8 * std::cos(t)) * out + 8 * std::sin(t) * axis;
     const Vec3 view = std::cos(b) * on + std::sin(b) * (std::cos(t) * axis - std::sin(t) * out);
     const edges::FeatureEdge contour = judged(face, at, view);
     if (contour.hollow != 0) {
-      ++hollow;
+      ++hollow[i % 2];
       EXPECT_LT(distance(at + 0.01 * view), 0);
       continue;
     }
     const double end = std::isfinite(contour.clear) ? 2 * contour.clear : 80;
     for (double way = 0.02; way < 0.99; way += 0.02) ASSERT_GT(distance(at + way * end * view), 0) << way * end;
-    ++(end == 80 ? never : again);
+    ++(end == 80 ? never : again)[i % 2];
     if (end < 80) {
       EXPECT_NEAR(distance(at + end * view), 0, 1e-4) << end;
     }
   }
-  EXPECT_GT(again, 100);
-  EXPECT_GT(never, 100);
-  EXPECT_GT(hollow, 100);
+  EXPECT_GT(again[0], 100);
+  EXPECT_GT(never[0], 100);
+  EXPECT_GT(hollow[0], 100);
+  EXPECT_GT(again[1], 100);
+  EXPECT_EQ(never[1], 0);
+  EXPECT_GT(hollow[1], 100);
 }
 
 // The places on the visible contour of the torus, of about 7000, that have no visible line within a distance.
