@@ -461,6 +461,7 @@ void interrupt_at(const std::vector<TurnedBox>& letters, PlacedDimensions& place
       for (Stroke& stroke : dimension->strokes) {
         const Vec2 from = stroke.points.front(), to = stroke.points.back();
         const auto inside = stroke.points.size() == 2 ? part_inside(around(letter).grown(gap), from, to) : std::nullopt;
+        check(!inside || ((*inside)[0] >= 0 && (*inside)[1] <= 1), "what is left out of a line lies on it");
         if (!inside) {
           pieces.push_back(std::move(stroke));
           continue;

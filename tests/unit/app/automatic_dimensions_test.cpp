@@ -435,6 +435,29 @@ TEST_F(AutomaticDimensions, OfShaftsThatLieAskew) {
   EXPECT_TRUE(contains(beside.out, "not dimensioned: cylinder ⌀20\n")) << beside.out;
 }
 
+// Twelve steps along each of two axes: without their positions, three of either are named.
+TEST_F(AutomaticDimensions, LintCountsFindingsThatAreAlike) {
+  const std::string part = folder.file("part.obj", block(stairs(13), 30));
+  const auto lines = [&](const Words& more) {
+    Words arguments{"lint", part, "--views", "front,top,left", "--dimensions", "overall"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = epura(arguments, folder / "");
+    EXPECT_EQ(run.code, 1) << run.err;
+    return std::pair(std::count(run.out.begin(), run.out.end(), '\n'), run.out);
+  };
+  const auto [all, named] = lines({"--all"});
+  const auto [few, counted] = lines({});
+  EXPECT_EQ(all, 24) << named;
+  EXPECT_EQ(few, 8) << counted;
+  for (const char* axis : {"x", "z"})
+    EXPECT_TRUE(contains(counted, "9 more that differ in numbers from: step: position along " + std::string(axis)))
+        << counted;
+  EXPECT_FALSE(contains(named, "more that differ"));
+  EXPECT_TRUE(named.starts_with(counted.substr(0, counted.find('\n')))) << named;
+  const auto [unlike, json] = lines({"--json", "-"});
+  EXPECT_GT(unlike, all) << json;
+}
+
 TEST_F(AutomaticDimensions, LintFindsWhatIsThereTwice) {
   folder.file("part.obj", blocks()[1].obj);
   const std::string linear = "[[dimension]]\ntype = 'linear'\ndirection = 'horizontal'\n";
