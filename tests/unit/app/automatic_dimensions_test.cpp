@@ -435,6 +435,40 @@ TEST_F(AutomaticDimensions, OfShaftsThatLieAskew) {
   EXPECT_TRUE(contains(beside.out, "not dimensioned: cylinder ⌀20\n")) << beside.out;
 }
 
+// With its middle on the x axis; vertices are numbered from `first`.
+std::string ball(double x, double radius, int first) {
+  constexpr int around = 24, across = 12;
+  std::string text;
+  for (int i = 0; i <= across; ++i)
+    for (int j = 0; j < around; ++j) {
+      const double r = radius * sine(180.0 * i / across), angle = 360.0 * j / around;
+      text += "v " + format_number(x + r * cosine(angle)) + " " + format_number(r * sine(angle)) + " " +
+              format_number(-radius * cosine(180.0 * i / across)) + "\n";
+    }
+  for (int i = 0; i < across; ++i)
+    for (int j = 0; j < around; ++j) {
+      const auto at = [&](int row, int column) {
+        return " " + std::to_string(first + row * around + (row % across == 0 ? 0 : column % around));
+      };
+      text += i == 0            ? "f" + at(0, 0) + at(1, j + 1) + at(1, j) + "\n"
+              : i + 1 == across ? "f" + at(i, j) + at(i, j + 1) + at(across, 0) + "\n"
+                                : "f" + at(i, j) + at(i, j + 1) + at(i + 1, j + 1) + at(i + 1, j) + "\n";
+    }
+  return text;
+}
+
+// 0.004 mm apart, beyond what is equal otherwise.
+TEST_F(AutomaticDimensions, OfBallsThatAreEqualOnPaperAreOne) {
+  constexpr int corners = 13 * 24;
+  const std::string balls =
+      ball(0, 15, 1) + ball(60, 15.004, 1 + corners) + ball(150, 40, 1 + 2 * corners);  // the last gives overall sizes
+  const Outcome run = lint(folder.file("part.obj", balls), "auto");
+  EXPECT_FALSE(contains(run.out, "sphere")) << run.out << run.err;
+  const std::vector<std::string> texts = dimensions_in(read_file(folder / "x.svg"));
+  EXPECT_EQ(std::count(texts.begin(), texts.end(), "2× SR15"), 1);
+  for (const std::string& text : texts) EXPECT_NE(text, "SR15");
+}
+
 // Twelve steps along each of two axes: without their positions, three of either are named.
 TEST_F(AutomaticDimensions, LintCountsFindingsThatAreAlike) {
   const std::string part = folder.file("part.obj", block(stairs(13), 30));
