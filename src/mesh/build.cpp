@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/disjoint_sets.hpp"
 #include "base/vec.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/cracks.hpp"
@@ -193,14 +192,14 @@ std::vector<int> bodies_of(const Mesh& mesh, const Soup& soup, const EdgeTable& 
   return body;
 }
 
-/// What a body has in common with others.
+/// What a body has in common with each of the others.
 struct SharedFaces {
-  int triangles = 0, shared = 0;
+  int triangles = 0;
   std::map<int, int> by_other{};  ///< shared triangles
 };
 
-/// The second faces of those twins at which no two bodies touch: both belong to one body, or a body has no other faces
-/// than those of one other body, or none of the bodies that are connected by twins has a face of its own.
+/// The second faces of those twins at which no two bodies touch: both belong to one body, or to two that have the same
+/// faces.
 std::vector<int> duplicates_among(const Mesh& mesh, const std::vector<TwinFaces>& twins) {
   std::unordered_map<int, std::pair<int, int>> of_face;  // its body and number of triangles
   for (const auto& [first, second] : twins) of_face[first] = of_face[second] = {-1, 0};
@@ -212,28 +211,18 @@ std::vector<int> duplicates_among(const Mesh& mesh, const std::vector<TwinFaces>
       ++found->second.second;
     }
   }
-  DisjointSets groups(bodies.size());
-  const auto share = [&](int body, int other, int triangles) {
-    bodies[body].shared += triangles;
-    bodies[body].by_other[other] += triangles;
-    groups.join(body, other);
-  };
+  const auto share = [&](int body, int other, int triangles) { bodies[body].by_other[other] += triangles; };
   for (const auto& [first, second] : twins) {
     const auto& [one, of_one] = of_face[first];
     const auto& [other, of_other] = of_face[second];
     share(one, other, of_one);
     share(other, one, of_other);
   }
-  const std::vector<int> group = std::move(groups).roots();
-  std::vector<char> has_more(bodies.size(), 0);
-  for (std::size_t body = 0; body < bodies.size(); ++body)
-    if (bodies[body].shared < bodies[body].triangles) has_more[group[body]] = 1;
   const auto is_copy = [&](int body, int other) { return bodies[body].by_other[other] == bodies[body].triangles; };
   std::vector<int> duplicates;
   for (const auto& [first, second] : twins) {
     const int one = of_face[first].first, other = of_face[second].first;
-    if (one == other || has_more[group[one]] == 0 || is_copy(one, other) || is_copy(other, one))
-      duplicates.push_back(second);
+    if (one == other || (is_copy(one, other) && is_copy(other, one))) duplicates.push_back(second);
   }
   std::sort(duplicates.begin(), duplicates.end());
   return duplicates;

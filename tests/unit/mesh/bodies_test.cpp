@@ -250,6 +250,9 @@ TEST(Bodies, DuplicatesAreNone) {
   expect(welded({cube, cube}), 1, 6);
   expect(welded({cube, inside_out(cube)}), 1, 6);
   expect(welded({cube, sheet_of_two_sides(1)}), 1, 2);  // a fin on an edge
+  const Shape corner = box({1, 1, 1}, {2, 2, 2});       // has one vertex in common with the cube, which is there once
+  expect(welded({cube, corner, corner}), 2, 6);
+  expect(welded({cube, corner, inside_out(corner)}), 2, 6);
   const Shape both = welded({cube, next});
   expect(welded({both, both}), 2, 12);
 }
