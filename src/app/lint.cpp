@@ -48,7 +48,7 @@ std::string pattern_of(const report::Finding& finding) {
 }
 
 // The first ones of those that differ in numbers alone, and how many more there are.
-std::string text_of(const std::vector<report::Finding>& findings, bool all) {
+std::string printed_findings(const std::vector<report::Finding>& findings, bool all) {
   constexpr std::size_t most_alike = 3;
   std::map<std::string, std::size_t> alike, told;
   for (const report::Finding& finding : findings) ++alike[pattern_of(finding)];
@@ -79,7 +79,7 @@ int lint(DrawOptions options) {
   const std::vector<report::Finding>& findings = drawn.report.findings;
   if (!options.lint_json.empty()) pipeline::write({options.lint_json, json_of(findings)}, {});
   if (options.lint_json != "-") {
-    std::fputs(text_of(findings, options.lint_all).c_str(), stdout);
+    std::fputs(printed_findings(findings, options.lint_all).c_str(), stdout);
     if (findings.empty()) std::fputs("every recognised size has one dimension, and none cross\n", stdout);
   }
   const int code = exit_code_of(drawn);
