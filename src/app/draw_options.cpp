@@ -323,6 +323,10 @@ scene::Options<DrawOptions> lint_options() {
   all.push_back(scene::option<Draw>(
       {.flag = "--json", .help = "findings as JSON; - for standard output", .nature = scene::Nature::run},
       &Draw::lint_json, file_name("FILE")));
+  all.push_back(scene::option<Draw>({.flag = "--all",
+                                     .help = "list all findings; otherwise three of those that differ in numbers alone",
+                                     .nature = scene::Nature::run},
+                                    &Draw::lint_all, scene::truth()));
   return all;
 }
 

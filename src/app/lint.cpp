@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // `epura lint`: faults of the dimensions of a drawing.
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
+#include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
@@ -33,6 +38,34 @@ std::string json_of(const std::vector<report::Finding>& findings) {
   return "{\"epura_lint\": 1, \"findings\": " + output::json_lines(findings, write, "\n  ") + "}\n";
 }
 
+// What a finding says apart from numbers: "radius R" of "2× radius R12.5".
+std::string pattern_of(const report::Finding& finding) {
+  const std::string_view many = "×";
+  std::string pattern = sentence_of(finding);
+  std::erase_if(pattern, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '-' || c == ' '; });
+  if (const std::size_t at = pattern.find(many); at != std::string::npos) pattern.erase(at, many.size());
+  return pattern;
+}
+
+// The first ones of those that differ in numbers alone, and how many more there are.
+std::string printed_findings(const std::vector<report::Finding>& findings, bool all) {
+  constexpr std::size_t most_alike = 3;
+  std::map<std::string, std::size_t> alike, told;
+  for (const report::Finding& finding : findings) ++alike[pattern_of(finding)];
+  std::string text;
+  for (const report::Finding& finding : findings) {
+    const std::string pattern = pattern_of(finding);
+    const std::size_t count = alike[pattern], number = ++told[pattern];
+    // A line for the rest would not be shorter than the only one that it stands for.
+    const bool is_told = all || number <= most_alike || count == most_alike + 1;
+    if (is_told) text += sentence_of(finding);
+    if (!is_told && number == count)
+      text += name_of(finding) + ": " + std::to_string(count - most_alike) +
+              " more that differ in numbers from: " + finding.what + " (--all lists them)\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 int lint(DrawOptions options) {
@@ -46,7 +79,7 @@ int lint(DrawOptions options) {
   const std::vector<report::Finding>& findings = drawn.report.findings;
   if (!options.lint_json.empty()) pipeline::write({options.lint_json, json_of(findings)}, {});
   if (options.lint_json != "-") {
-    for (const report::Finding& finding : findings) std::fputs(sentence_of(finding).c_str(), stdout);
+    std::fputs(printed_findings(findings, options.lint_all).c_str(), stdout);
     if (findings.empty()) std::fputs("every recognised size has one dimension, and none cross\n", stdout);
   }
   const int code = exit_code_of(drawn);

@@ -57,6 +57,7 @@ struct DrawOptions {
   bool timings = false;
   ShowProgress progress = ShowProgress::automatic;
   std::string lint_json;  ///< lint: file of its findings; empty: none
+  bool lint_all = false;  ///< lint: print those that differ in numbers alone, too
   bool measure = false;   ///< measure the time saved by shortcuts, by runs without them
 };
 

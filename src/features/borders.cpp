@@ -2,6 +2,7 @@
 #include "features/borders.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -81,6 +82,7 @@ class BorderFinder {
     if (triangles.empty()) return std::nullopt;
     const auto region = [&](int t) { return region_of_[facets_.facet_of[t]]; };
     BorderEdge border{number, {}, edge.vertex, 0, 0, triangles.size() != 2};
+    if (border.open && is_inside_faces(number, triangles)) return std::nullopt;
     border.length = glm::distance(facets_.points[edge.vertex[0]], facets_.points[edge.vertex[1]]);
     if (border.open) {
       // If several faces end here, the first and the last one are taken, so that the order of triangles in the file
@@ -98,6 +100,18 @@ class BorderFinder {
     }
     if (border.faces[0] > border.faces[1]) std::swap(border.faces[0], border.faces[1]);
     return border;
+  }
+
+  // Whether several bodies touch in an edge, which is inside a face of each.
+  [[nodiscard]] bool is_inside_faces(int number, std::span<const int> triangles) const {
+    return triangles.size() > 2 && std::all_of(triangles.begin(), triangles.end(), [&](int t) {
+             const auto& sides = facets_.sides[t];
+             const auto side =
+                 std::find_if(sides.begin(), sides.end(), [&](const auto& s) { return s.edge == number; });
+             if (side == sides.end() || side->neighbour < 0) return false;
+             const std::array<int, 2> both{t, side->neighbour};
+             return region_of_[facets_.facet_of[t]] == region_of_[facets_.facet_of[both[1]]] && !fades(both);
+           });
   }
 
   // Returns the side of the first triangle at which the second one lies.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -74,6 +75,18 @@ void read_triangles(const mesh::Mesh& mesh, Facets& f) {
   f.tolerance = std::max(roundings * rounding, least_tolerance * size) * f.scale;
 }
 
+// The triangle on the other side of an edge, of the same body if several touch there; -1 if there is none, or more.
+int partner_at(const mesh::Mesh& mesh, std::span<const int> triangles, int triangle) {
+  if (triangles.size() == 2) return triangles[0] == triangle ? triangles[1] : triangles[0];
+  int partner = -1, count = 0;
+  for (const int other : triangles)
+    if (other != triangle && mesh.body[other] == mesh.body[triangle]) {
+      partner = other;
+      ++count;
+    }
+  return count == 1 ? partner : -1;
+}
+
 void find_sides_at(const mesh::Mesh& mesh, int number, Facets& f) {
   const mesh::MeshEdge& edge = mesh.edges[number];
   const auto triangles = mesh.triangles_of(edge);
@@ -82,7 +95,7 @@ void find_sides_at(const mesh::Mesh& mesh, int number, Facets& f) {
     for (int k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
       if (low == edge.vertex[0] && high == edge.vertex[1])
-        f.sides[triangles[i]][k] = {triangles.size() == 2 ? triangles[1 - i] : -1, number};
+        f.sides[triangles[i]][k] = {partner_at(mesh, triangles, triangles[i]), number};
     }
   }
 }

@@ -25,7 +25,7 @@ struct Facet {
 
 /// One side of a triangle.
 struct Side {
-  int neighbour = -1;  ///< the only other triangle there; -1 if there is none, or several
+  int neighbour = -1;  ///< the only other triangle of its body there; -1 if there is none, or several
   int edge = -1;       ///< of the mesh
 };
 

@@ -2,8 +2,15 @@
 #include "mesh/build.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <numeric>
+#include <set>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "base/vec.hpp"
 #include "mesh/bodies.hpp"
@@ -48,19 +55,53 @@ EdgeTable edges_of(const Faces& triangles, const MeshReport& report) {
   return make_edge_table(triangles.corners, triangles.number, report.vertices);
 }
 
-/// If all faces are triangles, the edge table shows whether any are equal, which is rare.
-void drop_equal_triangles(Faces& triangles, EdgeTable& table, MeshReport& report) {
-  if (!has_equal_triangles(table, triangles.corners)) return;
-  report.dropped_duplicates += drop_duplicate_faces(triangles, report.vertices);
-  table = edges_of(triangles, report);
+/// The triangles of a mesh, their edges, and the faces that are there twice.
+struct UsableTriangles {
+  Faces triangles;
+  EdgeTable table;
+  std::vector<TwinFaces> twins{};
+};
+
+/// Drops the second ones of `equal` triangles, given by their places, unless their polygons are twins.
+void drop_unknown_twins(Faces& triangles, const std::vector<int>& polygon, const std::vector<TwinFaces>& equal,
+                        const std::vector<TwinFaces>& twins, MeshReport& report) {
+  std::set<std::array<int, 2>> known;
+  for (const auto& [first, second] : twins) known.insert({first, second});
+  std::vector<int> dropped;
+  for (const auto& [first, second] : equal)
+    if (!known.contains({polygon[first], polygon[second]})) dropped.push_back(second);
+  std::sort(dropped.begin(), dropped.end());
+  drop_numbered_faces(triangles, dropped);
+  report.dropped_duplicates += static_cast<int>(dropped.size());
+}
+
+/// The edge table shows whether any triangles are equal, which is rare. If they are faces of the file, pairs of them
+/// become the `twins`; equal triangles of polygons stay if these are twins.
+void drop_equal_triangles(UsableTriangles& usable, bool are_faces, MeshReport& report) {
+  Faces& triangles = usable.triangles;
+  if (!has_equal_triangles(usable.table, triangles.corners)) return;
+  std::vector<int> polygon(triangles.size());
+  std::iota(polygon.begin(), polygon.end(), 0);
+  polygon.swap(triangles.number);
+  std::vector<TwinFaces> equal;
+  report.dropped_duplicates += drop_duplicate_faces(triangles, report.vertices, equal);
+  if (are_faces) {
+    usable.twins.clear();
+    for (const auto& [first, second] : equal) usable.twins.push_back({polygon[first], polygon[second]});
+  } else {
+    drop_unknown_twins(triangles, polygon, equal, usable.twins, report);
+  }
+  for (int& number : triangles.number) number = polygon[number];
+  usable.table = edges_of(triangles, report);
 }
 
 /// Welds across cracks, such as the seam of a surface of revolution whose first and last points are computed from the
 /// cosines and sines of 0 and of a full turn; some triangles may then be equal. Vertices that the file numbers keep
 /// their numbers.
-void close_cracks(Soup& soup, Faces& triangles, EdgeTable& table, MeshReport& report) {
+void close_cracks(Soup& soup, UsableTriangles& usable, bool are_faces, MeshReport& report) {
+  Faces& triangles = usable.triangles;
   const bool single = soup.single_precision || soup.corners_repeat_points;  // text STL usually holds floats
-  Mending mending = mend_cracks(soup.points, triangles.corners, table, single ? 0x1p-23 : 0x1p-52);
+  Mending mending = mend_cracks(soup.points, triangles.corners, usable.table, single ? 0x1p-23 : 0x1p-52);
   if (mending.joined == 0) return;
   report.welded_vertices += mending.joined;
   report.weld_distance = mending.distance;
@@ -71,29 +112,29 @@ void close_cracks(Soup& soup, Faces& triangles, EdgeTable& table, MeshReport& re
     for (int& corner : triangles.corners) corner = mending.representative[corner];
     for (auto& wire : soup.wires) wire = {mending.representative[wire[0]], mending.representative[wire[1]]};
   }
-  table = edges_of(triangles, report);
-  drop_equal_triangles(triangles, table, report);
+  usable.table = edges_of(triangles, report);
+  drop_equal_triangles(usable, are_faces, report);
 }
 
-/// Puts their edges into `table`.
-Faces usable_triangles(Soup& soup, EdgeTable& table, MeshReport& report, const Progress& progress) {
+UsableTriangles usable_triangles(Soup& soup, MeshReport& report, const Progress& progress) {
+  UsableTriangles usable;
   Faces faces = usable_faces(soup, report);
   const bool polygons = faces.corners.size() != 3 * faces.size();
-  if (polygons) report.dropped_duplicates = drop_duplicate_faces(faces, report.vertices);
+  if (polygons) report.dropped_duplicates = drop_duplicate_faces(faces, report.vertices, usable.twins);
   progress.expect_time();
-  Faces triangles = triangulate(std::move(faces), soup.points, progress);
+  usable.triangles = triangulate(std::move(faces), soup.points, progress);
   progress.expect_time();
-  table = edges_of(triangles, report);
-  if (!polygons) drop_equal_triangles(triangles, table, report);
+  usable.table = edges_of(usable.triangles, report);
+  if (!polygons) drop_equal_triangles(usable, true, report);
   progress.expect_time();
-  close_cracks(soup, triangles, table, report);
-  return triangles;
+  close_cracks(soup, usable, !polygons, report);
+  return usable;
 }
 
 /// The triangles of a face are consecutive.
-int count_faces(const Faces& triangles) {
+int count_faces(const Mesh& mesh) {
   int count = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t) count += t == 0 || triangles.number[t] != triangles.number[t - 1];
+  for (std::size_t t = 0; t < mesh.polygon.size(); ++t) count += t == 0 || mesh.polygon[t] != mesh.polygon[t - 1];
   return count;
 }
 
@@ -144,14 +185,89 @@ void note_triangles_without_area(Mesh& mesh) {
   sentences.push_back(std::to_string(count) + (count == 1 ? " triangle has" : " triangles have") + " no area");
 }
 
-void number_bodies(Mesh& mesh, const Soup& soup, const EdgeTable& table) {
+std::vector<int> bodies_of(const Mesh& mesh, const Soup& soup, const EdgeTable& table) {
+  if (soup.body_names.size() < 2) return connected_parts(mesh, table);
+  std::vector<int> body;
+  for (const int face : mesh.polygon) body.push_back(soup.face_body[face]);
+  return body;
+}
+
+/// What a body has in common with each of the others.
+struct SharedFaces {
+  int triangles = 0;
+  std::map<int, int> by_other{};  ///< shared triangles
+};
+
+/// The second faces of those twins at which no two bodies touch: both belong to one body, or to two that have the same
+/// faces.
+std::vector<int> duplicates_among(const Mesh& mesh, const std::vector<TwinFaces>& twins) {
+  std::unordered_map<int, std::pair<int, int>> of_face;  // its body and number of triangles
+  for (const auto& [first, second] : twins) of_face[first] = of_face[second] = {-1, 0};
+  std::vector<SharedFaces> bodies(mesh.body.empty() ? 0 : *std::max_element(mesh.body.begin(), mesh.body.end()) + 1);
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    ++bodies[mesh.body[t]].triangles;
+    if (const auto found = of_face.find(mesh.polygon[t]); found != of_face.end()) {
+      found->second.first = mesh.body[t];
+      ++found->second.second;
+    }
+  }
+  const auto share = [&](int body, int other, int triangles) { bodies[body].by_other[other] += triangles; };
+  for (const auto& [first, second] : twins) {
+    const auto& [one, of_one] = of_face[first];
+    const auto& [other, of_other] = of_face[second];
+    share(one, other, of_one);
+    share(other, one, of_other);
+  }
+  const auto is_copy = [&](int body, int other) { return bodies[body].by_other[other] == bodies[body].triangles; };
+  std::vector<int> duplicates;
+  for (const auto& [first, second] : twins) {
+    const int one = of_face[first].first, other = of_face[second].first;
+    if (one == other || (is_copy(one, other) && is_copy(other, one))) duplicates.push_back(second);
+  }
+  std::sort(duplicates.begin(), duplicates.end());
+  return duplicates;
+}
+
+void drop_faces_of(Mesh& mesh, EdgeTable& table, const std::vector<int>& numbers) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.polygon.size(); ++t) {
+    if (std::binary_search(numbers.begin(), numbers.end(), mesh.polygon[t])) continue;
+    std::copy_n(mesh.corners.begin() + static_cast<std::ptrdiff_t>(3 * t), 3,
+                mesh.corners.begin() + static_cast<std::ptrdiff_t>(3 * kept));
+    mesh.polygon[kept++] = mesh.polygon[t];
+  }
+  mesh.corners.resize(3 * kept);
+  mesh.polygon.resize(kept);
+  mesh.report.dropped_duplicates += static_cast<int>(numbers.size());
+  table = make_edge_table(mesh.corners, mesh.polygon, mesh.report.vertices);
+}
+
+/// Assigns triangles to bodies. Where two of these touch, each may have a face with the same vertices; other twins are
+/// dropped. Without these, more of them may be in one body.
+void divide_into_bodies(Mesh& mesh, const Soup& soup, EdgeTable& table, std::vector<TwinFaces> twins) {
+  constexpr int most_rounds = 4;
+  mesh.body = bodies_of(mesh, soup, table);
+  for (int round = 1; !twins.empty(); ++round) {
+    std::vector<int> dropped = duplicates_among(mesh, twins);
+    if (dropped.empty()) return;
+    if (round == most_rounds) {
+      dropped.clear();
+      for (const TwinFaces& pair : twins) dropped.push_back(pair.second);
+      std::sort(dropped.begin(), dropped.end());
+    }
+    drop_faces_of(mesh, table, dropped);
+    std::erase_if(
+        twins, [&](const TwinFaces& pair) { return std::binary_search(dropped.begin(), dropped.end(), pair.second); });
+    mesh.body = bodies_of(mesh, soup, table);
+  }
+}
+
+void number_bodies(Mesh& mesh, const Soup& soup) {
   const bool named = soup.body_names.size() > 1;
   if (!named) {
-    mesh.body = connected_parts(mesh, table);
     if (!soup.body_names.empty()) mesh.report.only_body = soup.body_names.front();
     mesh.report.body_colours = soup.body_colours;
   } else {
-    for (const int face : mesh.polygon) mesh.body.push_back(soup.face_body[face]);
     for (const int body : renumber_labels(mesh.body)) {
       mesh.report.body_names.push_back(soup.body_names[body]);
       if (!soup.body_colours.empty()) mesh.report.body_colours.push_back(soup.body_colours[body]);
@@ -177,20 +293,20 @@ Mesh build_mesh(Soup soup, std::string name, const Progress& progress) {
   report.vertices = static_cast<int>(soup.points.size());
   report.non_finite_vertices = count_non_finite(soup.points);
   if (soup.printed) report.resolution = decimal_resolution(soup.points);
-  EdgeTable table;
-  Faces triangles = usable_triangles(soup, table, report, progress);
+  auto [triangles, table, twins] = usable_triangles(soup, report, progress);
 
   progress.expect_time();
   const PointMarks marks = add_crosses(soup, report.name);
   report.points = marks.points;
   report.point_arms = marks.arms;
-  report.faces = count_faces(triangles);
-  report.triangles = static_cast<int>(triangles.size());
   mesh.points = std::move(soup.points);
   mesh.corners = std::move(triangles.corners);
   mesh.polygon = std::move(triangles.number);
+  divide_into_bodies(mesh, soup, table, std::move(twins));
+  report.faces = count_faces(mesh);
+  report.triangles = mesh.triangle_count();
   note_triangles_without_area(mesh);
-  number_bodies(mesh, soup, table);
+  number_bodies(mesh, soup);
   count_edges(mesh, table);
   take_wires(mesh, soup, table, report);
 

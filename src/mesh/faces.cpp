@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
 
 namespace epura::mesh {
@@ -47,6 +49,7 @@ bool has_three_corners(std::span<const int> ring) {
 /// A face represented by the two neighbours of its lowest vertex, the lower one first.
 struct Entry {
   int low, high, face;
+  bool is_reversed;  ///< the higher neighbour follows the lowest vertex
 };
 
 std::vector<int> canonical_ring(std::span<const int> ring) {
@@ -72,7 +75,22 @@ Entry entry_of(const Faces& faces, std::size_t face) {
   const auto lowest = static_cast<std::size_t>(std::min_element(ring.begin(), ring.end()) - ring.begin());
   const int next = ring[lowest + 1 == ring.size() ? 0 : lowest + 1];
   const int previous = ring[lowest == 0 ? ring.size() - 1 : lowest - 1];
-  return {std::min(next, previous), std::max(next, previous), static_cast<int>(face)};
+  return {std::min(next, previous), std::max(next, previous), static_cast<int>(face), next > previous};
+}
+
+// How often all that is connected with a face through vertices is there.
+std::vector<int> copies_of(const Faces& faces, const std::vector<int>& count, int vertex_count) {
+  DisjointSets parts(static_cast<std::size_t>(vertex_count));
+  for (std::size_t face = 0; face < faces.size(); ++face)
+    for (const int corner : faces.ring(face)) parts.join(faces.ring(face)[0], corner);
+  std::vector<int> least(static_cast<std::size_t>(vertex_count), std::numeric_limits<int>::max());
+  std::vector<int> part(faces.size());
+  for (std::size_t face = 0; face < faces.size(); ++face) {
+    part[face] = parts.root(faces.ring(face)[0]);
+    if (count[face] > 0) least[part[face]] = std::min(least[part[face]], count[face]);
+  }
+  for (int& of_face : part) of_face = least[of_face];
+  return part;
 }
 
 }  // namespace
@@ -93,7 +111,7 @@ int drop_faces_with_non_finite_corners(Faces& faces, const Points& points) {
   });
 }
 
-int drop_duplicate_faces(Faces& faces, int vertex_count) {
+int drop_duplicate_faces(Faces& faces, int vertex_count, std::vector<TwinFaces>& twins) {
   // Counting sort by the lowest vertex: equal faces are in one short bucket.
   std::vector<int> bucket_end(static_cast<std::size_t>(vertex_count) + 1, 0);
   for (std::size_t f = 0; f < faces.size(); ++f) ++bucket_end[std::ranges::min(faces.ring(f)) + 1];
@@ -102,7 +120,8 @@ int drop_duplicate_faces(Faces& faces, int vertex_count) {
   for (std::size_t f = 0; f < faces.size(); ++f)
     entries[bucket_end[std::ranges::min(faces.ring(f))]++] = entry_of(faces, f);
 
-  std::vector<char> duplicate(faces.size(), 0);
+  std::vector<int> count(faces.size(), 1);  // of the faces that equal the first one of them; 0 for the others
+  std::vector<int> next(faces.size(), -1);  // the second one, if possible of the opposite order
   parallel_for(static_cast<std::size_t>(vertex_count), 4096, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       const std::span<Entry> bucket(entries.data() + (v == 0 ? 0 : bucket_end[v - 1]), entries.data() + bucket_end[v]);
@@ -110,12 +129,34 @@ int drop_duplicate_faces(Faces& faces, int vertex_count) {
         const int order = compare(faces, a, b);
         return order != 0 ? order < 0 : a.face < b.face;
       });
-      for (std::size_t i = 1; i < bucket.size(); ++i)
-        duplicate[bucket[i].face] = compare(faces, bucket[i - 1], bucket[i]) == 0;
+      for (std::size_t begin = 0, end = 1; begin < bucket.size(); begin = end++) {
+        const Entry& one = bucket[begin];
+        bool is_opposite = false;
+        for (; end < bucket.size() && compare(faces, one, bucket[end]) == 0; ++end) {
+          ++count[one.face];
+          count[bucket[end].face] = 0;
+          if (is_opposite || (next[one.face] >= 0 && bucket[end].is_reversed == one.is_reversed)) continue;
+          next[one.face] = bucket[end].face;
+          is_opposite = bucket[end].is_reversed != one.is_reversed;
+        }
+      }
     }
   });
+  if (std::find(count.begin(), count.end(), 0) == count.end()) return 0;
+  const std::vector<int> copies = copies_of(faces, count, vertex_count);
+  for (std::size_t face = 0; face < faces.size(); ++face)
+    if (count[face] > 0 && count[face] == 2 * copies[face]) {
+      count[next[face]] = 1;
+      twins.push_back({faces.number[face], faces.number[next[face]]});
+    }
   return keep_faces(faces,
-                    [&](std::size_t face, std::span<const int> ring) { return duplicate[face] ? 0 : ring.size(); });
+                    [&](std::size_t face, std::span<const int> ring) { return count[face] > 0 ? ring.size() : 0; });
+}
+
+void drop_numbered_faces(Faces& faces, const std::vector<int>& numbers) {
+  keep_faces(faces, [&](std::size_t face, std::span<const int> ring) {
+    return std::binary_search(numbers.begin(), numbers.end(), faces.number[face]) ? 0 : ring.size();
+  });
 }
 
 }  // namespace epura::mesh

@@ -28,7 +28,17 @@ int drop_faces_without_three_corners(Faces& faces);
 
 int drop_faces_with_non_finite_corners(Faces& faces, const Points& points);
 
-/// Of faces with the same vertices in the same cyclic order or its reverse, keeps the first.
-int drop_duplicate_faces(Faces& faces, int vertex_count);
+/// Two faces of the file with the same vertices, by their numbers.
+struct TwinFaces {
+  int first, second;
+};
+
+/// Of faces with the same vertices in the same cyclic order or its reverse, keeps the first. A face that is there
+/// twice, unlike others with which it is connected, may belong to two bodies: both are kept and appended to `twins`.
+/// What is there several times as a whole counts once.
+int drop_duplicate_faces(Faces& faces, int vertex_count, std::vector<TwinFaces>& twins);
+
+/// Drops the faces with these numbers, which are in ascending order.
+void drop_numbered_faces(Faces& faces, const std::vector<int>& numbers);
 
 }  // namespace epura::mesh

@@ -215,14 +215,6 @@ void tell_of_scales(const Messages& messages, const SheetPlan& plan, const scene
   if (!unusual.empty()) messages.warn("not a scale of ISO 5455: " + unusual);
 }
 
-// If nothing fits, the scale is any number.
-void warn_about(const Messages& messages, const SheetPlan& plan) {
-  const std::string ratio = sheet::ratio_text(plan.scale);
-  messages.warn("the drawing is larger than the sheet at " + (ratio.empty() ? format_rounded(plan.scale, 3) : ratio) +
-                (plan.fitting ? "; it fits at " + sheet::ratio_text(*plan.fitting)
-                              : "\n  hint: use a larger sheet, or fewer views"));
-}
-
 // The cut world has no faces along steps and where turned parts end, which a section must not show.
 void expect_steps_edge_on(const CutSection& section, const view::ProjectedScene& seen,
                           const scene::ViewDescription& view) {
@@ -385,7 +377,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
   }
   for (const std::string& warning : coarse.warnings()) messages.warn(warning);
   if (options.arcs) tell_of_curves(messages, results);
-  if (!plan.inside) warn_about(messages, plan);
+  if (!plan.inside || plan.crowded) warn_about(messages, plan);
   gathered.report.cut_off = gathered.report.cut_off || !plan.on_paper;
   FinishedSheet sheet = compose({worlds.main(), scene, views, plan, annotations, std::move(targets),
                                  balloons_of(views, items_seen), most_left_out},

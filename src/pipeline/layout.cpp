@@ -396,7 +396,8 @@ SheetPlan plan_sheet(const world::World& world, const scene::SceneDescription& s
                  arrangement.inside,
                  arrangement.on_paper,
                  arrangement.fitting,
-                 next_size};
+                 next_size,
+                 arrangement.crowded};
   plan.furniture.parts_list = std::move(options.list);
   plan.furniture.revisions = std::move(options.revisions);
   plan.furniture.form = std::move(options.form);

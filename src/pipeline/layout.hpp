@@ -30,6 +30,7 @@ struct SheetPlan {
   bool on_paper = true;             ///< no ink is beyond the paper
   std::optional<double> fitting{};  ///< as in Arrangement
   std::optional<int> next_size{};   ///< the least size of a larger sheet, if "auto" may choose that
+  bool crowded = false;             ///< as in Arrangement
 
   [[nodiscard]] int size_rank() const { return next_size ? *next_size - 1 : largest_size_rank; }
 };

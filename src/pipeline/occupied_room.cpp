@@ -96,7 +96,10 @@ sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const st
   for (const sheet::Rectangle& mark : centring_marks(furniture)) neighbours.boxes.push_back(sheet::turned_box(mark));
   for (const sheet::Text& label : labels) neighbours.texts.push_back(sheet::box_of(label, lettering));
   neighbours.boxes.insert(neighbours.boxes.end(), neighbours.texts.begin(), neighbours.texts.end());
-  for (const sheet::Layer& mark : marks) add_boxes(neighbours.boxes, mark, lettering);
+  for (const sheet::Layer& mark : marks) {
+    add_boxes(neighbours.boxes, mark, lettering);
+    for (const sheet::Text& letter : mark.texts) neighbours.letters.push_back(sheet::box_of(letter, lettering));
+  }
   return neighbours;
 }
 

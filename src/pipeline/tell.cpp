@@ -8,8 +8,10 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "pipeline/layout.hpp"
 #include "report/format.hpp"
 #include "sheet/lettering.hpp"
+#include "sheet/standard_scale.hpp"
 #include "view/condition.hpp"
 
 namespace epura::pipeline {
@@ -70,8 +72,24 @@ void warn_about(const Messages& messages, const ViewResult& result) {
   constexpr double negligible = 1;  // mm
   if (result.unsymmetric > negligible)
     messages.warn("view '" + result.drawing.name + "' is not symmetric: what it leaves out differs in " +
-                  format_rounded(result.unsymmetric, 2) +
+                  std::to_string(std::llround(result.unsymmetric)) +
                   " mm of lines\n  hint: draw the whole view, or a part of it with 'break'");
+}
+
+// If nothing fits, the scale is any number. Given positions may leave too little room at any scale.
+void warn_about(const Messages& messages, const SheetPlan& plan) {
+  std::string scale = sheet::ratio_text(plan.scale);
+  if (scale.empty()) scale = format_rounded(plan.scale, 3);
+  const std::string fitting = plan.fitting ? sheet::ratio_text(*plan.fitting) : "";
+  if (plan.crowded)
+    messages.warn("the views fill the sheet at " + scale +
+                  (fitting.empty() ? "" : "; " + fitting + " leaves room around them"));
+  else if (plan.fitting && *plan.fitting >= plan.scale)
+    messages.warn("views may be on one another, on the title block or beyond the frame at " + scale +
+                  "\n  hint: change their positions, 'at', or leave these out");
+  else
+    messages.warn("the drawing is larger than the sheet at " + scale +
+                  (plan.fitting ? "; it fits at " + fitting : "\n  hint: use a larger sheet, or fewer views"));
 }
 
 void warn_about(const Messages& messages, const report::Partial& partial) {

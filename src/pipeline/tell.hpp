@@ -7,11 +7,15 @@
 
 #include "base/error.hpp"
 #include "pipeline/draw_view.hpp"
+#include "pipeline/layout.hpp"
 #include "pipeline/messages.hpp"
 #include "report/report.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura::pipeline {
+
+/// Of a sheet on which not all has the usual room.
+void warn_about(const Messages& messages, const SheetPlan& plan);
 
 /// Warns of a view without lines of the selected kinds, or without any in its window. Throws Error{input} for a view
 /// that should have lines, but has lost all of them in the rounding of coordinates.

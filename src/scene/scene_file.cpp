@@ -223,7 +223,7 @@ void expect_cells(const TableDescription& table) {
     if (table.rows[i].size() != columns)
       refuse_input(table.where,
                    "row " + std::to_string(i + 1) + " of the table has " + std::to_string(table.rows[i].size()) +
-                       " cells instead of " + std::to_string(columns),
+                       (table.rows[i].size() == 1 ? " cell" : " cells") + " instead of " + std::to_string(columns),
                    "write \"\" for empty cells");
   if (table.at.given() && table.corner.given())
     refuse_input(table.corner.where, "the table has a position and a corner", "omit 'corner', or 'at'");

@@ -157,11 +157,13 @@ std::optional<double> scale_that_fits(Question question, const Paper& paper) {
 Arrangement moved_to_paper(const Question& question) {
   const Paper& paper = question.room.paper;
   auto found = find_on(question, paper);
-  if (!found) found = overflow(question, paper);
+  const bool has_room = found.has_value();
+  if (!has_room) found = overflow(question, paper);
   check_drawing_size(box_of_views(found->spots).size());
   Arrangement arrangement{paper, found->scale, found->spots, all_inside(found->spots, question, paper)};
   if (question.choice.standard && found->largest > found->scale) arrangement.fitting = found->largest;
-  if (arrangement.inside) return arrangement;
+  arrangement.crowded = arrangement.inside && !has_room && question.choice.fixed;
+  if (arrangement.inside && !arrangement.crowded) return arrangement;
   arrangement.on_paper = is_on_paper(arrangement.views, paper);
   arrangement.fitting = scale_that_fits(question, paper);
   return arrangement;

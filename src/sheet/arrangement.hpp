@@ -55,7 +55,8 @@ struct Arrangement {
   bool inside;                      ///< everything is in the drawing area, and nothing overlaps
   bool on_paper = true;             ///< no ink is beyond the paper
   std::optional<double> fitting{};  ///< largest standard scale that fits: if not all is inside, or if it is larger
-                                    ///< than `scale`, which leaves pictorial views more room
+                                    ///< than `scale`, which leaves pictorial views more room, or if it is `crowded`
+  bool crowded = false;  ///< at a given scale, all is inside, but nearer to each other or to the frame than usual
 };
 
 /// In first-angle projection, the view from above is below the front view and the view from the left to its right; in

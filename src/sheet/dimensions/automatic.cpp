@@ -347,9 +347,7 @@ class Planner {
     }
   }
 
-  [[nodiscard]] bool are_written_alike(const design::DesignArc& a, const design::DesignArc& b) const {
-    return length(a.radius) == length(b.radius);
-  }
+  [[nodiscard]] bool are_alike(double a, double b) const { return are_written_alike(a, b, notation_); }
 
   // The number of fillets of the same radius whose form no view shows, such as those around a hexagon. The first group
   // that a view shows stands for them.
@@ -358,13 +356,13 @@ class Planner {
     std::size_t count = 0;
     for (const auto& group : groups) {
       const design::DesignArc& arc = *group.front();
-      if (arc.model != shown.model || !are_written_alike(arc, shown)) continue;
+      if (arc.model != shown.model || !are_alike(arc.radius, shown.radius)) continue;
       const bool is_seen = views_.along(arc.axis) != nullptr;
       if (is_seen && &arc != &shown) return count;
       if (is_seen) break;
     }
     for (const auto& group : groups)
-      if (group.front()->model == shown.model && are_written_alike(*group.front(), shown) &&
+      if (group.front()->model == shown.model && are_alike(group.front()->radius, shown.radius) &&
           views_.along(group.front()->axis) == nullptr)
         count += group.size();
     return count;
@@ -372,7 +370,7 @@ class Planner {
 
   [[nodiscard]] bool has_radius(double radius) const {
     return std::any_of(dimensions_.begin(), dimensions_.end(), [&](const DimensionDescription& dimension) {
-      return *dimension.type == DimensionType::radius && are_same(dimension.circle->radius, radius);
+      return *dimension.type == DimensionType::radius && are_alike(dimension.circle->radius, radius);
     });
   }
 
@@ -391,8 +389,8 @@ class Planner {
 
   // Spheres that are no corners of fillets, in the first view that shows their outline.
   void add_balls() {
-    const auto equal = [](const design::DesignBall& a, const design::DesignBall& b) {
-      return a.model == b.model && are_same(a.radius, b.radius);
+    const auto equal = [&](const design::DesignBall& a, const design::DesignBall& b) {
+      return a.model == b.model && are_alike(a.radius, b.radius);
     };
     for (const auto& group : groups_of<design::DesignBall>(subject_.features.balls, equal)) {
       const design::DesignBall& ball = *group.front();

@@ -17,6 +17,7 @@ struct Neighbours {
   std::optional<Rectangle> paper{};  ///< limits for everything
   std::vector<TurnedBox> boxes{};    ///< of other views, lettering, marks ...
   std::vector<TurnedBox> texts{};    ///< those of lettering alone, through which no line goes
+  std::vector<TurnedBox> letters{};  ///< of marks at the view itself: lines that cannot avoid them are interrupted
 };
 
 /// Whether a dimension line or text shares its place with the other dimension, or a line of the other one crosses it.

@@ -553,8 +553,9 @@ class CoverageFinder {
       if (!sphere && surface.kind != features::SurfaceKind::torus) continue;
       const auto same = [&](const features::PartSurface& other) { return features::are_one(other, surface); };
       const double radius = sphere ? surface.radius : surface.minor;
-      const bool is_given =
-          std::any_of(radii_.begin(), radii_.end(), [&](double given) { return agree(given, radius); });
+      check(radius > 0, "a sphere or torus has a radius");
+      const auto is_it = [&](double r) { return agree(r, radius) || are_written_alike(r, radius, notation_); };
+      const bool is_given = std::any_of(radii_.begin(), radii_.end(), is_it);
       if (is_given || std::any_of(seen.begin(), seen.end(), same) || (sphere && is_overall_sphere(surface))) continue;
       seen.push_back(surface);
       coverage_.undimensioned.push_back(sphere ? "sphere SR" + length(surface.radius)

@@ -2,6 +2,7 @@
 #include "sheet/dimensions/dimensions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -23,9 +24,10 @@ namespace epura::sheet {
 namespace {
 
 // Faults that make a drawing hard to read outweigh all those that only make it less tidy.
-constexpr double cost_of_zone = 1000;  // two dimensions at the same position
-constexpr double cost_of_text = 300;   // a line through a text
-constexpr double cost_of_other = 20;   // a line through another view, or through something else on the sheet
+constexpr double cost_of_zone = 1000;   // two dimensions at the same position
+constexpr double cost_of_text = 300;    // a line through a text
+constexpr double cost_of_letter = 100;  // a line that is interrupted at a letter
+constexpr double cost_of_other = 20;    // a line through another view, or through something else on the sheet
 constexpr double cost_of_crossing = 3;
 constexpr std::size_t most_in_crowd = 12;  // dimensions for which less usual places are tried: it takes long
 constexpr double cost_of_ink = 0.3;        // a line of the drawing that a leader crosses
@@ -35,6 +37,7 @@ struct Surroundings {
   const drawing::ViewDrawing& drawing;
   std::optional<Rectangle> paper;
   BoxIndex others;
+  BoxIndex letters;
   InkIndex ink{drawing};
   BoxIndex zones{others}, texts{}, lines{};
 
@@ -65,7 +68,7 @@ struct Surroundings {
     });
     add_all(dimension.lines, [&](const TurnedBox& line) {
       return cost_of_text * texts.overlaps(line) + cost_of_crossing * zones.overlaps(line) +
-             cost_of_other * others.overlaps(line);
+             cost_of_letter * letters.overlaps(line) + cost_of_other * others.overlaps(line);
     });
     add_all(dimension.text_boxes, [&](const TurnedBox& text) { return ink.in(text) > 0 ? cost_of_text : 0; });
     add_all(dimension.lines, [&](const TurnedBox& line) { return cost_of_ink * ink.in(line); });
@@ -174,7 +177,7 @@ class Placer {
         style_(style),
         neighbours_(neighbours),
         order_(order_of(dimensions)),
-        surroundings_{drawing, neighbours.paper, BoxIndex(neighbours.boxes)},
+        surroundings_{drawing, neighbours.paper, BoxIndex(neighbours.boxes), BoxIndex(neighbours.letters)},
         placed_(dimensions.size()),
         stays_(dimensions.size(), false) {
     surroundings_.texts.add(neighbours.texts);
@@ -434,6 +437,43 @@ void draw_once(PlacedDimensions& placed) {
     if (dimension) std::erase_if(dimension->strokes, [](const Stroke& stroke) { return stroke.points.empty(); });
 }
 
+// The part of a line inside a rectangle, as parameters from 0 to 1; nothing if it passes by.
+std::optional<std::array<double, 2>> part_inside(const Rectangle& box, const Vec2& from, const Vec2& to) {
+  double begin = 0, end = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double step = to[axis] - from[axis];
+    if (step == 0 && (from[axis] <= box.min[axis] || from[axis] >= box.max[axis])) return std::nullopt;
+    if (step == 0) continue;
+    const double at_min = (box.min[axis] - from[axis]) / step, at_max = (box.max[axis] - from[axis]) / step;
+    begin = std::max(begin, std::min(at_min, at_max));
+    end = std::min(end, std::max(at_min, at_max));
+  }
+  return begin < end ? std::optional(std::array{begin, end}) : std::nullopt;
+}
+
+// Straight lines make room for letters: no line goes through lettering (ISO 128-2).
+void interrupt_at(const std::vector<TurnedBox>& letters, PlacedDimensions& placed) {
+  constexpr double gap = 0.5;  // mm
+  for (const TurnedBox& letter : letters)
+    for (std::optional<PlacedDimension>& dimension : placed) {
+      if (!dimension) continue;
+      std::vector<Stroke> pieces;
+      for (Stroke& stroke : dimension->strokes) {
+        const Vec2 from = stroke.points.front(), to = stroke.points.back();
+        const auto inside = stroke.points.size() == 2 ? part_inside(around(letter).grown(gap), from, to) : std::nullopt;
+        check(!inside || ((*inside)[0] >= 0 && (*inside)[1] <= 1), "what is left out of a line lies on it");
+        if (!inside) {
+          pieces.push_back(std::move(stroke));
+          continue;
+        }
+        const auto at = [&](double part) { return from + part * (to - from); };
+        if ((*inside)[0] > 0) pieces.push_back(Stroke{{from, at((*inside)[0])}});
+        if ((*inside)[1] < 1) pieces.push_back(Stroke{{at((*inside)[1]), to}});
+      }
+      dimension->strokes = std::move(pieces);
+    }
+}
+
 template <class Ink>
 InkRange append_marks(std::vector<Ink>& all, std::vector<Ink> more) {
   const std::size_t begin = all.size();
@@ -489,6 +529,7 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
   for (const MeasuredDimension& one : measured) texts.push_back(one.text.line());
   std::vector<std::string> crossings = crossings_of(placed, texts, view.drawing, neighbours);
   draw_once(placed);
+  interrupt_at(neighbours.letters, placed);
   std::size_t count = left_out.size();
   std::map<std::string, std::vector<DimensionEnd>> ends;
   for (std::size_t i = 0; i < placed.size(); ++i) {

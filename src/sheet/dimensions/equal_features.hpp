@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <system_error>
 #include <vector>
+
+#include "sheet/notation.hpp"
 
 namespace epura::sheet {
 
@@ -25,6 +28,13 @@ std::vector<std::vector<const Feature*>> groups_of(const std::vector<Feature>& f
       same->push_back(&feature);
   }
   return groups;
+}
+
+/// Whether two lengths that nearly agree are the same number on paper: those of fitted surfaces are not exact.
+inline bool are_written_alike(double a, double b, const Notation& notation) {
+  constexpr double most = 0.01;  // relative
+  return std::abs(a - b) <= most * std::max(std::abs(a), std::abs(b)) &&
+         length_text(a, notation) == length_text(b, notation);
 }
 
 /// The beginning of the note of several features; empty for one.

@@ -435,6 +435,63 @@ TEST_F(AutomaticDimensions, OfShaftsThatLieAskew) {
   EXPECT_TRUE(contains(beside.out, "not dimensioned: cylinder ⌀20\n")) << beside.out;
 }
 
+// With its middle on the x axis; vertices are numbered from `first`.
+std::string ball(double x, double radius, int first) {
+  constexpr int around = 24, across = 12;
+  std::string text;
+  for (int i = 0; i <= across; ++i)
+    for (int j = 0; j < around; ++j) {
+      const double r = radius * sine(180.0 * i / across), angle = 360.0 * j / around;
+      text += "v " + format_number(x + r * cosine(angle)) + " " + format_number(r * sine(angle)) + " " +
+              format_number(-radius * cosine(180.0 * i / across)) + "\n";
+    }
+  for (int i = 0; i < across; ++i)
+    for (int j = 0; j < around; ++j) {
+      const auto at = [&](int row, int column) {
+        return " " + std::to_string(first + row * around + (row % across == 0 ? 0 : column % around));
+      };
+      text += i == 0            ? "f" + at(0, 0) + at(1, j + 1) + at(1, j) + "\n"
+              : i + 1 == across ? "f" + at(i, j) + at(i, j + 1) + at(across, 0) + "\n"
+                                : "f" + at(i, j) + at(i, j + 1) + at(i + 1, j + 1) + at(i + 1, j) + "\n";
+    }
+  return text;
+}
+
+// 0.004 mm apart, beyond what is equal otherwise.
+TEST_F(AutomaticDimensions, OfBallsThatAreEqualOnPaperAreOne) {
+  constexpr int corners = 13 * 24;
+  const std::string balls =
+      ball(0, 15, 1) + ball(60, 15.004, 1 + corners) + ball(150, 40, 1 + 2 * corners);  // the last gives overall sizes
+  const Outcome run = lint(folder.file("part.obj", balls), "auto");
+  EXPECT_FALSE(contains(run.out, "sphere")) << run.out << run.err;
+  const std::vector<std::string> texts = dimensions_in(read_file(folder / "x.svg"));
+  EXPECT_EQ(std::count(texts.begin(), texts.end(), "2× SR15"), 1);
+  for (const std::string& text : texts) EXPECT_NE(text, "SR15");
+}
+
+// Twelve steps along each of two axes: without their positions, three of either are named.
+TEST_F(AutomaticDimensions, LintCountsFindingsThatAreAlike) {
+  const std::string part = folder.file("part.obj", block(stairs(13), 30));
+  const auto lines = [&](const Words& more) {
+    Words arguments{"lint", part, "--views", "front,top,left", "--dimensions", "overall"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = epura(arguments, folder / "");
+    EXPECT_EQ(run.code, 1) << run.err;
+    return std::pair(std::count(run.out.begin(), run.out.end(), '\n'), run.out);
+  };
+  const auto [all, named] = lines({"--all"});
+  const auto [few, counted] = lines({});
+  EXPECT_EQ(all, 24) << named;
+  EXPECT_EQ(few, 8) << counted;
+  for (const char* axis : {"x", "z"})
+    EXPECT_TRUE(contains(counted, "9 more that differ in numbers from: step: position along " + std::string(axis)))
+        << counted;
+  EXPECT_FALSE(contains(named, "more that differ"));
+  EXPECT_TRUE(named.starts_with(counted.substr(0, counted.find('\n')))) << named;
+  const auto [unlike, json] = lines({"--json", "-"});
+  EXPECT_GT(unlike, all) << json;
+}
+
 TEST_F(AutomaticDimensions, LintFindsWhatIsThereTwice) {
   folder.file("part.obj", blocks()[1].obj);
   const std::string linear = "[[dimension]]\ntype = 'linear'\ndirection = 'horizontal'\n";

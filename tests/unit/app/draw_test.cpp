@@ -174,6 +174,47 @@ TEST(Draw, ADrawingLargerThanTheSheetIsSaid) {
   EXPECT_FALSE(read_file(folder / "x.svg").empty());
 }
 
+constexpr const char* plate_of_160_by_100 =
+    "v 0 0 0\nv 160 0 0\nv 0 100 0\nv 160 100 0\nv 0 0 20\nv 160 0 20\nv 0 100 20\nv 160 100 20\n"
+    "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+
+// The views of 1:1 are 10 mm from the frame, where the centring marks end.
+TEST(Draw, ASheetThatIsFullIsSaid) {
+  const Folder folder;
+  const std::string plate = folder.file("plate.obj", plate_of_160_by_100);
+  const auto said = [&](const char* scale) {
+    const Outcome run =
+        epura({"draw", plate, "--views", "front,top", "--sheet", "A4", "--portrait", "--scale", scale, "-o", "x.svg"},
+              folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.err;
+  };
+  EXPECT_EQ(said("1:1"), "epura: the views fill the sheet at 1:1; 1:2 leaves room around them\n");
+  EXPECT_EQ(said("1:2"), "");
+}
+
+TEST(Draw, GivenPositionsWithoutRoomAreSaid) {
+  const Folder folder;
+  folder.file("plate.obj", plate_of_160_by_100);
+  const Outcome run = epura({"draw", folder.file("s.toml", R"([[model]]
+file = "plate.obj"
+[[view]]
+projection = "front"
+at = [150, 100]
+[[view]]
+projection = "top"
+at = [150, 100]
+[sheet]
+size = "A3"
+scale = "1:1"
+)"),
+                             "-o", "x.svg"},
+                            folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "views may be on one another")) << run.err;
+  EXPECT_FALSE(contains(run.err, "larger than the sheet")) << run.err;
+}
+
 TEST(Draw, WhatTheFontCannotWriteIsSaid) {
   const Folder folder;
   const Outcome run = epura({"draw", sample("bracket.obj"), "-o", "x.svg", "--frame", "full", "--title",

@@ -45,7 +45,7 @@ TEST_F(Tables, NameTheirFaults) {
   refused("[[table]]\nrows = []\n", "'rows' has no rows");
   refused("[[table]]\nrows = [[]]\n", "'rows' is empty");
   refused("[[table]]\nrows = [\"a\"]\n", "'rows' is a text, a list is wanted");
-  refused("[[table]]\nheader = [\"a\", \"b\"]\nrows = [[1, 2], [3]]\n", "row 2 of the table has 1 cells instead of 2");
+  refused("[[table]]\nheader = [\"a\", \"b\"]\nrows = [[1, 2], [3]]\n", "row 2 of the table has 1 cell instead of 2");
   refused("[[table]]\nrows = [[1]]\ncorner = \"top\"\n", "unknown value 'top'");
   refused("[[table]]\nrows = [[1]]\nat = [1, 2]\ncorner = \"top-left\"\n", "has a position and a corner");
   refused("[[table]]\nrows = [[1]]\nat = [1, 2]\n", "the table does not fit on the sheet");

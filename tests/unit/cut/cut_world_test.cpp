@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 #include <random>
+#include <set>
 #include <tuple>
 
 #include "errors.hpp"
@@ -132,6 +133,17 @@ Shape torus(double large, double small, int around, int across) {
 }
 
 double polygon_area(int n, double radius) { return n / 2.0 * std::sin(2 * pi / n) * radius * radius; }
+
+TEST(CutWorld, OfBodiesWithAFaceInCommonHasAFaceForEach) {
+  const Shape left = box({0, 0, 0}, {20, 20, 10}), right = box({20, 0, 0}, {50, 20, 10});
+  for (const Shape& both : {joined(left, right), joined(right, left), inside_out(joined(left, right))}) {
+    const cut::CutWorld result = cut(world_of({both}), {0, 10, 0}, {0, -1, 0});
+    ASSERT_EQ(result.faces.size(), 2U);
+    EXPECT_NE(result.faces[0].body, result.faces[1].body);
+    for (const cut::WorldCutFace& face : result.faces)
+      EXPECT_TRUE(std::set({200.0, 300.0}).contains(ring_area(result.world, face.rings.at(0))));
+  }
+}
 
 TEST(CutWorld, OfACubeIsHalfACube) {
   const world::World cube = world_of(box({0, 0, 0}, {2, 2, 2}));

@@ -128,6 +128,17 @@ TEST(SteppedCut, OfBodiesHasAFaceForEach) {
   EXPECT_DOUBLE_EQ(cut_area(world, stepped), 16 + 8);
 }
 
+TEST(SteppedCut, OfBodiesWithAFaceInCommonHasAFaceForEach) {
+  Shape both = box({0, 0, 0}, {4, 6, 4});
+  both.add(box({4, 0, 0}, {8, 6, 4}));
+  const world::World world = world_of({both});
+  const cut::CutWorld stepped = cut(world, {{0, 1, 0}, {2, 1, 0}, {2, 3, 0}, {8, 3, 0}});
+  EXPECT_TRUE(stepped.open.empty());
+  ASSERT_EQ(stepped.faces.size(), 2U);
+  EXPECT_NE(stepped.faces[0].body, stepped.faces[1].body);
+  EXPECT_DOUBLE_EQ(cut_area(world, stepped), 32);
+}
+
 TEST(SteppedCut, AHalfSectionOfARingHasHalfTheArea) {
   for (const int around : {32, 33}) {
     const world::World world = world_of(ring(around));

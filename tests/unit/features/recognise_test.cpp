@@ -221,6 +221,28 @@ TEST(RecogniseFaces, HolesFaceInwards) {
   }
 }
 
+// A shaft in its bearing: the facets between them are there twice, and four triangles meet at each of their edges.
+TEST(RecogniseFaces, BodiesThatTouchHaveFacesOfTheirOwn) {
+  Part both = revolved({{5, 0}, {9, 0}, {9, 8}, {5, 8}, {5, 0}}, 32);
+  const Part shaft = revolved({{0, -3}, {5, -3}, {5, 0}, {5, 8}, {5, 12}, {0, 12}}, 32);
+  for (std::vector<int> face : shaft.faces) {
+    for (int& v : face) v += static_cast<int>(both.points.size());
+    both.faces.push_back(face);
+  }
+  both.points.insert(both.points.end(), shaft.points.begin(), shaft.points.end());
+  const features::PartFaces part = recognise(both);
+  ASSERT_EQ(part.faces.size(), 7U);
+  EXPECT_EQ(count(part, features::SurfaceKind::plane), 4);
+  std::vector<std::tuple<int, bool, double>> cylinders;
+  for (const features::PartFace& face : part.faces)
+    if (face.surface.kind == features::SurfaceKind::cylinder)
+      cylinders.emplace_back(face.body, face.inwards, std::round(face.to - face.from));
+  std::sort(cylinders.begin(), cylinders.end());
+  const std::vector<std::tuple<int, bool, double>> expected{{0, false, 8}, {0, true, 8}, {1, false, 15}};
+  EXPECT_EQ(cylinders, expected);
+  EXPECT_EQ(part.borders.size(), 6U);
+}
+
 TEST(RecogniseFaces, PoseAndUnitDoNotMatter) {
   const Mat4 turn = glm::rotate(Mat4(1), 1.234, glm::normalize(Vec3(1, 2, -3)));
   for (const double scale : {1e-200, 1e-3, 1.0, 1e3, 1e200})

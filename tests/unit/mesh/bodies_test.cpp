@@ -52,6 +52,18 @@ Shape turned(Shape shape, bool single_precision) {
   return shape;
 }
 
+Shape triangulated(const Shape& shape) {
+  Shape triangles;
+  triangles.points = shape.points;
+  for (const auto& face : shape.faces) {
+    // From the lowest corner, so that faces with the same corners are divided alike.
+    auto ring = face;
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    for (std::size_t i = 2; i < ring.size(); ++i) triangles.faces.push_back({ring[0], ring[i - 1], ring[i]});
+  }
+  return triangles;
+}
+
 mesh::Mesh built(const Shape& shape, bool single_precision = false) {
   mesh::Soup soup = make_soup(shape.points, shape.faces);
   soup.single_precision = single_precision;
@@ -168,6 +180,96 @@ TEST(Bodies, OneInARingIsItsOwn) {
     const mesh::Mesh mesh = built(pair);
     EXPECT_EQ(mesh.report.dropped_duplicates, 0);
     EXPECT_EQ(mesh.report.bodies, 2);
+  }
+}
+
+// The sides of a sheet in the plane y = 1, from x = 0 to 1.
+Shape sheet_of_two_sides(double z) {
+  Shape sheet;
+  sheet.points = {{0, 1, z}, {1, 1, z}, {1, 1, z + 1}, {0, 1, z + 1}};
+  sheet.faces = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
+  return sheet;
+}
+
+// Each body has the face at which they touch, divided alike.
+TEST(Bodies, ThatHaveAFaceInCommonAreTwo) {
+  const Shape left = box({0, 0, 0}, {1, 1, 1}), right = box({1, 0, 0}, {3, 1, 1});
+  const std::multiset<std::array<double, 6>> both{{0, 0, 0, 1, 1, 1}, {1, 0, 0, 3, 1, 1}};
+  for (const Shape& pair : {welded({left, right}), welded({right, left}), inside_out(welded({left, right})),
+                            welded({left, inside_out(right)}), welded({inside_out(left), right})})
+    for (const Shape& shape :
+         {pair, shuffled(pair, 1), shuffled(pair, 2), triangulated(pair), triangulated(shuffled(pair, 3))}) {
+      const mesh::Mesh mesh = built(shape);
+      EXPECT_EQ(mesh.report.dropped_duplicates, 0);
+      EXPECT_EQ(mesh.report.non_manifold_edges, 0);
+      EXPECT_EQ(mesh.report.faces, static_cast<int>(shape.faces.size()));
+      EXPECT_EQ(boxes(mesh), both);
+    }
+}
+
+// A crack is closed only after faces have been compared.
+TEST(Bodies, WithAFaceInCommonStayTwoIfAnotherHasACrack) {
+  Shape all = welded({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {3, 1, 1}), box({5, 0, 0}, {6, 1, 1})});
+  Point beside = all.points[all.faces.back()[0]];
+  beside[0] = std::nextafter(beside[0], 9);
+  all.faces.back()[0] = static_cast<int>(all.points.size());
+  all.points.push_back(beside);
+  for (const Shape& shape : {all, triangulated(all)}) {
+    const mesh::Mesh mesh = built(shape);
+    EXPECT_EQ(mesh.report.welded_vertices, 1);
+    EXPECT_EQ(mesh.report.dropped_duplicates, 0);
+    EXPECT_EQ(mesh.report.bodies, 3);
+  }
+}
+
+// The inner ones have no face that is theirs alone.
+TEST(Bodies, ThatTouchOnAllSidesAreOnesOfTheirOwn) {
+  std::vector<Shape> cubes;
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 3; ++z) cubes.push_back(box({1. * x, 1. * y, 1. * z}, {x + 1., y + 1., z + 1.}));
+  std::multiset<std::array<double, 6>> all;
+  for (const Shape& cube : cubes) all.merge(std::multiset(boxes(built(cube))));
+  for (const unsigned seed : {0U, 1U, 2U}) {
+    const mesh::Mesh mesh = built(shuffled(welded(cubes), seed));
+    EXPECT_EQ(mesh.report.dropped_duplicates, 0);
+    EXPECT_EQ(boxes(mesh), all);
+  }
+}
+
+TEST(Bodies, DuplicatesAreNone) {
+  const Shape cube = box({0, 0, 0}, {1, 1, 1}), next = box({1, 0, 0}, {2, 1, 1});
+  const auto expect = [](const Shape& shape, int bodies, int dropped) {
+    for (const unsigned seed : {0U, 1U, 2U}) {
+      const mesh::Mesh mesh = built(shuffled(shape, seed));
+      EXPECT_EQ(mesh.report.bodies, bodies);
+      EXPECT_EQ(mesh.report.dropped_duplicates, dropped);
+    }
+  };
+  expect(sheet_of_two_sides(0), 1, 2);
+  expect(welded({cube, cube}), 1, 6);
+  expect(welded({cube, inside_out(cube)}), 1, 6);
+  expect(welded({cube, sheet_of_two_sides(1)}), 1, 2);  // a fin on an edge
+  const Shape corner = box({1, 1, 1}, {2, 2, 2});       // has one vertex in common with the cube, which is there once
+  expect(welded({cube, corner, corner}), 2, 6);
+  expect(welded({cube, corner, inside_out(corner)}), 2, 6);
+  const Shape both = welded({cube, next});
+  expect(welded({both, both}), 2, 12);
+}
+
+// The names decide, whatever the faces are.
+TEST(Bodies, NamedOnesWithAFaceInCommonHaveItBoth) {
+  for (const bool triangles : {false, true}) {
+    Shape both = welded({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})});
+    if (triangles) both = triangulated(both);
+    mesh::Soup soup = make_soup(both.points, both.faces);
+    soup.body_names = {"left", "right"};
+    soup.face_body.assign(both.faces.size() / 2, 0);
+    soup.face_body.resize(both.faces.size(), 1);
+    const mesh::Mesh mesh = mesh::build_mesh(std::move(soup), "test");
+    EXPECT_EQ(mesh.report.dropped_duplicates, 0);
+    const std::multiset<std::array<double, 6>> expected{{0, 0, 0, 1, 1, 1}, {1, 0, 0, 2, 1, 1}};
+    EXPECT_EQ(boxes(mesh), expected);
   }
 }
 

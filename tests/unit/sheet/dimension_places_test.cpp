@@ -287,6 +287,35 @@ TEST(DimensionPlaces, AwayFromNeighboursAndOnThePaper) {
   EXPECT_GT(inside.texts.front().at.y, 120);
 }
 
+// A letter on either side, where the line from the upper right corner would be: no other place avoids both.
+TEST(DimensionPlaces, LinesAreInterruptedAtLetters) {
+  const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));  // (70, 80) to (130, 120)
+  const std::vector<scene::DimensionDescription> width{dimension("overall", {}, "width")};
+  const sheet::Rectangle below{{126, 72}, {134, 76}}, above{{126, 124}, {134, 128}};
+  const auto strokes_of = [&](const std::vector<sheet::Rectangle>& letters) {
+    sheet::Neighbours neighbours;
+    for (const sheet::Rectangle& letter : letters) neighbours.letters.push_back(sheet::turned_box(letter));
+    return sheet::dimension_layer({world, front, width}, {sheet::Lettering(), 0.25}, neighbours).strokes;
+  };
+  const auto has_ink_in = [](const std::vector<sheet::Stroke>& strokes, const sheet::Rectangle& letter) {
+    return std::any_of(strokes.begin(), strokes.end(), [&](const sheet::Stroke& stroke) {
+      return sheet::overlap(sheet::line_box(stroke.points[0], stroke.points[1]), sheet::turned_box(letter.grown(0.4)));
+    });
+  };
+  const auto length_of = [](const std::vector<sheet::Stroke>& strokes) {
+    double length = 0;
+    for (const sheet::Stroke& stroke : strokes) length += glm::distance(stroke.points[0], stroke.points[1]);
+    return length;
+  };
+  const auto free = strokes_of({}), moved = strokes_of({below}), interrupted = strokes_of({below, above});
+  EXPECT_TRUE(has_ink_in(free, below));
+  EXPECT_TRUE(has_ink_in(moved, above));
+  for (const sheet::Rectangle& letter : {below, above}) EXPECT_FALSE(has_ink_in(interrupted, letter));
+  EXPECT_EQ(interrupted.size(), free.size() + 1);
+  EXPECT_NEAR(length_of(interrupted), length_of(free) - (4 + 2 * 0.5), 1e-9);
+}
+
 // Between the corners of a rhombus that are as far from its top as from its bottom.
 TEST(DimensionPlaces, HorizontalOnesAreBelowIfNothingElseMatters) {
   Shape rhombus;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -28,6 +29,16 @@ Shape tetrahedron(double x, double y, double z) {
 }
 
 void expect_at(const Vec3& a, const Vec3& b) { EXPECT_LT(glm::length(a - b), 1e-9) << a.x << ' ' << a.y << ' ' << a.z; }
+
+TEST(Mass, OfBodiesWithAFaceInCommon) {
+  Shape both = box({0, 0, 0}, {2, 2, 2});
+  both.add(box({2, 0, 0}, {5, 2, 2}));
+  const auto two = solids(both);
+  ASSERT_EQ(two.size(), 2U);
+  for (const world::Solid& one : two) EXPECT_EQ(one.fault, "");
+  EXPECT_NEAR(std::min(two[0].volume, two[1].volume), 8, 1e-12);
+  EXPECT_NEAR(std::max(two[0].volume, two[1].volume), 12, 1e-12);
+}
 
 TEST(Mass, OfATetrahedronIsASixthOfItsBox) {
   const auto one = solids(tetrahedron(3, 4, 5));
