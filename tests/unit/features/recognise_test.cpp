@@ -83,23 +83,6 @@ TEST(RecogniseFaces, ConesToTheirApex) {
   }
 }
 
-// Meshers crowd vertices around an apex, off the cone by rounding: facets that reach there face anywhere.
-TEST(RecogniseFaces, ConesWithCrowdedApexes) {
-  for (const unsigned seed : {1U, 2U, 3U}) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> around(-1, 1);
-    Part part =
-        revolved({{0, 0}, {500, 0}, {0.6, 800 - 0.96}, {0.003, 800 - 0.0048}, {0.0015, 800 - 0.0024}, {0, 800}}, 48);
-    part.triangulate().move([&](const Vec3& p) {
-      const bool at_apex = p.z > 799.9;
-      return at_apex ? p + 0.0004 * Vec3(around(random), around(random), around(random)) : p;
-    });
-    const features::PartFaces found = recognise(part.round_to_float());
-    EXPECT_EQ(found.faces.size(), 2U) << seed;
-    EXPECT_EQ(count(found, features::SurfaceKind::cone), 1) << seed;
-  }
-}
-
 TEST(RecogniseFaces, SpheresAndTori) {
   for (const int rows : {8, 12, 32}) {
     const double first = 180.0 / rows;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "features/recognise.hpp"
 #include "shapes.hpp"
@@ -38,6 +39,23 @@ TEST(SurfacesOfRevolution, ASurfaceOfRevolutionOverACurveIsNoStackOfCones) {
   EXPECT_EQ(count(part, features::SurfaceKind::cylinder), 1);
   EXPECT_EQ(count(part, features::SurfaceKind::free_form), 1);
   EXPECT_EQ(part.faces.size(), 5U);
+}
+
+// Meshers crowd vertices around an apex, off the cone by rounding: facets that reach there face anywhere.
+TEST(SurfacesOfRevolution, AConeWithACrowdedApexIsOneFace) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> around(-1, 1);
+    Part part =
+        revolved({{0, 0}, {500, 0}, {0.6, 800 - 0.96}, {0.003, 800 - 0.0048}, {0.0015, 800 - 0.0024}, {0, 800}}, 48);
+    part.triangulate().move([&](const Vec3& p) {
+      const bool at_apex = p.z > 799.9;
+      return at_apex ? p + 0.0004 * Vec3(around(random), around(random), around(random)) : p;
+    });
+    const features::PartFaces found = recognise(part.round_to_float());
+    EXPECT_EQ(found.faces.size(), 2U) << seed;
+    EXPECT_EQ(count(found, features::SurfaceKind::cone), 1) << seed;
+  }
 }
 
 }  // namespace
