@@ -298,6 +298,9 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   finished.left_out = std::move(beside.left_out);
   clear_labels(finished, furniture);
   std::move(beside.warnings.begin(), beside.warnings.end(), std::back_inserter(finished.warnings));
+  if (const std::string language = input.sheet().field("language"); !sheet::has_captions(language))
+    finished.warnings.push_back("there are no captions in the language '" + language +
+                                "': they are in English\n  hint: others are de, fr, es, pt and ja");
   return finished;
 }
 

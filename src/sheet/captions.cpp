@@ -75,11 +75,17 @@ constexpr std::array<CaptionRow, 32> rows{{
     {"m", {"Dimensions in m", "Maße in m", "Cotes en m", "Cotas en m", "Cotas em m", "寸法単位 m"}},
 }};
 
+// The end of `languages` for those that are not among them.
+const std::string_view* find_language(std::string_view code) {
+  return std::find(languages.begin(), languages.end(), to_lower(code.substr(0, code.find_first_of("-_"))));
+}
+
 }  // namespace
 
+bool has_captions(std::string_view language) { return language.empty() || find_language(language) != languages.end(); }
+
 std::string_view caption(std::string_view key, std::string_view language) {
-  const std::string code = to_lower(language.substr(0, language.find_first_of("-_")));
-  const auto* found = std::find(languages.begin(), languages.end(), code);
+  const auto* found = find_language(language);
   const std::size_t column = found == languages.end() ? 0 : static_cast<std::size_t>(found - languages.begin());
   const auto* row = std::find_if(rows.begin(), rows.end(), [key](const CaptionRow& one) { return one.key == key; });
   return row == rows.end() ? std::string_view() : row->words[column];

@@ -11,4 +11,7 @@ namespace epura::sheet {
 /// for unknown keys. ISO 7200 and its national editions.
 std::string_view caption(std::string_view key, std::string_view language);
 
+/// Whether a language is in the table. No language means English.
+bool has_captions(std::string_view language);
+
 }  // namespace epura::sheet

@@ -238,6 +238,9 @@ TEST_F(AutomaticDimensions, SayWhereFreeFormsAreDefined) {
   const Outcome german = lint(part, "auto", {"--language", "de"});
   EXPECT_EQ(german.code, 0) << german.out << german.err;
   EXPECT_TRUE(contains(read_file(folder / "x.svg"), "Freiformflächen nach 3D-Modell part.obj"));
+  const Outcome swedish = lint(part, "auto", {"--language", "sv"});
+  EXPECT_TRUE(contains(swedish.err, "there are no captions in the language 'sv': they are in English")) << swedish.err;
+  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "Free forms as in"));
   const std::string fault = "not dimensioned: model 0: faces of free form, 27.";
   const Outcome overall = lint(part, "overall");
   EXPECT_EQ(overall.code, 1);
