@@ -63,10 +63,17 @@ void find_model(scene::ModelDescription& model) {
     model.file = {};
     return;
   }
-  const fs::path file = known_file(*model.file);
+  const std::size_t name_end = std::min(model.file->find(':'), model.file->size());
+  const std::string parameters = model.file->substr(name_end);
+  const fs::path file = known_file(model.file->substr(0, name_end));
+  // Every step of a subdivision makes four times as many triangles.
+  constexpr std::uintmax_t most_to_divide = 6000;  // bytes
+  if (!parameters.empty() &&
+      (fs::file_size(file) > most_to_divide || parameters.find_first_of("3456789") != parameters.npos))
+    refuse("too much for a fuzzer");
   if (mesh::format_named(file.extension().string().substr(1)) == nullptr) refuse("no mesh");
-  model.file.value = file.string();
-  model.content = std::make_shared<const std::string>(read_file(*model.file));
+  model.file.value = file.string() + parameters;
+  model.content = std::make_shared<const std::string>(read_file(file));
 }
 
 void find_files(scene::SheetDescription& sheet) {
