@@ -105,8 +105,7 @@ CrossingSegment cut_segment(const world::World& world, const edges::FeatureEdge&
   // The triangles of the cut face come last. They need not have all vertices of its outline.
   const std::span<const int> triangles = mesh.triangles_of(cut);
   const int face = triangles.empty() ? -1 : mesh.polygon[triangles.front()];
-  return {{{{world.number_in_scene(edge.model), face}, {-1, -1}}},
-          {p + t[0] * (q - p), p + t[1] * (q - p)}};
+  return {{{{world.number_in_scene(edge.model), face}, {-1, -1}}}, {p + t[0] * (q - p), p + t[1] * (q - p)}};
 }
 
 CrossingSegment crossing_segment(const world::World& world, const edges::FaceCrossing& crossing,

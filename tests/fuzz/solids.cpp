@@ -53,7 +53,7 @@ std::vector<Vec2> stepped(Numbers& numbers, double thickness) {
 }
 
 std::string holed_plate(Numbers& numbers) {
-  const Vec2 cell(size(numbers, 24, 4), size(numbers, 24, 4));
+  const Vec2 cell{size(numbers, 24, 4), size(numbers, 24, 4)};
   const int columns = 1 + numbers.below(3), rows = 1 + numbers.below(2);
   const double thickness = size(numbers, 4, 3);
   if (numbers.below(4) > 0)
@@ -141,16 +141,23 @@ Shape known_part(Numbers& numbers) {
 }
 
 Shape surface(Numbers& numbers) {
-  switch (numbers.below(4)) {
+  const int kind = numbers.below(4), first = numbers.below(240), second = numbers.below(240);
+  switch (kind) {
     case 0:
-      return laboratory::moebius(8 + numbers.below(24)).scaled(10);
+      return laboratory::moebius(8 + first % 24).scaled(10);
     case 1:
-      return laboratory::klein_bottle(8 + numbers.below(8), 4 + numbers.below(6)).scaled(10);
+      return laboratory::klein_bottle(8 + first % 8, 4 + second % 6).scaled(10);
     case 2:
-      return laboratory::sombrero(size(numbers, 2, 0.5), 6 + numbers.below(14)).scaled(10);
+      return laboratory::sombrero(2 + 0.5 * (first % 8), 6 + second % 14).scaled(10);
     default:
-      return laboratory::uv_sphere(6 + numbers.below(30), 4 + numbers.below(16)).scaled(10);
+      return laboratory::uv_sphere(6 + first % 30, 4 + second % 16).scaled(10);
   }
+}
+
+Shape cone(Numbers& numbers) {
+  const double radius = size(numbers, 5, 2), top = size(numbers, 1, 2), height = size(numbers, 5, 5);
+  const int sides = 3 + numbers.below(48);
+  return laboratory::frustum(radius, top, height, sides);
 }
 
 // Plates behind one another: exactly, a little aside, anywhere, or five in each place.
@@ -185,17 +192,19 @@ Shape one_body(Numbers& numbers) {
       return shape_of(turned_part(numbers));
     case 3: {
       const double pitch = size(numbers, 20, 2);
-      return shape_of(test::flange(3 + numbers.below(4), {10, 2 * pitch - 10, pitch, size(numbers, 2, 0.5)}, 8));
+      const int holes = 3 + numbers.below(4);
+      return shape_of(test::flange(holes, {10, 2 * pitch - 10, pitch, size(numbers, 2, 0.5)}, 8));
     }
     case 4: {
       const double radius = size(numbers, 1, 1);
-      const Vec2 sides(size(numbers, 20, 5), size(numbers, 20, 5));
-      return shape_of(test::block(test::rounded_rectangle(sides, radius), size(numbers, 5, 5)));
+      const Vec2 sides{size(numbers, 20, 5), size(numbers, 20, 5)};
+      const double depth = size(numbers, 5, 5);
+      return shape_of(test::block(test::rounded_rectangle(sides, radius), depth));
     }
     case 5:
       return shape_of(test::waves());
     case 6:
-      return laboratory::frustum(size(numbers, 5, 2), size(numbers, 1, 2), size(numbers, 5, 5), 3 + numbers.below(48));
+      return cone(numbers);
     case 7:
       return ring(numbers);
     case 8:
@@ -228,7 +237,8 @@ mesh::Soup made_model(const std::string& bytes) {
   Shape all;
   int count = 0;
   while (!numbers.at_end() && count < most_bodies) {
-    Shape body = turned(one_body(numbers), numbers.below(3));
+    Shape body = one_body(numbers);
+    body = turned(std::move(body), numbers.below(3));
     body.bodies.assign(body.faces.size(), count++);
     const double x = 5 * numbers.whole(4), y = 5 * numbers.whole(4), z = 5 * numbers.whole(4);
     all.add(body.moved(x, y, z));

@@ -2,6 +2,8 @@
 // epura info, as users run it.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "../output/json_reader.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
