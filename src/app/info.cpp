@@ -44,6 +44,7 @@ struct ModelInfo {
   std::optional<double> unit;        ///< millimetres, as stated by the file
   std::optional<Unit> guessed_unit;  ///< most likely unit if the file does not state it
   features::PartFaces part;
+  int shared_borders = 0;    ///< edges of the part along which three or more faces meet, as where bodies touch
   bool is_declared = false;  ///< faces are declared by the file; otherwise recognised
   std::vector<features::Hole> holes;
   std::vector<importer::TreePart> tree;
@@ -113,13 +114,29 @@ void measure(ModelInfo& info, const mesh::Mesh& mesh, std::optional<double> dens
   info.mass = world::sum_of(info.solids, std::vector<double>(info.solids.size(), density.value_or(0)));
 }
 
+int count_borders(const features::PartFaces& part, features::BorderKind kind) {
+  return static_cast<int>(std::count_if(part.borders.begin(), part.borders.end(),
+                                        [&](const features::PartBorder& b) { return b.kind == kind; }));
+}
+
+// Where bodies touch, the borders of their faces have no two faces either, but end nothing.
+int count_shared(const mesh::Mesh& mesh, const features::PartFaces& part) {
+  const auto is_shared = [&](const features::PartBorder& border) {
+    return border.kind == features::BorderKind::open &&
+           std::all_of(border.edges.begin(), border.edges.end(),
+                       [&](int e) { return mesh.edges[static_cast<std::size_t>(e)].count > 2; });
+  };
+  return static_cast<int>(std::count_if(part.borders.begin(), part.borders.end(), is_shared));
+}
+
 ModelInfo info_of(const std::string& path, const InfoOptions& options) {
   const importer::ModelRequest request = importer::parse_model_request(path);
   const importer::ReadModel read =
       importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path});
   const mesh::Mesh& mesh = read.mesh;
-  ModelInfo info{mesh.report, box_of(mesh), read.unit, std::nullopt, {}, false, {}, read.tree, {}};
+  ModelInfo info{mesh.report, box_of(mesh), read.unit, std::nullopt, {}, 0, false, {}, read.tree, {}};
   info.part = read.part != nullptr ? *read.part : features::recognise_faces(mesh);
+  info.shared_borders = count_shared(mesh, info.part);
   info.is_declared = read.part != nullptr;
   info.report.name = request.path;
   info.holes = features::find_holes(mesh, info.part);
@@ -255,16 +272,16 @@ std::string faces_text(const ModelInfo& info, const Rounded& rounded) {
   return text;
 }
 
-int count_borders(const features::PartFaces& part, features::BorderKind kind) {
-  return static_cast<int>(std::count_if(part.borders.begin(), part.borders.end(),
-                                        [&](const features::PartBorder& b) { return b.kind == kind; }));
+int count_open(const ModelInfo& info) {
+  return count_borders(info.part, features::BorderKind::open) - info.shared_borders;
 }
 
-std::string edges_text(const features::PartFaces& part) {
-  std::string text = std::to_string(count_borders(part, features::BorderKind::sharp)) + " sharp, " +
-                     std::to_string(count_borders(part, features::BorderKind::tangent)) + " tangent";
-  const int open = count_borders(part, features::BorderKind::open);
-  return open > 0 ? text + ", " + std::to_string(open) + " open" : text;
+std::string edges_text(const ModelInfo& info) {
+  std::string text = std::to_string(count_borders(info.part, features::BorderKind::sharp)) + " sharp, " +
+                     std::to_string(count_borders(info.part, features::BorderKind::tangent)) + " tangent";
+  if (const int open = count_open(info); open > 0) text += ", " + std::to_string(open) + " open";
+  if (info.shared_borders > 0) text += ", " + std::to_string(info.shared_borders) + " of three or more faces";
+  return text;
 }
 
 std::string hole_text(const features::Hole& hole, const Rounded& rounded) {
@@ -347,7 +364,7 @@ std::string text_of(const ModelInfo& info) {
   }
   text += faces_text(info, rounded);
   if (!info.part.faces.empty()) {
-    text += line_of("edges", edges_text(info.part));
+    text += line_of("edges", edges_text(info));
     text += holes_text(info.holes, rounded);
   }
   const std::vector<std::string> repairs = repairs_of(report);
@@ -417,7 +434,7 @@ std::string json_of(const ModelInfo& info) {
                                          info.part.faces, [](const auto& f) { return json_of(f); }, ",\n    ");
   text += ",\n   \"part_edges\": {\"sharp\": " + std::to_string(count_borders(info.part, features::BorderKind::sharp)) +
           number("tangent", count_borders(info.part, features::BorderKind::tangent)) +
-          number("open", count_borders(info.part, features::BorderKind::open)) + "}";
+          number("open", count_open(info)) + number("shared", info.shared_borders) + "}";
   text += ",\n   \"holes\": " + json_list(
                                     info.holes, [](const auto& h) { return json_of(h); }, ",\n    ");
   return text + ",\n   \"repairs\": " + json_list(repairs_of(report), json_string) + "}";

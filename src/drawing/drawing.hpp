@@ -35,8 +35,8 @@ constexpr bool is_link(const Segment& segment) { return segment.t[0] == segment.
 
 /// Where a line comes from that is not an edge of a file, in addition to its segment.
 struct CrossingSegment {
-  /// (model in the scene, face) of both faces that cross; for a cut, those of the face that is cut, and {-1, -1} for
-  /// the cutting plane.
+  /// (model in the scene, face) of both faces that cross; for a cut, those of the face that is cut (-1 if it is left
+  /// out), and {-1, -1} for the cutting plane.
   std::array<std::array<int, 2>, 2> faces;
   std::array<Vec3, 2> world;  ///< ends in world coordinates
 };

@@ -226,7 +226,8 @@ class Mover {
         move_point(chain, i, *moved);
         continue;
       }
-      for (const CurvePart& curve : chain.curves) {
+      for (std::size_t c = 0; c < chain.curves.size(); ++c) {
+        const CurvePart curve = chain.curves[c];  // moving a point replaces all of them
         const bool begins = curve.first == i;
         if (!begins && curve.last % count != i) continue;
         const int other = begins ? i - 1 : i + 1;

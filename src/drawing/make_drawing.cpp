@@ -116,9 +116,10 @@ CrossingSegment cut_segment(const world::World& world, const edges::FeatureEdge&
   const int first = world.first_vertex[edge.model];
   const Vec3& p = world.points[first + cut.vertex[0]];
   const Vec3& q = world.points[first + cut.vertex[1]];
-  // The triangles of the cut face come last.
-  return {{{{world.number_in_scene(edge.model), mesh.polygon[mesh.triangles_of(cut).front()]}, {-1, -1}}},
-          {p + t[0] * (q - p), p + t[1] * (q - p)}};
+  // The triangles of the cut face come last. They need not have all vertices of its outline.
+  const std::span<const int> triangles = mesh.triangles_of(cut);
+  const int face = triangles.empty() ? -1 : mesh.polygon[triangles.front()];
+  return {{{{world.number_in_scene(edge.model), face}, {-1, -1}}}, {p + t[0] * (q - p), p + t[1] * (q - p)}};
 }
 
 CrossingSegment crossing_segment(const world::World& world, const edges::FaceCrossing& crossing,

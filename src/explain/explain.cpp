@@ -66,7 +66,10 @@ struct Storyteller {
       return segment.crossing >= 0 && std::equal(faces.begin(), faces.end(), faces_of(segment).begin());
     const mesh::Mesh& mesh = *drawn_view.world.models[edge.model].mesh;
     const mesh::EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
-    if (!origin.in_file) return segment.kind == EdgeKind::section && faces_of(segment)[0] == faces[0];
+    // Outlines of cuts may also run along edges of the file, and without their faces.
+    if (!origin.in_file)
+      return segment.kind == EdgeKind::section && segment.crossing >= 0 && !faces.empty() &&
+             faces_of(segment)[0] == faces[0];
     return segment.edge == origin.vertex;
   }
 

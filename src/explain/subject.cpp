@@ -29,7 +29,9 @@ std::vector<FaceName> faces_at(const ExplainInput& drawn_view, const Subject& su
   return faces;
 }
 
-std::string name_of(const FaceName& face) { return std::to_string(face[0]) + ":" + std::to_string(face[1]); }
+std::string name_of(const FaceName& face) {
+  return std::to_string(face[0]) + ":" + (face[1] < 0 ? "cut" : std::to_string(face[1]));
+}
 
 std::string name_of(const ExplainInput& drawn_view, const Subject& subject) {
   if (subject.mesh_edge < 0) {
@@ -38,13 +40,17 @@ std::string name_of(const ExplainInput& drawn_view, const Subject& subject) {
   }
   const mesh::Mesh& mesh = *drawn_view.world.models[subject.model].mesh;
   const mesh::EdgeOrigin origin = mesh.origin_of(mesh.edges[subject.mesh_edge]);
-  if (!origin.in_file) return name_of(faces_at(drawn_view, subject).front());
+  if (!origin.in_file) {
+    const std::vector<FaceName> faces = faces_at(drawn_view, subject);
+    return name_of(faces.empty() ? FaceName{drawn_view.world.number_in_scene(subject.model), -1} : faces.front());
+  }
   const auto [a, b] = origin.vertex;
   return std::to_string(drawn_view.world.number_in_scene(subject.model)) + ":" + std::to_string(a) + "-" +
          std::to_string(b);
 }
 
 std::string names_of(const std::vector<FaceName>& faces) {
+  if (faces.empty()) return "faces that are left out";
   std::string text = faces.size() == 1 ? "face " : "faces ";
   for (std::size_t i = 0; i < faces.size(); ++i)
     text += (i == 0 ? "" : i + 1 == faces.size() ? " and " : ", ") + name_of(faces[i]);

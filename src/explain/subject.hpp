@@ -34,7 +34,7 @@ struct Subject {
   int drawn;      ///< index in FeatureEdges::edges; -1 if no part of it is drawn
 };
 
-/// A face of a file: the number of its model and its own number.
+/// A face of a file: the number of its model and its own number; -1 for one that a section leaves out.
 using FaceName = std::array<int, 2>;
 
 /// Returns the face to which a triangle of the world belongs.

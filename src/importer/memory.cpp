@@ -6,6 +6,7 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstddef>
 #include <cstdlib>
@@ -25,19 +26,20 @@
 namespace {
 
 // Those of the C library, or of one that is loaded before it. A function-local static with a guard would be too much
-// here: the first caller is the loader.
+// here: the first caller is the loader. Threads that look for one at the same time find the same.
 template <class Function>
-Function* next(Function*& known, const char* name) {
-  if (known == nullptr) known = reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
-  return known;
+Function* next(std::atomic<void*>& known, const char* name) {
+  void* function = known.load(std::memory_order_relaxed);
+  if (function == nullptr) {
+    function = ::dlsym(RTLD_NEXT, name);
+    known.store(function, std::memory_order_relaxed);
+  }
+  return reinterpret_cast<Function*>(function);
 }
 
-decltype(::malloc)* next_malloc = nullptr;
-decltype(::calloc)* next_calloc = nullptr;
-decltype(::realloc)* next_realloc = nullptr;
-decltype(::aligned_alloc)* next_aligned_alloc = nullptr;
-decltype(::memalign)* next_memalign = nullptr;
-decltype(::posix_memalign)* next_posix_memalign = nullptr;
+using OfSize = void*(std::size_t);
+using OfTwo = void*(std::size_t, std::size_t);
+std::atomic<void*> next_malloc, next_calloc, next_realloc, next_aligned_alloc, next_memalign, next_posix_memalign;
 
 [[noreturn]] void end() {
   constexpr std::string_view sentence = "epura: not enough memory for this model\n";
@@ -54,19 +56,22 @@ void* or_end(void* memory, std::size_t size) {
 
 extern "C" {
 
-void* malloc(std::size_t size) noexcept { return or_end(next(next_malloc, "malloc")(size), size); }
+void* malloc(std::size_t size) noexcept { return or_end(next<OfSize>(next_malloc, "malloc")(size), size); }
 void* calloc(std::size_t count, std::size_t size) noexcept {
-  return or_end(next(next_calloc, "calloc")(count, size), count > 0 ? size : 0);
+  return or_end(next<OfTwo>(next_calloc, "calloc")(count, size), count > 0 ? size : 0);
 }
-void* realloc(void* old, std::size_t size) noexcept { return or_end(next(next_realloc, "realloc")(old, size), size); }
+void* realloc(void* old, std::size_t size) noexcept {
+  return or_end(next<void*(void*, std::size_t)>(next_realloc, "realloc")(old, size), size);
+}
 void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  return or_end(next(next_aligned_alloc, "aligned_alloc")(alignment, size), size);
+  return or_end(next<OfTwo>(next_aligned_alloc, "aligned_alloc")(alignment, size), size);
 }
 void* memalign(std::size_t alignment, std::size_t size) noexcept {
-  return or_end(next(next_memalign, "memalign")(alignment, size), size);
+  return or_end(next<OfTwo>(next_memalign, "memalign")(alignment, size), size);
 }
 int posix_memalign(void** place, std::size_t alignment, std::size_t size) noexcept {
-  const int failure = next(next_posix_memalign, "posix_memalign")(place, alignment, size);
+  const int failure =
+      next<int(void**, std::size_t, std::size_t)>(next_posix_memalign, "posix_memalign")(place, alignment, size);
   if (failure == ENOMEM) end();
   return failure;
 }

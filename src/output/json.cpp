@@ -77,7 +77,8 @@ void append_segment(std::string& text, const drawing::ViewDrawing& drawing, cons
     // An edge and t give the position in the world; an intersection line or a cut has its own coordinates.
     append_numbers(text += ", \"edge\": null, \"t\": ", segment.t);
     const drawing::CrossingSegment& crossing = drawing.crossings[segment.crossing];
-    append_numbers(text += ", \"faces\": [", crossing.faces[0]);
+    text += ", \"faces\": [";
+    if (crossing.faces[0][1] >= 0) append_numbers(text, crossing.faces[0]);
     if (crossing.faces[1][0] >= 0) append_numbers(text += ", ", crossing.faces[1]);
     append_numbers(text += "], \"world\": [", coordinates(crossing.world[0]));
     append_numbers(text += ", ", coordinates(crossing.world[1]));

@@ -88,6 +88,7 @@ struct Run {
 
   double fineness = 1;  ///< of imported surfaces, as a multiple of what --max-error usually needs
   std::optional<world::FacetHeights> heights{};
+  bool declares_surfaces = false;  ///< all files have those of their parts
 
   void note(const ViewResult& result);
   void note(const FinishedSheet& sheet);
@@ -120,6 +121,9 @@ struct TooCoarse {
 
 void Run::find_heights(const world::World& world) {
   if (!options.judges && !options.max_error && !options.error_note) return;
+  declares_surfaces = std::all_of(world.models.begin(), world.models.end(), [](const world::Placed& placed) {
+    return placed.part != nullptr && placed.part->declared;
+  });
   constexpr double part = 0.1;  // of the time left
   progress.begin("judging facets");
   try {
@@ -153,7 +157,7 @@ void Run::judge(const ViewResult& result) {
   const double ratio = by_facets / part;
   const double factor = error[ErrorTerm::contours] > by_facets / 2 ? ratio * ratio : ratio;
   if (error.total() > *options.max_error && ratio > 1 && may_be_finer(factor)) throw TooCoarse{factor};
-  expect_within(*options.max_error, error);
+  expect_within(*options.max_error, error, declares_surfaces);
   messages.print(sentence_of(error));
 }
 

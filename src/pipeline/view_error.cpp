@@ -250,13 +250,16 @@ double error_of_writing(std::span<const Target> targets, const output::VectorOpt
   return largest;
 }
 
-void expect_within(double max_error, const report::ViewError& error) {
+void expect_within(double max_error, const report::ViewError& error, bool declares_surfaces) {
   if (error.total() <= max_error) return;
   const ErrorTerm most = error.dominant();
+  const bool by_facets = most == ErrorTerm::surface || most == ErrorTerm::intersections || most == ErrorTerm::contours;
   throw Error(ErrorKind::input, "--max-error",
               "is " + format_number(max_error) + " mm, but lines of view '" + error.view + "' may be off by " +
                   millimetres(error.total()) + "; " + millimetres(error[most]) + " of it by " + row_of(most).cause,
-              row_of(most).remedy);
+              by_facets && declares_surfaces
+                  ? "raise --max-error, or draw at a smaller scale: facets are not made finer"
+                  : row_of(most).remedy);
 }
 
 std::string sentence_of_choices(double max_error, bool has_arcs, const output::VectorOptions& options) {

@@ -48,8 +48,9 @@ void choose_writing(output::VectorOptions& options, std::span<const Target> targ
 /// Returns the largest error of the formats of the targets, mm.
 double error_of_writing(std::span<const Target> targets, const output::VectorOptions& options, bool has_arcs);
 
-/// Refuses a view whose error exceeds --max-error. Throws Error{input}.
-void expect_within(double max_error, const report::ViewError& error);
+/// Refuses a view whose error exceeds --max-error. `declares_surfaces`: all files have the surfaces of their parts, of
+/// which finer facets have been asked for already. Throws Error{input}.
+void expect_within(double max_error, const report::ViewError& error, bool declares_surfaces);
 
 /// What is chosen for --max-error, for people.
 std::string sentence_of_choices(double max_error, bool has_arcs, const output::VectorOptions& options);

@@ -167,7 +167,8 @@ Need FoldRule::fold(const std::array<int, 2>& edge, int first, int second) const
   const double fold = fold_angle(edge, first, second);
   const double margin = angle_margin + doubt(first) + doubt(second) + bend(first) + bend(second);
   if (fold >= options_.crease_angle + margin) return Need::asked;
-  return fold <= options_.crease_angle - margin ? Need::none : Need::possible;
+  // A smaller one may continue a crease.
+  return fold <= std::min(options_.crease_angle, options_.weak_angle) - margin ? Need::none : Need::possible;
 }
 
 Need FoldRule::crossing(int first, int second, double contact) const {

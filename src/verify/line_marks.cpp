@@ -190,7 +190,8 @@ void LineMarks::add_marks(const Change& change, std::vector<LineMark>& marks) co
   const int end = crossing_at(front, change.u);
   if (step > clear_step * limits_.contact + rounding) {
     if (end >= 0 && !continues(end, back) && !is_fold_of_face(end, back, step) &&
-        !scene_.is_left_out(slice_.crossings[end].edge) && rule_.outline(slice_.crossings[end].edge) == Need::asked)
+        !scene_.is_left_out(slice_.crossings[end].edge) && !scene_.is_at_limit(slice_.crossings[end].edge) &&
+        rule_.outline(slice_.crossings[end].edge) == Need::asked)
       mark(end, true);
   } else if (end == goes_on && crossing_at(back, change.u) == goes_on) {
     const double contact = clear_step * limits_.contact / scene_.page;

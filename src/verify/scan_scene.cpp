@@ -115,6 +115,13 @@ bool ScanScene::is_hidden_by_facets(const std::array<int, 2>& edge) const {
   return std::ranges::binary_search(hidden_by_facets_, edge);
 }
 
+bool ScanScene::is_at_limit(const std::array<int, 2>& edge) const {
+  const double slack = 1e-9 * glm::length(world.box.size());
+  return std::ranges::any_of(std::array{min, max}, [&](double limit) {
+    return std::ranges::all_of(edge, [&](int v) { return std::abs(local[v].z - limit) <= slack; });
+  });
+}
+
 std::optional<std::array<Vec2, 2>> ScanScene::line_of(const std::array<int, 2>& edge) const {
   std::array<Vec3, 2> ends{local[edge[0]], local[edge[1]]};
   const std::array<bool, 2> seen{is_before_viewer(edge[0]), is_before_viewer(edge[1])};

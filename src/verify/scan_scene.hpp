@@ -50,6 +50,8 @@ class ScanScene {
   [[nodiscard]] bool is_left_out(const std::array<int, 2>& edge) const;
   /// Whether facets hide a part of a contour, though their surface does not: it may be drawn or not.
   [[nodiscard]] bool is_hidden_by_facets(const std::array<int, 2>& edge) const;
+  /// Whether an edge lies in a limit of depth, where surfaces end without a line.
+  [[nodiscard]] bool is_at_limit(const std::array<int, 2>& edge) const;
   /// The part in front of the viewer of an edge between two vertices, on the page; nothing if there is none.
   [[nodiscard]] std::optional<std::array<Vec2, 2>> line_of(const std::array<int, 2>& edge) const;
 

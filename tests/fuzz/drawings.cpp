@@ -4,12 +4,14 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "cut/cut_world.hpp"
 #include "numbers.hpp"
 #include "report/format.hpp"
 #include "targets.hpp"
@@ -29,18 +31,25 @@ struct Scene {
   projection::Projection view;
   bool is_recognised;
   edges::EdgeOptions options{};
+  view::ViewLimits limits{};
+  std::optional<std::array<Vec3, 2>> cut{};  ///< point and normal of a plane
 };
 
 [[noreturn]] void refuse(const char* reason) { throw Error(ErrorKind::input, "scene", reason); }
 
+// Parallel, oblique or central.
 projection::Projection view_of(Numbers& numbers) {
-  const bool is_central = numbers.below(2) == 1;
+  const int kind = numbers.below(256);
   const Vec3 away = numbers.vector(3);
   if (away == Vec3(0)) refuse("no direction");
   const Vec3 up = away.x == 0 && away.y == 0 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
-  if (!is_central) return test::orthographic(away, up);
-  const Vec3 eye = Vec3(1.5) + 2.0 * away;
-  return test::perspective(eye, Vec3(1.5), away, up);
+  if (kind % 2 == 1) return test::perspective(Vec3(1.5) + 2.0 * away, Vec3(1.5), away, up);
+  projection::Projection view = test::orthographic(away, up);
+  if (kind % 8 == 6) {
+    const double right = numbers.whole(4) / 4, above = numbers.whole(4) / 4;
+    view.projector = view.n + right * view.u + above * view.v;
+  }
+  return view;
 }
 
 // Corners on a lattice of 4 x 4 x 4 points, so that most triangles touch, cross or cover each other; some scenes are
@@ -73,6 +82,43 @@ void add_boxes(Shape& shape, Numbers& numbers) {
   }
 }
 
+// Round and pointed bodies, and one-sided surfaces: contours, fans around one point, graphs of functions.
+void add_round(Shape& shape, Numbers& numbers) {
+  constexpr int most_bodies = 3;
+  for (int i = 0; i < most_bodies && !numbers.at_end(); ++i) {
+    const int kind = numbers.below(6), sides = 3 + numbers.below(6);
+    const double radius = 1 + numbers.below(4) / 2.0, height = 1 + numbers.below(3);
+    const Vec3 at = numbers.vector(2);
+    const auto body = [&] {
+      switch (kind) {
+        case 0:
+          return test::frustum(radius, radius / 2, height, sides);
+        case 1:
+          return test::frustum(radius, radius, height, sides);
+        case 2:
+          return test::fan(sides).scaled(radius);
+        case 3:
+          return test::moebius(sides + 2);
+        case 4:
+          return test::uv_sphere(sides, 3).scaled(radius);
+        default:
+          return test::sombrero(radius, 3).scaled(2);
+      }
+    };
+    shape.add(body().moved(at.x, at.y, at.z));
+  }
+}
+
+// Lines of the file between points of the lattice.
+void add_wires(Shape& shape, Numbers& numbers) {
+  const int count = numbers.below(4), first = static_cast<int>(shape.points.size());
+  for (int i = 0; i < 2 * count; ++i) {
+    const int at = numbers.below(64);
+    shape.points.push_back({double(at % 4), double(at / 4 % 4), double(at / 16)});
+    if (i % 2 == 1) shape.wires.push_back({first + i - 1, first + i});
+  }
+}
+
 // What is drawn, and from which angle on folds are creases.
 edges::EdgeOptions options_of(int choice) {
   edges::EdgeOptions options;
@@ -86,13 +132,31 @@ edges::EdgeOptions options_of(int choice) {
   return options;
 }
 
+// What is less usual than a mesh that is drawn as a whole.
+void add_extra(Scene& scene, int extra, Numbers& numbers) {
+  const auto depth = [&] { return numbers.below(32) / 4.0; };
+  if (extra == 1 || extra == 9) {
+    const Vec3 normal = numbers.vector(2), point = numbers.vector(6) / 2.0;
+    scene.cut = std::array{point, normal};
+  }
+  if (extra == 2 || extra == 9) scene.limits.near = depth();
+  if (extra == 3 || extra == 9) scene.limits.far = depth();
+  if (extra == 4) scene.limits.contact = std::ldexp(1, -numbers.below(24));
+  if (extra == 5) add_wires(scene.shape, numbers);
+  if (extra == 7) scene.options.weak_angle = 5 * numbers.below(36);
+}
+
 Scene scene_of(const std::string& bytes) {
   Numbers numbers(bytes);
   Scene scene{{}, view_of(numbers), false};
   const int choice = numbers.below(256);
   scene.is_recognised = choice % 2 == 1;
   scene.options = options_of(choice);
-  if (numbers.below(2) == 0)
+  const int kind = numbers.below(256), extra = kind / 2 % 16;
+  add_extra(scene, extra, numbers);
+  if (extra >= 13)
+    add_round(scene.shape, numbers);
+  else if (kind % 2 == 0)
     add_triangles(scene.shape, numbers);
   else
     add_boxes(scene.shape, numbers);
@@ -102,8 +166,12 @@ Scene scene_of(const std::string& bytes) {
 
 Result draw(const Shape& shape, const Scene& scene) {
   world::World world = test::world_of(shape);
-  return test::draw(scene.is_recognised ? test::recognised(std::move(world)) : std::move(world), scene.view,
-                    scene.options);
+  if (scene.is_recognised) world = test::recognised(std::move(world));
+  if (scene.cut) {
+    const auto& [point, normal] = *scene.cut;
+    world = cut::cut_world(world, scene::make_cutting_plane({{"A", "section"}, point, normal})).world;
+  }
+  return test::draw(std::move(world), scene.view, scene.options, scene.limits);
 }
 
 std::array<double, 2> ink_of(const Result& result) { return {result.visible(), result.hidden_length()}; }
@@ -125,7 +193,7 @@ bool are_same(const Result& one, const Result& other) {
 void judge_hidden_lines(const std::string& bytes) {
   const Scene scene = scene_of(bytes);
   const Result result = draw(scene.shape, scene);
-  const test::WrongSpan wrong = test::longest_wrong(result);
+  const test::WrongSpan wrong = test::longest_wrong(result, scene.limits);
   check(wrong.longest < test::most_wrong, wrong.words.c_str());
 }
 
@@ -149,6 +217,9 @@ void scale(const std::string& bytes) {
   constexpr double factor = 0x1p+40;
   scene.view.point *= factor;
   if (scene.view.central) scene.view.projector *= factor;
+  for (std::optional<double>* length : {&scene.limits.near, &scene.limits.far, &scene.limits.contact})
+    if (*length) **length *= factor;
+  if (scene.cut) scene.cut->front() *= factor;
   const Result scaled = draw(scene.shape.scaled(factor), scene);
   check(are_same(result, scaled), "a power of two in size changes the drawing");
 }
@@ -168,15 +239,17 @@ void verify_drawing(const std::string& bytes) {
   const Scene scene = scene_of(bytes);
   const Result r = draw(scene.shape, scene);
   if (r.drawing.segments.empty()) refuse("no lines");
-  const view::ViewLimits limits;
   constexpr int samples = 50;
-  const report::Verification found = verify::verify({r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing},
-                                                    {r.view.extent, r.view.contact.touching}, samples, true);
+  const report::Verification found =
+      verify::verify({r.world, r.view.projection, scene.limits, r.drawn, r.hidden, r.drawing},
+                     {r.view.extent, r.view.contact.touching}, samples, true);
   check(found.is_right(), report::format_verification(found).c_str());
 }
 
+// Without a section: what is inside one body is outside of two that are the same.
 void copy(const std::string& bytes) {
-  const Scene scene = scene_of(bytes);
+  Scene scene = scene_of(bytes);
+  scene.cut.reset();
   Shape twice = scene.shape;
   twice.add(scene.shape);
   expect_same_ink(draw(scene.shape, scene), draw(twice, scene), "a second copy changes the drawing");

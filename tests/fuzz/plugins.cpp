@@ -17,12 +17,14 @@
 #include "base/error.hpp"
 #include "importer/loader.hpp"
 #include "numbers.hpp"
+#include "own_projections.hpp"
 #include "projection/answer.hpp"
 #include "projection/catalogue.hpp"
 #include "projection/loader.hpp"
 #include "scene/choices.hpp"
 #include "shapes.hpp"
 #include "targets.hpp"
+#include "view/viewing_model.hpp"
 
 namespace epura::fuzz {
 
@@ -112,6 +114,10 @@ void expect_drawable(const projection::Projection& projection) {
   for (const drawing::Segment& segment : drawn.drawing.segments)
     check(std::isfinite(segment.from.x + segment.from.y + segment.to.x + segment.to.y),
           "a projection that is accepted draws a line to a point that is not finite");
+  // The matrices that are shown for it.
+  const view::ViewingModel model = view::viewing_model(drawn.view, drawn.world.box, 1);
+  check(model.viewport.min.x <= model.viewport.max.x && model.viewport.min.y <= model.viewport.max.y,
+        "a projection that is accepted has a viewport inside out");
 }
 
 // An answer as a plugin might give it, some of it preset.
@@ -188,20 +194,10 @@ void use_importers(const std::string& bytes) {
   }
 }
 
-std::vector<projection::ProjectionEntry> own_projections() {
-  std::vector<projection::ProjectionEntry> all;
-  std::vector<std::filesystem::path> libraries;
-  for (const auto& file : std::filesystem::directory_iterator(EPURA_FUZZ_PROJECTIONS)) libraries.push_back(file.path());
-  std::sort(libraries.begin(), libraries.end());
-  for (const std::filesystem::path& library : libraries)
-    for (projection::ProjectionEntry& entry : projection::read_plugin(library)) all.push_back(std::move(entry));
-  return all;
-}
-
 // The projections of the installation, with parameters as somebody writes them. The first byte selects one, if the
 // words do not name it.
 void use_words(const std::string& bytes) {
-  static const std::vector<projection::ProjectionEntry> all = own_projections();
+  const std::vector<projection::ProjectionEntry>& all = own_projections();
   Numbers numbers(bytes);
   const projection::ProjectionEntry& chosen =
       all[static_cast<std::size_t>(numbers.below(static_cast<int>(all.size())))];
@@ -213,6 +209,20 @@ void use_words(const std::string& bytes) {
 }
 
 }  // namespace
+
+const std::vector<projection::ProjectionEntry>& own_projections() {
+  static const std::vector<projection::ProjectionEntry> all = [] {
+    std::vector<std::filesystem::path> libraries;
+    for (const auto& file : std::filesystem::directory_iterator(EPURA_FUZZ_PROJECTIONS))
+      libraries.push_back(file.path());
+    std::sort(libraries.begin(), libraries.end());
+    std::vector<projection::ProjectionEntry> found;
+    for (const std::filesystem::path& library : libraries)
+      for (projection::ProjectionEntry& entry : projection::read_plugin(library)) found.push_back(std::move(entry));
+    return found;
+  }();
+  return all;
+}
 
 std::span<const Target> plugins() {
   static constexpr std::array<Target, 3> all{

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <unistd.h>
-
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
+#include <memory>
 #include <string>
-#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "app/batch/job_table.hpp"
@@ -19,10 +16,12 @@
 #include "base/text.hpp"
 #include "compare/comparison.hpp"
 #include "compare/read_pictures.hpp"
+#include "features/declared_part.hpp"
 #include "importer/assemble.hpp"
 #include "importer/loader.hpp"
 #include "importer/read_model.hpp"
 #include "mesh/read.hpp"
+#include "own_file.hpp"
 #include "pipeline/shortcuts.hpp"
 #include "scene/choices.hpp"
 #include "scene/cutting_plane.hpp"
@@ -30,32 +29,13 @@
 #include "scene/role_styles.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/transform.hpp"
+#include "shapes.hpp"
 #include "sheet/form.hpp"
 #include "targets.hpp"
 
 namespace epura::fuzz {
 
 namespace {
-
-/// A file of this process, for functions that want a path.
-class OwnFile {
- public:
-  explicit OwnFile(const std::string& bytes, const std::string& extension = "")
-      : path_(std::filesystem::temp_directory_path() / ("epura-fuzz-" + std::to_string(::getpid()) + extension)) {
-    std::ofstream(path_, std::ios::binary) << bytes;
-  }
-  OwnFile(const OwnFile&) = delete;
-  OwnFile& operator=(const OwnFile&) = delete;
-  ~OwnFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-
-  [[nodiscard]] std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 void expect_sound(const mesh::Mesh& mesh) {
   const auto points = static_cast<int>(mesh.points.size());
@@ -75,9 +55,35 @@ void read_stl(const std::string& bytes) { read_mesh_format(bytes, "stl"); }
 void read_ply(const std::string& bytes) { read_mesh_format(bytes, "ply"); }
 void read_off(const std::string& bytes) { read_mesh_format(bytes, "off"); }
 
+void expect_sound(const features::PartFaces& part, const mesh::Mesh& mesh) {
+  check(part.face_of_triangle.size() == mesh.polygon.size() && part.border_of_edge.size() == mesh.edges.size(),
+        "a part has not as many triangles and edges as its mesh");
+  for (const int face : part.face_of_triangle)
+    check(face >= 0 && face < static_cast<int>(part.faces.size()), "a triangle has no face");
+}
+
+// Surfaces that a file declares need not be those of its facets: they are drawn all the same.
+void draw_part(mesh::Mesh mesh, features::PartFaces part) {
+  constexpr int most_triangles = 100;
+  if (mesh.triangle_count() == 0 || mesh.triangle_count() > most_triangles) return;
+  std::vector<world::Placed> models(1);
+  models.front().mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
+  models.front().part = std::make_shared<const features::PartFaces>(std::move(part));
+  const test::Result drawn = test::draw(world::make_world(std::move(models)), test::orthographic({1, 2, 3}));
+  for (const drawing::Segment& segment : drawn.drawing.segments)
+    check(std::isfinite(segment.from.x + segment.from.y + segment.to.x + segment.to.y),
+          "a line ends at a point that is not finite");
+}
+
 void build(const importer::Document& document) {
   importer::expect_sound(document);
-  expect_sound(mesh::make_mesh(importer::assemble(document, "fuzz").soup, "model"));
+  importer::Assembled assembled = importer::assemble(document, "fuzz");
+  mesh::Mesh mesh = mesh::make_mesh(std::move(assembled.soup), "model");
+  expect_sound(mesh);
+  if (assembled.part.faces.empty()) return;
+  features::PartFaces part = features::part_of(mesh, assembled.part, features::RecogniseOptions().tangent_angle);
+  expect_sound(part, mesh);
+  draw_part(std::move(mesh), std::move(part));
 }
 
 // Importers run in this process, where their faults are seen.

@@ -7,7 +7,7 @@ namespace epura::fuzz {
 
 std::vector<Target> all_targets() {
   std::vector<Target> all;
-  for (const std::span<const Target> some : {readers(), plugins(), drawings()})
+  for (const std::span<const Target> some : {readers(), plugins(), drawings(), sheets()})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

@@ -26,6 +26,9 @@ std::span<const Target> plugins();
 /// Drawings of small meshes full of ties, against the truth and against themselves.
 std::span<const Target> drawings();
 
+/// Scene files through the whole pipeline.
+std::span<const Target> sheets();
+
 /// All of them.
 std::vector<Target> all_targets();
 

@@ -18,6 +18,7 @@ using laboratory::fan;
 using laboratory::fine_cube;
 using laboratory::four_boxes;
 using laboratory::from_above;
+using laboratory::frustum;
 using laboratory::klein_bottle;
 using laboratory::mesh_of;
 using laboratory::moebius;

@@ -24,8 +24,7 @@ struct WrongSpan {
 };
 
 /// The longest span of a drawing that is shown hidden and is visible, or the other way.
-inline WrongSpan longest_wrong(const Result& r) {
-  const view::ViewLimits limits;
+inline WrongSpan longest_wrong(const Result& r, const view::ViewLimits& limits = {}) {
   const verify::VerifyInput drawn{r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing};
   const std::vector<EdgeTruth> truth = find_truth(drawn, r.view, {.pairs = HUGE_VAL});
   if (truth.size() != r.drawn.edges.size()) return {HUGE_VAL, "the truth about some edges is unknown"};

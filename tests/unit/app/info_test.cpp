@@ -2,6 +2,8 @@
 // epura info, as users run it.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "../output/json_reader.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
@@ -66,6 +68,31 @@ TEST(InfoCommand, TellsRepairs) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "1 face without area left out\n")) << run.out;
   EXPECT_TRUE(contains(run.out, "1 duplicate face left out\n")) << run.out;
+}
+
+// Two cubes with a common edge: four faces meet there, and none ends.
+TEST(InfoCommand, EdgesWhereBodiesTouchAreNotOpen) {
+  const Folder folder;
+  std::string obj;
+  for (const int at : {0, 1})
+    for (int i = 0; i < 8; ++i)
+      obj +=
+          "v " + std::to_string(at + i % 2) + " " + std::to_string(at + i / 2 % 2) + " " + std::to_string(i / 4) + "\n";
+  for (const int first : {1, 9})
+    for (const auto& face : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+                             std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
+      obj += "f";
+      for (const int v : face) obj += " " + std::to_string(first + v);
+      obj += "\n";
+    }
+  folder.file("cubes.obj", obj);
+  const Outcome run = info({"cubes.obj", "--json", "x.json"}, folder);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "bodies    2, closed")) << run.out;
+  EXPECT_TRUE(contains(run.out, "22 sharp, 0 tangent, 1 of three or more faces\n")) << run.out;
+  const Json edges = JsonReader(read_file(folder / "x.json")).read()["models"].items[0]["part_edges"];
+  EXPECT_EQ(edges["open"].text, "0");
+  EXPECT_EQ(edges["shared"].text, "1");
 }
 
 TEST(InfoCommand, JsonHasTheSameForSeveralModels) {

@@ -85,6 +85,7 @@ TEST(MaxError, IsRefusedAtOnceWhereNoFacetsSuffice) {
                             folder / "");
   EXPECT_EQ(run.code, 2);
   EXPECT_TRUE(contains(run.err, "lines of view 'front' may be off by ")) << run.err;
+  EXPECT_TRUE(contains(run.err, "hint: raise --max-error, or draw at a smaller scale")) << run.err;
 }
 
 // The coarsest decimals that keep to their share are chosen.

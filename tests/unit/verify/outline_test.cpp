@@ -256,12 +256,13 @@ TEST(Outline, BothSidesOfANeedleAreOneLine) {
 }
 
 TEST(Outline, OnlyWhatWasWantedIsAskedFor) {
-  std::vector<edges::EdgeOptions> options(4);
+  std::vector<edges::EdgeOptions> options(5);
   options[0].crease = false;
   options[1].contour = options[1].intersection = false;
   options[2].crease_angle = 100;
   options[3].smooth = options[3].tangent = true;
-  for (const Shape& shape : {four_boxes(), uv_sphere(24, 12), moebius(40)})
+  options[4].weak_angle = 5;  // sides of the frustum continue its rims
+  for (const Shape& shape : {four_boxes(), uv_sphere(24, 12), moebius(40), frustum(2, 1, 3, 24)})
     for (const edges::EdgeOptions& edges : options) {
       const Result r = draw(world_of(shape), views()[0], edges);
       EXPECT_EQ(checked(r, {edges, samples}).wrong(), 0) << told(checked(r, {edges, samples}));
@@ -302,6 +303,18 @@ TEST(Outline, LimitsOfDepthAreRespected) {
     const Result r = draw(world_of(four_boxes()), view, {}, limits);
     EXPECT_EQ(checked(r, {{}, samples}, limits).wrong(), 0) << told(checked(r, {{}, samples}, limits));
     EXPECT_GT(checked(r).wrong(), 0);
+  }
+}
+
+// Edges inside flat faces, in the plane of the limit.
+TEST(Outline, LimitsOfDepthMayRunAlongEdges) {
+  projection::Projection oblique = orthographic({0, -1, 0});
+  oblique.projector = oblique.n + 0.3 * oblique.u + 0.2 * oblique.v;
+  for (const view::ViewLimits& limits : {view::ViewLimits{0.5, {}}, view::ViewLimits{{}, 0.5}}) {
+    const Result r = draw(world_of(fine_cube(2)), oblique, {}, limits);
+    const report::OutlineCheck found = checked(r, {{}, samples}, limits);
+    EXPECT_EQ(found.wrong(), 0) << told(found);
+    EXPECT_GT(found.asked, 500);
   }
 }
 
