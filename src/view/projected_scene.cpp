@@ -72,6 +72,22 @@ bool add_depth_planes(ProjectedScene& view, const world::World& world, const Vie
   return around;
 }
 
+// Whether the plane of a triangle passes through the centre of projection, as far as rounding tells.
+bool passes_viewer(const ProjectedScene& view, const world::World& world, const std::array<int, 3>& triangle) {
+  if (!view.projection.central) return false;
+  const Vec3 eye = view.projection.projector;
+  double largest = glm::length(eye);
+  std::array<Vec3, 3> from{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& corner = world.points[static_cast<std::size_t>(triangle[i])];
+    largest = std::max(largest, glm::length(corner));
+    from[i] = corner - eye;
+  }
+  const double a = glm::length(from[0]), b = glm::length(from[1]), c = glm::length(from[2]);
+  const double rounding = 0x1p-49 * largest * (a * b + b * c + c * a);
+  return std::abs(glm::dot(from[0], glm::cross(from[1], from[2]))) <= rounding;
+}
+
 UnsetVector<ViewTriangle> clipped_triangles(ProjectedScene& view, const world::World& world, Clipping clipping) {
   // Idle planes come first: they cut off none of the world's own corners, whereas clipping creates corners that are
   // rounded.
@@ -87,6 +103,12 @@ UnsetVector<ViewTriangle> clipped_triangles(ProjectedScene& view, const world::W
   for (std::size_t f = 0; f < world.triangles.size(); ++f) {
     pieces.clear();
     view.clipper.clip_triangle(world.triangles[f], planes, pieces);
+    if (pieces.empty()) continue;
+    // Where a triangle that is seen edge-on reaches the viewer, rounding decides where its corners are. It hides
+    // nothing.
+    const bool is_whole = pieces.size() == 1 && pieces.front() == world.triangles[f];
+    if (!is_whole && passes_viewer(view, world, world.triangles[f]))
+      for (auto& piece : pieces) piece[2] = piece[1];
     for (const auto& piece : pieces) triangles.push_back({piece, static_cast<int>(f)});
   }
   return triangles;

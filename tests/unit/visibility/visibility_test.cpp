@@ -25,6 +25,32 @@ TEST(Hidden, IsWhatLiesBehindAFace) {
   EXPECT_TRUE(hidden_of_line(world, from_above(), {-1, 1.5, 0}, {3, 1.5, 0}).empty()) << "beside it";
 }
 
+// A viewer in a face sees it edge-on, wherever rounding puts what is left of it near the viewer.
+TEST(Hidden, IsNothingBehindAFaceInWhichTheViewerIs) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 x = glm::normalize(Vec3(number(random), number(random), number(random)));
+    const Vec3 y = glm::normalize(glm::cross(x, Vec3(number(random), number(random), number(random))));
+    const Vec3 z = glm::cross(x, y), middle(30 * number(random), -20, 12);
+    Shape room = box({-10, -10, 0}, {10, 10, 20});
+    for (auto& p : room.points) {
+      const Vec3 q = middle + p[0] * x + p[1] * y + p[2] * z;
+      p = {q.x, q.y, q.z};
+    }
+    const Result drawn = draw(world_of(room), perspective(middle + x, middle + x + z, -z, y));
+    int behind = 0;
+    for (std::size_t e = 0; e < drawn.drawn.edges.size(); ++e) {
+      const auto& [a, b] = drawn.world.models[0].mesh->edges[drawn.drawn.edges[e].mesh_edge].vertex;
+      const auto depth = [&](int v) { return glm::dot(drawn.world.points[v] - middle, z); };
+      if (depth(a) < 1 || depth(b) < 1) continue;
+      ++behind;
+      drawn.hidden.visit_parts(e, [&](double, double, bool visible) { EXPECT_TRUE(visible) << i; });
+    }
+    EXPECT_EQ(behind, 4) << i;
+  }
+}
+
 TEST(Hidden, PartsAreParametersOnThePage) {
   // The eye at the origin looks along +y at a line that recedes from (-1, 1) to (3, 3): on the page from -1 to 1. A
   // plate at y = 0.5 covers x/y from 0 to 0.5, that is half to three quarters of the line on the page.
