@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
@@ -17,20 +18,17 @@ namespace epura::drawing {
 
 namespace {
 
-// Places on a piece at which other lines are looked for: half the distance apart, up to a number.
-constexpr double places_a_distance = 2;
-constexpr std::size_t most_places = 64;
+// Places on a piece at which other lines are looked for.
+constexpr std::size_t places = 16;
+// The part of a run that is alone where it closes a gap.
+constexpr double part_of_gaps = 1.0 / 3;
 
-/// The pieces in doubt, with places on each that have no other visible line near them.
+/// The pieces in doubt, with places on each that have no other visible line beside them.
 class Doubts {
  public:
   Doubts(const std::vector<Piece>& pieces, double distance)
       : pieces_(pieces), distance_(distance), parts_(parts_of(pieces, distance)) {
-    for (const InkPart& part : parts_.all()) {
-      const double length = length_of(pieces[part.piece]);
-      const double wanted = std::ceil(places_a_distance * length / distance);
-      alone_.emplace_back(1 + static_cast<std::size_t>(std::clamp(wanted, 1.0, double{most_places})), 1);
-    }
+    alone_.assign(parts_.all().size(), std::vector<char>(places, 1));
   }
 
   /// Takes note of visible lines.
@@ -45,25 +43,28 @@ class Doubts {
     }
   }
 
-  /// Returns for each piece whether it belongs to a run of which a place is alone.
+  /// Returns for each piece whether it belongs to a run of which enough is alone.
   [[nodiscard]] std::vector<char> close_gaps(const Progress& progress) const {
-    DisjointSets runs(parts_.all().size());
+    DisjointSets runs(alone_.size());
     const auto place = [&](int end) {
-      const Vec2& at = parts_.line(end / 2)[static_cast<std::size_t>(end % 2)];
+      const Vec2& at = parts_.line(line_of(end))[static_cast<std::size_t>(end % 2)];
       return std::array{std::round(at.x * 0x1p30), std::round(at.y * 0x1p30)};
     };
-    visit_same_keys(2 * static_cast<int>(parts_.all().size()), place, progress, [&](std::span<const int> ends) {
-      for (const int end : ends) runs.join(ends.front() / 2, end / 2);
+    visit_same_keys(2 * static_cast<int>(alone_.size()), place, progress, [&](std::span<const int> ends) {
+      for (const int end : ends) runs.join(line_of(ends.front()), line_of(end));
     });
     const std::vector<int> run = std::move(runs).roots();
-    std::vector<char> is_gap(run.size(), 0);
-    for (std::size_t part = 0; part < run.size(); ++part)
-      if (std::ranges::count(alone_[part], 1) > 0) is_gap[run[part]] = 1;
+    std::vector<double> alone(run.size(), 0), length(run.size(), 0);
+    for (std::size_t part = 0; part < run.size(); ++part) {
+      const double own = length_of(pieces_[parts_[static_cast<int>(part)].piece]);
+      length[run[part]] += own;
+      alone[run[part]] += own * static_cast<double>(std::ranges::count(alone_[part], 1)) / places;
+    }
     std::vector<char> closes(pieces_.size(), 0);
     for (std::size_t part = 0; part < run.size(); ++part) {
       const int piece = parts_[static_cast<int>(part)].piece;
       check(pieces_[piece].by_facets, "a gap is closed by what facets hide");
-      closes[piece] = is_gap[run[part]];
+      closes[piece] = alone[run[part]] > part_of_gaps * length[run[part]] ? 1 : 0;
     }
     return closes;
   }
@@ -82,12 +83,19 @@ class Doubts {
     return parts;
   }
 
+  // A line is beside a place if it crosses the perpendicular there.
   void note(const std::array<Vec2, 2>& line, int part) {
     const Piece& piece = pieces_[parts_[part].piece];
+    if (!(length_of(piece) > 0)) return;
+    const Vec2 along = glm::normalize(piece.to - piece.from);
     std::vector<char>& alone = alone_[static_cast<std::size_t>(part)];
-    for (std::size_t i = 0; i < alone.size(); ++i) {
-      const Vec2 place = place_on(piece, static_cast<double>(i) / static_cast<double>(alone.size() - 1));
-      if (glm::distance(nearest_on(line, place), place) <= distance_) alone[i] = 0;
+    for (std::size_t i = 0; i < places; ++i) {
+      const Vec2 place = place_on(piece, (static_cast<double>(i) + 0.5) / places);
+      const Vec2 from = line[0] - place, to = line[1] - place;
+      const double before = glm::dot(along, from), after = glm::dot(along, to);
+      if ((before > 0) == (after > 0)) continue;
+      const double at = before / (before - after);
+      if (std::abs(cross(along, from + at * (to - from))) <= distance_) alone[i] = 0;
     }
   }
 

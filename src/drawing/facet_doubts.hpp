@@ -11,8 +11,9 @@ namespace epura::drawing {
 
 /// Decides on pieces that facets alone hide (Piece::by_facets, visible until then). The facets in front have an outline
 /// of their own, which mostly is drawn where the contour of the surface is. So a run of such pieces is hidden if other
-/// visible lines lie within `distance` mm of all of it, and visible if they do not, since it closes a gap. Joins pieces
-/// that continue each other on an edge; the order of edges stays. Throws OutOfTime.
+/// visible lines run beside most of it, within `distance` mm, and else visible, since it closes a gap.
+/// A distance of 0 hides all. Joins pieces that continue each other on an edge; the order of edges stays. Throws
+/// OutOfTime.
 void settle_doubts(std::vector<Piece>& pieces, double distance, const Progress& progress);
 
 }  // namespace epura::drawing

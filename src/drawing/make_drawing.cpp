@@ -25,8 +25,6 @@ namespace {
 constexpr double coincident_cells = 4;
 // The part of the distance at which lines are one that nobody sees in a single line.
 constexpr double unseen = 0.1;
-// The part of that distance up to which the outline of facets is taken for the contour that they hide.
-constexpr double beside_outline = 0.3;
 // The part of that distance within which a line goes back and forth on itself.
 constexpr double on_one_line = 0.5;
 
@@ -294,8 +292,9 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   progress.begin("merging lines");
   const bool keep_hidden = options.hidden || !options.leave_out;
   std::vector<Piece> pieces = pieces_of(lines, paper, keep_hidden, progress);
-  settle_doubts(pieces, beside_outline * options.near.distance, progress);
   drawing.contours_moved = lines.drawn.moved * paper.scale;
+  settle_doubts(pieces, options.near.distance > 0 ? std::max(options.near.distance, drawing.contours_moved) : 0,
+                progress);
   meet_contours(lines, paper, 4 * limits.tolerance, pieces);
   if (!keep_hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
   find_looks(pieces, lines, options.near);

@@ -176,6 +176,7 @@ class ViewRun {
   void keep_intersections(const report::PlanStep& step);
   void find_edges();
   void hide();
+  void find_clear_contours();
   void hide_folds();
   visibility::HiddenSpans hidden_in_time();
   bool keep_longest(const std::string& stage);
@@ -319,7 +320,7 @@ void ViewRun::hide() {
     step.run = true;
     step.why = options_.leave_out.visibility ? "exact" : "requested by --plan";
     hidden_ = timed(step.times.stage, [&] {
-      visibility::find_clear_contours(input_.world, view_, drawn_);
+      find_clear_contours();
       return hidden_in_time();
     });
   }
@@ -329,6 +330,15 @@ void ViewRun::hide() {
   if (step.run) hide_folds();
   step.items_out = count_of(hidden_.spans.size());
   plan_.push_back(std::move(step));
+}
+
+// Without time for it, facets decide.
+void ViewRun::find_clear_contours() {
+  try {
+    visibility::find_clear_contours(input_.world, view_, drawn_, budget_.lines);
+  } catch (const OutOfTime&) {
+    drawn_.clear_contours.clear();
+  }
 }
 
 // Without time for it, contours of facets that are turned over are drawn, too.

@@ -95,7 +95,8 @@ class FacetsOfModel {
 
 }  // namespace
 
-void find_clear_contours(const world::World& world, const view::ProjectedScene& view, edges::FeatureEdges& drawn) {
+void find_clear_contours(const world::World& world, const view::ProjectedScene& view, edges::FeatureEdges& drawn,
+                         const Progress& progress) {
   drawn.clear_contours.clear();
   for (auto from = drawn.edges.begin(); from != drawn.edges.end();) {
     const int model = from->model;
@@ -105,7 +106,7 @@ void find_clear_contours(const world::World& world, const view::ProjectedScene& 
     if (contours.empty()) continue;
     const FacetsOfModel facets(world, view, model);
     std::vector<char> hidden(contours.size(), 0);
-    parallel_for(contours.size(), 64, [&](std::size_t begin, std::size_t end) {
+    parallel_for(contours.size(), 64, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) hidden[i] = facets.any_hides(*contours[i]) ? 1 : 0;
     });
     for (std::size_t i = 0; i < contours.size(); ++i)

@@ -172,25 +172,49 @@ bool is_clear(const world::Placed& placed, const edges::ClearContour& contour, i
   return glm::dot(middle - contour.from, contour.towards) < contour.clear;
 }
 
+namespace {
+
+// The numbers of edges of which facets may lie behind them as their surface does.
+std::vector<int> clear_edges(const world::World& world, const edges::FeatureEdges& drawn) {
+  std::vector<int> numbers;
+  for (std::size_t e = 0; !drawn.clear_contours.empty() && e < drawn.edges.size(); ++e)
+    if (OwnTriangles(world, drawn, drawn.edges[e]).include_clear_facets()) numbers.push_back(static_cast<int>(e));
+  return numbers;
+}
+
+// Adds what facets hide of some edges beyond what is hidden anyway. Where time runs out, facets decide nothing.
+template <class SpansOf>
+void add_hidden_by_facets(const std::vector<int>& numbers, const SpansOf& with_facets, HiddenSpans& hidden,
+                          const Progress& progress) {
+  std::vector<Spans> found(numbers.size());
+  parallel_for(numbers.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !progress.is_out_of_time(); ++i) found[i] = with_facets(numbers[i]);
+  });
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (const auto& [from, to] : found[i])
+      hidden.visit_parts(static_cast<std::size_t>(numbers[i]), [&](double start, double end, bool visible) {
+        if (visible && std::max(from, start) < std::min(to, end))
+          hidden.by_facets.push_back({numbers[i], std::max(from, start), std::min(to, end)});
+      });
+  check(std::ranges::is_sorted(hidden.by_facets, {}, &FacetsSpan::edge), "what facets hide is in the order of edges");
+}
+
+}  // namespace
+
 HiddenSpans find_hidden(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                         Progress progress) {
   progress.begin("finding occluders");
   const OccluderGrid occluders(world, view, drawn.edges, Covers::any, progress);
+  const std::vector<int> numbers = clear_edges(world, drawn);
   std::vector<edges::FeatureEdge> clear;
-  std::vector<int> numbers;
-  for (std::size_t e = 0; !drawn.clear_contours.empty() && e < drawn.edges.size(); ++e) {
-    if (!OwnTriangles(world, drawn, drawn.edges[e]).include_clear_facets()) continue;
-    clear.push_back(drawn.edges[e]);
-    numbers.push_back(static_cast<int>(e));
-  }
+  for (const int e : numbers) clear.push_back(drawn.edges[e]);
   std::optional<OccluderGrid> uncovered;
   if (!clear.empty()) uncovered.emplace(world, view, clear, Covers::none, progress);
   const Occlusion hider{world, view, drawn, occluders, uncovered};
   HiddenSpans hidden = decide(
       view, drawn, [&](const edges::FeatureEdge& edge) { return hider.hidden_spans(edge); }, progress);
-  for (std::size_t i = 0; i < clear.size(); ++i)
-    for (const auto& [from, to] : hider.hidden_by_facets(clear[i])) hidden.by_facets.push_back({numbers[i], from, to});
-  check(std::ranges::is_sorted(hidden.by_facets, {}, &FacetsSpan::edge), "what facets hide is in the order of edges");
+  add_hidden_by_facets(
+      numbers, [&](int e) { return hider.hidden_by_facets(drawn.edges[e]); }, hidden, progress);
   return hidden;
 }
 
@@ -199,7 +223,13 @@ HiddenSpans find_hidden_directly(const world::World& world, const view::Projecte
   const auto spans_of = [&](const edges::FeatureEdge& edge) {
     return hidden_by_all(view, {edge.vertex[0], edge.vertex[1]}, OwnTriangles(world, drawn, edge));
   };
-  return decide(view, drawn, spans_of, progress);
+  HiddenSpans hidden = decide(view, drawn, spans_of, progress);
+  const auto with_facets = [&](int e) {
+    const edges::FeatureEdge& edge = drawn.edges[e];
+    return hidden_by_all(view, {edge.vertex[0], edge.vertex[1]}, OwnTriangles(world, drawn, edge).meeting());
+  };
+  add_hidden_by_facets(clear_edges(world, drawn), with_facets, hidden, progress);
+  return hidden;
 }
 
 void keep_decided(edges::FeatureEdges& drawn, HiddenSpans& hidden) {
