@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+#include <random>
+
+#include "shapes.hpp"
+
 namespace epura::test {
 namespace {
 
@@ -57,6 +62,29 @@ TEST(FacetDoubts, ContinueWhatIsHiddenAnyway) {
   ASSERT_EQ(all.size(), 3U);
   EXPECT_FALSE(all[1].visible);
   EXPECT_EQ(all[1].to, Vec2(10, 0));
+}
+
+// The contour of a ball of skewed facets is drawn once: nothing is added beside what is there.
+TEST(FacetDoubts, AddNothingBesideOutlines) {
+  Shape ball = uv_sphere(48, 24);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> aside(-0.02, 0.02);
+  for (auto& p : ball.points) {
+    const Vec3 skewed = glm::normalize(Vec3(p[0] + aside(random), p[1] + aside(random), p[2] + aside(random)));
+    p = {skewed.x, skewed.y, skewed.z};
+  }
+  const Result r = draw(recognised(world_of(ball)), orthographic({1, -1, 1}));
+  EXPECT_FALSE(r.hidden.by_facets.empty());
+  drawing::DrawingOptions options{"ball", true};
+  options.near.distance = 0.1;
+  options.near.strength = [](int, int, EdgeKind, bool visible) { return visible ? 2 : 1; };
+  const view::PaperMap paper{100 * r.view.map.normalisation, Vec2(0)};
+  const double per_unit = 100 * r.view.map.normalisation * r.unit;
+  double length = 0;
+  for (const drawing::Segment& s :
+       drawing::make_drawing({r.world, r.view, r.drawn, r.hidden}, paper, options, {}).segments)
+    if (s.visible) length += glm::distance(s.from, s.to);
+  EXPECT_NEAR(length / per_unit, 2 * std::numbers::pi, 0.05);
 }
 
 }  // namespace
