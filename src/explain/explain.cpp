@@ -178,6 +178,9 @@ std::string explain(const ExplainInput& drawn_view, const TriangleBoxes& boxes, 
   const Storyteller teller{drawn_view, drawn_view.drawn.edges[subject.drawn], subject};
   const std::vector<Occlusion> hiders = find_hiders(drawn_view, boxes, subject.drawn);
   for (const Span& span : spans_of(drawn_view.hidden, subject.drawn)) text += teller.story(span, hiders);
+  for (const visibility::FacetsSpan& span : drawn_view.hidden.hidden_by_facets(static_cast<std::size_t>(subject.drawn)))
+    text += "  only facets of its own face, whose surface does not, hide t " + teller.in_space(span.from) + " to " +
+            teller.in_space(span.to) + ": it is drawn as visible where that closes a gap, else as hidden\n";
   return text;
 }
 

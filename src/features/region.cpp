@@ -353,11 +353,13 @@ double RegionGrower::mean_turn_of(const Region& region) const {
   int count = 0;
   for (const int f : region.facets) {
     if (has_no_say(facets_, f, region.surface, region.sagitta)) continue;
-    double least = 1;
+    constexpr double none = 2;
+    double least = none;
     for (const int v : facets_.supports_of(f)) {
       const Vec3 normal = normal_at_vertex(region.surface, facets_.points[v], allowance);
       if (normal != Vec3(0)) least = std::min(least, std::abs(glm::dot(normal, facets_.facets[f].normal)));
     }
+    if (least == none) continue;
     sum += angle_of_cosine(least);
     ++count;
   }

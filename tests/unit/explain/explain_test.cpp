@@ -8,6 +8,7 @@
 #include "errors.hpp"
 #include "explain/find_subjects.hpp"
 #include "mesh/read.hpp"
+#include "skewed_torus.hpp"
 #include "studied.hpp"
 
 namespace epura::test {
@@ -38,6 +39,16 @@ TEST(Explain, NamesBodies) {
   const std::string text = story(studied.view(), explain::ByVertices{0, {0, 1}});
   EXPECT_TRUE(text.starts_with("0:0-1 of 'base' in plates.obj, ")) << text;
   EXPECT_TRUE(contains(text, "by face 0:1 of 'lid' in plates.obj, 5 in front")) << text;
+}
+
+TEST(Explain, TellsWhatOnlyFacetsHide) {
+  const Studied studied = study(recognised(world_of(torus(24, 60, 0.3))), orthographic({1, -1, 1}));
+  const auto& by_facets = studied.view().hidden.by_facets;
+  ASSERT_FALSE(by_facets.empty());
+  const edges::FeatureEdge& edge = studied.view().drawn.edges[by_facets[0].edge];
+  const auto& ends = studied.view().world.models[0].mesh->edges[edge.mesh_edge].vertex;
+  const std::string text = story(studied.view(), explain::ByVertices{0, ends});
+  EXPECT_TRUE(contains(text, "only facets of its own face, whose surface does not, hide t ")) << text;
 }
 
 TEST(Explain, CountsWhatItDoesNotName) {
