@@ -13,6 +13,7 @@
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
 #include "features/free_normals.hpp"
+#include "features/pairs_by_body.hpp"
 
 namespace epura::features {
 
@@ -76,42 +77,57 @@ class BorderFinder {
     for (const auto& some : found) edges_.insert(edges_.end(), some.begin(), some.end());
   }
 
+  [[nodiscard]] int region_at(int triangle) const { return region_of_[facets_.facet_of[triangle]]; }
+
   [[nodiscard]] std::optional<BorderEdge> border_edge(int number) const {
     const mesh::MeshEdge& edge = mesh_.edges[number];
     const auto triangles = mesh_.triangles_of(edge);
     if (triangles.empty()) return std::nullopt;
-    const auto region = [&](int t) { return region_of_[facets_.facet_of[t]]; };
-    BorderEdge border{number, {}, edge.vertex, 0, 0, triangles.size() != 2};
-    if (border.open && is_inside_faces(number, triangles)) return std::nullopt;
-    border.length = glm::distance(facets_.points[edge.vertex[0]], facets_.points[edge.vertex[1]]);
-    if (border.open) {
-      // If several faces end here, the first and the last one are taken, so that the order of triangles in the file
-      // does not matter.
-      border.faces = {-1, region(triangles[0])};
-      if (triangles.size() > 2) border.faces[0] = border.faces[1];
-      for (const int t : triangles.subspan(1))
-        border.faces = {std::min(border.faces[0], region(t)), std::max(border.faces[1], region(t))};
-      border.angle = 180;
-    } else {
-      border.faces = {region(triangles[0]), region(triangles[1])};
-      const bool inside = border.faces[0] == border.faces[1];
-      if (inside && !fades(triangles)) return std::nullopt;
-      border.angle = inside ? 90 : angle_at(edge, triangles);
-    }
+    auto border =
+        triangles.size() == 2 ? border_between(number, {triangles[0], triangles[1]}) : border_of_several(number);
+    if (!border) return std::nullopt;
+    border->length = glm::distance(facets_.points[edge.vertex[0]], facets_.points[edge.vertex[1]]);
+    return border;
+  }
+
+  [[nodiscard]] std::optional<BorderEdge> border_between(int number, const TrianglePair& pair) const {
+    const mesh::MeshEdge& edge = mesh_.edges[number];
+    BorderEdge border{number, {region_at(pair[0]), region_at(pair[1])}, edge.vertex, 90, 0, false};
+    if (border.faces[0] != border.faces[1])
+      border.angle = angle_at(edge, pair);
+    else if (!fades(pair))
+      return std::nullopt;
     if (border.faces[0] > border.faces[1]) std::swap(border.faces[0], border.faces[1]);
     return border;
   }
 
-  // Whether several bodies touch in an edge, which is inside a face of each.
-  [[nodiscard]] bool is_inside_faces(int number, std::span<const int> triangles) const {
-    return triangles.size() > 2 && std::all_of(triangles.begin(), triangles.end(), [&](int t) {
-             const auto& sides = facets_.sides[t];
-             const auto side =
-                 std::find_if(sides.begin(), sides.end(), [&](const auto& s) { return s.edge == number; });
-             if (side == sides.end() || side->neighbour < 0) return false;
-             const std::array<int, 2> both{t, side->neighbour};
-             return region_of_[facets_.facet_of[t]] == region_of_[facets_.facet_of[both[1]]] && !fades(both);
-           });
+  // Where bodies touch, the sharpest border of any of them.
+  [[nodiscard]] std::optional<BorderEdge> border_of_several(int number) const {
+    const std::vector<TrianglePair> pairs = pairs_by_body(mesh_, mesh_.edges[number]);
+    if (pairs.empty()) return open_border(number);
+    std::optional<BorderEdge> sharpest;
+    for (const TrianglePair& pair : pairs) {
+      const auto border = border_between(number, pair);
+      if (!border) continue;
+      const double angle = std::max(border->angle, sharpest ? sharpest->angle : 0);
+      // Of several sharp ones, the faces of the first body, so that they are the same all along the border.
+      const auto is_sharp = [&](const BorderEdge& one) { return one.angle > tangent_angle_; };
+      if (!sharpest || (is_sharp(*border) && !is_sharp(*sharpest))) sharpest = border;
+      sharpest->angle = angle;
+    }
+    return sharpest;
+  }
+
+  // If several faces end here, the first and the last one are taken, so that the order of triangles in the file does
+  // not matter.
+  [[nodiscard]] BorderEdge open_border(int number) const {
+    const mesh::MeshEdge& edge = mesh_.edges[number];
+    const auto triangles = mesh_.triangles_of(edge);
+    BorderEdge border{number, {-1, region_at(triangles[0])}, edge.vertex, 180, 0, true};
+    if (triangles.size() > 2) border.faces[0] = border.faces[1];
+    for (const int t : triangles.subspan(1))
+      border.faces = {std::min(border.faces[0], region_at(t)), std::max(border.faces[1], region_at(t))};
+    return border;
   }
 
   // Returns the side of the first triangle at which the second one lies.

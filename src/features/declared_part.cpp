@@ -6,12 +6,14 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "features/borders.hpp"
+#include "features/pairs_by_body.hpp"
 #include "features/region.hpp"
 #include "mesh/weld.hpp"
 
@@ -53,15 +55,14 @@ class DeclaredFaces {
   // Returns for each face of the file the first of the faces with which it is merged.
   [[nodiscard]] std::vector<int> joined_faces() const {
     DisjointSets faces(declared_.faces.size());
-    for (const mesh::MeshEdge& edge : mesh_.edges) {
-      if (edge.count != 2) continue;
-      const auto triangles = mesh_.triangles_of(edge);
-      const int one = declared_face(triangles[0]), two = declared_face(triangles[1]);
-      if (one == two || faces.root(one) == faces.root(two) || !are_one(declared_.faces[one], declared_.faces[two]))
-        continue;
-      // A sheet may be folded onto its own surface.
-      if (glm::dot(triangle(triangles[0]).twice_area, triangle(triangles[1]).twice_area) > 0) faces.join(one, two);
-    }
+    for (const mesh::MeshEdge& edge : mesh_.edges)
+      for (const TrianglePair& pair : pairs_by_body(mesh_, edge)) {
+        const int one = declared_face(pair[0]), two = declared_face(pair[1]);
+        if (one == two || faces.root(one) == faces.root(two) || !are_one(declared_.faces[one], declared_.faces[two]))
+          continue;
+        // A sheet may be folded onto its own surface.
+        if (glm::dot(triangle(pair[0]).twice_area, triangle(pair[1]).twice_area) > 0) faces.join(one, two);
+      }
     return std::move(faces).roots();
   }
 
@@ -123,24 +124,67 @@ class DeclaredFaces {
     face.sweep = reach.sweep;
   }
 
-  void add_declared_borders() {
+  // Returns the edges of the mesh along each declared edge, as far as they are borders.
+  [[nodiscard]] std::vector<std::vector<int>> edges_of_declared() const {
     // Points at the same place have become one vertex.
     const std::vector<int> vertex = mesh::same_places(mesh_.points);
+    std::vector<std::vector<int>> edges(declared_.edges.size());
     int begin = 0;
-    for (const DeclaredEdge& edge : declared_.edges) {
-      std::vector<int> edges;
-      for (int i = begin; i + 1 < edge.end; ++i) {
+    for (std::size_t d = 0; d < edges.size(); ++d) {
+      const int end = declared_.edges[d].end;
+      for (int i = begin; i + 1 < end; ++i) {
         const int a = vertex[declared_.edge_vertices[i]], b = vertex[declared_.edge_vertices[i + 1]];
         const mesh::MeshEdge* found = mesh_.edge_between({std::min(a, b), std::max(a, b)});
-        if (found != nullptr && is_border(*found)) edges.push_back(static_cast<int>(found - mesh_.edges.data()));
+        if (found != nullptr && is_border(*found)) edges[d].push_back(static_cast<int>(found - mesh_.edges.data()));
       }
-      begin = edge.end;
-      if (!edges.empty()) add_border(std::move(edges), edge);
+      begin = end;
+    }
+    return edges;
+  }
+
+  void add_declared_borders() {
+    std::vector<std::vector<int>> edges = edges_of_declared();
+    // Where bodies touch, each of them may declare an edge; the sharpest one counts.
+    std::map<int, std::pair<double, std::size_t>> sharpest;  // by edge of the mesh: angle, declared edge
+    for (std::size_t d = 0; d < edges.size(); ++d) {
+      if (edges[d].empty()) continue;
+      const double angle = angle_of(edges[d], declared_.edges[d]);
+      for (const int e : edges[d])
+        if (mesh_.edges[e].count > 2)
+          if (const auto [at, is_first] = sharpest.try_emplace(e, angle, d); !is_first && at->second.first < angle)
+            at->second = {angle, d};
+    }
+    for (std::size_t d = 0; d < edges.size(); ++d) {
+      std::erase_if(edges[d], [&](int e) {
+        const auto found = sharpest.find(e);
+        return found != sharpest.end() && found->second.second != d;
+      });
+      if (!edges[d].empty()) add_border(std::move(edges[d]), declared_.edges[d]);
     }
   }
 
+  [[nodiscard]] std::array<int, 2> faces_of(const TrianglePair& pair) const {
+    const auto [one, two] = std::minmax(part_.face_of_triangle[pair[0]], part_.face_of_triangle[pair[1]]);
+    return {one, two};
+  }
+
+  // The pair of the first body of which different faces meet, if possible at more than the angle of tangent ones: then
+  // it is the same all along a border, whatever rounding does to the angles.
+  [[nodiscard]] TrianglePair first_sharp_of(const std::vector<TrianglePair>& pairs) const {
+    if (pairs.size() == 1) return pairs.front();
+    const auto rank = [&](const TrianglePair& pair) {
+      const auto [one, two] = faces_of(pair);
+      return std::pair(one != two, angle_between(pair) > tangent_angle_);
+    };
+    return *std::max_element(pairs.begin(), pairs.end(),
+                             [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  }
+
+  [[nodiscard]] bool is_open(const mesh::MeshEdge& edge) const { return pairs_by_body(mesh_, edge).empty(); }
+
   // Returns the faces at an edge, lower first; -1 if there is only one.
   [[nodiscard]] std::array<int, 2> faces_at(const mesh::MeshEdge& edge) const {
+    if (const auto pairs = pairs_by_body(mesh_, edge); !pairs.empty()) return faces_of(first_sharp_of(pairs));
     const auto triangles = mesh_.triangles_of(edge);
     const int one = part_.face_of_triangle[triangles[0]];
     const int two = triangles.size() > 1 ? part_.face_of_triangle[triangles[1]] : -1;
@@ -149,8 +193,11 @@ class DeclaredFaces {
 
   [[nodiscard]] bool is_border(const mesh::MeshEdge& edge) const {
     if (edge.count == 0) return false;
-    const auto [one, two] = faces_at(edge);
-    return edge.count != 2 || one != two;
+    const std::vector<TrianglePair> pairs = pairs_by_body(mesh_, edge);
+    return pairs.empty() || std::any_of(pairs.begin(), pairs.end(), [&](const TrianglePair& pair) {
+             const auto [one, two] = faces_of(pair);
+             return one != two;
+           });
   }
 
   // Adds borders that are not declared, one for each pair of faces that meet there.
@@ -159,34 +206,43 @@ class DeclaredFaces {
     for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
       const mesh::MeshEdge& edge = mesh_.edges[e];
       if (part_.border_of_edge[e] < 0 && is_border(edge))
-        groups[{faces_at(edge), edge.count != 2}].push_back(static_cast<int>(e));
+        groups[{faces_at(edge), is_open(edge)}].push_back(static_cast<int>(e));
     }
     for (auto& [faces, edges] : groups) add_border(std::move(edges), {std::nan(""), false, 0});
   }
 
+  // The angle of a border in degrees, as declared if it is.
+  [[nodiscard]] double angle_of(const std::vector<int>& edges, const DeclaredEdge& declared) const {
+    if (is_open(mesh_.edges[edges.front()])) return 180;
+    double angle = declared.angle;
+    if (std::isnan(angle)) angle = declared.is_tangent ? 0 : angle_along(edges);
+    return declared.is_tangent ? std::min(angle, tangent_angle_) : angle;
+  }
+
   void add_border(std::vector<int> edges, const DeclaredEdge& declared) {
     const mesh::MeshEdge& first = mesh_.edges[edges.front()];
-    PartBorder border{faces_at(first), BorderKind::sharp, declared.angle, {}, false};
-    if (first.count != 2) {
+    PartBorder border{faces_at(first), BorderKind::sharp, angle_of(edges, declared), {}, false};
+    if (is_open(first))
       border.kind = BorderKind::open;
-      border.angle = 180;
-    } else {
-      if (std::isnan(border.angle)) border.angle = declared.is_tangent ? 0 : angle_along(edges);
-      if (declared.is_tangent) border.angle = std::min(border.angle, tangent_angle_);
-      if (border.angle <= tangent_angle_) border.kind = BorderKind::tangent;
-    }
+    else if (border.angle <= tangent_angle_)
+      border.kind = BorderKind::tangent;
     for (const int edge : edges) part_.border_of_edge[edge] = static_cast<int>(part_.borders.size());
     border.edges = std::move(edges);
     part_.borders.push_back(std::move(border));
+  }
+
+  [[nodiscard]] double angle_between(const TrianglePair& pair) const {
+    const Vec3 one = triangle(pair[0]).twice_area, two = triangle(pair[1]).twice_area;
+    return portable_atan2(glm::length(glm::cross(one, two)), glm::dot(one, two)) * degrees;
   }
 
   [[nodiscard]] double angle_along(const std::vector<int>& edges) const {
     std::vector<AngleAlong> angles;
     for (const int e : edges) {
       const mesh::MeshEdge& edge = mesh_.edges[e];
-      const auto triangles = mesh_.triangles_of(edge);
-      const Vec3 one = triangle(triangles[0]).twice_area, two = triangle(triangles[1]).twice_area;
-      const double angle = portable_atan2(glm::length(glm::cross(one, two)), glm::dot(one, two)) * degrees;
+      double angle = 0;
+      for (const TrianglePair& pair : pairs_by_body(mesh_, edge))
+        if (const auto [one, two] = faces_of(pair); one != two) angle = std::max(angle, angle_between(pair));
       angles.push_back({angle, glm::distance(mesh_.point(edge.vertex[0]), mesh_.point(edge.vertex[1]))});
     }
     return angle_of_most(std::move(angles));

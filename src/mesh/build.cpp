@@ -196,11 +196,23 @@ std::vector<int> bodies_of(const Mesh& mesh, const Soup& soup, const EdgeTable& 
 struct SharedFaces {
   int triangles = 0;
   std::map<int, int> by_other{};  ///< shared triangles
+  bool is_open = false;           ///< has an edge with one triangle
 };
 
-/// The second faces of those twins at which no two bodies touch: both belong to one body, or to two that have the same
-/// faces.
-std::vector<int> duplicates_among(const Mesh& mesh, const std::vector<TwinFaces>& twins) {
+void find_open_bodies(const Mesh& mesh, const EdgeTable& table, std::vector<SharedFaces>& bodies) {
+  for (const MeshEdge& edge : table.edges) {
+    const auto halfedges = table.halfedges_of(edge);
+    for (const int halfedge : halfedges) {
+      const int body = mesh.body[halfedge / 3];
+      if (std::count_if(halfedges.begin(), halfedges.end(), [&](int h) { return mesh.body[h / 3] == body; }) == 1)
+        bodies[body].is_open = true;
+    }
+  }
+}
+
+/// One face of each of those twins at which no two bodies touch: both belong to one body, to two that have the same
+/// faces, or to one and an incomplete copy of it.
+std::vector<int> duplicates_among(const Mesh& mesh, const EdgeTable& table, const std::vector<TwinFaces>& twins) {
   std::unordered_map<int, std::pair<int, int>> of_face;  // its body and number of triangles
   for (const auto& [first, second] : twins) of_face[first] = of_face[second] = {-1, 0};
   std::vector<SharedFaces> bodies(mesh.body.empty() ? 0 : *std::max_element(mesh.body.begin(), mesh.body.end()) + 1);
@@ -219,10 +231,15 @@ std::vector<int> duplicates_among(const Mesh& mesh, const std::vector<TwinFaces>
     share(other, one, of_other);
   }
   const auto is_copy = [&](int body, int other) { return bodies[body].by_other[other] == bodies[body].triangles; };
+  find_open_bodies(mesh, table, bodies);
+  const auto is_incomplete = [&](int body, int other) { return bodies[body].is_open && is_copy(body, other); };
   std::vector<int> duplicates;
   for (const auto& [first, second] : twins) {
     const int one = of_face[first].first, other = of_face[second].first;
-    if (one == other || (is_copy(one, other) && is_copy(other, one))) duplicates.push_back(second);
+    if (one == other || (is_copy(one, other) && is_copy(other, one)) || is_incomplete(other, one))
+      duplicates.push_back(second);
+    else if (is_incomplete(one, other))
+      duplicates.push_back(first);
   }
   std::sort(duplicates.begin(), duplicates.end());
   return duplicates;
@@ -248,7 +265,7 @@ void divide_into_bodies(Mesh& mesh, const Soup& soup, EdgeTable& table, std::vec
   constexpr int most_rounds = 4;
   mesh.body = bodies_of(mesh, soup, table);
   for (int round = 1; !twins.empty(); ++round) {
-    std::vector<int> dropped = duplicates_among(mesh, twins);
+    std::vector<int> dropped = duplicates_among(mesh, table, twins);
     if (dropped.empty()) return;
     if (round == most_rounds) {
       dropped.clear();
@@ -256,8 +273,8 @@ void divide_into_bodies(Mesh& mesh, const Soup& soup, EdgeTable& table, std::vec
       std::sort(dropped.begin(), dropped.end());
     }
     drop_faces_of(mesh, table, dropped);
-    std::erase_if(
-        twins, [&](const TwinFaces& pair) { return std::binary_search(dropped.begin(), dropped.end(), pair.second); });
+    const auto is_dropped = [&](int face) { return std::binary_search(dropped.begin(), dropped.end(), face); };
+    std::erase_if(twins, [&](const TwinFaces& pair) { return is_dropped(pair.first) || is_dropped(pair.second); });
     mesh.body = bodies_of(mesh, soup, table);
   }
 }

@@ -67,5 +67,37 @@ TEST(Borders, TiltedFacetsDoNotMakeAFilletEndSharply) {
   }
 }
 
+// A rounded plug in a housing: where flats run into fillets on the face at which they touch, four triangles meet.
+TEST(Borders, OfBodiesThatTouchAreThoseOfEach) {
+  constexpr int steps = 8;
+  const std::vector<Vec2> outline = joined({arc({7, 7}, 5, 0, 90, steps), arc({-7, 7}, 5, 90, 180, steps),
+                                            arc({-7, -7}, 5, 180, 270, steps), arc({7, -7}, 5, 270, 360, steps)});
+  const Part plug = prism(outline, 10);
+  Part both = plug;
+  const int n = static_cast<int>(outline.size()), first = static_cast<int>(both.points.size());
+  for (const double z : {0.0, 10.0})
+    for (const Vec2& p : outline) both.add({2 * p.x, 2 * p.y, z});
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    both.faces.push_back({j, i, n + i, n + j});
+    both.faces.push_back({first + i, first + j, first + n + j, first + n + i});
+    both.faces.push_back({i, j, first + j, first + i});
+    both.faces.push_back({n + j, n + i, first + n + i, first + n + j});
+  }
+  const auto borders = [](const features::PartFaces& part, features::BorderKind kind) {
+    return std::count_if(part.borders.begin(), part.borders.end(), [&](const auto& b) { return b.kind == kind; });
+  };
+  for (const Part& part : {both, Part(both).triangulate()}) {
+    const features::PartFaces faces = features::recognise_faces(part.mesh());
+    EXPECT_EQ(faces.faces.size(), 28U);
+    EXPECT_EQ(borders(faces, features::BorderKind::tangent), 16);
+    EXPECT_EQ(borders(faces, features::BorderKind::open), 0);
+    for (const features::PartBorder& border : faces.borders)
+      if (border.kind == features::BorderKind::sharp) {
+        EXPECT_NEAR(border.angle, 90, 1e-6);
+      }
+  }
+}
+
 }  // namespace
 }  // namespace epura::test

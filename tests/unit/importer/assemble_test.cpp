@@ -46,6 +46,43 @@ importer::Shape cylinder(double radius, double height, int steps) {
   return shape;
 }
 
+/// A ring around such a cylinder, whose bore is divided as the cylinder's side: bore, outside, bottom and lid.
+importer::Shape ring(double radius, double height, int steps) {
+  importer::Shape shape = cylinder(radius, height, steps), outside = cylinder(2 * radius, height, steps);
+  shape.name = "ring";
+  shape.points.insert(shape.points.end(), outside.points.begin(), outside.points.end());
+  shape.corners.clear(), shape.polygon_ends.clear(), shape.face_of_polygon.clear(), shape.body_of_polygon.clear();
+  const auto polygon = [&](std::initializer_list<int> corners, int face) {
+    shape.corners.insert(shape.corners.end(), corners);
+    shape.polygon_ends.push_back(static_cast<int>(shape.corners.size()));
+    shape.face_of_polygon.push_back(face);
+    shape.body_of_polygon.push_back(-1);
+  };
+  for (int i = 0; i < steps; ++i) {
+    const int j = (i + 1) % steps, out = 2 * steps;
+    polygon({j, i, steps + i, steps + j}, 0);
+    polygon({out + i, out + j, out + steps + j, out + steps + i}, 1);
+    polygon({i, j, out + j, out + i}, 2);
+    polygon({steps + j, steps + i, out + steps + i, out + steps + j}, 3);
+  }
+  shape.faces.insert(shape.faces.begin() + 1, outside.faces[0]);
+  return shape;
+}
+
+/// Divides the first face of a shape in halves, of which the second one is slightly wider: they are not joined.
+void halve(importer::Shape& shape, int steps, double angle, bool is_tangent) {
+  const int second = static_cast<int>(shape.faces.size());
+  shape.faces.push_back(shape.faces[0]);
+  shape.faces.back().radius *= 1.001;
+  int polygons = 0;
+  for (int& face : shape.face_of_polygon)
+    if (face == 0 && ++polygons > steps / 2) face = second;
+  for (const int i : {0, steps / 2}) {
+    shape.edge_vertices.insert(shape.edge_vertices.end(), {i, steps + i});
+    shape.edges.push_back({angle, is_tangent ? 1 : 0, static_cast<int>(shape.edge_vertices.size())});
+  }
+}
+
 struct Read {
   mesh::Mesh mesh;
   features::PartFaces part;
@@ -120,6 +157,41 @@ TEST(DeclaredPart, TangentEdgesAreWithinTheLimitOrDeclared) {
   shape.edges[1].is_tangent = 1;
   const Read r = read({.shapes = {shape}});
   for (const features::PartBorder& border : r.part.borders) EXPECT_EQ(border.kind, features::BorderKind::tangent);
+}
+
+// Four triangles meet at each edge of the face at which two bodies touch.
+TEST(DeclaredPart, BodiesThatTouchHaveNoBordersInsideTheirFaces) {
+  const Read r = read({.shapes = {cylinder(5, 20, 48), ring(5, 20, 48)}});
+  EXPECT_EQ(r.mesh.report.dropped_duplicates, 0);
+  ASSERT_EQ(r.part.faces.size(), 7U);
+  ASSERT_EQ(r.part.borders.size(), 4U) << "two rims of the cylinder and of the bore alike, two outside";
+  for (const features::PartBorder& border : r.part.borders) {
+    EXPECT_EQ(border.kind, features::BorderKind::sharp);
+    EXPECT_NEAR(border.angle, 90, 1e-9);
+    EXPECT_EQ(border.edges.size(), 48U);
+  }
+}
+
+// Whether only one of the bodies has a border, or both.
+TEST(DeclaredPart, TheSharpestBorderOfBodiesThatTouchCounts) {
+  const auto border_inside = [](const importer::Shape& one, const importer::Shape& other) {
+    const Read r = read({.shapes = {one, other}});
+    EXPECT_EQ(r.part.borders.size(), 6U);
+    std::vector<features::PartBorder> inside;
+    for (const features::PartBorder& border : r.part.borders)
+      if (border.edges.size() == 1) inside.push_back(border);
+    EXPECT_EQ(inside.size(), 2U);
+    for (const features::PartBorder& border : inside) EXPECT_EQ(border.angle, inside.front().angle);
+    return std::pair(inside.front().kind, inside.front().angle);
+  };
+  using features::BorderKind;
+  importer::Shape tangent = cylinder(5, 20, 48), sharp = ring(5, 20, 48);
+  halve(tangent, 48, 0, true);
+  EXPECT_EQ(border_inside(tangent, sharp), std::pair(BorderKind::tangent, 0.0));
+  EXPECT_EQ(border_inside(sharp, tangent), std::pair(BorderKind::tangent, 0.0));
+  halve(sharp, 48, 20, false);
+  EXPECT_EQ(border_inside(tangent, sharp), std::pair(BorderKind::sharp, 20.0));
+  EXPECT_EQ(border_inside(sharp, tangent), std::pair(BorderKind::sharp, 20.0));
 }
 
 TEST(Assembly, PutsInstancesDownMirroredTurnedAndScaled) {

@@ -257,6 +257,25 @@ TEST(Bodies, DuplicatesAreNone) {
   expect(welded({both, both}), 2, 12);
 }
 
+// A named body is a duplicate, too, even if some of its faces are missing; whichever comes first, the whole one stays.
+TEST(Bodies, AnIncompleteCopyIsADuplicate) {
+  const Shape cube = box({0, 0, 0}, {1, 1, 1});
+  for (const Shape& copy : {cube, inside_out(cube)})
+    for (const bool whole_first : {true, false}) {
+      Shape part = copy;
+      part.faces.pop_back();
+      const Shape both = whole_first ? welded({cube, part}) : welded({part, cube});
+      mesh::Soup soup = make_soup(both.points, both.faces);
+      soup.body_names = {"front", "back"};
+      soup.face_body.assign(whole_first ? 6 : 5, 0);
+      soup.face_body.resize(both.faces.size(), 1);
+      const mesh::Mesh mesh = mesh::build_mesh(std::move(soup), "test");
+      EXPECT_EQ(mesh.report.dropped_duplicates, 5);
+      EXPECT_EQ(mesh.report.bodies, 1);
+      EXPECT_EQ(mesh.report.open_edges, 0);
+    }
+}
+
 // The names decide, whatever the faces are.
 TEST(Bodies, NamedOnesWithAFaceInCommonHaveItBoth) {
   for (const bool triangles : {false, true}) {
