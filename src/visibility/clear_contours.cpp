@@ -51,9 +51,11 @@ class FacetsOfModel {
     return std::ranges::any_of(around(contour, clear_contour.face), [&](int t) {
       if (std::ranges::find(own_triangles, t) != own_triangles.end() || !is_clear(placed_, clear_contour, t))
         return false;
-      const auto pieces = std::ranges::equal_range(view_.triangles, first_ + t, {}, &view::ViewTriangle::source);
-      return std::ranges::any_of(
-          pieces, [&](const view::ViewTriangle& piece) { return hidden_part(view_, line, piece).has_value(); });
+      const auto& all = view_.triangles;
+      const auto begin = std::ranges::lower_bound(all, first_ + t, {}, &view::ViewTriangle::source);
+      const auto end = std::ranges::upper_bound(begin, all.end(), first_ + t, {}, &view::ViewTriangle::source);
+      return std::any_of(begin, end,
+                         [&](const view::ViewTriangle& piece) { return hidden_part(view_, line, piece).has_value(); });
     });
   }
 

@@ -191,10 +191,10 @@ void add_hidden_by_facets(const std::vector<int>& numbers, const SpansOf& with_f
     for (std::size_t i = begin; i < end && !progress.is_out_of_time(); ++i) found[i] = with_facets(numbers[i]);
   });
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    for (const auto& [from, to] : found[i])
+    for (const std::array<double, 2>& part : found[i])
       hidden.visit_parts(static_cast<std::size_t>(numbers[i]), [&](double start, double end, bool visible) {
-        if (visible && std::max(from, start) < std::min(to, end))
-          hidden.by_facets.push_back({numbers[i], std::max(from, start), std::min(to, end)});
+        const double from = std::max(part[0], start), to = std::min(part[1], end);
+        if (visible && from < to) hidden.by_facets.push_back({numbers[i], from, to});
       });
   check(std::ranges::is_sorted(hidden.by_facets, {}, &FacetsSpan::edge), "what facets hide is in the order of edges");
 }

@@ -30,7 +30,9 @@ struct HiddenSpans {
 
   /// What facets alone hide of an edge, though their surface does not.
   [[nodiscard]] std::span<const FacetsSpan> hidden_by_facets(std::size_t e) const {
-    return std::ranges::equal_range(by_facets, static_cast<int>(e), {}, &FacetsSpan::edge);
+    const auto edge = static_cast<int>(e);
+    const auto begin = std::ranges::lower_bound(by_facets, edge, {}, &FacetsSpan::edge);
+    return {begin, std::ranges::upper_bound(begin, by_facets.end(), edge, {}, &FacetsSpan::edge)};
   }
 
   /// Calls `visit(from, to, visible)` for the parts of edge e from its first vertex to its second.

@@ -70,7 +70,7 @@ TEST(InfoCommand, TellsRepairs) {
   EXPECT_TRUE(contains(run.out, "1 duplicate face left out\n")) << run.out;
 }
 
-// Two cubes with a common edge: four faces meet there, and none ends.
+// Two cubes with a common edge: four faces meet there, two of each body, and none ends.
 TEST(InfoCommand, EdgesWhereBodiesTouchAreNotOpen) {
   const Folder folder;
   std::string obj;
@@ -89,9 +89,22 @@ TEST(InfoCommand, EdgesWhereBodiesTouchAreNotOpen) {
   const Outcome run = info({"cubes.obj", "--json", "x.json"}, folder);
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "bodies    2, closed")) << run.out;
-  EXPECT_TRUE(contains(run.out, "22 sharp, 0 tangent, 1 of three or more faces\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "23 sharp, 0 tangent\n")) << run.out;
   const Json edges = JsonReader(read_file(folder / "x.json")).read()["models"].items[0]["part_edges"];
   EXPECT_EQ(edges["open"].text, "0");
+  EXPECT_EQ(edges["shared"].text, "0");
+}
+
+TEST(InfoCommand, EdgesOfThreeFacesAreNotOpen) {
+  const Folder folder;
+  folder.file("book.obj",
+              "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 1 0 1\nv 0 1 0\nv 0 1 1\nv -1 0 0\nv -1 0 1\n"
+              "f 1 2 4 3\nf 1 2 6 5\nf 1 2 8 7\n");
+  const Outcome run = info({"book.obj", "--json", "x.json"}, folder);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "0 sharp, 0 tangent, 3 open, 1 of three or more faces\n")) << run.out;
+  const Json edges = JsonReader(read_file(folder / "x.json")).read()["models"].items[0]["part_edges"];
+  EXPECT_EQ(edges["open"].text, "3");
   EXPECT_EQ(edges["shared"].text, "1");
 }
 
