@@ -44,7 +44,7 @@ struct ModelInfo {
   std::optional<double> unit;        ///< millimetres, as stated by the file
   std::optional<Unit> guessed_unit;  ///< most likely unit if the file does not state it
   features::PartFaces part;
-  int shared_borders = 0;    ///< edges of the part along which three or more faces meet, as where bodies touch
+  int shared_borders = 0;    ///< edges of the part along which three or more faces of a body meet
   bool is_declared = false;  ///< faces are declared by the file; otherwise recognised
   std::vector<features::Hole> holes;
   std::vector<importer::TreePart> tree;
@@ -119,7 +119,7 @@ int count_borders(const features::PartFaces& part, features::BorderKind kind) {
                                         [&](const features::PartBorder& b) { return b.kind == kind; }));
 }
 
-// Where bodies touch, the borders of their faces have no two faces either, but end nothing.
+// Where three or more faces of a body meet, their border is none of two faces, but ends nothing.
 int count_shared(const mesh::Mesh& mesh, const features::PartFaces& part) {
   const auto is_shared = [&](const features::PartBorder& border) {
     return border.kind == features::BorderKind::open &&

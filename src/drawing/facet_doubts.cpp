@@ -10,9 +10,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
-#include "base/same_key.hpp"
 #include "drawing/kept_ink.hpp"
-#include "drawing/partners.hpp"
 
 namespace epura::drawing {
 
@@ -27,9 +25,11 @@ constexpr double part_of_gaps = 1.0 / 3;
 class Doubts {
  public:
   Doubts(const std::vector<Piece>& pieces, double distance)
-      : pieces_(pieces), distance_(distance), parts_(parts_of(pieces, distance)) {
-    alone_.assign(parts_.all().size(), std::vector<char>(places, 1));
-  }
+      : pieces_(pieces),
+        distance_(distance),
+        parts_(parts_of(
+            pieces, [&](std::size_t i) { return pieces[i].by_facets; }, distance)),
+        alone_(parts_.all().size(), std::vector<char>(places, 1)) {}
 
   /// Takes note of visible lines.
   void look_at_others(const Progress& progress) {
@@ -46,12 +46,9 @@ class Doubts {
   /// Returns for each piece whether it belongs to a run of which enough is alone.
   [[nodiscard]] std::vector<char> close_gaps(const Progress& progress) const {
     DisjointSets runs(alone_.size());
-    const auto place = [&](int end) {
-      const Vec2& at = parts_.line(line_of(end))[static_cast<std::size_t>(end % 2)];
-      return std::array{std::round(at.x * 0x1p30), std::round(at.y * 0x1p30)};
-    };
-    visit_same_keys(2 * static_cast<int>(alone_.size()), place, progress, [&](std::span<const int> ends) {
-      for (const int end : ends) runs.join(line_of(ends.front()), line_of(end));
+    const auto line = [&](int part) { return parts_.line(part); };
+    visit_meetings(alone_.size(), line, progress, [&](std::span<const End> ends) {
+      for (const End end : ends) runs.join(line_of(ends.front()), line_of(end));
     });
     const std::vector<int> run = std::move(runs).roots();
     std::vector<double> alone(run.size(), 0), length(run.size(), 0);
@@ -70,19 +67,6 @@ class Doubts {
   }
 
  private:
-  static InkParts parts_of(const std::vector<Piece>& pieces, double distance) {
-    Vec2 min(HUGE_VAL), max(-HUGE_VAL);
-    for (const Piece& piece : pieces)
-      if (piece.by_facets) {
-        min = glm::min(min, glm::min(piece.from, piece.to));
-        max = glm::max(max, glm::max(piece.from, piece.to));
-      }
-    InkParts parts(pieces, min, max, distance);
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (pieces[i].by_facets) parts.add({static_cast<int>(i), 0, 1});
-    return parts;
-  }
-
   // A line is beside a place if it crosses the perpendicular there.
   void note(const std::array<Vec2, 2>& line, int part) {
     const Piece& piece = pieces_[parts_[part].piece];
@@ -102,7 +86,7 @@ class Doubts {
   const std::vector<Piece>& pieces_;
   double distance_;
   InkParts parts_;
-  std::vector<std::vector<char>> alone_{};  ///< by part and place
+  std::vector<std::vector<char>> alone_;  ///< by part and place
 };
 
 std::vector<char> closing_gaps(const std::vector<Piece>& pieces, double distance, const Progress& progress) {

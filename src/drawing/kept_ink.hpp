@@ -11,8 +11,11 @@
 #include <vector>
 
 #include "base/nearest.hpp"
+#include "base/progress.hpp"
+#include "base/same_key.hpp"
 #include "drawing/ink.hpp"
 #include "drawing/ink_cells.hpp"
+#include "drawing/partners.hpp"
 #include "search/occupied_cells.hpp"
 
 namespace epura::drawing {
@@ -86,6 +89,31 @@ class InkParts {
   std::vector<InkPart> parts_{};
   std::vector<std::array<Vec2, 2>> lines_{};
 };
+
+/// Whole pieces that can be found by their positions, of those whose number is `wanted`.
+template <class Wanted>
+InkParts parts_of(const std::vector<Piece>& pieces, const Wanted& wanted, double cell) {
+  Vec2 min(HUGE_VAL), max(-HUGE_VAL);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (wanted(i)) {
+      min = glm::min(min, glm::min(pieces[i].from, pieces[i].to));
+      max = glm::max(max, glm::max(pieces[i].from, pieces[i].to));
+    }
+  InkParts parts(pieces, min, max, cell);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (wanted(i)) parts.add({static_cast<int>(i), 0, 1});
+  return parts;
+}
+
+/// Calls visit(ends) with the ends of lines that lie in one point; line_at(i) are both ends of line i.
+template <class LineAt, class Visit>
+void visit_meetings(std::size_t lines, const LineAt& line_at, const Progress& progress, const Visit& visit) {
+  const auto place = [&](End end) {
+    const Vec2 at = line_at(line_of(end))[static_cast<std::size_t>(end % 2)];
+    return std::array{std::round(at.x * 0x1p30), std::round(at.y * 0x1p30)};
+  };
+  visit_same_keys(2 * static_cast<int>(lines), place, progress, visit);
+}
 
 /// Parts that are removed, and for each the kept parts that are drawn instead.
 struct TakenInk {

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/same_key.hpp"
 #include "drawing/kept_ink.hpp"
 #include "drawing/polylines.hpp"
 
@@ -20,20 +19,13 @@ namespace {
 // Width of the cells that tell where no specks are, as a multiple of the distance.
 constexpr double cells_a_distance = 8;
 
-/// Calls visit(ends) with the ends of pieces that lie in one point.
-template <class Visit>
-void visit_meetings(const std::vector<Piece>& pieces, const Progress& progress, const Visit& visit) {
-  const auto place = [&](int end) {
-    const Vec2& at = end % 2 == 0 ? pieces[line_of(end)].from : pieces[line_of(end)].to;
-    return std::array{std::round(at.x * 0x1p30), std::round(at.y * 0x1p30)};
-  };
-  visit_same_keys(2 * static_cast<int>(pieces.size()), place, progress, visit);
-}
+std::array<Vec2, 2> ends_of(const Piece& piece) { return {piece.from, piece.to}; }
 
 /// Returns for each link whether two other pieces that are drawn meet where it begins: they continue each other.
 std::vector<char> find_needless(const std::vector<Piece>& pieces, const Progress& progress) {
   std::vector<char> needless(pieces.size(), 0);
-  visit_meetings(pieces, progress, [&](std::span<const int> ends) {
+  const auto line_at = [&](int piece) { return ends_of(pieces[piece]); };
+  visit_meetings(pieces.size(), line_at, progress, [&](std::span<const End> ends) {
     const auto others = std::count_if(ends.begin(), ends.end(), [&](End end) {
       return pieces[line_of(end)].drawn && !is_link(pieces[line_of(end)]);
     });
@@ -71,20 +63,6 @@ std::vector<char> find_short(const std::vector<Piece>& pieces, const std::vector
   return is_short;
 }
 
-/// Pieces that can be found by their positions.
-InkParts parts_of(const std::vector<Piece>& pieces, const std::vector<char>& wanted, double cell) {
-  Vec2 min(HUGE_VAL), max(-HUGE_VAL);
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    if (wanted[i] != 0) {
-      min = glm::min(min, glm::min(pieces[i].from, pieces[i].to));
-      max = glm::max(max, glm::max(pieces[i].from, pieces[i].to));
-    }
-  InkParts parts(pieces, min, max, cell);
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    if (wanted[i] != 0) parts.add({static_cast<int>(i), 0, 1});
-  return parts;
-}
-
 // The pieces that end at a place: how many are visible, and how many are not.
 using EndsHere = std::array<int, 2>;
 
@@ -96,7 +74,8 @@ void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, 
     is_glint[i] = is_moved[i] != 0 && pieces[i].drawn && length_of(pieces[i]) <= most ? 1 : 0;
   if (std::find(is_glint.begin(), is_glint.end(), 1) == is_glint.end()) return;
   std::vector<EndsHere> meeting(2 * pieces.size());
-  visit_meetings(pieces, progress, [&](std::span<const int> ends) {
+  const auto line_at = [&](int piece) { return ends_of(pieces[piece]); };
+  visit_meetings(pieces.size(), line_at, progress, [&](std::span<const End> ends) {
     EndsHere there{0, 0};
     for (const End end : ends)
       if (pieces[line_of(end)].drawn) ++there[pieces[line_of(end)].visible ? 0 : 1];
@@ -120,7 +99,8 @@ LeftInk drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& s
   const double distance = limits.distance;
   const std::vector<char> is_short = find_short(pieces, strength, limits, progress);
   if (std::find(is_short.begin(), is_short.end(), 1) == is_short.end()) return {std::move(pieces)};
-  const InkParts specks = parts_of(pieces, is_short, distance);
+  const InkParts specks = parts_of(
+      pieces, [&](std::size_t i) { return is_short[i] != 0; }, distance);
   const search::OccupiedCells near_specks = specks.cells_within(distance, cells_a_distance * distance);
   std::vector<std::array<double, 2>> away(pieces.size(), {HUGE_VAL, HUGE_VAL});  // from lines that stay, by end
   for (std::size_t p = 0; p < pieces.size(); ++p) {

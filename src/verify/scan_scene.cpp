@@ -40,18 +40,12 @@ Vec3 reference_of(const VerifyInput& input) {
   return best;
 }
 
-std::array<int, 2> vertices_of(const world::World& world, int model, int mesh_edge) {
-  const int first = world.first_vertex[model];
-  const auto& [a, b] = world.models[model].mesh->edges[mesh_edge].vertex;
-  return {first + a, first + b};
-}
-
 // Edges of which facets alone hide a part.
 std::vector<std::array<int, 2>> hidden_by_facets(const VerifyInput& input) {
   std::vector<std::array<int, 2>> edges;
   for (const visibility::FacetsSpan& span : input.hidden.by_facets) {
     const edges::FeatureEdge& edge = input.drawn.edges[span.edge];
-    edges.push_back(vertices_of(input.world, edge.model, edge.mesh_edge));
+    edges.push_back(input.vertices_of(edge.model, edge.mesh_edge));
   }
   std::ranges::sort(edges);
   return edges;
@@ -59,7 +53,7 @@ std::vector<std::array<int, 2>> hidden_by_facets(const VerifyInput& input) {
 
 std::vector<std::array<int, 2>> left_out_of(const VerifyInput& input, double thread_depth) {
   std::vector<std::array<int, 2>> edges;
-  const auto add = [&](int model, int mesh_edge) { edges.push_back(vertices_of(input.world, model, mesh_edge)); };
+  const auto add = [&](int model, int mesh_edge) { edges.push_back(input.vertices_of(model, mesh_edge)); };
   for (const edges::MeshEdgeOfModel& edge : edges::chamfer_circles(input.world, input.projection, thread_depth))
     add(edge.model, edge.mesh_edge);
   // Where facets would turn over or fold back, the slices tell (LineMarks); not where a surface hides what is drawn.

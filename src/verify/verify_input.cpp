@@ -10,12 +10,6 @@ namespace {
 
 Vec4 row(const Mat4& m, int i) { return glm::transpose(m)[i]; }
 
-std::array<int, 2> vertices_of(const VerifyInput& input, const edges::FeatureEdge& edge) {
-  const int first = input.world.first_vertex[edge.model];
-  const auto& vertex = input.world.models[edge.model].mesh->edges[edge.mesh_edge].vertex;
-  return {first + vertex[0], first + vertex[1]};
-}
-
 // Whether a part of an edge lies on it. A cut moves its end onto the surface of the part (cut/true_outline.hpp).
 bool is_between(const std::array<Vec3, 2>& part, const std::array<double, 2>& t, const Vec3& a, const Vec3& b) {
   const double rounding = 0x1p-44 * std::max(glm::length(a), glm::length(b));
@@ -42,20 +36,26 @@ std::array<Vec3, 2> VerifyInput::ends_of(const edges::FeatureEdge& edge) const {
   return is_between(remains, origin.t, a, b) ? std::array{a, b} : extended(remains, origin.t);
 }
 
+std::array<int, 2> VerifyInput::vertices_of(int model, int mesh_edge) const {
+  const int first = world.first_vertex[model];
+  const auto& [a, b] = world.models[model].mesh->edges[mesh_edge].vertex;
+  return {first + a, first + b};
+}
+
 bool VerifyInput::contains(const edges::FeatureEdge& edge, int triangle) const {
   if (edge.crossing >= 0) {
     const auto& [first, second] = drawn.crossings[edge.crossing].triangles;
     return triangle == first || triangle == second;
   }
   const auto& corners = world.triangles[triangle];
-  return std::ranges::all_of(vertices_of(*this, edge),
+  return std::ranges::all_of(vertices_of(edge.model, edge.mesh_edge),
                              [&](int v) { return std::ranges::find(corners, v) != corners.end(); });
 }
 
 bool VerifyInput::joined(const edges::FeatureEdge& edge, int triangle) const {
   if (edge.crossing >= 0) return false;
   const auto& corners = world.triangles[triangle];
-  return std::ranges::any_of(vertices_of(*this, edge),
+  return std::ranges::any_of(vertices_of(edge.model, edge.mesh_edge),
                              [&](int v) { return std::ranges::find(corners, v) != corners.end(); });
 }
 

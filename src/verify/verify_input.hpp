@@ -23,6 +23,8 @@ struct VerifyInput {
 
   /// The ends of the whole edge in the world, even if it is cut; parameters t run from the first to the second.
   [[nodiscard]] std::array<Vec3, 2> ends_of(const edges::FeatureEdge& edge) const;
+  /// The vertices of the world at an edge of a model's mesh.
+  [[nodiscard]] std::array<int, 2> vertices_of(int model, int mesh_edge) const;
   /// Whether a triangle contains the edge: in the mesh, or as one of the two triangles that cross there.
   [[nodiscard]] bool contains(const edges::FeatureEdge& edge, int triangle) const;
   /// Whether a triangle has a corner in common with the edge.

@@ -17,6 +17,13 @@ using features::SurfaceKind;
 
 constexpr std::array<double, 12> as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
+void add_polygon(importer::Shape& shape, std::initializer_list<int> corners, int face) {
+  shape.corners.insert(shape.corners.end(), corners);
+  shape.polygon_ends.push_back(static_cast<int>(shape.corners.size()));
+  shape.face_of_polygon.push_back(face);
+  shape.body_of_polygon.push_back(-1);
+}
+
 /// A cylinder about z from 0 to `height`: side, lid and bottom are faces of the part, their rims its edges.
 importer::Shape cylinder(double radius, double height, int steps) {
   importer::Shape shape{.name = "cylinder"};
@@ -25,12 +32,7 @@ importer::Shape cylinder(double radius, double height, int steps) {
       const double angle = 2 * std::numbers::pi * i / steps;
       shape.points.push_back({radius * portable_cos(angle), radius * portable_sin(angle), end * height});
     }
-  const auto polygon = [&](std::initializer_list<int> corners, int face) {
-    shape.corners.insert(shape.corners.end(), corners);
-    shape.polygon_ends.push_back(static_cast<int>(shape.corners.size()));
-    shape.face_of_polygon.push_back(face);
-    shape.body_of_polygon.push_back(-1);
-  };
+  const auto polygon = [&](std::initializer_list<int> corners, int face) { add_polygon(shape, corners, face); };
   for (int i = 0; i < steps; ++i) {
     const int j = (i + 1) % steps;
     polygon({i, j, steps + j, steps + i}, 0);
@@ -52,12 +54,7 @@ importer::Shape ring(double radius, double height, int steps) {
   shape.name = "ring";
   shape.points.insert(shape.points.end(), outside.points.begin(), outside.points.end());
   shape.corners.clear(), shape.polygon_ends.clear(), shape.face_of_polygon.clear(), shape.body_of_polygon.clear();
-  const auto polygon = [&](std::initializer_list<int> corners, int face) {
-    shape.corners.insert(shape.corners.end(), corners);
-    shape.polygon_ends.push_back(static_cast<int>(shape.corners.size()));
-    shape.face_of_polygon.push_back(face);
-    shape.body_of_polygon.push_back(-1);
-  };
+  const auto polygon = [&](std::initializer_list<int> corners, int face) { add_polygon(shape, corners, face); };
   for (int i = 0; i < steps; ++i) {
     const int j = (i + 1) % steps, out = 2 * steps;
     polygon({j, i, steps + i, steps + j}, 0);
