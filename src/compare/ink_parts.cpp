@@ -8,8 +8,10 @@
 #include <tuple>
 #include <utility>
 
+#include "base/nearest.hpp"
 #include "drawing/covers.hpp"
 #include "drawing/ink.hpp"
+#include "search/bounds_tree.hpp"
 #include "search/line_cells.hpp"
 
 namespace epura::compare {
@@ -142,6 +144,33 @@ std::vector<InkPart> those_near(const std::vector<InkPart>& others, const std::v
   return near;
 }
 
+// Moves short parts that lie wholly within the tolerance of another, beyond its end or across it, to those that are
+// met.
+void take_short(DividedInk& divided, const std::vector<InkPart>& others, double tolerance) {
+  const search::BoundsTree<2> tree(others.size(), [&](std::size_t i) {
+    const auto [left, right] = std::minmax(others[i].from.x, others[i].to.x);
+    const auto [bottom, top] = std::minmax(others[i].from.y, others[i].to.y);
+    return search::Bounds<2>{{{left, right}, {bottom, top}}};
+  });
+  const auto is_within = [&](const InkPart& other, const Vec2& p) {
+    return distance_to_segment(p, other.from, other.to) <= tolerance;
+  };
+  const auto is_near = [&](const InkPart& part) {
+    if (length_of(part) > 2 * tolerance) return false;
+    const Vec2 low = glm::max(part.from, part.to) - tolerance, high = glm::min(part.from, part.to) + tolerance;
+    bool found = false;
+    tree.visit({{{low.x, high.x}, {low.y, high.y}}}, [&](std::size_t i) {
+      found = is_within(others[i], part.from) && is_within(others[i], part.to);
+      return !found;
+    });
+    return found;
+  };
+  const auto near = std::stable_partition(divided.rest.begin(), divided.rest.end(),
+                                          [&](const InkPart& part) { return !is_near(part); });
+  divided.met.insert(divided.met.end(), near, divided.rest.end());
+  divided.rest.erase(near, divided.rest.end());
+}
+
 }  // namespace
 
 double length_of(const InkPart& part) { return glm::distance(part.from, part.to); }
@@ -199,7 +228,9 @@ DividedInk divide(const std::vector<InkPart>& parts, const std::vector<InkPart>&
   const std::vector<InkPart> near = are_few ? those_near(others, parts, tolerance) : others;
   DividedInk divided = divide_by(parts, near, tolerance, std::max(long_overlap * tolerance, least_overlap));
   if (divided.rest.empty() || near.empty()) return divided;
-  DividedInk last = divide_by(divided.rest, those_near(near, divided.rest, tolerance), tolerance, least_overlap);
+  const std::vector<InkPart> nearest = those_near(near, divided.rest, tolerance);
+  DividedInk last = divide_by(divided.rest, nearest, tolerance, least_overlap);
+  take_short(last, nearest, tolerance);
   divided.met.insert(divided.met.end(), last.met.begin(), last.met.end());
   divided.rest = std::move(last.rest);
   return divided;

@@ -337,7 +337,7 @@ void break_drawing(ViewDrawing& drawing, const Breaks& breaks, const Progress& p
   drawing.cut_faces = std::move(all.cut_faces);
   drawing.before_cuts = std::move(before_cuts);
   drawing.broken_out = std::move(broken_out);
-  drawing.chains = chain_segments(drawing.segments, straight_mm, drawing.coincident, progress);
+  chain_lines(drawing, progress);
   drawing.min = breaks.moved(drawing.min);
   drawing.max = breaks.moved(drawing.max);
   drawing.breaks = breaks;

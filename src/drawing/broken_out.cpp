@@ -41,7 +41,7 @@ void break_out(ViewDrawing& drawing, ViewDrawing section, const ClosedLine& line
   drawing.broken_out.push_back({line.corners(), line.covered(removed, section.before_cuts)});
   section.before_cuts = inside(line, section.before_cuts);
   append_part(drawing, std::move(section));
-  drawing.chains = chain_segments(drawing.segments, straight_mm, drawing.coincident, progress);
+  chain_lines(drawing, progress);
 }
 
 }  // namespace epura::drawing

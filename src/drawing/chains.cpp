@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "drawing/partners.hpp"
 
 namespace epura::drawing {
 
@@ -20,7 +19,7 @@ const Vec2& place(const std::vector<Segment>& segments, End end) {
   return end % 2 == 0 ? s.from : s.to;
 }
 
-std::vector<End> partners_of(const std::vector<Segment>& segments, double touching, const Progress& progress) {
+std::vector<End> partners_of(const std::vector<Segment>& segments, const Gaps& gaps, const Progress& progress) {
   const auto place_of = [&](End end) { return place(segments, end); };
   const auto look_of = [&](End end) {
     const Segment& s = segments[line_of(end)];
@@ -28,8 +27,8 @@ std::vector<End> partners_of(const std::vector<Segment>& segments, double touchi
     return std::array{style, static_cast<double>(s.model), static_cast<double>(s.body)};
   };
   const auto kind_of = [&](End end) { return segments[line_of(end)].kind; };
-  std::vector<End> partner = drawing::find_partners(
-      LineEnds{static_cast<int>(segments.size()), place_of, look_of, kind_of}, touching, progress);
+  std::vector<End> partner =
+      drawing::find_partners(LineEnds{static_cast<int>(segments.size()), place_of, look_of, kind_of}, gaps, progress);
   for (End end = 0; end < static_cast<End>(partner.size()); ++end)
     check(partner[end] == no_end || partner[partner[end]] == end, "ends of lines are joined in pairs");
   return partner;
@@ -106,9 +105,10 @@ std::map<std::array<int, 2>, int> ends_at_vertices(const std::vector<Segment>& s
 
 }  // namespace
 
-std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance, double touching,
+std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance, const Gaps& gaps,
                                   const Progress& progress) {
-  const std::vector<End> partner = partners_of(segments, touching, progress);
+  const double widest = std::max(gaps.touching, gaps.unseen);
+  const std::vector<End> partner = partners_of(segments, gaps, progress);
   std::vector<bool> used(segments.size(), false);
   std::vector<Chain> chains;
   Pace pace(progress, segments.size());
@@ -119,11 +119,10 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
     chain.closed = closed && chain.segments.size() > 2;
     check(chain.points.size() == chain.segments.size() + 1, "a chain has a line between any two of its points");
     if (chain.closed) {
-      check(glm::distance(chain.points.front(), chain.points.back()) <= 4 * touching + 0x1p-28,
-            "a closed chain closes");
+      check(glm::distance(chain.points.front(), chain.points.back()) <= 4 * widest + 0x1p-28, "a closed chain closes");
       chain.points.pop_back();
     }
-    leave_out_steps(chain.points, chain.closed, touching);
+    leave_out_steps(chain.points, chain.closed, widest);
     straighten(chain.points, chain.closed, tolerance);
     chains.push_back(std::move(chain));
   };
@@ -134,6 +133,10 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
     if (!used[line_of(end)]) add(end, true);
   check(left == 0, "every line is in one chain");
   return chains;
+}
+
+void chain_lines(ViewDrawing& drawing, const Progress& progress) {
+  drawing.chains = chain_segments(drawing.segments, straight_mm, {drawing.coincident, drawing.unseen}, progress);
 }
 
 bool drop_short_creases(ViewDrawing& drawing, double least) {

@@ -6,14 +6,17 @@
 
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
+#include "drawing/partners.hpp"
 
 namespace epura::drawing {
 
 /// Every segment is in exactly one chain. Where more than two ends meet, the straightest continuations are joined.
-/// Corners at which a chain runs straight on within `tolerance` mm are left out. Ends up to `touching` mm apart meet.
-/// Throws OutOfTime.
-std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance, double touching = 0,
+/// Corners at which a chain runs straight on within `tolerance` mm are left out. Throws OutOfTime.
+std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance, const Gaps& gaps = {},
                                   const Progress& progress = {});
+
+/// Makes the chains of a drawing anew. Throws OutOfTime.
+void chain_lines(ViewDrawing& drawing, const Progress& progress);
 
 /// Removes chains of creases shorter than `least` mm that meet no other line and end neither behind a face nor at the
 /// edge of the view, with their segments. Returns whether there were any; then the chains must be made anew.

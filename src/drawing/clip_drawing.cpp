@@ -118,7 +118,7 @@ void clip_drawing(ViewDrawing& drawing, const DetailFrame& detail, const Progres
   const Boundary& boundary = detail.boundary;
   progress.begin("clipping the detail", drawing.segments.size());
   clip_to(drawing, boundary);
-  drawing.chains = chain_segments(drawing.segments, straight_mm, drawing.coincident, progress);
+  chain_lines(drawing, progress);
   constexpr double slack = 1e-6;
   const Boundary grown{boundary.centre, boundary.half + slack, false};
   for (const Segment& segment : drawing.segments)

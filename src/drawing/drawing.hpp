@@ -113,6 +113,7 @@ struct ViewDrawing {
                               ///< mesh
   double outlines_moved = 0;  ///< mm; the same of outlines of cut faces, from where the plane cuts the mesh
   double coincident = 0;      ///< mm; lines this close coincide, and their ends meet
+  double unseen = 0;          ///< mm; ends this close are drawn as one line, since nobody sees the gap
   double joined_within = 0;   ///< mm; omitted lines have ink of at least the same strength within this distance
 
   [[nodiscard]] int number_in_scene(int model) const {

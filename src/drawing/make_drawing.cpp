@@ -308,9 +308,9 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   add_segments(lines, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // to make room for the chains
   progress.begin("joining lines", drawing.segments.size());
-  drawing.chains = chain_segments(drawing.segments, straight_mm, drawing.coincident, progress);
-  if (options.least_crease > 0 && drop_short_creases(drawing, options.least_crease))
-    drawing.chains = chain_segments(drawing.segments, straight_mm, drawing.coincident, progress);
+  drawing.unseen = unseen * options.near.distance;
+  chain_lines(drawing, progress);
+  if (options.least_crease > 0 && drop_short_creases(drawing, options.least_crease)) chain_lines(drawing, progress);
   if (options.near.distance > 0)
     for (Chain& chain : drawing.chains)
       chain.points = go_forwards(std::move(chain.points), chain.closed, on_one_line * options.near.distance);

@@ -37,6 +37,12 @@ struct LineEnds {
 template <class Place, class Look, class Kind>
 LineEnds(int, Place, Look, Kind) -> LineEnds<Place, Look, Kind>;
 
+/// How far apart ends may be that meet, mm.
+struct Gaps {
+  double touching = 0;  ///< lines touch there
+  double unseen = 0;    ///< nobody sees the gap between two ends that meet no nearer one
+};
+
 /// Which lines are joined where only those are left that turn back there.
 enum class TurningBack { left_apart, joined };
 
@@ -119,6 +125,14 @@ class EndPairing {
     return left;
   }
 
+  /// The ends that have no partner yet.
+  [[nodiscard]] std::vector<End> alone() const {
+    std::vector<End> ends;
+    for (End end = 0; end < static_cast<End>(partner_.size()); ++end)
+      if (partner_[end] == no_end) ends.push_back(end);
+    return ends;
+  }
+
   [[nodiscard]] std::vector<End> partners() && { return std::move(partner_); }
 
  private:
@@ -146,15 +160,16 @@ class EndPairing {
   std::vector<char> turns_back_{};  ///< by end; calls for different points may be concurrent
 };
 
-/// Returns for each end the end that continues it, or none. Ends up to `touching` mm apart meet if they meet no nearer
-/// one, and no other that goes on there while the nearer one turns back. Throws OutOfTime.
+/// Returns for each end the end that continues it, or none. Ends that touch meet if they meet no nearer one, and no
+/// other that goes on there while the nearer one turns back. Throws OutOfTime.
 template <class Ends>
-std::vector<End> find_partners(const Ends& lines, double touching, const Progress& progress) {
+std::vector<End> find_partners(const Ends& lines, const Gaps& gaps, const Progress& progress) {
   EndPairing<Ends> pairing(lines, progress);
   std::vector<End> ends(static_cast<std::size_t>(lines.lines) * 2);
   std::iota(ends.begin(), ends.end(), 0);
-  std::vector<End> left = pairing.join(std::move(ends), touching, TurningBack::left_apart);
-  pairing.join(std::move(left), touching, TurningBack::joined);
+  std::vector<End> left = pairing.join(std::move(ends), gaps.touching, TurningBack::left_apart);
+  pairing.join(std::move(left), gaps.touching, TurningBack::joined);
+  if (gaps.unseen > gaps.touching) pairing.join(pairing.alone(), gaps.unseen, TurningBack::left_apart);
   return std::move(pairing).partners();
 }
 

@@ -16,7 +16,7 @@ Polylines::Polylines(const std::vector<Piece>& pieces, const std::vector<signed 
   const auto look = [&](End end) { return std::array{static_cast<double>(strength[line_of(end)])}; };
   const auto kind = [&](End end) { return pieces[line_of(end)].kind; };
   const std::vector<End> partner =
-      find_partners(LineEnds{static_cast<int>(pieces.size()), place, look, kind}, touching, progress);
+      find_partners(LineEnds{static_cast<int>(pieces.size()), place, look, kind}, {.touching = touching}, progress);
   std::vector<char> used(pieces.size(), 0);
   members_.reserve(pieces.size());
   const auto follow = [&](End start, bool closed) {

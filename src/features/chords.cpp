@@ -77,18 +77,24 @@ void take_pieces(const Facets& facets, std::vector<int>& region_of, std::vector<
   }
 }
 
-// Whether a facet may be a piece of a round surface: all its vertices lie on it, and it faces as the surface does there
-// within an eighth of a turn. The flat end of a cone has more corners.
-bool lies_on(const Facets& facets, int facet, const Region& region) {
+// Whether a facet faces as a surface does at its vertices, within an eighth of a turn.
+bool faces_along(const Facets& facets, int facet, const PartSurface& surface) {
   constexpr double least_facing = 0.7;
+  const auto vertices = facets.supports_of(facet);
+  return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
+    return std::abs(glm::dot(normal_near(surface, facets.points[v]), facets.facets[facet].normal)) >= least_facing;
+  });
+}
+
+// Whether a facet may be a piece of a round surface: all its vertices lie on it, and it faces as the surface does. The
+// flat end of a cone has more corners.
+bool lies_on(const Facets& facets, int facet, const Region& region) {
   if (facets.facets[facet].is_plane) return false;
   const double allowance = allowance_of(facets, region.sagitta);
   const auto vertices = facets.supports_of(facet);
-  return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
-    const Vec3& p = facets.points[v];
-    return std::abs(signed_distance(region.surface, p)) <= allowance &&
-           std::abs(glm::dot(normal_near(region.surface, p), facets.facets[facet].normal)) >= least_facing;
-  });
+  return std::all_of(vertices.begin(), vertices.end(),
+                     [&](int v) { return std::abs(signed_distance(region.surface, facets.points[v])) <= allowance; }) &&
+         faces_along(facets, facet, region.surface);
 }
 
 /// Free facets connected with each other that lie on the surface of a region, if nothing but this region is around
@@ -157,6 +163,30 @@ void take_chords(const Facets& facets, std::vector<int>& region_of, std::vector<
   for (Region& region : regions) region.exact = region.facets.size();
   take_pieces(facets, region_of, regions, is_trimmed_piece);
   take_islands(facets, region_of, regions);
+}
+
+int region_around(const Facets& facets, int facet, const std::vector<int>& region_of,
+                  const std::vector<Region>& regions) {
+  constexpr std::size_t most_corners = 5;
+  const auto vertices = facets.vertices_of(facet);
+  if (vertices.size() > most_corners) return -1;
+  int nearest = -1;
+  double least = HUGE_VAL;
+  for (const int t : facets.triangles_of(facet))
+    for (const Side& side : facets.sides[t]) {
+      if (side.neighbour < 0) return -1;
+      const int other = facets.facet_of[side.neighbour], number = region_of[other];
+      if (other == facet) continue;
+      if (number < 0 || !is_round(regions[number])) return -1;
+      const Region& region = regions[number];
+      double farthest = 0;
+      for (const int v : vertices)
+        farthest = std::max(farthest, std::abs(signed_distance(region.surface, facets.points[v])));
+      if (farthest > region.sagitta / 2 || farthest >= least || !faces_along(facets, facet, region.surface)) continue;
+      nearest = number;
+      least = farthest;
+    }
+  return nearest;
 }
 
 }  // namespace epura::features

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "features/chords.hpp"
 
 namespace epura::features {
 
@@ -510,6 +511,11 @@ void merge_regions(const Facets& facets, std::vector<int>& region_of, std::vecto
   DisjointSets sets(regions.size());
   for (const auto& [one, two] : neighbours)
     if (is_one_face(facets, regions[one], regions[two])) sets.join(one, two);
+  for (int r = 0; r < static_cast<int>(regions.size()); ++r) {
+    if (regions[r].surface.kind != SurfaceKind::plane || regions[r].facets.size() > 1) continue;
+    if (const int round = region_around(facets, regions[r].facets.front(), region_of, regions); round >= 0)
+      sets.join(r, round);
+  }
   std::vector<int> number(regions.size(), -1);
   std::vector<Region> merged;
   std::vector<std::size_t> largest;  // size of the region to which each surface was fitted

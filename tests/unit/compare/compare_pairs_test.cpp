@@ -112,6 +112,17 @@ const std::vector<Case> within_the_tolerance = {
      [](sheet::Sheet& s) {
        s.layers[hidden].strokes.push_back(line({20, 50.0007}, {60, 50.0007}));
      }},
+    {"EndOfSeveralPiecesShorterByLessThanTheTolerance", "",
+     [](sheet::Sheet& s) {
+       s.layers[hidden].strokes.push_back(line({90, 60}, {90.1, 60}));
+       s.layers[hidden].strokes.push_back(line({90.1, 60}, {90.2, 60}));
+     },
+     0.3},
+    {"TickAcrossALineWithinTheTolerance", "",
+     [](sheet::Sheet& s) {
+       s.layers[hidden].strokes.push_back(line({70, 59.9}, {70, 60.1}));
+     },
+     0.3},
     {"EverythingMovedWithinTheTolerance", "",
      [](sheet::Sheet& s) {
        for (sheet::Layer& layer : s.layers)

@@ -39,22 +39,37 @@ TEST(Chains, JoinWhatTouchesWhicheverWayItRuns) {
 // At (10, 0) two ends meet exactly, but turn back; the line goes on at an end that differs by rounding.
 TEST(Chains, GoOnRatherThanTurnBack) {
   const auto chains = drawing::chain_segments(
-      {segment({0, 0}, {10, 0}), segment({10, 0}, {0, 1}), segment({10, 5e-7}, {20, 0})}, 1e-9, 1e-6);
+      {segment({0, 0}, {10, 0}), segment({10, 0}, {0, 1}), segment({10, 5e-7}, {20, 0})}, 1e-9, {1e-6});
   ASSERT_EQ(chains.size(), 2U);
   const auto& longest = chains[chains[0].segments.size() == 2 ? 0 : 1];
   EXPECT_EQ(longest.segments, (std::vector<int>{0, 2}));
 }
 
 TEST(Chains, TurnBackWhereNothingGoesOn) {
-  const auto chains = drawing::chain_segments({segment({0, 0}, {10, 0}), segment({10, 0}, {0, 1})}, 1e-9, 1e-6);
+  const auto chains = drawing::chain_segments({segment({0, 0}, {10, 0}), segment({10, 0}, {0, 1})}, 1e-9, {1e-6});
   EXPECT_EQ(chains.size(), 1U);
 }
 
 TEST(Chains, HaveNoStepsWhereEndsMeetNearly) {
   const auto chains = drawing::chain_segments(
-      {segment({0, 0}, {10, 0}), segment({10, 0}, {10, -8e-7}), segment({10, -8e-7}, {20, 5})}, 1e-9, 1e-6);
+      {segment({0, 0}, {10, 0}), segment({10, 0}, {10, -8e-7}), segment({10, -8e-7}, {20, 5})}, 1e-9, {1e-6});
   ASSERT_EQ(chains.size(), 1U);
   EXPECT_EQ(chains[0].points.size(), 3U);
+}
+
+TEST(Chains, CrossGapsThatNobodySees) {
+  const std::vector<drawing::Segment> lines{segment({0, 0}, {10, 0}), segment({10.009, 0}, {20, 0}),
+                                            segment({20.02, 0}, {30, 0})};
+  EXPECT_EQ(drawing::chain_segments(lines, 1e-9, {1e-6, 0.01}).size(), 2U);
+  EXPECT_EQ(drawing::chain_segments(lines, 1e-9, {1e-6}).size(), 3U);
+  // Ends that touch come first, and a line does not turn back for the sake of a gap.
+  EXPECT_EQ(
+      drawing::chain_segments({segment({0, 0}, {10, 0}), segment({10, 0}, {20, 1}), segment({10.005, 0}, {20, 0})},
+                              1e-9, {1e-6, 0.01})
+          .size(),
+      2U);
+  EXPECT_EQ(
+      drawing::chain_segments({segment({0, 0}, {10, 0}), segment({10.005, 0}, {0, 1})}, 1e-9, {1e-6, 0.01}).size(), 2U);
 }
 
 TEST(Chains, LooksAreNotMixed) {
@@ -119,13 +134,13 @@ TEST(Chains, JoinEndsThatTouch) {
   for (int i = 0; i < 64; ++i) {
     const Vec2 at(1 + 0.3 * i, 2 - 0.7 * i), beside = at + 0.9e-5 * Vec2(std::cos(i), std::sin(i));
     const auto lines = std::vector{segment({0, 40}, at), segment(beside, {30, 40})};
-    EXPECT_EQ(drawing::chain_segments(lines, 1e-6, 1e-5).size(), 1U) << i;
-    EXPECT_EQ(drawing::chain_segments(lines, 1e-6, 1e-6).size(), 2U) << i;
+    EXPECT_EQ(drawing::chain_segments(lines, 1e-6, {1e-5}).size(), 1U) << i;
+    EXPECT_EQ(drawing::chain_segments(lines, 1e-6, {1e-6}).size(), 2U) << i;
   }
 }
 
 TEST(Chains, AShortLineDoesNotMeetItself) {
-  const auto chains = drawing::chain_segments({segment({0, 0}, {1e-6, 0})}, 1e-9, 1e-5);
+  const auto chains = drawing::chain_segments({segment({0, 0}, {1e-6, 0})}, 1e-9, {1e-5});
   ASSERT_EQ(chains.size(), 1U);
   EXPECT_FALSE(chains[0].closed);
 }
