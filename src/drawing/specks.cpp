@@ -63,35 +63,99 @@ std::vector<char> find_short(const std::vector<Piece>& pieces, const std::vector
   return is_short;
 }
 
-// The pieces that end at a place: how many are visible, and how many are not.
-using EndsHere = std::array<int, 2>;
+/// Pieces of one visibility that continue each other.
+struct Stretch {
+  std::vector<int> pieces{};
+  bool is_visible = false;
+  double length = 0;
+  bool is_moved = true;  ///< all of them
+};
+
+/// Pieces that are drawn, from end to end, where no more than two meet.
+class Runs {
+ public:
+  Runs(const std::vector<Piece>& pieces, const std::vector<char>& is_moved, const Progress& progress)
+      : pieces_(pieces), is_moved_(is_moved), next_(2 * pieces.size(), no_end), used_(pieces.size(), 0) {
+    const auto line_at = [&](int piece) { return ends_of(pieces[piece]); };
+    visit_meetings(pieces.size(), line_at, progress, [&](std::span<const End> ends) {
+      std::array<End, 2> drawn{no_end, no_end};
+      std::size_t count = 0;
+      for (const End end : ends)
+        if (pieces[line_of(end)].drawn && count++ < 2) drawn[count - 1] = end;
+      if (count != 2) return;
+      next_[drawn[0]] = drawn[1];
+      next_[drawn[1]] = drawn[0];
+    });
+  }
+
+  /// Calls visit(stretches) for each run. A closed one begins and ends at its longest piece.
+  template <class Visit>
+  void visit(const Visit& visit) {
+    for (End end = 0; end < static_cast<End>(next_.size()); ++end)
+      if (next_[end] == no_end && pieces_[line_of(end)].drawn && used_[line_of(end)] == 0) visit(follow(end));
+    for (End end = 0; end < static_cast<End>(next_.size()); end += 2)
+      if (pieces_[line_of(end)].drawn && used_[line_of(end)] == 0) visit(follow(longest_in_ring(end)));
+  }
+
+ private:
+  [[nodiscard]] End longest_in_ring(End start) const {
+    End longest = start;
+    for (End end = next_[other(start)]; end != start; end = next_[other(end)])
+      if (length_of(pieces_[line_of(end)]) > length_of(pieces_[line_of(longest)])) longest = end;
+    return longest;
+  }
+
+  [[nodiscard]] std::vector<Stretch> follow(End start) {
+    std::vector<Stretch> stretches;
+    for (End end = start; end != no_end && used_[line_of(end)] == 0; end = next_[other(end)]) {
+      const int number = line_of(end);
+      used_[number] = 1;
+      const Piece& piece = pieces_[number];
+      if (stretches.empty() || stretches.back().is_visible != piece.visible)
+        stretches.push_back({.is_visible = piece.visible});
+      Stretch& last = stretches.back();
+      last.pieces.push_back(number);
+      last.length += length_of(piece);
+      last.is_moved = last.is_moved && is_moved_[number] != 0;
+    }
+    return stretches;
+  }
+
+  const std::vector<Piece>& pieces_;
+  const std::vector<char>& is_moved_;
+  std::vector<End> next_;  ///< by end: the one that continues it
+  std::vector<char> used_;
+};
+
+// Whether short stretches in a row are to be visible: as those before and after them are, or as most of them if there
+// is more between these than a person overlooks.
+bool is_most_visible(std::span<const Stretch> glints, bool before, bool after, double most) {
+  double visible = 0, all = 0;
+  for (const Stretch& stretch : glints) {
+    all += stretch.length;
+    visible += stretch.is_visible ? stretch.length : 0;
+  }
+  return before == after && all <= 2 * most ? before : 2 * visible >= all;
+}
 
 }  // namespace
 
 void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, double most, const Progress& progress) {
-  std::vector<char> is_glint(pieces.size(), 0);
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    is_glint[i] = is_moved[i] != 0 && pieces[i].drawn && length_of(pieces[i]) <= most ? 1 : 0;
-  if (std::find(is_glint.begin(), is_glint.end(), 1) == is_glint.end()) return;
-  std::vector<EndsHere> meeting(2 * pieces.size());
-  const auto line_at = [&](int piece) { return ends_of(pieces[piece]); };
-  visit_meetings(pieces.size(), line_at, progress, [&](std::span<const End> ends) {
-    EndsHere there{0, 0};
-    for (const End end : ends)
-      if (pieces[line_of(end)].drawn) ++there[pieces[line_of(end)].visible ? 0 : 1];
-    for (const End end : ends) meeting[end] = there;
+  const auto is_short = [&](const Stretch& stretch) { return stretch.is_moved && stretch.length <= most; };
+  std::vector<std::pair<int, bool>> turned;
+  Runs(pieces, is_moved, progress).visit([&](const std::vector<Stretch>& stretches) {
+    for (std::size_t i = 1; i + 1 < stretches.size(); ++i) {
+      std::size_t end = i;
+      while (end + 1 < stretches.size() && is_short(stretches[end])) ++end;
+      if (end == i) continue;
+      const std::span<const Stretch> glints = std::span(stretches).subspan(i, end - i);
+      const bool visible = is_most_visible(glints, stretches[i - 1].is_visible, stretches[end].is_visible, most);
+      for (const Stretch& stretch : glints)
+        for (const int piece : stretch.pieces) turned.emplace_back(piece, visible);
+      i = end;
+    }
   });
-  std::vector<char> turns(pieces.size(), 0);
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::size_t own = pieces[i].visible ? 0 : 1;
-    const auto is_between = [&](const EndsHere& there) {
-      check(is_glint[i] == 0 || there[own] > 0 || there[1 - own] == 0, "a line is among those that end where it ends");
-      return there[own] == 1 && there[1 - own] == 1;
-    };
-    turns[i] = is_glint[i] != 0 && is_between(meeting[2 * i]) && is_between(meeting[2 * i + 1]) ? 1 : 0;
-  }
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    if (turns[i] != 0) pieces[i].visible = !pieces[i].visible;
+  for (const auto& [piece, visible] : turned) pieces[piece].visible = visible;
 }
 
 LeftInk drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, const ContinuingLimits& limits,
