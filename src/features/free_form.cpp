@@ -259,11 +259,13 @@ bool are_chords(const Facets& facets, const Region& some, const Region& of) {
                      [&](int f) { return is_chord(facets, f, of.surface, allowance, of.sagitta); });
 }
 
-// Where the normal of a torus is parallel to its axis, its facets form a flat ring.
+// Where the normal of a torus is parallel to its axis, its facets form a flat ring, or parts of it.
 bool is_ring_of_torus(const Facets& facets, const Region& flat, const Region& torus) {
   constexpr double parallel = 1 - 1e-6;
-  return torus.surface.kind == SurfaceKind::torus &&
-         std::abs(glm::dot(torus.surface.axis, flat.surface.axis)) > parallel && are_chords(facets, flat, torus);
+  constexpr std::size_t few_corners = 6;
+  if (torus.surface.kind != SurfaceKind::torus || !are_chords(facets, flat, torus)) return false;
+  return std::abs(glm::dot(torus.surface.axis, flat.surface.axis)) > parallel ||
+         (flat.facets.size() == 1 && facets.vertices_of(flat.facets.front()).size() <= few_corners);
 }
 
 // Whether the region with fewer facets, which determine its surface less precisely, is a part of the other one.
@@ -509,12 +511,18 @@ void merge_regions(const Facets& facets, std::vector<int>& region_of, std::vecto
   std::sort(neighbours.begin(), neighbours.end());
   neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
   DisjointSets sets(regions.size());
+  const auto is_plane = [&](int r) { return regions[r].surface.kind == SurfaceKind::plane; };
+  std::vector<char> is_taken(regions.size(), 0);  // a flat of a round face does not connect it with another
+  const auto join = [&](int one, int two) {
+    if (is_plane(one) != is_plane(two) && std::exchange(is_taken[is_plane(one) ? one : two], 1) != 0) return;
+    sets.join(one, two);
+  };
   for (const auto& [one, two] : neighbours)
-    if (is_one_face(facets, regions[one], regions[two])) sets.join(one, two);
+    if (is_one_face(facets, regions[one], regions[two])) join(one, two);
   for (int r = 0; r < static_cast<int>(regions.size()); ++r) {
-    if (regions[r].surface.kind != SurfaceKind::plane || regions[r].facets.size() > 1) continue;
+    if (!is_plane(r) || regions[r].facets.size() > 1) continue;
     if (const int round = region_around(facets, regions[r].facets.front(), region_of, regions); round >= 0)
-      sets.join(r, round);
+      join(r, round);
   }
   std::vector<int> number(regions.size(), -1);
   std::vector<Region> merged;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "features/free_form.hpp"
 #include "shapes.hpp"
 
 namespace epura {
@@ -85,6 +86,75 @@ TEST(FacetsBetween, AreNoEndsOfRoundFaces) {
   for (features::Region& region : end.regions)
     region.surface = ball(middle, glm::distance(middle, end.facets.points[end.facets.corners[0][0]]));
   EXPECT_EQ(end.around(), -1);
+}
+
+/// A pentagon whose corners lie on a torus, in a plane parallel to its axis, and triangles around it.
+struct FlatOnTorus {
+  Part part;
+  features::Facets facets;
+  std::vector<features::Region> regions;
+  std::vector<int> region_of;
+
+  explicit FlatOnTorus(double apart) {
+    constexpr double around = 3, tube = 1, depth = 0.02;  // of the plane below the outermost generator
+    part.faces.emplace_back();
+    for (int i = 0; i < 5; ++i) {
+      // y across the plane and z along it: (sqrt(x^2 + y^2) - around)^2 + z^2 = tube^2.
+      const double x = around + tube - depth, angle = 2 * pi * i / 5;
+      const auto outside = [&](double s) {
+        const double out = std::hypot(x, s * std::cos(angle)) - around;
+        return out * out + s * s * std::sin(angle) * std::sin(angle) > tube * tube;
+      };
+      double inner = 0, outer = 1;
+      while (outer - inner > 1e-12) (outside((inner + outer) / 2) ? outer : inner) = (inner + outer) / 2;
+      part.faces[0].push_back(part.add({x, inner * std::cos(angle), inner * std::sin(angle)}));
+    }
+    for (int i = 0; i < 5; ++i) {
+      const double middle = 2 * pi * (i + 0.5) / 5;
+      const int tip = part.add({around + tube - 0.2, 0.8 * std::cos(middle), 0.8 * std::sin(middle)});
+      part.faces.push_back({(i + 1) % 5, i, tip});
+    }
+    facets = features::make_facets(part.mesh());
+    const double scale = facets.scale;
+    const features::PartSurface torus{.kind = SurfaceKind::torus,
+                                      .origin = -facets.origin * scale,
+                                      .axis = {0, 0, 1},
+                                      .radius = (around + apart) * scale,
+                                      .minor = tube * scale};
+    const int flat = facets.facet_of[0];
+    regions.resize(2);
+    regions[0].surface = {.kind = SurfaceKind::plane, .origin = facets.facets[flat].middle, .axis = {1, 0, 0}};
+    regions[0].facets = {flat};
+    regions[1].surface = torus;
+    regions[1].sagitta = depth * scale / 2;
+    region_of.assign(facets.facets.size(), 1);
+    region_of[flat] = 0;
+    for (int f = 0; f < static_cast<int>(region_of.size()); ++f)
+      if (f != flat) regions[1].facets.push_back(f);
+  }
+};
+
+TEST(FlatsOfTori, ArePartsOfThemIfTheirCornersLieOnThem) {
+  FlatOnTorus one(0);
+  ASSERT_EQ(one.facets.facets.size(), 6U);
+  features::merge_regions(one.facets, one.region_of, one.regions);
+  ASSERT_EQ(one.regions.size(), 1U);
+  EXPECT_EQ(one.regions[0].surface.kind, SurfaceKind::torus);
+  FlatOnTorus beside(0.05);
+  features::merge_regions(beside.facets, beside.region_of, beside.regions);
+  EXPECT_EQ(beside.regions.size(), 2U);
+}
+
+TEST(FlatsOfTori, DoNotConnectTwoOfThem) {
+  FlatOnTorus both(0);
+  both.regions.push_back(both.regions[1]);
+  both.regions[1].facets.resize(3);
+  both.regions[2].facets = {both.regions[2].facets.begin() + 3, both.regions[2].facets.end()};
+  both.regions[2].surface.axis = {0, 1e-4, 1};  // the corners lie on it, too, but it is another torus
+  both.regions[2].surface.axis = glm::normalize(both.regions[2].surface.axis);
+  for (const int f : both.regions[2].facets) both.region_of[f] = 2;
+  features::merge_regions(both.facets, both.region_of, both.regions);
+  EXPECT_EQ(both.regions.size(), 2U);
 }
 
 }  // namespace
