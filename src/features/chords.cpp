@@ -168,16 +168,18 @@ void take_chords(const Facets& facets, std::vector<int>& region_of, std::vector<
 int region_around(const Facets& facets, int facet, const std::vector<int>& region_of,
                   const std::vector<Region>& regions) {
   constexpr std::size_t most_corners = 5;
+  constexpr double most_smooth = 0.185;  // tangent of half of 21 degrees
   const auto vertices = facets.vertices_of(facet);
   if (vertices.size() > most_corners) return -1;
   int nearest = -1;
   double least = HUGE_VAL;
   for (const int t : facets.triangles_of(facet))
-    for (const Side& side : facets.sides[t]) {
-      if (side.neighbour < 0) return -1;
-      const int other = facets.facet_of[side.neighbour], number = region_of[other];
+    for (int side = 0; side < 3; ++side) {
+      const int beyond = facets.sides[t][side].neighbour;
+      if (beyond < 0) return -1;
+      const int other = facets.facet_of[beyond], number = region_of[other];
       if (other == facet) continue;
-      if (number < 0 || !is_round(regions[number])) return -1;
+      if (number < 0 || !is_round(regions[number]) || facets.fold_at(t, side) > most_smooth) return -1;
       const Region& region = regions[number];
       double farthest = 0;
       for (const int v : vertices)

@@ -16,7 +16,7 @@ void take_chords(const Facets& facets, std::vector<int>& region_of, std::vector<
 
 /// Where several round faces meet, vertices lie off each of them by a part of the sagitta, so that a facet between them
 /// may be left. Returns the one of these faces that it is nearest to; -1 if it may be a flat of the part: a flat with
-/// so few corners has a straight side that is no chord, or lies farther away.
+/// so few corners has a straight side that is no chord, a sharp edge, or lies farther away.
 int region_around(const Facets& facets, int facet, const std::vector<int>& region_of,
                   const std::vector<Region>& regions);
 
