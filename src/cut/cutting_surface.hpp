@@ -44,6 +44,8 @@ struct CuttingSurface {
   bool aligned = false;  ///< planes that are not parallel, each turned about the axis in which it meets the next
 
   [[nodiscard]] bool is_plane() const { return regions.size() == 1; }
+  /// Of an aligned section: the direction of the axes in which its planes meet; length 1.
+  [[nodiscard]] Vec3 axis() const { return glm::normalize(glm::cross(plane.normal, along)); }
 };
 
 /// How the view of an aligned section turns what is at a point of the models: with the nearest plane behind which it

@@ -528,6 +528,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   place_threads(world, scene);
   complete_mass(scene, world);
   refers_to_models = refer_to_models(scene, world);
+  if (refers_to_models) warn_of_unrecognised(messages, scene, world);
   find_heights(world);
   watch.lap("features");
   const ShownWorlds worlds(std::move(world), scene, messages, progress);
@@ -538,8 +539,8 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
     finished.push_back(draw_best_sheet(worlds, std::move(sheet)));
   }
   if (options.lint) {
-    add_all(gathered.report.findings, uncovered_sizes(worlds.main(), scene, gathered.dimensioned, progress));
-    if (!refers_to_models) add_all(gathered.report.findings, undefined_free_forms(worlds.main(), scene));
+    add_uncovered_sizes(gathered.report, worlds.main(), scene, gathered.dimensioned, progress);
+    add_all(gathered.report.findings, undefined_free_forms(worlds.main(), scene, refers_to_models));
   }
   return finished;
 }

@@ -65,10 +65,6 @@ std::string listed(const std::vector<std::string>& characters) {
 void warn_about(const Messages& messages, const ViewResult& result) {
   if (result.verification)
     messages.print(result.drawing.name + ": " + report::format_verification(*result.verification));
-  for (const drawing::BrokenOut& one : result.drawing.broken_out)
-    if (one.lines.empty() && result.drawing.cut_faces.empty() && !result.drawing.detail)
-      messages.warn("a broken-out section of view '" + result.drawing.name +
-                    "' removes nothing inside its line\n  hint: move its point, or its line");
   constexpr double negligible = 1;  // mm
   if (result.unsymmetric > negligible)
     messages.warn("view '" + result.drawing.name + "' is not symmetric: what it leaves out differs in " +

@@ -82,6 +82,7 @@ bool Stations::is_known(int axis, double at) const {
 }
 
 void Stations::add(const Station& station) {
+  if (!keeps_positions(*station.view, station.axis)) return;
   for (Station& other : stations_)
     if (other.axis == station.axis && std::abs(other.at - station.at) <= slack_) {
       if (other.view != station.view) return;
@@ -106,18 +107,23 @@ Station Stations::base_of(const Station& station) const {
   Station base = station;
   base.at = from_axis ? (extent.from + extent.to) / 2 : way > 0 ? extent.from : extent.to;
   if (from_axis) {
-    base.point = base.opposite = extent.centre;
+    base.point = base.opposite = shown_point(*base.view, extent.centre).value_or(extent.centre);
     return base;
   }
   double nearest = HUGE_VAL;
   for (const Vec3& p : points_) nearest = std::min(nearest, std::abs(p[base.axis] - base.at));
-  const Vec3 *low = nullptr, *high = nullptr;
-  for (const Vec3& p : points_) {
-    if (std::abs(p[base.axis] - base.at) > nearest + slack_) continue;
-    if (low == nullptr || rank(base, p) > rank(base, *low)) low = &p;
-    if (high == nullptr || rank(base, p) < rank(base, *high)) high = &p;
-  }
-  check(low != nullptr && high != nullptr, "a base has a place where it is measured from");
+  std::optional<Vec3> low, high;
+  const auto take = [&](const Vec3& p) {
+    if (std::abs(p[base.axis] - base.at) > nearest + slack_) return;
+    if (!low || rank(base, p) > rank(base, *low)) low = p;
+    if (!high || rank(base, p) < rank(base, *high)) high = p;
+  };
+  for (const Vec3& p : points_)
+    if (const auto shown = shown_point(*base.view, p)) take(*shown);
+  // An aligned section may have left out the end of the models, of which others show the place.
+  if (!low)
+    for (const Vec3& p : points_) take(p);
+  check(low && high, "a base has a place where it is measured from");
   base.point = *low;
   base.opposite = *high;
   base.point[base.axis] = base.opposite[base.axis] = base.at;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <regex>
 
 #include "base/text.hpp"
@@ -229,6 +230,35 @@ TEST_F(AutomaticDimensions, LintNamesWhatItCannotCheck) {
   EXPECT_TRUE(contains(mesh.out, "not dimensioned: model 0: nothing is recognised")) << mesh.out;
 }
 
+// The corners of a height field that no surface fits.
+std::string scan() {
+  constexpr int side = 24;
+  std::mt19937 random(5);
+  std::string obj;
+  for (int i = 0; i < side * side; ++i)
+    obj += "v " + std::to_string(i % side) + " " + std::to_string(i / side) + " " +
+           std::to_string(double(random() % 1000) / 1000) + "\n";
+  for (int y = 0; y + 1 < side; ++y)
+    for (int x = 1; x < side; ++x) {
+      const int at = y * side + x;
+      obj += "f " + std::to_string(at) + " " + std::to_string(at + 1) + " " + std::to_string(at + side + 1) + "\nf " +
+             std::to_string(at) + " " + std::to_string(at + side + 1) + " " + std::to_string(at + side) + "\n";
+    }
+  return obj;
+}
+
+// All of it is free form, for which a note refers to the model.
+TEST_F(AutomaticDimensions, ReferToModelsInWhichNothingIsRecognised) {
+  const std::string part = folder.file("scan.obj", scan());
+  const Outcome noted = lint(part, "auto");
+  EXPECT_EQ(noted.code, 0) << noted.out << noted.err;
+  EXPECT_TRUE(contains(noted.err, "model 0: nothing is recognised, so it has overall dimensions only")) << noted.err;
+  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "aria-label=\"Free forms as in the 3D model scan.obj\""));
+  const Outcome overall = lint(part, "overall");
+  EXPECT_EQ(overall.code, 1);
+  EXPECT_TRUE(contains(overall.out, "not dimensioned: model 0: nothing is recognised")) << overall.out;
+}
+
 // A drawing refers to the model for free forms: by the note of automatic dimensions, or by profile tolerances.
 TEST_F(AutomaticDimensions, SayWhereFreeFormsAreDefined) {
   const std::string part = folder.file("part.obj", waves());
@@ -429,6 +459,7 @@ TEST_F(AutomaticDimensions, OfShaftsThatLieAskew) {
   static const std::regex remedy("cylinder ⌀20, which no view shows in its true form: add the view (\\S+)\n");
   std::smatch found;
   ASSERT_TRUE(std::regex_search(askew.out, found, remedy)) << askew.out;
+  EXPECT_TRUE(contains(askew.out, "  hint: these views show more: --projection " + found[1].str() + "\n")) << askew.out;
   const Outcome along = epura({"lint", part, "--projection", "front", "--projection", "top", "--projection", "left",
                                "--projection", found[1].str(), "--dimensions", "auto", turned[0], turned[1]},
                               folder / "");
