@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <regex>
 
@@ -286,6 +287,36 @@ TEST_F(AutomaticDimensions, SayWhereFreeFormsAreDefined) {
   EXPECT_FALSE(contains(with_frame("").out, fault)) << "for all";
   EXPECT_FALSE(contains(with_frame("to = ['part', 312]\n").out, fault)) << "in the middle of the waves";
   EXPECT_TRUE(contains(with_frame("to = {point = [30, 0, 10]}\n").out, fault)) << "on another face";
+}
+
+// Boxes along the diagonal of a larger one.
+std::string machine(int boxes) {
+  std::string obj;
+  for (int i = 0; i < boxes; ++i) {
+    for (int corner = 0; corner < 8; ++corner)
+      obj += "v " + std::to_string(11 * i + 8 * (corner >> 2 & 1)) + " " +
+             std::to_string(7 * i + 5 * (corner >> 1 & 1)) + " " + std::to_string(5 * i + 4 * (corner & 1)) + "\n";
+    for (const auto& face :
+         {std::array{1, 2, 4, 3}, {5, 7, 8, 6}, {1, 5, 6, 2}, {3, 4, 8, 7}, {1, 3, 7, 5}, {2, 6, 8, 4}}) {
+      obj += "f";
+      for (const int corner : face) obj += " " + std::to_string(8 * i + corner);
+      obj += "\n";
+    }
+  }
+  return obj;
+}
+
+TEST_F(AutomaticDimensions, LintAdvisesToDrawThePartsOfMachines) {
+  const std::string hint = "  hint: the models have 12 bodies: draw the parts on sheets of their own";
+  const std::string part = folder.file("machine.obj", machine(12));
+  EXPECT_TRUE(contains(lint(part, "overall").out, hint));
+  EXPECT_FALSE(contains(lint(folder.file("machine.obj", machine(6)), "overall").out, "draw the parts"));
+  folder.file("machine.obj", machine(12));
+  const Outcome small = epura({"lint", part, "--views", "front,top,left", "--dimensions", "auto", "--sheet", "A4",
+                               "--frame", "none", "--scale", "1:1"},
+                              folder / "");
+  static const std::regex row("no room for '[^']{40,70} and \\d+ others'");
+  EXPECT_TRUE(std::regex_search(small.out, row)) << small.out;
 }
 
 // What the sheet has no room for is left out and told, and never crosses anything.
