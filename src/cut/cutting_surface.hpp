@@ -52,6 +52,9 @@ struct CuttingSurface {
 /// is. Nothing if the section leaves it out. `slack` is the distance up to which points are on a plane.
 std::optional<Mat4> turn_at(const CuttingSurface& surface, const Vec3& point, double slack);
 
+/// Whether a section shows what is at a point of the models: it is not in front of the surface.
+bool keeps(const CuttingSurface& surface, const Vec3& point, double slack);
+
 /// A surface of one plane.
 CuttingSurface plane_surface(const scene::CuttingPlane& plane);
 

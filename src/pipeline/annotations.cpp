@@ -41,14 +41,17 @@ double on_plane(const world::World& world) { return 1e-3 * glm::length(world.box
 std::vector<sheet::NamedProjection> views_to_measure(const world::World& world,
                                                      std::span<const scene::ViewDescription> views,
                                                      std::span<const PlannedView> plans,
-                                                     std::span<const view::ProjectedScene> seen) {
+                                                     std::span<const view::ProjectedScene> seen,
+                                                     const SectionSurfaces& sections) {
   std::vector<sheet::NamedProjection> whole, cut;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (views[i].detail.given() || plans[i].options.exploded) continue;
     sheet::NamedProjection& view = (views[i].section.given() ? cut : whole).emplace_back();
     view.name = *views[i].name;
     view.projection = seen[i].projection;
-    if (plans[i].options.turned) view.aligned = {&*plans[i].options.turned, on_plane(world)};
+    view.slack = on_plane(world);
+    if (const auto section = sections.find(views[i].section.value_or("")); section != sections.end())
+      view.section = &section->second;
   }
   whole.insert(whole.end(), cut.begin(), cut.end());
   return whole;
@@ -113,10 +116,10 @@ scene::DimensionDescription shown_dimension(scene::DimensionDescription dimensio
 
 void add_dimensions(std::vector<Annotations>& annotations, const world::World& world,
                     const scene::SceneDescription& scene, const SheetOfViews& sheet,
-                    std::span<const view::ProjectedScene> seen) {
+                    std::span<const view::ProjectedScene> seen, const SectionSurfaces& sections) {
   const std::vector<scene::ViewDescription>& views = sheet.descriptions;
   std::optional<std::array<design::Extent, 3>> extents;
-  const std::vector<sheet::NamedProjection> projections = views_to_measure(world, views, sheet.plans, seen);
+  const std::vector<sheet::NamedProjection> projections = views_to_measure(world, views, sheet.plans, seen, sections);
   const auto here = [&views](const std::string& name) {
     return std::find_if(views.begin(), views.end(), [&](const scene::ViewDescription& v) { return *v.name == name; });
   };
@@ -239,7 +242,7 @@ std::vector<Annotations> annotate(const world::World& world, const scene::SceneD
                                   const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
                                   const SectionSurfaces& sections) {
   std::vector<Annotations> annotations(sheet.descriptions.size());
-  add_dimensions(annotations, world, scene, sheet, seen);
+  add_dimensions(annotations, world, scene, sheet, seen, sections);
   add_planes(annotations, sheet.descriptions, seen, sections);
   add_details(annotations, scene, sheet.descriptions);
   add_callouts(annotations, world, scene, sheet);

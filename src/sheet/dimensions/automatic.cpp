@@ -107,7 +107,7 @@ class Planner {
                                   const std::function<Vec3(const Feature&)>& centre) {
     const auto height = [&](const Feature* one) {
       const std::optional<Vec3> shown = shown_point(view, centre(*one));
-      return shown ? glm::dot(*shown, view.projection.u + view.projection.v) : -HUGE_VAL;
+      return shown && keeps(view, centre(*one)) ? glm::dot(*shown, view.projection.u + view.projection.v) : -HUGE_VAL;
     };
     return *std::max_element(group.begin(), group.end(),
                              [&](const Feature* a, const Feature* b) { return height(a) < height(b); });
@@ -159,8 +159,42 @@ class Planner {
       dimensions_.push_back(std::move(width));
   }
 
+  // Whether holes of one group are behind those of the other, and look the same from the other side.
+  [[nodiscard]] bool are_opposite(const std::vector<const design::DesignHole*>& group,
+                                  const std::vector<const design::DesignHole*>& other) const {
+    design::DesignHole turned = *other.front();
+    turned.axis = -turned.axis;
+    const auto is_behind = [&](const design::DesignHole* hole) {
+      return std::any_of(group.begin(), group.end(), [&](const design::DesignHole* one) {
+        return are_coaxial(one->mouth, one->axis, hole->mouth, one->called());
+      });
+    };
+    return group.size() == other.size() && !turned.through && design::are_equal(*group.front(), turned) &&
+           std::all_of(other.begin(), other.end(), is_behind);
+  }
+
+  // Groups of equal holes; those behind others that only one view shows are one with them.
+  [[nodiscard]] std::vector<std::vector<const design::DesignHole*>> groups_of_holes() const {
+    auto groups = groups_of<design::DesignHole>(subject_.features.holes, design::are_equal);
+    for (auto& group : groups) {
+      if (group.empty()) continue;
+      const Vec3 axis = group.front()->axis;
+      const NamedProjection* view = views_.along(axis, true);
+      if (view == nullptr || glm::dot(view->projection.n, axis) <= 0 || views_.along(-axis, true) != view) continue;
+      const auto other = std::find_if(groups.begin(), groups.end(), [&](const auto& one) {
+        return &one != &group && !one.empty() && are_opposite(group, one);
+      });
+      if (other == groups.end()) continue;
+      group.insert(group.end(), other->begin(), other->end());
+      other->clear();
+    }
+    std::erase_if(groups, [](const auto& group) { return group.empty(); });
+    for (const auto& group : groups) check(!group.empty(), "a group of holes has one");
+    return groups;
+  }
+
   void add_holes() {
-    for (const auto& group : groups_of<design::DesignHole>(subject_.features.holes, design::are_equal)) {
+    for (const auto& group : groups_of_holes()) {
       ++groups_;
       const NamedProjection* along = views_.along(group.front()->axis, !group.front()->through);
       const auto mouth = [](const design::DesignHole& hole) { return hole.mouth; };

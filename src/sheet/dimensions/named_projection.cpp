@@ -5,21 +5,24 @@
 
 namespace epura::sheet {
 
+bool keeps(const NamedProjection& view, const Vec3& point) {
+  return view.section == nullptr || cut::keeps(*view.section, point, view.slack);
+}
+
 std::optional<Vec3> shown_point(const NamedProjection& view, const Vec3& point) {
-  if (!view.aligned) return point;
-  const std::optional<Mat4> turn = cut::turn_at(*view.aligned->surface, point, view.aligned->slack);
+  if (!view.aligned()) return point;
+  const std::optional<Mat4> turn = cut::turn_at(*view.section, point, view.slack);
   return turn ? std::optional(Vec3(*turn * Vec4(point, 1))) : std::nullopt;
 }
 
 bool shows_in_place(const NamedProjection& view, const Vec3& point, const Vec3& axis) {
-  if (!view.aligned) return true;
+  if (!view.aligned()) return true;
   const std::optional<Vec3> shown = shown_point(view, point);
-  return shown && glm::distance(*shown, point) <= view.aligned->slack &&
-         design::are_parallel(view.aligned->surface->axis(), axis);
+  return shown && glm::distance(*shown, point) <= view.slack && design::are_parallel(view.section->axis(), axis);
 }
 
 bool keeps_positions(const NamedProjection& view, int axis) {
-  return !view.aligned || design::are_parallel(view.aligned->surface->axis(), Mat3(1)[axis]);
+  return !view.aligned() || design::are_parallel(view.section->axis(), Mat3(1)[axis]);
 }
 
 }  // namespace epura::sheet

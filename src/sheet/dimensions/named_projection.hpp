@@ -10,17 +10,18 @@
 
 namespace epura::sheet {
 
-/// An aligned section, which shows parts of the models elsewhere.
-struct AlignedView {
-  const cut::CuttingSurface* surface;
-  double slack;  ///< up to which points are on its planes
-};
-
 struct NamedProjection {
   std::string name;  ///< of the view
   projection::Projection projection;
-  std::optional<AlignedView> aligned{};
+  const cut::CuttingSurface* section = nullptr;  ///< that it shows; null if it shows the whole
+  double slack = 0;                              ///< up to which points are on the planes of the section
+
+  /// Of an aligned section, which shows parts of the models elsewhere.
+  [[nodiscard]] bool aligned() const { return section != nullptr && section->aligned; }
 };
+
+/// Whether a view shows what is at a point of the models, seen or hidden.
+bool keeps(const NamedProjection& view, const Vec3& point);
 
 /// Where a view shows what is at a point of the models: an aligned section may turn it. Nothing if it leaves it out.
 std::optional<Vec3> shown_point(const NamedProjection& view, const Vec3& point);

@@ -42,8 +42,8 @@ const NamedProjection* clearest(std::span<const NamedProjection> views, const Pa
   for (const bool aligned : {false, true})
     for (const Vec3& viewer : direction.seen_from)
       for (const NamedProjection& view : views)
-        if ((name.empty() || view.name == name) && view.aligned.has_value() == aligned &&
-            looks_from(view.projection, viewer) && keeps_size(view, direction, extent))
+        if ((name.empty() || view.name == name) && view.aligned() == aligned && looks_from(view.projection, viewer) &&
+            keeps_size(view, direction, extent))
           return &view;
   return nullptr;
 }

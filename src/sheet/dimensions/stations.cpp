@@ -19,6 +19,8 @@ constexpr double same_station = 1e-5;  // relative to the size of the models
 
 bool is_horizontal(const Station& station) { return std::abs(station.view->projection.u[station.axis]) > 0.5; }
 
+bool is_kept(const Station& station) { return station.view->aligned() || keeps(*station.view, station.point); }
+
 // Prefers points below, or on the right.
 double rank(const Station& station, const Vec3& point) {
   const projection::Projection& projection = station.view->projection;
@@ -86,6 +88,10 @@ void Stations::add(const Station& station) {
   for (Station& other : stations_)
     if (other.axis == station.axis && std::abs(other.at - station.at) <= slack_) {
       if (other.view != station.view) return;
+      // What a section has removed is the worse place to measure to.
+      const bool was_kept = is_kept(other), kept = is_kept(station);
+      if (was_kept && !kept) return;
+      if (kept && !was_kept) other = station;
       if (rank(other, station.point) > rank(other, other.point)) other.point = station.point;
       if (rank(other, station.opposite) < rank(other, other.opposite)) other.opposite = station.opposite;
       return;

@@ -13,9 +13,9 @@ using design::are_parallel;
 ViewChoice::ViewChoice(const scene::DimensionDescription& wanted, std::span<const NamedProjection> views) {
   for (const NamedProjection& view : views) {
     if (wanted.view.value_or(view.name) != view.name || !is_plain(view.projection)) continue;
-    if (!view.aligned)
+    if (!view.aligned())
       views_.push_back(&view);
-    else if (are_parallel(view.projection.n, view.aligned->surface->plane.normal))
+    else if (are_parallel(view.projection.n, view.section->plane.normal))
       aligned_.push_back(&view);
   }
 }
@@ -48,7 +48,7 @@ const NamedProjection* ViewChoice::beside(const Vec3& axis, const Vec3& at) cons
   for (const NamedProjection* view : views_)
     if (is_beside(view, axis)) return view;
   for (const NamedProjection* view : aligned_)
-    if (const auto turn = cut::turn_at(*view->aligned->surface, at, view->aligned->slack))
+    if (const auto turn = cut::turn_at(*view->section, at, view->slack))
       if (is_beside(view, Vec3(*turn * Vec4(axis, 0)))) return view;
   return nullptr;
 }

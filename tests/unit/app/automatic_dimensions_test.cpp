@@ -176,6 +176,12 @@ TEST_F(AutomaticDimensions, OfBlindHolesInATable) {
   EXPECT_EQ(std::count(found.begin(), found.end(), "⌀6.6 ⌴⌀11 ↧6.5"), 4);
 }
 
+// From both ends: the only view along them shows one behind the other.
+TEST_F(AutomaticDimensions, OfHolesBehindOthersHaveOneNote) {
+  const Loop profile{{10, 1e-9}, {10, 5}, {0, 5}, {0, 15}, {60, 15}, {60, 5}, {50, 5}, {50, 1e-9}};
+  expect_known({{"two bores", shaft(profile), {"2× ⌀10 ↧10", "60", "⌀30"}}});
+}
+
 TEST_F(AutomaticDimensions, TableWithoutRoomIsReported) {
   const std::string part = folder.file("part.obj", plates()[3].obj);
   const Outcome run = epura({"draw", part, "--projection", "top", "--dimensions", "hole-table", "--sheet", "110x110",
