@@ -415,9 +415,10 @@ class Planner {
     return count;
   }
 
-  [[nodiscard]] bool has_radius(double radius) const {
+  [[nodiscard]] bool has_radius(double radius, double doubt = 0) const {
     return std::any_of(dimensions_.begin(), dimensions_.end(), [&](const DimensionDescription& dimension) {
-      return *dimension.type == DimensionType::radius && are_alike(dimension.circle->radius, radius);
+      return *dimension.type == DimensionType::radius &&
+             (are_alike(dimension.circle->radius, radius) || std::abs(dimension.circle->radius - radius) <= doubt);
     });
   }
 
@@ -442,7 +443,7 @@ class Planner {
     for (const auto& group : groups_of<design::DesignBall>(subject_.features.balls, equal)) {
       const design::DesignBall& ball = *group.front();
       check(ball.radius > 0, "a ball has a radius");
-      if (has_radius(ball.radius) || is_overall(ball)) continue;
+      if (has_radius(ball.radius, ball.doubt) || is_overall(ball)) continue;
       const auto found = std::find_if(views_.all().begin(), views_.all().end(), [&](const NamedProjection* one) {
         return std::abs(glm::dot(ball.middle, one->projection.n)) < 0.5;
       });

@@ -28,9 +28,6 @@ using design::parallel;
 
 constexpr double place_agrees = 2e-5;  // relative to the size of the models
 constexpr double size_agrees = 2e-4;   // relative
-// By how many residuals the radius of a fit may differ from that of the surface: facets along a quarter of a tube leave
-// it uncertain by about 1 / (1 - cos 45°) of them.
-constexpr double most_moved = 3;
 
 bool agree(double a, double b) { return std::abs(a - b) <= size_agrees * std::max(std::abs(a), std::abs(b)); }
 
@@ -505,7 +502,7 @@ class CoverageFinder {
       check(radius > 0, "a sphere or torus has a radius");
       const auto is_it = [&](double r) {
         return agree(r, radius) || are_written_alike(r, radius, notation_) ||
-               std::abs(r - radius) <= most_moved * face.residual;
+               std::abs(r - radius) <= design::radius_doubt(face);
       };
       const bool is_given = std::any_of(radii_.begin(), radii_.end(), is_it);
       if (is_given || std::any_of(seen.begin(), seen.end(), same) || (sphere && is_overall_sphere(surface))) continue;
