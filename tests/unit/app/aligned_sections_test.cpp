@@ -171,6 +171,10 @@ TEST_F(AlignedSections, HaveAutomaticDimensions) {
   };
   const std::string both = flange(section, wanted),
                     alone = both.substr(0, both.find("[[view]]")) + "[[view]]\nprojection = " + section;
+  drawing(both, {"--svg-text", "text"});
+  const std::string svg = read_file(folder / "x.svg");
+  EXPECT_GT(svg.find(">⌀36</text>"), svg.find("left-dimensions")) << "across its axis";
+  EXPECT_LT(svg.find(">⌀20</text>"), svg.find("left-dimensions")) << "along its axis";
   EXPECT_EQ(texts(both), (std::multiset<std::string>{"10", "30", "3× ⌀10", "⌀20", "⌀36", "⌀58", "⌀80"}));
   EXPECT_EQ(texts(alone), (std::multiset<std::string>{"10", "30", "3× ⌀10", "⌀20", "⌀36", "⌀80"}));
   EXPECT_EQ(epura({"lint", "--allow-outside", folder.file("both.toml", both)}, folder / "").code, 0);
