@@ -33,9 +33,31 @@ std::string json_of(const report::Finding& finding) {
   return text + ", \"what\": " + output::json_string(finding.what) + "}";
 }
 
-std::string json_of(const std::vector<report::Finding>& findings) {
+std::string json_of(const report::Report& report) {
   const auto write = [](const report::Finding& finding) { return json_of(finding); };
-  return "{\"epura_lint\": 1, \"findings\": " + output::json_lines(findings, write, "\n  ") + "}\n";
+  std::string views;
+  for (const std::string& view : report.views_to_add) views += (views.empty() ? "" : ", ") + output::json_string(view);
+  return "{\"epura_lint\": 1, \"findings\": " + output::json_lines(report.findings, write, "\n  ") +
+         ", \"views_to_add\": [" + views + "]}\n";
+}
+
+// Of a machine, most sizes have no room.
+std::string hint_for_machines(const report::Report& report) {
+  constexpr std::size_t many_findings = 40;
+  constexpr int many_bodies = 10;
+  int bodies = 0;
+  for (const mesh::MeshReport& mesh : report.meshes) bodies += mesh.bodies;
+  if (report.findings.size() < many_findings || bodies < many_bodies) return "";
+  return "  hint: the models have " + std::to_string(bodies) +
+         " bodies: draw the parts on sheets of their own, and overall dimensions of the whole\n";
+}
+
+// What to add to the command; a scene file has a [[view]] for each.
+std::string hint_of(const std::vector<std::string>& views) {
+  if (views.empty()) return "";
+  std::string text = "  hint: these views show more:";
+  for (const std::string& view : views) text += " --projection " + view;
+  return text + "\n";
 }
 
 // What a finding says apart from numbers: "radius R" of "2× radius R12.5".
@@ -77,9 +99,10 @@ int lint(DrawOptions options) {
   console.print("");
   tell_the_end(messages_to(console), options, drawn);
   const std::vector<report::Finding>& findings = drawn.report.findings;
-  if (!options.lint_json.empty()) pipeline::write({options.lint_json, json_of(findings)}, {});
+  if (!options.lint_json.empty()) pipeline::write({options.lint_json, json_of(drawn.report)}, {});
   if (options.lint_json != "-") {
     std::fputs(printed_findings(findings, options.lint_all).c_str(), stdout);
+    std::fputs((hint_of(drawn.report.views_to_add) + hint_for_machines(drawn.report)).c_str(), stdout);
     if (findings.empty()) std::fputs("every recognised size has one dimension, and none cross\n", stdout);
   }
   const int code = exit_code_of(drawn);

@@ -295,6 +295,14 @@ std::optional<Mat4> turn_at(const CuttingSurface& surface, const Vec3& point, do
   return turn;
 }
 
+bool keeps(const CuttingSurface& surface, const Vec3& point, double slack) {
+  return std::any_of(surface.regions.begin(), surface.regions.end(), [&](const CutRegion& region) {
+    const bool is_inside = std::all_of(region.borders.begin(), region.borders.end(),
+                                       [&](const CutBorder& border) { return side_of(border, point, slack) <= 0; });
+    return is_inside && (!region.plane || glm::dot(region.plane->normal, point - region.plane->point) <= slack);
+  });
+}
+
 CuttingSurface plane_surface(const scene::CuttingPlane& plane) { return {plane, {{plane, {}}}}; }
 
 CuttingSurface make_cutting_surface(const scene::SectionDescription& section) {

@@ -44,11 +44,16 @@ struct CuttingSurface {
   bool aligned = false;  ///< planes that are not parallel, each turned about the axis in which it meets the next
 
   [[nodiscard]] bool is_plane() const { return regions.size() == 1; }
+  /// Of an aligned section: the direction of the axes in which its planes meet; length 1.
+  [[nodiscard]] Vec3 axis() const { return glm::normalize(glm::cross(plane.normal, along)); }
 };
 
 /// How the view of an aligned section turns what is at a point of the models: with the nearest plane behind which it
 /// is. Nothing if the section leaves it out. `slack` is the distance up to which points are on a plane.
 std::optional<Mat4> turn_at(const CuttingSurface& surface, const Vec3& point, double slack);
+
+/// Whether a section shows what is at a point of the models: it is not in front of the surface.
+bool keeps(const CuttingSurface& surface, const Vec3& point, double slack);
 
 /// A surface of one plane.
 CuttingSurface plane_surface(const scene::CuttingPlane& plane);

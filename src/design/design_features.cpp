@@ -322,7 +322,7 @@ class PartReader {
       return ball.model == model_ && are_same(ball.radius, sphere.radius) &&
              glm::distance(ball.centre, sphere.origin) <= same_size * sphere.radius;
     });
-    if (!is_known) found.balls.push_back({model_, sphere.origin, sphere.radius, middle});
+    if (!is_known) found.balls.push_back({model_, sphere.origin, sphere.radius, middle, radius_doubt(round.face)});
   }
 
   [[nodiscard]] DesignRound round_of(const RoundFace& round) const {
@@ -504,6 +504,18 @@ std::vector<Vec3> DesignRound::section(const Vec3& out) const {
     points.push_back(centre + (ring + radius * portable_cos(angle)) * out + radius * portable_sin(angle) * axis);
   }
   return points;
+}
+
+// A larger sphere through the rim of a cap is off by as much less in its middle as the cap is high: of the radius, a
+// part of 1 - cos(a), by area / (2 pi r^2). Facets along a quarter of a tube leave it uncertain by 1 / (1 - cos(45
+// degrees)).
+double radius_doubt(const features::PartFace& face) {
+  constexpr double of_tubes = 3;
+  const double radius = face.surface.radius;
+  const double height = face.surface.kind == features::SurfaceKind::sphere && face.area > 0
+                            ? face.area / (2 * std::numbers::pi * radius * radius)
+                            : 1 / of_tubes;
+  return face.residual / std::min(height, 1.0);
 }
 
 bool are_equal(const DesignHole& a, const DesignHole& b) {

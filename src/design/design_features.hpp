@@ -122,8 +122,13 @@ struct DesignBall {
   int model;
   Vec3 centre;
   double radius;
-  Vec3 middle;  ///< mean direction of its points from the centre; shorter than 1 if it has much of a sphere
+  Vec3 middle;       ///< mean direction of its points from the centre; shorter than 1 if it has much of a sphere
+  double doubt = 0;  ///< as of radius_doubt
 };
+
+/// By how much the radius of a sphere or of the tube of a torus may differ from that of the surface to which it was
+/// fitted: the smaller the face, the less its vertices tell.
+double radius_doubt(const features::PartFace& face);
 
 /// Plane faces perpendicular to a world axis, at the same place along it; without those at the ends of the models and
 /// those inside holes and slots.

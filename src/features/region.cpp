@@ -118,8 +118,17 @@ bool is_chord(const Facets& facets, int facet, const PartSurface& surface, doubl
   return true;
 }
 
+// That of a surface of revolution at its origin; for cones whose origin is near the apex, as files may declare it, the
+// largest one at the points.
+double radius_near(const PartSurface& s, std::span<const Vec3> points) {
+  if (s.kind != SurfaceKind::cone) return s.radius;
+  double widest = 0;
+  for (const Vec3& p : points) widest = std::max(widest, glm::length(glm::cross(p - s.origin, s.axis)));
+  return s.radius < widest / 4 ? widest : s.radius;
+}
+
 Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around_tube, double allowance) {
-  const double radius = around_tube ? s.minor : s.radius;
+  const double at_origin = radius_near(s, points), radius = around_tube ? s.minor : at_origin;
   const double same = std::max(1e-5, 16 * allowance / radius);
   constexpr double none = HUGE_VAL;
   std::vector<double> angles(points.size());
@@ -127,7 +136,7 @@ Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around
     for (std::size_t i = begin; i < end; ++i) {
       // A point on the axis has no angle.
       const Vec3 from = points[i] - s.origin;
-      const bool is_off = glm::length(from - glm::dot(from, s.axis) * s.axis) > 1e-3 * s.radius;
+      const bool is_off = glm::length(from - glm::dot(from, s.axis) * s.axis) > 1e-3 * at_origin;
       angles[i] = is_off ? angle_of(s, points[i], around_tube) : none;
     }
   });

@@ -82,7 +82,7 @@ void add_stroke(DxfWriter& dxf, int owner, const LayerInFile& layer, const sheet
   if (stroke.points.size() < 2) return;
   const bool continuous = !(stroke.dashes.dash > 0) && stroke.pattern.empty();
   const Place place{owner, layer.name, layer.layer.style.dashes.dash > 0, continuous};
-  for (const DxfShape& shape : dxf_shapes(stroke))
+  for (const DxfShape& shape : dxf_shapes(place.dashed && !continuous ? with_arcs(stroke) : stroke))
     std::visit([&](const auto& kind) { add_shape(dxf, place, kind); }, shape);
 }
 

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "base/angle.hpp"
+#include "base/circle_fit.hpp"
+#include "base/curve_runs.hpp"
 
 namespace epura::output {
 
@@ -55,7 +58,49 @@ void add_line(std::vector<DxfShape>& shapes, BulgedLine& line) {
   line = {};
 }
 
+constexpr double fits = 0.01, bends = 0.05;  // mm: of corners, and of the middles of pieces, from the arc
+
+struct StrokeArc {
+  Vec2 centre;
+  double radius, sweep, deviation, tolerance;
+};
+
+// The arc through consecutive corners of a stroke whose pieces differ little from it, and which turn in one direction.
+std::optional<StrokeArc> arc_through(const std::vector<Vec2>& corners) {
+  const std::optional<FittedCircle> circle = fit_circle(corners);
+  if (!circle || circle->deviation > fits) return std::nullopt;
+  double sweep = 0;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    const Vec2 a = corners[i] - circle->centre, b = corners[i + 1] - circle->centre;
+    const double turn = std::atan2(cross(a, b), glm::dot(a, b));
+    if (turn == 0 || turn * sweep < 0 || circle->radius * (1 - std::cos(turn / 2)) > bends) return std::nullopt;
+    sweep += turn;
+  }
+  return StrokeArc{circle->centre, circle->radius, sweep, circle->deviation, fits};
+}
+
 }  // namespace
+
+sheet::Stroke with_arcs(sheet::Stroke stroke) {
+  constexpr int least_pieces = 4;
+  const int count = static_cast<int>(stroke.points.size());
+  if (!stroke.curves.empty() || count <= least_pieces) return stroke;
+  const auto point = [&](int i) { return stroke.points[static_cast<std::size_t>((i % count + count) % count)]; };
+  const auto window = [](int first, int most) { return std::min(first + least_pieces, most); };
+  const auto fit = [&](int first, int last) -> std::optional<StrokeArc> {
+    if (last - first < least_pieces || last - first > count) return std::nullopt;
+    std::vector<Vec2> corners;
+    for (int i = first; i <= last; ++i) corners.push_back(point(i));
+    return arc_through(corners);
+  };
+  for (const CurveRun<StrokeArc>& run : find_curve_runs<StrokeArc>(count, stroke.closed, window, fit)) {
+    const Vec2 from = point(run.first) - run.curve.centre;
+    const double begin = std::atan2(from.y, from.x), radius = run.curve.radius;
+    stroke.curves.push_back(
+        {run.first, run.last, run.curve.centre, {radius, 0}, {0, radius}, begin, begin + run.curve.sweep});
+  }
+  return stroke;
+}
 
 bool EllipseArc::whole() const { return to - from >= full_turn - slack; }
 

@@ -34,6 +34,10 @@ struct EllipseArc {
 
 using DxfShape = std::variant<BulgedLine, EllipseArc>;
 
+/// A stroke with arcs instead of its short straight pieces that lie on one circle within the width of a hair: LibreCAD
+/// begins dashes anew at each corner, so that dashed circles of short pieces are continuous there.
+sheet::Stroke with_arcs(sheet::Stroke stroke);
+
 /// The shapes of a stroke in order, without repetitions: circular arcs among straight lines become bulges; elliptical
 /// arcs and strokes that consist of one arc become separate shapes.
 std::vector<DxfShape> dxf_shapes(const sheet::Stroke& stroke);

@@ -255,11 +255,21 @@ sheet::Neighbours in_the_way(sheet::Neighbours around, const SheetInput& input, 
   return neighbours;
 }
 
+// The first ones of the many lengths of a row: "0, 12, 20 and 30 others".
+std::string shortened(const std::string& text) {
+  constexpr std::size_t longest = 40;
+  std::size_t end = text.find(", ", longest), more = 0;
+  if (end == std::string::npos) return text;
+  for (std::size_t at = end; at != std::string::npos; at = text.find(", ", at + 1)) ++more;
+  return text.substr(0, end) + " and " + std::to_string(more) + (more == 1 ? " other" : " others");
+}
+
 // "'⌀8', '20', '30' and 3 others (epura lint lists all)"
 std::string first_of(const std::vector<std::string>& texts) {
   constexpr std::size_t most = 3;
   std::string list;
-  for (std::size_t i = 0; i < std::min(most, texts.size()); ++i) list += (i > 0 ? ", '" : "'") + texts[i] + "'";
+  for (std::size_t i = 0; i < std::min(most, texts.size()); ++i)
+    list += (i > 0 ? ", '" : "'") + shortened(texts[i]) + "'";
   const std::size_t more = texts.size() - std::min(most, texts.size());
   if (more > 0) list += " and " + std::to_string(more) + (more == 1 ? " other" : " others") + " (epura lint lists all)";
   return list;
@@ -273,7 +283,8 @@ void tell_left_out(AnnotationLayers& result, const sheet::PlacedLayer& placed, s
                             "', which are left out: " + first_of(placed.texts_left_out) +
                             "\n  hint: use a larger sheet or a larger scale, more views, or --dimensions hole-table");
   for (const std::string& text : placed.texts_left_out)
-    result.findings.push_back({report::FindingKind::undimensioned, view, "there is no room for '" + text + "'"});
+    result.findings.push_back(
+        {report::FindingKind::undimensioned, view, "there is no room for '" + shortened(text) + "'"});
 }
 
 /// A view whose dimensions are placed.

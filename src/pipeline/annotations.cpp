@@ -34,22 +34,32 @@ const std::string& view_of(const scene::DimensionDescription& dimension, const s
   return dimension.view.given() ? *dimension.view : *scene.views.front().name;
 }
 
+// Up to which distance points are on a plane of an aligned section: they are given with few decimals.
+double on_plane(const world::World& world) { return 1e-3 * glm::length(world.box.size()); }
+
 // A section may have cut off an end of the models: it shows their size only if no other view does. Details never do.
-std::vector<sheet::NamedProjection> views_to_measure(std::span<const scene::ViewDescription> views,
+std::vector<sheet::NamedProjection> views_to_measure(const world::World& world,
+                                                     std::span<const scene::ViewDescription> views,
                                                      std::span<const PlannedView> plans,
-                                                     std::span<const view::ProjectedScene> seen) {
+                                                     std::span<const view::ProjectedScene> seen,
+                                                     const SectionSurfaces& sections) {
   std::vector<sheet::NamedProjection> whole, cut;
-  for (std::size_t i = 0; i < seen.size(); ++i)
-    if (!views[i].detail.given() && !plans[i].options.exploded && !plans[i].options.turned)
-      (views[i].section.given() ? cut : whole).push_back({*views[i].name, seen[i].projection});
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (views[i].detail.given() || plans[i].options.exploded) continue;
+    sheet::NamedProjection& view = (views[i].section.given() ? cut : whole).emplace_back();
+    view.name = *views[i].name;
+    view.projection = seen[i].projection;
+    view.slack = on_plane(world);
+    if (const auto section = sections.find(views[i].section.value_or("")); section != sections.end())
+      view.section = &section->second;
+  }
   whole.insert(whole.end(), cut.begin(), cut.end());
   return whole;
 }
 
 // How an aligned section turns what is at a point of the models.
 Mat4 turn_at(const Vec3& point, const world::World& world, const ViewOptions& options, const std::string& where) {
-  constexpr double on_plane = 1e-3;  // of the size: points are given with few decimals
-  if (const auto turn = cut::turn_at(*options.turned, point, on_plane * glm::length(world.box.size()))) return *turn;
+  if (const auto turn = cut::turn_at(*options.turned, point, on_plane(world))) return *turn;
   throw Error(ErrorKind::input, where,
               "view '" + options.name + "' shows an aligned section, which leaves this point of the models out",
               "choose a point on one of its planes, or behind it");
@@ -70,7 +80,8 @@ bool shows(const Vec3& n, const sheet::WorldCircle& circle, bool is_diameter) {
 // A circle of the models as an aligned section shows it: turned with the anchor of its dimension.
 void turn_circle(scene::DimensionDescription& dimension, const world::World& world, const ViewOptions& options) {
   const sheet::AnchoredDimension anchored = sheet::find_anchors(world, {&dimension, 1}).front();
-  const Mat4 turn = turn_at(anchored.points.front(), world, options, dimension.where);
+  const Vec3& anchor = dimension.circle ? dimension.circle->centre : anchored.points.front();
+  const Mat4 turn = turn_at(anchor, world, options, dimension.where);
   std::vector<sheet::WorldCircle> circles = anchored.circles;
   for (sheet::WorldCircle& circle : circles) {
     circle.centre = Vec3(turn * Vec4(circle.centre, 1));
@@ -84,9 +95,10 @@ void turn_circle(scene::DimensionDescription& dimension, const world::World& wor
   dimension.circle = {circle.centre, circle.axis, circle.radius, circle.whole ? std::vector<Vec3>() : circle.rim};
 }
 
-// A dimension as a view shows it, whose parts may be turned. Throws Error{input} for exploded views.
+// A dimension as a view shows it, whose parts may be turned. Ends of lengths are already there if the dimension is
+// found. Throws Error{input} for exploded views.
 scene::DimensionDescription shown_dimension(scene::DimensionDescription dimension, const world::World& world,
-                                            const ViewOptions& options) {
+                                            const ViewOptions& options, bool is_found) {
   if (options.exploded)
     throw Error(ErrorKind::input, dimension.where, "view '" + options.name + "' is exploded and has no dimensions",
                 "dimension a view of the whole assembly");
@@ -96,6 +108,7 @@ scene::DimensionDescription shown_dimension(scene::DimensionDescription dimensio
     turn_circle(dimension, world, options);
     return dimension;
   }
+  if (is_found) return dimension;
   for (scene::Anchor& anchor : dimension.anchors)
     anchor = shown_at(sheet::position_of(world, anchor, dimension.where), world, options, dimension.where);
   return dimension;
@@ -103,10 +116,10 @@ scene::DimensionDescription shown_dimension(scene::DimensionDescription dimensio
 
 void add_dimensions(std::vector<Annotations>& annotations, const world::World& world,
                     const scene::SceneDescription& scene, const SheetOfViews& sheet,
-                    std::span<const view::ProjectedScene> seen) {
+                    std::span<const view::ProjectedScene> seen, const SectionSurfaces& sections) {
   const std::vector<scene::ViewDescription>& views = sheet.descriptions;
   std::optional<std::array<design::Extent, 3>> extents;
-  const std::vector<sheet::NamedProjection> projections = views_to_measure(views, sheet.plans, seen);
+  const std::vector<sheet::NamedProjection> projections = views_to_measure(world, views, sheet.plans, seen, sections);
   const auto here = [&views](const std::string& name) {
     return std::find_if(views.begin(), views.end(), [&](const scene::ViewDescription& v) { return *v.name == name; });
   };
@@ -116,7 +129,7 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
     if (view == views.end()) return;
     const auto number = std::size_t(view - views.begin());
     auto& dimensions = is_given ? annotations[number].dimensions : found[number];
-    dimensions.push_back(shown_dimension(dimension, world, sheet.plans[number].options));
+    dimensions.push_back(dimension);
   };
   const auto add = [&](const scene::DimensionDescription& dimension) { add_to(dimension, true); };
   const auto is_outside = [&](const scene::DimensionDescription& dimension) {
@@ -154,6 +167,10 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
     annotations[i].found = found[i].size();
     dimensions.insert(dimensions.begin(), std::make_move_iterator(found[i].begin()),
                       std::make_move_iterator(found[i].end()));
+    if (sheet.plans[i].options.turned) annotations[i].unturned = dimensions;
+    for (std::size_t number = 0; number < dimensions.size(); ++number)
+      dimensions[number] =
+          shown_dimension(std::move(dimensions[number]), world, sheet.plans[i].options, number < annotations[i].found);
   }
 }
 
@@ -225,7 +242,7 @@ std::vector<Annotations> annotate(const world::World& world, const scene::SceneD
                                   const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
                                   const SectionSurfaces& sections) {
   std::vector<Annotations> annotations(sheet.descriptions.size());
-  add_dimensions(annotations, world, scene, sheet, seen);
+  add_dimensions(annotations, world, scene, sheet, seen, sections);
   add_planes(annotations, sheet.descriptions, seen, sections);
   add_details(annotations, scene, sheet.descriptions);
   add_callouts(annotations, world, scene, sheet);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "drawing/boundary.hpp"
 #include "drawing/cut_faces.hpp"
 #include "drawing/freehand.hpp"
@@ -34,6 +35,14 @@ std::vector<BrokenOutSection> cut_broken_outs(const world::World& world, const s
   return sections;
 }
 
+namespace {
+
+const std::string& where_line_is(const scene::BrokenOutDescription& description) {
+  return description.radius.given() ? description.radius.where : description.outline.where;
+}
+
+}  // namespace
+
 drawing::ClosedLine line_on_page(const scene::BrokenOutDescription& description, const drawing::ViewDrawing& drawing) {
   std::vector<Vec2> points;
   if (description.radius.given())
@@ -41,7 +50,7 @@ drawing::ClosedLine line_on_page(const scene::BrokenOutDescription& description,
                                        drawing.scale * *description.radius);
   else
     for (const Vec3& p : *description.outline) points.push_back(drawing::position_on_page(drawing, p));
-  const std::string& where = description.radius.given() ? description.radius.where : description.outline.where;
+  const std::string& where = where_line_is(description);
   constexpr double least = 0.5;  // mm²; a line around less is a dot
   if (!(std::abs(drawing::twice_area(points)) > 2 * least))
     throw Error(ErrorKind::input, where, "the broken-out section has no area in view '" + *description.view + "'",
@@ -55,9 +64,22 @@ drawing::ClosedLine line_on_page(const scene::BrokenOutDescription& description,
   return line;
 }
 
-std::vector<drawing::PaperTriangle> removed_on_paper(const world::World& world, const CutSection& section,
-                                                     const Mat4& world_to_page) {
-  return drawing::before_cuts_on_paper(world, {edges::all_triangles(world).triangles}, section.surface, world_to_page);
+std::vector<drawing::PaperTriangle> removed_on_paper(const world::World& world, const BrokenOutSection& one,
+                                                     const drawing::ClosedLine& line, const Mat4& world_to_page) {
+  std::vector<drawing::PaperTriangle> removed =
+      drawing::before_cuts_on_paper(world, {edges::all_triangles(world).triangles}, one.section.surface, world_to_page);
+  if (std::none_of(removed.begin(), removed.end(), [&](const drawing::PaperTriangle& triangle) {
+        return !line.area({{triangle.begin(), triangle.end()}}).empty();
+      })) {
+    const auto range = [&](int axis) {
+      return format_rounded(world.box.min[axis], 6) + " to " + format_rounded(world.box.max[axis], 6);
+    };
+    throw Error(ErrorKind::input, where_line_is(one.description),
+                "the broken-out section removes nothing inside its line in view '" + *one.description.view + "'",
+                "move its point behind what is to be removed, or its line around it: the models reach from " +
+                    range(0) + " along x, " + range(1) + " along y and " + range(2) + " along z");
+  }
+  return removed;
 }
 
 }  // namespace epura::pipeline

@@ -26,8 +26,9 @@ std::vector<BrokenOutSection> cut_broken_outs(const world::World& world, const s
 /// it encloses no area there, or overlaps another one of the view.
 drawing::ClosedLine line_on_page(const scene::BrokenOutDescription& description, const drawing::ViewDrawing& drawing);
 
-/// What a broken-out section removes, on paper.
-std::vector<drawing::PaperTriangle> removed_on_paper(const world::World& world, const CutSection& section,
-                                                     const Mat4& world_to_page);
+/// What a broken-out section removes inside and outside its line, on paper. Throws Error{input} if there is nothing
+/// inside.
+std::vector<drawing::PaperTriangle> removed_on_paper(const world::World& world, const BrokenOutSection& one,
+                                                     const drawing::ClosedLine& line, const Mat4& world_to_page);
 
 }  // namespace epura::pipeline

@@ -35,7 +35,6 @@
 #include "pipeline/view_plan.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/line_styles.hpp"
-#include "sheet/standard_scale.hpp"
 #include "verify/verify.hpp"
 #include "view/condition.hpp"
 
@@ -103,6 +102,7 @@ struct Run {
   void choose_by_world(SheetOfViews& views, const ShownWorlds& worlds,
                        const std::vector<view::ProjectedScene>& seen) const;
   PreparedSheet prepare_sheet(const ShownWorlds& worlds, SheetOfViews views);
+  [[nodiscard]] SheetPlan usual_plan(const ShownWorlds& worlds, PreparedSheet& sheet) const;
   SheetPlan plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const LayoutWish& layout) const;
   FinishedSheet draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared, const SheetPlan& plan,
                            const std::optional<std::size_t>& most_left_out);
@@ -186,37 +186,6 @@ ViewTime Run::time_of_next_view() {
   constexpr double views_for_the_rest = 0.25;
   return {progress,
           progress.with_part_of_the_time(1 / (static_cast<double>(gathered.views_left--) + views_for_the_rest))};
-}
-
-std::string sentence_of_scale(const SheetPlan& plan) {
-  const std::string scale = "the scale is " + sheet::ratio_text(plan.scale);
-  if (plan.inside && plan.fitting)
-    return scale + "; " + sheet::ratio_text(*plan.fitting) + " fits with smaller pictorial views";
-  return scale + ", the largest of ISO 5455 that fits";
-}
-
-// A scale that was found is of ISO 5455, or as large as possible; the user may have chosen others.
-void tell_of_scales(const Messages& messages, const SheetPlan& plan, const scene::SheetDescription& sheet,
-                    const SheetOfViews& views) {
-  if (plan.chosen && plan.inside) messages.warn(sentence_of_scale(plan));
-  if (sheet.size.value_or({}).kind == scene::PaperChoice::Kind::none) return;
-  std::vector<double> chosen;
-  const auto add = [&](const scene::Located<scene::ScaleChoice>& scale) {
-    if (scale.given() && scale->fixed) chosen.push_back(*scale->fixed);
-  };
-  add(sheet.scale);
-  for (const scene::ViewDescription& view : views.descriptions) add(view.scale);
-  std::sort(chosen.begin(), chosen.end());
-  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-  std::string unusual;
-  for (const double scale : chosen) {
-    const double nearest = sheet::nearest_standard_scale(scale);
-    if (std::abs(nearest / scale - 1) <= 1e-9) continue;
-    const std::string ratio = sheet::ratio_text(scale);
-    unusual += (unusual.empty() ? "" : "; ") + (ratio.empty() ? format_rounded(scale, 6) : ratio) +
-               " (the nearest is " + sheet::ratio_text(nearest) + ")";
-  }
-  if (!unusual.empty()) messages.warn("not a scale of ISO 5455: " + unusual);
 }
 
 // The cut world has no faces along steps and where turned parts end, which a section must not show.
@@ -466,7 +435,8 @@ bool is_complete(const FinishedSheet& sheet) {
 }
 
 // The room for dimensions in the usual layout is an estimate: short ones share lines, and most are on one side of their
-// view. So a better layout, which has half of it, counts if everything has a place.
+// view. So a better layout, which has a part of it, counts if everything has a place; then one that is better still
+// may.
 std::optional<Attempt> Run::attempt_better(const ShownWorlds& worlds, PreparedSheet& sheet, const SheetPlan& usual) {
   constexpr std::size_t most = 200'000;  // triangles: drawing more once again takes too long
   if (!usual.inside || !dimensions_features(scene) || worlds.main().triangles.size() > most) return std::nullopt;
@@ -474,16 +444,34 @@ std::optional<Attempt> Run::attempt_better(const ShownWorlds& worlds, PreparedSh
   std::optional<SheetPlan> tried;
   for (const LayoutWish& wish : better_layouts(description, usual)) {
     const SheetPlan better = plan_of(worlds, sheet, wish);
-    if (!better.inside || !is_better(better, tried.value_or(usual))) continue;
-    if (auto found = attempt_if([&] { return draw_sheet(worlds, sheet, better, 0); }, is_complete)) return found;
+    if (!better.inside || better.crowded || !is_better(better, tried.value_or(usual))) continue;
+    if (auto found = attempt_if([&] { return draw_sheet(worlds, sheet, better, 0); }, is_complete)) {
+      auto larger = better.chosen ? attempt_better(worlds, sheet, better) : std::nullopt;
+      return larger ? std::move(larger) : std::move(found);
+    }
     tried = better;
   }
   return std::nullopt;
 }
 
+// With less room for dimensions than usual, which is told, if the views have no place on the sheet otherwise, at any or
+// the given scale.
+SheetPlan Run::usual_plan(const ShownWorlds& worlds, PreparedSheet& sheet) const {
+  SheetPlan usual = plan_of(worlds, sheet, {});
+  if (usual.inside) return usual;
+  for (const double share : smaller_rooms) {
+    SheetPlan closer = plan_of(worlds, sheet, {0, std::nullopt, share});
+    if (!closer.inside) continue;
+    closer.crowded = true;
+    closer.fitting = usual.fitting;
+    return closer;
+  }
+  return usual;
+}
+
 FinishedSheet Run::draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   PreparedSheet sheet = prepare_sheet(worlds, std::move(views));
-  const SheetPlan usual = plan_of(worlds, sheet, {});
+  const SheetPlan usual = usual_plan(worlds, sheet);
   std::optional<Attempt> best = attempt_better(worlds, sheet, usual);
   if (!best) best = attempt([&] { return draw_sheet(worlds, sheet, usual, std::nullopt); });
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)];
@@ -528,6 +516,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   place_threads(world, scene);
   complete_mass(scene, world);
   refers_to_models = refer_to_models(scene, world);
+  if (refers_to_models) warn_of_unrecognised(messages, scene, world);
   find_heights(world);
   watch.lap("features");
   const ShownWorlds worlds(std::move(world), scene, messages, progress);
@@ -538,8 +527,8 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
     finished.push_back(draw_best_sheet(worlds, std::move(sheet)));
   }
   if (options.lint) {
-    add_all(gathered.report.findings, uncovered_sizes(worlds.main(), scene, gathered.dimensioned, progress));
-    if (!refers_to_models) add_all(gathered.report.findings, undefined_free_forms(worlds.main(), scene));
+    add_uncovered_sizes(gathered.report, worlds.main(), scene, gathered.dimensioned, progress);
+    add_all(gathered.report.findings, undefined_free_forms(worlds.main(), scene, refers_to_models));
   }
   return finished;
 }

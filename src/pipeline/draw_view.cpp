@@ -441,7 +441,7 @@ void ViewRun::break_out(DrawnLines& lines, const BrokenOutSection& one,
     verification = cut.verification;
   if (cut.error && error) error->take_larger(*cut.error);
   const std::vector<drawing::PaperTriangle> removed =
-      removed_on_paper(input_.world, one.section, lines.drawing.world_to_page);
+      removed_on_paper(input_.world, one, line, lines.drawing.world_to_page);
   change(lines, [&](drawing::ViewDrawing& drawing, const Progress& progress) {
     drawing::break_out(drawing, cut.drawing, line, removed, progress);
   });

@@ -19,8 +19,18 @@ namespace {
 
 constexpr double all = 0.999;  // of the area of a model
 
-bool has_free_forms(const world::Placed& placed) {
-  return placed.part != nullptr && placed.part->recognised > 0 && placed.part->recognised < all;
+bool has_no_faces(const world::Placed& placed) { return placed.part == nullptr && placed.mesh->triangle_count() > 0; }
+
+// Of a scan or a sculpture, no face is recognised: all of it is one free form.
+bool is_unrecognised(const scene::SceneDescription& scene, const world::World& world, std::size_t model) {
+  return has_no_faces(world.models[model]) &&
+         scene.models[model].surfaces.value_or(Surfaces::automatic) == Surfaces::automatic;
+}
+
+bool has_free_forms(const scene::SceneDescription& scene, const world::World& world, std::size_t model) {
+  const world::Placed& placed = world.models[model];
+  return is_unrecognised(scene, world, model) ||
+         (placed.part != nullptr && placed.part->recognised > 0 && placed.part->recognised < all);
 }
 
 bool is_surface_profile(const scene::CalloutDescription& callout) {
@@ -49,9 +59,17 @@ class FreeForms {
  public:
   FreeForms(const world::World& world, int model) : world_(world), model_(model) {
     const world::Placed& placed = world.models[static_cast<std::size_t>(model)];
+    if (placed.part == nullptr) {
+      face_of_triangle_.assign(static_cast<std::size_t>(placed.mesh->triangle_count()), 0);
+      open_ = {true};
+      areas_ = {1};
+      return;
+    }
     face_of_triangle_ = world::faces_of_triangles(placed);
-    for (const features::PartFace& face : placed.part->faces)
+    for (const features::PartFace& face : placed.part->faces) {
       open_.push_back(face.surface.kind == features::SurfaceKind::free_form);
+      areas_.push_back(face.area);
+    }
   }
 
   // The faces at a point have a tolerance.
@@ -71,11 +89,10 @@ class FreeForms {
 
   /// The share of the area that has no tolerance.
   [[nodiscard]] double open_share() const {
-    const std::vector<features::PartFace>& faces = world_.models[static_cast<std::size_t>(model_)].part->faces;
     double open = 0, sum = 0;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      sum += faces[i].area;
-      if (open_[i]) open += faces[i].area;
+    for (std::size_t i = 0; i < areas_.size(); ++i) {
+      sum += areas_[i];
+      if (open_[i]) open += areas_[i];
     }
     return sum > 0 ? open / sum : 0;
   }
@@ -84,7 +101,8 @@ class FreeForms {
   const world::World& world_;
   int model_;
   std::vector<int> face_of_triangle_;
-  std::vector<bool> open_;  ///< by face
+  std::vector<bool> open_;     ///< by face
+  std::vector<double> areas_;  ///< by face
 };
 
 // Names of the files, once each.
@@ -118,7 +136,7 @@ bool refer_to_models(scene::SceneDescription& scene, const world::World& world) 
   if (!dimensions_features(scene)) return false;
   std::vector<std::size_t> models;
   for (std::size_t model = 0; model < world.models.size(); ++model)
-    if (has_free_forms(world.models[model]) && open_share(scene, world, model) > 0) models.push_back(model);
+    if (has_free_forms(scene, world, model) && open_share(scene, world, model) > 0) models.push_back(model);
   if (models.empty()) return false;
   scene::CalloutDescription note;
   const std::string language = scene.sheets.front().field("language");
@@ -127,13 +145,24 @@ bool refer_to_models(scene::SceneDescription& scene, const world::World& world) 
   return true;
 }
 
-std::vector<std::string> free_forms_without_tolerance(const scene::SceneDescription& scene, const world::World& world) {
+void warn_of_unrecognised(const Messages& messages, const scene::SceneDescription& scene, const world::World& world) {
+  for (std::size_t model = 0; model < world.models.size(); ++model)
+    if (is_unrecognised(scene, world, model))
+      messages.warn("model " + std::to_string(model) +
+                    ": nothing is recognised, so it has overall dimensions only, and a note refers to its file");
+}
+
+std::vector<std::string> free_forms_without_tolerance(const scene::SceneDescription& scene, const world::World& world,
+                                                      bool noted) {
   std::vector<std::string> sentences;
   for (std::size_t model = 0; model < world.models.size(); ++model) {
-    if (!has_free_forms(world.models[model])) continue;
-    if (const double share = open_share(scene, world, model); share > 0)
-      sentences.push_back("model " + std::to_string(model) + ": faces of free form, " + format_fixed(100 * share, 1) +
-                          " % of its area");
+    const std::string name = "model " + std::to_string(model);
+    const bool is_free = has_free_forms(scene, world, model);
+    const double share = is_free && !noted ? open_share(scene, world, model) : 0;
+    if (has_no_faces(world.models[model]) && (share > 0 || !is_free))
+      sentences.push_back(name + ": nothing is recognised, so only overall sizes are checked");
+    else if (share > 0)
+      sentences.push_back(name + ": faces of free form, " + format_fixed(100 * share, 1) + " % of its area");
   }
   return sentences;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/messages.hpp"
 #include "scene/description.hpp"
 #include "world/world.hpp"
 
@@ -14,8 +15,12 @@ namespace epura::pipeline {
 /// dimensioned and nothing else tells it. Returns whether there is one.
 bool refer_to_models(scene::SceneDescription& scene, const world::World& world);
 
+/// Warns of models without any recognised face, to which such a note refers as a whole.
+void warn_of_unrecognised(const Messages& messages, const scene::SceneDescription& scene, const world::World& world);
+
 /// A sentence for each model with free forms that no profile tolerance of a surface (ISO 1101) refers to: one with a
-/// leader is for its face, one without for all.
-std::vector<std::string> free_forms_without_tolerance(const scene::SceneDescription& scene, const world::World& world);
+/// leader is for its face, one without for all. If they are `noted`, only for models whose faces are not looked for.
+std::vector<std::string> free_forms_without_tolerance(const scene::SceneDescription& scene, const world::World& world,
+                                                      bool noted);
 
 }  // namespace epura::pipeline

@@ -340,12 +340,12 @@ LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfView
 }  // namespace
 
 std::vector<LayoutWish> better_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual) {
-  constexpr double share = 0.5;
   const bool is_sized = is_sized_by_scale(sheet);
   std::vector<LayoutWish> layouts;
-  if (is_sized) layouts.push_back({0, std::nullopt, share});
+  if (is_sized) layouts.push_back({0, std::nullopt, smaller_rooms.front()});
   if (usual.chosen)
-    layouts.push_back({is_sized ? usual.size_rank() : 0, sheet::next_standard_scale(usual.scale), share});
+    layouts.push_back(
+        {is_sized ? usual.size_rank() : 0, sheet::next_standard_scale(usual.scale), smaller_rooms.front()});
   return layouts;
 }
 

@@ -2,6 +2,7 @@
 // Descriptions of sheets and the drawings of their views -> positions of everything.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,7 +36,11 @@ struct SheetPlan {
   [[nodiscard]] int size_rank() const { return next_size ? *next_size - 1 : largest_size_rank; }
 };
 
-/// Layouts with half of the estimated room for dimensions, best first, that may be better than the usual one.
+/// Parts of the estimated room for dimensions: the first one is often enough; with the other one, views are crowded.
+inline constexpr std::array smaller_rooms{0.5, 0.25};
+
+/// Layouts with the larger part of the estimated room for dimensions, best first, that may be better than the usual
+/// one.
 std::vector<LayoutWish> better_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual);
 
 /// Whether one layout has a smaller sheet than the other, or a larger scale on the same one.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "design/design_features.hpp"
 #include "design/true_extents.hpp"
@@ -63,9 +64,12 @@ std::vector<sheet::DimensionsInView> anchored_dimensions(const world::World& wor
                                                          std::span<const view::ProjectedScene> seen,
                                                          std::span<const Annotations> annotations) {
   std::vector<sheet::DimensionsInView> views;
-  for (std::size_t i = 0; i < seen.size(); ++i)
-    views.push_back(
-        {*sheet.descriptions[i].name, seen[i].projection, sheet::find_anchors(world, annotations[i].dimensions)});
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const std::optional<cut::CuttingSurface>& turned = sheet.plans[i].options.turned;
+    views.push_back({*sheet.descriptions[i].name, seen[i].projection,
+                     sheet::find_anchors(world, turned ? annotations[i].unturned : annotations[i].dimensions)});
+    if (turned) views.back().turned_about = turned->axis();
+  }
   return views;
 }
 
@@ -75,23 +79,24 @@ void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::ve
       views[i].dimensions.erase(views[i].dimensions.begin() + static_cast<std::ptrdiff_t>(*number));
 }
 
-std::vector<report::Finding> uncovered_sizes(const world::World& world, const scene::SceneDescription& scene,
-                                             std::span<const sheet::DimensionsInView> views, const Progress& progress) {
+void add_uncovered_sizes(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
+                         std::span<const sheet::DimensionsInView> views, const Progress& progress) {
   const design::DesignFeatures features = design::find_design_features(world, progress);
   const auto extents = design::true_extents(world);
-  const sheet::Coverage coverage =
+  sheet::Coverage coverage =
       sheet::find_coverage(views, {world, features, extents}, notation_of(world, scene.sheets.front()));
-  std::vector<report::Finding> findings;
+  std::vector<report::Finding>& findings = report.findings;
   for (const std::string& what : coverage.undimensioned)
     findings.push_back({report::FindingKind::undimensioned, "", what});
   for (const sheet::DimensionsInView& view : views) find_cut_off(findings, scene, view);
   for (const std::string& what : coverage.repeated) findings.push_back({report::FindingKind::repeated, "", what});
-  return findings;
+  report.views_to_add = std::move(coverage.views_to_add);
 }
 
-std::vector<report::Finding> undefined_free_forms(const world::World& world, const scene::SceneDescription& scene) {
+std::vector<report::Finding> undefined_free_forms(const world::World& world, const scene::SceneDescription& scene,
+                                                  bool noted) {
   std::vector<report::Finding> findings;
-  for (const std::string& what : free_forms_without_tolerance(scene, world))
+  for (const std::string& what : free_forms_without_tolerance(scene, world, noted))
     findings.push_back({report::FindingKind::undimensioned, "", what});
   return findings;
 }

@@ -22,11 +22,12 @@ std::vector<sheet::DimensionsInView> anchored_dimensions(const world::World& wor
 /// Takes out dimensions by their numbers in each view.
 void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::vector<std::size_t>> numbers);
 
-/// Sizes of features that have no dimension, or several. Throws OutOfTime.
-std::vector<report::Finding> uncovered_sizes(const world::World& world, const scene::SceneDescription& scene,
-                                             std::span<const sheet::DimensionsInView> views, const Progress& progress);
+/// Adds the sizes of features that have no dimension, or several, to a report. Throws OutOfTime.
+void add_uncovered_sizes(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
+                         std::span<const sheet::DimensionsInView> views, const Progress& progress);
 
-/// Faces of free form that no tolerance gives.
-std::vector<report::Finding> undefined_free_forms(const world::World& world, const scene::SceneDescription& scene);
+/// Models whose faces are not recognised, and faces of free form, that neither a tolerance nor a note gives.
+std::vector<report::Finding> undefined_free_forms(const world::World& world, const scene::SceneDescription& scene,
+                                                  bool noted);
 
 }  // namespace epura::pipeline

@@ -70,7 +70,7 @@ void recognise_parts(world::World& world, const scene::SceneDescription& scene, 
   if (!dimensions_features(scene) && !options.lint && scene.threads.empty()) least = least_fold(world, scene, options);
   std::vector<std::vector<int>> wanted;  // models of one mesh
   std::map<const mesh::Mesh*, std::size_t> number;
-  const bool asked = std::any_of(scene.views.begin(), scene.views.end(), is_asked);
+  const bool asked = dimensions_features(scene) || std::any_of(scene.views.begin(), scene.views.end(), is_asked);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
     const world::Placed& placed = world.models[model];
     if (!asked || scene.models[model].surfaces.value_or(Surfaces::automatic) != Surfaces::automatic ||

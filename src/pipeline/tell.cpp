@@ -34,7 +34,37 @@ std::string numbers_of(const view::Condition& condition) {
 constexpr const char* more_digits =
     "export the model nearer to the origin, or with more digits (64-bit PLY, OBJ with all decimals)";
 
+std::string sentence_of_scale(const SheetPlan& plan) {
+  const std::string scale = "the scale is " + sheet::ratio_text(plan.scale);
+  if (plan.inside && plan.fitting && !plan.crowded)
+    return scale + "; " + sheet::ratio_text(*plan.fitting) + " fits with smaller pictorial views";
+  return scale + ", the largest of ISO 5455 that fits";
+}
+
 }  // namespace
+
+void tell_of_scales(const Messages& messages, const SheetPlan& plan, const scene::SheetDescription& sheet,
+                    const SheetOfViews& views) {
+  if (plan.chosen && plan.inside) messages.warn(sentence_of_scale(plan));
+  if (sheet.size.value_or({}).kind == scene::PaperChoice::Kind::none) return;
+  std::vector<double> chosen;
+  const auto add = [&](const scene::Located<scene::ScaleChoice>& scale) {
+    if (scale.given() && scale->fixed) chosen.push_back(*scale->fixed);
+  };
+  add(sheet.scale);
+  for (const scene::ViewDescription& view : views.descriptions) add(view.scale);
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  std::string unusual;
+  for (const double scale : chosen) {
+    const double nearest = sheet::nearest_standard_scale(scale);
+    if (std::abs(nearest / scale - 1) <= 1e-9) continue;
+    const std::string ratio = sheet::ratio_text(scale);
+    unusual += (unusual.empty() ? "" : "; ") + (ratio.empty() ? format_rounded(scale, 6) : ratio) +
+               " (the nearest is " + sheet::ratio_text(nearest) + ")";
+  }
+  if (!unusual.empty()) messages.warn("not a scale of ISO 5455: " + unusual);
+}
 
 void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewInput& input) {
   if (!result.drawing.segments.empty() || !result.partial.stages.empty()) return;
@@ -65,10 +95,6 @@ std::string listed(const std::vector<std::string>& characters) {
 void warn_about(const Messages& messages, const ViewResult& result) {
   if (result.verification)
     messages.print(result.drawing.name + ": " + report::format_verification(*result.verification));
-  for (const drawing::BrokenOut& one : result.drawing.broken_out)
-    if (one.lines.empty() && result.drawing.cut_faces.empty() && !result.drawing.detail)
-      messages.warn("a broken-out section of view '" + result.drawing.name +
-                    "' removes nothing inside its line\n  hint: move its point, or its line");
   constexpr double negligible = 1;  // mm
   if (result.unsymmetric > negligible)
     messages.warn("view '" + result.drawing.name + "' is not symmetric: what it leaves out differs in " +
@@ -83,7 +109,7 @@ void warn_about(const Messages& messages, const SheetPlan& plan) {
   const std::string fitting = plan.fitting ? sheet::ratio_text(*plan.fitting) : "";
   if (plan.crowded)
     messages.warn("the views fill the sheet at " + scale +
-                  (fitting.empty() ? "" : "; " + fitting + " leaves room around them"));
+                  (fitting.empty() ? "\n  hint: use a larger sheet" : "; " + fitting + " leaves room around them"));
   else if (plan.fitting && *plan.fitting >= plan.scale)
     messages.warn("views may be on one another, on the title block or beyond the frame at " + scale +
                   "\n  hint: change their positions, 'at', or leave these out");

@@ -17,6 +17,10 @@ namespace epura::pipeline {
 /// Of a sheet on which not all has the usual room.
 void warn_about(const Messages& messages, const SheetPlan& plan);
 
+/// Tells the scale that was found, which is of ISO 5455 or as large as possible, and warns of others that are given.
+void tell_of_scales(const Messages& messages, const SheetPlan& plan, const scene::SheetDescription& sheet,
+                    const SheetOfViews& views);
+
 /// Warns of a view without lines of the selected kinds, or without any in its window. Throws Error{input} for a view
 /// that should have lines, but has lost all of them in the rounding of coordinates.
 void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewInput& input);

@@ -89,6 +89,7 @@ struct Report {
   std::optional<Tessellation> tessellation{};           ///< if round faces of a part are recognised
   std::vector<ViewError> errors{};                      ///< one for each view, if requested
   std::vector<Finding> findings{};                      ///< of the dimensions, if requested
+  std::vector<std::string> views_to_add{};              ///< projections that show what has no dimension, with findings
   bool cut_off = false;                                 ///< views extend beyond the paper
 };
 

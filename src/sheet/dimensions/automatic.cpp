@@ -17,6 +17,7 @@
 #include "sheet/dimensions/cone_angles.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
+#include "sheet/dimensions/level_stations.hpp"
 #include "sheet/dimensions/rounded_edges.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "sheet/dimensions/thread_notes.hpp"
@@ -54,7 +55,6 @@ class Planner {
         subject_(subject),
         notation_(notation),
         stations_(subject),
-        points_(design::points_of_faces(subject.world)),
         box_(design::box_of_faces(subject.world)) {}
 
   AutomaticPlan plan(std::span<const NamedProjection> views) {
@@ -72,7 +72,7 @@ class Planner {
     add_chamfers();
     add_cones();
     add_bevels();
-    add_levels();
+    for (const Station& level : level_stations(subject_, views_, stations_)) stations_.add(level);
     for (DimensionDescription& dimension : stations_.dimensions(wanted_, notation_))
       dimensions_.push_back(std::move(dimension));
     leave_out_excess();
@@ -105,10 +105,22 @@ class Planner {
   template <class Feature>
   static const Feature* uppermost(const std::vector<const Feature*>& group, const NamedProjection& view,
                                   const std::function<Vec3(const Feature&)>& centre) {
-    const Vec3 up = view.projection.u + view.projection.v;
-    return *std::max_element(group.begin(), group.end(), [&](const Feature* a, const Feature* b) {
-      return glm::dot(centre(*a), up) < glm::dot(centre(*b), up);
-    });
+    const auto height = [&](const Feature* one) {
+      const std::optional<Vec3> shown = shown_point(view, centre(*one));
+      return shown && keeps(view, centre(*one)) ? glm::dot(*shown, view.projection.u + view.projection.v) : -HUGE_VAL;
+    };
+    return *std::max_element(group.begin(), group.end(),
+                             [&](const Feature* a, const Feature* b) { return height(a) < height(b); });
+  }
+
+  // A view that shows one of several equal features from the side.
+  template <class Feature>
+  [[nodiscard]] const NamedProjection* beside(const std::vector<const Feature*>& group,
+                                              const std::function<Vec3(const Feature&)>& centre) const {
+    const NamedProjection* view = nullptr;
+    for (std::size_t i = 0; i < group.size() && view == nullptr; ++i)
+      view = views_.beside(group[i]->axis, centre(*group[i]));
+    return view;
   }
 
   // Positions in the plane of a view, along the axes of the world that it shows.
@@ -147,19 +159,53 @@ class Planner {
       dimensions_.push_back(std::move(width));
   }
 
+  // Whether holes of one group are behind those of the other, and look the same from the other side.
+  [[nodiscard]] bool are_opposite(const std::vector<const design::DesignHole*>& group,
+                                  const std::vector<const design::DesignHole*>& other) const {
+    design::DesignHole turned = *other.front();
+    turned.axis = -turned.axis;
+    const auto is_behind = [&](const design::DesignHole* hole) {
+      return std::any_of(group.begin(), group.end(), [&](const design::DesignHole* one) {
+        return are_coaxial(one->mouth, one->axis, hole->mouth, one->called());
+      });
+    };
+    return group.size() == other.size() && !turned.through && design::are_equal(*group.front(), turned) &&
+           std::all_of(other.begin(), other.end(), is_behind);
+  }
+
+  // Groups of equal holes; those behind others that only one view shows are one with them.
+  [[nodiscard]] std::vector<std::vector<const design::DesignHole*>> groups_of_holes() const {
+    auto groups = groups_of<design::DesignHole>(subject_.features.holes, design::are_equal);
+    for (auto& group : groups) {
+      if (group.empty()) continue;
+      const Vec3 axis = group.front()->axis;
+      const NamedProjection* view = views_.along(axis, true);
+      if (view == nullptr || glm::dot(view->projection.n, axis) <= 0 || views_.along(-axis, true) != view) continue;
+      const auto other = std::find_if(groups.begin(), groups.end(), [&](const auto& one) {
+        return &one != &group && !one.empty() && are_opposite(group, one);
+      });
+      if (other == groups.end()) continue;
+      group.insert(group.end(), other->begin(), other->end());
+      other->clear();
+    }
+    std::erase_if(groups, [](const auto& group) { return group.empty(); });
+    for (const auto& group : groups) check(!group.empty(), "a group of holes has one");
+    return groups;
+  }
+
   void add_holes() {
-    for (const auto& group : groups_of<design::DesignHole>(subject_.features.holes, design::are_equal)) {
+    for (const auto& group : groups_of_holes()) {
       ++groups_;
       const NamedProjection* along = views_.along(group.front()->axis, !group.front()->through);
-      const NamedProjection* view = along != nullptr ? along : views_.beside(group.front()->axis);
+      const auto mouth = [](const design::DesignHole& hole) { return hole.mouth; };
+      const NamedProjection* view = along != nullptr ? along : beside<design::DesignHole>(group, mouth);
       if (view == nullptr) continue;
       check(group.front()->called() > 0, "a hole has a diameter");
       if (along != nullptr && has_table() && can_have_table(*view)) {
         add_to_table(group, *view);
         continue;
       }
-      const auto* shown =
-          uppermost<design::DesignHole>(group, *view, [](const design::DesignHole& hole) { return hole.mouth; });
+      const auto* shown = uppermost<design::DesignHole>(group, *view, mouth);
       add(DimensionType::diameter, *view, note_of(*group.front(), group.size())).circle = {
           shown->mouth, shown->axis, shown->called() / 2, {}};
       for (const design::DesignHole* hole : group)
@@ -261,13 +307,14 @@ class Planner {
       ++groups_;
       const Vec3& axis = group.front()->axis;
       const NamedProjection* along = views_.along(axis);
-      const NamedProjection* across = group.front()->inwards ? nullptr : views_.across(axis);
+      const auto end = [this](const design::DesignCylinder& cylinder) { return outer_end(cylinder); };
+      const NamedProjection* across = group.front()->inwards ? nullptr : views_.across(axis, end(*group.front()));
       // Across an interrupted one, its outline may not be seen.
       const bool is_clear = across != nullptr && (group.front()->whole || along == nullptr);
       const NamedProjection* view = is_clear ? across : along;
-      if (view == nullptr && group.front()->whole) view = views_.beside(axis);
+      if (view == nullptr && group.front()->whole) view = beside<design::DesignCylinder>(group, end);
       if (view == nullptr) continue;
-      const design::DesignCylinder& shown = *group.front();
+      const design::DesignCylinder& shown = *uppermost<design::DesignCylinder>(group, *view, end);
       check(shown.called() > 0, "a cylinder has a radius");
       add(DimensionType::diameter, *view, times(group.size()) + name_in_note(shown.thread)).circle = {
           outer_end(shown), axis, shown.called(), {}};
@@ -368,9 +415,10 @@ class Planner {
     return count;
   }
 
-  [[nodiscard]] bool has_radius(double radius) const {
+  [[nodiscard]] bool has_radius(double radius, double doubt = 0) const {
     return std::any_of(dimensions_.begin(), dimensions_.end(), [&](const DimensionDescription& dimension) {
-      return *dimension.type == DimensionType::radius && are_alike(dimension.circle->radius, radius);
+      return *dimension.type == DimensionType::radius &&
+             (are_alike(dimension.circle->radius, radius) || std::abs(dimension.circle->radius - radius) <= doubt);
     });
   }
 
@@ -395,7 +443,7 @@ class Planner {
     for (const auto& group : groups_of<design::DesignBall>(subject_.features.balls, equal)) {
       const design::DesignBall& ball = *group.front();
       check(ball.radius > 0, "a ball has a radius");
-      if (has_radius(ball.radius) || is_overall(ball)) continue;
+      if (has_radius(ball.radius, ball.doubt) || is_overall(ball)) continue;
       const auto found = std::find_if(views_.all().begin(), views_.all().end(), [&](const NamedProjection* one) {
         return std::abs(glm::dot(ball.middle, one->projection.n)) < 0.5;
       });
@@ -427,7 +475,7 @@ class Planner {
     for (const design::DesignCone& cone : subject_.features.cones) {
       check(cone.radii[0] >= 0 && cone.radii[0] <= cone.radii[1], "a cone begins at its smaller end");
       ++groups_;
-      const NamedProjection* view = views_.across(cone.axis);
+      const NamedProjection* view = views_.across(cone.axis, cone.ends[0]);
       if (view == nullptr) continue;
       const projection::Projection& projection = view->projection;
       const bool horizontal = are_parallel(projection.u, cone.axis);
@@ -460,7 +508,7 @@ class Planner {
   void add_ends_of_cones(const std::vector<design::DesignCylinder>& ends) {
     for (const auto& group : groups_of<design::DesignCylinder>(ends, are_equal_ends)) {
       const design::DesignCylinder& shown = *group.front();
-      const NamedProjection* view = views_.across(shown.axis);
+      const NamedProjection* view = views_.across(shown.axis, shown.from);
       check(view != nullptr, "an end of a cone is measured across its axis");
       add(DimensionType::diameter, *view, times(group.size()) + "<>").circle = {
           shown.from, shown.axis, shown.radius, {}};
@@ -475,7 +523,7 @@ class Planner {
     for (const auto& group : groups_of<design::DesignCone>(subject_.features.chamfers, equal)) {
       const design::DesignCone& chamfer = *group.front();
       check(chamfer.angle > 0 && chamfer.angle < 90, "a chamfer is neither a cylinder nor a plane");
-      const NamedProjection* view = views_.across(chamfer.axis);
+      const NamedProjection* view = views_.across(chamfer.axis, chamfer.ends[0]);
       if (view == nullptr) continue;
       const projection::Projection& projection = view->projection;
       const bool horizontal = are_parallel(projection.u, chamfer.axis);
@@ -509,56 +557,10 @@ class Planner {
     std::stable_sort(slopes.begin(), slopes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
     for (std::size_t i = 0; i < std::min(slopes.size(), most_of_a_kind); ++i) {
       const NamedProjection* view = views_.along(Mat3(1)[slopes[i].along]);
-      if (view == nullptr || slopes[i].area < least_area()) continue;
+      if (view == nullptr || slopes[i].area < least_area(box_)) continue;
       for (int axis = 0; axis < 3; ++axis)
         for (const Vec3& end : slopes[i].ends)
           if (axis != slopes[i].along) stations_.add({view, axis, end[axis], end, -1, end});
-    }
-  }
-
-  // The view in which a step is nearest to the viewer, so that little can hide it; the first one of several.
-  [[nodiscard]] const NamedProjection* view_of(const design::DesignLevel& level) const {
-    check(level.axis >= 0 && level.axis < 3 && !level.points.empty(), "a step has an axis and corners");
-    const Vec3 axis = Mat3(1)[level.axis];
-    const NamedProjection* best = nullptr;
-    double least = HUGE_VAL;
-    for (const NamedProjection* view : views_.all()) {
-      const projection::Projection& projection = view->projection;
-      if (!are_parallel(projection.u, axis) && !are_parallel(projection.v, axis)) continue;
-      const auto depth = [&](const Vec3& p) { return glm::dot(p, projection.n); };
-      double front = -HUGE_VAL, nearest = -HUGE_VAL;
-      for (const Vec3& p : points_) front = std::max(front, depth(p));
-      for (const Vec3& p : level.points) nearest = std::max(nearest, depth(p));
-      const double behind = front - nearest;
-      if (best != nullptr && behind >= least - same_size * glm::length(box_.size())) continue;
-      best = view;
-      least = behind;
-    }
-    return best;
-  }
-
-  [[nodiscard]] double least_area() const {
-    const Vec3 size = box_.size();
-    const double largest = std::max({size.x, size.y, size.z}), least = std::min({size.x, size.y, size.z});
-    return least_level * largest * (size.x + size.y + size.z - largest - least);
-  }
-
-  void add_levels() {
-    std::map<std::pair<std::string, int>, std::vector<std::pair<double, Station>>> by_view;
-    for (const design::DesignLevel& level : subject_.features.levels) {
-      const NamedProjection* view = view_of(level);
-      if (view == nullptr || stations_.is_known(level.axis, level.at) || level.area < least_area()) continue;
-      const bool horizontal = std::abs(view->projection.u[level.axis]) > 0.5;
-      const Vec3 towards = horizontal ? -view->projection.v : view->projection.u;
-      const auto [high, low] = std::minmax_element(
-          level.points.begin(), level.points.end(),
-          [&](const Vec3& a, const Vec3& b) { return glm::dot(a, towards) < glm::dot(b, towards); });
-      by_view[{view->name, level.axis}].emplace_back(
-          -level.area, Station{view, level.axis, level.at, *low, -1, *high, level.other_side});
-    }
-    for (auto& [key, levels] : by_view) {
-      std::stable_sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-      for (std::size_t i = 0; i < std::min(levels.size(), most_levels); ++i) stations_.add(levels[i].second);
     }
   }
 
@@ -567,7 +569,6 @@ class Planner {
   const DimensionSubject& subject_;
   Notation notation_;
   Stations stations_;
-  std::vector<Vec3> points_;
   Box box_;
   int groups_ = 0;  ///< of equal holes, so far
   std::vector<DimensionDescription> dimensions_;

@@ -62,7 +62,7 @@ const NamedProjection* view_of_angle(const design::DesignCone& cone, const desig
     if (shows_both_sides(cone, features, beside_cone(cone, view->projection))) return view;
     if (first == nullptr) first = view;
   }
-  return first;
+  return first != nullptr ? first : views.across(cone.axis, cone.ends[0]);
 }
 
 std::array<Vec3, 3> anchors_of_angle(const design::DesignCone& cone, const projection::Projection& across) {

@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "design/tolerances.hpp"
@@ -16,6 +15,7 @@
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/missing_views.hpp"
+#include "sheet/dimensions/place_chain.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "world/placed_part.hpp"
 
@@ -28,71 +28,10 @@ using design::parallel;
 
 constexpr double place_agrees = 2e-5;  // relative to the size of the models
 constexpr double size_agrees = 2e-4;   // relative
-constexpr std::array axis_names{"x", "y", "z"};
 
 bool agree(double a, double b) { return std::abs(a - b) <= size_agrees * std::max(std::abs(a), std::abs(b)); }
 
 bool is_auxiliary(const std::string& text) { return !text.empty() && text.front() == '('; }
-
-/// Places along one axis, joined by dimensions.
-class Chain {
- public:
-  Chain(const design::Extent& extent, double slack) : slack_(slack), extent_(extent) {
-    add(extent.from, "");
-    add(extent.to, "");
-  }
-
-  /// `name` is empty for places that need no dimension.
-  void add(double at, const std::string& name) {
-    for (auto& [place, named] : places_)
-      if (std::abs(place - at) <= slack_) {
-        if (named.empty()) named = name;
-        return;
-      }
-    places_.emplace_back(at, name);
-  }
-  void begin() { sets_ = lengths_ = DisjointSets(places_.size()); }
-
-  void join(double a, double b) {
-    const int i = index_of(a), j = index_of(b);
-    if (i >= 0 && j >= 0) sets_.join(i, j);
-  }
-  /// The same by a length; returns false if other lengths join both already.
-  bool join_by_length(double a, double b) {
-    const int i = index_of(a), j = index_of(b);
-    if (i < 0 || j < 0) return true;
-    sets_.join(i, j);
-    if (lengths_.root(i) == lengths_.root(j)) return false;
-    lengths_.join(i, j);
-    return true;
-  }
-  /// Joins the places that divide a length equally.
-  void join_row(double from, double to, int parts) {
-    for (int i = 0; i < parts; ++i)
-      join_by_length(from + (to - from) * i / parts, from + (to - from) * (i + 1) / parts);
-  }
-
-  void list_open(int axis, const Notation& notation, std::vector<std::string>& open) {
-    const int root = sets_.root(index_of(extent_.from));
-    if (sets_.root(index_of(extent_.to)) != root) open.push_back(std::string("overall size along ") + axis_names[axis]);
-    for (std::size_t i = 0; i < places_.size(); ++i)
-      if (!places_[i].second.empty() && sets_.root(static_cast<int>(i)) != root)
-        open.push_back(places_[i].second + ": position along " + axis_names[axis] + " (" +
-                       length_text(places_[i].first, notation) + ")");
-  }
-
- private:
-  [[nodiscard]] int index_of(double at) const {
-    for (std::size_t i = 0; i < places_.size(); ++i)
-      if (std::abs(places_[i].first - at) <= slack_) return static_cast<int>(i);
-    return -1;
-  }
-
-  double slack_;
-  design::Extent extent_;
-  std::vector<std::pair<double, std::string>> places_;
-  DisjointSets sets_{0}, lengths_{0};
-};
 
 /// A size of one feature, and how many dimensions give it.
 struct CircleSize {
@@ -116,7 +55,7 @@ class CoverageFinder {
     widths_.resize(subject.features.hexagons.size(), 0);
     add_places();
     add_sizes();
-    for (Chain& chain : chains_) chain.begin();
+    for (PlaceChain& chain : chains_) chain.begin();
   }
 
   Coverage find(std::span<const DimensionsInView> views) {
@@ -130,7 +69,7 @@ class CoverageFinder {
     for (const CircleSize& size : sizes_) {
       check(size.dimensions >= 0 && places_of(size) > 0, "a size is of one place or more");
       if (size.dimensions == 0 && !given_elsewhere(size) && !is_in_table(size) && !is_given_by_equal(size, views))
-        coverage_.undimensioned.push_back(size.name + remedy_for(size.axis, is_only_along(size), views));
+        add_undimensioned(size.name, remedy_for(size.axis, is_only_along(size), views));
       if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
     }
     for (std::size_t i = 0; i < widths_.size(); ++i) {
@@ -145,6 +84,13 @@ class CoverageFinder {
   }
 
  private:
+  void add_undimensioned(const std::string& name, const Remedy& remedy) {
+    coverage_.undimensioned.push_back(name + remedy.sentence);
+    std::vector<std::string>& views = coverage_.views_to_add;
+    if (!remedy.view.empty() && std::find(views.begin(), views.end(), remedy.view) == views.end())
+      views.push_back(remedy.view);
+  }
+
   // Diameters can be given in views beside their axis, too.
   static bool is_only_along(const CircleSize& size) { return size.anywhere || size.kind == "pitch circle"; }
 
@@ -378,6 +324,7 @@ class CoverageFinder {
       Vec3 along = dimension.points[1] - dimension.points[0];
       if (dimension.type == DimensionType::linear)
         along = *dimension.direction == DimensionDirection::horizontal ? view.projection.u : view.projection.v;
+      if (view.turned_about && !are_parallel(*view.turned_about, glm::normalize(along))) return;
       const int axis = world_axis(glm::normalize(along));
       if (!dimension.arrangement)
         join_hexagons(dimension.text, [&](const design::DesignHexagon& hexagon) {
@@ -530,17 +477,16 @@ class CoverageFinder {
     });
   }
 
-  // Spheres and tori, whose sizes no dimension gives, and models without recognised faces.
+  // Spheres and tori, and models whose faces are others than those of their files.
   void add_uncheckable(std::span<const DimensionsInView> views) {
     for (std::size_t model = 0; model < subject_.world.models.size(); ++model) {
       const world::Placed& placed = subject_.world.models[model];
-      const std::string name = "model " + std::to_string(model);
-      const auto part = placed.part == nullptr ? std::nullopt : world::place_part(placed);
-      if (!part || !(placed.part->recognised > 0)) {
-        coverage_.undimensioned.push_back(name + ": nothing is recognised, so only overall sizes are checked");
-        continue;
-      }
-      add_doubly_curved(*part, views);
+      if (placed.part == nullptr) continue;
+      if (const auto part = world::place_part(placed))
+        add_doubly_curved(*part, views);
+      else
+        coverage_.undimensioned.push_back("model " + std::to_string(model) +
+                                          ": it is scaled unequally, so only overall sizes are checked");
     }
   }
 
@@ -554,13 +500,18 @@ class CoverageFinder {
       const auto same = [&](const features::PartSurface& other) { return features::are_one(other, surface); };
       const double radius = sphere ? surface.radius : surface.minor;
       check(radius > 0, "a sphere or torus has a radius");
-      const auto is_it = [&](double r) { return agree(r, radius) || are_written_alike(r, radius, notation_); };
+      const auto is_it = [&](double r) {
+        return agree(r, radius) || are_written_alike(r, radius, notation_) ||
+               std::abs(r - radius) <= design::radius_doubt(face);
+      };
       const bool is_given = std::any_of(radii_.begin(), radii_.end(), is_it);
       if (is_given || std::any_of(seen.begin(), seen.end(), same) || (sphere && is_overall_sphere(surface))) continue;
       seen.push_back(surface);
-      coverage_.undimensioned.push_back(sphere ? "sphere SR" + length(surface.radius)
-                                               : "torus R" + length(surface.minor) + " around ⌀" +
-                                                     length(2 * surface.radius) + remedy_beside(surface.axis, views));
+      if (sphere)
+        add_undimensioned("sphere SR" + length(surface.radius), {});
+      else
+        add_undimensioned("torus R" + length(surface.minor) + " around ⌀" + length(2 * surface.radius),
+                          remedy_beside(surface.axis, views));
     }
   }
 
@@ -582,7 +533,7 @@ class CoverageFinder {
 
   const DimensionSubject& subject_;
   Notation notation_;
-  std::vector<Chain> chains_;
+  std::vector<PlaceChain> chains_;
   std::vector<CircleSize> sizes_;
   std::vector<int> widths_;          // dimensions that give that of each hexagon
   std::vector<double> radii_;        // that dimensions give

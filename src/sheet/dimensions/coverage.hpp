@@ -2,6 +2,7 @@
 // Which sizes of the features of the models have no dimension, and which have several.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,12 +18,14 @@ namespace epura::sheet {
 struct DimensionsInView {
   std::string view;
   projection::Projection projection;
-  std::vector<AnchoredDimension> dimensions;
+  std::vector<AnchoredDimension> dimensions;  ///< in the world, where an aligned section turns nothing
+  std::optional<Vec3> turned_about{};  ///< of an aligned section: the direction in which lengths stay as they are
 };
 
 struct Coverage {
   std::vector<std::string> undimensioned;
   std::vector<std::string> repeated;
+  std::vector<std::string> views_to_add;  ///< each once: they show what no view shows
 };
 
 /// Along each axis of the world, places of features are nodes and dimensions join them: a place that no chain of

@@ -16,12 +16,13 @@ namespace {
 
 bool is_seen_along(const Vec3& axis, std::span<const DimensionsInView> views) {
   return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
-    return is_plain(view.projection) && design::are_parallel(view.projection.n, axis);
+    return is_plain(view.projection) && !view.turned_about && design::are_parallel(view.projection.n, axis);
   });
 }
 
 bool is_seen_beside(const Vec3& axis, std::span<const DimensionsInView> views) {
   return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
+    if (view.turned_about) return design::are_parallel(*view.turned_about, axis);
     return is_plain(view.projection) && std::abs(glm::dot(view.projection.n, axis)) <= design::parallel;
   });
 }
@@ -38,16 +39,17 @@ std::string view_along(const Vec3& axis) {
 
 }  // namespace
 
-std::string remedy_for(const Vec3& axis, bool only_along, std::span<const DimensionsInView> views) {
-  if (is_seen_along(axis, views) || (!only_along && is_seen_beside(axis, views))) return "";
-  return ", which no view shows in its true form: add the view " + view_along(axis);
+Remedy remedy_for(const Vec3& axis, bool only_along, std::span<const DimensionsInView> views) {
+  if (is_seen_along(axis, views) || (!only_along && is_seen_beside(axis, views))) return {};
+  const std::string view = view_along(axis);
+  return {", which no view shows in its true form: add the view " + view, view};
 }
 
-std::string remedy_beside(const Vec3& axis, std::span<const DimensionsInView> views) {
+Remedy remedy_beside(const Vec3& axis, std::span<const DimensionsInView> views) {
   for (const int normal : {1, 0, 2})
     if (const Vec3 n = Mat3(1)[normal]; std::abs(glm::dot(n, axis)) <= design::parallel && !is_seen_along(n, views))
-      return ", whose section may be seen in the view " + view_along(n);
-  return "";
+      return {", whose section may be seen in the view " + view_along(n), view_along(n)};
+  return {};
 }
 
 }  // namespace epura::sheet

@@ -9,11 +9,16 @@
 
 namespace epura::sheet {
 
+struct Remedy {
+  std::string sentence;  ///< goes on with ", "
+  std::string view;      ///< as in --projection
+};
+
 /// What to say of a circle or arc around an axis along which no view looks; nothing if one does, or if its size can
 /// also be given beside the axis and a view looks from there.
-std::string remedy_for(const Vec3& axis, bool only_along, std::span<const DimensionsInView> views);
+Remedy remedy_for(const Vec3& axis, bool only_along, std::span<const DimensionsInView> views);
 
 /// The same for a rounded edge around an axis, whose section may be seen in a view that is not there.
-std::string remedy_beside(const Vec3& axis, std::span<const DimensionsInView> views);
+Remedy remedy_beside(const Vec3& axis, std::span<const DimensionsInView> views);
 
 }  // namespace epura::sheet

@@ -31,11 +31,20 @@ bool looks_from(const projection::Projection& projection, const Vec3& viewer) {
          glm::length(glm::normalize(projection.projector) - viewer) < along_axes;
 }
 
+// An aligned section keeps lengths along the axes of its turns, and diameters around one.
+bool keeps_size(const NamedProjection& view, const PageDirection& direction, const design::Extent& extent) {
+  return keeps_positions(view, axis_of(direction.direction)) ||
+         (extent.form == design::ExtentForm::diameter && shows_in_place(view, extent.centre, extent.axis));
+}
+
 const NamedProjection* clearest(std::span<const NamedProjection> views, const PageDirection& direction,
-                                const std::string& name) {
-  for (const Vec3& viewer : direction.seen_from)
-    for (const NamedProjection& view : views)
-      if ((name.empty() || view.name == name) && looks_from(view.projection, viewer)) return &view;
+                                const std::string& name, const design::Extent& extent) {
+  for (const bool aligned : {false, true})
+    for (const Vec3& viewer : direction.seen_from)
+      for (const NamedProjection& view : views)
+        if ((name.empty() || view.name == name) && view.aligned() == aligned && looks_from(view.projection, viewer) &&
+            keeps_size(view, direction, extent))
+          return &view;
   return nullptr;
 }
 
@@ -100,7 +109,8 @@ std::vector<scene::DimensionDescription> overall_dimensions(const scene::Dimensi
   });
   for (const PageDirection* ordered : order) {
     const PageDirection& direction = *ordered;
-    const NamedProjection* view = clearest(views, direction, overall.view.value_or(""));
+    const NamedProjection* view =
+        clearest(views, direction, overall.view.value_or(""), extents[axis_of(direction.direction)]);
     if (view == nullptr || stands_already(direction)) continue;
     scene::DimensionDescription& dimension = dimensions.emplace_back(overall);
     dimension.view = {view->name, overall.where};

@@ -8,21 +8,16 @@
 #include <vector>
 
 #include "design/true_extents.hpp"
-#include "projection/projection.hpp"
 #include "scene/description.hpp"
+#include "sheet/dimensions/named_projection.hpp"
 
 namespace epura::sheet {
 
-struct NamedProjection {
-  std::string name;  ///< of the view
-  projection::Projection projection;
-};
-
 /// Splits an overall dimension without a direction into overall width, height and depth, each once and in the clearest
 /// of the views: width and height from the front and depth from the side, in preference to other orthographic views
-/// along a world axis. Sizes that no view shows in true length are omitted, and so is a diameter that is already there:
-/// the diameter of a shaft is both its width and its depth. If the dimension names a view, only that view counts.
-/// Throws Error{input} if nothing is left.
+/// along a world axis. Aligned sections show sizes along and around the axes of their turns. Sizes that no view shows
+/// in true length are omitted, and so is a diameter that is already there: the diameter of a shaft is both its width
+/// and its depth. If the dimension names a view, only that view counts. Throws Error{input} if nothing is left.
 std::vector<scene::DimensionDescription> overall_dimensions(const scene::DimensionDescription& overall,
                                                             std::span<const NamedProjection> views,
                                                             const std::array<design::Extent, 3>& extents);

@@ -39,6 +39,12 @@ std::optional<SeenSection> seen_section(const design::DesignRound& round, const 
               design::are_parallel(along, round.axis) && turned <= most)
             return SeenSection{view, section_beside(round, side * aside, turned, projection.n)};
     }
+  for (const NamedProjection* view : views.aligned()) {
+    const projection::Projection& projection = view->projection;
+    const Vec3 aside = design::are_parallel(projection.u, round.axis) ? projection.v : projection.u;
+    if (shows_in_place(*view, round.centre, round.axis) && round.reaches(aside) && round.reaches(-aside))
+      return SeenSection{view, section_beside(round, aside, 0, projection.n)};
+  }
   return std::nullopt;
 }
 

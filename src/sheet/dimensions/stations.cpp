@@ -19,6 +19,8 @@ constexpr double same_station = 1e-5;  // relative to the size of the models
 
 bool is_horizontal(const Station& station) { return std::abs(station.view->projection.u[station.axis]) > 0.5; }
 
+bool is_kept(const Station& station) { return station.view->aligned() || keeps(*station.view, station.point); }
+
 // Prefers points below, or on the right.
 double rank(const Station& station, const Vec3& point) {
   const projection::Projection& projection = station.view->projection;
@@ -82,9 +84,14 @@ bool Stations::is_known(int axis, double at) const {
 }
 
 void Stations::add(const Station& station) {
+  if (!keeps_positions(*station.view, station.axis)) return;
   for (Station& other : stations_)
     if (other.axis == station.axis && std::abs(other.at - station.at) <= slack_) {
       if (other.view != station.view) return;
+      // What a section has removed is the worse place to measure to.
+      const bool was_kept = is_kept(other), kept = is_kept(station);
+      if (was_kept && !kept) return;
+      if (kept && !was_kept) other = station;
       if (rank(other, station.point) > rank(other, other.point)) other.point = station.point;
       if (rank(other, station.opposite) < rank(other, other.opposite)) other.opposite = station.opposite;
       return;
@@ -106,18 +113,23 @@ Station Stations::base_of(const Station& station) const {
   Station base = station;
   base.at = from_axis ? (extent.from + extent.to) / 2 : way > 0 ? extent.from : extent.to;
   if (from_axis) {
-    base.point = base.opposite = extent.centre;
+    base.point = base.opposite = shown_point(*base.view, extent.centre).value_or(extent.centre);
     return base;
   }
   double nearest = HUGE_VAL;
   for (const Vec3& p : points_) nearest = std::min(nearest, std::abs(p[base.axis] - base.at));
-  const Vec3 *low = nullptr, *high = nullptr;
-  for (const Vec3& p : points_) {
-    if (std::abs(p[base.axis] - base.at) > nearest + slack_) continue;
-    if (low == nullptr || rank(base, p) > rank(base, *low)) low = &p;
-    if (high == nullptr || rank(base, p) < rank(base, *high)) high = &p;
-  }
-  check(low != nullptr && high != nullptr, "a base has a place where it is measured from");
+  std::optional<Vec3> low, high;
+  const auto take = [&](const Vec3& p) {
+    if (std::abs(p[base.axis] - base.at) > nearest + slack_) return;
+    if (!low || rank(base, p) > rank(base, *low)) low = p;
+    if (!high || rank(base, p) < rank(base, *high)) high = p;
+  };
+  for (const Vec3& p : points_)
+    if (const auto shown = shown_point(*base.view, p)) take(*shown);
+  // An aligned section may have left out the end of the models, of which others show the place.
+  if (!low)
+    for (const Vec3& p : points_) take(p);
+  check(low && high, "a base has a place where it is measured from");
   base.point = *low;
   base.opposite = *high;
   base.point[base.axis] = base.opposite[base.axis] = base.at;

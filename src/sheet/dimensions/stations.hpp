@@ -18,7 +18,7 @@ struct Station {
   const NamedProjection* view;
   int axis;
   double at;
-  Vec3 point;                    ///< where its extension line begins
+  Vec3 point;                    ///< where its extension line begins, as the view shows it
   int group = -1;                ///< of equal holes, which may be equally spaced; -1 for steps
   Vec3 opposite{point};          ///< where it begins if the dimension line is above or on the left
   std::optional<double> from{};  ///< place that it is measured from, beside it, instead of the end of the models
@@ -41,8 +41,8 @@ class Stations {
   /// Notes that a place follows from other dimensions.
   void know(int axis, double at);
   [[nodiscard]] bool is_known(int axis, double at) const;
-  /// Adds a place unless it is known. Of points at the same place in one view, those nearest to the dimension line
-  /// count.
+  /// Adds a place unless it is known, or an aligned section does not show it at its true distance. Of points at the
+  /// same place in one view, those nearest to the dimension line count.
   void add(const Station& station);
 
   /// Dimensions of all stations, from the left or lower end of the models in their view, in the arrangement that is

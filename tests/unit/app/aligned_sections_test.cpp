@@ -156,6 +156,34 @@ TEST_F(AlignedSections, ShowDiametersWhereTheyAreTurned) {
   EXPECT_NEAR(from_below, on_page(view, {0, 5, -29}).y, 6);
 }
 
+// The sizes of the outline, and of the bore and the holes if no other view shows them. The whole flange is 80 wide and
+// 30 long, the hub has a diameter of 36.
+TEST_F(AlignedSections, HaveAutomaticDimensions) {
+  const std::string wanted = "[[dimension]]\ntype = 'auto'\n", section = "'left'\nsection = 'A'\n";
+  const auto texts = [&](const std::string& scene) {
+    drawing(scene, {"--svg-text", "text"});
+    std::multiset<std::string> found;
+    const std::string svg = read_file(folder / "x.svg");
+    for (const char* text : {"10", "20", "30", "⌀10", "3× ⌀10", "⌀20", "⌀36", "⌀58", "⌀80", "80"})
+      for (std::size_t at = 0; (at = svg.find(">" + std::string(text) + "</text>", at)) != std::string::npos; ++at)
+        found.insert(text);
+    return found;
+  };
+  const std::string both = flange(section, wanted),
+                    alone = both.substr(0, both.find("[[view]]")) + "[[view]]\nprojection = " + section;
+  drawing(both, {"--svg-text", "text"});
+  const std::string svg = read_file(folder / "x.svg");
+  EXPECT_GT(svg.find(">⌀36</text>"), svg.find("left-dimensions")) << "across its axis";
+  EXPECT_LT(svg.find(">⌀20</text>"), svg.find("left-dimensions")) << "along its axis";
+  EXPECT_EQ(texts(both), (std::multiset<std::string>{"10", "30", "3× ⌀10", "⌀20", "⌀36", "⌀58", "⌀80"}));
+  EXPECT_EQ(texts(alone), (std::multiset<std::string>{"10", "30", "3× ⌀10", "⌀20", "⌀36", "⌀80"}));
+  EXPECT_EQ(epura({"lint", "--allow-outside", folder.file("both.toml", both)}, folder / "").code, 0);
+  const Outcome left = epura({"lint", "--allow-outside", folder.file("alone.toml", alone)}, folder / "");
+  EXPECT_TRUE(contains(left.out, "pitch circle ⌀58, which no view shows in its true form: add the view front"))
+      << left.out;
+  EXPECT_FALSE(contains(left.out, "along y")) << left.out;
+}
+
 TEST_F(AlignedSections, AreRefusedWherePlanesAreNotSideBySide) {
   EXPECT_TRUE(contains(error(flange("'isometric'\nsection = 'A'")),
                        "does not show the planes of aligned section A side by side"));

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <random>
 #include <regex>
 
 #include "base/text.hpp"
@@ -174,6 +176,12 @@ TEST_F(AutomaticDimensions, OfBlindHolesInATable) {
   EXPECT_EQ(std::count(found.begin(), found.end(), "⌀6.6 ⌴⌀11 ↧6.5"), 4);
 }
 
+// From both ends: the only view along them shows one behind the other.
+TEST_F(AutomaticDimensions, OfHolesBehindOthersHaveOneNote) {
+  const Loop profile{{10, 1e-9}, {10, 5}, {0, 5}, {0, 15}, {60, 15}, {60, 5}, {50, 5}, {50, 1e-9}};
+  expect_known({{"two bores", shaft(profile), {"2× ⌀10 ↧10", "60", "⌀30"}}});
+}
+
 TEST_F(AutomaticDimensions, TableWithoutRoomIsReported) {
   const std::string part = folder.file("part.obj", plates()[3].obj);
   const Outcome run = epura({"draw", part, "--projection", "top", "--dimensions", "hole-table", "--sheet", "110x110",
@@ -229,6 +237,35 @@ TEST_F(AutomaticDimensions, LintNamesWhatItCannotCheck) {
   EXPECT_TRUE(contains(mesh.out, "not dimensioned: model 0: nothing is recognised")) << mesh.out;
 }
 
+// The corners of a height field that no surface fits.
+std::string scan() {
+  constexpr int side = 24;
+  std::mt19937 random(5);
+  std::string obj;
+  for (int i = 0; i < side * side; ++i)
+    obj += "v " + std::to_string(i % side) + " " + std::to_string(i / side) + " " +
+           std::to_string(double(random() % 1000) / 1000) + "\n";
+  for (int y = 0; y + 1 < side; ++y)
+    for (int x = 1; x < side; ++x) {
+      const int at = y * side + x;
+      obj += "f " + std::to_string(at) + " " + std::to_string(at + 1) + " " + std::to_string(at + side + 1) + "\nf " +
+             std::to_string(at) + " " + std::to_string(at + side + 1) + " " + std::to_string(at + side) + "\n";
+    }
+  return obj;
+}
+
+// All of it is free form, for which a note refers to the model.
+TEST_F(AutomaticDimensions, ReferToModelsInWhichNothingIsRecognised) {
+  const std::string part = folder.file("scan.obj", scan());
+  const Outcome noted = lint(part, "auto");
+  EXPECT_EQ(noted.code, 0) << noted.out << noted.err;
+  EXPECT_TRUE(contains(noted.err, "model 0: nothing is recognised, so it has overall dimensions only")) << noted.err;
+  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "aria-label=\"Free forms as in the 3D model scan.obj\""));
+  const Outcome overall = lint(part, "overall");
+  EXPECT_EQ(overall.code, 1);
+  EXPECT_TRUE(contains(overall.out, "not dimensioned: model 0: nothing is recognised")) << overall.out;
+}
+
 // A drawing refers to the model for free forms: by the note of automatic dimensions, or by profile tolerances.
 TEST_F(AutomaticDimensions, SayWhereFreeFormsAreDefined) {
   const std::string part = folder.file("part.obj", waves());
@@ -256,6 +293,36 @@ TEST_F(AutomaticDimensions, SayWhereFreeFormsAreDefined) {
   EXPECT_FALSE(contains(with_frame("").out, fault)) << "for all";
   EXPECT_FALSE(contains(with_frame("to = ['part', 312]\n").out, fault)) << "in the middle of the waves";
   EXPECT_TRUE(contains(with_frame("to = {point = [30, 0, 10]}\n").out, fault)) << "on another face";
+}
+
+// Boxes along the diagonal of a larger one.
+std::string machine(int boxes) {
+  std::string obj;
+  for (int i = 0; i < boxes; ++i) {
+    for (int corner = 0; corner < 8; ++corner)
+      obj += "v " + std::to_string(11 * i + 8 * (corner >> 2 & 1)) + " " +
+             std::to_string(7 * i + 5 * (corner >> 1 & 1)) + " " + std::to_string(5 * i + 4 * (corner & 1)) + "\n";
+    for (const auto& face :
+         {std::array{1, 2, 4, 3}, {5, 7, 8, 6}, {1, 5, 6, 2}, {3, 4, 8, 7}, {1, 3, 7, 5}, {2, 6, 8, 4}}) {
+      obj += "f";
+      for (const int corner : face) obj += " " + std::to_string(8 * i + corner);
+      obj += "\n";
+    }
+  }
+  return obj;
+}
+
+TEST_F(AutomaticDimensions, LintAdvisesToDrawThePartsOfMachines) {
+  const std::string hint = "  hint: the models have 12 bodies: draw the parts on sheets of their own";
+  const std::string part = folder.file("machine.obj", machine(12));
+  EXPECT_TRUE(contains(lint(part, "overall").out, hint));
+  EXPECT_FALSE(contains(lint(folder.file("machine.obj", machine(6)), "overall").out, "draw the parts"));
+  folder.file("machine.obj", machine(12));
+  const Outcome small = epura({"lint", part, "--views", "front,top,left", "--dimensions", "auto", "--sheet", "A4",
+                               "--frame", "none", "--scale", "1:1"},
+                              folder / "");
+  static const std::regex row("no room for '[^']{40,70} and \\d+ others'");
+  EXPECT_TRUE(std::regex_search(small.out, row)) << small.out;
 }
 
 // What the sheet has no room for is left out and told, and never crosses anything.
@@ -429,6 +496,7 @@ TEST_F(AutomaticDimensions, OfShaftsThatLieAskew) {
   static const std::regex remedy("cylinder ⌀20, which no view shows in its true form: add the view (\\S+)\n");
   std::smatch found;
   ASSERT_TRUE(std::regex_search(askew.out, found, remedy)) << askew.out;
+  EXPECT_TRUE(contains(askew.out, "  hint: these views show more: --projection " + found[1].str() + "\n")) << askew.out;
   const Outcome along = epura({"lint", part, "--projection", "front", "--projection", "top", "--projection", "left",
                                "--projection", found[1].str(), "--dimensions", "auto", turned[0], turned[1]},
                               folder / "");

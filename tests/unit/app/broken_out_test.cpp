@@ -180,13 +180,20 @@ TEST_F(BrokenOut, AroundEverythingAreSections) {
   EXPECT_EQ(out["cut_faces"].items.size(), section["cut_faces"].items.size());
 }
 
-// Where the plane lies in front of the models, nothing is removed.
-TEST_F(BrokenOut, LeaveNoTraceBesideWhatIsCut) {
-  const Outcome run = draw("[[model]]\nfile = 'block.obj'\ntransform = 'translate:0,-60,40'\n" + front +
-                           "[[broken_out]]\npoint = [40, -40, 8]\nradius = 6\n");
-  ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.err, "removes nothing inside its line")) << run.err;
-  EXPECT_FALSE(contains(read_file(folder / "x.svg"), "-front-limit\" "));
+// Beside the models and where the plane lies in front of them, nothing is removed, whatever another one removes.
+TEST_F(BrokenOut, ThatRemoveNothingAreRefused) {
+  const std::string aside = "[[broken_out]]\npoint = [200, 10, 8]\nradius = 6\n";
+  const std::string nothing = "the broken-out section removes nothing inside its line in view 'front'";
+  for (const std::string& scene : {front + aside, front + "[[broken_out]]\npoint = [20, 10, 8]\nradius = 6\n" + aside,
+                                   "[[model]]\nfile = 'block.obj'\ntransform = 'translate:0,-60,40'\n" + front +
+                                       "[[broken_out]]\npoint = [40, -40, 8]\nradius = 6\n"}) {
+    const Outcome run = draw(scene);
+    EXPECT_EQ(run.code, 2);
+    const std::string& said = run.err;
+    EXPECT_TRUE(contains(said, nothing)) << said;
+    EXPECT_TRUE(contains(said, "scene.toml:")) << said;
+    EXPECT_TRUE(contains(said, "the models reach from ")) << said;
+  }
 }
 
 // A bar through the first hole that stays whole: neither hatched nor crossed by the line.

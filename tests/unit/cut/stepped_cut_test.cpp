@@ -221,6 +221,19 @@ TEST(SteppedCut, RefusesSurfacesThatMiss) {
   refused(-7, -8, "cuts nothing");
 }
 
+// In front of each plane, everything is removed; beside a half section, nothing is.
+TEST(SteppedCut, KeepsWhatIsNotInFrontOfIt) {
+  const cut::CuttingSurface stepped = surface({{-9, 1, 0}, {2, 1, 0}, {2, 4, 0}, {9, 4, 0}});
+  EXPECT_TRUE(cut::keeps(stepped, {0, 2, 5}, 1e-6));
+  EXPECT_TRUE(cut::keeps(stepped, {0, 1, 5}, 1e-6));
+  EXPECT_FALSE(cut::keeps(stepped, {0, 0.5, 5}, 1e-6));
+  EXPECT_FALSE(cut::keeps(stepped, {5, 2, 5}, 1e-6));
+  EXPECT_TRUE(cut::keeps(stepped, {5, 5, 5}, 1e-6));
+  const cut::CuttingSurface half = surface({{0, -9, 0}, {0, 1, 0}, {9, 1, 0}});
+  EXPECT_TRUE(cut::keeps(half, {-5, -5, 0}, 1e-6));
+  EXPECT_FALSE(cut::keeps(half, {5, -5, 0}, 1e-6));
+}
+
 cut::CuttingSurface aligned(const std::vector<Vec3>& path, const Vec3& normal = {0, -1, 0}) {
   scene::SectionDescription section{{"A", "a.toml:3:1"}, Vec3(0), normal, {path, "a.toml:4:8"}};
   section.aligned = {true, "a.toml:5:1"};

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "recognised.hpp"
 
@@ -68,6 +70,18 @@ TEST(DesignFlats, AreMeasuredFromTheOtherSideOfTheirShaft) {
   expect({{5, false, 5}, {5, true, 12}, {6, true, 20}, {6, false, 30}}, -5, "across a step");
   expect({{5, true, 8}, {4.5, false, 10}, {5, true, 18}, {5, false, 30}}, -5, "on both sides of a groove");
   expect({{6, false, 5}, {5, true, 12}, {6, false, 20}}, -5, "not from a thicker part beside it");
+}
+
+// A cap of 0.1 on a ball of 6 is as near to one with a radius of 6.06 as a thousandth.
+TEST(RadiusDoubt, IsLargeForSmallCaps) {
+  features::PartFace cap;
+  cap.surface.kind = features::SurfaceKind::sphere;
+  cap.surface.radius = 6;
+  cap.residual = 1e-3;
+  for (const double height : {0.1, 3.0, 6.0, 12.0}) {
+    cap.area = 2 * std::numbers::pi * 6 * height;
+    EXPECT_NEAR(design::radius_doubt(cap), 1e-3 * std::max(6 / height, 1.0), 1e-12);
+  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "features/estimates.hpp"
+#include "features/region.hpp"
 
 namespace epura {
 namespace {
@@ -190,6 +191,29 @@ TEST(PartSurface, GivesUpWhereNothingFits) {
   const auto points = points_of([](double u, double v) { return Vec3(u, v, std::sin(9 * u) * std::cos(7 * v)); });
   features::PartSurface surface{features::SurfaceKind::cylinder, Vec3(0), Vec3(0, 0, 1), 1};
   EXPECT_GT(features::refine(surface, points, 1e-6), 0.01);
+}
+
+// A file may declare a cone by its apex.
+TEST(Cones, GoAroundFromTheirApex) {
+  features::PartSurface cone;
+  cone.kind = features::SurfaceKind::cone;
+  cone.origin = centre;
+  cone.axis = axis;
+  cone.slope = 1.66;
+  std::vector<Vec3> points{centre};
+  for (int i = 0; i < 36; ++i)
+    points.push_back(centre + 6.0 * axis + 9.96 * (std::cos(i * pi / 18) * across + std::sin(i * pi / 18) * upwards));
+  for (const double radius : {0.0, 1e-9}) {
+    cone.radius = radius;
+    for (const double allowance : {0.0, 1e-13}) {
+      const features::Reach reach = features::reach_of(cone, points, allowance);
+      EXPECT_EQ(reach.sweep, 360);
+      EXPECT_NEAR(reach.from, 0, 1e-12);
+      EXPECT_NEAR(reach.to, 6, 1e-12);
+    }
+  }
+  points.resize(19);
+  EXPECT_NEAR(features::reach_of(cone, points, 1e-13).sweep, 170, 1e-9);
 }
 
 }  // namespace

@@ -100,6 +100,60 @@ Vec2 middle_of(const Vec2& a, const Vec2& b, double bulge) {
   return a + half + Vec2(half.y, -half.x) * bulge;
 }
 
+// A regular polygon, or some of its corners.
+sheet::Stroke polygon(double radius, int corners, int drawn) {
+  sheet::Stroke stroke{{}, drawn == corners, {3, 0.75}};
+  for (int i = 0; i < drawn; ++i)
+    stroke.points.push_back(Vec2(90, 100) +
+                            radius * Vec2(std::cos(2 * pi * i / corners), std::sin(2 * pi * i / corners)));
+  return stroke;
+}
+
+std::vector<DxfRecord> dashed_entities(const sheet::Stroke& stroke) {
+  sheet::Sheet sheet = one_stroke(stroke);
+  sheet.layers[0].style.dashes = {3, 0.75};
+  return entities_of(output::to_dxf(sheet), "v-visible");
+}
+
+// LibreCAD begins dashes anew at each corner. What a polygon differs from its circle by is less than the line is wide.
+TEST(DxfCurves, DashedCirclesOfShortPiecesAreCircles) {
+  const auto circle = dashed_entities(polygon(40, 96, 96));
+  ASSERT_EQ(circle.size(), 1u);
+  EXPECT_EQ(circle[0].type, "CIRCLE");
+  EXPECT_LT(glm::distance(circle[0].point(10), Vec2(90, 100)), 1e-9);
+  EXPECT_NEAR(circle[0].number(40), 40, 1e-9);
+  const auto arc = dashed_entities(polygon(40, 96, 25));
+  ASSERT_EQ(arc.size(), 1u);
+  EXPECT_EQ(arc[0].type, "ARC");
+  EXPECT_NEAR(arc[0].number(50), 0, 1e-9);
+  EXPECT_NEAR(arc[0].number(51), 90, 1e-9);
+  // The first polygon whose sides are nearer to the circle than a twentieth of a millimetre has 63.
+  EXPECT_EQ(dashed_entities(polygon(40, 62, 62))[0].type, "LWPOLYLINE");
+  EXPECT_EQ(dashed_entities(polygon(40, 63, 63))[0].type, "CIRCLE");
+  EXPECT_EQ(entities_of(output::to_dxf(one_stroke(polygon(40, 96, 96))), "v-visible")[0].type, "LWPOLYLINE");
+}
+
+TEST(DxfCurves, DashedEllipsesOfShortPiecesAreArcs) {
+  sheet::Stroke stroke = polygon(40, 360, 360);
+  for (Vec2& p : stroke.points) p.y = 100 + (p.y - 100) / 2;
+  const auto entities = dashed_entities(stroke);
+  ASSERT_EQ(entities.size(), 1u);
+  ASSERT_EQ(entities[0].type, "LWPOLYLINE");
+  const std::vector<std::string> x = entities[0].all(10), y = entities[0].all(20), bulges = entities[0].all(42);
+  EXPECT_LT(x.size(), 60u);
+  ASSERT_EQ(bulges.size(), x.size());
+  const auto off = [](const Vec2& p) {
+    const Vec2 in = {(p.x - 90) / 40, (p.y - 100) / 20};
+    return std::abs(glm::length(in) - 1) / glm::length(Vec2(in.x / 40, in.y / 20)) * glm::length(in);
+  };
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const std::size_t next = (i + 1) % x.size();
+    const Vec2 p(number_in(x[i]), number_in(y[i])), q(number_in(x[next]), number_in(y[next]));
+    EXPECT_LT(off(p), 0.02);
+    EXPECT_LT(off(middle_of(p, q, number_in(bulges[i]))), 0.05);
+  }
+}
+
 TEST(DxfCurves, ArcsAmongLinesAreBulges) {
   // The outline of a slot: its arcs turn clockwise, the second one goes on past the first point.
   sheet::Stroke slot{{}, true};
