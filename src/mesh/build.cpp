@@ -66,10 +66,10 @@ struct UsableTriangles {
 void drop_unknown_twins(Faces& triangles, const std::vector<int>& polygon, const std::vector<TwinFaces>& equal,
                         const std::vector<TwinFaces>& twins, MeshReport& report) {
   std::set<std::array<int, 2>> known;
-  for (const TwinFaces& pair : twins) known.insert({pair.first, pair.second});
+  for (const auto& [first, second] : twins) known.insert({first, second});
   std::vector<int> dropped;
-  for (const TwinFaces& pair : equal)
-    if (!known.contains({polygon[pair.first], polygon[pair.second]})) dropped.push_back(pair.second);
+  for (const auto& [first, second] : equal)
+    if (!known.contains({polygon[first], polygon[second]})) dropped.push_back(second);
   std::sort(dropped.begin(), dropped.end());
   drop_numbered_faces(triangles, dropped);
   report.dropped_duplicates += static_cast<int>(dropped.size());
@@ -87,8 +87,7 @@ void drop_equal_triangles(UsableTriangles& usable, bool are_faces, MeshReport& r
   report.dropped_duplicates += drop_duplicate_faces(triangles, report.vertices, equal);
   if (are_faces) {
     usable.twins.clear();
-    for (const TwinFaces& pair : equal)
-      usable.twins.push_back({polygon[pair.first], polygon[pair.second], pair.opposite});
+    for (const auto& [first, second] : equal) usable.twins.push_back({polygon[first], polygon[second]});
   } else {
     drop_unknown_twins(triangles, polygon, equal, usable.twins, report);
   }
@@ -195,9 +194,7 @@ std::vector<int> bodies_of(const Mesh& mesh, const Soup& soup, const EdgeTable& 
 
 /// What a body has in common with each of the others.
 struct SharedFaces {
-  Box box{};
   int triangles = 0;
-  int opposite = 0;               ///< of them, those that another body has in opposite order
   std::map<int, int> by_other{};  ///< shared triangles
   bool is_open = false;           ///< has an edge with one triangle
 };
@@ -213,63 +210,36 @@ void find_open_bodies(const Mesh& mesh, const EdgeTable& table, std::vector<Shar
   }
 }
 
-// The largest boxes of bodies: what has cavities is rarely smaller than many others.
-std::vector<Box> largest_boxes(const std::vector<SharedFaces>& bodies) {
-  constexpr std::ptrdiff_t most = 64;
-  std::vector<Box> boxes;
-  for (const SharedFaces& body : bodies) boxes.push_back(body.box);
-  const auto middle = boxes.begin() + std::min<std::ptrdiff_t>(most, std::ssize(boxes));
-  std::partial_sort(boxes.begin(), middle, boxes.end(),
-                    [](const Box& a, const Box& b) { return glm::length(a.size()) > glm::length(b.size()); });
-  boxes.erase(middle, boxes.end());
-  return boxes;
-}
-
-// Whether a body whose faces another one has in opposite order may be a cavity that it fills, or fill that.
-bool is_at_cavity(const SharedFaces& body, const std::vector<Box>& around) {
-  return body.opposite == body.triangles && std::any_of(around.begin(), around.end(), [&](const Box& box) {
-           return glm::all(glm::lessThan(box.min, body.box.min)) && glm::all(glm::lessThan(body.box.max, box.max));
-         });
-}
-
 /// One face of each of those twins at which no two bodies touch: both belong to one body, to two that have the same
-/// faces, unless one fills a cavity, or to one and an incomplete copy of it.
+/// faces, or to one and an incomplete copy of it.
 std::vector<int> duplicates_among(const Mesh& mesh, const EdgeTable& table, const std::vector<TwinFaces>& twins) {
   std::unordered_map<int, std::pair<int, int>> of_face;  // its body and number of triangles
-  for (const TwinFaces& pair : twins) of_face[pair.first] = of_face[pair.second] = {-1, 0};
+  for (const auto& [first, second] : twins) of_face[first] = of_face[second] = {-1, 0};
   std::vector<SharedFaces> bodies(mesh.body.empty() ? 0 : *std::max_element(mesh.body.begin(), mesh.body.end()) + 1);
   for (int t = 0; t < mesh.triangle_count(); ++t) {
-    SharedFaces& body = bodies[mesh.body[t]];
-    ++body.triangles;
-    for (const int corner : mesh.triangle(t)) body.box.add(mesh.point(corner));
+    ++bodies[mesh.body[t]].triangles;
     if (const auto found = of_face.find(mesh.polygon[t]); found != of_face.end()) {
       found->second.first = mesh.body[t];
       ++found->second.second;
     }
   }
-  const auto share = [&](int body, int other, int triangles, bool opposite) {
-    bodies[body].by_other[other] += triangles;
-    if (opposite) bodies[body].opposite += triangles;
-  };
-  for (const TwinFaces& pair : twins) {
-    const auto& [one, of_one] = of_face[pair.first];
-    const auto& [other, of_other] = of_face[pair.second];
-    share(one, other, of_one, pair.opposite);
-    share(other, one, of_other, pair.opposite);
+  const auto share = [&](int body, int other, int triangles) { bodies[body].by_other[other] += triangles; };
+  for (const auto& [first, second] : twins) {
+    const auto& [one, of_one] = of_face[first];
+    const auto& [other, of_other] = of_face[second];
+    share(one, other, of_one);
+    share(other, one, of_other);
   }
-  const std::vector<Box> around = largest_boxes(bodies);
   const auto is_copy = [&](int body, int other) { return bodies[body].by_other[other] == bodies[body].triangles; };
   find_open_bodies(mesh, table, bodies);
   const auto is_incomplete = [&](int body, int other) { return bodies[body].is_open && is_copy(body, other); };
   std::vector<int> duplicates;
-  for (const TwinFaces& pair : twins) {
-    const int one = of_face[pair.first].first, other = of_face[pair.second].first;
-    const bool are_copies = is_copy(one, other) && is_copy(other, one);
-    if (one != other && are_copies && is_at_cavity(bodies[one], around)) continue;
-    if (one == other || are_copies || is_incomplete(other, one))
-      duplicates.push_back(pair.second);
+  for (const auto& [first, second] : twins) {
+    const int one = of_face[first].first, other = of_face[second].first;
+    if (one == other || (is_copy(one, other) && is_copy(other, one)) || is_incomplete(other, one))
+      duplicates.push_back(second);
     else if (is_incomplete(one, other))
-      duplicates.push_back(pair.first);
+      duplicates.push_back(first);
   }
   std::sort(duplicates.begin(), duplicates.end());
   return duplicates;

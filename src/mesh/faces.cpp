@@ -78,37 +78,19 @@ Entry entry_of(const Faces& faces, std::size_t face) {
   return {std::min(next, previous), std::max(next, previous), static_cast<int>(face), next > previous};
 }
 
-/// How often all that is connected with a face through vertices is there.
-struct Copies {
-  int least = std::numeric_limits<int>::max(), most = 0;
-  bool turned = true;  ///< twice, in opposite orders
-
-  /// Whether two of `count` equal faces are kept. Where one of two bodies that touch is there twice, only orders tell
-  /// copies from faces that touch.
-  [[nodiscard]] bool keeps_two(int count, bool opposite) const {
-    if (count < 2) return false;
-    return turned || (most > 2 * least ? opposite && count > least : count == 2 * least);
-  }
-};
-
-// By face. `count` as below; `opposite` tells whether the second one of a face has the opposite order.
-std::vector<Copies> copies_of(const Faces& faces, const std::vector<int>& count, const std::vector<char>& opposite,
-                              int vertex_count) {
+// How often all that is connected with a face through vertices is there.
+std::vector<int> copies_of(const Faces& faces, const std::vector<int>& count, int vertex_count) {
   DisjointSets parts(static_cast<std::size_t>(vertex_count));
   for (std::size_t face = 0; face < faces.size(); ++face)
     for (const int corner : faces.ring(face)) parts.join(faces.ring(face)[0], corner);
-  std::vector<Copies> of_part(static_cast<std::size_t>(vertex_count));
-  std::vector<Copies> copies(faces.size());
-  const auto part_of = [&](std::size_t face) -> Copies& { return of_part[parts.root(faces.ring(face)[0])]; };
+  std::vector<int> least(static_cast<std::size_t>(vertex_count), std::numeric_limits<int>::max());
+  std::vector<int> part(faces.size());
   for (std::size_t face = 0; face < faces.size(); ++face) {
-    if (count[face] == 0) continue;
-    Copies& part = part_of(face);
-    part.least = std::min(part.least, count[face]);
-    part.most = std::max(part.most, count[face]);
-    part.turned = part.turned && count[face] == 2 && opposite[face] != 0;
+    part[face] = parts.root(faces.ring(face)[0]);
+    if (count[face] > 0) least[part[face]] = std::min(least[part[face]], count[face]);
   }
-  for (std::size_t face = 0; face < faces.size(); ++face) copies[face] = part_of(face);
-  return copies;
+  for (int& of_face : part) of_face = least[of_face];
+  return part;
 }
 
 }  // namespace
@@ -140,7 +122,6 @@ int drop_duplicate_faces(Faces& faces, int vertex_count, std::vector<TwinFaces>&
 
   std::vector<int> count(faces.size(), 1);  // of the faces that equal the first one of them; 0 for the others
   std::vector<int> next(faces.size(), -1);  // the second one, if possible of the opposite order
-  std::vector<char> opposite(faces.size(), 0);
   parallel_for(static_cast<std::size_t>(vertex_count), 4096, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       const std::span<Entry> bucket(entries.data() + (v == 0 ? 0 : bucket_end[v - 1]), entries.data() + bucket_end[v]);
@@ -157,17 +138,16 @@ int drop_duplicate_faces(Faces& faces, int vertex_count, std::vector<TwinFaces>&
           if (is_opposite || (next[one.face] >= 0 && bucket[end].is_reversed == one.is_reversed)) continue;
           next[one.face] = bucket[end].face;
           is_opposite = bucket[end].is_reversed != one.is_reversed;
-          opposite[one.face] = is_opposite ? 1 : 0;
         }
       }
     }
   });
   if (std::find(count.begin(), count.end(), 0) == count.end()) return 0;
-  const std::vector<Copies> copies = copies_of(faces, count, opposite, vertex_count);
+  const std::vector<int> copies = copies_of(faces, count, vertex_count);
   for (std::size_t face = 0; face < faces.size(); ++face)
-    if (copies[face].keeps_two(count[face], opposite[face] != 0)) {
+    if (count[face] > 0 && count[face] == 2 * copies[face]) {
       count[next[face]] = 1;
-      twins.push_back({faces.number[face], faces.number[next[face]], opposite[face] != 0});
+      twins.push_back({faces.number[face], faces.number[next[face]]});
     }
   return keep_faces(faces,
                     [&](std::size_t face, std::span<const int> ring) { return count[face] > 0 ? ring.size() : 0; });

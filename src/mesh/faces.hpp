@@ -31,13 +31,11 @@ int drop_faces_with_non_finite_corners(Faces& faces, const Points& points);
 /// Two faces of the file with the same vertices, by their numbers.
 struct TwinFaces {
   int first, second;
-  bool opposite;  ///< of opposite cyclic orders
 };
 
 /// Of faces with the same vertices in the same cyclic order or its reverse, keeps the first. A face that is there
-/// twice as often as others with which it is connected may belong to two bodies: two are kept and appended to `twins`;
-/// where faces are there more often, only those of opposite orders. What is there several times as a whole counts once;
-/// but if it is there in both orders, it may be a cavity and what fills it, and is kept in both.
+/// twice, unlike others with which it is connected, may belong to two bodies: both are kept and appended to `twins`.
+/// What is there several times as a whole counts once.
 int drop_duplicate_faces(Faces& faces, int vertex_count, std::vector<TwinFaces>& twins);
 
 /// Drops the faces with these numbers, which are in ascending order.

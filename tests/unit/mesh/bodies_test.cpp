@@ -257,45 +257,6 @@ TEST(Bodies, DuplicatesAreNone) {
   expect(welded({both, both}), 2, 12);
 }
 
-// A copy beside a body does not take the face at which both touch.
-TEST(Bodies, StayWholeBesideCopiesOfOthers) {
-  const Shape a = box({0, 0, 0}, {1, 1, 1}), b = box({1, 0, 0}, {3, 1, 1});
-  const std::multiset<std::array<double, 6>> both{{0, 0, 0, 1, 1, 1}, {1, 0, 0, 3, 1, 1}};
-  const auto expect = [](const std::vector<Shape>& shapes, const std::multiset<std::array<double, 6>>& expected,
-                         int dropped) {
-    for (const unsigned seed : {0U, 1U, 2U, 3U, 4U})
-      for (const bool triangles : {false, true}) {
-        const Shape shape = shuffled(triangles ? triangulated(welded(shapes)) : welded(shapes), seed);
-        const mesh::Mesh mesh = built(shape);
-        EXPECT_EQ(boxes(mesh), expected) << seed;
-        EXPECT_EQ(mesh.report.open_edges, 0) << seed;
-        EXPECT_EQ(mesh.report.dropped_duplicates, triangles ? 2 * dropped : dropped) << seed;
-      }
-  };
-  expect({a, a, b}, both, 6);
-  expect({a, b, a}, both, 6);
-  expect({b, a, a}, both, 6);
-  expect({a, a, a, b}, both, 12);
-  expect({inside_out(a), inside_out(a), inside_out(b)}, both, 6);
-}
-
-// What fills a cavity has the same faces, seen from the other side.
-TEST(Bodies, FillCavities) {
-  const Shape block = box({0, 0, 0}, {4, 4, 4}), insert = box({1, 1, 1}, {2, 3, 3});
-  const std::multiset<std::array<double, 6>> three{{0, 0, 0, 4, 4, 4}, {1, 1, 1, 2, 3, 3}, {1, 1, 1, 2, 3, 3}};
-  for (const unsigned seed : {0U, 1U, 2U})
-    for (const Shape& shape : {welded({block, inside_out(insert), insert}), welded({insert, inside_out(insert), block}),
-                               triangulated(welded({block, insert, inside_out(insert)}))}) {
-      const mesh::Mesh mesh = built(shuffled(shape, seed));
-      EXPECT_EQ(boxes(mesh), three) << seed;
-      EXPECT_EQ(mesh.report.dropped_duplicates, 0) << seed;
-    }
-  // Seen from one side alone, or beside the block, it is a copy.
-  EXPECT_EQ(built(welded({block, insert, insert})).report.bodies, 2);
-  const Shape beside = box({5, 1, 1}, {6, 3, 3});
-  EXPECT_EQ(built(welded({block, beside, inside_out(beside)})).report.bodies, 2);
-}
-
 // A named body is a duplicate, too, even if some of its faces are missing; whichever comes first, the whole one stays.
 TEST(Bodies, AnIncompleteCopyIsADuplicate) {
   const Shape cube = box({0, 0, 0}, {1, 1, 1});
