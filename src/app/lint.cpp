@@ -102,7 +102,7 @@ int lint(DrawOptions options) {
   if (!options.lint_json.empty()) pipeline::write({options.lint_json, json_of(drawn.report)}, {});
   if (options.lint_json != "-") {
     std::fputs(printed_findings(findings, options.lint_all).c_str(), stdout);
-    std::fputs((hint_of(drawn.report.views_to_add) + hint_for_machines(drawn.report)).c_str(), stdout);
+    std::fputs((hint_for_machines(drawn.report) + hint_of(drawn.report.views_to_add)).c_str(), stdout);
     if (findings.empty()) std::fputs("every recognised size has one dimension, and none cross\n", stdout);
   }
   const int code = exit_code_of(drawn);

@@ -14,7 +14,6 @@
 #include "drawing/closed_line.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/freehand.hpp"
-#include "drawing/make_drawing.hpp"
 
 namespace epura::drawing {
 

@@ -6,7 +6,6 @@
 
 #include "drawing/chains.hpp"
 #include "drawing/clip_drawing.hpp"
-#include "drawing/make_drawing.hpp"
 #include "mesh/even_odd.hpp"
 
 namespace epura::drawing {

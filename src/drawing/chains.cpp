@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "drawing/make_drawing.hpp"
 
 namespace epura::drawing {
 
@@ -94,6 +95,18 @@ double length_of(const Chain& chain) {
   return length;
 }
 
+// The largest distance between the ends of segments that continue each other.
+double widest_gap(const ViewDrawing& drawing) {
+  double widest = 0;
+  for (const Chain& chain : drawing.chains)
+    for (std::size_t i = 1; i < chain.segments.size(); ++i) {
+      const Segment &one = drawing.segments[chain.segments[i - 1]], &next = drawing.segments[chain.segments[i]];
+      widest = std::max(widest, std::min({glm::distance(one.to, next.from), glm::distance(one.to, next.to),
+                                          glm::distance(one.from, next.from), glm::distance(one.from, next.to)}));
+    }
+  return widest;
+}
+
 // The number of segments that end in each vertex of a model: by model and vertex.
 std::map<std::array<int, 2>, int> ends_at_vertices(const std::vector<Segment>& segments) {
   std::map<std::array<int, 2>, int> count;
@@ -122,7 +135,7 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
       check(glm::distance(chain.points.front(), chain.points.back()) <= 4 * widest + 0x1p-28, "a closed chain closes");
       chain.points.pop_back();
     }
-    leave_out_steps(chain.points, chain.closed, widest);
+    leave_out_steps(chain.points, chain.closed, gaps.touching);
     straighten(chain.points, chain.closed, tolerance);
     chains.push_back(std::move(chain));
   };
@@ -137,6 +150,9 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
 
 void chain_lines(ViewDrawing& drawing, const Progress& progress) {
   drawing.chains = chain_segments(drawing.segments, straight_mm, {drawing.coincident, drawing.unseen}, progress);
+  // Ink that crosses a gap has other ink within the gap.
+  const double gap = widest_gap(drawing);
+  if (gap > 4 * drawing.coincident) drawing.joined_within = std::max(drawing.joined_within, gap);
 }
 
 bool drop_short_creases(ViewDrawing& drawing, double least) {

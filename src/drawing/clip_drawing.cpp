@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "drawing/chains.hpp"
-#include "drawing/make_drawing.hpp"
 
 namespace epura::drawing {
 

@@ -49,6 +49,12 @@ enum class TurningBack { left_apart, joined };
 /// The cosine of the angle between the directions in which two lines leave a point, from which on they turn back there.
 inline constexpr double turning_back = 0.75;
 
+/// Which of the ends that meet are joined.
+struct Joining {
+  TurningBack turning_back;
+  double farthest = HUGE_VAL;  ///< ends are no farther apart, mm
+};
+
 /// The direction in which a line leaves an end.
 template <class Ends>
 Vec2 leaving(const Ends& lines, End end) {
@@ -57,9 +63,10 @@ Vec2 leaving(const Ends& lines, End end) {
 
 /// Joins the only two ends that meet in a point. Returns false if they turn back there and are to be left apart.
 template <class Ends>
-bool pair_up(const Ends& lines, End a, End b, TurningBack rule, std::vector<End>& partner) {
-  if (a == other(b)) return true;
-  if (rule == TurningBack::left_apart && glm::dot(leaving(lines, a), leaving(lines, b)) > turning_back) return false;
+bool pair_up(const Ends& lines, End a, End b, const Joining& rule, std::vector<End>& partner) {
+  if (a == other(b) || glm::distance(lines.place(a), lines.place(b)) > rule.farthest) return true;
+  if (rule.turning_back == TurningBack::left_apart && glm::dot(leaving(lines, a), leaving(lines, b)) > turning_back)
+    return false;
   partner[a] = b;
   partner[b] = a;
   return true;
@@ -70,7 +77,7 @@ bool pair_up(const Ends& lines, End a, End b, TurningBack rule, std::vector<End>
 /// one of one kind is preferred: a curve that touches another leaves it a little straighter than it goes on itself.
 /// Returns false if some are left that turn back there.
 template <class Ends>
-bool pair_up(const Ends& lines, std::span<const End> ends, TurningBack rule, std::vector<End>& partner) {
+bool pair_up(const Ends& lines, std::span<const End> ends, const Joining& rule, std::vector<End>& partner) {
   constexpr std::size_t most_at_a_point = 64;  // beyond that, straightness is not worth a quadratic search
   constexpr double going_on = -0.75;           // cosine between the directions in which the lines leave the point
   constexpr double about = 0.02;               // difference of such cosines
@@ -88,11 +95,12 @@ bool pair_up(const Ends& lines, std::span<const End> ends, TurningBack rule, std
         const double straightness = glm::dot(direction_a, direction_b);
         const bool differ = lines.kind(a) != lines.kind(b);
         const int turn = straightness > turning_back ? 2 : straightness > going_on && differ ? 1 : 0;
-        if (a != other(b)) best = std::min(best, Pair(turn, straightness + (differ ? about : 0), a, b));
+        if (a == other(b) || glm::distance(lines.place(a), lines.place(b)) > rule.farthest) continue;
+        best = std::min(best, Pair(turn, straightness + (differ ? about : 0), a, b));
       }
     const End a = std::get<2>(best), b = std::get<3>(best);
     if (a == no_end) return true;
-    if (std::get<0>(best) == 2 && rule == TurningBack::left_apart) return false;
+    if (std::get<0>(best) == 2 && rule.turning_back == TurningBack::left_apart) return false;
     check(partner[a] == no_end && partner[b] == no_end && a != b, "an end has one partner");
     partner[a] = b;
     partner[b] = a;
@@ -110,7 +118,7 @@ class EndPairing {
 
   /// Ends up to `touching` mm apart meet if they meet no nearer one. Returns those that turn back where they meet, if
   /// these are left apart.
-  std::vector<End> join(std::vector<End> ends, double touching, TurningBack rule) {
+  std::vector<End> join(std::vector<End> ends, double touching, const Joining& rule) {
     alone_ = std::move(ends);
     turns_back_.assign(partner_.size(), 0);
     // Where lines of two faces coincide, parts of both are drawn, with ends that differ by rounding: about 1e-13 mm.
@@ -136,7 +144,7 @@ class EndPairing {
   [[nodiscard]] std::vector<End> partners() && { return std::move(partner_); }
 
  private:
-  void join_in_cells(double cell, const Vec2& shift, TurningBack rule) {
+  void join_in_cells(double cell, const Vec2& shift, const Joining& rule) {
     const auto key = [&](int number) {
       const auto look = lines_.look(alone_[number]);
       const Vec2 at = lines_.place(alone_[number]) / cell + shift;
@@ -167,9 +175,9 @@ std::vector<End> find_partners(const Ends& lines, const Gaps& gaps, const Progre
   EndPairing<Ends> pairing(lines, progress);
   std::vector<End> ends(static_cast<std::size_t>(lines.lines) * 2);
   std::iota(ends.begin(), ends.end(), 0);
-  std::vector<End> left = pairing.join(std::move(ends), gaps.touching, TurningBack::left_apart);
-  pairing.join(std::move(left), gaps.touching, TurningBack::joined);
-  if (gaps.unseen > gaps.touching) pairing.join(pairing.alone(), gaps.unseen, TurningBack::left_apart);
+  std::vector<End> left = pairing.join(std::move(ends), gaps.touching, {TurningBack::left_apart});
+  pairing.join(std::move(left), gaps.touching, {TurningBack::joined});
+  if (gaps.unseen > gaps.touching) pairing.join(pairing.alone(), gaps.unseen, {TurningBack::left_apart, gaps.unseen});
   return std::move(pairing).partners();
 }
 

@@ -88,13 +88,17 @@ class Runs {
     });
   }
 
-  /// Calls visit(stretches) for each run. A closed one begins and ends at its longest piece.
+  /// Calls visit(stretches) for each run. A closed one begins at its longest piece and ends with it again.
   template <class Visit>
   void visit(const Visit& visit) {
     for (End end = 0; end < static_cast<End>(next_.size()); ++end)
       if (next_[end] == no_end && pieces_[line_of(end)].drawn && used_[line_of(end)] == 0) visit(follow(end));
-    for (End end = 0; end < static_cast<End>(next_.size()); end += 2)
-      if (pieces_[line_of(end)].drawn && used_[line_of(end)] == 0) visit(follow(longest_in_ring(end)));
+    for (End end = 0; end < static_cast<End>(next_.size()); end += 2) {
+      if (!pieces_[line_of(end)].drawn || used_[line_of(end)] != 0) continue;
+      std::vector<Stretch> ring = follow(longest_in_ring(end));
+      ring.push_back(ring.front());
+      visit(ring);
+    }
   }
 
  private:

@@ -284,7 +284,7 @@ void tell_left_out(AnnotationLayers& result, const sheet::PlacedLayer& placed, s
                             "\n  hint: use a larger sheet or a larger scale, more views, or --dimensions hole-table");
   for (const std::string& text : placed.texts_left_out)
     result.findings.push_back(
-        {report::FindingKind::undimensioned, view, "there is no room for '" + shortened(text) + "'"});
+        {report::FindingKind::undimensioned, view, "there is no room for '" + text + "'"});
 }
 
 /// A view whose dimensions are placed.

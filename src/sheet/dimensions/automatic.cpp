@@ -173,7 +173,8 @@ class Planner {
            std::all_of(other.begin(), other.end(), is_behind);
   }
 
-  // Groups of equal holes; those behind others that only one view shows are one with them.
+  // Groups of equal holes; those behind others that only one view shows have one note with them. Rows of a table name
+  // the side by their letters.
   [[nodiscard]] std::vector<std::vector<const design::DesignHole*>> groups_of_holes() const {
     auto groups = groups_of<design::DesignHole>(subject_.features.holes, design::are_equal);
     for (auto& group : groups) {
@@ -181,6 +182,7 @@ class Planner {
       const Vec3 axis = group.front()->axis;
       const NamedProjection* view = views_.along(axis, true);
       if (view == nullptr || glm::dot(view->projection.n, axis) <= 0 || views_.along(-axis, true) != view) continue;
+      if (has_table() && can_have_table(*view)) continue;
       const auto other = std::find_if(groups.begin(), groups.end(), [&](const auto& one) {
         return &one != &group && !one.empty() && are_opposite(group, one);
       });

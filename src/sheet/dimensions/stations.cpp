@@ -91,7 +91,11 @@ void Stations::add(const Station& station) {
       // What a section has removed is the worse place to measure to.
       const bool was_kept = is_kept(other), kept = is_kept(station);
       if (was_kept && !kept) return;
-      if (kept && !was_kept) other = station;
+      if (kept && !was_kept) {
+        other.point = station.point;
+        other.opposite = station.opposite;
+        return;
+      }
       if (rank(other, station.point) > rank(other, other.point)) other.point = station.point;
       if (rank(other, station.opposite) < rank(other, other.opposite)) other.opposite = station.opposite;
       return;

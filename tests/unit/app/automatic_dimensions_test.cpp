@@ -321,8 +321,9 @@ TEST_F(AutomaticDimensions, LintAdvisesToDrawThePartsOfMachines) {
   const Outcome small = epura({"lint", part, "--views", "front,top,left", "--dimensions", "auto", "--sheet", "A4",
                                "--frame", "none", "--scale", "1:1"},
                               folder / "");
-  static const std::regex row("no room for '[^']{40,70} and \\d+ others'");
-  EXPECT_TRUE(std::regex_search(small.out, row)) << small.out;
+  static const std::regex row("left out: '[^']{40,70} and \\d+ others'");
+  EXPECT_TRUE(std::regex_search(small.err, row)) << small.err;
+  EXPECT_FALSE(contains(small.out, " others'")) << small.out;
 }
 
 // What the sheet has no room for is left out and told, and never crosses anything.

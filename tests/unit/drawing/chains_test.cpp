@@ -62,6 +62,17 @@ TEST(Chains, CrossGapsThatNobodySees) {
                                             segment({20.02, 0}, {30, 0})};
   EXPECT_EQ(drawing::chain_segments(lines, 1e-9, {1e-6, 0.01}).size(), 2U);
   EXPECT_EQ(drawing::chain_segments(lines, 1e-9, {1e-6}).size(), 3U);
+  for (int i = 0; i < 100; ++i) {
+    const double x = 0.00037 * i;
+    const std::vector<drawing::Segment> apart{segment({x, 0}, {x + 10, 0}), segment({x + 10.011, 0}, {x + 20, 0})};
+    EXPECT_EQ(drawing::chain_segments(apart, 1e-9, {1e-6, 0.01}).size(), 2U) << i;
+  }
+  // A step is no gap.
+  const auto step = drawing::chain_segments(
+      {segment({0, 0}, {10, 0}), segment({10, 0}, {10, -0.008}), segment({10, -0.008}, {20, -0.008})}, 1e-9,
+      {1e-6, 0.01});
+  ASSERT_EQ(step.size(), 1U);
+  EXPECT_EQ(step[0].points.size(), 4U);
   // Ends that touch come first, and a line does not turn back for the sake of a gap.
   EXPECT_EQ(
       drawing::chain_segments({segment({0, 0}, {10, 0}), segment({10, 0}, {20, 1}), segment({10.005, 0}, {20, 0})},

@@ -264,6 +264,18 @@ TEST(Glints, TakeOnTheVisibilityOfTheLineAroundThem) {
   Pieces corner = line_with_a_part(0.005, true);
   add(corner, {{5, 0}, {5, 5}});
   EXPECT_EQ(count_visible(corner), 2U) << "another visible line ends there";
+  for (int first = 0; first < 4; ++first) {
+    const std::array<Vec2, 4> corners{Vec2(0, 0), Vec2(5, 0), Vec2(5, 4), Vec2(0, 0.005)};
+    Pieces ring;
+    for (int i = 0; i < 4; ++i)
+      add(ring, {corners[(first + i) % 4], corners[(first + i + 1) % 4]}, {(first + i) % 4 == 3});
+    EXPECT_EQ(count_visible(ring), 0U) << "a closed line from corner " << first;
+  }
+  Pieces again;  // after a hidden piece, 29 of 0.004 mm, of which two thirds are visible
+  add(again, {{0, 0}, {5, 0}}, {false});
+  for (int i = 0; i < 30; ++i) add(again, {{5 + 0.004 * i, 0}, {5 + 0.004 * (i + 1), 0}}, {i % 3 != 0});
+  add(again, {{5.12, 0}, {10, 0}}, {false});
+  EXPECT_EQ(count_visible(again), 29U) << "too much to be hidden";
   Pieces last = line_with_a_part(0.005, true);
   last.pop_back();
   EXPECT_EQ(count_visible(last), 1U) << "the end of a line";

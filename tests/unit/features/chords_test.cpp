@@ -154,7 +154,8 @@ TEST(FlatsOfTori, DoNotConnectTwoOfThem) {
   both.regions[2].surface.axis = glm::normalize(both.regions[2].surface.axis);
   for (const int f : both.regions[2].facets) both.region_of[f] = 2;
   features::merge_regions(both.facets, both.region_of, both.regions);
-  EXPECT_EQ(both.regions.size(), 2U);
+  ASSERT_EQ(both.regions.size(), 2U);
+  for (const features::Region& region : both.regions) EXPECT_EQ(region.surface.kind, SurfaceKind::torus);
 }
 
 }  // namespace
