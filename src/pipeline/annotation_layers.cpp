@@ -283,8 +283,7 @@ void tell_left_out(AnnotationLayers& result, const sheet::PlacedLayer& placed, s
                             "', which are left out: " + first_of(placed.texts_left_out) +
                             "\n  hint: use a larger sheet or a larger scale, more views, or --dimensions hole-table");
   for (const std::string& text : placed.texts_left_out)
-    result.findings.push_back(
-        {report::FindingKind::undimensioned, view, "there is no room for '" + text + "'"});
+    result.findings.push_back({report::FindingKind::undimensioned, view, "there is no room for '" + text + "'"});
 }
 
 /// A view whose dimensions are placed.

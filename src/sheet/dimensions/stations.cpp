@@ -84,6 +84,7 @@ bool Stations::is_known(int axis, double at) const {
 }
 
 void Stations::add(const Station& station) {
+  check(station.view != nullptr && station.axis >= 0 && station.axis < 3, "a station is along an axis, in a view");
   if (!keeps_positions(*station.view, station.axis)) return;
   for (Station& other : stations_)
     if (other.axis == station.axis && std::abs(other.at - station.at) <= slack_) {
