@@ -35,10 +35,8 @@ std::string json_of(const report::Finding& finding) {
 
 std::string json_of(const report::Report& report) {
   const auto write = [](const report::Finding& finding) { return json_of(finding); };
-  std::string views;
-  for (const std::string& view : report.views_to_add) views += (views.empty() ? "" : ", ") + output::json_string(view);
   return "{\"epura_lint\": 1, \"findings\": " + output::json_lines(report.findings, write, "\n  ") +
-         ", \"views_to_add\": [" + views + "]}\n";
+         ", \"views_to_add\": " + output::json_list(report.views_to_add, output::json_string) + "}\n";
 }
 
 // Of a machine, most sizes have no room.

@@ -147,6 +147,8 @@ std::vector<InkPart> those_near(const std::vector<InkPart>& others, const std::v
 // Moves short parts that lie wholly within the tolerance of another, beyond its end or across it, to those that are
 // met.
 void take_short(DividedInk& divided, const std::vector<InkPart>& others, double tolerance) {
+  const auto is_short = [&](const InkPart& part) { return length_of(part) <= 2 * tolerance; };
+  if (std::ranges::none_of(divided.rest, is_short)) return;
   const search::BoundsTree<2> tree(others.size(), [&](std::size_t i) {
     const auto [left, right] = std::minmax(others[i].from.x, others[i].to.x);
     const auto [bottom, top] = std::minmax(others[i].from.y, others[i].to.y);
@@ -156,7 +158,7 @@ void take_short(DividedInk& divided, const std::vector<InkPart>& others, double 
     return distance_to_segment(p, other.from, other.to) <= tolerance;
   };
   const auto is_near = [&](const InkPart& part) {
-    if (length_of(part) > 2 * tolerance) return false;
+    if (!is_short(part)) return false;
     const Vec2 low = glm::max(part.from, part.to) - tolerance, high = glm::min(part.from, part.to) + tolerance;
     bool found = false;
     tree.visit({{{low.x, high.x}, {low.y, high.y}}}, [&](std::size_t i) {

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "drawing/make_drawing.hpp"
 
 namespace epura::drawing {
 
@@ -150,6 +149,7 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
 
 void chain_lines(ViewDrawing& drawing, const Progress& progress) {
   drawing.chains = chain_segments(drawing.segments, straight_mm, {drawing.coincident, drawing.unseen}, progress);
+  if (!(drawing.unseen > drawing.coincident)) return;
   // Ink that crosses a gap has other ink within the gap.
   const double gap = widest_gap(drawing);
   if (gap > 4 * drawing.coincident) drawing.joined_within = std::max(drawing.joined_within, gap);

@@ -12,9 +12,6 @@
 
 namespace epura::drawing {
 
-/// Corners of chains that are no farther off a straight line are left out.
-inline constexpr double straight_mm = 1e-6;
-
 struct DrawingOptions {
   std::string name;    ///< of the view
   bool hidden = true;  ///< keep hidden lines

@@ -145,6 +145,10 @@ bool is_most_visible(std::span<const Stretch> glints, bool before, bool after, d
 }  // namespace
 
 void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, double most, const Progress& progress) {
+  bool any = false;
+  for (std::size_t i = 0; i < pieces.size() && !any; ++i)
+    any = is_moved[i] != 0 && pieces[i].drawn && length_of(pieces[i]) <= most;
+  if (!any) return;
   const auto is_short = [&](const Stretch& stretch) { return stretch.is_moved && stretch.length <= most; };
   std::vector<std::pair<int, bool>> turned;
   Runs(pieces, is_moved, progress).visit([&](const std::vector<Stretch>& stretches) {
@@ -159,7 +163,10 @@ void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, 
       i = end;
     }
   });
-  for (const auto& [piece, visible] : turned) pieces[piece].visible = visible;
+  for (const auto& [piece, visible] : turned) {
+    check(pieces[piece].drawn, "what is turned has ink");
+    pieces[piece].visible = visible;
+  }
 }
 
 LeftInk drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, const ContinuingLimits& limits,

@@ -168,7 +168,6 @@ void take_chords(const Facets& facets, std::vector<int>& region_of, std::vector<
 int region_around(const Facets& facets, int facet, const std::vector<int>& region_of,
                   const std::vector<Region>& regions) {
   constexpr std::size_t most_corners = 5;
-  constexpr double most_smooth = 0.185;  // tangent of half of 21 degrees
   const auto vertices = facets.vertices_of(facet);
   if (vertices.size() > most_corners) return -1;
   int nearest = -1;
@@ -179,7 +178,7 @@ int region_around(const Facets& facets, int facet, const std::vector<int>& regio
       if (beyond < 0) return -1;
       const int other = facets.facet_of[beyond], number = region_of[other];
       if (other == facet) continue;
-      if (number < 0 || !is_round(regions[number]) || facets.fold_at(t, side) > most_smooth) return -1;
+      if (number < 0 || !is_round(regions[number]) || facets.fold_at(t, side) > coarse_fold) return -1;
       const Region& region = regions[number];
       double farthest = 0;
       for (const int v : vertices)

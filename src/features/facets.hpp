@@ -12,6 +12,7 @@
 
 namespace epura::features {
 
+inline constexpr double coarse_fold = 0.185;  ///< tangent of half of 21 degrees: folds inside faces are rarely larger
 inline constexpr double smooth_cosine = 0.7;  ///< of a fold that occurs inside faces of coarse tessellations
 
 /// Triangles that form one flat piece, or a polygon of the file.

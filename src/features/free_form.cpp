@@ -20,8 +20,8 @@ constexpr double fold_ratio = 3;
 constexpr double fold_slack = 0.0175;  // 2 degrees
 // Facets of one tessellation have about the same sagitta, so their widths differ little.
 constexpr double width_ratio = 8;
-// Above this, folds may also be those between flats of a polygon and narrow chamfers, and widths must be more similar.
-constexpr double coarse_fold = 0.185;  // 21 degrees
+// Above coarse_fold, folds may also be those between flats of a polygon and narrow chamfers, and widths must be more
+// similar.
 constexpr double coarse_width_ratio = 3;
 constexpr double narrow = 8;
 

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "drawing/make_drawing.hpp"
+#include "drawing/chains.hpp"
 #include "pipeline/draw_view.hpp"
 #include "report/format.hpp"
 #include "view/condition.hpp"

@@ -150,8 +150,8 @@ TEST(FlatsOfTori, DoNotConnectTwoOfThem) {
   both.regions.push_back(both.regions[1]);
   both.regions[1].facets.resize(3);
   both.regions[2].facets = {both.regions[2].facets.begin() + 3, both.regions[2].facets.end()};
-  both.regions[2].surface.axis = {0, 1e-4, 1};  // the corners lie on it, too, but it is another torus
-  both.regions[2].surface.axis = glm::normalize(both.regions[2].surface.axis);
+  // The corners lie on it, too, but it is another torus.
+  both.regions[2].surface.axis = glm::normalize(Vec3(0, 1e-4, 1));
   for (const int f : both.regions[2].facets) both.region_of[f] = 2;
   features::merge_regions(both.facets, both.region_of, both.regions);
   ASSERT_EQ(both.regions.size(), 2U);
