@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+# What every script of this folder begins with: a temporary folder to work in, packages in it, and a comparison. To be sourced.
+set -euo pipefail
+export LC_ALL=C.UTF-8
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+npm_packages() {  # NAME@VERSION...
+  npm init -y >/dev/null
+  npm install --no-audit --no-fund --silent "$@"
+}
+
+# Unpacks Debian packages with all they depend on below "$work/root", without installing anything on the system.
+debian_packages() {  # NAME=VERSION...
+  mkdir -p archives/partial root
+  : >status
+  apt-get -qq -y -o Dir::State::status="$work/status" -o Dir::Cache::archives="$work/archives" -o Debug::NoLocking=1 \
+    -o APT::Install-Recommends=false -o APT::Sandbox::User="$(id -un)" --download-only install "$@" >apt.log 2>&1 ||
+    { tail -n 3 apt.log >&2; return 1; }
+  local archive library=$work/root/usr/lib/x86_64-linux-gnu
+  for archive in archives/*.deb; do
+    case $archive in */libc6_*) ;; *) dpkg-deb --extract "$archive" root ;; esac
+  done
+  export PATH=$work/root/usr/bin:$PATH
+  export LD_LIBRARY_PATH=$library:$work/root/lib/x86_64-linux-gnu:$library/blas:$library/lapack:$library/pulseaudio
+}
+
+# Fails, and shows the difference, if what stands on standard input is not what the file has.
+expect_in() {  # FILE
+  diff -u --label expected - --label seen "$1" && echo "as stated"
+}
+
+# A closed box of STL facets: box NAME X, 10 mm wide, from X on.
+box_stl() {
+  awk -v name="$1" -v x="$2" 'BEGIN {
+    n = split("0 2 3,0 3 1,4 5 7,4 7 6,0 1 5,0 5 4,2 6 7,2 7 3,0 4 6,0 6 2,1 3 7,1 7 5", facets, ",")
+    print "solid " name
+    for (i = 1; i <= n; ++i) {
+      print " facet normal 0 0 0\n  outer loop"
+      split(facets[i], corner, " ")
+      for (k = 1; k <= 3; ++k) {
+        c = corner[k]
+        printf "   vertex %g %g %g\n", x + 10 * (c % 2), 10 * (int(c / 2) % 2), 10 * int(c / 4)
+      }
+      print "  endloop\n endfacet"
+    }
+    print "endsolid " name
+  }'
+}
+
+# A 3MF package around the model part on standard input.
+pack_3mf() {  # FILE
+  mkdir -p package/_rels package/3D
+  cat >package/3D/3dmodel.model
+  echo '<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>' >'package/[Content_Types].xml'
+  echo '<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="r" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>' >package/_rels/.rels
+  python3 - "$1" <<'PY'
+import pathlib, sys, zipfile
+with zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED) as archive:
+    for name in ("[Content_Types].xml", "_rels/.rels", "3D/3dmodel.model"):
+        archive.write(pathlib.Path("package") / name, name)
+PY
+}
+
+# A box of 3MF, 10 units wide, as an object: object_3mf ID TYPE.
+object_3mf() {
+  awk -v id="$1" -v type="$2" 'BEGIN {
+    printf "<object id=\"%s\" type=\"%s\"><mesh><vertices>", id, type
+    for (c = 0; c < 8; ++c) printf "<vertex x=\"%d\" y=\"%d\" z=\"%d\"/>", 10 * (c % 2), 10 * (int(c / 2) % 2), 10 * int(c / 4)
+    printf "</vertices><triangles>"
+    n = split("0 2 3,0 3 1,4 5 7,4 7 6,0 1 5,0 5 4,2 6 7,2 7 3,0 4 6,0 6 2,1 3 7,1 7 5", facets, ",")
+    for (i = 1; i <= n; ++i) { split(facets[i], v, " "); printf "<triangle v1=\"%d\" v2=\"%d\" v3=\"%d\"/>", v[1], v[2], v[3] }
+    print "</triangles></mesh></object>"
+  }'
+}
+
+# A model part: model_3mf UNIT OBJECTS ITEMS.
+model_3mf() {
+  printf '<?xml version="1.0"?><model unit="%s" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>%s</resources><build>%s</build></model>\n' "$1" "$2" "$3"
+}
+
+# The box of a file of OFF or of the vertices of an OBJ.
+extent() {  # FILE
+  awk '{ sub(/^v /, "") } NF == 3 && /^[-0-9]/ { for (i = 1; i <= 3; ++i) { if (!n || $i < low[i]) low[i] = $i; if (!n || $i > high[i]) high[i] = $i }; n = 1 }
+       END { printf "%g..%g %g..%g %g..%g\n", low[1], high[1], low[2], high[2], low[3], high[3] }' "$1"
+}
