@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frustum: eye, reference point, up-vector and the view frustum: left, right, bottom and top on a plane at distance d
 // from the eye, near and far planes. As in OpenGL, d is the near distance unless given.
+#include "../upright.hpp"
 #include "perspective.hpp"
 
 using namespace perspective;
@@ -14,7 +15,7 @@ struct Frustum {
   static constexpr std::array parameters{
       vector<3>("eye", "model units", "centre of projection"),
       vector<3>("ref", "model units", "point looked at; the model's centre unless given"),
-      vector<3>("vup", "1", "upward direction of the view", {0, 0, 1}),
+      vector<3>("vup", "1", "upward direction of the view; seen end-on, z stands for that of top or bottom", {0, 0, 1}),
       number("l", "model units", "left edge on the plane", from_box, -any, any),
       number("r", "model units", "right edge on the plane", from_box, -any, any),
       number("b", "model units", "bottom edge on the plane", from_box, -any, any),
@@ -41,7 +42,7 @@ struct Frustum {
     return {.central = true,
             .point = eye + d * view,
             .normal = -view,
-            .up = vup,
+            .up = upright(vup, -view),
             .projector = eye,
             .window = window,
             .front = d - n,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Observer: an eye o looks at a point c; a point u appears vertically above c; the picture plane is at distance d.
+#include "../upright.hpp"
 #include "perspective.hpp"
 
 using namespace perspective;
@@ -22,7 +23,7 @@ struct Observer {
   static View project(const Scene& scene, Vec3 o, Vec3 c, Vec3 u, double d, const std::array<double, 4>& window) {
     c = given_or(c, scene.centre());
     o = given_or(o, calm_eye(scene, c));
-    u = given_or(u, c + scene.diagonal() * Vec3{0, 0, 1});
+    u = given_or(u, c + scene.diagonal() * upright({0, 0, 1}, o - c));
     const Vec3 line = sight(o, c);
     d = given_or(d, length(line));
     if (!(d > 0)) throw std::invalid_argument("d must be more than 0");

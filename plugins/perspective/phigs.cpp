@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The PHIGS viewing model: all view parameters in one projection, central or parallel.
+#include "../upright.hpp"
 #include "perspective.hpp"
 
 using namespace perspective;
@@ -14,7 +15,7 @@ struct Phigs {
       choice("kind", "central, or parallel along PRP - window centre", "parallel|perspective", 1),
       vector<3>("vrp", "model units", "view reference point; the model's centre unless given"),
       vector<3>("vpn", "1", "view plane normal, towards the viewer", {1, -1, 1}),
-      vector<3>("vup", "1", "upward direction of the view", {0, 0, 1}),
+      vector<3>("vup", "1", "upward direction of the view; seen end-on, z stands for that of top or bottom", {0, 0, 1}),
       vector<3>("prp", "model units", "projection reference point, in u, v, n from vrp"),
       vector<4>("window", "model units", "umin, vmin, umax, vmax on the view plane; zeros: everything", {0, 0, 0, 0}),
       number("vpd", "model units", "n of the view plane", 0, -any, any),
@@ -27,6 +28,7 @@ struct Phigs {
     vrp = given_or(vrp, scene.centre());
     prp = given_or(prp, {0, 0, vpd + calm_distance * scene.diagonal()});
     if (!(prp.z > vpd)) throw std::invalid_argument("prp must lie before the view plane: its n above vpd");
+    vup = upright(vup, vpn);
     const Vec3 across = cross(vup, vpn);
     if (!(length(across) > 0)) throw std::invalid_argument("vup must not be parallel to vpn");
     const Vec3 u = unit(across), n = unit(vpn), v = cross(n, u);

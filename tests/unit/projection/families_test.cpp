@@ -40,6 +40,28 @@ TEST(orthographic, auxiliary_shows_a_slanted_face_in_true_shape) {
   EXPECT_NEAR(glm::dot(step(p, a), step(p, b)), glm::dot(a, b), 1e-14);
 }
 
+// Straight down and straight up, with nothing but the direction or the eye.
+TEST(families, views_along_z_stand_as_the_top_and_bottom_view_do) {
+  for (const char* from : {"0,0,1", "0,0,2.5"})
+    for (const char* view : {"auxiliary:direction=", "phigs:kind=parallel:vpn=", "look-at:ref=0,0,0:eye=",
+                             "frustum:ref=0,0,0:eye=", "observer:c=0,0,0:o="}) {
+      const projection::Projection top = make("top", a_box()), p = make(std::string(view) + from, a_box());
+      EXPECT_EQ(p.u, top.u) << view;
+      EXPECT_EQ(p.v, top.v) << view;
+    }
+  for (const char* view : {"auxiliary:direction=0,0,-1", "phigs:kind=parallel:vpn=0,0,-3",
+                           "look-at:eye=0,0,-9:ref=0,0,0", "frustum:eye=0,0,-9:ref=0,0,0"}) {
+    const projection::Projection bottom = make("bottom", a_box()), p = make(view, a_box());
+    EXPECT_EQ(p.u, bottom.u) << view;
+    EXPECT_EQ(p.v, bottom.v) << view;
+  }
+}
+
+TEST(families, an_upward_direction_that_was_chosen_must_not_be_seen_end_on) {
+  for (const char* view : {"auxiliary:direction=1,0,0:up=1,0,0", "auxiliary:direction=0,0,1:up=0,0,-1"})
+    EXPECT_TRUE(contains(error_of([&] { make(view, a_box()); }).what(), "up direction is parallel")) << view;
+}
+
 TEST(axonometric, isometric_axes_are_equally_long_and_120_degrees_apart) {
   const projection::Projection p = make("isometric", a_box());
   for (const Vec3& axis : {ex, ey, ez}) EXPECT_NEAR(glm::length(step(p, axis)), std::sqrt(2.0 / 3), 1e-15);
