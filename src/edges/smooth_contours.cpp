@@ -57,15 +57,17 @@ std::vector<char> vertices_on_borders(const world::Placed& placed) {
   return on_border;
 }
 
+double longest_side(const mesh::Mesh& mesh, int triangle) {
+  const auto [a, b, c] = mesh.triangle(triangle);
+  const Vec3 p = mesh.point(a), q = mesh.point(b), r = mesh.point(c);
+  return std::max({glm::distance(p, q), glm::distance(q, r), glm::distance(r, p)});
+}
+
 // Whether one of the triangles is so small that which way it faces means nothing.
 bool is_any_tiny(const world::Placed& placed, std::span<const int> triangles) {
   constexpr double tolerances = 8;
   const double most = tolerances * placed.part->tolerance;
-  return std::ranges::any_of(triangles, [&](int t) {
-    const auto [a, b, c] = placed.mesh->triangle(t);
-    const Vec3 p = placed.mesh->point(a), q = placed.mesh->point(b), r = placed.mesh->point(c);
-    return std::max({glm::distance(p, q), glm::distance(q, r), glm::distance(r, p)}) <= most;
-  });
+  return std::ranges::any_of(triangles, [&](int t) { return longest_side(*placed.mesh, t) <= most; });
 }
 
 /// The contours of one model, in units of its file.
@@ -115,11 +117,7 @@ class ModelContours {
       nearest = place;
       on_triangle = t;
     }
-    if (!nearest) return std::nullopt;
-    const features::PartSurface& surface = surface_of(on_triangle);
-    if (surface.kind != SurfaceKind::free_form)
-      *nearest -= features::signed_distance(surface, *nearest) * features::normal_near(surface, *nearest);
-    return nearest;
+    return nearest ? on_surface(*nearest, from, on_triangle) : std::nullopt;
   }
 
   /// Judges where the face of a contour hides it, if both triangles are of one face, seen from outside only.
@@ -146,6 +144,18 @@ class ModelContours {
   }
 
  private:
+  // Moves a place on a facet onto the surface of the face; nothing if that is farther away than the facet is long: then
+  // the facets do not represent this surface.
+  [[nodiscard]] std::optional<Vec3> on_surface(const Vec3& place, const Vec3& vertex, int triangle) const {
+    const features::PartSurface& surface = surface_of(triangle);
+    if (surface.kind == SurfaceKind::free_form) return place;
+    const double distance = features::signed_distance(surface, place), longest = longest_side(mesh_, triangle);
+    if (!(std::abs(distance) <= longest)) return std::nullopt;
+    const Vec3 moved = place - distance * features::normal_near(surface, place);
+    check(glm::distance(moved, vertex) <= (most_moved + 1.001) * longest, "a contour stays beside its facets");
+    return moved;
+  }
+
   // Returns the point nearest to a vertex of the circle in which projectors touch a sphere. Nothing if it is some
   // facets away, or on the page farther than the sphere falls over so many: four times its sagitta over one.
   [[nodiscard]] std::optional<Vec3> on_sphere(int vertex, int triangle) const {
@@ -205,10 +215,7 @@ class ModelContours {
 
   // Height above the longest side; that side itself on tori, near whose cusps a contour of facets takes detours.
   [[nodiscard]] double size_of(int triangle) const {
-    const auto [a, b, c] = mesh_.triangle(triangle);
-    const double longest =
-        std::max({glm::distance(mesh_.point(a), mesh_.point(b)), glm::distance(mesh_.point(b), mesh_.point(c)),
-                  glm::distance(mesh_.point(c), mesh_.point(a))});
+    const double longest = longest_side(mesh_, triangle);
     if (is_ring_torus(surface_of(triangle))) return longest;
     return longest > 0 ? glm::length(normal_of(triangle)) / longest : 0;
   }

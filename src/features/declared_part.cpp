@@ -15,6 +15,7 @@
 #include "features/borders.hpp"
 #include "features/pairs_by_body.hpp"
 #include "features/region.hpp"
+#include "features/surface_sheet.hpp"
 #include "mesh/weld.hpp"
 
 namespace epura::features {
@@ -27,6 +28,7 @@ class DeclaredFaces {
       : mesh_(mesh), declared_(declared), tangent_angle_(tangent_angle) {}
 
   PartFaces make() {
+    find_surfaces();
     number_faces();
     describe_faces();
     part_.border_of_edge.assign(mesh_.edges.size(), -1);
@@ -52,14 +54,21 @@ class DeclaredFaces {
 
   [[nodiscard]] int declared_face(int triangle) const { return declared_.face_of_polygon[mesh_.polygon[triangle]]; }
 
+  // The surfaces of the faces of the file, each by the sheet on which the face lies.
+  void find_surfaces() {
+    std::vector<std::vector<Vec3>> points(declared_.faces.size());
+    for (int t = 0; t < mesh_.triangle_count(); ++t)
+      for (const Vec3& p : triangle(t).corners) points[declared_face(t)].push_back(p);
+    for (std::size_t f = 0; f < points.size(); ++f) surfaces_.push_back(on_sheet_of(declared_.faces[f], points[f]));
+  }
+
   // Returns for each face of the file the first of the faces with which it is merged.
   [[nodiscard]] std::vector<int> joined_faces() const {
-    DisjointSets faces(declared_.faces.size());
+    DisjointSets faces(surfaces_.size());
     for (const mesh::MeshEdge& edge : mesh_.edges)
       for (const TrianglePair& pair : pairs_by_body(mesh_, edge)) {
         const int one = declared_face(pair[0]), two = declared_face(pair[1]);
-        if (one == two || faces.root(one) == faces.root(two) || !are_one(declared_.faces[one], declared_.faces[two]))
-          continue;
+        if (one == two || faces.root(one) == faces.root(two) || !are_one(surfaces_[one], surfaces_[two])) continue;
         // A sheet may be folded onto its own surface.
         if (glm::dot(triangle(pair[0]).twice_area, triangle(pair[1]).twice_area) > 0) faces.join(one, two);
       }
@@ -69,12 +78,12 @@ class DeclaredFaces {
   // Numbers faces in the order of the file, without those that have no triangles.
   void number_faces() {
     const std::vector<int> joined = joined_faces();
-    std::vector<int> number(declared_.faces.size(), -1);
+    std::vector<int> number(surfaces_.size(), -1);
     for (const int polygon : mesh_.polygon) number[joined[declared_.face_of_polygon[polygon]]] = 0;
     for (std::size_t f = 0; f < number.size(); ++f) {
       if (number[f] < 0) continue;
       number[f] = static_cast<int>(part_.faces.size());
-      part_.faces.emplace_back().surface = declared_.faces[f];
+      part_.faces.emplace_back().surface = surfaces_[f];
     }
     triangles_.resize(part_.faces.size());
     for (int t = 0; t < mesh_.triangle_count(); ++t) {
@@ -252,6 +261,7 @@ class DeclaredFaces {
   const DeclaredPart& declared_;
   const double tangent_angle_;
   PartFaces part_;
+  std::vector<PartSurface> surfaces_;        ///< by face of the file
   std::vector<std::vector<int>> triangles_;  ///< by face
 };
 
