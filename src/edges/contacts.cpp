@@ -9,9 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
-#include "base/groups.hpp"
 #include "base/parallel.hpp"
+#include "base/portable_math.hpp"
 #include "edges/dihedral.hpp"
 #include "world/placed_part.hpp"
 
@@ -20,10 +21,10 @@ namespace epura::edges {
 namespace {
 
 constexpr std::size_t crossings_a_look = 1024;
-// Greatest height of an arc over its facet, as a multiple of the mean height.
-constexpr double highest = 1.5;
-// Most triangles of a face that are tested.
-constexpr std::size_t most_asked = 256;
+// Steps of Newton's method, which halve the distance to a line of contact, and find one of crossing in fewer.
+constexpr int most_steps = 16;
+// A point lies on both surfaces if it is so near them, as a part of the length of the facets.
+constexpr double on_both = 1e-6;
 
 /// A face of a part: the number of its model, and its number in the part.
 using FaceOfModel = std::array<int, 2>;
@@ -43,57 +44,46 @@ class PlacedFaces {
   }
 
   [[nodiscard]] bool has_form(const FaceOfModel& face) const {
-    return face_at(face).surface.kind != features::SurfaceKind::free_form;
+    return surface(face).kind != features::SurfaceKind::free_form;
   }
 
-  /// Whether one of two faces lies on the surface of the other, within the accuracy of the facets.
-  [[nodiscard]] bool touch(const FaceOfModel& one, const FaceOfModel& two) const {
-    const double slack = this->slack(one) + this->slack(two);
-    return lies_on(one, two, slack) || lies_on(two, one, slack);
+  /// Whether two surfaces touch near a place: no farther away than `reach`, they meet nowhere at more than
+  /// `part_angle` degrees.
+  [[nodiscard]] bool touch(const std::array<FaceOfModel, 2>& faces, const Vec3& place, double reach,
+                           double part_angle) const {
+    const features::PartSurface &one = surface(faces[0]), &two = surface(faces[1]);
+    Vec3 p = place;
+    for (int step = 0; step < most_steps; ++step) {
+      const double from_one = features::signed_distance(one, p), from_two = features::signed_distance(two, p);
+      const Vec3 n1 = features::normal_near(one, p), n2 = features::normal_near(two, p);
+      const double cosine = glm::dot(n1, n2), sine = glm::length(glm::cross(n1, n2));
+      if (std::abs(from_one) + std::abs(from_two) <= on_both * reach)
+        return portable_atan2(sine, std::abs(cosine)) * degrees <= part_angle;
+      const Vec3 way = (cosine * from_two - from_one) * n1 + (cosine * from_one - from_two) * n2;
+      if (!(glm::length(way) <= sine * sine * reach)) return true;
+      p += way / (sine * sine);
+      if (glm::distance(p, place) > reach) return true;
+    }
+    return true;
   }
 
  private:
   struct Model {
     std::vector<int> face_of_triangle;  ///< empty if no faces are recognised, or if the model is scaled non-uniformly
-    Groups<int> triangles;              ///< by face; numbers in the uncut mesh
-    Mat4 to_file{1};
-    double scale = 1;
+    std::vector<features::PartSurface> surfaces;  ///< of the faces, in the world
   };
 
   static void place(const world::Placed& placed, Model& model) {
     const std::optional<double> scale = world::similarity_scale(placed.to_world);
     if (placed.part == nullptr || !scale) return;
-    const std::vector<int>& faces = placed.part->face_of_triangle;
-    const Groups<int> triangles(placed.part->faces.size(), [&](const auto& visit) {
-      for (std::size_t t = 0; t < faces.size(); ++t) visit(static_cast<std::size_t>(faces[t]), static_cast<int>(t));
-    });
-    check(triangles.size() == placed.part->faces.size(), "every face has its triangles");
-    model = {world::faces_of_triangles(placed), triangles, glm::inverse(placed.to_world), *scale};
+    model.face_of_triangle = world::faces_of_triangles(placed);
+    for (const features::PartFace& face : placed.part->faces)
+      model.surfaces.push_back(features::moved(face.surface, placed.to_world, *scale));
   }
 
-  // Greatest distance between facets and their surface, in units of the world.
-  [[nodiscard]] double slack(const FaceOfModel& face) const {
-    return (highest * face_at(face).sagitta + face_at(face).residual + part(face).tolerance) * models_[face[0]].scale;
+  [[nodiscard]] const features::PartSurface& surface(const FaceOfModel& face) const {
+    return models_[static_cast<std::size_t>(face[0])].surfaces[static_cast<std::size_t>(face[1])];
   }
-
-  [[nodiscard]] bool lies_on(const FaceOfModel& face, const FaceOfModel& other, double slack) const {
-    const world::Placed& placed = world_.models[face[0]];
-    const mesh::Mesh& mesh = placed.mesh->whole();
-    const Mat4 to_other = models_[other[0]].to_file * placed.to_world;
-    const auto is_near = [&](int vertex) {
-      const Vec3 point(to_other * Vec4(mesh.point(vertex), 1));
-      return std::abs(features::signed_distance(face_at(other).surface, point)) * models_[other[0]].scale <= slack;
-    };
-    const auto triangles = models_[face[0]].triangles[static_cast<std::size_t>(face[1])];
-    const std::size_t step = triangles.size() / most_asked + 1;
-    for (std::size_t i = 0; i < triangles.size(); i += step)
-      for (const int v : mesh.triangle(triangles[i]))
-        if (!is_near(v)) return false;
-    return true;
-  }
-
-  [[nodiscard]] const features::PartFaces& part(const FaceOfModel& face) const { return *world_.models[face[0]].part; }
-  [[nodiscard]] const features::PartFace& face_at(const FaceOfModel& face) const { return part(face).faces[face[1]]; }
 
   const world::World& world_;
   std::vector<Model> models_;
@@ -101,8 +91,8 @@ class PlacedFaces {
 
 class ContactJudge {
  public:
-  ContactJudge(const world::World& world, double normalisation, double crease_angle)
-      : world_(world), normalisation_(normalisation), crease_angle_(crease_angle), faces_(world) {}
+  ContactJudge(const world::World& world, double normalisation, const ContactLimits& limits)
+      : world_(world), normalisation_(normalisation), limits_(limits), faces_(world) {}
 
   /// The two faces that cross there, in ascending order of model and number; nothing if one of them is not recognised.
   [[nodiscard]] std::optional<std::array<FaceOfModel, 2>> faces_at(const FaceCrossing& crossing) const {
@@ -113,32 +103,47 @@ class ContactJudge {
     return std::array{*one, *two};
   }
 
-  /// Whether the faces touch; nothing if one of them is a free form.
-  [[nodiscard]] std::optional<bool> touch(const std::array<FaceOfModel, 2>& faces) const {
-    if (!faces_.has_form(faces[0]) || !faces_.has_form(faces[1])) return std::nullopt;
-    return faces_.touch(faces[0], faces[1]);
+  [[nodiscard]] Contact contact_at(const FaceCrossing& crossing) const {
+    const auto faces = faces_at(crossing);
+    const bool have_form = faces && faces_.has_form((*faces)[0]) && faces_.has_form((*faces)[1]);
+    const bool touch = have_form ? faces_.touch(*faces, (crossing.ends[0] + crossing.ends[1]) / 2.0,
+                                                size_of_facets(crossing), limits_.part_angle)
+                                 : is_within_turn(crossing);
+    return touch ? Contact::contact : Contact::none;
   }
 
-  /// Whether two facets cross at an angle that the turn of their surfaces from facet to facet explains.
+ private:
+  [[nodiscard]] double size_of_facets(const FaceCrossing& crossing) const {
+    double longest = 0;
+    for (const int triangle : crossing.triangles) {
+      const auto& c = world_.triangles[triangle];
+      for (int i = 0; i < 3; ++i)
+        longest = std::max(longest, glm::distance(world_.points[c[i]], world_.points[c[(i + 1) % 3]]));
+    }
+    return longest;
+  }
+
+  // Whether two facets cross at an angle that the turn of their surfaces from facet to facet explains.
   [[nodiscard]] bool is_within_turn(const FaceCrossing& crossing) const {
     double turn = 0;
     for (const int triangle : crossing.triangles) {
       const int model = world_.model_of_triangle(triangle);
-      turn +=
-          turn_of_surface({world_, model, normalisation_}, triangle - world_.first_triangle[model], crease_angle_) / 2;
+      turn += turn_of_surface({world_, model, normalisation_}, triangle - world_.first_triangle[model],
+                              limits_.crease_angle) /
+              2;
     }
     return crossing.angle <= turn * 1.001;
   }
 
- private:
   const world::World& world_;
-  double normalisation_, crease_angle_;
+  double normalisation_;
+  ContactLimits limits_;
   PlacedFaces faces_;
 };
 
 double length_of(const FaceCrossing& crossing) { return glm::distance(crossing.ends[0], crossing.ends[1]); }
 
-// Free forms touch if most of the length of their crossings does.
+// Faces touch if most of the length of their crossings does.
 void judge_faces(const ContactJudge& judge, const std::vector<FaceCrossing>& crossings,
                  std::vector<Contact>& contacts) {
   struct Pair {
@@ -156,22 +161,21 @@ void judge_faces(const ContactJudge& judge, const std::vector<FaceCrossing>& cro
     if (contacts[i] == Contact::contact) pair.touching += length_of(crossings[i]);
   }
   for (const auto& [two, pair] : pairs) check(pair.touching <= pair.all, "a part is not longer than the whole");
-  for (auto& [two, pair] : pairs) pair.touch = judge.touch(two).value_or(2 * pair.touching > pair.all);
+  for (auto& [two, pair] : pairs) pair.touch = 2 * pair.touching > pair.all;
   for (std::size_t i = 0; i < crossings.size(); ++i)
     if (faces[i]) contacts[i] = pairs[*faces[i]].touch ? Contact::contact : Contact::none;
 }
 
 }  // namespace
 
-std::vector<Contact> judge_contacts(const world::World& world, double normalisation, double crease_angle,
+std::vector<Contact> judge_contacts(const world::World& world, double normalisation, const ContactLimits& limits,
                                     const std::vector<FaceCrossing>& crossings, const Progress& progress) {
   if (crossings.empty()) return {};
-  const ContactJudge judge(world, normalisation, crease_angle);
+  const ContactJudge judge(world, normalisation, limits);
   std::vector<Contact> contacts(crossings.size(), Contact::unjudged);
   try {
     parallel_for(contacts.size(), crossings_a_look, progress, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        contacts[i] = judge.is_within_turn(crossings[i]) ? Contact::contact : Contact::none;
+      for (std::size_t i = begin; i < end; ++i) contacts[i] = judge.contact_at(crossings[i]);
     });
   } catch (const OutOfTime&) {
     return contacts;

@@ -18,12 +18,17 @@ enum class Contact : std::uint8_t {
   contact
 };
 
-/// Returns the contact of each crossing. Two recognised faces of parts either touch or cross as a whole: they touch if
-/// the vertices of one lie on the surface of the other, within the height of arcs over their facets. Other facets are
-/// judged pair by pair: they touch if the angle at which they cross does not exceed the turn of their surfaces from
-/// facet to facet, which is taken from folds below `crease_angle`; free forms touch if most of their crossings do.
+/// In degrees.
+struct ContactLimits {
+  double crease_angle;  ///< least fold that is not the turn of a surface from facet to facet
+  double part_angle;    ///< greatest angle between recognised surfaces that touch, as at a tangent border of a part
+};
+
+/// Returns the contact of each crossing. Two faces of parts either touch or cross as a whole, as most of the length of
+/// their crossings does. Recognised surfaces touch where they meet at no more than `part_angle`, or not at all. Other
+/// facets touch if the angle at which they cross does not exceed the turn of their surfaces from facet to facet.
 /// `normalisation` is the same as for find_intersections.
-std::vector<Contact> judge_contacts(const world::World& world, double normalisation, double crease_angle,
+std::vector<Contact> judge_contacts(const world::World& world, double normalisation, const ContactLimits& limits,
                                     const std::vector<FaceCrossing>& crossings, const Progress& progress);
 
 }  // namespace epura::edges

@@ -63,9 +63,9 @@ void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, 
 }
 
 // Crossings that could not be judged in time count as not searched.
-void drop_contacts(const world::World& world, double normalisation, double crease_angle, FeatureEdges& drawn,
+void drop_contacts(const world::World& world, double normalisation, const ContactLimits& limits, FeatureEdges& drawn,
                    const Progress& progress) {
-  const std::vector<Contact> contacts = judge_contacts(world, normalisation, crease_angle, drawn.crossings, progress);
+  const std::vector<Contact> contacts = judge_contacts(world, normalisation, limits, drawn.crossings, progress);
   check(contacts.size() == drawn.crossings.size(), "every crossing is judged");
   const auto unjudged = std::count(contacts.begin(), contacts.end(), Contact::unjudged);
   if (unjudged > 0) drawn.searched *= 1 - static_cast<double>(unjudged) / static_cast<double>(contacts.size());
@@ -140,7 +140,8 @@ FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene&
                                                     progress.with_part_of_the_time(part_for_search));
     drawn.crossings = std::move(crossings);
     drawn.searched = searched;
-    drop_contacts(world, normalisation, options.crease_angle, drawn, progress.with_part_of_the_time(part_for_search));
+    drop_contacts(world, normalisation, {options.crease_angle, options.part_angle}, drawn,
+                  progress.with_part_of_the_time(part_for_search));
   }
   add_lines_in_faces(world, view, options, drawn);
   return drawn;

@@ -79,7 +79,7 @@ FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene&
                                 const CrossingCandidates& candidates, Progress progress = {});
 
 /// The same, with the intersections that another view of the world has: which faces cross depends on the world, on
-/// `view.map.normalisation`, `view.contact.in_space` and `options.crease_angle` alone.
+/// `view.map.normalisation`, `view.contact.in_space` and the angles of a crease and a part alone.
 FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 const std::vector<FaceCrossing>& intersections, Progress progress = {});
 

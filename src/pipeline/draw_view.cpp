@@ -18,6 +18,7 @@
 #include "pipeline/details.hpp"
 #include "pipeline/view_error.hpp"
 #include "verify/outline.hpp"
+#include "verify/stray_contours.hpp"
 #include "verify/verify.hpp"
 #include "visibility/clear_contours.hpp"
 #include "visibility/folds.hpp"
@@ -196,6 +197,9 @@ class ViewRun {
                                                const Progress& progress) const;
   report::Verification verified(const edges::FeatureEdges& edges, const drawing::ViewDrawing& drawing,
                                 const view::PaperMap& paper, const Progress& progress) const;
+  [[nodiscard]] verify::Tolerance tolerance_on(const view::PaperMap& paper) const {
+    return {view_.extent * paper.scale, view_.contact.touching * paper.scale};
+  }
 
   const ViewInput& input_;
   const ViewOptions& options_;
@@ -239,14 +243,16 @@ const KnownIntersections* ViewRun::known_intersections() const {
   if (input_.known == nullptr || !*input_.known || !options_.edges.intersection) return nullptr;
   const KnownIntersections& known = **input_.known;
   const bool are_same = known.normalisation == view_.map.normalisation && known.contact == view_.contact.in_space &&
-                        known.crease_angle == options_.edges.crease_angle;
+                        known.crease_angle == options_.edges.crease_angle &&
+                        known.part_angle == options_.edges.part_angle;
   return are_same ? &known : nullptr;
 }
 
 void ViewRun::keep_intersections(const report::PlanStep& step) {
   if (input_.known == nullptr || *input_.known || !options_.edges.intersection || drawn_.searched < 1) return;
-  input_.known->emplace(KnownIntersections{view_.map.normalisation, view_.contact.in_space, options_.edges.crease_angle,
-                                           edges::intersections_of(drawn_), step});
+  const edges::EdgeOptions& edges = options_.edges;
+  input_.known->emplace(KnownIntersections{view_.map.normalisation, view_.contact.in_space, edges.crease_angle,
+                                           edges.part_angle, edges::intersections_of(drawn_), step});
   (*input_.known)->step.times = {};
 }
 
@@ -496,11 +502,15 @@ std::optional<report::Verification> ViewRun::verified(const drawing::ViewDrawing
                                                       const Progress& progress) const {
   if (!options_.verify) return std::nullopt;
   if (!(drawn_.moved > 0)) return verified(drawn_, drawing, paper, progress);
-  // Contours that are drawn at their position on the surface are tested at their position on the mesh.
+  // Contours that are drawn at their position on the surface are tested at their position on the mesh, and for staying
+  // beside it.
   edges::FeatureEdges in_mesh = drawn_;
   in_mesh.moved = 0;
   for (edges::FeatureEdge& edge : in_mesh.edges) edge.shown = {-1, -1};
-  return verified(in_mesh, drawn_on(paper, in_mesh, progress), paper, progress);
+  report::Verification found = verified(in_mesh, drawn_on(paper, in_mesh, progress), paper, progress);
+  const verify::VerifyInput as_drawn{input_.world, view_.projection, options_.limits, drawn_, hidden_, drawing};
+  verify::add_stray_contours(as_drawn, tolerance_on(paper), found.outline, progress);
+  return found;
 }
 
 report::Verification ViewRun::verified(const edges::FeatureEdges& edges, const drawing::ViewDrawing& drawing,
@@ -508,7 +518,7 @@ report::Verification ViewRun::verified(const edges::FeatureEdges& edges, const d
   Progress progress = until;
   progress.begin("verifying");
   const bool keep_hidden = options_.keep_hidden(), complete = partial_.stages.empty();
-  const verify::Tolerance tolerance{view_.extent * paper.scale, view_.contact.touching * paper.scale};
+  const verify::Tolerance tolerance = tolerance_on(paper);
   const verify::VerifyInput input{input_.world, view_.projection, options_.limits, edges, hidden_, drawing};
   report::Verification found = verify::verify(input, tolerance, *options_.verify, keep_hidden, progress);
   // A given window cuts lines off; otherwise it is the box of everything visible, and lines lie on its border.

@@ -104,7 +104,7 @@ struct ViewTime {
 /// A view to draw, and its position on the sheet.
 /// The intersections that the first view of a world has found, for the other views of it.
 struct KnownIntersections {
-  double normalisation, contact, crease_angle;  ///< on which they depend
+  double normalisation, contact, crease_angle, part_angle;  ///< on which they depend
   std::vector<edges::FaceCrossing> found;
   report::PlanStep step;
 };

@@ -37,7 +37,7 @@ TEST(Contacts, FreeFormsTouchIfMostOfTheirCrossingsDo) {
     const std::vector<edges::FaceCrossing> crossings{crossing(world, touching, true),
                                                      crossing(world, 1 - touching, false)};
     const Contact expected = touching > 0.5 ? Contact::contact : Contact::none;
-    EXPECT_EQ(edges::judge_contacts(world, 1, 30, crossings, {}), (std::vector<Contact>{expected, expected}));
+    EXPECT_EQ(edges::judge_contacts(world, 1, {30, 5}, crossings, {}), (std::vector<Contact>{expected, expected}));
   }
 }
 

@@ -6,13 +6,16 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <random>
 #include <set>
 #include <vector>
 
 #include "cut/cut_world.hpp"
+#include "edges/crossing_candidates.hpp"
 #include "edges/find_edges.hpp"
+#include "features/declared_part.hpp"
 #include "shapes.hpp"
 
 namespace epura::test {
@@ -211,6 +214,26 @@ TEST(Contacts, SpheresThatTouchFlatlyCrossInAWholeCircle) {
   EXPECT_GT(loose_ends(world_of(spheres)), 0);
   EXPECT_GT(count_kinds(recognised(world_of(spheres)))[EdgeKind::intersection], 24);
   EXPECT_EQ(loose_ends(recognised(world_of(spheres))), 0);
+}
+
+// A ball in the groove of a race that fits it, and in one that is a little wider: the facets cross, though the surfaces
+// only touch.
+TEST(Contacts, OfSurfacesThatTouchAlongALineAreNoLines) {
+  const Shape ball = moved(turned(revolved(arc(5, 24), 36), 2), 30);
+  for (const double groove : {5.0, 5.05}) {
+    Profile race;
+    for (int i = 0; i <= 12; ++i) {
+      const double a = pi * (i / 24.0 - 0.25);
+      race.push_back({30 - (groove - 5) + groove * std::cos(a), groove * std::sin(a)});
+    }
+    const std::vector<Shape> shapes{revolved(race, 90), ball};
+    const world::World world = recognised(world_of(shapes));
+    const view::ProjectedScene view = view::project_scene(world, orthographic(corner), {});
+    const edges::FaceCrossings crossings =
+        edges::find_intersections(world, view.map.normalisation, view.contact.in_space, edges::all_triangles(world));
+    EXPECT_FALSE(crossings.found.empty()) << groove;
+    EXPECT_EQ(count_kinds(world)[EdgeKind::intersection], 0) << groove;
+  }
 }
 
 struct ShownContours {
@@ -500,6 +523,47 @@ TEST(SmoothContours, OfAPipeWithoutStripsAreStraight) {
     EXPECT_GE(shown.places.size(), 40U) << turn;
     for (const Vec2& place : shown.places) EXPECT_NEAR(std::abs(place.x), 10, 1e-3 * sagitta) << turn;
     EXPECT_LT(shown.moved, 2 * sagitta) << turn;
+  }
+}
+
+// The head of a countersunk screw, whose cone the file describes from beyond its apex (as Euclid wrote them), and a
+// lens on the inner sheet of a torus that meets itself, 12 - 2 wide at its equator.
+TEST(SmoothContours, StayBesideFacetsOnTheOtherSheetOfASurface) {
+  const Profile head{{0, 1}, {5, 1}, {6, 2}, {7, 3}, {7.5, 3.5}, {0, 3.5}};
+  Profile lens{{0, -6}};
+  for (int i = -6; i <= 6; ++i) lens.push_back({std::sqrt(12.0 * 12 - i * i) - 2, double(i)});
+  lens.push_back({0, 6});
+  struct Case {
+    Profile profile;
+    features::PartSurface surface;
+  };
+  for (const auto& [profile, surface] :
+       {Case{head, {features::SurfaceKind::cone, {0, 0, -11.5}, {0, 0, -1}, 7.5, 0, 1}},
+        Case{lens, {features::SurfaceKind::torus, Vec3(0), {0, 0, 1}, 2, 12, 0}}}) {
+    world::World world = world_of(revolved(profile, 24));
+    const mesh::Mesh& mesh = *world.models[0].mesh;
+    features::DeclaredPart declared;
+    declared.faces = {surface,
+                      {features::SurfaceKind::plane, {0, 0, profile[0][1]}, {0, 0, -1}},
+                      {features::SurfaceKind::plane, {0, 0, profile.back()[1]}, {0, 0, 1}}};
+    declared.face_of_polygon.assign(mesh.polygon.size(), 0);
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+      for (const int end : {1, 2})
+        if (std::ranges::all_of(mesh.triangle(t),
+                                [&](int v) { return mesh.point(v).z == declared.faces[end].origin.z; }))
+          declared.face_of_polygon[mesh.polygon[t]] = end;
+    world.models[0].part = std::make_shared<features::PartFaces>(features::part_of(mesh, declared, 5));
+    EXPECT_LT(world.models[0].part->tolerance, 1e-12);
+    const double from = profile[0][1], to = profile.back()[1];
+    for (const Vec3& towards : {Vec3(0, -1, 0), Vec3(0.1, -1, 0)}) {
+      const ShownContours shown = shown_contours(world, towards);
+      EXPECT_FALSE(shown.places.empty());
+      for (const Vec2& place : shown.places) {
+        EXPECT_LT(std::abs(place.x), 10.001);
+        EXPECT_GT(place.y, from - 1e-9);
+        EXPECT_LT(place.y, to + 1e-9);
+      }
+    }
   }
 }
 
