@@ -12,6 +12,7 @@
 #include "edges/dihedral.hpp"
 #include "edges/slivers.hpp"
 #include "edges/tangent_edges.hpp"
+#include "edges/walls.hpp"
 
 namespace epura::edges {
 
@@ -72,6 +73,7 @@ struct EdgeJudge {
   const std::vector<Vec3>& polygon_normals;  ///< by polygon number
   FoldLimit crease;
   const features::PartFaces* part;  ///< null if no faces are recognised
+  const std::vector<char>& walls;   ///< by face of the part
   double edge_on;                   ///< distance in cells up to which a corner counts as lying on the line of an edge
   const std::vector<char>& moved;   ///< moved_vertices
 
@@ -90,6 +92,10 @@ struct EdgeJudge {
     return before_viewer ? side_on_page(edge, corner, reach) : side_in_space(edge, corner);
   }
 
+  [[nodiscard]] bool is_of_wall(int triangle) const {
+    return part != nullptr && walls[static_cast<std::size_t>(part->face_of_triangle[triangle])] != 0;
+  }
+
   // Whether every corner of a triangle lies on the line of the opposite side.
   [[nodiscard]] bool is_edge_on(int triangle) const {
     const std::array<int, 3> c = around.corners(triangle);
@@ -102,11 +108,12 @@ struct EdgeJudge {
   // whose third corner is on the line of this edge may still face the viewer at its other sides, so between two such
   // triangles the sign decides, however small; otherwise the contour would have a gap there.
   [[nodiscard]] bool is_contour(const std::array<int, 2>& edge, const Pair& pair) const {
-    const int side_one = side_of(edge, pair.apexes[0], edge_on);
-    const int side_two = side_of(edge, pair.apexes[1], edge_on);
+    const bool wall_one = is_of_wall(pair.first), wall_two = is_of_wall(pair.second);
+    const int side_one = wall_one ? 0 : side_of(edge, pair.apexes[0], edge_on);
+    const int side_two = wall_two ? 0 : side_of(edge, pair.apexes[1], edge_on);
     if (side_one != side_two) return side_one == 0 || side_two == 0;
     if (side_one != 0) return true;
-    const bool first_edge_on = is_edge_on(pair.first), second_edge_on = is_edge_on(pair.second);
+    const bool first_edge_on = wall_one || is_edge_on(pair.first), second_edge_on = wall_two || is_edge_on(pair.second);
     if (first_edge_on || second_edge_on) return first_edge_on != second_edge_on;
     const int sign = side_of(edge, pair.apexes[0], 0);
     return sign != 0 && sign == side_of(edge, pair.apexes[1], 0);
@@ -354,6 +361,7 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
       options.tangent && part == nullptr ? tangent_edges(around, crease_angle) : std::vector<char>();
   const std::vector<Vec3> polygon_normals = mean_normals(around);
   const std::vector<char> moved = moved_vertices(around);
+  const std::vector<char> seen_edge_on = walls(around, view);
   const EdgeJudge judge{around,
                         view,
                         options,
@@ -362,6 +370,7 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
                         polygon_normals,
                         FoldLimit(crease_angle),
                         part,
+                        seen_edge_on,
                         page_resolution(around.world, view) / view.cell,
                         moved};
   const auto& edges = around.world.models[around.model].mesh->edges;

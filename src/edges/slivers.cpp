@@ -89,18 +89,6 @@ bool spans(const EdgeSurroundings& around, const std::array<int, 2>& side, const
   });
 }
 
-// Height above the longest side on the page; NaN for a triangle that extends behind the viewer.
-double height_on_page(const view::ProjectedScene& view, const std::array<int, 3>& corners) {
-  std::array<Vec2, 3> p{};
-  for (int i = 0; i < 3; ++i) {
-    if (!(view.clipper.vertices[corners[i]].w > 0)) return NAN;
-    p[i] = {view.vertices[corners[i]].x, view.vertices[corners[i]].y};
-  }
-  const Vec2 ab = p[1] - p[0], ac = p[2] - p[0];
-  const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
-  return longest > 0 ? std::abs(cross(ab, ac)) / longest : 0;
-}
-
 double longest_side(const EdgeSurroundings& around, const std::array<int, 3>& corners) {
   const auto& [a, b, c] = corners;
   return std::max({length_of(around, {a, b}), length_of(around, {b, c}), length_of(around, {c, a})});
@@ -169,6 +157,17 @@ Beyond Slivers::across(const std::array<int, 2>& edge, int triangle, std::vector
 
 Exit Slivers::way_out(const std::array<int, 2>& edge, int triangle) const {
   return exit_at(around_, edge, triangle, middle_of(around_, edge));
+}
+
+double height_on_page(const view::ProjectedScene& view, const std::array<int, 3>& corners) {
+  std::array<Vec2, 3> p{};
+  for (int i = 0; i < 3; ++i) {
+    if (!(view.clipper.vertices[corners[i]].w > 0)) return NAN;
+    p[i] = {view.vertices[corners[i]].x, view.vertices[corners[i]].y};
+  }
+  const Vec2 ab = p[1] - p[0], ac = p[2] - p[0];
+  const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
+  return longest > 0 ? std::abs(cross(ab, ac)) / longest : 0;
 }
 
 double page_resolution(const world::World& world, const view::ProjectedScene& view) {
