@@ -57,8 +57,11 @@ class DeclaredFaces {
   // The surfaces of the faces of the file, each by the sheet on which the face lies.
   void find_surfaces() {
     std::vector<std::vector<Vec3>> points(declared_.faces.size());
-    for (int t = 0; t < mesh_.triangle_count(); ++t)
-      for (const Vec3& p : triangle(t).corners) points[declared_face(t)].push_back(p);
+    for (int t = 0; t < mesh_.triangle_count(); ++t) {
+      const int face = declared_face(t);
+      if (!has_two_sheets(declared_.faces[face])) continue;
+      for (const Vec3& p : triangle(t).corners) points[face].push_back(p);
+    }
     for (std::size_t f = 0; f < points.size(); ++f) surfaces_.push_back(on_sheet_of(declared_.faces[f], points[f]));
   }
 

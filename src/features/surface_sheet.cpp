@@ -30,11 +30,15 @@ bool are_on_inner_sheet(const PartSurface& torus, std::span<const Vec3> points) 
 
 }  // namespace
 
+bool has_two_sheets(const PartSurface& surface) {
+  return (surface.kind == SurfaceKind::cone && surface.slope != 0) ||
+         (surface.kind == SurfaceKind::torus && surface.minor > surface.radius);
+}
+
 PartSurface on_sheet_of(const PartSurface& surface, std::span<const Vec3> points) {
-  if (surface.kind == SurfaceKind::cone && surface.slope != 0) return on_sheet_of_cone(surface, points);
-  if (surface.kind == SurfaceKind::torus && surface.minor > surface.radius && are_on_inner_sheet(surface, points))
-    return {};
-  return surface;
+  if (!has_two_sheets(surface)) return surface;
+  if (surface.kind == SurfaceKind::cone) return on_sheet_of_cone(surface, points);
+  return are_on_inner_sheet(surface, points) ? PartSurface{} : surface;
 }
 
 }  // namespace epura::features

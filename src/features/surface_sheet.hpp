@@ -12,6 +12,9 @@
 
 namespace epura::features {
 
+/// Whether a surface is a cone or a torus whose tube is wider than its circle.
+bool has_two_sheets(const PartSurface& surface);
+
 /// Returns the same surface, described so that the points lie on the sheet that it is taken for; a free form if they
 /// lie on the inner sheet of a torus.
 PartSurface on_sheet_of(const PartSurface& surface, std::span<const Vec3> points);
