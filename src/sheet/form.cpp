@@ -13,8 +13,8 @@
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "scene/line_roles.hpp"
-#include "scene/title_fields.hpp"
 #include "sheet/fit_text.hpp"
+#include "sheet/form_fields.hpp"
 #include "sheet/frame.hpp"
 #include "sheet/projection_symbol.hpp"
 
@@ -23,12 +23,6 @@ namespace epura::sheet {
 namespace {
 
 constexpr std::array<std::string_view, 4> area_names = {"drawing_area", "title_block", "projection_symbol", "logo"};
-
-std::vector<std::string> known_fields() {
-  std::vector<std::string> names = {"scale", "size", "sheet"};
-  for (const scene::TitleField& field : scene::title_fields()) names.push_back(field.name);
-  return names;
-}
 
 bool is_field(const std::string& name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -154,22 +148,23 @@ Align align_of(svg::TextAnchor anchor) {
 // In as many lines as it needs, the first at the place of the field.
 void add_field(LayerMaker& layers, DrawnForm& drawn, const svg::Words& words, const std::string& value,
                const std::pair<const Form&, const Lettering&>& on) {
+  const std::string field = field_of(words);
   const auto& [form, lettering] = on;
   const double height = words.size / lettering.em(), room = room_of(words, height, form.art);
   if (value.empty()) return;
   FittedText fitted{{value}, height, false};
   const bool fits = lettering.width(value, height) <= room;
-  if (!fits && words.name == "number")
+  if (!fits && field == "number")
     fitted = fit_whole_text(value, {room, 2.2 * height}, height, lettering);
   else if (!fits)
     fitted = fit_text(value, std::max(room, 1.0), height, lettering);
   check(fitted.height > 0, "a text has a height");
-  if (fitted.cut) drawn.warnings.push_back("the title block has no room for all of the text of '" + words.name + "'");
+  if (fitted.cut) drawn.warnings.push_back("the title block has no room for all of the text of '" + field + "'");
   const double angle = words.angle * std::numbers::pi / 180;
   const Vec2 down(portable_sin(angle), -portable_cos(angle));
   for (std::size_t i = 0; i < fitted.lines.size(); ++i)
     layers.add({fitted.lines[i], words.at + static_cast<double>(i) * line_spacing * fitted.height * down, fitted.height,
-                words.angle, align_of(words.anchor), words.name == "title" ? "title" : "field"},
+                words.angle, align_of(words.anchor), field == "title" ? "title" : "field"},
                words.colour);
 }
 
@@ -197,7 +192,7 @@ void warn_about_missing(DrawnForm& drawn, const Form& form, const TitleBlock& bl
   for (const auto& [name, value] : block.fields) {
     const auto shows = [&field = name](const auto& item) {
       const auto* words = std::get_if<svg::Words>(&item);
-      return words != nullptr && words->name == form_name(field);
+      return words != nullptr && field_of(*words) == form_name(field);
     };
     const bool is_silent = value.empty() || name == "language";
     if (!is_silent && std::none_of(form.art.items.begin(), form.art.items.end(), shows))
@@ -220,25 +215,18 @@ std::optional<Vec2> size_of_png(const std::string& bytes) {
 
 }  // namespace
 
-std::string form_name(const std::string& field) {
-  std::string name = to_lower(field);
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
-  return name;
-}
-
 std::shared_ptr<const Form> read_form(const scene::LocatedText& file) {
   auto form = std::make_shared<Form>();
   form->where = *file;
   form->art = svg::read_artwork(read_file(*file), *file, area_names);
   const std::vector<std::string> known = known_fields();
   std::optional<Rectangle> fields;
-  const svg::Words* named = nullptr;  // the first one with another name
+  const svg::Words* named = nullptr;  // the first one that seems meant to be a field
   for (const auto& item : form->art.items) {
     const auto* words = std::get_if<svg::Words>(&item);
     if (words == nullptr) continue;
-    if (!is_field(words->name, known)) {
-      if (named == nullptr && !words->name.empty()) named = words;
+    if (!words->is_field && !is_field(words->name, known)) {
+      if (named == nullptr && nearest_name(words->name, known)) named = words;
       continue;
     }
     const Rectangle place{words->at - Vec2(1), words->at + Vec2(1, words->size)};
@@ -247,22 +235,20 @@ std::shared_ptr<const Form> read_form(const scene::LocatedText& file) {
   if (!fields && named != nullptr)
     throw Error(ErrorKind::input, named->where, "the template has no field: '" + named->name + "' is none",
                 did_you_mean(named->name, known));
-  if (!fields)
-    throw Error(
-        ErrorKind::input, *file, "the template has no field",
-        "give a text the id or, in Inkscape, the label of a field: title, number, owner, date, scale, sheet ...");
   const Vec2 size = form->art.size;
   form->drawing_area =
       area_of(form->art, "drawing_area").value_or(Rectangle{{binding_margin, plain_margin}, size - Vec2(plain_margin)});
   form->title_block = area_of(form->art, "title_block");
-  if (!form->title_block) form->title_block = fields;
+  // A blank sheet has none: a point in the corner of the area.
+  const Vec2 corner(form->drawing_area.max.x, form->drawing_area.min.y);
+  if (!form->title_block) form->title_block = fields.value_or(Rectangle{corner, corner});
   form->symbol = area_of(form->art, "projection_symbol");
   form->logo = area_of(form->art, "logo");
   return form;
 }
 
 DrawnForm draw_form(const Form& form, const TitleBlock& block, const Lettering& lettering) {
-  DrawnForm drawn;
+  DrawnForm drawn{{}, form.art.warnings};
   LayerMaker layers("sheet/template", scene::SheetLine::form);
   std::vector<std::string> fields = known_fields();
   for (const auto& [name, value] : block.fields) fields.push_back(form_name(name));
@@ -272,8 +258,8 @@ DrawnForm draw_form(const Form& form, const TitleBlock& block, const Lettering& 
       continue;
     }
     const auto& words = std::get<svg::Words>(item);
-    if (is_field(words.name, fields))
-      add_field(layers, drawn, words, value_in(block, words.name), {form, lettering});
+    if (words.is_field || is_field(words.name, fields))
+      add_field(layers, drawn, words, value_in(block, field_of(words)), {form, lettering});
     else
       layers.add({words.text, words.at, words.size / lettering.em(), words.angle, align_of(words.anchor), "caption"},
                  words.colour);

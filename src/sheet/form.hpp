@@ -26,10 +26,7 @@ struct Form {
   std::optional<Rectangle> logo{};         ///< element "logo"
 };
 
-/// A field as forms name it: "Surface treatment" -> "surface_treatment".
-std::string form_name(const std::string& field);
-
-/// Throws Error{input}, with the line, for files that cannot be drawn or have no fields.
+/// Throws Error{input}, with the line, for files that cannot be drawn, or whose only fields are misspelt.
 std::shared_ptr<const Form> read_form(const scene::LocatedText& file);
 
 /// What stands in the fields is fitted into the room up to the next lines of the form. Texts that are no fields stay.

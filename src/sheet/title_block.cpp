@@ -266,6 +266,8 @@ std::string value_of(const TitleBlock& block, const std::string& name) {
   if (name == "scale") return block.scale;
   if (name == "size") return block.size;
   if (name == "sheet") return std::to_string(block.sheet) + "/" + std::to_string(block.sheets);
+  if (name == "page_number") return std::to_string(block.sheet);
+  if (name == "page_count") return std::to_string(block.sheets);
   return {};
 }
 

@@ -12,6 +12,7 @@
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "svg/basic_shapes.hpp"
+#include "svg/gradients.hpp"
 #include "svg/style.hpp"
 
 namespace epura::svg {
@@ -32,10 +33,7 @@ struct Effect {
   std::array<std::string_view, 3> none;
   const char* hint;
 };
-constexpr std::array<Effect, 9> effects = {{
-    {"opacity", {"1", "1.0", "inherit"}, "use a colour instead of transparency"},
-    {"fill-opacity", {"1", "1.0", "0"}, "use a colour instead of transparency"},
-    {"stroke-opacity", {"1", "1.0", "0"}, "use a colour instead of transparency"},
+constexpr std::array<Effect, 6> effects = {{
     {"clip-path", {"none", "none", "none"}, "in Inkscape: Object > Clip > Release, or Path > Intersection"},
     {"mask", {"none", "none", "none"}, "in Inkscape: Object > Mask > Release"},
     {"filter", {"none", "none", "none"}, "in Inkscape: Filters > Remove Filters"},
@@ -67,7 +65,21 @@ std::string normal_name(std::string_view name) {
 struct Context {
   Style style{};
   AffineMap map{};
+  double alpha = 1;  ///< of the group as a whole
   int depth = 0;
+};
+
+/// Elements that are drawn otherwise than they are meant.
+struct Approximated {
+  std::size_t count = 0;
+  std::string first{};  ///< its place
+
+  void note(std::string where) {
+    if (count++ == 0) first = std::move(where);
+  }
+  [[nodiscard]] std::string sentence(const std::string& one, const std::string& many) const {
+    return first + ": " + (count == 1 ? one : std::to_string(count) + " " + many);
+  }
 };
 
 class Reader {
@@ -77,8 +89,8 @@ class Reader {
 
   Artwork read() {
     pugi::xml_document document;
-    const pugi::xml_parse_result result =
-        document.load_buffer(bytes_.data(), bytes_.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
+    const pugi::xml_parse_result result = document.load_buffer(
+        bytes_.data(), bytes_.size(), pugi::parse_default | pugi::parse_ws_pcdata_single | pugi::parse_comments);
     if (!result)
       throw Error(ErrorKind::input, line_at(result.offset), "is not valid XML: " + std::string(result.description()));
     const pugi::xml_node svg = document.child("svg");
@@ -86,8 +98,21 @@ class Reader {
     Context all;
     all.map = page_map(svg);
     read_style_sheets(svg);
+    gradients_ = gradients_of(svg);
     all.style = style_of(svg, {}, rules_);
     for (const pugi::xml_node child : svg.children()) read_element(child, all);
+    if (graded_.count > 0)
+      art_.warnings.push_back(graded_.sentence("a gradient is drawn in its middle colour",
+                                               "gradients are drawn in their middle colours, this is the first"));
+    if (transparent_.count > 0)
+      art_.warnings.push_back(
+          transparent_.sentence("a transparent colour is drawn as it is on white paper",
+                                "transparent colours are drawn as they are on white paper, this is the first"));
+    if (stretched_.count > 0)
+      art_.warnings.push_back(
+          stretched_.sentence("a text that is wider or narrower than its font is drawn in its height",
+                              "texts that are wider or narrower than their font are drawn in their "
+                              "height, this is the first"));
     return std::move(art_);
   }
 
@@ -109,6 +134,8 @@ class Reader {
     return *length;
   }
 
+  [[nodiscard]] static bool is_of_freecad(const pugi::xml_node& svg) { return !svg.attribute("xmlns:freecad").empty(); }
+
   // From user units, y down, to millimetres, y up.
   AffineMap page_map(const pugi::xml_node& svg) {
     constexpr double mm = 25.4 / 96;
@@ -116,7 +143,9 @@ class Reader {
     const bool has_box = box.size() == 4 && box[2] > 0 && box[3] > 0;
     Vec2 units(length_in(svg, "width"), length_in(svg, "height"));
     if (has_box && units == Vec2(0, 0)) units = {box[2], box[3]};
-    art_.size = units * mm;
+    // FreeCAD takes numbers without a unit as millimetres.
+    const bool has_unit = !parse_number(svg.attribute("width").value()).has_value();
+    art_.size = units * (is_of_freecad(svg) && !has_unit ? 1 : mm);
     if (!(art_.size.x > 0 && art_.size.y > 0 && std::max(art_.size.x, art_.size.y) <= longest_side))
       refuse(svg, "the drawing has no size", "give the <svg> a width and a height, such as 297mm and 210mm");
     const Vec2 scale = has_box ? art_.size / Vec2(box[2], box[3]) : Vec2(mm);
@@ -137,7 +166,23 @@ class Reader {
     }
   }
 
+  // FreeCAD's templates state areas in comments: "Working space 10 10 410 287", two corners.
+  void read_comment(const pugi::xml_node& comment, const Context& parent) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 2> spaces{
+        {{"working space", "drawing_area"}, {"title block", "title_block"}}};
+    const std::string text = to_lower(comment.value());
+    for (const auto& [words, area] : spaces) {
+      const std::size_t at = text.find(words);
+      if (at == std::string::npos || std::find(wanted_.begin(), wanted_.end(), area) == wanted_.end()) continue;
+      const std::vector<double> corners = numbers_in(std::string_view(text).substr(at + words.size()));
+      if (corners.size() != 4) continue;
+      const Vec2 one = parent.map({corners[0], corners[1]}), other = parent.map({corners[2], corners[3]});
+      art_.areas.push_back({std::string(area), glm::min(one, other), glm::max(one, other)});
+    }
+  }
+
   void read_element(const pugi::xml_node& element, const Context& parent) {
+    if (element.type() == pugi::node_comment) return read_comment(element, parent);
     if (element.type() != pugi::node_element) return;
     const std::string_view name = element.name();
     if (std::find(silent.begin(), silent.end(), name) != silent.end()) return;
@@ -161,7 +206,9 @@ class Reader {
     for (const Effect& effect : effects)
       if (const auto found = context.style.properties.find(effect.property); found != context.style.properties.end())
         context.style.properties.erase(found);
+    context.style.properties.erase("opacity");
     context.style = style_of(element, context.style, rules_);
+    context.alpha *= opacity(element, context.style, "opacity");
     for (const Effect& effect : effects) expect_no_effect(element, context.style, effect);
     for (const pugi::xml_attribute attribute : element.attributes())
       if (std::string_view(attribute.name()).starts_with("on")) refuse(element, "has a script", "remove it");
@@ -180,16 +227,32 @@ class Reader {
              effect.hint);
   }
 
-  [[nodiscard]] std::optional<Colour> paint(const pugi::xml_node& element, const Style& style, const char* property,
-                                            std::string_view usual) const {
-    std::string_view word = style.of(property);
+  [[nodiscard]] double opacity(const pugi::xml_node& element, const Style& style, std::string_view property) const {
+    const std::string_view value = style.of(property);
+    if (value.empty() || value == "inherit") return 1;
+    const auto alpha = alpha_of(value);
+    if (!alpha)
+      refuse(element, "has '" + std::string(property) + ": " + std::string(value) + "'", "give a number from 0 to 1");
+    return *alpha;
+  }
+
+  std::optional<Colour> paint(const pugi::xml_node& element, const Context& context, const char* property,
+                              std::string_view usual) {
+    constexpr double nothing = 1.0 / 512;  // of a colour that has 255 steps
+    std::string_view word = context.style.of(property);
     if (word.empty()) word = usual;
-    if (word == "none" || style.of(std::string(property) + "-opacity") == "0") return std::nullopt;
-    const auto colour = named_colour(word);
+    if (word == "none") return std::nullopt;
+    const double alpha = context.alpha * opacity(element, context.style, std::string(property) + "-opacity");
+    const auto gradient = gradients_.find(referenced_id(word));
+    const auto colour = gradient == gradients_.end() ? named_colour(word) : gradient->second.colour;
     if (!colour)
       refuse(element, "has the " + std::string(property) + " '" + std::string(word) + "'",
              "use a flat colour such as #003366");
-    return colour;
+    const Paint seen{*colour, alpha * (gradient == gradients_.end() ? 1 : gradient->second.alpha)};
+    if (seen.alpha < nothing) return std::nullopt;
+    if (gradient != gradients_.end()) graded_.note(line_at(element.offset_debug()));
+    if (alpha < 1 - nothing && *colour != Colour{255, 255, 255}) transparent_.note(line_at(element.offset_debug()));
+    return on_white(seen);
   }
 
   void read_shape(const pugi::xml_node& element, const Context& context) {
@@ -208,8 +271,8 @@ class Reader {
     Shape shape{std::move(path->lines)};
     for (Line& line : shape.lines)
       for (Vec2& p : line.points) p = context.map(p);
-    shape.fill = paint(element, context.style, "fill", "#000");
-    shape.stroke = paint(element, context.style, "stroke", "none");
+    shape.fill = paint(element, context, "fill", "#000");
+    shape.stroke = paint(element, context, "stroke", "none");
     read_stroke(element, context, shape);
     if (!shape.lines.empty()) art_.items.emplace_back(std::move(shape));
   }
@@ -229,7 +292,13 @@ class Reader {
     if (shape.dashes.size() % 2 == 1) shape.dashes.insert(shape.dashes.end(), shape.dashes.begin(), shape.dashes.end());
   }
 
+  [[nodiscard]] static std::string_view field_of_freecad(const pugi::xml_node& text) {
+    const pugi::xml_attribute filled = text.attribute("freecad:autofill");
+    return (filled ? filled : text.attribute("freecad:editable")).value();
+  }
+
   [[nodiscard]] static std::string name_of(const pugi::xml_node& element) {
+    if (const std::string_view field = field_of_freecad(element); !field.empty()) return normal_name(field);
     const pugi::xml_attribute label = element.attribute("inkscape:label");
     return normal_name(label ? label.value() : element.attribute("id").value());
   }
@@ -281,8 +350,9 @@ class Reader {
     if (!size) refuse(node, "a text has no size in units", "give it a font-size, such as 3.5px");
     const double along = glm::length(map.along), across = glm::length(map.across);
     const double turned = map.along.x * map.across.y - map.along.y * map.across.x;
-    if (std::abs(turned + along * across) > 1e-6 * along * across || std::abs(along - across) > 0.01 * along)
+    if (std::abs(turned + along * across) > 1e-6 * along * across)
       refuse(node, "a text is mirrored or slanted", "only scale and turn it");
+    if (std::abs(along - across) > 0.01 * along) stretched_.note(line_at(node.offset_debug()));
     words.at = map({place("x"), place("y")});
     words.size = *size * across;
     if (!(words.size > least_text && std::isfinite(words.size)))
@@ -290,7 +360,8 @@ class Reader {
     words.angle = portable_atan2(map.along.y, map.along.x) * 180 / std::numbers::pi;
     const std::string_view anchor = context.style.of("text-anchor");
     words.anchor = anchor == "middle" ? TextAnchor::middle : anchor == "end" ? TextAnchor::end : TextAnchor::start;
-    words.colour = paint(node, context.style, "fill", "#000").value_or(Colour());
+    words.colour = paint(node, context, "fill", "#000").value_or(Colour());
+    words.is_field = !field_of_freecad(text).empty();
     words.name = name;
     words.where = line_at(text.offset_debug());
     art_.items.emplace_back(std::move(words));
@@ -301,6 +372,8 @@ class Reader {
   std::span<const std::string_view> wanted_;
   Rules rules_{};
   PieceRoom room_;
+  Gradients gradients_{};
+  Approximated graded_{}, transparent_{}, stretched_{};
   Artwork art_{};
 };
 

@@ -90,6 +90,7 @@ Rules read_rules(std::string_view style_sheet) {
     if (brace == std::string_view::npos) continue;
     for (const std::string_view part : split(rule.substr(0, brace), ',')) {
       const std::string selector(trimmed(part));
+      if (selector == "@page") continue;  // of printers
       if (is_simple(selector))
         take_over(rules.of[selector], read_declarations(rule.substr(brace + 1)));
       else

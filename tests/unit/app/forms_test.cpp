@@ -35,7 +35,6 @@ TEST(Templates, GiveTheSizeAndTheFields) {
 
 TEST(Templates, WhatDoesNotFitTogetherIsRefused) {
   const Folder folder;
-  folder.file("plain.svg", "<svg width=\"297mm\" height=\"210mm\">\n<rect width=\"9\" height=\"9\"/></svg>");
   folder.file("clone.svg",
               "<svg width=\"297mm\" height=\"210mm\">\n<text id=\"title\" font-size=\"4\"/>\n<use href=\"#a\"/></svg>");
   const auto refusal = [&](std::vector<std::string> options) {
@@ -45,7 +44,6 @@ TEST(Templates, WhatDoesNotFitTogetherIsRefused) {
     EXPECT_EQ(run.code, 2) << run.err;
     return run.err;
   };
-  EXPECT_TRUE(has(refusal({"--template", "plain.svg"}), "has no field"));
   EXPECT_TRUE(has(refusal({"--template", "clone.svg"}), "clone.svg:3"));
   EXPECT_TRUE(has(refusal({"--template", "none.svg"}), "none.svg"));
   EXPECT_TRUE(has(refusal({"--template", frames + "frame.svg", "--sheet", "A4"}), "is for A3, not A4"));

@@ -104,7 +104,7 @@ TEST_F(Refusal, SceneFilesNameThePlaceOnce) {
 // Each with the line of the scene file, and what would do.
 TEST_F(Refusal, WhatAScenesSheetsCannotHave) {
   const auto refused = [&](const std::string& scene, const Words& said) {
-    folder.file("plain.svg", "<svg width=\"297mm\" height=\"210mm\"><rect width=\"9\" height=\"9\"/></svg>");
+    folder.file("plain.svg", "<svg><rect width=\"9\" height=\"9\"/></svg>");
     folder.file("roles.toml", "\n[hiden]\nwidth = 1\n");
     folder.file("s.toml", "[[model]]\nfile = \"cube.obj\"\n" + scene);
     expect_draw_refused({"s.toml"}, said);
@@ -119,7 +119,7 @@ TEST_F(Refusal, WhatAScenesSheetsCannotHave) {
           {"s.toml:7:13: 'H99' has no standard tolerance grade", "the grades of ISO 286-1 are 1 to 18"});
   refused(dimension + "tolerance = \"H7/b99\"\n", {"s.toml:7:13: ", "hint: "});
   const std::string view = "[[view]]\nprojection = \"front\"\n[sheet]\n";
-  refused(view + "template = \"plain.svg\"\n", {"s.toml:6:12: ", "plain.svg: the template has no field", "hint: give"});
+  refused(view + "template = \"plain.svg\"\n", {"s.toml:6:12: ", "plain.svg:1: the drawing has no size", "hint: give"});
   refused(view + "style = \"roles.toml\"\n", {"s.toml:6:9: ", "roles.toml:2:2: 'hiden'", "did you mean 'hidden'?"});
   refused(view + "logo = \"none.svg\"\n", {"s.toml:6:8: ", "none.svg", "check the path"});
 }

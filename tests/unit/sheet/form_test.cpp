@@ -104,14 +104,36 @@ TEST_F(Forms, LooksShareLayersInPaintingOrder) {
   EXPECT_EQ(drawn.layers[2].strokes.size(), 2U);
 }
 
-TEST_F(Forms, NeedAField) {
-  try {
-    (void)form("<svg width=\"297mm\" height=\"210mm\"><rect width=\"9\" height=\"9\"/></svg>");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("no field"), std::string::npos);
-    EXPECT_NE(error.hint().find("title"), std::string::npos);
-  }
+TEST_F(Forms, BlankSheetsHaveNoTitleBlock) {
+  const auto read = form("<svg width=\"297mm\" height=\"210mm\"><rect width=\"9\" height=\"9\"/></svg>");
+  expect_near(*read->title_block, {{287, 10}, {287, 10}});
+  const auto drawn = sheet::draw_form(*read, {{{"title", "Flange"}}}, lettering_);
+  EXPECT_TRUE(texts_of(drawn).empty());
+  ASSERT_EQ(drawn.warnings.size(), 1U);
+  EXPECT_NE(drawn.warnings[0].find("no field 'title'"), std::string::npos);
+}
+
+TEST_F(Forms, FieldsOfFreeCadHaveTheirUsualNames) {
+  const auto field = [](const std::string& name, int y) {
+    return "<text x=\"20\" y=\"" + std::to_string(y) + "\" font-size=\"3.5\" freecad:editable=\"" + name +
+           "\">A PLACEHOLDER</text>";
+  };
+  const auto read = form("<svg xmlns:freecad=\"f\" width=\"297mm\" height=\"210mm\" viewBox=\"0 0 297 210\">" +
+                         field("DrawingTitle1", 20) + field("AUTHOR_NAME", 30) + field("FC-SC", 40) + field("DN", 50) +
+                         field("Лист", 60) + field("Листов", 70) + field("Surface treatment", 80) +
+                         field("COPYRIGHT", 90) + "<text x=\"9\" y=\"9\" font-size=\"3\" id=\"DN\">DN</text></svg>");
+  sheet::TitleBlock block{{{"title", "Flange"}, {"creator", "Ada"}, {"number", "7"}, {"surface treatment", "zinc"}}};
+  block.scale = "1:2";
+  block.sheet = 2;
+  block.sheets = 3;
+  std::vector<std::string> seen;
+  const auto drawn = sheet::draw_form(*read, block, lettering_);
+  for (const sheet::Text& text : texts_of(drawn)) seen.push_back(text.text);
+  EXPECT_EQ(seen, (std::vector<std::string>{"Flange", "Ada", "1:2", "7", "2", "3", "zinc", "DN"}));
+  EXPECT_TRUE(drawn.warnings.empty());
+}
+
+TEST_F(Forms, MisspeltFieldsAreTold) {
   try {
     (void)form(
         "<svg width=\"297mm\" height=\"210mm\">\n<text font-size=\"4\">Title</text>\n"

@@ -86,6 +86,14 @@ TEST(Artwork, TextsAsInkscapeWritesThem) {
   EXPECT_EQ(words(read).where, "a.svg:2");
 }
 
+TEST(Artwork, StretchedTextsKeepTheirHeight) {
+  const svg::Artwork read = art("<text transform=\"scale(.5,2)\" x=\"40\" y=\"8\" style=\"font-size:4px\">A</text>");
+  EXPECT_DOUBLE_EQ(words(read).size, 4);
+  expect_near(words(read).at, {10, 50 - 8});
+  ASSERT_EQ(read.warnings.size(), 1U);
+  EXPECT_TRUE(read.warnings[0].starts_with("a.svg:2: a text that is wider or narrower"));
+}
+
 TEST(Artwork, TurnedTextsRunUpwards) {
   const svg::Artwork read = art("<text transform=\"rotate(-90)\" x=\"-40\" y=\"8\" style=\"font-size:8px\">A</text>");
   EXPECT_NEAR(words(read).angle, 90, 1e-9);
@@ -106,6 +114,56 @@ TEST(Artwork, AreasAreBoxesOfNamedElements) {
 TEST(Artwork, HiddenLayersShowNothing) {
   EXPECT_TRUE(
       art("<g style=\"display:none\"><image href=\"x.png\"/><rect width=\"9\" height=\"9\"/></g>").items.empty());
+}
+
+// Halfway between the ends: between the stops at 0.25 and 0.75, and on white where it is transparent.
+TEST(Artwork, GradientsAreDrawnInTheirMiddleColour) {
+  const svg::Artwork read =
+      art("<defs><linearGradient id=\"stops\"><stop offset=\"0\" stop-color=\"#f00\"/><stop offset=\".25\" "
+          "style=\"stop-color:#000000;stop-opacity:1\"/><stop offset=\"75%\" stop-color=\"#6496c8\"/></linearGradient>"
+          "<radialGradient id=\"ball\" xlink:href=\"#stops\"/><radialGradient id=\"ring\" href=\"#ring\"/>"
+          "<linearGradient id=\"glass\"><stop stop-color=\"#0000ff\" stop-opacity=\"0.5\"/></linearGradient></defs>\n"
+          "<rect width=\"9\" height=\"9\" fill=\"url(#ball)\"/><rect width=\"9\" height=\"9\" fill=\"url(#glass)\"/>");
+  EXPECT_EQ(shape(read, 0).fill, (Colour{50, 75, 100}));
+  EXPECT_EQ(shape(read, 1).fill, (Colour{128, 128, 255}));
+  ASSERT_EQ(read.warnings.size(), 1U);
+  EXPECT_EQ(read.warnings[0], "a.svg:3: 2 gradients are drawn in their middle colours, this is the first");
+  EXPECT_THROW((void)art("<defs><radialGradient id=\"ring\" href=\"#ring\"/></defs><rect width=\"9\" height=\"9\" "
+                         "fill=\"url(#ring)\"/>"),
+               Error);
+}
+
+TEST(Artwork, TransparentColoursAreAsOnWhitePaper) {
+  const svg::Artwork read =
+      art("<g opacity=\"50%\"><rect width=\"9\" height=\"9\" fill=\"#000\" fill-opacity=\"0.4\" stroke=\"#f00\" "
+          "style=\"stroke-opacity:0\"/></g>"
+          "<rect width=\"9\" height=\"9\" fill=\"#123456\" style=\"fill-opacity:0.9999\"/>");
+  EXPECT_EQ(shape(read, 0).fill, (Colour{204, 204, 204}));
+  EXPECT_FALSE(shape(read, 0).stroke);
+  EXPECT_EQ(shape(read, 1).fill, (Colour{0x12, 0x34, 0x56}));
+  EXPECT_EQ(read.warnings,
+            (std::vector<std::string>{"a.svg:2: a transparent colour is drawn as it is on white paper"}));
+}
+
+// As FreeCAD's TechDraw writes templates: fields by an attribute, areas in comments, sizes without a unit.
+TEST(Artwork, TemplatesOfFreeCadHaveFieldsAndAreas) {
+  constexpr std::array<std::string_view, 2> wanted = {"drawing_area", "title_block"};
+  const svg::Artwork read = svg::read_artwork(
+      "<svg xmlns:freecad=\"https://www.freecad.org/wiki/index.php?title=Svg_Namespace\" width=\"420\" height=\"297\" "
+      "viewBox=\"0 0 420 297\"><!-- Working space 10 12 410 287 --><!-- Title block   270 223\n410 287 -->"
+      "<text x=\"20\" y=\"30\" font-size=\"3.5\" id=\"text7\" freecad:editable=\"AUTHOR_NAME\">A name</text>"
+      "<text x=\"20\" y=\"40\" font-size=\"3.5\" freecad:editable=\"x\" freecad:autofill=\"page_count\">1</text></svg>",
+      "a.svg", wanted);
+  expect_near(read.size, {420, 297});
+  ASSERT_EQ(read.areas.size(), 2U);
+  EXPECT_EQ(read.areas[0].name, "drawing_area");
+  expect_near(read.areas[0].min, {10, 10});
+  expect_near(read.areas[0].max, {410, 285});
+  EXPECT_EQ(read.areas[1].name, "title_block");
+  expect_near(read.areas[1].min, {270, 10});
+  EXPECT_TRUE(words(read).is_field);
+  EXPECT_EQ(words(read).name, "author_name");
+  EXPECT_EQ(words(read, 1).name, "page_count");
 }
 
 struct Refused {
@@ -135,7 +193,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"<image href=\"http://example.org/x.png\"/>", "<image>", "--logo"},
                     Refused{"<use href=\"#a\"/>", "<use>", "Unlink Clone"},
                     Refused{"<rect width=\"1\" height=\"1\" fill=\"url(#g)\"/>", "url(#g)", "flat colour"},
-                    Refused{"<rect width=\"1\" height=\"1\" style=\"opacity:0.5\"/>", "opacity", "colour"},
+                    Refused{"<rect width=\"1\" height=\"1\" style=\"opacity:half\"/>", "opacity", "0 to 1"},
                     Refused{"<rect width=\"1\" height=\"1\" clip-path=\"url(#c)\"/>", "clip-path", "Release"},
                     Refused{"<path d=\"M 0,0 S 1 1 2 2\"/>", "path", "commands"},
                     Refused{"<rect width=\"1em\" height=\"1\"/>", "width", ""},
