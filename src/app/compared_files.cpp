@@ -80,6 +80,7 @@ Vec2 shift_between(const drawing::ViewDrawing& first, const drawing::ViewDrawing
 }
 
 void place_as(const Drawn& first, Drawn& second) {
+  second.pictures.is_in_place = true;
   for (std::size_t page = 0; page < std::min(first.sheets.size(), second.sheets.size()); ++page) {
     const auto& views = first.sheets[page].drawings;
     const auto& others = second.sheets[page].drawings;

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "compare/align_views.hpp"
 #include "compare/comparison.hpp"
 #include "compare/page_differences.hpp"
 
@@ -21,13 +22,15 @@ std::string format_size(const Vec2& size) { return format_fixed(size.x, 3) + " x
 Picture page_of(const PictureFile& file, std::size_t page, bool any_dashes) {
   Picture picture = page < file.pages.size() ? file.pages[page] : Picture{Vec2(0, 0)};
   for (PictureLook& look : picture.looks)
-    if (any_dashes && !look.dashes.empty()) look.dashes = some_dashes;
+    if (any_dashes && !look.dashes.empty()) look.dashes = look.is_short ? std::vector<double>() : some_dashes;
   return picture;
 }
 
-void compare_page(const Picture& before, const Picture& after, double tolerance, Comparison& comparison) {
+// `in_place`: views stand where the space of their models puts them.
+void compare_page(Picture before, const Picture& after, double tolerance, bool in_place, Comparison& comparison) {
   PageComparison page{glm::max(before.size, after.size)};
   std::vector<Difference> found;
+  if (!in_place) found = align_views(before, after, tolerance);
   if (glm::distance(before.size, after.size) > same_size) {
     Difference& size = found.emplace_back();
     size.change = Change::size;
@@ -42,8 +45,9 @@ void compare_page(const Picture& before, const Picture& after, double tolerance,
     page.texts = std::move(texts.marked);
     found.insert(found.end(), texts.differences.begin(), texts.differences.end());
   }
+  comparison.followers += take_followers(found, tolerance);
   const auto key = [](const Difference& d) {
-    return std::tuple(d.change, std::tie(d.view, d.before, d.after), d.from.x, d.from.y, d.to.x, d.to.y);
+    return std::tuple(!d.is_view, d.change, std::tie(d.view, d.before, d.after), d.from.x, d.from.y, d.to.x, d.to.y);
   };
   std::stable_sort(found.begin(), found.end(),
                    [&](const Difference& a, const Difference& b) { return key(a) < key(b); });
@@ -71,7 +75,8 @@ Comparison compare(const PictureFile& before, const PictureFile& after, double t
   const bool any_pdf = before.is_pdf || after.is_pdf;
   comparison.compares_texts = !any_pdf;
   for (std::size_t i = 0; i < std::max(before.pages.size(), after.pages.size()); ++i)
-    compare_page(page_of(before, i, any_pdf), page_of(after, i, any_pdf), tolerance, comparison);
+    compare_page(page_of(before, i, any_pdf), page_of(after, i, any_pdf), tolerance,
+                 before.is_in_place || after.is_in_place, comparison);
   return comparison;
 }
 

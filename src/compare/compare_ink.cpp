@@ -121,6 +121,9 @@ class Kind {
       found.before = gone[a].name;
       found.after = come[b].name;
       found.distance = moved.distance;
+      found.old_from = gone[a].from;
+      found.old_to = gone[a].to;
+      found.old_length = gone[a].length;
     }
     report(gone, gone_moved, Change::removed, Mark::removed);
     report(come, come_moved, Change::added, Mark::added);

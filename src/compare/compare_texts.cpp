@@ -94,7 +94,11 @@ class TextPairs {
       return;
     }
     report(*change, b, {a.words, b.words});
-    if (*change == Change::moved) found_.differences.back().distance = apart(a, b);
+    if (*change != Change::moved) return;
+    Difference& moved = found_.differences.back();
+    moved.distance = apart(a, b);
+    moved.old_from = a.min;
+    moved.old_to = a.max;
   }
 
   // `words`: before and after.

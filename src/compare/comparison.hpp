@@ -2,6 +2,7 @@
 // The visible differences between two drawings.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,12 +23,16 @@ struct Difference {
   int page;                       ///< from 1
   std::string view{};             ///< as in the names of layers
   std::string before{}, after{};  ///< line styles, texts or page sizes; empty if absent
-  Vec2 from{0, 0},
-      to{0, 0};          ///< ends of a line in the drawing that contains it (in the new one if it moved); box of a text
+  /// Ends of a line in the drawing that contains it, in the new one if it moved; box of a text; of a view, `to` is by
+  /// how much it moved.
+  Vec2 from{0, 0}, to{0, 0};
   double length = 0;     ///< of a line, mm
   double distance = 0;   ///< by which it moved, mm
   std::string origin{};  ///< edges of the model, if known
   bool is_text = false;
+  bool is_view = false;               ///< a whole view moved, and its content is compared as if it had not
+  Vec2 old_from{0, 0}, old_to{0, 0};  ///< in the old drawing, of a line or text that moved
+  double old_length = 0;
 };
 
 /// How an item is painted: a moved line is `removed` at its old and `added` at its new position.
@@ -54,6 +59,7 @@ struct Comparison {
   std::vector<Difference> differences{};  ///< by page, change and position
   std::vector<PageComparison> pages{};
   bool compares_texts = true;
+  std::size_t followers = 0;  ///< differences that are not in the list, because they follow from sizes that changed
 };
 
 /// mm; an item farther away has not moved: it was removed there and added here.
@@ -62,7 +68,9 @@ inline constexpr double most_moved = 5;
 /// Lines are compared as sets of points: how they are cut, chained, ordered and numbered does not matter, and of
 /// several lines within the tolerance of each other, only the widest counts. A line is the same if a line of the same
 /// look lies within `tolerance` mm of it along its whole length; pieces shorter than 0.002 mm are ignored. A line in
-/// only one drawing has moved if the other drawing has the same line within 5 mm, or has a line of the same edge.
+/// only one drawing has moved if the other drawing has the same line within 5 mm, or has a line of the same edge. Views
+/// that stand elsewhere on their sheet are compared where they stand in the new drawing; and if sizes changed, lines
+/// that only follow them are counted, not listed.
 /// Throws Error{input} for JSON with another format.
 Comparison compare(const PictureFile& before, const PictureFile& after, double tolerance);
 

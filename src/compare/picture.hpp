@@ -18,6 +18,8 @@ struct PictureLook {
   double width = 0;              ///< the border of a filled area
   std::vector<double> dashes{};  ///< mm: ink, gap, ink, gap ...; empty: continuous
   std::string colour = "#000000";
+  bool is_short = false;  ///< no line of its layer is long enough to show the dashes; not compared, but without dashes
+                          ///< beside a PDF, which tells them by the lines alone
 
   bool operator==(const PictureLook&) const = default;
 };

@@ -15,6 +15,7 @@ struct PictureFile {
   bool is_json = false;  ///< views without their sheet: no frame, no texts, no hatching
   bool is_pdf = false;   ///< texts are not read, and dash patterns are unknown
   std::vector<Picture> pages{};
+  bool is_in_place = false;  ///< what has not changed in space stands where it stands in the other file
 };
 
 /// Whether a file is a readable drawing, by its extension.

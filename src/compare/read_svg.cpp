@@ -32,6 +32,7 @@ struct Context {
   std::string view{};   // label of the outermost layer
   std::string layer{};  // label or class of the innermost layer: the name of its lines
   bool visible = true;
+  bool shows_dashes = true;  // whether some line of the layer is long enough for its dashes
   std::string model{};
   int depth = 0;
 };
@@ -107,9 +108,18 @@ class SvgReader {
       const scene::SheetLineRow* row = scene::find_line(label);
       context.visible = row == nullptr || !row->is_hidden;
     }
+    if (element.attribute("stroke-dasharray") && element.child("path")) context.shows_dashes = has_dashed_path(element);
     if (const pugi::xml_attribute visible = element.attribute("data-visible")) context.visible = visible.as_bool();
     if (const pugi::xml_attribute model = element.attribute("data-model")) context.model = model.value();
     return context;
+  }
+
+  static bool has_dashed_path(const pugi::xml_node& layer) {
+    const auto is_dashed = [](const pugi::xml_node& path) {
+      return std::string_view(path.attribute("stroke-dasharray").value()) != "none";
+    };
+    const auto paths = layer.children("path");
+    return std::any_of(paths.begin(), paths.end(), is_dashed);
   }
 
   Vec2 on_page(const Context& context, const Vec2& p) const {
@@ -183,6 +193,7 @@ class SvgReader {
     if (context.style.has_fitted_dashes && look.dashes.size() > 1)
       look.dashes[0] = scene::type_with_dots(static_cast<int>(look.dashes.size()) / 2 - 1).dash * look.width;
     look.colour = svg::colour_of(context.style.of("stroke"));
+    look.is_short = !context.shows_dashes;
     room_.take(look.dashes.size());
     return picture_.look(look);
   }

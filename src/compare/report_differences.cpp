@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "base/text.hpp"
+#include "compare/align_views.hpp"
 #include "compare/comparison.hpp"
 #include "output/json_text.hpp"
 
@@ -38,7 +39,10 @@ std::string format_line(const Difference& d) {
 
 std::string format_text(const Difference& d) {
   std::string text = "text '" + (d.after.empty() ? d.before : d.after) + "'";
-  if (d.change == Change::text) text = "'" + d.before + "' -> '" + d.after + "'";
+  if (d.change == Change::text) {
+    const std::string size = measured_by(d);
+    text = (size.empty() ? "" : size + " ") + "'" + d.before + "' -> '" + d.after + "'";
+  }
   text += " at " + place(d.from);
   return d.change == Change::moved ? text + ", by " + millimetres(d.distance) : text;
 }
@@ -49,6 +53,7 @@ std::string format_difference(const Difference& d, bool pages) {
   if (pages) text += "page " + std::to_string(d.page) + ", ";
   if (!d.view.empty()) text += d.view + ": ";
   if (d.change == Change::size) return text + "sheet of " + d.before + " -> " + d.after;
+  if (d.is_view) return text + "the whole view, by " + place(d.to) + " mm";
   return text + (d.is_text ? format_text(d) : format_line(d));
 }
 
@@ -68,9 +73,11 @@ std::string json_of(const Difference& d) {
                      ", \"page\": " + std::to_string(d.page) + ", \"view\": " + text_or_null(d.view) + ", \"of\": " +
                      (d.change == Change::size ? "\"sheet\""
                       : d.is_text              ? "\"text\""
+                      : d.is_view              ? "\"view\""
                                                : "\"line\"") +
                      ", \"before\": " + text_or_null(d.before) + ", \"after\": " + text_or_null(d.after);
   if (d.change == Change::size) return json + "}";
+  if (d.is_view) return json + ", \"by\": " + point(d.to) + ", \"distance\": " + output::json_number(d.distance) + "}";
   json += ", \"from\": " + point(d.from) + ", \"to\": " + point(d.to);
   if (!d.is_text) json += ", \"length\": " + output::json_number(d.length);
   if (d.change == Change::moved) json += ", \"distance\": " + output::json_number(d.distance);
@@ -96,6 +103,9 @@ std::string format_comparison(const Comparison& comparison, double tolerance) {
     text.append(separator).append(std::to_string(count[i])).append(" ").append(name_of(static_cast<Change>(i)));
     separator = ", ";
   }
+  if (comparison.followers > 0)
+    text += "; " + std::to_string(comparison.followers) +
+            (comparison.followers == 1 ? " more follows" : " more follow") + " from the changed sizes";
   return text + "\n";
 }
 
@@ -105,7 +115,8 @@ std::string to_json(const Comparison& comparison, double tolerance, const std::s
                      ", \"after\": " + output::json_string(after) +
                      ",\n \"tolerance\": " + output::json_number(tolerance) +
                      ", \"same\": " + (comparison.differences.empty() ? "true" : "false") +
-                     ", \"texts_compared\": " + (comparison.compares_texts ? "true" : "false") + ",\n \"counts\": {";
+                     ", \"texts_compared\": " + (comparison.compares_texts ? "true" : "false") +
+                     ", \"following\": " + std::to_string(comparison.followers) + ",\n \"counts\": {";
   const std::array<int, kinds> count = counts(comparison);
   for (std::size_t i = 0; i < kinds; ++i)
     json +=

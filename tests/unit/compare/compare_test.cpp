@@ -83,6 +83,92 @@ TEST(Compare, TellsWhereALineIsMissingAndWhichEdgeItWas) {
             "1 difference above 0.001 mm: 1 removed\n");
 }
 
+void move_view(sheet::Sheet& sheet, const Vec2& by) {
+  for (const std::size_t layer : {hidden, visible, dimension}) {
+    for (sheet::Stroke& stroke : sheet.layers[layer].strokes) move(stroke, by);
+    for (sheet::Fill& fill : sheet.layers[layer].fills)
+      for (auto& ring : fill.rings)
+        for (Vec2& p : ring) p += by;
+    for (sheet::Text& text : sheet.layers[layer].texts) text.at += by;
+  }
+}
+
+// Once, and then what differs in it.
+TEST(Compare, TellsAMovedViewOnce) {
+  sheet::Sheet edited = plate();
+  move_view(edited, {12.5, -1});
+  const compare::Comparison moved = compare::compare(as_svg(plate()), as_svg(edited), 0.001);
+  EXPECT_EQ(compare::format_comparison(moved, 0.001),
+            "moved      front: the whole view, by (12.5, -1) mm\n"
+            "1 difference above 0.001 mm: 1 moved\n");
+  EXPECT_TRUE(
+      contains(compare::to_json(moved, 0.001, "a", "b"), R"("of": "view", "before": null, "after": null, "by")"));
+  edited.layers[hidden].strokes.pop_back();
+  EXPECT_EQ(changes(compare::compare(as_svg(plate()), as_svg(edited), 0.001)), "moved removed");
+}
+
+// What the space of the models says is not changed.
+TEST(Compare, LeavesViewsInPlaceThatAreSaidToBe) {
+  sheet::Sheet edited = plate();
+  move_view(edited, {0, -1});
+  compare::PictureFile after = as_svg(edited);
+  after.is_in_place = true;
+  EXPECT_GT(compare::compare(as_svg(plate()), after, 0.001).differences.size(), 5U);
+}
+
+// The plate becomes 6 mm wider: its right side moves, and what belongs to that.
+sheet::Sheet wider_plate() {
+  sheet::Sheet edited = plate();
+  const auto stretch = [](std::vector<Vec2>& points) {
+    for (Vec2& p : points)
+      if (p.x > 95) p.x += 6;
+  };
+  for (const std::size_t layer : {hidden, visible, dimension})
+    for (sheet::Stroke& stroke : edited.layers[layer].strokes) stretch(stroke.points);
+  edited.layers[dimension].texts[0].text = "86";
+  edited.layers[dimension].texts[0].at.x += 3;
+  return edited;
+}
+
+TEST(Compare, TellsASizeAndCountsWhatFollows) {
+  const compare::Comparison comparison = compare::compare(as_svg(plate()), as_svg(wider_plate()), 0.001);
+  const std::string words = compare::format_comparison(comparison, 0.001);
+  ASSERT_EQ(changes(comparison), "text") << words;
+  EXPECT_TRUE(contains(words, "text       front: width '80' -> '86' at (")) << words;
+  EXPECT_TRUE(contains(words, "1 difference above 0.001 mm: 1 text; ")) << words;
+  EXPECT_GE(comparison.followers, 5U);
+  // A view that moved besides is told once more.
+  sheet::Sheet moved = wider_plate();
+  move_view(moved, {-3, 0});
+  EXPECT_EQ(changes(compare::compare(as_svg(plate()), as_svg(moved), 0.001)), "moved text");
+}
+
+// Nothing that the size does not explain is among them.
+TEST(Compare, ListsWhatDoesNotFollowASize) {
+  sheet::Sheet edited = wider_plate();
+  edited.layers[hidden].strokes.pop_back();
+  stroke(edited, visible, 1).curves.clear();
+  for (Vec2& p : stroke(edited, visible, 1).points) p += (p - Vec2(60, 80)) * 0.4;
+  EXPECT_EQ(changes(compare::compare(as_svg(plate()), as_svg(edited), 0.001)), "removed removed added text");
+  // Without a changed size, every line is told.
+  sheet::Sheet same_text = wider_plate();
+  same_text.layers[dimension].texts = plate().layers[dimension].texts;
+  const compare::Comparison comparison = compare::compare(as_svg(plate()), as_svg(same_text), 0.001);
+  EXPECT_EQ(comparison.followers, 0U);
+  EXPECT_GE(comparison.differences.size(), 4U);
+}
+
+// A layer of which no line is long enough for dashes looks the same in both formats.
+TEST(Compare, SeesTheSameInSvgAndPdfOfShortHiddenLines) {
+  sheet::Sheet sheet = plate();
+  sheet.layers[hidden].strokes = {line({40, 64}, {41, 64}), line({40, 66}, {41.5, 66})};
+  const compare::PictureFile pdf{false, true, compare::pictures_of_pdf(output::to_pdf({&sheet}), "test.pdf")};
+  EXPECT_EQ(changes(compare::compare(as_svg(sheet), pdf, 0.001)), "");
+  output::VectorOptions plain;
+  plain.plain = true;
+  EXPECT_EQ(changes(compare::compare(pdf, as_svg(sheet, plain), 0.001)), "");
+}
+
 TEST(Compare, TellsByHowMuchALineMoved) {
   sheet::Sheet edited = plate();
   move(stroke(edited, visible, 2), {0, 0.25});
