@@ -25,11 +25,13 @@ std::string placement(const Canvas& canvas) {
   return scale + " 0 0 " + scale + " " + real(corner.x) + " " + real(corner.y);
 }
 
-std::string cairo_pdf(const Canvas& canvas, const sheet::Layer& layer, const std::optional<sheet::Lettering>& lettering,
+// One page for each layer: so each font, and each name, is there once.
+std::string cairo_pdf(const Canvas& canvas, const sheet::Sheet& sheet, const std::optional<sheet::Lettering>& lettering,
                       const Progress& progress) {
   std::string bytes;
   const CairoSurface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes, canvas.size.x, canvas.size.y));
-  {
+  for (const sheet::Layer& layer : sheet.layers) {
+    if (&layer != &sheet.layers.front()) cairo_surface_show_page(surface.get());
     const Pen pen = make_pen(surface);
     begin_vector_file(pen, canvas);
     set_colour(pen, layer.style.colour);
@@ -53,10 +55,9 @@ PdfPage page_of(const sheet::Sheet& sheet, std::size_t number, const Progress& p
   const Canvas canvas = enlarged_canvas(sheet);
   const Vec2 size = Vec2(sheet.width, sheet.height) * points_per_millimetre;
   const std::string title = "Sheet " + std::to_string(number) + (sheet.title.empty() ? "" : ": " + sheet.title);
-  PdfPage page{{}, box(size), box(canvas.size), placement(canvas), {title, "/Fit"}, {}};
-  const std::optional<sheet::Lettering> lettering = lettering_of(sheet);
-  for (const sheet::Layer& layer : sheet.layers)
-    page.layers.push_back({layer.name, cairo_pdf(canvas, layer, lettering, progress)});
+  PdfPage page{
+      cairo_pdf(canvas, sheet, lettering_of(sheet), progress), {}, box(size), placement(canvas), {title, "/Fit"}, {}};
+  for (const sheet::Layer& layer : sheet.layers) page.layers.push_back(layer.name);
   for (const sheet::ViewFrame& view : sheet.views) page.views.push_back({view.name, view_of(view)});
   return page;
 }

@@ -5,6 +5,8 @@
 #include <exception>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFObjectHandle.hh>
+#include <set>
+#include <utility>
 
 #include "base/error.hpp"
 #include "output/pdf/packing.hpp"
@@ -28,12 +30,21 @@ PdfContent content_of(Handle page, UnpackRoom& room) {
   Handle box = page.getKey("/MediaBox");
   content.width = number_of(box.getArrayItem(2)) - number_of(box.getArrayItem(0));
   content.height = number_of(box.getArrayItem(3)) - number_of(box.getArrayItem(1));
-  content.page = room.unpack(page.getKey("/Contents"));
-  Handle resources = page.getKey("/Resources");
+  Handle resources = page.getKey("/Resources"), streams = page.getKey("/Contents");
+  // Every second stream of a page is a layer; earlier versions had form XObjects instead.
+  if (!streams.isArray()) content.page = room.unpack(streams);
+  for (int i = 0; streams.isArray() && i < streams.getArrayNItems(); ++i) {
+    const std::string name = "/layer" + std::to_string(i / 2);
+    std::string part = room.unpack(streams.getArrayItem(i));
+    const bool is_layer = i % 2 != 0;
+    content.page += is_layer ? "\n" + name + " Do\n" : part;
+    if (is_layer) content.forms[name] = std::move(part);
+  }
   Handle layers = resources.getKey("/Properties"), forms = resources.getKey("/XObject");
   for (const std::string& name : layers.getKeys())
     content.layers[name] = layers.getKey(name).getKey("/Name").getUTF8Value();
-  for (const std::string& name : forms.getKeys()) content.forms[name] = room.unpack(forms.getKey(name));
+  for (const std::string& name : streams.isArray() ? std::set<std::string>() : forms.getKeys())
+    content.forms[name] = room.unpack(forms.getKey(name));
   return content;
 }
 

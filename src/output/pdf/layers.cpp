@@ -24,26 +24,35 @@ void expect_all_read(QPDF& pdf) {
   if (pdf.anyWarnings()) throw std::bad_alloc();
 }
 
-// Adds Cairo's page to `pdf` as a form XObject, with its stream unchanged and still compressed. The page's transparency
-// group is dropped: black ink needs none, and some printers rasterise pages that have one.
-Handle add_form(QPDF& pdf, const std::string& file, const std::string& box) {
-  QPDF drawn;
+// The pages of a file of Cairo's. `drawn` must not outlive the bytes.
+std::vector<Handle> pages_of(QPDF& drawn, const std::string& file) {
   drawn.setSuppressWarnings(true);
-  drawn.setImmediateCopyFrom(true);  // `drawn` does not outlive this function
-  drawn.processMemoryFile("layer", file.data(), file.size());
-  const std::vector<Handle> pages = drawn.getAllPages();
+  drawn.setImmediateCopyFrom(true);
+  drawn.processMemoryFile("layers", file.data(), file.size());
+  std::vector<Handle> pages = drawn.getAllPages();
   expect_all_read(drawn);
-  Handle page = pages.at(0);
-  const bool is_whole = page.getKey("/Contents").isStream() && page.getKey("/Resources").isIndirect();
-  expect_all_read(drawn);
-  check(is_whole, "Cairo wrote another PDF page");
-  Handle form = pdf.copyForeignObject(page.getKey("/Contents"));
-  form.getDict().replaceKey("/Type", Handle::newName("/XObject"));
-  form.getDict().replaceKey("/Subtype", Handle::newName("/Form"));
-  form.getDict().replaceKey("/BBox", Handle::parse(box));
-  form.getDict().replaceKey("/Resources", pdf.copyForeignObject(page.getKey("/Resources")));
-  expect_all_read(drawn);
-  return form;
+  for (Handle& page : pages) {
+    const bool is_whole = page.getKey("/Contents").isStream() && page.getKey("/Resources").isDictionary();
+    expect_all_read(drawn);
+    check(is_whole, "Cairo wrote another PDF page");
+  }
+  return pages;
+}
+
+// Adds those of a page to those of others of the same file, in which Cairo gives each a name of its own.
+void add_resources(QPDF& pdf, Handle all, Handle of_page) {
+  for (const std::string& kind : of_page.getKeys()) {
+    if (!of_page.getKey(kind).isDictionary()) continue;
+    if (!all.hasKey(kind)) all.replaceKey(kind, Handle::newDictionary());
+    Handle together = all.getKey(kind), more = of_page.getKey(kind);
+    for (const std::string& name : more.getKeys()) {
+      Handle one = more.getKey(name);
+      Handle copy = one.isIndirect() ? pdf.copyForeignObject(one) : Handle::parse(one.unparseResolved());
+      check(!together.hasKey(name) || together.getKey(name).unparse() == copy.unparse(),
+            "Cairo gave two resources one name");
+      together.replaceKey(name, copy);
+    }
+  }
 }
 
 Handle add_group(QPDF& pdf, const std::string& name) {
@@ -53,12 +62,12 @@ Handle add_group(QPDF& pdf, const std::string& name) {
   return group;
 }
 
-Handle add_page(QPDF& pdf, const std::string& media_box, Handle resources, const std::string& content) {
+Handle add_page(QPDF& pdf, const std::string& media_box, Handle resources, Handle contents) {
   Handle page = pdf.makeIndirectObject(Handle::newDictionary());
   page.replaceKey("/Type", Handle::newName("/Page"));
   page.replaceKey("/MediaBox", Handle::parse(media_box));
   page.replaceKey("/Resources", resources);
-  page.replaceKey("/Contents", Handle::newStream(&pdf, content));
+  page.replaceKey("/Contents", contents);
   pdf.addPage(page, false);
   return pdf.getAllPages().back();
 }
@@ -76,22 +85,28 @@ struct Groups {
   }
 };
 
+// Streams of Cairo's stay compressed, between short ones that say which layer each is. The transparency groups of its
+// pages are dropped: black ink needs none, and some printers rasterise pages that have one.
 Handle add_layers(QPDF& pdf, const PdfPage& page, Groups& groups, Handle order) {
-  Handle forms = Handle::newDictionary(), properties = Handle::newDictionary();
-  std::string content = "q\n" + page.placement + " cm\n";
-  for (const PdfLayer& layer : page.layers) {
-    const std::string name = "/layer" + std::to_string(&layer - page.layers.data());
-    Handle group = add_group(pdf, groups.unique(layer.name));
+  Handle resources = Handle::newDictionary(), properties = Handle::newDictionary(), contents = Handle::newArray();
+  QPDF drawn;
+  std::vector<Handle> drawn_layers = pages_of(drawn, page.file);
+  check(drawn_layers.size() >= page.layers.size(), "Cairo lost a page");
+  for (std::size_t i = 0; i < page.layers.size(); ++i) {
+    const std::string name = "/layer" + std::to_string(i);
+    Handle group = add_group(pdf, groups.unique(page.layers[i]));
     groups.all.appendItem(group);
     order.appendItem(group);
     properties.replaceKey(name, group);
-    forms.replaceKey(name, add_form(pdf, layer.file, page.layer_box));
-    content += "/OC " + name + " BDC " + name + " Do EMC\n";
+    const std::string begin = (i > 0 ? "EMC\nQ\n" : "") + ("q\n" + page.placement) + " cm\n/OC " + name + " BDC\n";
+    contents.appendItem(Handle::newStream(&pdf, begin));
+    contents.appendItem(pdf.copyForeignObject(drawn_layers[i].getKey("/Contents")));
+    add_resources(pdf, resources, drawn_layers[i].getKey("/Resources"));
+    expect_all_read(drawn);
   }
-  Handle resources = Handle::newDictionary();
-  resources.replaceKey("/XObject", forms);
+  contents.appendItem(Handle::newStream(&pdf, std::string(page.layers.empty() ? "" : "EMC\nQ\n")));
   resources.replaceKey("/Properties", properties);
-  return add_page(pdf, page.media_box, resources, content + "Q\n");
+  return add_page(pdf, page.media_box, resources, contents);
 }
 
 void add_optional_content(QPDF& pdf, const Groups& groups) {

@@ -7,11 +7,6 @@
 
 namespace epura::output {
 
-struct PdfLayer {
-  std::string name;
-  std::string file;  ///< a PDF file of one page, drawn by Cairo
-};
-
 /// A named view of a page.
 struct PdfBookmark {
   std::string title;
@@ -20,10 +15,10 @@ struct PdfBookmark {
 
 /// A page with layers, painted in order. Numbers are in their final text form.
 struct PdfPage {
-  std::vector<PdfLayer> layers;
-  std::string media_box;  ///< "[0 0 width height]" in points
-  std::string layer_box;  ///< the same for the layers' pages, in their units
-  std::string placement;  ///< matrix "a b c d e f" from the layers' units to points
+  std::string file;                 ///< a PDF file with one page for each layer, drawn by Cairo
+  std::vector<std::string> layers;  ///< their names
+  std::string media_box;            ///< "[0 0 width height]" in points
+  std::string placement;            ///< matrix "a b c d e f" from the layers' units to points
   PdfBookmark bookmark;
   std::vector<PdfBookmark> views;  ///< below the bookmark of the page
 };
@@ -33,9 +28,9 @@ struct PdfDocument {
   std::string title, author, subject;  ///< empty: not given
 };
 
-/// Each layer becomes a form XObject in an optional content group of its name (ISO 32000-1, 8.10 and 8.11); names that
-/// an earlier page already has get a number. Bookmarks are outlines (12.3.3). There is no date, and the identifier is
-/// derived from the contents.
+/// Each layer is a content stream of its page, in an optional content group of its name (ISO 32000-1, 7.7.3 and 8.11);
+/// names that an earlier page already has get a number. (Simple programs find no texts in form XObjects.) Bookmarks are
+/// outlines (12.3.3). There is no date, and the identifier is derived from the contents.
 std::string join_pdf_layers(const PdfDocument& document);
 
 }  // namespace epura::output

@@ -71,17 +71,16 @@ TEST_P(PdfOfSize, KeepsCoordinatesAndLayers) {
   EXPECT_NEAR(box[2].number(), GetParam().x * millimetre, 1e-9 * GetParam().x);
   EXPECT_NEAR(box[3].number(), GetParam().y * millimetre, 1e-9 * GetParam().x);
 
-  const Map to_page = map_of(tokens_of(page["/Contents"].stream()));
+  const Map to_page = map_of(tokens_of(page["/Contents"][0].stream()));
   const PdfObject resources = page["/Resources"];
   for (std::size_t i = 0; i < sheet.layers.size(); ++i) {
     const std::string name = "/layer" + std::to_string(i);
     const PdfObject group = resources["/Properties"][name.c_str()];
     EXPECT_EQ(group["/Type"].name(), "/OCG");
     EXPECT_EQ(group["/Name"].text(), sheet.layers[i].name);
-    const PdfObject form = resources["/XObject"][name.c_str()];
-    EXPECT_EQ(form["/Subtype"].name(), "/Form");
-    EXPECT_TRUE(form.has("/Filter"));
-    EXPECT_LT(largest_error(sheet.layers[i].strokes, ink_of(form.stream(), to_page)), 1e-4);
+    const PdfObject layer = page["/Contents"][2 * static_cast<int>(i) + 1];
+    EXPECT_TRUE(layer.has("/Filter"));
+    EXPECT_LT(largest_error(sheet.layers[i].strokes, ink_of(layer.stream(), to_page)), 1e-4);
   }
   EXPECT_FALSE(pdf.has_trouble());
 }
@@ -101,9 +100,11 @@ TEST(Pdf, EveryLayerIsOptionalContent) {
   EXPECT_EQ(properties["/D"]["/Order"].size(), 2);
   // What is drawn of a layer stands between its marks.
   const PdfObject page = pdf.page();
-  const std::string content = page["/Contents"].stream();
-  EXPECT_NE(content.find("/OC /layer0 BDC /layer0 Do EMC"), std::string::npos);
-  EXPECT_NE(content.find("/OC /layer1 BDC /layer1 Do EMC"), std::string::npos);
+  ASSERT_EQ(page["/Contents"].size(), 5);
+  EXPECT_TRUE(page["/Contents"][0].stream().ends_with("cm\n/OC /layer0 BDC\n"));
+  EXPECT_TRUE(page["/Contents"][2].stream().starts_with("EMC\nQ\n"));
+  EXPECT_TRUE(page["/Contents"][2].stream().ends_with("cm\n/OC /layer1 BDC\n"));
+  EXPECT_EQ(page["/Contents"][4].stream(), "EMC\nQ\n");
 }
 
 TEST(Pdf, WidthsAndDashesAreInMillimetres) {
@@ -112,8 +113,8 @@ TEST(Pdf, WidthsAndDashesAreInMillimetres) {
   const std::string bytes = output::to_pdf({&sheet});
   const PdfReader pdf(bytes);
   const PdfObject page = pdf.page();
-  const double scale = map_of(tokens_of(page["/Contents"].stream())).scale.x / millimetre;
-  const std::string form = page["/Resources"]["/XObject"]["/layer0"].stream();
+  const double scale = map_of(tokens_of(page["/Contents"][0].stream())).scale.x / millimetre;
+  const std::string form = page["/Contents"][1].stream();
   const auto tokens = tokens_of(form);
   const auto before = [&](std::string_view name, std::size_t back) {
     const auto found = std::find(tokens.begin(), tokens.end(), name);
@@ -131,8 +132,8 @@ TEST(Pdf, SheetsBecomePages) {
   const PdfReader pdf(bytes);
   ASSERT_EQ(pdf.pages(), 2);
   EXPECT_NEAR(pdf.page(1)["/MediaBox"][2].number(), 200 * millimetre, 1e-9);
-  const Map to_page = map_of(tokens_of(pdf.page(1)["/Contents"].stream()));
-  const std::string form = pdf.page(1)["/Resources"]["/XObject"]["/layer1"].stream();
+  const Map to_page = map_of(tokens_of(pdf.page(1)["/Contents"][0].stream()));
+  const std::string form = pdf.page(1)["/Contents"][3].stream();
   EXPECT_LT(largest_error(second.layers[1].strokes, ink_of(form, to_page)), 1e-4);
   const PdfObject optional = pdf.root()["/OCProperties"];
   std::vector<std::string> names;
