@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import base64
+import html
 import os
 from typing import Dict, List, NamedTuple, Tuple, Union
 
@@ -136,6 +138,12 @@ class Drawing:
 
     def _repr_svg_(self) -> str:
         return self.to_svg()
+
+    def _repr_html_(self) -> str:
+        """The same as an image in itself: notebooks that become web pages drop SVG of its own."""
+        title = html.escape(", ".join(view.name for view in self.views), quote=True)
+        svg = base64.b64encode(self.to_svg().encode()).decode()
+        return f'<img alt="{title}" style="max-width:100%" src="data:image/svg+xml;base64,{svg}">'
 
     def __repr__(self) -> str:
         return f"<epura.Drawing: {', '.join(view.name for view in self.views)}>"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The module against what is known of a cube, and against the program."""
+import base64
 import os
 import re
 import signal
@@ -56,6 +57,8 @@ def test_bytes_are_those_of_saved_files(tmp_path):
     drawing = epura.draw(VERTICES, FACES)
     drawing.save(tmp_path / "a.svg")
     assert drawing.to_svg() == drawing._repr_svg_() == (tmp_path / "a.svg").read_text()
+    before, data = drawing._repr_html_().split('src="data:image/svg+xml;base64,')
+    assert base64.b64decode(data[:data.index('"')]).decode() == drawing.to_svg() and "isometric" in before
     assert drawing.to_pdf().startswith(b"%PDF") and drawing.to_png(dpi=50).startswith(b"\x89PNG")
 
 

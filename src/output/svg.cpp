@@ -281,6 +281,8 @@ void begin_file(std::string& svg, const sheet::Sheet& sheet, const std::string& 
       "stroke-linecap=\"round\" stroke-linejoin=\"round\" width=\"";
   svg += width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\">\n";
   svg += "<sodipodi:namedview inkscape:document-units=\"mm\"/>\n";
+  // Browsers print it on a sheet of its size, without margins that would scale it.
+  svg += "<style>@page{size:" + width + "mm " + height + "mm;margin:0}</style>\n";
   append_metadata(svg, sheet);
 }
 

@@ -41,17 +41,25 @@ struct Part {
 
 using Chunk = std::span<const Part>;
 
-// Begins a new path where one would become too long.
+// Begins a new path where one would become too long. Closed loops come first, and stay together: programs that fill
+// paths take a loop inside another one for a hole only if both are in one path.
 void split_long_paths(std::vector<Part>& parts) {
-  std::size_t points = 0, added = 0, previous = 0;
-  for (Part& part : parts) {
-    if (part.path != std::exchange(previous, part.path)) points = 0;
-    points += part.stroke->points.size();
-    if (points > most_points_of_path) {
-      points = part.stroke->points.size();
-      ++added;
+  std::size_t added = 0;
+  for (auto begin = parts.begin(), end = begin; begin != parts.end(); begin = end) {
+    end = std::find_if(begin, parts.end(), [&](const Part& part) { return part.path != begin->path; });
+    std::size_t points = 0;
+    for (auto part = begin; part != end; ++part) points += part->stroke->points.size();
+    if (points > most_points_of_path)
+      std::stable_partition(begin, end, [](const Part& part) { return part.stroke->closed; });
+    points = 0;
+    for (auto part = begin; part != end; ++part) {
+      points += part->stroke->points.size();
+      if (points > most_points_of_path && !part->stroke->closed) {
+        points = part->stroke->points.size();
+        ++added;
+      }
+      part->path += added;
     }
-    part.path += added;
   }
 }
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
@@ -49,6 +53,35 @@ TEST(Svg, ViewsAreLayersOfLayers) {
   EXPECT_STREQ(layers_of(document)[0].attribute("class").value(), (prefix_of(document) + "-hidden").c_str());
 }
 
+// Programs that fill paths would take each for an area of its own.
+TEST(Svg, PlainPathsKeepLoopsTogether) {
+  sheet::Sheet sheet{200, 200, "", {{"v/visible", {"visible", 0.5}, {}}}};
+  for (const double radius : {90.0, 50.0, 10.0}) {
+    sheet.layers[0].strokes.push_back({{{0, 0}, {radius, 3}}});
+    sheet::Stroke& ring = sheet.layers[0].strokes.emplace_back();
+    ring.closed = true;
+    for (int i = 0; i < 2500; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 2500;
+      ring.points.push_back(Vec2(100) + radius * Vec2(std::cos(angle), std::sin(angle)));
+    }
+  }
+  const auto document = parse_svg(output::to_svg(sheet, {.plain = true}));
+  std::vector<long> loops;
+  for (const pugi::xpath_node& path : document.select_nodes("//path")) {
+    const std::string data = path.node().attribute("d").value();
+    loops.push_back(std::count(data.begin(), data.end(), 'Z'));
+  }
+  EXPECT_EQ(loops, (std::vector<long>{3, 0}));
+}
+
+// 420 x 297 mm, without margins to which a browser would shrink it; a page with drawings has its own size.
+TEST(Svg, FilesPrintAtTheirSize) {
+  const sheet::Sheet sheet = random_sheet(420, 297, 1);
+  EXPECT_STREQ(parse_svg(output::to_svg(sheet, {})).child("svg").child("style").text().get(),
+               "@page{size:420mm 297mm;margin:0}");
+  EXPECT_EQ(output::to_svg(sheet, {.is_inline = true}).find("@page"), std::string::npos);
+}
+
 TEST(Svg, NamesAndRulesAreItsOwn) {
   sheet::Sheet sheet = random_sheet(100, 100, 3);
   sheet.layers[0].fills = {{{{{10, 10}, {20, 10}, {10, 20}}}}};
@@ -70,7 +103,7 @@ TEST(Svg, NamesAndRulesAreItsOwn) {
       EXPECT_TRUE(name.starts_with(prefix + "-")) << name;
       EXPECT_EQ(name.find(' '), std::string::npos) << name;
     }
-    const std::string rules = document.child("svg").child("style").text().get();
+    const std::string rules = document.child("svg").child("metadata").next_sibling("style").text().get();
     for (const std::string_view rule : split(rules, '}'))
       EXPECT_TRUE(rule.empty() || rule.starts_with((&rule[0] == rules.data() ? "#" : "\n#") + prefix)) << rule;
   }
