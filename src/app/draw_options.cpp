@@ -197,12 +197,27 @@ scene::Options<Draw> format_options() {
       scene::option<Draw>(
           {.flag = "--svg-text", .help = "lettering in SVG; text needs the font installed", .usual = "outlines"},
           vector(&output::VectorOptions::text), scene::choice<SvgText>().shown_as("HOW")),
+      scene::option<Draw>({.flag = "--strokes",
+                           .help = "dashes as a property of their line, or each as a stroke of its own, for plotters, "
+                                   "lasers and engravers",
+                           .usual = "dashed"},
+                          vector(&output::VectorOptions::strokes), scene::choice<output::Strokes>().shown_as("HOW")),
       scene::option<Draw>({.flag = "--decimals", .help = "decimals of coordinates in SVG", .usual = "4"},
                           vector(&output::VectorOptions::decimals), scene::whole_number(1, 5)),
       scene::option<Draw>({.flag = "--id-prefix",
                            .help = "prefix of ids and classes in SVG, for several drawings on one HTML page",
                            .usual = "derived from the drawing"},
                           vector(&output::VectorOptions::id_prefix), id_prefix()),
+      scene::option<Draw>({.flag = "--dxf-version",
+                           .help = "version of AutoCAD whose DXF is written; 2007: texts in UTF-8; 2000: with escapes",
+                           .usual = "2007"},
+                          vector(&output::VectorOptions::dxf_version),
+                          scene::choice<output::DxfVersion>().shown_as("YEAR")),
+      scene::option<Draw>({.flag = "--dxf-arcs",
+                           .help = "arcs in DXF: bulges of polylines, or entities of their own with ellipses as "
+                                   "polylines, as OpenSCAD, LibreOffice and KiCad need them",
+                           .usual = "bulges"},
+                          vector(&output::VectorOptions::dxf_arcs), scene::choice<output::DxfArcs>().shown_as("HOW")),
       scene::option<Draw>({.flag = "--dxf-blocks", .help = "make each view a block in DXF"},
                           vector(&output::VectorOptions::dxf_blocks), scene::truth()),
       scene::option<Draw>(

@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "base/angle.hpp"
+#include "base/portable_math.hpp"
 #include "output/dxf_entities.hpp"
 #include "output/dxf_shapes.hpp"
 #include "output/dxf_tables.hpp"
@@ -20,7 +22,7 @@ namespace epura::output {
 namespace {
 
 struct LayerInFile {
-  const sheet::Layer& layer;
+  const sheet::Layer& layer;  ///< where its block has its origin
   std::string name;
   std::vector<std::string> blocks;  ///< with the ink of its dimensions
 };
@@ -70,7 +72,7 @@ void add_text(DxfWriter& dxf, const Place& place, const sheet::Text& text) {
   begin_entity(dxf, place, "TEXT", "AcDbText");
   dxf.add(10, text.at);
   dxf.add(40, text.height);
-  dxf.add(1, dxf_text(text.text));
+  dxf.add(1, dxf_text(text.text, dxf.version()));
   dxf.add(50, text.angle);
   dxf.add(7, dxf_text_style);
   dxf.add(72, static_cast<int>(text.align));
@@ -78,11 +80,11 @@ void add_text(DxfWriter& dxf, const Place& place, const sheet::Text& text) {
   dxf.add(100, "AcDbText");
 }
 
-void add_stroke(DxfWriter& dxf, int owner, const LayerInFile& layer, const sheet::Stroke& stroke) {
+void add_stroke(DxfWriter& dxf, int owner, const LayerInFile& layer, DxfArcs arcs, const sheet::Stroke& stroke) {
   if (stroke.points.size() < 2) return;
   const bool continuous = !(stroke.dashes.dash > 0) && stroke.pattern.empty();
   const Place place{owner, layer.name, layer.layer.style.dashes.dash > 0, continuous};
-  for (const DxfShape& shape : dxf_shapes(place.dashed && !continuous ? with_arcs(stroke) : stroke))
+  for (const DxfShape& shape : dxf_shapes(place.dashed && !continuous ? with_arcs(stroke) : stroke, arcs))
     std::visit([&](const auto& kind) { add_shape(dxf, place, kind); }, shape);
 }
 
@@ -91,8 +93,9 @@ void add_fill(DxfWriter& dxf, int owner, const LayerInFile& layer, const sheet::
 }
 
 // The ink of a layer outside its objects, and these.
-void add_layer(DxfWriter& dxf, int owner, const LayerInFile& layer, const DxfEntities& wanted,
+void add_layer(DxfWriter& dxf, int owner, const LayerInFile& layer, const VectorOptions& options,
                const Progress& progress) {
+  const DxfEntities& wanted = options.dxf_entities;
   const auto& dimensions = layer.layer.dimensions;
   const auto& hatched = layer.layer.hatched;
   const auto each_outside = [&](const auto& ink, const auto& of_dimension, const auto& add) {
@@ -116,7 +119,7 @@ void add_layer(DxfWriter& dxf, int owner, const LayerInFile& layer, const DxfEnt
       [&](const sheet::Stroke& stroke) {
         progress.expect_time();
         progress.advance(1);
-        add_stroke(dxf, owner, layer, stroke);
+        add_stroke(dxf, owner, layer, options.dxf_arcs, stroke);
       });
   each_outside(
       layer.layer.texts, [](const auto& one) { return one.texts; },
@@ -129,11 +132,12 @@ void add_layer(DxfWriter& dxf, int owner, const LayerInFile& layer, const DxfEnt
 }
 
 // What a dimension looks like, for programs that do not draw dimensions themselves.
-void add_ink_of(DxfWriter& dxf, int owner, const LayerInFile& layer, const sheet::DimensionObject& dimension) {
+void add_ink_of(DxfWriter& dxf, int owner, const LayerInFile& layer, DxfArcs arcs,
+                const sheet::DimensionObject& dimension) {
   for (std::size_t i = dimension.fills.begin; i < dimension.fills.end; ++i)
     add_fill(dxf, owner, layer, layer.layer.fills[i]);
   for (std::size_t i = dimension.strokes.begin; i < dimension.strokes.end; ++i)
-    add_stroke(dxf, owner, layer, layer.layer.strokes[i]);
+    add_stroke(dxf, owner, layer, arcs, layer.layer.strokes[i]);
   for (std::size_t i = dimension.texts.begin; i < dimension.texts.end; ++i)
     add_text(dxf, {owner, layer.name, false, true}, layer.layer.texts[i]);
 }
@@ -142,7 +146,7 @@ void add_insert(DxfWriter& dxf, int model_space, const DxfBlock& block) {
   const std::string layer = "0";
   begin_entity(dxf, {model_space, layer, false, true}, "INSERT", "AcDbBlockReference");
   dxf.add(2, block.name);
-  dxf.add(10, block.base);
+  dxf.add(10, block.place);
 }
 
 /// The blocks of the file: views, and then what dimensions look like.
@@ -159,7 +163,7 @@ Blocks blocks_of(const sheet::Sheet& sheet, const VectorOptions& options) {
   if (options.dxf_blocks) {
     std::vector<std::string> names;
     for (const sheet::ViewFrame& view : sheet.views) names.push_back(view.name);
-    const std::vector<std::string> in_file = dxf_names(names, {});
+    const std::vector<std::string> in_file = dxf_names(names, {}, options.dxf_version);
     for (std::size_t v = 0; v < sheet.views.size(); ++v) {
       result.blocks.push_back({in_file[v], (sheet.views[v].min + sheet.views[v].max) * 0.5});
       for (std::size_t i = 0; i < sheet.layers.size(); ++i)
@@ -177,12 +181,53 @@ Blocks blocks_of(const sheet::Sheet& sheet, const VectorOptions& options) {
   return result;
 }
 
-std::vector<LayerInFile> layers_of(const sheet::Sheet& sheet, const Blocks& blocks) {
+void move(sheet::Stroke& stroke, const Vec2& by) {
+  for (Vec2& point : stroke.points) point += by;
+  for (drawing::CurvePart& curve : stroke.curves) curve.centre += by;
+}
+
+void move(sheet::Fill& fill, const Vec2& by) {
+  for (auto& ring : fill.rings)
+    for (Vec2& point : ring) point += by;
+}
+
+void move(sheet::HatchedFace& hatched, const Vec2& by) {
+  move(hatched.face, by);
+  for (sheet::HatchLines& lines : hatched.lines) {
+    const double angle = lines.angle / degrees;
+    lines.start += glm::dot(by, Vec2(-portable_sin(angle), portable_cos(angle)));
+  }
+}
+
+void move(sheet::DimensionObject& dimension, const Vec2& by) {
+  for (Vec2& point : dimension.points) point += by;
+  dimension.text_middle += by;
+}
+
+sheet::Layer moved(sheet::Layer layer, const Vec2& by) {
+  for (sheet::Stroke& stroke : layer.strokes) move(stroke, by);
+  for (sheet::Fill& fill : layer.fills) move(fill, by);
+  for (sheet::Text& text : layer.texts) text.at += by;
+  for (sheet::HatchedFace& hatched : layer.hatched) move(hatched, by);
+  for (sheet::DimensionObject& dimension : layer.dimensions) move(dimension, by);
+  return layer;
+}
+
+// Layers of blocks have the coordinates of these.
+std::vector<sheet::Layer> layers_in_blocks(std::vector<sheet::Layer> layers, const Blocks& blocks) {
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    if (const int view = blocks.of_layer[i]; view >= 0)
+      layers[i] = moved(std::move(layers[i]), -blocks.blocks[static_cast<std::size_t>(view)].place);
+  return layers;
+}
+
+std::vector<LayerInFile> layers_of(const std::vector<sheet::Layer>& in_blocks, const Blocks& blocks,
+                                   DxfVersion version) {
   std::vector<std::string> names;
-  for (const sheet::Layer& layer : sheet.layers) names.push_back(layer.name);
-  names = dxf_names(names, {"0"});
+  for (const sheet::Layer& layer : in_blocks) names.push_back(layer.name);
+  names = dxf_names(names, {"0"}, version);
   std::vector<LayerInFile> layers;
-  for (std::size_t i = 0; i < names.size(); ++i) layers.push_back({sheet.layers[i], names[i], {}});
+  for (std::size_t i = 0; i < names.size(); ++i) layers.push_back({in_blocks[i], names[i], {}});
   for (std::size_t k = 0; k < blocks.of_dimension.size(); ++k)
     layers[blocks.of_dimension[k][0]].blocks.push_back(blocks.blocks[blocks.views + k].name);
   return layers;
@@ -192,16 +237,19 @@ std::vector<LayerInFile> layers_of(const sheet::Sheet& sheet, const Blocks& bloc
 
 std::string to_dxf(const sheet::Sheet& sheet, const VectorOptions& options, const Progress& progress) {
   const Blocks blocks = blocks_of(sheet, options);
-  const std::vector<LayerInFile> layers = layers_of(sheet, blocks);
-  DxfWriter dxf;
+  const std::vector<sheet::Layer> in_blocks =
+      blocks.views == 0 ? std::vector<sheet::Layer>() : layers_in_blocks(sheet.layers, blocks);
+  const std::vector<LayerInFile> layers =
+      layers_of(blocks.views == 0 ? sheet.layers : in_blocks, blocks, options.dxf_version);
+  DxfWriter dxf(options.dxf_version);
   const auto add_layers_of = [&](int view, int owner) {
     for (std::size_t i = 0; i < layers.size(); ++i)
-      if (blocks.of_layer[i] == view) add_layer(dxf, owner, layers[i], options.dxf_entities, progress);
+      if (blocks.of_layer[i] == view) add_layer(dxf, owner, layers[i], options, progress);
   };
   const auto add_block = [&](std::size_t block, int owner) {
     if (block < blocks.views) return add_layers_of(static_cast<int>(block), owner);
     const auto [layer, number] = blocks.of_dimension[block - blocks.views];
-    add_ink_of(dxf, owner, layers[layer], sheet.layers[layer].dimensions[number]);
+    add_ink_of(dxf, owner, layers[layer], options.dxf_arcs, sheet.layers[layer].dimensions[number]);
   };
   std::vector<std::string> names;
   for (const LayerInFile& layer : layers) names.push_back(layer.name);
@@ -212,7 +260,7 @@ std::string to_dxf(const sheet::Sheet& sheet, const VectorOptions& options, cons
   add_layers_of(-1, model_space);
   dxf.add(0, "ENDSEC");
   add_dxf_objects(dxf);
-  return dxf_header(sheet, blocks.blocks, dxf.handles()) + dxf.take();
+  return dxf_header(sheet, blocks.blocks, dxf.handles(), options.dxf_version) + dxf.take();
 }
 
 }  // namespace epura::output

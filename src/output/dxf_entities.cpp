@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/portable_math.hpp"
+#include "base/text.hpp"
 #include "output/dxf_tables.hpp"
 #include "scene/line_roles.hpp"
 
@@ -73,20 +74,6 @@ void add_lines(DxfWriter& dxf, const sheet::HatchLines& lines) {
   dxf.add(49, -scene::dashed.gap * width);
 }
 
-// What a text of several lines takes as commands.
-std::string dimension_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : dxf_text(text)) {
-    if (c == '{')
-      escaped += "\\U+007B";
-    else if (c == '}')
-      escaped += "\\U+007D";
-    else
-      escaped += c;
-  }
-  return escaped;
-}
-
 /// What a shape is called: its number, and its classes.
 struct ShapeInFile {
   int type;
@@ -150,7 +137,25 @@ void add_points(DxfWriter& dxf, const sheet::DimensionObject& dimension) {
   dxf.add(100, "AcDbRotatedDimension");
 }
 
+// As CAD programs measure it.
+double length_in_file(const sheet::DimensionObject& dimension) {
+  const std::vector<Vec2>& points = dimension.points;
+  const bool along_line =
+      dimension.shape == sheet::DimensionShape::linear || dimension.shape == sheet::DimensionShape::ordinate;
+  if (!along_line) return glm::length(points[1] - points[0]);
+  const double angle = dimension.angle * std::numbers::pi / 180;
+  return std::abs(glm::dot(points[1] - points[0], Vec2(portable_cos(angle), portable_sin(angle))));
+}
+
 }  // namespace
+
+double factor_of(const sheet::DimensionObject& dimension) {
+  if (dimension.shape == sheet::DimensionShape::angular || !(dimension.value > 0)) return 1;
+  const double length = length_in_file(dimension);
+  if (!(length > 0)) return 1;
+  // What is left of the rounding of positions on paper must not make styles of their own.
+  return parse_number(format_rounded(dimension.value / length, 9)).value();
+}
 
 void begin_entity(DxfWriter& dxf, const Place& place, std::string_view type, std::string_view entity_class) {
   dxf.begin(type, place.owner, "AcDbEntity");
@@ -186,8 +191,9 @@ void add_dimension(DxfWriter& dxf, const Place& place, const sheet::DimensionObj
   add_point(dxf, 11, dimension.text_middle);
   dxf.add(70, shape.type + own_block + text_has_place + (is_abscissa ? along_x : 0));
   dxf.add(71, middle);
-  dxf.add(1, dimension_text(dimension.text));
-  dxf.add(3, dxf_dimension_style);
+  dxf.add(1, dxf_paragraph(dimension.text, dxf.version()));
+  if (dimension.value > 0) dxf.add(42, dimension.value);
+  dxf.add(3, dxf_dimension_style(factor_of(dimension)));
   dxf.add(100, shape.entity_class);
   add_points(dxf, dimension);
 }

@@ -26,7 +26,10 @@ void add_solid(DxfWriter& dxf, const Place& place, const sheet::Fill& fill);
 /// A face with a pattern: named as in AutoCAD, and with the lines that it has on the sheet.
 void add_hatch(DxfWriter& dxf, const Place& place, const sheet::HatchedFace& face);
 
-/// A dimension whose `block` has its ink. Its text is the one on the sheet, whatever its length in the file.
+/// What the lengths of a dimension in the file are multiplied by to give what it says; 1 for angles.
+double factor_of(const sheet::DimensionObject& dimension);
+
+/// A dimension whose `block` has its ink. Its text is the one on the sheet.
 void add_dimension(DxfWriter& dxf, const Place& place, const sheet::DimensionObject& dimension,
                    const std::string& block);
 

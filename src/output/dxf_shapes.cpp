@@ -104,33 +104,86 @@ sheet::Stroke with_arcs(sheet::Stroke stroke) {
 
 bool EllipseArc::whole() const { return to - from >= full_turn - slack; }
 
-std::vector<DxfShape> dxf_shapes(const sheet::Stroke& stroke) {
+namespace {
+
+/// Collects the shapes of one stroke.
+class ShapesOfStroke {
+ public:
+  explicit ShapesOfStroke(DxfArcs arcs) : arcs_(arcs) {}
+
+  void add_point(const Vec2& point) { line_.corners.push_back({point}); }
+  /// A part of the stroke from one of its points to another.
+  void add_curve(const Vec2& from, const Vec2& to, const drawing::CurvePart& curve) {
+    if (arcs_ == DxfArcs::bulges && is_circle(curve)) return add_bulges(line_, from, curve);
+    add_point(from);
+    if (arcs_ == DxfArcs::entities && !is_circle(curve)) return add_chords(curve);
+    add_line(shapes_, line_);
+    if (arcs_ == DxfArcs::bulges) return void(shapes_.emplace_back(arc_of(curve)));
+    add_arcs(from, to, curve);
+  }
+  std::vector<DxfShape> finish(bool closed, const Vec2& end) {
+    line_.closed = closed && shapes_.empty();
+    if (!line_.closed) add_point(end);
+    add_line(shapes_, line_);
+    return std::move(shapes_);
+  }
+
+ private:
+  // The corners between the ends of an elliptical arc.
+  void add_chords(const drawing::CurvePart& curve) {
+    constexpr double sagitta = 0.001;  // mm
+    const double longest = std::max(glm::length(curve.u), glm::length(curve.v));
+    const double step = 2 * std::acos(1 - std::min(sagitta / longest, 0.5));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(curve.to - curve.from) / step)));
+    for (int i = 1; i < pieces; ++i) add_point(point_at(curve, curve.from + (curve.to - curve.from) * i / pieces));
+  }
+
+  // Points of a stroke lie near its arcs, not on them: each arc is the one of the same angle through its two points. Up
+  // to half a turn, that moves it by no more than they are off.
+  void add_arcs(const Vec2& from, const Vec2& to, const drawing::CurvePart& curve) {
+    const double sweep = cross(curve.u, curve.v) < 0 ? curve.from - curve.to : curve.to - curve.from;
+    const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / (full_turn / 2) - slack)));
+    Vec2 begin = from;
+    for (int i = 1; i <= pieces; ++i) {
+      const Vec2 end = i == pieces ? to : point_at(curve, curve.from + (curve.to - curve.from) * i / pieces);
+      const Vec2 half = (end - begin) * 0.5;
+      const Vec2 centre = begin + half + Vec2(-half.y, half.x) / std::tan(sweep / pieces / 2);
+      const Vec2 first = (sweep > 0 ? begin : end) - centre, last = (sweep > 0 ? end : begin) - centre;
+      const double start = std::atan2(first.y, first.x);
+      double turn = std::atan2(last.y, last.x) - start;
+      if (turn < 0) turn += full_turn;
+      shapes_.emplace_back(
+          EllipseArc{centre, {(glm::length(first) + glm::length(last)) / 2, 0}, 1, start, start + turn});
+      begin = end;
+    }
+  }
+
+  DxfArcs arcs_;
+  std::vector<DxfShape> shapes_{};
+  BulgedLine line_{};
+};
+
+}  // namespace
+
+std::vector<DxfShape> dxf_shapes(const sheet::Stroke& stroke, DxfArcs arcs) {
   const int count = static_cast<int>(stroke.points.size());
   const auto point = [&](int i) { return stroke.points[static_cast<std::size_t>(i % count)]; };
   const auto& curves = stroke.curves;
   const int start = stroke.closed && !curves.empty() ? curves.front().first : 0;
   const int end = stroke.closed ? start + count : count - 1;
-  if (curves.size() == 1 && curves[0].first == start && curves[0].last == end) return {arc_of(curves[0])};
+  const bool is_one_curve = curves.size() == 1 && curves[0].first == start && curves[0].last == end;
+  const bool is_ring = is_one_curve && stroke.closed && is_circle(curves[0]);
+  if (is_ring || (is_one_curve && arcs == DxfArcs::bulges)) return {arc_of(curves[0])};
 
-  std::vector<DxfShape> shapes;
-  BulgedLine line;
+  ShapesOfStroke shapes(arcs);
   int here = start;
   for (const drawing::CurvePart& curve : curves) {
-    for (; here < curve.first; ++here) line.corners.push_back({point(here)});
-    if (is_circle(curve)) {
-      add_bulges(line, point(here), curve);
-    } else {
-      line.corners.push_back({point(here)});
-      add_line(shapes, line);
-      shapes.emplace_back(arc_of(curve));
-    }
+    for (; here < curve.first; ++here) shapes.add_point(point(here));
+    shapes.add_curve(point(here), point(curve.last), curve);
     here = curve.last;
   }
-  for (; here < end; ++here) line.corners.push_back({point(here)});
-  line.closed = stroke.closed && shapes.empty();
-  if (!line.closed) line.corners.push_back({point(end)});
-  add_line(shapes, line);
-  return shapes;
+  for (; here < end; ++here) shapes.add_point(point(here));
+  return shapes.finish(stroke.closed, point(end));
 }
 
 }  // namespace epura::output

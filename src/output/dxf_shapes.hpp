@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "output/write.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura::output {
@@ -38,8 +39,9 @@ using DxfShape = std::variant<BulgedLine, EllipseArc>;
 /// begins dashes anew at each corner, so that dashed circles of short pieces are continuous there.
 sheet::Stroke with_arcs(sheet::Stroke stroke);
 
-/// The shapes of a stroke in order, without repetitions: circular arcs among straight lines become bulges; elliptical
-/// arcs and strokes that consist of one arc become separate shapes.
-std::vector<DxfShape> dxf_shapes(const sheet::Stroke& stroke);
+/// The shapes of a stroke in order, without repetitions. As bulges: circular arcs among straight lines become bulges;
+/// elliptical arcs and strokes that consist of one arc become separate shapes. As entities: circular arcs become shapes
+/// that begin and end at points of the stroke, and elliptical arcs straight pieces.
+std::vector<DxfShape> dxf_shapes(const sheet::Stroke& stroke, DxfArcs arcs);
 
 }  // namespace epura::output

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/text.hpp"
+#include "output/dxf_entities.hpp"
 #include "scene/line_roles.hpp"
 
 namespace epura::output {
@@ -192,18 +194,20 @@ int add_text_styles(DxfWriter& dxf, const std::string& file) {
   };
   add_table(dxf, "STYLE", 2, [&](int table) {
     add(table, "STANDARD", "txt");
-    add(table, dxf_text_style, file.empty() ? "osifont.ttf" : dxf_text(file));
+    add(table, dxf_text_style, file.empty() ? "osifont.ttf" : dxf_text(file, dxf.version()));
   });
   return handle;
 }
 
-// A dimension whose sizes are those of all, if dimensions are entities.
-const sheet::DimensionObject* dimension_in(const sheet::Sheet& sheet, const std::vector<DxfBlock>& blocks) {
+// Dimensions that are entities.
+std::vector<const sheet::DimensionObject*> dimensions_in(const sheet::Sheet& sheet,
+                                                         const std::vector<DxfBlock>& blocks) {
   const auto is_dimension = [](const DxfBlock& block) { return block.is_dimension; };
-  if (std::none_of(blocks.begin(), blocks.end(), is_dimension)) return nullptr;
+  std::vector<const sheet::DimensionObject*> dimensions;
+  if (std::none_of(blocks.begin(), blocks.end(), is_dimension)) return dimensions;
   for (const sheet::Layer& layer : sheet.layers)
-    if (!layer.dimensions.empty()) return &layer.dimensions.front();
-  return nullptr;
+    for (const sheet::DimensionObject& dimension : layer.dimensions) dimensions.push_back(&dimension);
+  return dimensions;
 }
 
 /// A variable of dimension styles.
@@ -214,12 +218,13 @@ struct DimensionVariable {
   bool is_length = true;
 };
 
-std::vector<DimensionVariable> dimension_variables(const sheet::DimensionObject& dimension) {
+std::vector<DimensionVariable> dimension_variables(const sheet::DimensionObject& dimension, double factor) {
   return {{"$DIMSCALE", 40, 1},
           {"$DIMASZ", 41, dimension.arrow},
           {"$DIMEXO", 42, dimension.gap},
           {"$DIMEXE", 44, dimension.overshoot},
           {"$DIMTXT", 140, dimension.text_height},
+          {"$DIMLFAC", 144, factor},
           {"$DIMGAP", 147, dimension.above},
           {"$DIMTIH", 73, 0, false},  // texts along the dimension line
           {"$DIMTOH", 74, 0, false},
@@ -234,13 +239,19 @@ void add_variable(DxfWriter& dxf, int code, const DimensionVariable& variable) {
     dxf.add(code, static_cast<int>(variable.value));
 }
 
-void add_dimension_styles(DxfWriter& dxf, const sheet::DimensionObject* dimension, int text_style) {
-  add_table(dxf, "DIMSTYLE", 1, [&](int table) {
-    begin_entry(dxf, "DIMSTYLE", table, "AcDbDimStyleTableRecord", dxf_dimension_style);
-    if (dimension == nullptr) return;
-    for (const DimensionVariable& variable : dimension_variables(*dimension))
-      add_variable(dxf, variable.code, variable);
-    dxf.add_handle(340, text_style);
+// The one of factor 1, which is always there, and more of dimensions at other scales.
+void add_dimension_styles(DxfWriter& dxf, const std::vector<const sheet::DimensionObject*>& dimensions,
+                          int text_style) {
+  std::map<double, const sheet::DimensionObject*> styles{{1, dimensions.empty() ? nullptr : dimensions.front()}};
+  for (const sheet::DimensionObject* dimension : dimensions) styles.emplace(factor_of(*dimension), dimension);
+  add_table(dxf, "DIMSTYLE", styles.size(), [&](int table) {
+    for (const auto& [factor, dimension] : styles) {
+      begin_entry(dxf, "DIMSTYLE", table, "AcDbDimStyleTableRecord", dxf_dimension_style(factor));
+      if (dimension == nullptr) continue;
+      for (const DimensionVariable& variable : dimension_variables(*dimension, factor))
+        add_variable(dxf, variable.code, variable);
+      dxf.add_handle(340, text_style);
+    }
   });
 }
 
@@ -277,7 +288,7 @@ void add_blocks(DxfWriter& dxf, int model_space, const std::vector<DxfBlock>& bl
     dxf.add(2, blocks[i].name);
     constexpr int anonymous = 1;
     dxf.add(70, blocks[i].is_dimension ? anonymous : 0);
-    dxf.add(10, blocks[i].base);
+    dxf.add(10, Vec2(0, 0));  // FreeCAD and OpenSCAD take no other one into account
     dxf.add(30, 0);
     dxf.add(3, blocks[i].name);
     dxf.add(1, "");
@@ -291,6 +302,10 @@ void add_blocks(DxfWriter& dxf, int model_space, const std::vector<DxfBlock>& bl
 
 }  // namespace
 
+std::string dxf_dimension_style(double factor) {
+  return factor == 1 ? "STANDARD" : "TIMES-" + format_rounded(factor, 9);
+}
+
 int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std::string>& layers,
                    const std::vector<DxfBlock>& blocks, const std::function<void(std::size_t, int)>& add_entities) {
   const std::vector<LineType> types = line_types(sheet);
@@ -302,7 +317,7 @@ int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<
   const int text_style = add_text_styles(dxf, sheet.font.file.filename().string());
   for (const char* empty : {"VIEW", "UCS"}) add_table(dxf, empty, 0, [](int) {});
   add_table(dxf, "APPID", 1, [&](int table) { begin_entry(dxf, "APPID", table, "AcDbRegAppTableRecord", "ACAD"); });
-  add_dimension_styles(dxf, dimension_in(sheet, blocks), text_style);
+  add_dimension_styles(dxf, dimensions_in(sheet, blocks), text_style);
   const std::vector<DxfBlock> all = with_spaces(blocks);
   const std::size_t spaces = all.size() - blocks.size();
   const int model_space = add_block_records(dxf, all);
@@ -326,17 +341,18 @@ void add_dxf_objects(DxfWriter& dxf) {
   dxf.add(0, "EOF");
 }
 
-std::string dxf_header(const sheet::Sheet& sheet, const std::vector<DxfBlock>& blocks, int handles) {
-  DxfWriter dxf;
+std::string dxf_header(const sheet::Sheet& sheet, const std::vector<DxfBlock>& blocks, int handles,
+                       DxfVersion version) {
+  DxfWriter dxf(version);
   dxf.add(999, "epura");
-  if (!sheet.title.empty()) dxf.add(999, dxf_text(sheet.title));
+  if (!sheet.title.empty()) dxf.add(999, dxf_text(sheet.title, version));
   dxf.add(0, "SECTION");
   dxf.add(2, "HEADER");
   const auto variable = [&](std::string_view name, int code, const auto& value) {
     dxf.add(9, name);
     dxf.add(code, value);
   };
-  variable("$ACADVER", 1, "AC1015");
+  variable("$ACADVER", 1, version == DxfVersion::r2007 ? "AC1021" : "AC1015");
   variable("$DWGCODEPAGE", 3, "ANSI_1252");
   variable("$EXTMIN", 10, Vec2(0, 0));
   dxf.add(30, 0);
@@ -353,8 +369,8 @@ std::string dxf_header(const sheet::Sheet& sheet, const std::vector<DxfBlock>& b
   variable("$INSUNITS", 70, 4);     // millimetres
   variable("$LUNITS", 70, 2);       // decimal
   variable("$LWDISPLAY", 290, 1);
-  if (const sheet::DimensionObject* dimension = dimension_in(sheet, blocks))
-    for (const DimensionVariable& one : dimension_variables(*dimension)) {
+  if (const auto dimensions = dimensions_in(sheet, blocks); !dimensions.empty())
+    for (const DimensionVariable& one : dimension_variables(*dimensions.front(), 1)) {
       dxf.add(9, one.name);
       add_variable(dxf, one.is_length ? 40 : 70, one);
     }

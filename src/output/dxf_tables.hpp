@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything in a DXF file except its entities: AutoCAD 2000 (AC1015), the first version with line weights, which all
-// programs can read.
+// Everything in a DXF file except its entities.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +16,14 @@ namespace epura::output {
 /// this name, which has most characters.
 inline constexpr const char* dxf_text_style = "UNICODE";
 
-/// Name of the style of dimensions, with the sizes that they have on the sheet.
-inline constexpr const char* dxf_dimension_style = "STANDARD";
+/// Name of the style of dimensions that say so many times their length in the file. Styles have the sizes that
+/// dimensions have on the sheet.
+std::string dxf_dimension_style(double factor);
 
 /// A block with entities: a part of the drawing that other programs move as a whole.
 struct DxfBlock {
   std::string name;           ///< see dxf_names
-  Vec2 base;                  ///< the point by which it is moved, mm
+  Vec2 place;                 ///< where its origin stands on the sheet, mm
   bool is_dimension = false;  ///< it has the ink of a dimension
 };
 
@@ -38,6 +38,6 @@ int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<
 void add_dxf_objects(DxfWriter& dxf);
 
 /// Comments with the title, and the header of a file with this number of handles: millimetres, line type scale 1.
-std::string dxf_header(const sheet::Sheet& sheet, const std::vector<DxfBlock>& blocks, int handles);
+std::string dxf_header(const sheet::Sheet& sheet, const std::vector<DxfBlock>& blocks, int handles, DxfVersion version);
 
 }  // namespace epura::output

@@ -38,20 +38,27 @@ void append_escape(std::string& text, char32_t character) {
   text += "\\U+" + std::string(4 - digits.size(), '0') + digits;
 }
 
-std::string clean_name(std::string_view name) {
+bool is_control(char32_t c) { return c < U' ' || (c > '~' && c < U'\u00A0') || c == U'\u2028' || c == U'\u2029'; }
+
+// As it is, or as an escape for version 2000, whose files are ASCII.
+void append_character(std::string& text, char32_t character, DxfVersion version) {
+  if (is_control(character))
+    text += ' ';
+  else if (version == DxfVersion::r2000 && character > '~')
+    append_escape(text, character);
+  else
+    text += utf8(character);
+}
+
+std::string clean_name(std::string_view name, DxfVersion version) {
   constexpr std::u32string_view forbidden = U"<>/\\\":;?*|=,'`^%";
   std::u32string kept = beginning(name, 200);
   const auto first = kept.find_first_not_of(U' ');
   if (first == std::u32string::npos) return "layer";
   kept = kept.substr(first, kept.find_last_not_of(U' ') - first + 1);
   std::string clean;
-  for (const char32_t c : kept) {
-    if (c > '~') {
-      append_escape(clean, c);
-    } else {
-      clean += c < ' ' || forbidden.find(c) != std::u32string_view::npos ? '-' : static_cast<char>(c);
-    }
-  }
+  for (const char32_t c : kept)
+    append_character(clean, is_control(c) || forbidden.find(c) != std::u32string_view::npos ? U'-' : c, version);
   return clean;
 }
 
@@ -96,30 +103,41 @@ int DxfWriter::begin(std::string_view type, int owner, std::string_view first_cl
   return handle;
 }
 
-std::string dxf_text(std::string_view text) {
+std::string dxf_text(std::string_view text, DxfVersion version) {
   std::string line;
-  char32_t previous = 0;
-  for (const char32_t c : beginning(text, 256)) {
-    if (c > '~' || c == '\\') {
-      append_escape(line, c);
-    } else if (c == '^') {
+  const std::u32string all = beginning(text, 256);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::u32string_view rest = std::u32string_view(all).substr(i);
+    if (rest.starts_with(U"\\U+") || rest.starts_with(U"\\M+"))
+      append_escape(line, U'\\');  // as it is, it would begin such an escape
+    else if (rest.front() == U'^')
       line += "^ ";
-    } else if (c == '%' && previous == '%') {
+    else if (rest.front() == U'%' && i > 0 && all[i - 1] == U'%')
       line += "%%%";
-    } else {
-      line += c < ' ' ? ' ' : static_cast<char>(c);
-    }
-    previous = c;
+    else
+      append_character(line, rest.front(), version);
   }
   return line;
 }
 
-std::vector<std::string> dxf_names(const std::vector<std::string>& names, const std::vector<std::string>& taken) {
+std::string dxf_paragraph(std::string_view text, DxfVersion version) {
+  std::string escaped;
+  const std::string line = dxf_text(text, version);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool is_escape = std::string_view(line).substr(i).starts_with("\\U+");
+    if (line[i] == '{' || line[i] == '}' || (line[i] == '\\' && !is_escape)) escaped += '\\';
+    escaped += line[i];
+  }
+  return escaped;
+}
+
+std::vector<std::string> dxf_names(const std::vector<std::string>& names, const std::vector<std::string>& taken,
+                                   DxfVersion version) {
   std::set<std::string> used;
   for (const std::string& name : taken) used.insert(to_lower(name));
   std::vector<std::string> clean;
   for (const std::string& name : names) {
-    const std::string wanted = clean_name(name);
+    const std::string wanted = clean_name(name, version);
     std::string unique = wanted;
     for (int number = 2; !used.insert(to_lower(unique)).second; ++number)
       unique = wanted + "-" + std::to_string(number);

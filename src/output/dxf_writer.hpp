@@ -8,12 +8,16 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "output/write.hpp"
 
 namespace epura::output {
 
 /// Appends groups: a code, which determines the type of the value, and the value.
 class DxfWriter {
  public:
+  explicit DxfWriter(DxfVersion version) : version_(version) {}
+
+  [[nodiscard]] DxfVersion version() const { return version_; }
   /// `text` is one line: see dxf_text and dxf_names.
   void add(int code, std::string_view text);
   void add(int code, int value);
@@ -35,17 +39,22 @@ class DxfWriter {
  private:
   void add_code(int code);
 
+  DxfVersion version_;
   std::string text_;
   int handles_ = 0;
 };
 
-/// One line of ASCII that DXF programs display as `text`: other characters as \U+XXXX (those above U+FFFF as U+FFFD),
-/// control characters as spaces, and nothing that would be read as a %%-code or ^-code. At most 256 characters, the
-/// limit of a TEXT.
-std::string dxf_text(std::string_view text);
+/// One line that DXF programs display as `text`: UTF-8, or for version 2000 ASCII with other characters as \U+XXXX
+/// (those above U+FFFF as U+FFFD); control characters as spaces, and nothing that would be read as a code that begins
+/// with %%, ^ or a backslash. At most 256 characters, the limit of a TEXT.
+std::string dxf_text(std::string_view text, DxfVersion version);
+
+/// The same for a text of several lines, in which backslashes and braces are commands.
+std::string dxf_paragraph(std::string_view text, DxfVersion version);
 
 /// Names for a symbol table: without characters that DXF forbids, unique regardless of case, and at most 200 characters
 /// long. `taken` are in the table already.
-std::vector<std::string> dxf_names(const std::vector<std::string>& names, const std::vector<std::string>& taken);
+std::vector<std::string> dxf_names(const std::vector<std::string>& names, const std::vector<std::string>& taken,
+                                   DxfVersion version);
 
 }  // namespace epura::output

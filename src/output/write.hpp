@@ -21,6 +21,33 @@ struct epura::scene::Words<epura::SvgText> {
 
 namespace epura::output {
 
+/// AutoCAD 2007 (AC1021), the first version with texts in UTF-8, or 2000 (AC1015), the first with line weights.
+enum class DxfVersion { r2007, r2000 };
+
+/// Arcs among other lines as bulges of their polylines, and ellipses as such; or all arcs as entities whose ends are
+/// those of their neighbours, and ellipses as polylines, for programs that do not know the others.
+enum class DxfArcs { bulges, entities };
+
+/// Dashes as a property of their line, or each as a stroke of its own (sheet/real_dashes.hpp).
+enum class Strokes { dashed, real };
+
+}  // namespace epura::output
+
+template <>
+struct epura::scene::Words<epura::output::DxfVersion> {
+  static constexpr std::array list{"2007", "2000"};
+};
+template <>
+struct epura::scene::Words<epura::output::Strokes> {
+  static constexpr std::array list{"dashed", "real"};
+};
+template <>
+struct epura::scene::Words<epura::output::DxfArcs> {
+  static constexpr std::array list{"bulges", "entities"};
+};
+
+namespace epura::output {
+
 /// What is one entity in DXF, instead of single lines, fills and texts.
 struct DxfEntities {
   bool dimensions = false, hatches = false;
@@ -32,6 +59,9 @@ struct VectorOptions {
   std::optional<int> decimals{};  ///< of coordinates in millimetres, SVG only; usually 4: no point is off by more than
                                   ///< 0.0001 mm
   SvgText text = SvgText::outlines;
+  Strokes strokes = Strokes::dashed;  ///< of all formats with lines
+  DxfVersion dxf_version = DxfVersion::r2007;
+  DxfArcs dxf_arcs = DxfArcs::bulges;
   bool dxf_blocks = false;  ///< DXF: each view is a block
   DxfEntities dxf_entities{};
   bool is_inline = false;   ///< SVG as an element of an HTML page, as wide as what contains it
@@ -62,7 +92,7 @@ std::string to_pdf(const Pages& sheets, const Progress& progress = {});
 std::string to_ps(const Pages& sheets, const Progress& progress = {});
 std::string to_eps(const sheet::Sheet& sheet, const Progress& progress = {});
 std::string to_png(const sheet::Sheet& sheet, double dpi, const Progress& progress = {});
-/// AutoCAD 2000 (AC1015), in millimetres.
+/// In millimetres.
 std::string to_dxf(const sheet::Sheet& sheet, const VectorOptions& options = {}, const Progress& progress = {});
 
 /// One self-contained page for a browser: the sheets, and what is known of their lines. Several sheets become one page.

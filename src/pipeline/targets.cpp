@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "sheet/real_dashes.hpp"
 
 namespace epura::pipeline {
 
@@ -18,8 +19,12 @@ namespace {
 std::string encode(const output::Format& format, std::span<const FinishedSheet> sheets,
                    const output::VectorOptions& options, const report::Report& report, const Progress& progress) {
   output::FileContent content{{}, options, report};
-  for (const FinishedSheet& sheet : sheets)
-    content.sheets.push_back({sheet.sheet, sheet.scale, sheet.drawings, sheet.answers});
+  std::vector<sheet::Sheet> real;
+  if (options.strokes == output::Strokes::real)
+    for (const FinishedSheet& sheet : sheets) real.push_back(sheet::with_real_dashes(sheet.sheet));
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    content.sheets.push_back(
+        {real.empty() ? sheets[i].sheet : real[i], sheets[i].scale, sheets[i].drawings, sheets[i].answers});
   return format.encode(content, progress);
 }
 

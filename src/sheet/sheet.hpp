@@ -119,6 +119,7 @@ struct DimensionObject {
   double angle = 0;    ///< linear: of the dimension line, degrees counterclockwise; ordinate: of what is measured
   double oblique = 0;  ///< linear: angle of the extension lines to the dimension line if it is not 90 degrees
   double leader = 0;   ///< its length, mm
+  double value = 0;    ///< that is written, without tolerances, in the unit of the sheet; 0: an angle, or none
   std::string text{};
   Vec2 text_middle{0, 0};
   double text_height = 0, arrow = 0, gap = 0, overshoot = 0, above = 0;  ///< sizes of its parts, mm

@@ -141,6 +141,8 @@ struct Wishes {
     if (has('g')) vector.text = SvgText::text;
     vector.dxf_blocks = has('b');
     vector.dxf_entities = {has('D'), has('H')};
+    if (has('E')) vector.dxf_arcs = output::DxfArcs::entities;
+    if (has('O')) vector.dxf_version = output::DxfVersion::r2000;
     return vector;
   }
 };

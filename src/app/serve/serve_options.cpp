@@ -18,10 +18,11 @@ using Serve = ServeOptions;
 // Options that give the drawing other views, or views of something else than the whole models, or that other formats
 // than SVG have.
 bool is_for_other_drawings(const scene::OptionInfo& option) {
-  constexpr std::array<std::string_view, 14> others{
-      "-o,--output", "--format", "--views",  "--section",    "--detail",       "--explode",   "--break",
-      "--layout",    "--dpi",    "--inline", "--dxf-blocks", "--dxf-entities", "--max-error", "--density"};
-  return option.nature == scene::Nature::run || std::find(others.begin(), others.end(), option.flag) != others.end();
+  constexpr std::array<std::string_view, 12> others{"-o,--output", "--format",  "--views",     "--section",
+                                                    "--detail",    "--explode", "--break",     "--layout",
+                                                    "--dpi",       "--inline",  "--max-error", "--density"};
+  return option.nature == scene::Nature::run || option.flag.starts_with("--dxf-") ||
+         std::find(others.begin(), others.end(), option.flag) != others.end();
 }
 
 // "--title=Flange", as one word: no value is taken for an option or a model.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/error.hpp"
 #include "sheet/dimensions/forms.hpp"
@@ -42,6 +43,7 @@ PlacedDimension drawn(const Leader& leader, const MeasuredCircle& circle, const 
       DimensionObject{circle.is_radius ? DimensionShape::radius : DimensionShape::diameter, {circle.centre, tip}});
   if (!circle.is_radius) object.points[0] = circle.centre - circle.radius * direction;
   object.leader = std::abs(length);
+  object.value = circle.value;
   return dimension;
 }
 
@@ -59,7 +61,9 @@ void add_across(std::vector<DimensionPlacement>& placements, const MeasuredCircl
   for (int place = 0; place < text_places; ++place) {
     placements.push_back(
         {straight_dimension(length, text, 0, place, style), cost_of_crossing_it + slope_cost(angle) + 0.1 * place});
-    placements.back().dimension.objects = {{DimensionShape::diameter, {length.to, length.from}}};
+    DimensionObject object{DimensionShape::diameter, {length.to, length.from}};
+    object.value = circle.value;
+    placements.back().dimension.objects = {std::move(object)};
   }
 }
 

@@ -493,6 +493,7 @@ void add_to(Layer& layer, PlacedDimension dimension, const std::string& text, co
       object.text = text;
       object.text_middle = dimension.text_boxes.front().centre;
     }
+    object.value /= scene::millimetres(style.notation.unit);
     object.text_height = style.text;
     object.arrow = style.arrow();
     object.gap = style.gap();

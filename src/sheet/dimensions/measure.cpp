@@ -86,6 +86,7 @@ MeasuredDimension length_between(const AnchoredDimension& dimension, const Sight
                                  double value) {
   const Vec2 from = sight.page(dimension.points[0]), to = sight.page(dimension.points[1]);
   MeasuredLength length{from, to, along, left_of(along)};
+  length.value = value;
   if (!halve(length, sight, {sight.whole_page(dimension.points[0]), sight.whole_page(dimension.points[1])}))
     for (const Vec3& end : dimension.points) expect_shown(dimension, sight, end);
   return {length, with_text(dimension, {value}, sight.notation), dimension.offset};
@@ -139,6 +140,7 @@ MeasuredDimension measure_row(const AnchoredDimension& dimension, const Sight& s
     DimensionText text(is_origin ? "0" : is_negative ? "-" : "");
     if (!is_origin) text.add(with_text(dimension, {std::abs(length)}, sight.notation));
     row.texts.push_back(text);
+    row.values.push_back(std::abs(length));
     if (!is_origin) all.add((all.pieces.empty() ? "" : ", ") + text.line());
   }
   check(row.texts.size() + (is_chain ? 1 : 0) == row.places.size(), "a row has a text for each place or step");
@@ -224,6 +226,7 @@ void keep_shown_arc(MeasuredCircle& measured, const drawing::Breaks& breaks, con
 MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, const AnchoredDimension& dimension) {
   MeasuredCircle measured{sight.page(circle.centre), circle.radius * sight.millimetres(),     0,
                           2 * std::numbers::pi,      dimension.type == DimensionType::radius, dimension.is_label};
+  measured.value = measured.is_radius ? circle.radius : 2 * circle.radius;
   if (circle.whole && sight.drawing.breaks.any()) keep_shown_arc(measured, sight.drawing.breaks, circle, sight);
   if (circle.whole) return measured;
   std::optional<Vec2> before;
@@ -260,6 +263,7 @@ MeasuredDimension diameter_edge_on(const AnchoredDimension& dimension, const Wor
   const Vec2 along = glm::normalize(sight.page_of(across));
   const Vec3 one = circle.centre - across, other = circle.centre + across;
   MeasuredLength length{sight.page(one), sight.page(other), along, left_of(along)};
+  length.value = 2 * circle.radius;
   if (!halve(length, sight, {sight.whole_page(one), sight.whole_page(other)})) {
     expect_shown(dimension, sight, one);
     expect_shown(dimension, sight, other);
@@ -346,6 +350,7 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
                            : dimension.form == design::ExtentForm::sphere ? "S" + sight.notation.diameter
                                                                           : sight.notation.diameter;
   MeasuredLength length{ends[0], ends[1], along, left_of(along)};
+  length.value = value;
   halve(length, sight, whole_ends);
   return {length, with_text(dimension, {value, sign}, sight.notation), dimension.offset};
 }

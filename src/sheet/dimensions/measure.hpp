@@ -23,6 +23,7 @@ struct MeasuredLength {
   Vec2 extension;                                 ///< direction of the extension lines, to either side; length 1
   std::optional<std::array<Vec2, 2>> opposite{};  ///< where they begin if the dimension line is above or on the left
   std::optional<bool> open{};  ///< only one end is shown, as in half views: true if `to` is where the line breaks off
+  double value = 0;            ///< in the world, mm
 };
 
 /// Lengths from one place to others along one direction, arranged together. Millimetres on paper.
@@ -33,6 +34,7 @@ struct MeasuredRow {
   std::vector<DimensionText> texts;  ///< of each place, its length; of a chain, the length to the next one
   DimensionArrangement arrangement;
   std::optional<std::vector<Vec2>> opposite{};  ///< the places for dimension lines above or on the left
+  std::vector<double> values{};                 ///< of each text, mm
 
   [[nodiscard]] double size() const { return glm::dot(places.back() - places.front(), along); }
 };
@@ -51,6 +53,7 @@ struct MeasuredCircle {
   double first, sweep;    ///< radians: where an arc begins and its extent; 2 pi for a whole circle
   bool is_radius;         ///< whether the radius is measured; otherwise the diameter
   bool is_label = false;  ///< whether the text is only a name beside the circle
+  double value = 0;       ///< in the world, mm
 };
 
 struct MeasuredDimension {

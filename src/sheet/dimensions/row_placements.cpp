@@ -112,6 +112,7 @@ class RowDrawer {
     DimensionObject& object = drawn_.objects.emplace_back(DimensionObject{shape, std::move(points)});
     object.angle = std::abs(row_.along.x) > std::abs(row_.along.y) ? 0 : 90;
     object.text = row_.texts[number].line();
+    object.value = row_.values[number];
     object.text_middle = middles_[number];
   }
 

@@ -66,6 +66,7 @@ double degrees_of(const Vec2& direction) { return portable_atan2(direction.y, di
 
 DimensionObject object_of(const MeasuredLength& length, const std::array<Vec2, 2>& ends, const DimensionLine& base) {
   DimensionObject object{DimensionShape::linear, {ends[0], ends[1], base.high}, degrees_of(base.read)};
+  object.value = length.value;
   const Vec2 leaning = reading_direction(length.extension);
   if (std::abs(glm::dot(leaning, base.read)) > 1e-9) object.oblique = degrees_of(leaning);
   return object;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "dxf_reader.hpp"
 #include "output/write.hpp"
@@ -95,12 +96,34 @@ TEST(DxfDimensions, HaveABlockWithTheirInk) {
   EXPECT_EQ(dimension.point(13), Vec2(50, 50));
   EXPECT_EQ(dimension.point(14), Vec2(70, 55));
   EXPECT_EQ(dimension.point(10), Vec2(70, 60));
-  EXPECT_EQ(dimension.text(1), "20 \\U+007B\\U+2300\\U+007D");
+  EXPECT_EQ(dimension.text(1), "20 \\{⌀\\}");
   const DxfRecord style = table_of(dxf, "DIMSTYLE")[0];
   EXPECT_EQ(style.number(140), 3.5);
   // Its handle has a code of its own.
   EXPECT_EQ(style.all(105).size(), 1U);
   EXPECT_TRUE(style.all(5).empty());
+}
+
+// At 1:2, 20 mm in the file stand for 40 mm of the part, in inches for 40 / 25.4.
+TEST(DxfDimensions, MeasureWhatTheySay) {
+  sheet::Layer layer = dimension_layer();
+  layer.dimensions[0].value = 40;
+  sheet::DimensionObject radius = layer.dimensions[0];
+  radius.shape = sheet::DimensionShape::radius;
+  radius.points = {{3, 4}, {6, 8}};
+  radius.value = 5;  // at 1:1
+  radius.strokes = radius.fills = radius.texts = {3, 3};
+  radius.fills = radius.texts = {2, 2};
+  layer.dimensions.push_back(radius);
+  const std::string dxf = output::to_dxf(sheet_with(layer), {.dxf_entities = {true, false}});
+  std::map<std::string, std::string> factors;
+  for (const DxfRecord& style : table_of(dxf, "DIMSTYLE")) factors[style.text(2)] = style.text(144);
+  EXPECT_EQ(factors, (std::map<std::string, std::string>{{"STANDARD", "1"}, {"TIMES-2", "2"}}));
+  std::vector<DxfRecord> dimensions = table_of(dxf, "DIMENSION");
+  ASSERT_EQ(dimensions.size(), 2U);
+  EXPECT_EQ(dimensions[0].text(3), "TIMES-2");
+  EXPECT_EQ(dimensions[0].text(42), "40");
+  EXPECT_EQ(dimensions[1].text(3), "STANDARD");
 }
 
 using Ezdxf = Rasters;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -230,9 +232,19 @@ TEST(DxfTexts, CannotBreakOut) {
   sheet.layers[0].name = "<script>&\"'/b\n0\nLINE" + std::string(10000, 'y');
   sheet.layers[1].name = "<SCRIPT>&\"'/b\n0\nLINE" + std::string(10000, 'Y');
   sheet.layers[0].texts = {{"one\n0\nLINE\\P%%u 100 %^J \xC3\xB8 \xF0\x9F\x98\x80 \xFF", {5, 5}, 3.5}};
+  const auto text_of = [&](output::DxfVersion version) {
+    std::string text;
+    for (const DxfRecord& record : dxf_records(output::to_dxf(sheet, {.dxf_version = version})))
+      if (record.type == "TEXT") text += record.text(1);
+    return text;
+  };
+  EXPECT_EQ(text_of(output::DxfVersion::r2007), "one 0 LINE\\P%%%%u 100 %^ J \xC3\xB8 \xF0\x9F\x98\x80 \xEF\xBF\xBD");
+  EXPECT_EQ(text_of(output::DxfVersion::r2000), "one 0 LINE\\P%%%%u 100 %^ J \\U+00F8 \\U+FFFD \\U+FFFD");
+  // An escape in the text is not one of the file.
+  EXPECT_EQ(output::dxf_text("C:\\U+0041 \xC2\x85 \xE2\x80\xA8", output::DxfVersion::r2007), "C:\\U+005CU+0041    ");
+  EXPECT_EQ(output::dxf_paragraph("{a}\\P \\U+0041", output::DxfVersion::r2007), "\\{a\\}\\\\P \\U+005CU+0041");
   const auto records = dxf_records(output::to_dxf(sheet));
   std::set<std::string> layers;
-  std::string text;
   int lines = 0, sections = 0;
   for (const DxfRecord& record : records) {
     lines += record.type == "LINE" ? 1 : 0;
@@ -242,9 +254,7 @@ TEST(DxfTexts, CannotBreakOut) {
       EXPECT_LT(record.text(2).size(), 256u);
       EXPECT_EQ(record.text(2).find_first_of("<>/\\\":;?*|=,'`"), std::string::npos);
     }
-    if (record.type == "TEXT") text += record.text(1);
   }
-  EXPECT_EQ(text, "one 0 LINE\\U+005CP%%%%u 100 %^ J \\U+00F8 \\U+FFFD \\U+FFFD");
   EXPECT_EQ(lines, 2);
   EXPECT_EQ(sections, 5);
 }
@@ -263,8 +273,10 @@ TEST(DxfTexts, StandWhereTheyBelong) {
 }
 
 TEST(DxfNames, AreCleanAndDifferent) {
-  EXPECT_EQ(output::dxf_names({"a/b", "A-B", "0", "", "  ", "\xC3\xA9"}, {"0"}),
+  const std::vector<std::string> names = {"a/b", "A-B", "0", "", "  ", "\xC3\xA9"};
+  EXPECT_EQ(output::dxf_names(names, {"0"}, output::DxfVersion::r2000),
             (std::vector<std::string>{"a-b", "A-B-2", "0-2", "layer", "layer-2", "\\U+00E9"}));
+  EXPECT_EQ(output::dxf_names(names, {"0"}, output::DxfVersion::r2007).back(), "\xC3\xA9");
 }
 
 // LibreCAD prints on paper of $PLIMMAX, without which it takes A4.
@@ -272,6 +284,99 @@ TEST(Dxf, StatesTheSizeOfThePaper) {
   const std::string dxf = output::to_dxf(random_sheet(420, 297));
   for (const char* name : {"$EXTMAX", "$LIMMAX", "$PLIMMAX"})
     EXPECT_NE(dxf.find(std::string("\n") + name + "\n10\n420\n20\n297\n"), std::string::npos) << name;
+}
+
+TEST(Dxf, StatesTheVersionOfItsTexts) {
+  const sheet::Sheet sheet = random_sheet(100, 100, 1);
+  EXPECT_NE(output::to_dxf(sheet).find("\n$ACADVER\n1\nAC1021\n"), std::string::npos);
+  EXPECT_NE(output::to_dxf(sheet, {.dxf_version = output::DxfVersion::r2000}).find("\n$ACADVER\n1\nAC1015\n"),
+            std::string::npos);
+}
+
+// Ends of lines, and those of arcs as a program computes them from the file.
+std::vector<std::array<Vec2, 2>> ends_of(const std::vector<DxfRecord>& entities) {
+  std::vector<std::array<Vec2, 2>> ends;
+  const std::vector<Ink> inks = ink_of(entities);
+  for (std::size_t i = 0; i < entities.size(); ++i) {
+    const DxfRecord& one = entities[i];
+    const auto on_arc = [&](int code) {
+      const double angle = one.number(code) * pi / 180;
+      return one.point(10) + one.number(40) * Vec2(std::cos(angle), std::sin(angle));
+    };
+    if (one.type == "ARC")
+      ends.push_back({on_arc(50), on_arc(51)});
+    else
+      ends.push_back({inks[i].points.front(), inks[i].points.back()});
+  }
+  return ends;
+}
+
+// The corners of recognised arcs are not quite on them.
+TEST(DxfCurves, ArcsAsEntitiesEndWhereTheirNeighboursDo) {
+  sheet::Stroke slot{{{20, 70}, {50, 70}}, true};
+  const drawing::CurvePart right{2, 14, {80, 50}, {20, 0}, {0, 20}, pi / 2, -pi / 2};
+  for (const Vec2& p : corners_of(right)) slot.points.push_back(p);
+  slot.points[2] += Vec2(0.004, -0.007);
+  slot.points[14] += Vec2(-0.003, 0.005);
+  const drawing::CurvePart left{15, 27, {20, 50}, {20, 0}, {0, 20}, 1.5 * pi, pi / 2};
+  for (const Vec2& p : corners_of(left)) slot.points.push_back(p);
+  slot.points.pop_back();
+  slot.curves = {right, left};
+  const auto entities =
+      entities_of(output::to_dxf(one_stroke(slot), {.dxf_arcs = output::DxfArcs::entities}), "v-visible");
+  std::map<std::string, int> types;
+  for (const DxfRecord& one : entities) {
+    ++types[one.type];
+    EXPECT_TRUE(one.all(42).empty());
+  }
+  EXPECT_EQ(types["ARC"], 2);
+  EXPECT_EQ(types.count("ELLIPSE"), 0U);
+  const auto ends = ends_of(entities);
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    for (const Vec2& end : ends[i]) {
+      double nearest = 1;
+      for (std::size_t k = 0; k < ends.size(); ++k)
+        if (k != i) nearest = std::min({nearest, glm::distance(end, ends[k][0]), glm::distance(end, ends[k][1])});
+      EXPECT_LT(nearest, 1e-12);
+    }
+  for (const DxfRecord& one : entities)
+    if (one.type == "ARC") {
+      EXPECT_NEAR(one.number(40), 20, 0.01);
+      EXPECT_LT(std::min(glm::distance(one.point(10), right.centre), glm::distance(one.point(10), left.centre)), 0.01);
+    }
+}
+
+TEST(DxfCurves, EllipsesAmongEntitiesAreFinePolylines) {
+  const drawing::CurvePart curve{0, 12, {60, 70}, {30, 0}, {0, 10}, 0, 2 * pi};
+  sheet::Stroke stroke{corners_of(curve), true, {}, {}, {}, {}, {curve}};
+  stroke.points.pop_back();
+  const auto entities =
+      entities_of(output::to_dxf(one_stroke(stroke), {.dxf_arcs = output::DxfArcs::entities}), "v-visible");
+  ASSERT_EQ(entities.size(), 1U);
+  EXPECT_EQ(entities[0].type, "LWPOLYLINE");
+  const Ink ink = ink_of(entities)[0];
+  EXPECT_TRUE(ink.closed);
+  for (std::size_t i = 0; i < ink.points.size(); ++i) {
+    const Vec2 middle = (ink.points[i] + ink.points[(i + 1) % ink.points.size()]) / 2.0;
+    const Vec2 p = (middle - curve.centre) / Vec2(30, 10);
+    EXPECT_GT(glm::length(p), 1 - 0.001 / 10);  // no more than 0.001 mm inside
+  }
+}
+
+TEST(Dxf, BlocksHaveCoordinatesOfTheirOwn) {
+  sheet::Sheet sheet{297, 210, "", {{"top/hatch", {"hatch", 0.25}, {{{{12, 20}, {30, 40}}}}}}};
+  sheet.layers[0].hatched.push_back(
+      {{{{{10, 20}, {30, 20}, {30, 40}}}}, HatchPattern::steel, 0, 3, {{0, 3, 25}}, {1, 1}});
+  sheet.views = {{"top", "top", "1:1", {10, 20}, {30, 40}}};
+  const std::string dxf = output::to_dxf(sheet, {.dxf_blocks = true, .dxf_entities = {false, true}});
+  for (const DxfRecord& block : table_of(dxf, "BLOCK")) EXPECT_EQ(block.point(10), Vec2(0, 0));
+  EXPECT_EQ(table_of(dxf, "INSERT").at(0).point(10), Vec2(20, 30));
+  const DxfRecord line = table_of(dxf, "LINE").at(0), hatch = table_of(dxf, "HATCH").at(0);
+  EXPECT_EQ(line.point(10), Vec2(-8, -10));
+  EXPECT_EQ(line.point(11), Vec2(10, 10));
+  // Its line at y = 25 is 5 mm below the middle of the view.
+  EXPECT_NEAR(number_in(hatch.all(44).back()), -5, 1e-12);
+  EXPECT_EQ(hatch.all(10).at(1), "-10");
 }
 
 TEST(Dxf, ViewsAreBlocksOnRequest) {
