@@ -14,23 +14,12 @@
 #include "base/text.hpp"
 #include "mesh/edge_table.hpp"
 #include "scene/body_styles.hpp"
+#include "world/explosion_order.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::world {
 
 namespace {
-
-/// A body of a model, and its move.
-struct MovedBody {
-  Box box{};
-  Vec3 axis{0.0};     ///< of its largest cylinder; zero if there is none
-  Vec3 on_axis{0.0};  ///< a point of that axis
-  double radius = 0;  ///< of that cylinder
-  Vec3 move{0.0};
-  std::optional<bool> traced{};  ///< as given
-};
-
-using Bodies = std::vector<std::vector<MovedBody>>;  // by model
 
 double size_of(const MovedBody& body) {
   const Vec3 size = body.box.size();
@@ -79,6 +68,16 @@ Vec3 outward_move(const MovedBody& body, const Vec3& middle, double factor) {
   return move;
 }
 
+std::vector<std::string> names_in(const World& world, std::span<const std::string> models) {
+  std::vector<std::string> names(models.begin(), models.end());
+  for (const Placed& placed : world.models)
+    for (int body = 0; body < placed.mesh->report.bodies; ++body)
+      if (const std::string& name = scene::name_of_body(*placed.mesh, body);
+          !name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
+  return names;
+}
+
 void add_move(Bodies& bodies, const World& world, const scene::ExplodeDescription& one,
               std::span<const std::string> names) {
   scene::StyleDescription pattern;
@@ -93,11 +92,12 @@ void add_move(Bodies& bodies, const World& world, const scene::ExplodeDescriptio
         continue;
       any = true;
       body.move += one.move.given() ? *one.move : outward_move(body, middle, *one.factor);
+      body.factor = one.move.given() ? 0 : *one.factor;
       if (one.trace.given()) body.traced = one.trace.value;
     }
   if (!any)
     throw Error(ErrorKind::input, one.match.where, "no body or model is called '" + *one.match + "'",
-                "`epura info` shows the names of bodies");
+                did_you_mean(*one.match, names_in(world, names)));
 }
 
 /// A mesh whose vertices each belong to bodies with the same move. Vertices that others share have copies at the end.
@@ -197,13 +197,13 @@ Trace clipped(const Trace& line, const Box& box) {
 // Along the axis of the body if it moves along that.
 std::optional<Trace> trace_of(const MovedBody& body) {
   constexpr double parallel = 1e-6;
-  if (body.move == Vec3(0) || !body.traced.value_or(true)) return std::nullopt;
+  const Vec3 way = body.move - body.start;
+  if (way == Vec3(0) || !body.traced.value_or(true)) return std::nullopt;
   const Vec3 middle = body.box.centre();
-  const bool along =
-      body.radius > 0 && glm::length(glm::cross(body.move, body.axis)) <= parallel * glm::length(body.move);
+  const bool along = body.radius > 0 && glm::length(glm::cross(way, body.axis)) <= parallel * glm::length(way);
   if (!along && !body.traced) return std::nullopt;
   const Vec3 from = along ? body.on_axis + glm::dot(middle - body.on_axis, body.axis) * body.axis : middle;
-  return Trace{from, from + body.move};
+  return Trace{from + body.start, from + body.move};
 }
 
 }  // namespace
@@ -212,6 +212,7 @@ ExplodedWorld explode_world(const World& world, std::span<const scene::ExplodeDe
                             std::span<const std::string> names) {
   Bodies bodies = bodies_of(world);
   for (const scene::ExplodeDescription& one : moves) add_move(bodies, world, one, names);
+  order_by_holes(world, bodies);
   std::vector<Placed> placed = world.models;
   for (std::size_t m = 0; m < placed.size(); ++m)
     if (!bodies[m].empty()) move_model(placed[m], bodies[m]);
