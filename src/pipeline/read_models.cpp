@@ -13,6 +13,7 @@
 #include "base/text.hpp"
 #include "mesh/read.hpp"
 #include "pipeline/choose.hpp"
+#include "pipeline/item_names.hpp"
 #include "pipeline/kept_models.hpp"
 #include "pipeline/layout.hpp"
 #include "pipeline/omit_bodies.hpp"
@@ -62,19 +63,6 @@ void doubt_size(const Messages& messages, const world::World& world, const std::
   messages.warn(without_unit + " has no unit and is dimensioned in millimetres: the largest size is " +
                 size_text(largest) + " mm\n  hint: --unit m or --unit in, if that is too " +
                 (largest < least ? "small" : "large"));
-}
-
-// A misspelt pattern must not pass for a drawing without such bodies.
-void warn_about_idle(const Messages& messages, const scene::SceneDescription& scene, const world::World& world) {
-  for (const scene::StyleDescription& style : scene.styles) {
-    bool any = false;
-    for (std::size_t i = 0; i < scene.models.size() && !any; ++i) {
-      const mesh::Mesh& mesh = *world.models[i].mesh;
-      for (int body = 0; body < mesh.report.bodies && !any; ++body)
-        any = scene::matches(style, mesh, body, scene::name_of(scene.models[i]));
-    }
-    if (!any) messages.warn(style.match.where + ": no body or model is called '" + *style.match + "'");
-  }
 }
 
 // The user's statements about a file take precedence over those in the file.
@@ -210,27 +198,33 @@ ReadWorld read_models(const scene::SceneDescription& scene, const Reading& readi
   std::vector<std::vector<importer::BodyPart>> parts;
   KeptModels own;
   KeptModels& kept = reading.kept == nullptr ? own : *reading.kept;
+  std::vector<KeptModel> all;
+  std::vector<Mat4> places;
   for (const scene::ModelDescription& description : models) {
+    all.push_back(model_of(description, reading, kept, progress));
+    places.push_back(place_of(description, all.back().rest));
+  }
+  BodyPatterns patterns = with_item_names(scene, all, places, messages);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const scene::ModelDescription& description = models[i];
     // Models that are not drawn keep their numbers.
     const bool drawn = is_drawn(description);
-    KeptModel model = model_of(description, reading, kept, progress);
-    const Mat4 place = place_of(description, model.rest);
+    KeptModel model = std::move(all[i]);
     if (drawn && description.soup == nullptr && without_unit.empty() && !description.unit.given() && !model.rest.unit)
       without_unit = model.mesh->report.name;
     std::vector<scene::StyleDescription> styles =
-        scene::styles_of_bodies(*model.mesh, scene::name_of(description), scene.styles);
+        scene::styles_of_bodies(*model.mesh, scene::name_of(description), patterns.styles);
     model = leave_out(std::move(model), styles);
     parts.push_back(std::move(model.rest.body_parts));
-    placed.push_back({std::move(model.mesh), place, {}, std::move(styles)});
+    placed.push_back({std::move(model.mesh), places[i], {}, std::move(styles)});
     if (!drawn) continue;
     if (description.surfaces.value_or(Surfaces::automatic) == Surfaces::automatic) placed.back().part = model.rest.part;
     reports.push_back(placed.back().mesh->report);
     warn_about(messages, reports.back(), says_wires);
   }
   world::World world = world::make_world(std::move(placed), wants_wires(scene));
-  warn_about_idle(messages, scene, world);
   if (!scene.dimensions.empty()) doubt_size(messages, world, without_unit);
-  return {std::move(world), std::move(parts)};
+  return {std::move(world), std::move(parts), std::move(patterns.explosions)};
 }
 
 }  // namespace epura::pipeline

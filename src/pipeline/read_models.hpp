@@ -28,6 +28,7 @@ Reading reading_of(const scene::SceneDescription& scene, const RunOptions& optio
 struct ReadWorld {
   world::World world;
   std::vector<std::vector<importer::BodyPart>> parts{};  ///< of the bodies of each model
+  std::vector<scene::ExplodeDescription> explosions{};   ///< of the scene, for bodies by their own names
 };
 
 /// Reads and positions the models; appends a report for each to `reports`. Reports repairs. Faces of parts are those

@@ -80,7 +80,7 @@ Options<StyleDescription> style_options() {
   return {
       option<Style>({.key = "match",
                      .help = "names of bodies or models: `*` stands for any text, `?` for one character; names as "
-                             "`epura info` shows them",
+                             "`epura info` or the parts list shows them",
                      .required = true},
                     &Style::match, any_text()),
       option<Style>({.key = "line", .help = "style of the visible lines", .usual = "the model's"}, &Style::line,

@@ -132,5 +132,37 @@ TEST_F(Exploded, ThatMakesNoSenseIsRefused) {
       "view 'top' is exploded and has no dimensions");
 }
 
+// Bodies without names have those of the parts list in patterns.
+TEST_F(Exploded, BodiesAreKnownByTheNamesOfThePartsList) {
+  const std::string bodies = box("", 0, 0, 0, 1) +
+                             "v 40 0 0\nv 50 0 0\nv 50 10 0\nv 40 10 0\nv 40 0 9\nv 50 0 9\nv 50 10 9\nv 40 10 9\n"
+                             "f 12 11 10 9\nf 13 14 15 16\nf 9 10 14 13\nf 10 11 15 14\nf 11 12 16 15\nf 12 9 13 16\n";
+  folder.file("two.obj", bodies.substr(bodies.find('\n') + 1));
+  const std::string scene = "[[model]]\nfile = 'two.obj'\n" + sheet + "[[view]]\nprojection = 'front'\n";
+  const auto width = [&](const std::string& file) {
+    double min = 1e9, max = -1e9;
+    const Json json = JsonReader(read_file(folder / file)).read();
+    for (const Json& segment : json["views"].items[0]["segments"].items)
+      for (const char* end : {"from", "to"}) {
+        min = std::min(min, segment[end].items[0].number());
+        max = std::max(max, segment[end].items[0].number());
+      }
+    return max - min;
+  };
+  const Outcome all = draw(scene, "a");
+  ASSERT_EQ(all.code, 0) << all.err;
+  EXPECT_NEAR(width("a.json"), 50, 1e-6);
+  const Outcome one = draw(scene + "[[style]]\nmatch = 'two 2'\ndrawn = false\n", "b");
+  ASSERT_EQ(one.code, 0) << one.err;
+  EXPECT_FALSE(contains(one.err, "no body or model")) << one.err;
+  EXPECT_NEAR(width("b.json"), 20, 1e-6);
+  const Outcome apart = draw(scene + "[[explode]]\nmatch = 'two 2'\nmove = [30, 0, 0]\n", "c");
+  ASSERT_EQ(apart.code, 0) << apart.err;
+  EXPECT_NEAR(width("c.json"), 80, 1e-6);
+  const Outcome wrong = draw(scene + "[[style]]\nmatch = 'tow 2'\ndrawn = false\n", "d");
+  EXPECT_TRUE(contains(wrong.err, "no body or model is called 'tow 2'")) << wrong.err;
+  EXPECT_TRUE(contains(wrong.err, "did you mean 'two 2'?")) << wrong.err;
+}
+
 }  // namespace
 }  // namespace epura::test
