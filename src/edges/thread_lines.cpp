@@ -13,6 +13,7 @@
 #include "base/portable_math.hpp"
 #include "design/place_threads.hpp"
 #include "design/round_faces.hpp"
+#include "edges/material_along.hpp"
 
 namespace epura::edges {
 
@@ -22,6 +23,8 @@ constexpr double along_axis = 1e-6;  // sine
 constexpr int arc_parts = 108;
 // Degrees: the part of a circle that is open is in the upper right quadrant, and its ends do not meet centre lines.
 constexpr double arc_begin = 95, arc_sweep = 270;
+constexpr double at_end = 1e-3;  // what is this near to an end of a thread, in its lengths, or to its axis, is at it
+constexpr int halvings = 20;     // with which the end of an arc is found
 constexpr double largest_depth = 0.5;  // of a thread in the drawing, relative to its radius
 // A chamfer of a thread ends near its root, relative to the radius there: others are cones of their own.
 constexpr double least_chamfer = 0.8, widest_countersink = 1.15;
@@ -41,30 +44,63 @@ struct SeenThread {
 
 class ThreadLines {
  public:
-  ThreadLines(view::ProjectedScene& view, FeatureEdges& drawn) : view_(view), drawn_(drawn) {}
+  ThreadLines(const world::World& world, view::ProjectedScene& view, FeatureEdges& drawn)
+      : world_(world), view_(view), drawn_(drawn) {}
 
   void add(const SeenThread& thread) {
     const Vec3& n = view_.projection.n;
-    if (glm::length(glm::cross(n, thread.axis())) <= along_axis)
-      add_along(thread);
-    else if (std::abs(glm::dot(n, thread.axis())) <= along_axis)
-      add_across(thread);
+    const bool is_along = glm::length(glm::cross(n, thread.axis())) <= along_axis;
+    if (!is_along && std::abs(glm::dot(n, thread.axis())) > along_axis) return;
+    const BodyAxis axis{thread.round.at(0), thread.axis()};
+    const MaterialAlong material(world_, thread.model, thread.triangle, axis, std::min(thread.root, thread.crest()));
+    if (is_along)
+      add_along(thread, material);
+    else
+      add_across(thread, material);
   }
 
  private:
   // At the end that is nearer to the viewer.
-  void add_along(const SeenThread& thread) {
+  void add_along(const SeenThread& thread, const MaterialAlong& material) {
     const bool high = glm::dot(thread.axis(), view_.projection.n) > 0;
-    const Vec3 centre = thread.round.at(high ? thread.high : thread.low);
-    const auto at = [&](int i) {
-      const double angle = (arc_begin + arc_sweep * i / arc_parts) * std::numbers::pi / 180;
-      return centre +
+    const auto place = [&](double height, double degrees) {
+      const double angle = degrees * std::numbers::pi / 180;
+      return thread.round.at(height) +
              thread.root * (portable_cos(angle) * view_.projection.u + portable_sin(angle) * view_.projection.v);
     };
-    for (int i = 0; i < arc_parts; ++i) add_line(thread, EdgeKind::thread, {at(i), at(i + 1)});
+    const auto at = [&](double degrees) { return place(high ? thread.high : thread.low, degrees); };
+    const auto angle_of = [](int i) { return arc_begin + arc_sweep * i / arc_parts; };
+    const auto is_there_at = [&](double height, double degrees) {
+      const auto spans = material.at(place(height, degrees));
+      return !spans || holds(*spans, height);
+    };
+    const auto all_at = [&](double height) {
+      std::vector<bool> there;
+      for (int i = 0; i <= arc_parts; ++i) there.push_back(is_there_at(height, angle_of(i)));
+      return there;
+    };
+    const double from = thread.round.from, to = thread.round.to;
+    check(from < to, "a thread has a length");
+    double height = high ? to - at_end * (to - from) : from + at_end * (to - from);
+    std::vector<bool> there = all_at(height);
+    // An end in an inclined face has little material around it.
+    if (std::count(there.begin(), there.end(), true) <= arc_parts / 2) there = all_at(height = (from + to) / 2);
+    for (std::size_t i = 0; i < std::size_t{arc_parts}; ++i) {
+      double begin = angle_of(static_cast<int>(i)), end = angle_of(static_cast<int>(i) + 1);
+      if (!there[i] && !there[i + 1]) continue;
+      if (there[i] != there[i + 1]) {
+        double in = there[i] ? begin : end, out = there[i] ? end : begin;
+        for (int step = 0; step < halvings; ++step) {
+          const double middle = (in + out) / 2;
+          (is_there_at(height, middle) ? in : out) = middle;
+        }
+        (there[i] ? end : begin) = in;
+      }
+      add_line(thread, EdgeKind::thread, {at(begin), at(end)});
+    }
   }
 
-  void add_across(const SeenThread& thread) {
+  void add_across(const SeenThread& thread, const MaterialAlong& material) {
     const Vec3& n = view_.projection.n;
     const Vec3 aside = glm::normalize(glm::cross(n, thread.axis()));
     const bool internal = thread.thread.internal;
@@ -74,10 +110,26 @@ class ThreadLines {
       return thread.round.at(height) + to_side * aside + towards * n;
     };
     for (const double side : {-root, root})
-      add_line(thread, EdgeKind::thread, {at(thread.low, side, in_front), at(thread.high, side, in_front)});
+      // Behind the plane of the axis, which may be that of a section.
+      for (const auto& [low, high] : parts_in(material.at(at(0, side, -at_end * crest)), thread))
+        add_line(thread, EdgeKind::thread, {at(low, side, in_front), at(high, side, in_front)});
     if (!thread.end) return;
     const double half = internal ? root : crest, towards = internal ? 0 : crest;
     add_line(thread, EdgeKind::thread_end, {at(*thread.end, -half, towards), at(*thread.end, half, towards)});
+  }
+
+  // The parts of the line of a root that are in the material; its ends are where the surface ends.
+  static std::vector<std::array<double, 2>> parts_in(const std::optional<std::vector<std::array<double, 2>>>& spans,
+                                                     const SeenThread& thread) {
+    if (!spans) return {{thread.low, thread.high}};
+    const double slack = at_end * (thread.high - thread.low);
+    std::vector<std::array<double, 2>> parts;
+    for (const auto& [from, to] : *spans) {
+      const double low = from < thread.low + slack ? thread.low : from,
+                   high = to > thread.high - slack ? thread.high : to;
+      if (high - low > slack) parts.push_back({low, high});
+    }
+    return parts;
   }
 
   void add_line(const SeenThread& thread, EdgeKind kind, const std::array<Vec3, 2>& ends) {
@@ -89,6 +141,7 @@ class ThreadLines {
     drawn_.edges.push_back({part->vertex, part->t, kind, thread.model, -1, crossing});
   }
 
+  const world::World& world_;
   view::ProjectedScene& view_;
   FeatureEdges& drawn_;
 };
@@ -228,7 +281,7 @@ void add_thread_lines(const world::World& world, view::ProjectedScene& view, dou
     std::erase_if(drawn.edges, [&](const FeatureEdge& edge) {
       return std::binary_search(circles.begin(), circles.end(), MeshEdgeOfModel{edge.model, edge.mesh_edge});
     });
-  ThreadLines lines(view, drawn);
+  ThreadLines lines(world, view, drawn);
   for_each_thread(
       world, depth, [&](const world::PlacedPart&, const SeenThread& thread) { lines.add(thread); },
       [](int, const world::PlacedPart&) {});

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "edges/material_along.hpp"
 #include "shapes.hpp"
 
 namespace epura::test {
@@ -125,6 +126,30 @@ TEST(ThreadLines, AreNoneInOtherViews) {
   oblique.projector = glm::normalize(oblique.n + 0.3 * oblique.u);
   EXPECT_TRUE(shaft.lines(EdgeKind::thread, oblique).empty());
   EXPECT_TRUE(shaft.lines(EdgeKind::thread, perspective({0, -90, 5}, Vec3(0), {0, -1, 0}, {0, 0, 1})).empty());
+}
+
+// A bar of 20 x 20 x 30 with a slot 4 wide and 6 deep in its left side, over the whole length.
+TEST(MaterialAlong, EndsWhereASlotBegins) {
+  Shape bar;
+  for (const double z : {0.0, 30.0})
+    for (const auto& [x, y] : {std::array{-10.0, -10.0},
+                               {10.0, -10.0},
+                               {10.0, 10.0},
+                               {-10.0, 10.0},
+                               {-10.0, 2.0},
+                               {-4.0, 2.0},
+                               {-4.0, -2.0},
+                               {-10.0, -2.0}})
+      bar.points.push_back({x, y, z});
+  bar.faces = {{7, 6, 5, 4, 3, 2, 1, 0}, {8, 9, 10, 11, 12, 13, 14, 15}};
+  for (int i = 0; i < 8; ++i) bar.faces.push_back({i, (i + 1) % 8, 8 + (i + 1) % 8, 8 + i});
+  const world::World world = world_of(bar);
+  const edges::MaterialAlong material(world, 0, 0, {Vec3(0), Vec3(0, 0, 1)}, 1);
+  using Spans = std::vector<std::array<double, 2>>;
+  EXPECT_EQ(material.at({3, 1, 5}), (Spans{{0, 30}}));
+  EXPECT_EQ(material.at({-9, 1, 5}), Spans{});
+  EXPECT_EQ(material.at({-9, 3, 5}), (Spans{{0, 30}}));
+  EXPECT_EQ(material.at({11, 0, 0}), Spans{});
 }
 
 }  // namespace
