@@ -410,6 +410,8 @@ CutWorld cut_by_plane(const world::World& world, const CuttingSurface& surface, 
   const Sides sides = find_sides(world, plane);
   const PlaneFrame frame(world, plane, sides.normalisation);
   Remainder remainder(world, surface);
+  // A plane in the joint of bodies shows those behind it without cutting any.
+  remainder.cuts = surface.beyond && std::any_of(sides.of.begin(), sides.of.end(), [](int side) { return side > 0; });
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
     progress.expect_time();
     ModelCut cut{world, model, frame, cut_mesh(world, model, sides)};
