@@ -391,9 +391,20 @@ Marks marks_of(const CentredView& view) {
   return marks;
 }
 
+// Whether a break leaves out all of a piece but what extends past its feature.
+bool is_left_out(const drawing::Breaks& breaks, const Piece& piece) {
+  const double overshoot = std::min(past_rim, (piece.to - piece.from) / 2);
+  const Vec2 from = piece.at(piece.from + overshoot), to = piece.at(piece.to - overshoot);
+  for (const int axis : {0, 1})
+    for (const drawing::LeftOut& strip : breaks.along[axis])
+      if (std::min(from[axis], to[axis]) > strip.from && std::max(from[axis], to[axis]) < strip.to) return true;
+  return false;
+}
+
 // What the breaks of a view leave of the pieces.
-std::vector<Piece> remaining(const drawing::Breaks& breaks, const std::vector<Piece>& pieces) {
+std::vector<Piece> remaining(const drawing::Breaks& breaks, std::vector<Piece> pieces) {
   if (!breaks.any()) return pieces;
+  std::erase_if(pieces, [&](const Piece& piece) { return is_left_out(breaks, piece); });
   std::vector<Piece> left;
   for (const Piece& piece : pieces)
     for (const auto& [from, to] : drawing::remaining_line(breaks, piece.at(piece.from), piece.at(piece.to))) {
