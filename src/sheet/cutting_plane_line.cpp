@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "sheet/dash.hpp"
+#include "sheet/dimensions/boxes.hpp"
 #include "sheet/furniture.hpp"
 #include "sheet/sight_arrows.hpp"
 
@@ -75,12 +76,13 @@ Vec2 sight_at(const Mat4& map, const scene::CuttingPlane& plane, const Vec2& alo
   return glm::dot(seen, Vec2(map * Vec4(plane.normal, 0))) > 0 ? -seen : seen;
 }
 
-std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const cut::CuttingSurface& surface, double height) {
+std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const cut::CuttingSurface& surface, double height,
+                              double farther) {
   if (!sees_edge_on(parent.projection, surface)) return std::nullopt;
   const Mat4& map = parent.world_to_page;
   const scene::CuttingPlane& plane = surface.plane;
   const auto direction = [&](const Vec3& v) { return Vec2(map * Vec4(v, 0)); };
-  const double past = (past_ink + wide_end) * height;
+  const double past = (past_ink + wide_end) * height + farther;
   const Vec2 along = glm::normalize(direction(along_trace(parent.projection, plane)));
   const Vec2 seen = sight_at(map, plane, along);
   Trace trace{{}, {}, {seen, seen}};
@@ -183,6 +185,42 @@ void add_leg(Layer& layer, const Vec2& from, const Vec2& to, const LineWidths& w
   layer.strokes.push_back(chain);
 }
 
+/// What a cutting-plane line consists of, as boxes.
+struct Marks {
+  std::vector<TurnedBox> arrows;  ///< and letters
+  std::vector<TurnedBox> legs;    ///< of the line itself, with its wide ends
+};
+
+Marks marks_of(const Layer& line) {
+  Marks marks;
+  for (const Stroke& stroke : line.strokes)
+    (stroke.dashes.dots > 0 ? marks.legs : marks.arrows).push_back(line_box(stroke.points[0], stroke.points[1]));
+  for (const Fill& fill : line.fills) {
+    check(!fill.rings.empty(), "arrows and wide ends have outlines");
+    const std::vector<Vec2>& ring = fill.rings.front();
+    Rectangle box{ring.front(), ring.front()};
+    for (const Vec2& p : ring) box = united(box, {p, p});
+    (ring.size() == 4 ? marks.legs : marks.arrows).push_back(turned_box(box));
+  }
+  for (const Text& letter : line.texts) {
+    // Capitals are hardly wider than high.
+    const Vec2 half = Vec2(static_cast<double>(letter.text.size()), 1) * letter.height / 2.0;
+    const Vec2 middle = letter.at + Vec2(0, letter.height / 2);
+    marks.arrows.push_back(turned_box({middle - half, middle + half}));
+  }
+  return marks;
+}
+
+// Lines may cross each other.
+bool do_meet(const Marks& a, const Marks& b) {
+  const auto any = [](const std::vector<TurnedBox>& some, const std::vector<TurnedBox>& others) {
+    return std::any_of(some.begin(), some.end(), [&](const TurnedBox& box) {
+      return std::any_of(others.begin(), others.end(), [&](const TurnedBox& other) { return overlap(box, other); });
+    });
+  };
+  return any(a.arrows, b.arrows) || any(a.arrows, b.legs) || any(a.legs, b.arrows);
+}
+
 }  // namespace
 
 bool sees_edge_on(const projection::Projection& projection, const cut::CuttingSurface& surface) {
@@ -215,9 +253,9 @@ Vec2 cutting_plane_room(const projection::Projection& projection, const cut::Cut
 }
 
 std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, const cut::CuttingSurface& surface,
-                                        const LineWidths& widths) {
+                                        const LineWidths& widths, double farther) {
   const double height = letter_widths * widths.narrow;
-  const auto trace = trace_of(parent, surface, height);
+  const auto trace = trace_of(parent, surface, height, farther);
   if (!trace) return std::nullopt;
   check(trace->corners.size() == trace->legs.size() + 1, "a cutting plane goes from corner to corner");
   Layer layer = empty_layer(parent.name, scene::SheetLine::cutting_plane, widths);
@@ -234,6 +272,26 @@ std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, cons
   add_end(layer, trace->corners[0], -trace->legs[0], trace->seen[0], widths, surface.plane.name);
   add_end(layer, trace->corners[last], trace->legs[last - 1], trace->seen[1], widths, surface.plane.name);
   return layer;
+}
+
+std::vector<std::optional<Layer>> cutting_plane_lines(const drawing::ViewDrawing& parent,
+                                                      std::span<const cut::CuttingSurface> surfaces,
+                                                      const LineWidths& widths) {
+  constexpr int most_rows = 6;
+  // The arrows of the next row clear the letters of the one before.
+  const double row = (letter_gap + 1 + letter_gap) * letter_widths * widths.narrow;
+  std::vector<std::optional<Layer>> lines;
+  std::vector<Marks> taken;
+  for (const cut::CuttingSurface& surface : surfaces) {
+    std::optional<Layer> line = cutting_plane_line(parent, surface, widths);
+    const auto is_met = [&line](const Marks& other) { return line && do_meet(marks_of(*line), other); };
+    for (int i = 1; i < most_rows && std::any_of(taken.begin(), taken.end(), is_met); ++i)
+      line = cutting_plane_line(parent, surface, widths, i * row);
+    if (line) taken.push_back(marks_of(*line));
+    lines.push_back(std::move(line));
+  }
+  check(lines.size() == surfaces.size(), "every surface has a line or none");
+  return lines;
 }
 
 void give_way(Layer& centre, const Layer& cutting_plane, const LineWidths& widths) {

@@ -181,5 +181,22 @@ TEST(CuttingPlaneLine, IsOnlyWhereThePlaneIsALine) {
   EXPECT_FALSE(sheet::cutting_plane_line(central, plane_at({0.5, 0, 0}, {1, 0, 0}), widths));
 }
 
+// Planes 20 mm apart that look apart: the tails of their arrows would meet, and one letter be over the other.
+TEST(CuttingPlaneLine, LettersOfNeighboursAreApart) {
+  const drawing::ViewDrawing parent = from_top();
+  const auto named = [](const char* name, double x, double side) {
+    return cut::plane_surface(scene::make_cutting_plane({{name, "--section"}, Vec3(x, 0, 0), Vec3(side, 0, 0)}));
+  };
+  for (const double apart : {2.0, 12.0, 20.0, 24.0}) {
+    const std::vector<cut::CuttingSurface> planes{named("B", 20, 1), named("C", 20 + apart, -1)};
+    const auto lines = sheet::cutting_plane_lines(parent, planes, widths);
+    ASSERT_TRUE(lines[0] && lines[1]);
+    EXPECT_EQ(lines[0]->texts[0].at, sheet::cutting_plane_line(parent, planes[0], widths)->texts[0].at);
+    for (const sheet::Text& b : lines[0]->texts)
+      for (const sheet::Text& c : lines[1]->texts)
+        EXPECT_TRUE(std::abs(b.at.x - c.at.x) >= b.height || std::abs(b.at.y - c.at.y) >= b.height) << apart;
+  }
+}
+
 }  // namespace
 }  // namespace epura::test
