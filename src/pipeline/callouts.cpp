@@ -36,6 +36,15 @@ PagePoint page_point(const ViewCallout& callout, const drawing::ViewDrawing& dra
   return {Vec2(p) / p.w, p.z / p.w};
 }
 
+// How much ink a view has on the line through a point. At a corner, a line ends, but may go on beyond a gap.
+double ink_along(const drawing::ViewDrawing& drawing, const Vec2& p, const Vec2& along) {
+  double length = 0;
+  for (const drawing::Segment& segment : drawing.segments)
+    if (std::abs(cross(along, segment.from - p)) <= on_line && std::abs(cross(along, segment.to - p)) <= on_line)
+      length += std::abs(glm::dot(along, segment.to - segment.from));
+  return length;
+}
+
 // The line at a point, by its direction: the longest one of those that do not end there, if there is one.
 std::optional<Vec2> line_at(const drawing::ViewDrawing& drawing, const Vec2& p) {
   std::optional<Vec2> best;
@@ -47,7 +56,7 @@ std::optional<Vec2> line_at(const drawing::ViewDrawing& drawing, const Vec2& p) 
     const double at = glm::dot(p - segment.from, along) / length, inside = std::clamp(at, 0.0, length);
     if (glm::length(p - segment.from - inside / length * along) > on_line) continue;
     const bool passes = at > on_line && at < length - on_line;
-    const double worth = length + (passes ? 1e6 : 0);
+    const double worth = ink_along(drawing, p, along / length) + (passes ? 1e6 : 0);
     if (worth <= most) continue;
     most = worth;
     best = along / length;

@@ -64,7 +64,8 @@ void complete_letters(SceneDescription& scene) {
   for (ViewDescription& view : scene.views) {
     if (!view.of.given()) continue;
     expect_parent(view, scene.views);
-    if (!view.label.given()) view.label = {next_letter(taken), view.of.where};
+    // That of a section has the letters of its plane.
+    if (!view.label.given() && !view.section.given()) view.label = {next_letter(taken), view.of.where};
   }
 }
 

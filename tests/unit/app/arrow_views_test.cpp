@@ -94,5 +94,31 @@ TEST_F(ArrowViews, ThatMakeNoSenseAreRefused) {
   expect("of = 'front'\nfrom = [1, 0, 1]\nprojection = 'top'\n", "has no projection and no detail");
 }
 
+// An inclined section beside its parent has the letters of its plane, whose line says where it is seen from.
+TEST_F(ArrowViews, OfSectionsHaveTheLettersOfTheirPlanes) {
+  const std::string sheet = "[sheet]\nsize = 'A1'\nscale = '1:1'\nframe = 'none'\n";
+  const std::string section = "[[section]]\nname = 'D'\npoint = [40, 0, 40]\nnormal = [1, 0, 1]\n";
+  const std::string views = "[[view]]\nprojection = 'front'\n[[view]]\nfrom = [1, 0, 1]\nof = 'front'\nsection = 'D'\n";
+  const Outcome run = draw(sheet + section + views);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string svg = read_file(folder / "x.svg");
+  EXPECT_TRUE(contains(svg, ">D-D<"));
+  EXPECT_TRUE(contains(svg, "front-cutting-plane\""));
+  EXPECT_FALSE(contains(svg, "front-arrows\""));
+  EXPECT_FALSE(contains(svg, ">A<"));
+}
+
+// A plane that no whole view sees edge-on is marked in a section that does.
+TEST_F(ArrowViews, PlanesAreMarkedInSectionsWhereNoOtherViewCan) {
+  const Outcome run = draw(
+      "[sheet]\nsize = 'A1'\nscale = '1:1'\n[[section]]\nname = 'A'\npoint = [0, 30, 0]\n[[section]]\nname = 'B'\n"
+      "point = [0, 0, 20]\nnormal = [0, 0, 1]\n[[view]]\nprojection = 'top'\n[[view]]\nprojection = 'front'\n"
+      "section = 'A'\n[[view]]\nprojection = 'top'\nname = 'BB'\nsection = 'B'\n");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string svg = read_file(folder / "x.svg");
+  EXPECT_TRUE(contains(svg, "top-cutting-plane\"")) << "A, in the view from above";
+  EXPECT_TRUE(contains(svg, "front-cutting-plane\"")) << "B, in section A-A";
+}
+
 }  // namespace
 }  // namespace epura::test
