@@ -89,7 +89,7 @@ std::optional<Found> find(const Question& question, const Arranger& arranger) {
 
 ArrangerRoom room_on(const Paper& paper, const DrawingRoom& room) {
   const Rectangle area = drawing_area(paper).grown(-room.clearance);
-  ArrangerRoom arranger{area, {}, std::min(room.gap, std::min(area.size().x, area.size().y) / 10)};
+  ArrangerRoom arranger{area, {}, std::min(room.gap, std::min(area.size().x, area.size().y) / 10), room.clearance};
   if (room.title_block) arranger.taken.push_back(room.title_block->grown(room.clearance));
   return arranger;
 }

@@ -35,6 +35,7 @@ struct ViewToPlace {
   /// The number of its parent, and the direction on the page in which it is placed from there; length 1.
   std::optional<std::pair<std::size_t, Vec2>> beside{};
   Vec2 before{0, 0}, after{0, 0};  ///< mm to be kept free around the ink: left and below, right and above
+  bool labelled = false;  ///< a label stands above the ink, in the gap to what is there if that is large enough
 };
 
 /// Where views may be positioned: in the drawing area of the paper, outside the title block.

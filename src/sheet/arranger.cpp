@@ -86,16 +86,21 @@ void Arranger::sort_out() {
         "every view is in one group");
 }
 
+Vec2 Arranger::room_after(const ViewToPlace& view) const {
+  if (!view.labelled) return view.after;
+  return glm::max(view.after, Vec2(0, label_room - std::min(room_.gap, room_.clearance)));
+}
+
 ViewCell Arranger::principal_cell(std::size_t view) const {
   const ViewToPlace& v = views_[view];
   const auto [column, row] = cross_place(v.place, angle_);
-  return {view, column, row, Vec2(0, 0), v.box.min, v.box.max, v.before, v.after};
+  return {view, column, row, Vec2(0, 0), v.box.min, v.box.max, v.before, room_after(v)};
 }
 
 ViewCell Arranger::free_cell(std::size_t view, int column, int row, Labels labels) const {
   const ViewToPlace& v = views_[view];
   const Vec2 middle = Rectangle{v.box.min, v.box.max}.centre();
-  Vec2 after = v.after;
+  Vec2 after = room_after(v);
   if (labels == Labels::all || v.scale) after.y = std::max(after.y, label_room);
   if (!v.scale) return {view, column, row, middle, v.box.min - middle, v.box.max - middle, v.before, after};
   const Vec2 half = (v.box.max - middle) * *v.scale;
@@ -148,7 +153,7 @@ std::optional<ViewSpot> Arranger::beside_spot(std::size_t view, const Spots& spo
       std::find_if(spots.begin(), spots.end(), [&](const ViewSpot& spot) { return spot.view == v.beside->first; });
   if (parent == spots.end()) return std::nullopt;
   const double own = v.scale.value_or(scale), most = room_.area.size().x + room_.area.size().y;
-  const Vec2 min = own * v.box.min - v.before, max = own * v.box.max + v.after;
+  const Vec2 min = own * v.box.min - v.before, max = own * v.box.max + room_after(v);
   for (double distance = 0; distance <= most; distance += step) {
     const Vec2 at = parent->shift + distance * v.beside->second;
     const ViewSpot spot{view, own, at, {at + min, at + max}};

@@ -19,6 +19,7 @@ struct ArrangerRoom {
   Rectangle area;
   std::vector<Rectangle> taken;  ///< the title block and the clearance around it
   double gap;                    ///< between views
+  double clearance = 0;          ///< beyond the area
   bool aligns = true;            ///< views beside others are aligned with them
   bool watch_given = true;       ///< views with a given position must be in the area, without overlaps
 };
@@ -48,6 +49,7 @@ class Arranger {
   enum class Labels { given, all };
 
   void sort_out();
+  [[nodiscard]] Vec2 room_after(const ViewToPlace& view) const;
   [[nodiscard]] ViewCell principal_cell(std::size_t view) const;
   [[nodiscard]] ViewCell free_cell(std::size_t view, int column, int row, Labels labels) const;
   [[nodiscard]] Tables grids(const std::vector<std::size_t>& views, Labels labels) const;

@@ -334,5 +334,18 @@ TEST(ViewPlace, IsThatOfTheGeometryWhateverTheName) {
   EXPECT_EQ(sheet::view_place(oblique), sheet::ViewPlace::pictorial);
 }
 
+// Gaps shrink so that a larger scale fits, but not below the height of a label in them.
+TEST(Arrangement, LabelsHaveRoomInNarrowGaps) {
+  auto views = views_of_box({front, top});
+  views[1].labelled = true;
+  for (int height = 60; height < 140; height += 2) {
+    for (sheet::ViewToPlace& view : views) view.box = {Vec2(-30, -height / 2.0), Vec2(30, height / 2.0)};
+    const auto made = sheet::arrange(views, {std::nullopt, true}, ProjectionAngle::first, a3());
+    const auto ink_top = made.views[1].shift.y + made.views[1].scale * views[1].box.max.y;
+    const auto ink_bottom = made.views[0].shift.y + made.views[0].scale * views[0].box.min.y;
+    EXPECT_GE(ink_bottom - ink_top, sheet::label_room - 1e-6) << height;
+  }
+}
+
 }  // namespace
 }  // namespace epura
