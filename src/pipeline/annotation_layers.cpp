@@ -65,10 +65,12 @@ void add_gravity(std::vector<sheet::Layer>& marks, const drawing::ViewDrawing& d
 std::vector<sheet::Layer> marks_of(std::span<const Annotations> annotations, std::span<const ViewResult> views,
                                    const sheet::LineWidths& widths) {
   std::map<std::string, sheet::Layer> by_name;
-  for (std::size_t i = 0; i < views.size(); ++i)
-    for (const cut::CuttingSurface& section : annotations[i].planes)
-      if (auto mark = sheet::cutting_plane_line(views[i].drawing, section, widths))
-        by_name.emplace(section.plane.name, std::move(*mark));
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const std::vector<cut::CuttingSurface>& planes = annotations[i].planes;
+    std::vector<std::optional<sheet::Layer>> lines = sheet::cutting_plane_lines(views[i].drawing, planes, widths);
+    for (std::size_t plane = 0; plane < planes.size(); ++plane)
+      if (lines[plane]) by_name.emplace(planes[plane].plane.name, std::move(*lines[plane]));
+  }
   std::vector<sheet::Layer> marks;
   for (auto& [name, mark] : by_name) marks.push_back(std::move(mark));
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -108,6 +110,12 @@ std::vector<std::string> captions_of(const SheetInput& input) {
   return {std::string(sheet::caption("hole", language)), "X", "Y", std::string(sheet::caption("hole_size", language))};
 }
 
+void append(sheet::Layer& layer, sheet::Layer more) {
+  std::move(more.strokes.begin(), more.strokes.end(), std::back_inserter(layer.strokes));
+  std::move(more.fills.begin(), more.fills.end(), std::back_inserter(layer.fills));
+  std::move(more.texts.begin(), more.texts.end(), std::back_inserter(layer.texts));
+}
+
 // Adds a table of holes where the sheet is free, in as few blocks of rows as fit; returns false if there is no room.
 bool add_table(sheet::Layer& layer, const sheet::HoleTable& table, const std::vector<std::string>& captions,
                const sheet::Rectangle& room, const std::vector<sheet::Rectangle>& taken,
@@ -122,27 +130,40 @@ bool add_table(sheet::Layer& layer, const sheet::HoleTable& table, const std::ve
   return false;
 }
 
+void tell_left_out(AnnotationLayers& result, const sheet::HoleTable& table) {
+  result.warnings.push_back("the sheet has no room for the table of the holes in the view '" + table.view +
+                            "'\n  hint: use a larger sheet or a smaller scale");
+  result.without_room += table.rows.size();
+  for (const sheet::HoleRow& row : table.rows)
+    result.findings.push_back({report::FindingKind::undimensioned, table.view,
+                               "there is no room for the table with '" + row.label + "', " + row.size});
+}
+
 // In the layers of the dimensions, when everything else is in place.
 void add_tables(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
                 std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
   const auto captions = captions_of(input);
-  for (std::size_t i = 0; i < views.size(); ++i)
-    for (const sheet::HoleTable& table : input.annotations[i].tables) {
-      sheet::Layer own;
-      sheet::draw_origin(own, table, views[i].drawing, style);
-      const std::vector<sheet::Rectangle> taken = taken_by(around, views);
-      if (!add_table(own, table, captions, *around.paper, taken, style))
-        result.warnings.push_back("the sheet has no room for the table of the holes in the view '" + table.view +
-                                  "'\n  hint: use a larger sheet or a smaller scale");
-      add_boxes(around.boxes, own, style.lettering);
-      const std::string& name = views[i].drawing.name;
-      const auto layer = std::find_if(result.layers.begin(), result.layers.end(),
-                                      [&name](const sheet::Layer& one) { return one.name.starts_with(name + "/"); });
-      if (layer == result.layers.end()) continue;
-      std::move(own.strokes.begin(), own.strokes.end(), std::back_inserter(layer->strokes));
-      std::move(own.fills.begin(), own.fills.end(), std::back_inserter(layer->fills));
-      std::move(own.texts.begin(), own.texts.end(), std::back_inserter(layer->texts));
-    }
+  std::vector<sheet::Layer> of_views(views.size());
+  const auto for_all = [&](const auto& act) {
+    for (std::size_t i = 0; i < views.size(); ++i)
+      for (const sheet::HoleTable& table : input.annotations[i].tables) act(i, table);
+  };
+  for_all([&](std::size_t i, const sheet::HoleTable& table) {
+    sheet::draw_origin(of_views[i], table, views[i].drawing, style);
+    add_boxes(around.boxes, of_views[i], style.lettering);
+  });
+  for_all([&](std::size_t i, const sheet::HoleTable& table) {
+    sheet::Layer own;
+    if (!add_table(own, table, captions, *around.paper, taken_by(around, views), style)) tell_left_out(result, table);
+    add_boxes(around.boxes, own, style.lettering);
+    append(of_views[i], std::move(own));
+  });
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const std::string& name = views[i].drawing.name;
+    const auto layer = std::find_if(result.layers.begin(), result.layers.end(),
+                                    [&name](const sheet::Layer& one) { return one.name.starts_with(name + "/"); });
+    if (layer != result.layers.end()) append(*layer, std::move(of_views[i]));
+  }
 }
 
 // Notes and symbols on this sheet without leaders.
@@ -161,6 +182,12 @@ std::vector<scene::CalloutDescription> callouts_of_sheet(const SheetInput& input
     if (auto* texture = std::get_if<scene::SurfaceTexture>(&callouts.back().content)) texture->others = has_textures;
   }
   return callouts;
+}
+
+void tell_left_out(AnnotationLayers& result, const std::string& what, const std::string& hint) {
+  result.warnings.push_back("the sheet has no room for " + what + "\n  hint: " + hint);
+  result.findings.push_back({report::FindingKind::off_sheet, "", "there is no room for " + what});
+  ++result.without_room;
 }
 
 std::string table_name(const scene::TableDescription& table) {
@@ -290,6 +317,16 @@ void tell_left_out(AnnotationLayers& result, const sheet::PlacedLayer& placed, s
     result.findings.push_back({report::FindingKind::undimensioned, view, "there is no room for '" + text + "'"});
 }
 
+void tell_unseen(AnnotationLayers& result, const sheet::PlacedLayer& placed, const std::string& view) {
+  if (placed.unseen.empty()) return;
+  result.unseen_warnings.push_back(
+      "the view '" + view + "' does not show what " + std::to_string(placed.unseen.size()) +
+      " of its dimensions would measure, which are left out: " + first_of(placed.texts_unseen) +
+      "\n  hint: add a view along the axis, or a section through it");
+  for (const std::string& text : placed.texts_unseen)
+    result.findings.push_back({report::FindingKind::undimensioned, view, "it does not show '" + text + "'"});
+}
+
 /// A view whose dimensions are placed.
 struct ViewToDimension {
   const SheetInput& input;
@@ -309,11 +346,16 @@ std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neig
   if (wanted.dimensions.empty()) return {};
   sheet::Neighbours neighbours = in_the_way(around, of.input, of.views, of.view, style);
   neighbours.boxes.insert(neighbours.boxes.end(), of.reserved.begin(), of.reserved.end());
-  sheet::PlacedLayer placed = sheet::place_dimensions({of.input.world, drawing, wanted.dimensions, wanted.found}, style,
-                                                      neighbours, budget.run.with_part_of_the_time(0.5));
+  const bool lacks_lines = !of.views[of.view].partial.stages.empty();
+  sheet::PlacedLayer placed =
+      sheet::place_dimensions({of.input.world, drawing, wanted.dimensions, wanted.found, lacks_lines}, style,
+                              neighbours, budget.run.with_part_of_the_time(0.5));
   note_faults(result.findings, drawing.name, placed, paper);
   tell_left_out(result, placed, wanted.dimensions.size(), drawing.name);
+  tell_unseen(result, placed, drawing.name);
+  result.fans += placed.fans;
   for (const std::size_t number : placed.left_out) result.left_out[of.view].push_back(wanted.numbers[number]);
+  for (const std::size_t number : placed.unseen) result.unseen[of.view].push_back(wanted.numbers[number]);
   const std::size_t undrawn = wanted.dimensions.size() - placed.count;
   if (undrawn > 0) {
     budget.partial.add_stage("placing dimensions");
@@ -349,9 +391,12 @@ void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const She
     add_centre_lines(neighbours.boxes, views[i]);
     sheet::CalloutLayers layers = sheet::callout_layers(drawing.name, style);
     const sheet::CalloutFaults faults = sheet::place_callouts(layers, callouts, drawing, style, neighbours);
-    for (const std::string& name : faults.without_place)
+    for (const std::string& name : faults.without_place) {
       result.warnings.push_back("there is no place for " + name + " around the view '" + drawing.name +
                                 "'\n  hint: use a larger sheet or a smaller scale, or give its position, 'at'");
+      result.findings.push_back({report::FindingKind::off_sheet, drawing.name, "there is no place for " + name});
+      ++result.without_room;
+    }
     for (const std::string& name : faults.crossings)
       result.findings.push_back({report::FindingKind::crossing, drawing.name, name + " and something else"});
     add_layers(result, around, std::move(layers), style.lettering);
@@ -386,8 +431,7 @@ void add_text_tables(AnnotationLayers& result, sheet::Neighbours& around, const 
     const sheet::TableDrawing drawing = table_drawing(table, style);
     drawing.draw(own, lower_left + drawing.size(), "table");
     around.boxes.push_back(sheet::turned_box({lower_left, lower_left + drawing.size()}));
-    std::move(own.strokes.begin(), own.strokes.end(), std::back_inserter(layer.strokes));
-    std::move(own.texts.begin(), own.texts.end(), std::back_inserter(layer.texts));
+    append(layer, std::move(own));
   };
   for (const scene::TableDescription& table : tables)
     if (table.at.given()) add(table, *table.at - Vec2(0, table_drawing(table, style).size().y));
@@ -398,8 +442,7 @@ void add_text_tables(AnnotationLayers& result, sheet::Neighbours& around, const 
     if (const auto at = sheet::nearest_free_position(*around.paper, taken, table_drawing(table, style).size(), towards))
       add(table, *at);
     else
-      result.warnings.push_back("the sheet has no room for " + table_name(table) +
-                                "\n  hint: use a larger sheet or a smaller scale");
+      tell_left_out(result, table_name(table), "use a larger sheet or a smaller scale");
   }
   if (!tables.empty()) result.layers.push_back(std::move(layer));
 }
@@ -433,8 +476,7 @@ void add_free_callouts(AnnotationLayers& result, sheet::Neighbours& around, cons
   add_outlines(around.boxes, layers.symbols);
   std::vector<sheet::Rectangle> taken = taken_by(around, views);
   const auto warn = [&result](const std::string& what) {
-    result.warnings.push_back("the sheet has no room for " + what +
-                              "\n  hint: use a larger sheet or a smaller scale, or give its position, 'at'");
+    tell_left_out(result, what, "use a larger sheet or a smaller scale, or give its position, 'at'");
   };
   const sheet::Rectangle& room = *around.paper;
   for (const scene::CalloutDescription& symbol : symbols) {
@@ -444,10 +486,7 @@ void add_free_callouts(AnnotationLayers& result, sheet::Neighbours& around, cons
       warn(name_of(symbol));
   }
   const std::string heading(sheet::caption("notes", input.sheet().field("language")));
-  if (!notes.empty() && !add_general_notes(layers, notes, heading, room, taken, style)) {
-    warn("the general notes");
-    result.findings.push_back({report::FindingKind::off_sheet, "", "there is no room for the general notes"});
-  }
+  if (!notes.empty() && !add_general_notes(layers, notes, heading, room, taken, style)) warn("the general notes");
   add_layers(result, around, std::move(layers), style.lettering);
 }
 
@@ -461,9 +500,13 @@ void add_balloons(AnnotationLayers& result, sheet::Neighbours& around, const She
     sheet::Layer layer = sheet::empty_layer(drawing.name, scene::SheetLine::balloon, widths);
     const sheet::Neighbours neighbours = with_other_views(around, views, i);
     for (const std::string& number :
-         sheet::place_balloons(layer, input.balloons[i], {drawing.min, drawing.max}, style, neighbours))
+         sheet::place_balloons(layer, input.balloons[i], {drawing.min, drawing.max}, style, neighbours)) {
       result.warnings.push_back("there is no place for the balloon of item " + number + " around the view '" +
                                 drawing.name + "'\n  hint: use a larger sheet or a smaller scale");
+      result.findings.push_back(
+          {report::FindingKind::off_sheet, drawing.name, "there is no place for the balloon of item " + number});
+      ++result.without_room;
+    }
     add_boxes(around.boxes, layer, style.lettering);
     result.layers.push_back(std::move(layer));
   }
@@ -515,6 +558,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     add_constructions(result, around, input, views, style());
   }
   result.left_out.resize(views.size());
+  result.unseen.resize(views.size());
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (input.annotations[i].dimensions.empty()) continue;
     open_font();

@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "design/design_features.hpp"
+#include "design/assembly_features.hpp"
 #include "design/true_extents.hpp"
 #include "pipeline/arrow_views.hpp"
 #include "pipeline/breaks.hpp"
@@ -19,6 +19,7 @@
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/automatic.hpp"
 #include "sheet/dimensions/overall.hpp"
+#include "sheet/dimensions/pictorial.hpp"
 #include "sheet/dimensions/thread_notes.hpp"
 
 namespace epura::pipeline {
@@ -148,9 +149,14 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
     } else if (dimension.view.given() ? here(*dimension.view) != views.end() : sheet.sheet == 0) {
       if (!extents) extents = design::true_extents(world);
       const auto expanded = [&] {
+        if (const auto* view = sheet::only_pictorial(projections, dimension.view.value_or(""))) {
+          const design::DesignFeatures features = design::features_to_dimension(world);
+          const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
+          return sheet::pictorial_dimensions(dimension, *view, {world, features, *extents}, notation);
+        }
         if (*dimension.type == DimensionType::overall)
           return sheet::overall_dimensions(dimension, projections, *extents);
-        const design::DesignFeatures features = design::find_design_features(world);
+        const design::DesignFeatures features = design::features_to_dimension(world);
         const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
         sheet::AutomaticPlan plan =
             sheet::automatic_dimensions(dimension, projections, {world, features, *extents}, notation);
@@ -174,17 +180,31 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
   }
 }
 
-void add_planes(std::vector<Annotations>& annotations, std::span<const scene::ViewDescription> views,
+// The view that marks the plane of a section: the one beside which the section is, otherwise the first uncut one that
+// sees it edge-on, or another section.
+std::optional<std::size_t> view_with_plane(const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
+                                           const cut::CuttingSurface& section) {
+  const std::string& name = section.plane.name;
+  const auto rank = [&](std::size_t i) -> std::optional<int> {
+    const scene::ViewDescription& view = sheet.descriptions[i];
+    if (view.detail.given() || view.section.value == name || !sheet::sees_edge_on(seen[i].projection, section))
+      return std::nullopt;
+    for (std::size_t shown = 0; shown < seen.size(); ++shown)
+      if (sheet.descriptions[shown].section.value == name && parent_of(sheet, shown) == i) return 0;
+    return view.section.given() ? 2 : 1;
+  };
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (const auto one = rank(i); one && (!best || *one < *rank(*best))) best = i;
+  return best;
+}
+
+void add_planes(std::vector<Annotations>& annotations, const SheetOfViews& sheet,
                 std::span<const view::ProjectedScene> seen, const SectionSurfaces& sections) {
   for (const auto& [name, section] : sections) {
     const auto shows = [&name = name](const scene::ViewDescription& view) { return view.section.value == name; };
-    if (std::none_of(views.begin(), views.end(), shows)) continue;
-    for (std::size_t i = 0; i < views.size(); ++i) {
-      if (views[i].section.given() || views[i].detail.given() || !sheet::sees_edge_on(seen[i].projection, section))
-        continue;
-      annotations[i].planes.push_back(section);
-      break;
-    }
+    if (std::none_of(sheet.descriptions.begin(), sheet.descriptions.end(), shows)) continue;
+    if (const auto view = view_with_plane(sheet, seen, section)) annotations[*view].planes.push_back(section);
   }
 }
 
@@ -243,7 +263,7 @@ std::vector<Annotations> annotate(const world::World& world, const scene::SceneD
                                   const SectionSurfaces& sections) {
   std::vector<Annotations> annotations(sheet.descriptions.size());
   add_dimensions(annotations, world, scene, sheet, seen, sections);
-  add_planes(annotations, sheet.descriptions, seen, sections);
+  add_planes(annotations, sheet, seen, sections);
   add_details(annotations, scene, sheet.descriptions);
   add_callouts(annotations, world, scene, sheet);
   add_balloons(annotations, scene, sheet);
@@ -252,10 +272,16 @@ std::vector<Annotations> annotate(const world::World& world, const scene::SceneD
     if (wanted.value_or(false) && !sheet.plans[i].options.exploded)
       annotations[i].centre_of_gravity = mass_of(world, scene, false, wanted.where).centre;
   }
-  for (std::size_t i = 0; i < seen.size(); ++i)
-    if (const auto parent = parent_of(sheet, i))
-      annotations[*parent].arrows.push_back(
-          {*sheet.descriptions[i].label, sight_on_page(seen[*parent].projection, seen[i].projection.n)});
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto parent = parent_of(sheet, i);
+    const scene::ViewDescription& view = sheet.descriptions[i];
+    // The arrows of a cutting plane say where its view is seen from.
+    const auto is_shown = [&](const cut::CuttingSurface& plane) { return view.section.value == plane.plane.name; };
+    if (!parent || std::any_of(annotations[*parent].planes.begin(), annotations[*parent].planes.end(), is_shown))
+      continue;
+    annotations[*parent].arrows.push_back({view.label.given() ? *view.label : *view.section,
+                                           sight_on_page(seen[*parent].projection, seen[i].projection.n)});
+  }
   return annotations;
 }
 

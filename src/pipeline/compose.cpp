@@ -260,6 +260,8 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   construct(input, results);
   AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
   finished.is_crowded = !beside.warnings.empty();
+  finished.without_room = beside.without_room;
+  finished.fans = beside.fans;
   if (beside.leaves_out_more_than(input.most_left_out)) {
     finished.left_out = std::move(beside.left_out);
     return finished;
@@ -275,9 +277,9 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
     append(finished.sheet.layers, budget.or_nothing([&](const Progress& progress) {
       std::vector<sheet::Layer> centre =
           centre_layers(results[i], input.views.plans[i].options, widths, lines, progress);
-      for (const cut::CuttingSurface& plane : input.annotations[i].planes)
-        if (const auto marks = sheet::cutting_plane_line(results[i].drawing, plane, widths))
-          for (sheet::Layer& layer : centre) sheet::give_way(layer, *marks, widths);
+      for (const auto& marks : sheet::cutting_plane_lines(results[i].drawing, input.annotations[i].planes, widths))
+        for (sheet::Layer& layer : centre)
+          if (marks) sheet::give_way(layer, *marks, widths);
       return centre;
     }));
     if (auto traces = sheet::trace_lines(results[i].drawing, widths))
@@ -296,8 +298,10 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   if (!widths.styles.empty()) sheet::restyle(finished.sheet.layers, widths);
   finished.findings = std::move(beside.findings);
   finished.left_out = std::move(beside.left_out);
+  finished.unseen = std::move(beside.unseen);
   clear_labels(finished, furniture);
-  std::move(beside.warnings.begin(), beside.warnings.end(), std::back_inserter(finished.warnings));
+  for (std::vector<std::string>* told : {&beside.warnings, &beside.unseen_warnings})
+    std::move(told->begin(), told->end(), std::back_inserter(finished.warnings));
   if (const std::string language = input.sheet().field("language"); !sheet::has_captions(language))
     finished.warnings.push_back("there are no captions in the language '" + language +
                                 "': they are in English\n  hint: others are de, fr, es, pt and ja");

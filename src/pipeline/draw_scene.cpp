@@ -9,7 +9,6 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "design/place_threads.hpp"
-#include "drawing/cut_faces.hpp"
 #include "mesh/read.hpp"
 #include "pipeline/annotations.hpp"
 #include "pipeline/arrow_views.hpp"
@@ -49,6 +48,9 @@ void add_all(std::vector<Item>& list, const std::vector<Item>& more) {
 
 // Between the lines of crests and roots, mm; also at least two wide lines. ISO 6410-1.
 constexpr double least_thread = 0.7;
+
+// Triangles: drawing more once again, only to arrange the views better, takes too long.
+constexpr std::size_t most_drawn_again = 200'000;
 
 using WorldOfView = std::function<const world::World&(std::size_t)>;
 
@@ -110,6 +112,8 @@ struct Run {
   Attempt attempt(const DrawSheet& draw);
   std::optional<Attempt> attempt_if(const DrawSheet& draw, const std::function<bool(const FinishedSheet&)>& is_better);
   std::optional<Attempt> attempt_better(const ShownWorlds& worlds, PreparedSheet& sheet, const SheetPlan& usual);
+  Attempt draw_in_best_layout(const ShownWorlds& worlds, PreparedSheet& sheet);
+  PreparedSheet with_holes(const ShownWorlds& worlds, PreparedSheet sheet, HoleDimensions holes) const;
   FinishedSheet draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views);
   std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
@@ -188,22 +192,6 @@ ViewTime Run::time_of_next_view() {
           progress.with_part_of_the_time(1 / (static_cast<double>(gathered.views_left--) + views_for_the_rest))};
 }
 
-// The cut world has no faces along steps and where turned parts end, which a section must not show.
-void expect_steps_edge_on(const CutSection& section, const view::ProjectedScene& seen,
-                          const scene::ViewDescription& view) {
-  constexpr double edge_on = 1e-9;  // radians
-  const projection::Projection& projection = seen.projection;
-  const bool is_edge_on =
-      !projection.central && std::abs(glm::dot(glm::normalize(projection.projector), section.surface.along)) <= edge_on;
-  if (section.surface.is_plane() || is_edge_on) return;
-  const std::string name = section.surface.plane.name;
-  throw Error(ErrorKind::input, view.section.where,
-              "view '" + *view.name + "' does not " +
-                  (section.surface.aligned ? "show the planes of aligned section " + name + " side by side"
-                                           : "look along the steps of section " + name),
-              "choose a projection that looks against the normal of the section");
-}
-
 void Run::choose_by_world(SheetOfViews& views, const ShownWorlds& worlds,
                           const std::vector<view::ProjectedScene>& seen) const {
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -217,15 +205,6 @@ void Run::choose_by_world(SheetOfViews& views, const ShownWorlds& worlds,
     chosen.revolved = cut_revolved(shown.world, scene, view, seen[i].projection);
     chosen.styles = styles_of(scene, view, section == nullptr ? shown.world : section->cut.world, seen[i].projection);
   }
-}
-
-// Its view would look like one of the whole, and the arrows of the section would contradict it.
-void warn_if_unseen(const Messages& messages, const CutSection& section, const view::ProjectedScene& seen,
-                    const std::string& view) {
-  if (drawing::is_seen(section.surface.plane, seen.projection)) return;
-  messages.warn(
-      "view '" + view + "' looks at section " + section.surface.plane.name +
-      " from the side that is kept and shows no cut face\n  hint: reverse its normal, or choose the opposite view");
 }
 
 std::vector<view::ProjectedScene> Run::map_views(const WorldOfView& world, const SheetOfViews& views) {
@@ -337,6 +316,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
       warn_if_unseen(messages, *section, seen[i], views.plans[i].options.name);
     results.push_back(draw_view(input, std::move(seen[i]), time_of_next_view(), watch));
     warn_if_empty(messages, results.back(), input);
+    if (section != nullptr && !input.options.detail) warn_about(messages, *section, results.back().overlaps);
     coarse.look(input, results.back().drawing, progress);
     note(results.back());
     CalloutTargets found = find_targets(world(i), results.back().drawing, annotations[i].callouts);
@@ -370,7 +350,10 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
 
 void Run::finish(FinishedSheet& sheet, const SheetPlan& plan, std::vector<sheet::DimensionsInView> anchored) {
   sheet.next_size = plan.next_size;
-  leave_out(anchored, sheet.left_out);
+  std::vector<std::vector<std::size_t>> undrawn = sheet.left_out;
+  for (std::size_t view = 0; view < sheet.unseen.size(); ++view) add_all(undrawn[view], sheet.unseen[view]);
+  for (std::vector<std::size_t>& numbers : undrawn) std::sort(numbers.begin(), numbers.end());
+  leave_out(anchored, undrawn);
   add_all(gathered.dimensioned, std::move(anchored));
 }
 
@@ -424,22 +407,12 @@ std::optional<Attempt> Run::attempt_if(const DrawSheet& draw,
   return result;
 }
 
-std::size_t left_out_of(const FinishedSheet& sheet) {
-  std::size_t count = 0;
-  for (const std::vector<std::size_t>& of_view : sheet.left_out) count += of_view.size();
-  return count;
-}
-
-bool is_complete(const FinishedSheet& sheet) {
-  return left_out_of(sheet) == 0 && sheet.findings.empty() && !sheet.is_crowded;
-}
-
 // The room for dimensions in the usual layout is an estimate: short ones share lines, and most are on one side of their
 // view. So a better layout, which has a part of it, counts if everything has a place; then one that is better still
 // may.
 std::optional<Attempt> Run::attempt_better(const ShownWorlds& worlds, PreparedSheet& sheet, const SheetPlan& usual) {
-  constexpr std::size_t most = 200'000;  // triangles: drawing more once again takes too long
-  if (!usual.inside || !dimensions_features(scene) || worlds.main().triangles.size() > most) return std::nullopt;
+  if (!usual.inside || !dimensions_features(scene) || worlds.main().triangles.size() > most_drawn_again)
+    return std::nullopt;
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)];
   std::optional<SheetPlan> tried;
   for (const LayoutWish& wish : better_layouts(description, usual)) {
@@ -469,27 +442,68 @@ SheetPlan Run::usual_plan(const ShownWorlds& worlds, PreparedSheet& sheet) const
   return usual;
 }
 
-FinishedSheet Run::draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views) {
-  PreparedSheet sheet = prepare_sheet(worlds, std::move(views));
+Attempt Run::draw_in_best_layout(const ShownWorlds& worlds, PreparedSheet& sheet) {
   const SheetPlan usual = usual_plan(worlds, sheet);
   std::optional<Attempt> best = attempt_better(worlds, sheet, usual);
   if (!best) best = attempt([&] { return draw_sheet(worlds, sheet, usual, std::nullopt); });
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)];
-  const auto improves = [&](const std::optional<double>& scale) {
-    const std::size_t left_out = left_out_of(best->sheet);
-    const SheetPlan plan = plan_of(worlds, sheet, {*best->sheet.next_size, scale});
-    if (!plan.inside) return false;
-    auto larger = attempt_if([&] { return draw_sheet(worlds, sheet, plan, left_out - 1); },
-                             [&](const FinishedSheet& other) { return left_out_of(other) < left_out; });
-    if (larger) best = std::move(larger);
-    return larger.has_value();
-  };
-  const bool is_sized = is_sized_by_scale(description);
-  while (is_sized && left_out_of(best->sheet) > 0 && best->sheet.next_size && !progress.is_out_of_time())
-    if (!improves(std::nullopt) && (description.scale.value_or({}).fixed || !improves(best->sheet.scale))) break;
-  best->told.tell(messages);
-  gathered = std::move(best->gathered);
-  return std::move(best->sheet);
+  for (const LayoutWish& wish : roomier_layouts(description, usual)) {
+    const auto faults = faults_of(best->sheet);
+    const bool is_sized = is_sized_by_scale(description);
+    // A smaller scale does not make rows shorter.
+    if (faults.first == 0 && (faults.second == 0 || !is_sized)) break;
+    if (progress.is_out_of_time() || (!is_sized && worlds.main().triangles.size() > most_drawn_again)) break;
+    const SheetPlan plan = plan_of(worlds, sheet, wish);
+    if (!plan.inside) continue;
+    auto other = attempt_if([&] { return draw_sheet(worlds, sheet, plan, faults.first); },
+                            [&](const FinishedSheet& drawn) { return faults_of(drawn) < faults; });
+    if (other) best = std::move(other);
+  }
+  return std::move(*best);
+}
+
+// The same sheet with another way to dimension holes.
+PreparedSheet Run::with_holes(const ShownWorlds& worlds, PreparedSheet sheet, HoleDimensions holes) const {
+  scene::SceneDescription other = scene;
+  for (scene::DimensionDescription& dimension : other.dimensions) dimension.holes.value = holes;
+  project_again(sheet, worlds);
+  sheet.annotations = annotate(worlds.main(), other, sheet.views, sheet.seen, worlds.surfaces());
+  if (options.lint) sheet.anchored = anchored_dimensions(worlds.main(), sheet.views, sheet.seen, sheet.annotations);
+  return sheet;
+}
+
+// Holes in a table instead of a fan of positions, or dimensioned where the sheet has no room for a table.
+std::optional<HoleDimensions> other_holes(const FinishedSheet& drawn, const PreparedSheet& sheet) {
+  const bool has_table = std::any_of(sheet.annotations.begin(), sheet.annotations.end(),
+                                     [](const Annotations& view) { return !view.tables.empty(); });
+  if (has_table && drawn.without_room > 0) return HoleDimensions::notes;
+  if (!has_table && drawn.fans > 0) return HoleDimensions::table;
+  return std::nullopt;
+}
+
+FinishedSheet Run::draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views) {
+  PreparedSheet sheet = prepare_sheet(worlds, std::move(views));
+  Attempt best = draw_in_best_layout(worlds, sheet);
+  if (const auto holes = other_holes(best.sheet, sheet); holes && !progress.is_out_of_time()) {
+    const auto faults = faults_of(best.sheet);
+    std::optional<Attempt> other;
+    const auto draw = [&] {
+      PreparedSheet changed = with_holes(worlds, sheet, *holes);
+      other = draw_in_best_layout(worlds, changed);
+      return FinishedSheet{};
+    };
+    if (attempt_if(draw, [&](const FinishedSheet&) { return faults_of(other->sheet) < faults; })) {
+      best = std::move(*other);
+      if (*holes == HoleDimensions::notes)
+        best.told.messages().warn(
+            "the sheet has no room for the table of the holes, which have dimensions instead\n  hint: use a larger "
+            "sheet "
+            "or a smaller scale");
+    }
+  }
+  best.told.tell(messages);
+  gathered = std::move(best.gathered);
+  return std::move(best.sheet);
 }
 
 void place_threads(world::World& world, const scene::SceneDescription& scene) {
@@ -508,6 +522,7 @@ bool shows_parts(const SheetOfViews& views) {
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
   ReadWorld read = read_models(scene, reading_of(scene, options, fineness), gathered.report.meshes, messages, progress);
   parts = std::move(read.parts);
+  scene.explosions = std::move(read.explosions);
   world::World world = std::move(read.world);
   watch.lap("read");
   recognise_parts(world, scene, options, gathered.report, progress);

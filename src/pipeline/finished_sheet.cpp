@@ -40,6 +40,19 @@ bool draws_edges(const sheet::Layer& layer) {
 
 }  // namespace
 
+std::pair<std::size_t, std::size_t> faults_of(const FinishedSheet& sheet) {
+  std::size_t count = sheet.without_room;
+  for (const std::vector<std::size_t>& of_view : sheet.left_out) count += of_view.size();
+  return {count, sheet.fans};
+}
+
+bool is_complete(const FinishedSheet& sheet) {
+  // No other layout shows more of the part.
+  const auto is_of_layout = [](const report::Finding& one) { return one.kind != report::FindingKind::undimensioned; };
+  return faults_of(sheet).first == 0 && std::none_of(sheet.findings.begin(), sheet.findings.end(), is_of_layout) &&
+         !sheet.is_crowded;
+}
+
 void mark_partial(FinishedSheet& sheet, const std::string& stage) {
   sheet::Layer mark = sheet::partial_mark(sheet.paper, stage);
   std::erase_if(sheet.sheet.layers, [&](const sheet::Layer& layer) { return layer.name == mark.name; });

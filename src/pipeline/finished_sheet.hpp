@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drawing/drawing.hpp"
@@ -22,10 +23,20 @@ struct FinishedSheet {
   sheet::Paper paper{};
   std::vector<report::Finding> findings{};           ///< faults of the dimensions on it
   std::vector<std::vector<std::size_t>> left_out{};  ///< by view: numbers of dimensions for which it has no room
+  std::vector<std::vector<std::size_t>> unseen{};    ///< by view: of those that measure what the view does not show
   std::string answers{};                             ///< to the questions about its edges
   std::optional<int> next_size{};                    ///< as in SheetPlan
+  std::size_t without_room = 0;                      ///< notes, symbols, tables, rows of hole tables
+  std::size_t fans = 0;                              ///< as in sheet::PlacedLayer
   bool is_crowded = false;                           ///< something has no place on it, or a worse one
 };
+
+/// How many dimensions, notes, symbols, tables and rows of hole tables a sheet has no room for; and how many of its
+/// rows are longer than their views, which is less bad.
+std::pair<std::size_t, std::size_t> faults_of(const FinishedSheet& sheet);
+
+/// Whether all has its usual place on a sheet.
+bool is_complete(const FinishedSheet& sheet);
 
 /// Marks a sheet as incomplete since time was over in a stage; a further call replaces the stage.
 void mark_partial(FinishedSheet& sheet, const std::string& stage);

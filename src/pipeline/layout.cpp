@@ -157,8 +157,11 @@ Views views_to_place(const world::World& world, const SheetOfViews& sheet, std::
     } else if (sheet.descriptions[i].construction.given() && !options.detail)
       make_room_for_constructions(view, box, figure_in_plane(world, sheet.descriptions[i], views[i]), layout.fit);
     view.box = {breaks.moved(box.min) - moved, breaks.moved(box.max) - moved};
-    view.scale = sheet.descriptions[i].scale.value_or({}).fixed;
-    view.at = sheet.descriptions[i].at.value;
+    const scene::ViewDescription& description = sheet.descriptions[i];
+    view.labelled =
+        description.label.given() || description.detail.given() || (description.section.given() && views.size() > 1);
+    view.scale = description.scale.value_or({}).fixed;
+    view.at = description.at.value;
     const drawing::Breaks on_paper = drawing::mapped(breaks, 1, Vec2(0), break_gap);
     const Vec2 gaps(on_paper.gaps(0), on_paper.gaps(1));
     const Vec2 limits(breaks.any() ? sheet::limit_room(layout.widths) : 0);
@@ -346,6 +349,24 @@ std::vector<LayoutWish> better_layouts(const scene::SheetDescription& sheet, con
   if (usual.chosen)
     layouts.push_back(
         {is_sized ? usual.size_rank() : 0, sheet::next_standard_scale(usual.scale), smaller_rooms.front()});
+  return layouts;
+}
+
+std::vector<LayoutWish> roomier_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual) {
+  constexpr double smallest = 0.1;  // of the usual scale, at which texts would be far larger than what they mean
+  const bool is_given = sheet.scale.value_or({}).fixed.has_value();
+  std::vector<LayoutWish> layouts;
+  if (is_sized_by_scale(sheet)) {
+    for (int rank = usual.size_rank() + 1; rank <= largest_size_rank; ++rank) {
+      layouts.push_back({rank});
+      if (!is_given) layouts.push_back({rank, usual.scale});
+    }
+  } else if (usual.chosen) {
+    for (double scale = usual.scale; scale > smallest * usual.scale;) {
+      scale = sheet::standard_scale_up_to(scale * 0.99);
+      layouts.push_back({0, scale});
+    }
+  }
   return layouts;
 }
 

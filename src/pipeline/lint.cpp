@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "design/design_features.hpp"
+#include "design/assembly_features.hpp"
 #include "design/true_extents.hpp"
 #include "pipeline/free_forms.hpp"
 
@@ -81,7 +81,7 @@ void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::ve
 
 void add_uncovered_sizes(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
                          std::span<const sheet::DimensionsInView> views, const Progress& progress) {
-  const design::DesignFeatures features = design::find_design_features(world, progress);
+  const design::DesignFeatures features = design::features_to_dimension(world, progress);
   const auto extents = design::true_extents(world);
   sheet::Coverage coverage =
       sheet::find_coverage(views, {world, features, extents}, notation_of(world, scene.sheets.front()));

@@ -105,7 +105,8 @@ sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const st
 
 sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const ViewResult> views, std::size_t view) {
   for (std::size_t i = 0; i < views.size(); ++i)
-    if (i != view) neighbours.boxes.push_back(sheet::turned_box({views[i].drawing.min, views[i].drawing.max}));
+    if (i != view) neighbours.views.push_back(sheet::turned_box({views[i].drawing.min, views[i].drawing.max}));
+  neighbours.boxes.insert(neighbours.boxes.end(), neighbours.views.begin(), neighbours.views.end());
   return neighbours;
 }
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
+#include "drawing/cut_faces.hpp"
 
 namespace epura::pipeline {
 
@@ -78,6 +80,29 @@ void add_surfaces(SectionSurfaces& surfaces, const CutSections& sections) {
 const CutSection* section_of(const CutSections& sections, const scene::ViewDescription& view) {
   const auto found = sections.find(view.section.value_or(""));
   return found == sections.end() ? nullptr : &found->second;
+}
+
+void expect_steps_edge_on(const CutSection& section, const view::ProjectedScene& seen,
+                          const scene::ViewDescription& view) {
+  constexpr double edge_on = 1e-9;  // radians
+  const projection::Projection& projection = seen.projection;
+  const bool is_edge_on =
+      !projection.central && std::abs(glm::dot(glm::normalize(projection.projector), section.surface.along)) <= edge_on;
+  if (section.surface.is_plane() || is_edge_on) return;
+  const std::string name = section.surface.plane.name;
+  throw Error(ErrorKind::input, view.section.where,
+              "view '" + *view.name + "' does not " +
+                  (section.surface.aligned ? "show the planes of aligned section " + name + " side by side"
+                                           : "look along the steps of section " + name),
+              "choose a projection that looks against the normal of the section");
+}
+
+void warn_if_unseen(const Messages& messages, const CutSection& section, const view::ProjectedScene& seen,
+                    const std::string& view) {
+  if (drawing::is_seen(section.surface.plane, seen.projection)) return;
+  messages.warn(
+      "view '" + view + "' looks at section " + section.surface.plane.name +
+      " from the side that is kept and shows no cut face\n  hint: reverse its normal, or choose the opposite view");
 }
 
 }  // namespace epura::pipeline

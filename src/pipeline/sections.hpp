@@ -8,6 +8,7 @@
 #include "cut/cut_world.hpp"
 #include "pipeline/messages.hpp"
 #include "scene/description.hpp"
+#include "view/projected_scene.hpp"
 
 namespace epura::pipeline {
 
@@ -32,5 +33,15 @@ void add_surfaces(SectionSurfaces& surfaces, const CutSections& sections);
 
 /// The section shown by a view; null if it shows the whole.
 const CutSection* section_of(const CutSections& sections, const scene::ViewDescription& view);
+
+/// The cut world has no faces along steps and where turned parts end, which a section must not show: throws
+/// Error{input} if a view does.
+void expect_steps_edge_on(const CutSection& section, const view::ProjectedScene& seen,
+                          const scene::ViewDescription& view);
+
+/// Warns if a view sees the section from behind: it would look like one of the whole, and the arrows of the section
+/// would contradict it.
+void warn_if_unseen(const Messages& messages, const CutSection& section, const view::ProjectedScene& seen,
+                    const std::string& view);
 
 }  // namespace epura::pipeline

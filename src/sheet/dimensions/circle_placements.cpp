@@ -31,14 +31,15 @@ struct Leader {
 PlacedDimension drawn(const Leader& leader, const MeasuredCircle& circle, const DimensionText& text,
                       const DimensionStyle& style) {
   const auto& [direction, length, turned] = leader;
-  const Vec2 tip = circle.centre + circle.radius * direction;
+  const Vec2 tip = circle.centre + circle.reach(direction) * direction;
   const Vec2 elbow = tip + length * direction;
   check(circle.radius >= 0, "a circle has a radius");
   const Vec2 outward = length < 0 ? -direction : direction;
   PlacedDimension dimension;
   add_leader(dimension, text, {tip, elbow, (outward.x < 0) != turned}, style);
   dimension.arrows = {arrow_at(tip, -outward, style)};
-  if (circle.is_label) return dimension;
+  // Files have no diameters and radii of ellipses.
+  if (circle.is_label || circle.spokes) return dimension;
   DimensionObject& object = dimension.objects.emplace_back(
       DimensionObject{circle.is_radius ? DimensionShape::radius : DimensionShape::diameter, {circle.centre, tip}});
   if (!circle.is_radius) object.points[0] = circle.centre - circle.radius * direction;
@@ -76,7 +77,7 @@ void add_labels(std::vector<DimensionPlacement>& placements, const MeasuredCircl
     for (int k = 0; k < distances; ++k) {
       // From the upper right counterclockwise.
       const Vec2 direction = turned_to((2 * i + 1) * std::numbers::pi / sides);
-      const Vec2 tip = circle.centre + (circle.radius + (nearest + farther * k) * style.text) * direction;
+      const Vec2 tip = circle.centre + (circle.reach(direction) + (nearest + farther * k) * style.text) * direction;
       const Vec2 half(style.width(text) / 2, style.text / 2);
       PlacedDimension dimension;
       set_text(dimension, text, {tip + half * direction, {1, 0}, -style.text / 2}, style);
@@ -111,7 +112,8 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
       add(length, cost_of_length * length + (circle.is_label ? cost_of_label_leader : 0));
       if (circle.is_radius && length <= circle.radius) add(-length, cost_of_inside + cost_of_length * length);
     }
-    if (!circle.is_radius && !circle.is_label && whole) add_across(placements, circle, measured.text, angle, style);
+    if (!circle.is_radius && !circle.is_label && !circle.spokes && whole)
+      add_across(placements, circle, measured.text, angle, style);
   }
   check(placements.size() >= leader_directions, "a circle has a place for its text in each direction");
   return placements;

@@ -25,8 +25,20 @@ bool do_cross(const PlacedDimension& a, const PlacedDimension& b) {
   return any_overlap(a.zones, b.zones) || covers(a, b) || covers(b, a);
 }
 
+bool have_crossing_leaders(const PlacedDimension& a, const PlacedDimension& b) {
+  return std::any_of(a.leaders.begin(), a.leaders.end(), [&](const LeaderLine& one) {
+    return std::any_of(b.leaders.begin(), b.leaders.end(), [&](const LeaderLine& other) {
+      return overlap(line_box(one.tip, one.elbow), line_box(other.tip, other.elbow));
+    });
+  });
+}
+
 bool meets(const PlacedDimension& dimension, const Neighbours& neighbours) {
   return any_overlap(dimension.text_boxes, neighbours.boxes) || any_overlap(dimension.lines, neighbours.texts);
+}
+
+bool is_in_other_view(const PlacedDimension& dimension, const Neighbours& neighbours) {
+  return any_overlap(dimension.zones, neighbours.views) || any_overlap(dimension.lines, neighbours.views);
 }
 
 bool is_beyond(const PlacedDimension& dimension, const Neighbours& neighbours) {
@@ -42,7 +54,7 @@ bool is_on_lines(const PlacedDimension& dimension, const drawing::ViewDrawing& d
 
 int faults_of(const PlacedDimension& dimension, const drawing::ViewDrawing& drawing, const Neighbours& neighbours) {
   return (is_beyond(dimension, neighbours) ? 1 : 0) + (meets(dimension, neighbours) ? 1 : 0) +
-         (is_on_lines(dimension, drawing) ? 1 : 0);
+         (is_in_other_view(dimension, neighbours) ? 1 : 0) + (is_on_lines(dimension, drawing) ? 1 : 0);
 }
 
 std::vector<std::string> crossings_of(const PlacedDimensions& placed, const std::vector<std::string>& texts,
@@ -52,8 +64,12 @@ std::vector<std::string> crossings_of(const PlacedDimensions& placed, const std:
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (!placed[i]) continue;
     for (std::size_t j = i + 1; j < placed.size(); ++j)
-      if (placed[j] && do_cross(*placed[i], *placed[j])) sentences.push_back(named(i) + " and " + named(j));
-    if (meets(*placed[i], neighbours)) sentences.push_back(named(i) + " and something else on the sheet");
+      if (placed[j] && (do_cross(*placed[i], *placed[j]) || have_crossing_leaders(*placed[i], *placed[j])))
+        sentences.push_back(named(i) + " and " + named(j));
+    if (is_in_other_view(*placed[i], neighbours))
+      sentences.push_back(named(i) + " and another view");
+    else if (meets(*placed[i], neighbours))
+      sentences.push_back(named(i) + " and something else on the sheet");
     if (is_on_lines(*placed[i], drawing)) sentences.push_back(named(i) + " and lines of the view");
   }
   return sentences;

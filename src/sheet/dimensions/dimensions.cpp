@@ -8,74 +8,23 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
 #include "sheet/dimensions/anchors.hpp"
-#include "sheet/dimensions/box_index.hpp"
 #include "sheet/dimensions/forms.hpp"
-#include "sheet/dimensions/ink_index.hpp"
 #include "sheet/dimensions/measure.hpp"
+#include "sheet/dimensions/shown_circle.hpp"
+#include "sheet/dimensions/surroundings.hpp"
 #include "sheet/line_styles.hpp"
 
 namespace epura::sheet {
 
 namespace {
 
-// Faults that make a drawing hard to read outweigh all those that only make it less tidy.
-constexpr double cost_of_zone = 1000;   // two dimensions at the same position
-constexpr double cost_of_text = 300;    // a line through a text
-constexpr double cost_of_letter = 100;  // a line that is interrupted at a letter
-constexpr double cost_of_other = 20;    // a line through another view, or through something else on the sheet
-constexpr double cost_of_crossing = 3;
 constexpr std::size_t most_in_crowd = 12;  // dimensions for which less usual places are tried: it takes long
-constexpr double cost_of_ink = 0.3;        // a line of the drawing that a leader crosses
-
-/// Objects already on the paper.
-struct Surroundings {
-  const drawing::ViewDrawing& drawing;
-  std::optional<Rectangle> paper;
-  BoxIndex others;
-  BoxIndex letters;
-  InkIndex ink{drawing};
-  BoxIndex zones{others}, texts{}, lines{};
-
-  void add(const PlacedDimension& dimension) {
-    zones.add(dimension.zones);
-    texts.add(dimension.text_boxes);
-    lines.add(dimension.lines);
-  }
-  void remove(const PlacedDimension& dimension) {
-    zones.remove(dimension.zones);
-    texts.remove(dimension.text_boxes);
-    lines.remove(dimension.lines);
-  }
-
-  [[nodiscard]] bool is_off_paper(const TurnedBox& zone) const { return paper && !paper->holds(around(zone)); }
-
-  /// The cost of a placed dimension; computed no further once it exceeds `max`.
-  [[nodiscard]] double cost(const PlacedDimension& dimension, double max) const {
-    double cost = 0;
-    // Rows have hundreds of boxes.
-    const auto add_all = [&](const std::vector<TurnedBox>& boxes, const auto& cost_of) {
-      for (auto box = boxes.begin(); box != boxes.end() && cost < max; ++box) cost += cost_of(*box);
-    };
-    add_all(dimension.text_boxes, [&](const TurnedBox& text) { return cost_of_text * lines.overlaps(text); });
-    add_all(dimension.zones, [&](const TurnedBox& zone) {
-      return cost_of_zone * (zones.overlaps(zone) + (is_off_paper(zone) ? 1 : 0)) +
-             cost_of_crossing * lines.overlaps(zone);
-    });
-    add_all(dimension.lines, [&](const TurnedBox& line) {
-      return cost_of_text * texts.overlaps(line) + cost_of_crossing * zones.overlaps(line) +
-             cost_of_letter * letters.overlaps(line) + cost_of_other * others.overlaps(line);
-    });
-    add_all(dimension.text_boxes, [&](const TurnedBox& text) { return ink.in(text) > 0 ? cost_of_text : 0; });
-    add_all(dimension.lines, [&](const TurnedBox& line) { return cost_of_ink * ink.in(line); });
-    check(cost >= 0, "nothing is better than free paper");
-    return cost;
-  }
-};
 
 bool is_on_line(const Vec2& p, const Vec2& on, const Vec2& direction) {
   constexpr double slack = 1e-6;
@@ -104,7 +53,7 @@ bool ends_at(const MeasuredAngle& angle, const Vec2& tip) {
 }
 
 bool ends_at(const MeasuredCircle& circle, const Vec2& tip) {
-  return std::abs(glm::distance(tip, circle.centre) - circle.radius) <= 1e-6 * (1 + circle.radius);
+  return std::abs(glm::length(circle.in_spokes(tip - circle.centre)) - 1) * circle.radius <= 1e-6 * (1 + circle.radius);
 }
 
 // The tip of an arrow, or the centre of a dot.
@@ -177,11 +126,9 @@ class Placer {
         style_(style),
         neighbours_(neighbours),
         order_(order_of(dimensions)),
-        surroundings_{drawing, neighbours.paper, BoxIndex(neighbours.boxes), BoxIndex(neighbours.letters)},
+        surroundings_(drawing, neighbours),
         placed_(dimensions.size()),
-        stays_(dimensions.size(), false) {
-    surroundings_.texts.add(neighbours.texts);
-  }
+        stays_(dimensions.size(), false) {}
 
   void place_all(const Progress& progress) {
     for (const std::size_t i : order_) {
@@ -505,47 +452,96 @@ void add_to(Layer& layer, PlacedDimension dimension, const std::string& text, co
   }
 }
 
+// The lengths of a row with a common origin, in order.
+DimensionText text_of(const MeasuredRow& row) {
+  DimensionText all;
+  for (std::size_t i = 0; i < row.texts.size(); ++i)
+    if (i != row.origin) all.add((all.pieces.empty() ? "" : ", ") + row.texts[i].line());
+  return all;
+}
+
+/// The dimensions of a view that it shows, and their numbers among all.
+struct ShownDimensions {
+  std::vector<MeasuredDimension> measured;
+  std::vector<std::size_t> numbers;
+  std::size_t found = 0;  ///< as in DimensionedView
+
+  MeasuredDimension& add(std::size_t number, std::size_t found_of_all, MeasuredDimension one) {
+    if (number < found_of_all) ++found;
+    numbers.push_back(number);
+    return measured.emplace_back(std::move(one));
+  }
+};
+
+// Those that were found in faces of the part, which the view may not show, are left out with a word in `placed`.
+ShownDimensions measure_shown(const DimensionedView& view, const DimensionStyle& style, PlacedLayer& placed,
+                              const Progress& progress) {
+  Notation notation = style.notation;
+  notation.diameter = diameter_sign(style.lettering);
+  notation.arc = arc_sign(style.lettering);
+  ShownDimensions shown;
+  std::size_t number = 0;
+  for (const AnchoredDimension& dimension : find_anchors(view.world, view.dimensions, progress)) {
+    const std::size_t i = number++;
+    MeasuredDimension measured = measure(view.drawing, dimension, notation);
+    measured.name = dimension.name;
+    expect_letters(measured.text.line(), dimension, style.lettering);
+    const bool is_round = dimension.type == DimensionType::diameter || dimension.type == DimensionType::radius;
+    if (i < view.found && is_round && !view.lacks_lines && !shows_circle(view.drawing, measured)) {
+      placed.unseen.push_back(i);
+      placed.texts_unseen.push_back(measured.text.line());
+      continue;
+    }
+    const auto* row = std::get_if<MeasuredRow>(&measured.form);
+    const bool may_part = i < view.found && row != nullptr && !measured.offset;
+    for (const MeasuredRow& part : may_part ? on_two_sides(*row, style) : std::vector<MeasuredRow>()) {
+      MeasuredDimension& one = shown.add(i, view.found, measured);
+      one.form = part;
+      one.text = text_of(part);
+      if (is_crowded(part, style)) ++placed.fans;
+    }
+    if (!may_part) shown.add(i, view.found, std::move(measured));
+  }
+  check(shown.measured.size() + placed.unseen.size() >= number, "a dimension is shown or not");
+  return shown;
+}
+
 }  // namespace
 
 PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours,
                              const Progress& progress) {
   progress.begin("placing dimensions", view.dimensions.size());
-  std::vector<MeasuredDimension> measured;
-  Notation notation = style.notation;
-  notation.diameter = diameter_sign(style.lettering);
-  notation.arc = arc_sign(style.lettering);
-  for (const AnchoredDimension& dimension :
-       find_anchors(view.world, view.dimensions, progress.with_part_of_the_time(0.5))) {
-    measured.push_back(measure(view.drawing, dimension, notation));
-    measured.back().name = dimension.name;
-    expect_letters(measured.back().text.line(), dimension, style.lettering);
-  }
-  Layer layer = empty_layer(view.drawing.name, scene::SheetLine::dimension, {2 * style.line, style.line});
-  Placer placer(measured, view.drawing, style, neighbours);
+  PlacedLayer result{empty_layer(view.drawing.name, scene::SheetLine::dimension, {2 * style.line, style.line})};
+  const ShownDimensions shown = measure_shown(view, style, result, progress.with_part_of_the_time(0.5));
+  Placer placer(shown.measured, view.drawing, style, neighbours);
   placer.place_all(progress);
   std::vector<std::size_t> left_out;
-  if (!progress.is_out_of_time()) left_out = placer.leave_out(view.found, progress);
+  if (!progress.is_out_of_time()) left_out = placer.leave_out(shown.found, progress);
   PlacedDimensions placed = placer.result();
   std::vector<std::string> texts;
-  for (const MeasuredDimension& one : measured) texts.push_back(one.text.line());
-  std::vector<std::string> crossings = crossings_of(placed, texts, view.drawing, neighbours);
+  for (const MeasuredDimension& one : shown.measured) texts.push_back(one.text.line());
+  result.crossings = crossings_of(placed, texts, view.drawing, neighbours);
   draw_once(placed);
   interrupt_at(neighbours.letters, placed);
-  std::size_t count = left_out.size();
-  std::map<std::string, std::vector<DimensionEnd>> ends;
+  std::set<std::size_t> done(result.unseen.begin(), result.unseen.end());
   for (std::size_t i = 0; i < placed.size(); ++i) {
     auto& dimension = placed[i];
     if (!dimension) continue;
     for (DimensionEnd& end : dimension->ends)
-      if (end.arrow) *end.arrow += static_cast<int>(layer.fills.size());
-    if (!measured[i].name.empty()) ends[measured[i].name] = std::move(dimension->ends);
-    add_to(layer, std::move(*dimension), texts[i], style);
-    ++count;
+      if (end.arrow) *end.arrow += static_cast<int>(result.layer.fills.size());
+    if (const std::string& name = shown.measured[i].name; !name.empty()) result.ends[name] = std::move(dimension->ends);
+    add_to(result.layer, std::move(*dimension), texts[i], style);
+    done.insert(shown.numbers[i]);
   }
-  check(count <= measured.size(), "a dimension is drawn or left out");
-  std::vector<std::string> without_room;
-  for (const std::size_t i : left_out) without_room.push_back(texts[i]);
-  return {std::move(layer), count, std::move(left_out), std::move(without_room), std::move(crossings), std::move(ends)};
+  for (const std::size_t i : left_out) {
+    done.insert(shown.numbers[i]);
+    result.texts_left_out.push_back(texts[i]);
+    if (result.left_out.empty() || result.left_out.back() != shown.numbers[i])
+      result.left_out.push_back(shown.numbers[i]);
+  }
+  result.count = done.size();
+  check(result.count <= view.dimensions.size(), "a dimension is drawn or left out");
+  return result;
 }
 
 Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours,

@@ -23,16 +23,20 @@ struct DimensionedView {
   const world::World& world;
   const drawing::ViewDrawing& drawing;
   std::span<const scene::DimensionDescription> dimensions;
-  std::size_t found = 0;  ///< how many of them, the first ones, nobody asked for: they are left out without room
+  std::size_t found = 0;     ///< how many of them, the first ones, nobody asked for: they are left out without room
+  bool lacks_lines = false;  ///< since time was over
 };
 
 /// The dimensions of a view on paper.
 struct PlacedLayer {
   Layer layer;
-  std::size_t count;                  ///< of the dimensions for which there was time
-  std::vector<std::size_t> left_out;  ///< numbers of those without room
-  std::vector<std::string> texts_left_out;
-  std::vector<std::string> crossings;  ///< a sentence for each dimension that something crosses
+  std::size_t count = 0;                ///< of the dimensions for which there was time
+  std::vector<std::size_t> left_out{};  ///< numbers of those without room
+  std::vector<std::string> texts_left_out{};
+  std::vector<std::size_t> unseen{};  ///< numbers of those that measure what the view does not show, also left out
+  std::vector<std::string> texts_unseen{};
+  std::size_t fans = 0;                  ///< rows whose texts need more room than the view has
+  std::vector<std::string> crossings{};  ///< a sentence for each dimension that something crosses
   /// Ends of the dimension lines that have a name; arrows are numbers of areas of the layer.
   std::map<std::string, std::vector<DimensionEnd>> ends{};
 };
@@ -44,9 +48,9 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
 /// Layer "VIEW/dimensions" of a drawing in its final position: narrow lines, filled arrows, and texts. Values are the
 /// true measures in the world. Dimensions are outside the outline, small ones inside large ones, and avoid each other
 /// and their neighbours as far as possible; an offset is obeyed. Dimensions for which there is no
-/// time are omitted. Of those that were found, as many are left out as it takes that no text is on anything else and
-/// none is beyond the sheet. Throws Error{input}: see sheet/dimensions/anchors.hpp and measure.hpp; also for characters
-/// missing from the font.
+/// time are omitted. Of those that were found, circles that the view does not show are left out, and then as many as it
+/// takes that no text is on anything else, no line is in another view and none is beyond the sheet. Throws
+/// Error{input}: see sheet/dimensions/anchors.hpp and measure.hpp; also for characters missing from the font.
 Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours = {},
                       const Progress& progress = {});
 

@@ -156,6 +156,7 @@ void add_leader(PlacedDimension& dimension, const DimensionText& text, const Sho
   const Vec2 shoulder = elbow + Vec2(to_left ? -width : width, 0);
   dimension.strokes.emplace_back().points = {tip, elbow, shoulder};
   dimension.lines.push_back(line_box(tip, elbow));
+  dimension.leaders.push_back({tip, elbow});
   set_text(dimension, text, {(elbow + shoulder) * 0.5, {1, 0}, style.above()}, style);
   // The box includes the shoulder, which no line should meet either.
   TurnedBox& box = dimension.text_boxes.back();

@@ -41,6 +41,11 @@ struct DimensionEnd {
   std::optional<int> arrow{};  ///< number of an arrow outside that it would replace
 };
 
+/// The oblique line of a leader, from the arrow to the bend before the text.
+struct LeaderLine {
+  Vec2 tip, elbow;
+};
+
 /// A dimension as it would be drawn, and the area that it takes up on paper.
 struct PlacedDimension {
   std::vector<Stroke> strokes;
@@ -49,6 +54,7 @@ struct PlacedDimension {
   std::vector<TurnedBox> text_boxes{};     ///< with a little space around them
   std::vector<TurnedBox> zones;            ///< of the dimension line and the text, for their exclusive use
   std::vector<TurnedBox> lines;            ///< extension lines and leaders, which may be crossed
+  std::vector<LeaderLine> leaders{};       ///< those of the lines that are leaders
   std::vector<DimensionEnd> ends{};        ///< of a single dimension line, where no text stands
   std::vector<DimensionObject> objects{};  ///< shapes, points and angles of what it consists of; of several, also
                                            ///< their texts

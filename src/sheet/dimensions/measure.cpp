@@ -37,6 +37,12 @@ struct Sight {
   [[nodiscard]] Vec2 page_of(const Vec3& d) const { return Vec2(drawing.world_to_page * Vec4(d, 0)); }
   [[nodiscard]] bool in_plane(const Vec3& d) const { return std::abs(glm::dot(d, n)) <= most_tilt * glm::length(d); }
   [[nodiscard]] bool shows_an_axis() const { return in_plane({1, 0, 0}) || in_plane({0, 1, 0}) || in_plane({0, 0, 1}); }
+  // A pictorial view along parallel projectors, in which circles may be ellipses.
+  [[nodiscard]] bool is_axonometric() const { return !orthographic || !shows_an_axis(); }
+  // Of a circle about this axis.
+  [[nodiscard]] bool is_edge_on(const Vec3& axis) const {
+    return std::abs(glm::dot(axis, glm::normalize(drawing.projection.projector))) <= most_tilt;
+  }
   [[nodiscard]] double millimetres() const { return glm::length(page_of(drawing.projection.u)); }  // per unit of length
 };
 
@@ -271,8 +277,17 @@ MeasuredDimension diameter_edge_on(const AnchoredDimension& dimension, const Wor
   return {length, text, dimension.offset};
 }
 
+// Two perpendicular ones.
+std::array<Vec3, 2> spokes_of(const WorldCircle& circle) {
+  const Vec3 size = glm::abs(circle.axis);
+  const int least = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
+  const Vec3 u = circle.radius * glm::normalize(glm::cross(circle.axis, Mat3(1)[least]));
+  return {u, glm::cross(circle.axis, u)};
+}
+
 MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sight) {
   const bool is_radius = dimension.type == DimensionType::radius;
+  check(is_radius || dimension.type == DimensionType::diameter, "circles have diameters or radii");
   const auto text = [&](const WorldCircle& circle) {
     const double value = is_radius ? circle.radius : 2 * circle.radius;
     return with_text(dimension, {value, is_radius ? "R" : sight.notation.diameter}, sight.notation);
@@ -283,6 +298,13 @@ MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sigh
   for (const WorldCircle& circle : dimension.circles)
     if (!is_radius && circle.whole && sight.orthographic && sight.in_plane(circle.axis))
       return diameter_edge_on(dimension, circle, sight, text(circle));
+  for (const WorldCircle& circle : dimension.circles)
+    if (sight.is_axonometric() && !sight.is_edge_on(circle.axis)) {
+      MeasuredCircle ellipse = on_paper(circle, sight, dimension);
+      const auto [u, v] = spokes_of(circle);
+      ellipse.spokes = {sight.page_of(u), sight.page_of(v)};
+      return {ellipse, text(circle), dimension.offset};
+    }
   refuse_measure(dimension, "the view does not show the circle in its true form",
                  is_radius ? "measure it in a view along its axis"
                            : "measure it in a view along its axis, or perpendicular to it");

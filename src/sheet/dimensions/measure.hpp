@@ -35,6 +35,7 @@ struct MeasuredRow {
   DimensionArrangement arrangement;
   std::optional<std::vector<Vec2>> opposite{};  ///< the places for dimension lines above or on the left
   std::vector<double> values{};                 ///< of each text, mm
+  std::optional<bool> above{};                  ///< whether it must be above or on the left; otherwise on either side
 
   [[nodiscard]] double size() const { return glm::dot(places.back() - places.front(), along); }
 };
@@ -46,7 +47,7 @@ struct MeasuredAngle {
       arc{};  ///< if the length of an arc that begins at the first leg is measured: its sweep, radians
 };
 
-/// A circle or an arc seen in true shape.
+/// A circle or an arc seen in true shape or, in an axonometric view, as an ellipse.
 struct MeasuredCircle {
   Vec2 centre;
   double radius;
@@ -54,6 +55,18 @@ struct MeasuredCircle {
   bool is_radius;         ///< whether the radius is measured; otherwise the diameter
   bool is_label = false;  ///< whether the text is only a name beside the circle
   double value = 0;       ///< in the world, mm
+  std::optional<std::array<Vec2, 2>> spokes{};  ///< of an ellipse: images of two perpendicular spokes
+
+  /// A direction from the centre in lengths of the spokes: 1 where it meets the circle.
+  [[nodiscard]] Vec2 in_spokes(const Vec2& off) const {
+    if (!spokes) return off / radius;
+    const auto& [u, v] = *spokes;
+    return Vec2(cross(off, v), cross(u, off)) / cross(u, v);
+  }
+  /// From the centre to the circle, along a unit vector.
+  [[nodiscard]] double reach(const Vec2& direction) const {
+    return spokes ? 1 / glm::length(in_spokes(direction)) : radius;
+  }
 };
 
 struct MeasuredDimension {

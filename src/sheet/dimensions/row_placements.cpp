@@ -25,12 +25,6 @@ constexpr double common_origin_radius = 0.35;   // of the circle at a common ori
 constexpr double line_of_text = 1.5;            // between texts beside each other, in their heights
 constexpr double dot_below = 1.2;               // between arrows, in their lengths: nearer ones are dots
 
-// Whether the texts of a row with a common origin need more room than its places have.
-bool is_crowded(const MeasuredRow& row, const DimensionStyle& style) {
-  return row.arrangement == DimensionArrangement::ordinate &&
-         line_of_text * style.text * static_cast<double>(row.places.size()) > row.size();
-}
-
 // Positions of things of these sizes along a line, in order and as near to their wishes as they can be without
 // touching: isotonic regression by pooling neighbours.
 std::vector<double> spread(const std::vector<double>& wishes, const std::vector<double>& sizes) {
@@ -279,7 +273,45 @@ class RowDrawer {
   std::vector<Vec2> middles_;  ///< of texts
 };
 
+// A row of some of the places, and of the origin.
+MeasuredRow part_of(const MeasuredRow& row, const std::vector<bool>& taken, bool above) {
+  MeasuredRow part{{}, 0, row.along, {}, row.arrangement};
+  part.above = above;
+  if (row.opposite) part.opposite.emplace();
+  for (std::size_t i = 0; i < row.places.size(); ++i) {
+    if (i == row.origin) part.origin = part.places.size();
+    if (i != row.origin && !taken[i]) continue;
+    part.places.push_back(row.places[i]);
+    part.texts.push_back(row.texts[i]);
+    if (i < row.values.size()) part.values.push_back(row.values[i]);
+    if (row.opposite) part.opposite->push_back((*row.opposite)[i]);
+  }
+  return part;
+}
+
 }  // namespace
+
+bool is_crowded(const MeasuredRow& row, const DimensionStyle& style) {
+  return row.arrangement == DimensionArrangement::ordinate &&
+         line_of_text * style.text * static_cast<double>(row.places.size()) > row.size();
+}
+
+std::vector<MeasuredRow> on_two_sides(const MeasuredRow& row, const DimensionStyle& style) {
+  constexpr std::size_t most_on_a_side = 12;
+  const bool is_fan = row.places.size() > most_on_a_side + 1 || is_crowded(row, style);
+  constexpr std::size_t fewest = 4;  // places: fewer are no fan
+  if (row.arrangement != DimensionArrangement::ordinate || !is_fan || row.places.size() < fewest) return {row};
+  std::vector<std::size_t> order;  // from below, or from the right; of places side by side, each second one above
+  for (std::size_t i = 0; i < row.places.size(); ++i)
+    if (i != row.origin) order.push_back(i);
+  const auto rank = [&](std::size_t i) {
+    return std::pair(std::round(glm::dot(row.places[i], left_of(row.along))), i % 2);
+  };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  std::vector<bool> below(row.places.size(), false), above(row.places.size(), false);
+  for (std::size_t k = 0; k < order.size(); ++k) (2 * k < order.size() ? below : above)[order[k]] = true;
+  return {part_of(row, below, false), part_of(row, above, true)};
+}
 
 std::vector<DimensionPlacement> placements_of(const MeasuredRow& row, const MeasuredDimension& measured,
                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
@@ -301,6 +333,7 @@ std::vector<DimensionPlacement> placements_of(const MeasuredRow& row, const Meas
   const bool vertical = std::abs(row.along.y) > std::abs(row.along.x);
   const double first_side = vertical ? upwards : -upwards;
   for (const double side : {first_side, -first_side}) {
+    if (row.above && *row.above != (side != first_side)) continue;
     const std::vector<Vec2>& places = side != first_side && row.opposite ? *row.opposite : row.places;
     const MeasuredLength ends{places.front(), places.back(), row.along, across};
     const Reach reach = reach_of_ink(ends, drawing);
@@ -317,7 +350,8 @@ std::vector<DimensionPlacement> placements_of(const MeasuredRow& row, const Meas
             {RowDrawer(row, places, distance, style, shift).draw(), cost + cost_of_shift * std::abs(shift)});
     }
   }
-  check(placements.size() >= std::size_t{2} * row_levels, "a row has places on both sides");
+  check(placements.size() >= (row.above ? std::size_t{1} : std::size_t{2}) * row_levels,
+        "a row has places on its sides");
   return placements;
 }
 

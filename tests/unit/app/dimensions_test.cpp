@@ -103,7 +103,7 @@ TEST_F(DimensionsOfProgram, DecimalSignsAreThoseOfTheSheet) {
 
 TEST_F(DimensionsOfProgram, Refused) {
   const std::string pictorial =
-      refused({sample("bracket.obj"), "--projection", "isometric", "--dimensions", "overall"});
+      refused({sample("bracket.obj"), "--projection", "two-point", "--dimensions", "overall"});
   EXPECT_TRUE(contains(pictorial, "--dimensions: no view shows the size of the models in true length")) << pictorial;
   const std::string word = refused({sample("bracket.obj"), "--dimensions", "overal"});
   EXPECT_TRUE(contains(word, "did you mean 'overall'?")) << word;
@@ -112,6 +112,15 @@ TEST_F(DimensionsOfProgram, Refused) {
   const std::string view = refused({scene, "--views", "front,top"});
   EXPECT_TRUE(contains(view, "scene.toml:5")) << view;
   EXPECT_TRUE(contains(view, "did you mean 'front'?")) << view;
+}
+
+// Along the axes, where both ends of the models have corners.
+TEST_F(DimensionsOfProgram, AxonometricViewsHaveSizesAlongTheAxes) {
+  const std::string box = folder.file("box.obj",
+                                      "v 0 0 0\nv 60 0 0\nv 60 40 0\nv 0 40 0\nv 0 0 25\nv 60 0 25\nv 60 40 25\n"
+                                      "v 0 40 25\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  for (const char* view : {"isometric", "dimetric", "trimetric", "cavalier", "planometric"})
+    EXPECT_EQ(dimensions_in(drawn({box, "--projection", view, "--dimensions", "overall"}), view), "60 40 25 ") << view;
 }
 
 TEST_F(DimensionsOfProgram, HaveDecimalsByTheSizeOfTheModel) {

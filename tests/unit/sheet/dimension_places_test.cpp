@@ -11,6 +11,7 @@
 #include "errors.hpp"
 #include "sheet/dimensions/box_index.hpp"
 #include "sheet/dimensions/overall.hpp"
+#include "sheet/dimensions/surroundings.hpp"
 
 namespace epura::test {
 namespace {
@@ -422,6 +423,60 @@ TEST(OverallDimensions, HaveTheRoomThatWasKeptFree) {
     }
   }
   EXPECT_EQ(sheet::dimension_room({}, front, 3.5).before, Vec2(0, 0));
+}
+
+// A view on the right, 20 mm away: the height stands on the left; with another one there, a found one is left out.
+TEST(DimensionPlaces, NothingIsInsideAnotherView) {
+  const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+  const std::vector<scene::DimensionDescription> height{dimension("overall", {}, "height")};
+  const sheet::DimensionStyle style{sheet::Lettering(), 0.25};
+  sheet::Neighbours around;
+  const auto add_view = [&](const Vec2& min, const Vec2& max) {
+    around.views.push_back(sheet::turned_box({min, max}));
+    around.boxes.push_back(around.views.back());
+  };
+  add_view({132, 0}, {190, 200});
+  const sheet::PlacedLayer left = sheet::place_dimensions({world, front, height, 1}, style, around);
+  ASSERT_EQ(left.layer.texts.size(), 1U);
+  EXPECT_LT(left.layer.texts[0].at.x, front.min.x);
+  add_view({0, 0}, {68, 200});
+  const sheet::PlacedLayer none = sheet::place_dimensions({world, front, height, 1}, style, around);
+  EXPECT_EQ(none.left_out, (std::vector<std::size_t>{0}));
+  EXPECT_TRUE(none.layer.texts.empty());
+  // Who asks for it has it, and lint says where it stands.
+  const sheet::PlacedLayer asked = sheet::place_dimensions({world, front, height}, style, around);
+  EXPECT_EQ(asked.layer.texts.size(), 1U);
+  EXPECT_EQ(asked.crossings, (std::vector<std::string>{"'40' and another view"}));
+}
+
+// A diameter seen edge-on needs lines that lead away from the plane of its circle.
+TEST(DimensionPlaces, SizesOfWhatIsNotShownAreLeftOut) {
+  const world::World world = placed(cylinder(48, 10, 30));
+  scene::DimensionDescription diameter = dimension("diameter", {});
+  diameter.circle = {Vec3(0, 0, 30), Vec3(0, 0, 1), 10, {}};
+  scene::DimensionDescription inner = diameter;
+  inner.circle->radius = 5;
+  const std::vector<scene::DimensionDescription> both{diameter, inner};
+  const sheet::DimensionStyle style{sheet::Lettering(), 0.25};
+  for (const Vec3& viewer : {from_front, Vec3(0, 0, 1)}) {
+    const drawing::ViewDrawing seen = drawing_of(world, orthographic(viewer));
+    const sheet::PlacedLayer placed = sheet::place_dimensions({world, seen, both, 2}, style);
+    EXPECT_EQ(placed.unseen, (std::vector<std::size_t>{1})) << "nothing has a radius of 5";
+    EXPECT_EQ(placed.layer.texts.size(), 1U);
+    EXPECT_EQ(sheet::place_dimensions({world, seen, both, 0}, style).layer.texts.size(), 2U);
+    EXPECT_TRUE(sheet::place_dimensions({world, seen, both, 2, true}, style).unseen.empty()) << "lines are missing";
+  }
+}
+
+// A leader to the left hole of two, along the line through both, would go through the right one.
+TEST(DimensionPlaces, LeadersGoThroughNoOtherHole) {
+  const sheet::Disc other{{20, 0}, 5};
+  EXPECT_TRUE(sheet::goes_through({{5, 0}, {40, 0}}, other));
+  EXPECT_TRUE(sheet::goes_through({{5, 0}, {20, 2}}, other)) << "it ends in it";
+  EXPECT_FALSE(sheet::goes_through({{5, 0}, {40, 30}}, other));
+  EXPECT_FALSE(sheet::goes_through({{24, 3}, {40, 30}}, other)) << "it begins on it";
+  EXPECT_FALSE(sheet::goes_through({{5, 0}, {40, 0}}, {{0, 0}, 50})) << "all is in it";
 }
 
 }  // namespace

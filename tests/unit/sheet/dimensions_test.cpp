@@ -266,5 +266,22 @@ TEST(Dimensions, OverallOnesWantAllOfTheModels) {
   expect_refusals(world, front, {{dimension("overall", {}, "width"), "does not show all of the models"}});
 }
 
+// The tip of a leader is on the ellipse, where the point of the circle is.
+TEST(Dimensions, CirclesSeenAsEllipses) {
+  const world::World world = placed(cylinder(64, 10, 7));
+  const drawing::ViewDrawing corner = drawing_of(world, orthographic(from_corner));
+  const sheet::Layer layer = layer_of(world, corner, {dimension("diameter", {70}), dimension("radius", {70})});
+  ASSERT_EQ(layer.texts.size(), 2U);
+  EXPECT_EQ(layer.texts[0].text, "⌀20");
+  EXPECT_EQ(layer.texts[1].text, "R10");
+  const auto page = [&](const Vec4& p) { return Vec2(corner.world_to_page * p); };
+  const Vec2 centre = page({0, 0, 7, 1}), u = page({10, 0, 0, 0}), v = page({0, 10, 0, 0});
+  for (const sheet::Fill& arrow : layer.fills) {
+    const Vec2 off = arrow.rings[0][0] - centre;
+    const double along_u = cross(off, v) / cross(u, v), along_v = cross(u, off) / cross(u, v);
+    EXPECT_NEAR(std::hypot(along_u, along_v), 1, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace epura::test

@@ -164,5 +164,29 @@ TEST(ArcDimensions, OfWholeCirclesAreRefused) {
                        "the view shows no arc at this place in its true form"));
 }
 
+// Sixteen places in one row would be a fan: half of them stand above, each with the origin.
+TEST(RowDimensions, FansStandOnTwoSides) {
+  const world::World world = beam();
+  std::vector<double> places{0};
+  for (int i = 1; i <= 16; ++i) places.push_back(6 * i);
+  const std::vector<scene::DimensionDescription> fan{row(DimensionArrangement::ordinate, places)};
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
+  const sheet::PlacedLayer placed = sheet::place_dimensions({world, front, fan, 1}, {sheet::Lettering(), 0.25});
+  EXPECT_TRUE(placed.left_out.empty());
+  EXPECT_EQ(placed.count, 1U);
+  std::size_t above = 0, below = 0, origins = 0;
+  for (const sheet::Text& text : placed.layer.texts) {
+    if (text.text == "0") ++origins;
+    ++(text.at.y > front.max.y ? above : below);
+  }
+  EXPECT_EQ(above, 9U);
+  EXPECT_EQ(below, 9U);
+  EXPECT_EQ(origins, 2U);
+  // Twelve are none.
+  places.resize(13);
+  const std::vector<scene::DimensionDescription> few{row(DimensionArrangement::ordinate, places)};
+  EXPECT_EQ(sheet::place_dimensions({world, front, few, 1}, {sheet::Lettering(), 0.25}).layer.texts.size(), 13U);
+}
+
 }  // namespace
 }  // namespace epura::test

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/pictorial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "base/error.hpp"
+#include "sheet/dimensions/equal_features.hpp"
+#include "sheet/dimensions/thread_notes.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using scene::DimensionDescription;
+
+constexpr double seen_end_on = 1e-3;   // of its length: an axis has no image
+constexpr double almost_along = 0.99;  // cosine of the angle between an extension line and its dimension line
+
+/// A view as a map of directions to the page.
+struct Images {
+  const projection::Projection& projection;
+
+  [[nodiscard]] Vec2 of(const Vec3& d) const {
+    const Vec3 on_plane =
+        d - glm::dot(d, projection.n) / glm::dot(projection.projector, projection.n) * projection.projector;
+    return {glm::dot(on_plane, projection.u), glm::dot(on_plane, projection.v)};
+  }
+  [[nodiscard]] bool is_seen(int axis) const { return glm::length(of(Mat3(1)[axis])) > seen_end_on; }
+
+  // The axis along which extension lines are drawn, as they are measured: the one that is most nearly perpendicular.
+  [[nodiscard]] std::optional<int> extension_of(int axis) const {
+    const Vec2 along = glm::normalize(of(Mat3(1)[axis]));
+    std::optional<int> best;
+    double least = almost_along;
+    for (int other = 0; other < 3; ++other) {
+      if (other == axis || !is_seen(other)) continue;
+      const double lean = std::abs(glm::dot(glm::normalize(of(Mat3(1)[other])), along));
+      if (lean >= least - 1e-9) continue;
+      least = lean;
+      best = other;
+    }
+    return best;
+  }
+};
+
+/// Two points at the ends of the models along an axis.
+struct Ends {
+  Vec3 from, to;
+  double outside = -HUGE_VAL;  ///< how far from the middle of the view, on its side
+};
+
+// The ends from which extension lines along `extension` begin: at the outermost place at which both ends of the models
+// have points, since in between, lengths along the axis are shifted.
+std::optional<Ends> ends_along(int axis, int extension, const Images& images, const std::vector<Vec3>& points) {
+  check(axis != extension, "extension lines leave along another axis");
+  const int third = 3 - axis - extension;
+  Box box;
+  for (const Vec3& p : points) box.add(p);
+  const double slack = 1e-6 * glm::length(box.size()), place = 10 * slack;
+  const Vec2 across = left_of(glm::normalize(images.of(Mat3(1)[axis])));
+  const auto outside = [&](const Vec3& p, double side) { return side * glm::dot(images.of(p - box.centre()), across); };
+  std::optional<Ends> best;
+  const double below = across.y > 0 ? -1 : 1;
+  for (const double side : {below, -below}) {
+    std::array<std::map<long long, Vec3>, 2> outermost;  // of the points at either end, by their place along `third`
+    for (const Vec3& p : points)
+      for (const std::size_t end : {0U, 1U}) {
+        if (std::abs(p[axis] - (end == 0 ? box.min : box.max)[axis]) > slack) continue;
+        const auto [known, is_new] = outermost[end].try_emplace(std::llround(p[third] / place), p);
+        if (!is_new && outside(p, side) > outside(known->second, side)) known->second = p;
+      }
+    for (const auto& [key, p] : outermost[0]) {
+      const auto q = outermost[1].find(key);
+      if (q == outermost[1].end()) continue;
+      const double out = std::min(outside(p, side), outside(q->second, side));
+      if (best && out <= best->outside + slack) continue;
+      best = Ends{p, q->second, out};
+      // Side by side along the axis: where the nearer one is, the other extension line begins on the part.
+      (outside(p, side) > out ? best->from : best->to)[extension] = (outside(p, side) > out ? q->second : p)[extension];
+    }
+  }
+  return best;
+}
+
+class PictorialPlanner {
+ public:
+  PictorialPlanner(const DimensionDescription& wanted, const NamedProjection& view, const DimensionSubject& subject,
+                   const Notation& notation)
+      : wanted_(wanted), view_(view), subject_(subject), notation_(notation) {}
+
+  std::vector<DimensionDescription> plan() {
+    add_sizes();
+    if (*wanted_.type == DimensionType::automatic) {
+      add_holes();
+      add_cylinders();
+      add_arcs();
+    }
+    return std::move(dimensions_);
+  }
+
+ private:
+  DimensionDescription& add(DimensionType type, const std::string& text) {
+    DimensionDescription& dimension = dimensions_.emplace_back();
+    dimension.where = wanted_.where;
+    dimension.view = {view_.name, wanted_.where};
+    dimension.type = {type, wanted_.where};
+    if (!text.empty()) dimension.text = {text, wanted_.where};
+    return dimension;
+  }
+
+  void add_sizes() {
+    const Images images{view_.projection};
+    const std::vector<Vec3> points = design::points_of_faces(subject_.world);
+    std::vector<int> done;
+    for (const int axis : {0, 1, 2}) {
+      const design::Extent& extent = subject_.extents[axis];
+      const bool is_done =
+          std::any_of(done.begin(), done.end(), [&](int other) { return subject_.extents[other].is_same_as(extent); });
+      if (is_done || !images.is_seen(axis) || !(extent.size() > 0)) continue;
+      const auto extension = images.extension_of(axis);
+      const auto ends = extension ? ends_along(axis, *extension, images, points) : std::nullopt;
+      if (!ends) continue;
+      done.push_back(axis);
+      const std::string sign = extent.form == design::ExtentForm::length ? "" : "⌀<>";
+      DimensionDescription& size =
+          add(DimensionType::aligned, extent.form == design::ExtentForm::sphere ? "S" + sign : sign);
+      Vec3 from = ends->from, to = ends->to;
+      from[axis] = extent.from;
+      to[axis] = extent.to;
+      size.anchors = {from, to};
+    }
+    check(done.size() <= 3, "an axis has one size");
+  }
+
+  // Of equal holes, at one whose mouth the view shows.
+  void add_holes() {
+    for (const auto& group : groups_of<design::DesignHole>(subject_.features.holes, design::are_equal)) {
+      const auto* shown = *std::max_element(group.begin(), group.end(), [&](const auto* a, const auto* b) {
+        return glm::dot(a->axis, view_.projection.n) < glm::dot(b->axis, view_.projection.n) - 1e-9;
+      });
+      const std::string text = times(group.size()) + name_in_note(shown->thread) + recesses_of(*shown, notation_);
+      add(DimensionType::diameter, text).circle = {shown->mouth, shown->axis, shown->called() / 2, {}};
+    }
+  }
+
+  void add_cylinders() {
+    const auto equal = [&](const design::DesignCylinder& a, const design::DesignCylinder& b) {
+      return a.inwards == b.inwards && are_written_alike(a.called(), b.called(), notation_);
+    };
+    for (const auto& group : groups_of<design::DesignCylinder>(subject_.features.cylinders, equal)) {
+      const design::DesignCylinder& shown = *group.front();
+      const auto is_overall = [&](const design::Extent& extent) {
+        return extent.form == design::ExtentForm::diameter &&
+               are_written_alike(extent.size(), 2 * shown.radius, notation_);
+      };
+      if (std::any_of(subject_.extents.begin(), subject_.extents.end(), is_overall)) continue;
+      const Vec3& n = view_.projection.n;
+      const Vec3& end = glm::dot(shown.from, n) > glm::dot(shown.to, n) ? shown.from : shown.to;
+      add(DimensionType::diameter, times(group.size()) + name_in_note(shown.thread)).circle = {
+          end, shown.axis, shown.called(), {}};
+    }
+  }
+
+  void add_arcs() {
+    const auto equal = [&](const design::DesignArc& a, const design::DesignArc& b) {
+      return are_written_alike(a.radius, b.radius, notation_);
+    };
+    for (const auto& group : groups_of<design::DesignArc>(subject_.features.arcs, equal)) {
+      const design::DesignArc& shown =
+          **std::max_element(group.begin(), group.end(), [&](const auto* a, const auto* b) {
+            return glm::dot(a->centre, view_.projection.n) < glm::dot(b->centre, view_.projection.n) - 1e-9;
+          });
+      add(DimensionType::radius, times(group.size()) + "<>").circle = {shown.centre, shown.axis, shown.radius,
+                                                                       shown.points};
+    }
+  }
+
+  const DimensionDescription& wanted_;
+  const NamedProjection& view_;
+  const DimensionSubject& subject_;
+  const Notation& notation_;
+  std::vector<DimensionDescription> dimensions_{};
+};
+
+}  // namespace
+
+const NamedProjection* only_pictorial(std::span<const NamedProjection> views, const std::string& name) {
+  constexpr double along_axis = 1e-6;
+  const NamedProjection* pictorial = nullptr;
+  for (const NamedProjection& view : views) {
+    if (!name.empty() && view.name != name) continue;
+    const Vec3 size = glm::abs(view.projection.n);
+    const Vec3 oblique = glm::cross(glm::normalize(view.projection.projector), view.projection.n);
+    const bool is_plain = !view.projection.central && glm::length(oblique) < along_axis &&
+                          std::max({size.x, size.y, size.z}) > 1 - along_axis;
+    if (is_plain) return nullptr;
+    if (pictorial == nullptr && !view.projection.central && view.section == nullptr) pictorial = &view;
+  }
+  return pictorial;
+}
+
+std::vector<DimensionDescription> pictorial_dimensions(const DimensionDescription& wanted, const NamedProjection& view,
+                                                       const DimensionSubject& subject, const Notation& notation) {
+  return PictorialPlanner(wanted, view, subject, notation).plan();
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/surroundings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+constexpr double beside_disc = 0.1;  // mm, by which what is on a disc's own line may be outside
+
+std::vector<TurnedBox> boxes_of_leaders(const PlacedDimension& dimension) {
+  std::vector<TurnedBox> boxes;
+  for (const LeaderLine& leader : dimension.leaders) boxes.push_back(line_box(leader.tip, leader.elbow));
+  return boxes;
+}
+
+}  // namespace
+
+std::vector<Disc> discs_of(const drawing::ViewDrawing& drawing) {
+  constexpr std::size_t fewest = 8;   // points; fewer are a polygon
+  constexpr double off_round = 0.02;  // of the radius
+  std::vector<Disc> discs;
+  for (const drawing::Chain& chain : drawing.chains) {
+    if (!chain.closed || !chain.visible || chain.points.size() < fewest) continue;
+    Rectangle box{chain.points.front(), chain.points.front()};
+    for (const Vec2& p : chain.points) box = united(box, {p, p});
+    const Disc disc{box.centre(), box.size().x / 2};
+    if (std::all_of(chain.points.begin(), chain.points.end(), [&](const Vec2& p) {
+          return std::abs(glm::distance(p, disc.centre) - disc.radius) <= off_round * disc.radius;
+        }))
+      discs.push_back(disc);
+  }
+  return discs;
+}
+
+bool goes_through(const LeaderLine& leader, const Disc& disc) {
+  if (glm::distance(leader.tip, disc.centre) <= disc.radius + beside_disc) return false;
+  const Vec2 way = leader.elbow - leader.tip;
+  const double part =
+      std::clamp(glm::dot(disc.centre - leader.tip, way) / std::max(glm::dot(way, way), 1e-12), 0.0, 1.0);
+  return glm::distance(leader.tip + part * way, disc.centre) < disc.radius;
+}
+
+Surroundings::Surroundings(const drawing::ViewDrawing& drawing, const Neighbours& neighbours)
+    : paper_(neighbours.paper),
+      others_(neighbours.boxes),
+      views_(neighbours.views),
+      letters_(neighbours.letters),
+      ink_(drawing),
+      discs_(discs_of(drawing)),
+      zones_(others_) {
+  texts_.add(neighbours.texts);
+}
+
+void Surroundings::add(const PlacedDimension& dimension) {
+  zones_.add(dimension.zones);
+  texts_.add(dimension.text_boxes);
+  lines_.add(dimension.lines);
+  leaders_.add(boxes_of_leaders(dimension));
+}
+
+void Surroundings::remove(const PlacedDimension& dimension) {
+  zones_.remove(dimension.zones);
+  texts_.remove(dimension.text_boxes);
+  lines_.remove(dimension.lines);
+  leaders_.remove(boxes_of_leaders(dimension));
+}
+
+double Surroundings::cost_of_leader(const LeaderLine& leader) const {
+  const auto through =
+      std::count_if(discs_.begin(), discs_.end(), [&leader](const Disc& disc) { return goes_through(leader, disc); });
+  return cost_of_other * static_cast<double>(through) +
+         cost_of_letter * leaders_.overlaps(line_box(leader.tip, leader.elbow));
+}
+
+double Surroundings::cost(const PlacedDimension& dimension, double max) const {
+  double cost = 0;
+  // Rows have hundreds of boxes.
+  const auto add_all = [&](const std::vector<TurnedBox>& boxes, const auto& cost_of) {
+    for (auto box = boxes.begin(); box != boxes.end() && cost < max; ++box) cost += cost_of(*box);
+  };
+  const auto is_off_paper = [&](const TurnedBox& zone) { return paper_ && !paper_->holds(around(zone)); };
+  add_all(dimension.text_boxes, [&](const TurnedBox& text) { return cost_of_text * lines_.overlaps(text); });
+  add_all(dimension.zones, [&](const TurnedBox& zone) {
+    return cost_of_zone * (zones_.overlaps(zone) + (is_off_paper(zone) ? 1 : 0)) +
+           cost_of_crossing * lines_.overlaps(zone);
+  });
+  add_all(dimension.lines, [&](const TurnedBox& line) {
+    return cost_of_text * texts_.overlaps(line) + cost_of_crossing * zones_.overlaps(line) +
+           cost_of_letter * letters_.overlaps(line) + cost_of_other * others_.overlaps(line) +
+           cost_of_zone * views_.overlaps(line);
+  });
+  for (const LeaderLine& leader : dimension.leaders) cost += cost < max ? cost_of_leader(leader) : 0;
+  add_all(dimension.text_boxes, [&](const TurnedBox& text) { return ink_.in(text) > 0 ? cost_of_text : 0; });
+  add_all(dimension.lines, [&](const TurnedBox& line) { return cost_of_ink * ink_.in(line); });
+  check(cost >= 0, "nothing is better than free paper");
+  return cost;
+}
+
+}  // namespace epura::sheet
