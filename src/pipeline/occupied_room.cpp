@@ -104,9 +104,13 @@ sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const st
 }
 
 sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const ViewResult> views, std::size_t view) {
-  for (std::size_t i = 0; i < views.size(); ++i)
-    if (i != view) neighbours.views.push_back(sheet::turned_box({views[i].drawing.min, views[i].drawing.max}));
-  neighbours.boxes.insert(neighbours.boxes.end(), neighbours.views.begin(), neighbours.views.end());
+  constexpr double along_outline = 1;  // mm, in which a line would be taken for one of that view
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const sheet::Rectangle box{views[i].drawing.min, views[i].drawing.max};
+    if (i == view) continue;
+    neighbours.boxes.push_back(sheet::turned_box(box));
+    neighbours.views.push_back(sheet::turned_box(box.grown(along_outline)));
+  }
   return neighbours;
 }
 
