@@ -51,8 +51,8 @@ struct CutWorld {
   double moved = 0;  ///< largest distance between outlines on recognised surfaces and those of their facets
 };
 
-/// Throws Error{input} if the surface neither cuts nor removes anything, or removes everything; and OutOfTime. There are no faces along
-/// steps, which are seen edge-on in the sections for which they are made.
+/// Throws Error{input} if the surface neither cuts nor removes anything, or removes everything; and OutOfTime. There
+/// are no faces along steps, which are seen edge-on in the sections for which they are made.
 CutWorld cut_world(const world::World& world, const CuttingSurface& surface, const Progress& progress = {});
 
 inline CutWorld cut_world(const world::World& world, const scene::CuttingPlane& plane, const Progress& progress = {}) {

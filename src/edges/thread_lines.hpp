@@ -26,7 +26,8 @@ std::vector<MeshEdgeOfModel> chamfer_circles(const world::World& world, const pr
 /// Adds the lines of threads in orthographic views along and across their axes; other views show the cylinders alone.
 /// Roots are at least `depth` from the crests; threads that are too small for that have no lines. Lines lie where they
 /// are seen: those of shafts on the surface towards the viewer, those of holes in the plane of the axis, which a
-/// section through it shows. They end where keyways, flats and other holes interrupt the thread. The edges of `chamfer_circles` are removed.
+/// section through it shows. They end where keyways, flats and other holes interrupt the thread. The edges of
+/// `chamfer_circles` are removed.
 void add_thread_lines(const world::World& world, view::ProjectedScene& view, double depth, FeatureEdges& drawn);
 
 }  // namespace epura::edges

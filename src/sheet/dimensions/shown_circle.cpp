@@ -10,8 +10,8 @@ namespace epura::sheet {
 
 namespace {
 
-// A line this near to a circle, in its radii, is of it: facets lie inside the circle, and so does the core of a thread whose
-// nominal diameter is measured.
+// A line this near to a circle, in its radii, is of it: facets lie inside the circle, and so does the core of a thread
+// whose nominal diameter is measured.
 constexpr double of_circle = 0.2;
 constexpr double along_diameter = 1e-3;  // radians between a line and the diameter that it follows
 
