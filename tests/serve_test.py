@@ -5,6 +5,7 @@
 PLUGINS is the folder with a folder for each plugin that goes wrong.
 """
 import concurrent.futures
+import contextlib
 import os
 import re
 import signal
@@ -100,9 +101,34 @@ def test_methods_and_sizes(server):
     same("and it still answers", server.request("")[0], 200)
 
 
+def test_slow_clients(server):
+    def connected():
+        return socket.create_connection(("127.0.0.1", server.port), timeout=60)
+
+    slow = [connected() for _ in range(100)]
+    start = time.monotonic()
+    for i, connection in enumerate(slow):
+        with contextlib.suppress(OSError):  # those that came first have been hung up on
+            connection.sendall(b"GET /aaaa"[:1 + i % 9])
+    same("the page beside 100 clients that send slowly", server.request("")[0], 200)
+    check("at once", time.monotonic() - start < 5)
+    for connection in slow:
+        connection.close()
+    # Between two bytes there is never the silence after which a connection ends by itself.
+    start = time.monotonic()
+    with connected() as trickling, contextlib.suppress(ConnectionError):
+        trickling.settimeout(1)
+        while time.monotonic() - start < 30:
+            trickling.sendall(b"G")
+            with contextlib.suppress(TimeoutError):
+                if trickling.recv(1) == b"":
+                    break
+    check("a head that never ends", time.monotonic() - start < 20, time.monotonic() - start)
+
+
 def test_no_files(server):
     for path in ("../../etc/passwd", "..%2f..%2fetc%2fpasswd", "/etc/passwd", "%2e%2e/box.obj", "box.obj", "model/",
-                 "view/", "drawing/box.obj"):
+                 "view/", "drawing/box.obj", "%00", "model%00", "%00model"):
         status, _, body = server.request(path if path.startswith("/") else server.path + path)
         check(f"no file for {path}", status in (403, 404) and b"root:" not in body, status)
     # A projection is one word of the command that draws.
@@ -251,7 +277,7 @@ def main():
         os.chdir(folder)
         write("box.obj", box((0, 0, 0), 10, 1) + box((5, 5, 5), 15, 9))
         with Served(EPURA, "box.obj") as server:
-            for test in (test_address, test_admission, test_methods_and_sizes, test_no_files, test_replies,
+            for test in (test_address, test_admission, test_methods_and_sizes, test_slow_clients, test_no_files, test_replies,
                          test_several_clients, test_refusals):
                 test(server)
                 check(f"the server lives after {test.__name__}", server.process.poll() is None)

@@ -139,7 +139,7 @@ class PlayServer {
 
   void answer(const http::Request& request) {
     if (const auto reason = reason_to_refuse(request, address_))
-      return send(request.number, {403, "text/plain; charset=utf-8", shared(*reason + "\n"), {}});
+      return send(request.number, {403, "text/plain; charset=utf-8", shared(*reason + "\n"), {}, true});
     const std::string resource = resource_of(request, address_);
     if (resource.empty()) return send(request.number, {200, "text/html; charset=utf-8", page_, {}});
     if (resource == "model") return send(request.number, {200, "application/octet-stream", wireframe_, {}});

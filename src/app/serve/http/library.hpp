@@ -26,7 +26,8 @@ struct Reply {
   unsigned status = 200;
   std::string type = "text/plain; charset=utf-8";
   std::shared_ptr<const std::string> body{};
-  Fields headers{};  ///< further ones
+  Fields headers{};         ///< further ones
+  bool is_refusal = false;  ///< who asked does not know the token
 };
 
 class Server;

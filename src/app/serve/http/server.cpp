@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The library behind library.hpp.
 #include <microhttpd.h>
+#include <sys/socket.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -14,9 +16,12 @@ namespace epura::http {
 
 namespace {
 
-// A page makes a few connections. Headers and the address of a request share the memory of its connection.
+// A page makes a few connections. Headers and the address of a request share the memory of its connection. Any program
+// on this computer can connect: those that have not shown the token leave room for the page, and their place to others.
 constexpr unsigned most_connections = 64;
+constexpr std::size_t most_strangers = 32;
 constexpr unsigned idle_seconds = 20;
+constexpr std::chrono::seconds most_for_stranger(10);  // a browser sends the head of a request at once
 constexpr std::size_t bytes_of_connection = 16384;
 
 /// A request from its first line to the end of its reply.
@@ -27,6 +32,27 @@ struct Exchange {
   bool has_reply = false;
   Reply reply{};
 };
+
+using Clock = std::chrono::steady_clock;
+
+/// A client, from its connection to its end.
+struct Client {
+  MHD_Connection* connection;
+  bool is_stranger = true;  ///< it has not shown the token, nor asked what is not answered yet
+  Clock::time_point since = Clock::now();
+};
+
+// The server notices the end of the connection by itself, a moment later.
+void hang_up(Client& client) {
+  client.is_stranger = false;
+  if (const MHD_ConnectionInfo* info = MHD_get_connection_info(client.connection, MHD_CONNECTION_INFO_CONNECTION_FD))
+    ::shutdown(info->connect_fd, SHUT_RDWR);
+}
+
+// A path is text that ends with its first NUL: one that is encoded stays so, and leads nowhere.
+std::size_t unescape(void* /*server*/, MHD_Connection* /*connection*/, char* text) {
+  return std::strstr(text, "%00") != nullptr ? std::strlen(text) : MHD_http_unescape(text);
+}
 
 MHD_Result add_field(void* fields, MHD_ValueKind kind, const char* name, const char* value) {
   std::string key = name;
@@ -74,7 +100,8 @@ class Server {
                                  MHD_OPTION_LISTEN_SOCKET, socket, MHD_OPTION_CONNECTION_LIMIT, most_connections,
                                  MHD_OPTION_CONNECTION_TIMEOUT, idle_seconds, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
                                  bytes_of_connection, MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_NOTIFY_COMPLETED,
-                                 forget, this, MHD_OPTION_END)) {}
+                                 forget, this, MHD_OPTION_NOTIFY_CONNECTION, come_or_go, this,
+                                 MHD_OPTION_UNESCAPE_CALLBACK, unescape, nullptr, MHD_OPTION_END)) {}
 
   [[nodiscard]] bool is_started() const { return daemon_ != nullptr; }
   [[nodiscard]] int descriptor() const { return MHD_get_daemon_info(daemon_, MHD_DAEMON_INFO_EPOLL_FD)->epoll_fd; }
@@ -82,12 +109,15 @@ class Server {
     // The descriptor does not tell of connections that were resumed.
     if (has_resumed_) return 0;
     MHD_UNSIGNED_LONG_LONG ms = 0;
-    if (MHD_get_timeout(daemon_, &ms) != MHD_YES) return -1;
     constexpr MHD_UNSIGNED_LONG_LONG longest = 1000;
+    if (MHD_get_timeout(daemon_, &ms) != MHD_YES) return clients_.empty() ? -1 : static_cast<int>(longest);
     return static_cast<int>(std::min(ms, longest));
   }
   [[nodiscard]] std::vector<Request> take() {
     has_resumed_ = false;
+    const Clock::time_point now = Clock::now();
+    for (Client& client : clients_)
+      if (client.is_stranger && now - client.since > most_for_stranger) hang_up(client);
     MHD_run(daemon_);
     return std::exchange(requests_, {});
   }
@@ -109,7 +139,10 @@ class Server {
     try {
       if (*state != nullptr) {
         auto* exchange = static_cast<Exchange*>(*state);
-        if (exchange->has_reply) return send(connection, exchange->reply);
+        if (exchange->has_reply) {
+          if (exchange->reply.is_refusal) static_cast<Server*>(server)->client_of(connection).is_stranger = true;
+          return send(connection, exchange->reply);
+        }
         *upload_size = 0;
         static_cast<Server*>(server)->hand_over(*exchange, url);
         return MHD_YES;
@@ -128,13 +161,33 @@ class Server {
     }
   }
 
+  // Called when the reply has been sent, or the connection has ended before.
   static void forget(void* server, MHD_Connection* /*connection*/, void** state, MHD_RequestTerminationCode /*why*/) {
     auto* exchange = static_cast<Exchange*>(std::exchange(*state, nullptr));
     if (exchange != nullptr) static_cast<Server*>(server)->waiting_.erase(exchange->number);
     delete exchange;
   }
 
+  // Called when a connection begins, and when it has ended.
+  static void come_or_go(void* server, MHD_Connection* connection, void** /*state*/,
+                         MHD_ConnectionNotificationCode event) {
+    auto& clients = static_cast<Server*>(server)->clients_;
+    if (event == MHD_CONNECTION_NOTIFY_CLOSED)
+      std::erase_if(clients, [&](const Client& client) { return client.connection == connection; });
+    else
+      clients.push_back({connection});
+    const auto is_stranger = [](const Client& client) { return client.is_stranger; };
+    if (static_cast<std::size_t>(std::count_if(clients.begin(), clients.end(), is_stranger)) > most_strangers)
+      hang_up(*std::find_if(clients.begin(), clients.end(), is_stranger));  // the oldest
+  }
+
+  Client& client_of(MHD_Connection* connection) {
+    return *std::find_if(clients_.begin(), clients_.end(),
+                         [&](const Client& client) { return client.connection == connection; });
+  }
+
   void hand_over(Exchange& exchange, const char* url) {
+    client_of(exchange.connection).is_stranger = false;
     Request request{++last_, url, {}, {}};
     MHD_get_connection_values(exchange.connection, MHD_GET_ARGUMENT_KIND, add_field, &request.arguments);
     MHD_get_connection_values(exchange.connection, MHD_HEADER_KIND, add_field, &request.headers);
@@ -144,6 +197,7 @@ class Server {
     MHD_suspend_connection(exchange.connection);
   }
 
+  std::vector<Client> clients_{};  ///< in the order in which they came
   std::vector<Request> requests_{};
   std::map<std::uint64_t, Exchange*> waiting_{};
   std::uint64_t last_ = 0;
