@@ -10,9 +10,6 @@
 #include "base/error.hpp"
 #include "targets.hpp"
 
-// lib3mf leaves the entries of archives open: the process of importers ends soon after.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libzip\n"; }
-
 // epura ends by an exit code where a sentence does not hold; libFuzzer keeps only inputs that abort.
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
   std::set_terminate(std::abort);

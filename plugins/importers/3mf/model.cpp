@@ -1,277 +1,291 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model.hpp"
 
-#include <Common/NMR_ErrorConst.h>
-#include <Model/COM/NMR_DLLInterfaces.h>
-
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstring>
+#include <limits>
+#include <map>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
+
+#include "count_parts.hpp"
+#include "package.hpp"
+#include "slicer.hpp"
+#include "xml.hpp"
 
 namespace epura::plugin::threemf {
 
 namespace {
 
-/// Owns an object of lib3mf.
-class Handle {
- public:
-  Handle() = default;
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() {
-    if (handle_ != nullptr) NMR::lib3mf_release(handle_);
-  }
-  [[nodiscard]] NMR::PLib3MFBase* get() const { return handle_; }
-  /// For functions that return a handle.
-  NMR::PLib3MFBase** out() { return &handle_; }
-
- private:
-  NMR::PLib3MFBase* handle_ = nullptr;
-};
-
-void expect(int result, const char* what) {
-  if (result != LIB3MF_OK) throw std::runtime_error(std::string("holds ") + what + " that cannot be read");
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw std::runtime_error("is not a valid 3MF file: " + sentence);
 }
 
-// lib3mf keeps 32 bits. The shortest number that rounds to them is the one in the file, as long as that has at most six
-// digits.
-double as_written(float value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  double number = value;
-  std::from_chars(text.data(), end, number);
+// Coordinates of 3MF are those of 32 bits in all programs that write it.
+constexpr double largest = std::numeric_limits<float>::max();
+
+// The next number of a text, with the blanks before it; nothing if there is none.
+std::optional<double> next_number(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (text.substr(0, 1) == "+") text.remove_prefix(1);
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || !(std::abs(number) <= largest)) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return number;
 }
 
-Transform transform_of(const NMR::MODELTRANSFORM& matrix) {
+double coordinate_of(std::string_view text) {
+  const std::optional<double> number = next_number(text);
+  if (!number || text.find_first_not_of(" \t\r\n") != std::string_view::npos)
+    refuse("a vertex has a coordinate that is no number, or is too large");
+  return *number;
+}
+
+// "m00 m01 m02 m10 ... m32": points are rows, which stand before the matrix.
+Transform transform_of(std::string_view text) {
+  if (text.empty()) return identity;
   Transform transform{};
-  for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t column = 0; column < 4; ++column)
-      transform[4 * row + column] = as_written(matrix.m_fFields[row][column]);
-  if (!std::all_of(transform.begin(), transform.end(), [](double v) { return std::isfinite(v); }))
-    throw std::runtime_error("holds a transform that is not finite");
+  for (std::size_t row = 0; row < 4; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      const std::optional<double> number = next_number(text);
+      if (!number) refuse("a transform does not have twelve numbers");
+      transform[4 * column + row] = *number;
+    }
+  }
   return transform;
 }
 
-/// Calls a function that fills a buffer with a text and its terminator.
-template <class Fill>
-std::string text_by(const Fill& fill) {
-  std::uint32_t count = 0;
-  if (fill(nullptr, 0, &count) != LIB3MF_OK || count == 0) return {};
-  std::string text(count + 1, 0);
-  if (fill(text.data(), static_cast<std::uint32_t>(text.size()), &count) != LIB3MF_OK) return {};
-  text.resize(std::strlen(text.c_str()));
-  return text;
+std::uint32_t corner_of(std::string_view text, std::size_t points) {
+  std::uint32_t corner = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), corner);
+  if (error != std::errc() || end != text.data() + text.size() || corner >= points)
+    refuse("a triangle has a corner that is no vertex");
+  return corner;
 }
 
-std::string name_of(NMR::PLib3MFBase* object) {
-  const std::string name = text_by([&](char* buffer, std::uint32_t size, std::uint32_t* count) {
-    return NMR::lib3mf_object_getnameutf8(object, buffer, size, count);
-  });
-  if (!name.empty()) return name;
-  return text_by([&](char* buffer, std::uint32_t size, std::uint32_t* count) {
-    return NMR::lib3mf_object_getpartnumberutf8(object, buffer, size, count);
-  });
+double millimetres_of(std::string_view unit) {
+  constexpr std::array<std::pair<std::string_view, double>, 7> units{{{"", 1},
+                                                                      {"micron", 0.001},
+                                                                      {"millimeter", 1},
+                                                                      {"centimeter", 10},
+                                                                      {"inch", 25.4},
+                                                                      {"foot", 304.8},
+                                                                      {"meter", 1000}}};
+  for (const auto& [name, millimetres] : units)
+    if (unit == name) return millimetres;
+  refuse("its unit '" + std::string(unit) + "' is none of 3MF");
 }
 
-double millimetres_of(NMR::PLib3MFBase* model) {
-  std::uint32_t unit = 0;
-  expect(NMR::lib3mf_model_getunit(model, &unit), "a unit");
-  switch (unit) {
-    case NMR::MODELUNIT_MICROMETER:
-      return 0.001;
-    case NMR::MODELUNIT_MILLIMETER:
-      return 1;
-    case NMR::MODELUNIT_CENTIMETER:
-      return 10;
-    case NMR::MODELUNIT_INCH:
-      return 25.4;
-    case NMR::MODELUNIT_FOOT:
-      return 304.8;
-    case NMR::MODELUNIT_METER:
-      return 1000;
-    default:
-      throw std::runtime_error("is in an unknown unit");
+// "#RRGGBB" or "#RRGGBBAA".
+std::optional<std::array<double, 3>> colour_of(std::string_view text) {
+  constexpr std::size_t digits = 6;
+  if (text.substr(0, 1) != "#" || text.size() <= digits) return std::nullopt;
+  std::uint32_t number = 0;
+  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 1 + digits, number, 16);
+  if (error != std::errc() || end != text.data() + 1 + digits) return std::nullopt;
+  return std::array{(number >> 16) / 255.0, (number >> 8 & 255) / 255.0, (number & 255) / 255.0};
+}
+
+Role role_of_type(std::string_view type) {
+  if (type == "support" || type == "solidsupport") return Role::support;
+  return type == "other" ? Role::other : Role::part;
+}
+
+// Extensions without which what is read here is not the shape of the model.
+void expect_extensions(const Tag& model) {
+  constexpr std::array<std::string_view, 5> known{"/production/", "/material/", "/slice/", "/beamlattice/",
+                                                  "/trianglesets/"};
+  std::string_view prefixes = model.raw("requiredextensions");
+  while (!prefixes.empty()) {
+    const std::size_t end = std::min(prefixes.find_first_of(" \t\r\n"), prefixes.size());
+    const std::string_view uri = model.raw(prefixes.substr(0, end));
+    const auto is_in_uri = [&](std::string_view name) { return uri.find(name) != std::string_view::npos; };
+    if (end > 0 && std::none_of(known.begin(), known.end(), is_in_uri))
+      throw std::runtime_error("needs the extension " + std::string(uri.empty() ? prefixes.substr(0, end) : uri) +
+                               ", which is not read");
+    prefixes.remove_prefix(std::min(end + 1, prefixes.size()));
   }
 }
 
-void read_mesh(NMR::PLib3MFBase* mesh, Object& object) {
-  std::uint32_t points = 0, triangles = 0, beams = 0, slices = 0;
-  expect(NMR::lib3mf_meshobject_getvertexcount(mesh, &points), "points");
-  expect(NMR::lib3mf_meshobject_gettrianglecount(mesh, &triangles), "triangles");
-  std::vector<NMR::MODELMESHVERTEX> vertices(points);
-  std::vector<NMR::MODELMESHTRIANGLE> corners(triangles);
-  if (points > 0) expect(NMR::lib3mf_meshobject_getvertices(mesh, vertices.data(), points, nullptr), "points");
-  if (triangles > 0)
-    expect(NMR::lib3mf_meshobject_gettriangleindices(mesh, corners.data(), triangles, nullptr), "triangles");
-  for (const NMR::MODELMESHVERTEX& v : vertices) {
-    const auto& p = v.m_fPosition;
-    object.points.push_back({as_written(p[0]), as_written(p[1]), as_written(p[2])});
-    for (const double coordinate : object.points.back())
-      if (!std::isfinite(coordinate)) throw std::runtime_error("holds a point that is not finite");
-  }
-  for (const NMR::MODELMESHTRIANGLE& t : corners) {
-    object.triangles.push_back({t.m_nIndices[0], t.m_nIndices[1], t.m_nIndices[2]});
-    for (const std::uint32_t corner : object.triangles.back())
-      if (corner >= points) throw std::runtime_error("holds a triangle with a corner that is no point");
-  }
-  if (NMR::lib3mf_meshobject_getbeamcount(mesh, &beams) == LIB3MF_OK) object.beams = beams;
-  if (NMR::lib3mf_meshobject_getslicestackid(mesh, &slices) == LIB3MF_OK) object.has_slices = slices != 0;
-}
+/// The part of the package, and the number in it.
+using Id = std::pair<std::string, std::string>;
 
-// That of the object as a whole; those of single triangles are not read.
-std::optional<std::array<double, 3>> colour_of(NMR::PLib3MFBase* source, NMR::PLib3MFBase* object) {
-  Handle property, materials;
-  NMR::eModelPropertyType type{};
-  if (NMR::lib3mf_object_createdefaultpropertyhandler(object, property.out()) != LIB3MF_OK ||
-      NMR::lib3mf_defaultpropertyhandler_getpropertytype(property.get(), &type) != LIB3MF_OK)
-    return std::nullopt;
-  NMR::MODELMESHCOLOR_SRGB found{};
-  if (type == NMR::MODELPROPERTYTYPE_COLOR) {
-    if (NMR::lib3mf_defaultpropertyhandler_getcolor(property.get(), 0, &found) != LIB3MF_OK) return std::nullopt;
-  } else if (type == NMR::MODELPROPERTYTYPE_BASEMATERIALS) {
-    std::uint32_t group = 0, index = 0;
-    if (NMR::lib3mf_defaultpropertyhandler_getbasematerial(property.get(), &group, &index) != LIB3MF_OK ||
-        NMR::lib3mf_model_getbasematerialbyid(source, group, materials.out()) != LIB3MF_OK ||
-        NMR::lib3mf_basematerial_getdisplaycolor(materials.get(), index, &found.m_Red, &found.m_Green, &found.m_Blue,
-                                                 &found.m_Alpha) != LIB3MF_OK)
-      return std::nullopt;
-  } else {
-    return std::nullopt;
+/// A reference to an object that may not have been read yet.
+struct Reference {
+  Id id;
+  Placed placed;
+  std::optional<std::uint32_t> owner;  ///< the object with this component; nothing: a build item
+};
+
+class ModelReader {
+ public:
+  ModelReader(const Package& package, const std::function<void(double)>& tell) : package_(package), tell_(tell) {}
+
+  Model read() {
+    const std::string root = package_.model_part();
+    to_read_.push_back(root);
+    // Build items of other parts are not built.
+    for (std::size_t i = 0; i < to_read_.size(); ++i) read_part(std::string(to_read_[i]), i == 0);
+    for (const Reference& reference : references_) resolve(reference);
+    apply(settings_of(package_), root);
+    return std::move(model_);
   }
-  return std::array<double, 3>{found.m_Red / 255.0, found.m_Green / 255.0, found.m_Blue / 255.0};
-}
 
-void read_components(NMR::PLib3MFBase* components, Object& object) {
-  std::uint32_t count = 0;
-  expect(NMR::lib3mf_componentsobject_getcomponentcount(components, &count), "components");
-  for (std::uint32_t i = 0; i < count; ++i) {
-    Handle component;
-    std::uint32_t id = 0;
-    NMR::MODELTRANSFORM matrix{};
-    expect(NMR::lib3mf_componentsobject_getcomponent(components, i, component.out()), "a component");
-    expect(NMR::lib3mf_component_getobjectresourceid(component.get(), &id), "a component");
-    expect(NMR::lib3mf_component_gettransform(component.get(), &matrix), "a transform");
-    object.components.push_back({id, transform_of(matrix)});
+ private:
+  void read_part(const std::string& part, bool is_root) {
+    const std::string text = package_.text_of(part);
+    part_ = part;
+    is_root_ = is_root;
+    materials_.clear();
+    object_.reset();
+    std::size_t tags = 0;
+    try {
+      for (Xml xml(text); xml.next();) {
+        read_tag(xml);
+        constexpr std::size_t between = 65536;
+        if (++tags % between == 0) tell_(is_root ? xml.done() : 1);
+      }
+    } catch (const std::runtime_error& error) {
+      const std::string_view sentence = error.what();
+      if (sentence.substr(0, 5) != "line ") throw;
+      throw std::runtime_error("'" + part + "' in it is damaged: " + std::string(sentence));
+    }
   }
-}
 
-void read_objects(NMR::PLib3MFBase* source, Model& model) {
-  Handle objects;
-  expect(NMR::lib3mf_model_getobjects(source, objects.out()), "objects");
-  int has_next = 0;
-  while (NMR::lib3mf_resourceiterator_movenext(objects.get(), &has_next) == LIB3MF_OK && has_next != 0) {
-    Handle found;
-    std::uint32_t id = 0;
-    int is_mesh = 0;
-    expect(NMR::lib3mf_resourceiterator_getcurrent(objects.get(), found.out()), "an object");
-    expect(NMR::lib3mf_resource_getresourceid(found.get(), &id), "an object");
-    expect(NMR::lib3mf_object_ismeshobject(found.get(), &is_mesh), "an object");
-    Object& object = model.objects[id];
-    object.name = name_of(found.get());
-    object.colour = colour_of(source, found.get());
-    if (is_mesh != 0)
-      read_mesh(found.get(), object);
-    else
-      read_components(found.get(), object);
+  void read_tag(const Xml& xml) {
+    const Tag& tag = xml.tag();
+    if (object_ && xml.depth() <= object_depth_) object_.reset();
+    if (object_) {
+      read_in_object(xml);
+    } else if (tag.name == "object") {
+      begin_object(xml);
+    } else if (tag.name == "model") {
+      expect_extensions(tag);
+      if (is_root_) model_.millimetres = millimetres_of(tag.raw("unit"));
+    } else if (tag.name == "item" && is_root_) {
+      refer(tag, tag.text("partnumber"), std::nullopt);
+    } else if (tag.name == "basematerials" || tag.name == "colorgroup") {
+      colours_ = &materials_[tag.text("id")];
+    } else if (colours_ != nullptr && (tag.name == "base" || tag.name == "color")) {
+      colours_->push_back(colour_of(tag.raw(tag.name == "base" ? "displaycolor" : "color")));
+    }
   }
-}
 
-void read_items(NMR::PLib3MFBase* source, Model& model) {
-  Handle items;
-  expect(NMR::lib3mf_model_getbuilditems(source, items.out()), "items");
-  int has_next = 0;
-  while (NMR::lib3mf_builditemiterator_movenext(items.get(), &has_next) == LIB3MF_OK && has_next != 0) {
-    Handle item;
-    std::uint32_t id = 0;
-    NMR::MODELTRANSFORM matrix{};
-    expect(NMR::lib3mf_builditemiterator_getcurrent(items.get(), item.out()), "an item");
-    expect(NMR::lib3mf_builditem_getobjectresourceid(item.get(), &id), "an item");
-    expect(NMR::lib3mf_builditem_getobjecttransform(item.get(), &matrix), "a transform");
-    model.items.push_back(
-        {id, transform_of(matrix), text_by([&](char* buffer, std::uint32_t size, std::uint32_t* count) {
-           return NMR::lib3mf_builditem_getpartnumberutf8(item.get(), buffer, size, count);
-         })});
+  void begin_object(const Xml& xml) {
+    const Tag& tag = xml.tag();
+    object_ = static_cast<std::uint32_t>(model_.objects.size());
+    object_depth_ = xml.depth();
+    if (!numbers_.emplace(Id(key_of(part_), tag.text("id")), *object_).second)
+      refuse("two objects have the number " + tag.text("id"));
+    Object& object = model_.objects.emplace_back();
+    object.name = tag.text("name").empty() ? tag.text("partnumber") : tag.text("name");
+    object.role = role_of_type(tag.raw("type"));
+    object.has_slices = !tag.raw("slicestackid").empty();
+    const auto material = materials_.find(tag.text("pid"));
+    std::size_t index = 0;
+    const std::string_view place = tag.raw("pindex");
+    std::from_chars(place.data(), place.data() + place.size(), index);
+    if (material != materials_.end() && index < material->second.size()) object.colour = material->second[index];
   }
-}
 
-// Missing or repeated identities of the production extension do not change anything that is drawn.
-bool is_of_identities(std::uint32_t code) {
-  return code == NMR_ERROR_MISSINGUUID || code == NMR_ERROR_UUID_NOT_UNIQUE || code == NMR_ERROR_DUPLICATEUUID ||
-         code == NMR_ERROR_ILLFORMATUUID;
-}
-
-std::vector<std::string> warnings_of(NMR::PLib3MFBase* reader) {
-  std::uint32_t count = 0;
-  std::vector<std::string> warnings;
-  if (NMR::lib3mf_reader_getwarningcount(reader, &count) != LIB3MF_OK) return warnings;
-  constexpr std::uint32_t most = 1000;
-  for (std::uint32_t i = 0; i < std::min(count, most); ++i) {
-    std::uint32_t code = 0;
-    const std::string text = text_by([&](char* buffer, std::uint32_t size, std::uint32_t* written) {
-      return NMR::lib3mf_reader_getwarningutf8(reader, i, &code, buffer, size, written);
-    });
-    if (is_of_identities(code) || text.empty()) continue;
-    if (std::find(warnings.begin(), warnings.end(), text) == warnings.end()) warnings.push_back(text);
+  void read_in_object(const Xml& xml) {
+    const Tag& tag = xml.tag();
+    Object& object = model_.objects[*object_];
+    const std::size_t level = xml.depth() - object_depth_;
+    if (level == 1) {
+      is_in_mesh_ = tag.name == "mesh";
+      if (!is_in_mesh_ && tag.name != "components" && tag.name != "metadatagroup") object.unread = tag.name;
+    } else if (is_in_mesh_ && level == 3 && tag.name == "vertex") {
+      object.points.push_back({coordinate_of(tag.raw("x")), coordinate_of(tag.raw("y")), coordinate_of(tag.raw("z"))});
+    } else if (is_in_mesh_ && level == 3 && tag.name == "triangle") {
+      const std::size_t points = object.points.size();
+      object.triangles.push_back(
+          {corner_of(tag.raw("v1"), points), corner_of(tag.raw("v2"), points), corner_of(tag.raw("v3"), points)});
+    } else if (tag.name == "beam") {
+      ++object.beams;
+    } else if (tag.name == "component") {
+      refer(tag, {}, object_);
+    } else if (tag.name == "metadata" && object.role == Role::part) {
+      object.role = role_by_cura(tag.raw("name"), xml.content());
+    }
   }
-  return warnings;
-}
 
-std::string sentence_of(std::uint32_t code, const char* text) {
-  switch (code) {
-    case NMR_ERROR_COULDNOTCREATEOPCPART:
-      return "a part of the package that it refers to is missing";
-    case NMR_ERROR_COULDNOTFINDCOMPONENTOBJECT:
-      return "a component is of an object that does not stand before it";
-    case NMR_ERROR_COULDNOTFINDBUILDITEMOBJECT:
-      return "an object that is to be built is missing";
-    case NMR_ERROR_INVALIDMODELNODEINDEX:
-      return "a triangle has a corner that is no vertex";
-    case NMR_ERROR_INVALIDMODELCOORDINATES:
-      return "a vertex has a coordinate that is no number, or is too large";
-    default:
-      return text == nullptr || *text == 0 ? "error " + std::to_string(code) + " of lib3mf" : text;
+  void refer(const Tag& tag, std::string name, std::optional<std::uint32_t> owner) {
+    const std::string path = tag.text("path");
+    if (!path.empty() && std::none_of(to_read_.begin(), to_read_.end(),
+                                      [&](const std::string& one) { return key_of(one) == key_of(path); }))
+      to_read_.push_back(path);
+    references_.push_back({{key_of(path.empty() ? part_ : path), tag.text("objectid")},
+                           {0, transform_of(tag.raw("transform")), std::move(name)},
+                           owner});
   }
-}
 
-[[noreturn]] void throw_error_of(NMR::PLib3MFBase* reader) {
-  std::uint32_t code = 0;
-  const char* text = nullptr;
-  NMR::lib3mf_getlasterror(reader, &code, &text);
-  const std::string sentence = "is not a valid 3MF file: " + sentence_of(code, text);
-  // The last warning is about the entry that caused the error.
-  const std::vector<std::string> warnings = warnings_of(reader);
-  throw std::runtime_error(warnings.empty() ? sentence : sentence + " (" + warnings.back() + ")");
-}
-
-bool tell(int percent, NMR::ProgressIdentifier, void* goes_on) noexcept {
-  try {
-    return percent < 0 || (*static_cast<const std::function<bool(double)>*>(goes_on))(percent / 100.0);
-  } catch (...) {
-    return false;
+  /// Names of parts are equal whatever their case.
+  static std::string key_of(std::string_view path) {
+    std::string key(path.substr(std::min(path.find_first_not_of('/'), path.size())));
+    for (char& c : key) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return key;
   }
-}
+
+  void resolve(Reference reference) {
+    const auto found = numbers_.find(reference.id);
+    if (found == numbers_.end())
+      refuse(reference.owner ? "a component is of an object that is missing"
+                             : "an object that is to be built is missing");
+    reference.placed.object = found->second;
+    if (reference.owner) {
+      component_ids_[*reference.owner].push_back(reference.id.second);
+      model_.objects[*reference.owner].components.push_back(std::move(reference.placed));
+    } else {
+      model_.items.push_back(std::move(reference.placed));
+    }
+  }
+
+  void apply(Settings settings, const std::string& root) {
+    for (auto& [id, told] : settings) {
+      const auto found = numbers_.find({key_of(root), id});
+      if (found == numbers_.end()) continue;
+      Object& object = model_.objects[found->second];
+      if (object.name.empty()) object.name = std::move(told.name);
+      const std::vector<std::string>& ids = component_ids_[found->second];
+      for (const Told::Component& piece : told.components) {
+        const auto place = std::find(ids.begin(), ids.end(), piece.object);
+        if (place == ids.end()) continue;
+        Placed& component = object.components[static_cast<std::size_t>(place - ids.begin())];
+        component.name = piece.name;
+        component.role = piece.role;
+      }
+      if (!object.triangles.empty()) object.volumes = std::move(told.volumes);
+    }
+  }
+
+  const Package& package_;
+  const std::function<void(double)>& tell_;
+  Model model_;
+  std::vector<std::string> to_read_;  ///< parts of the package
+  std::vector<Reference> references_;
+  std::map<Id, std::uint32_t> numbers_;
+  std::map<std::uint32_t, std::vector<std::string>> component_ids_;  ///< of the components of objects
+
+  // While a part is read:
+  std::string part_;
+  bool is_root_ = false, is_in_mesh_ = false;
+  std::optional<std::uint32_t> object_;  ///< that contains the tag
+  std::size_t object_depth_ = 0;
+  using Colours = std::vector<std::optional<std::array<double, 3>>>;
+  std::map<std::string, Colours> materials_;
+  Colours* colours_ = nullptr;
+};
 
 }  // namespace
 
-Model read_model(const std::string& package, const std::function<bool(double)>& goes_on) {
-  Handle source, reader;
-  expect(NMR::lib3mf_createmodel(source.out()), "a model");
-  expect(NMR::lib3mf_model_queryreader(source.get(), MODELREADERCLASS_3MF, reader.out()), "a model");
-  std::function<bool(double)> told = goes_on;
-  expect(NMR::lib3mf_reader_setprogresscallback(reader.get(), tell, &told), "a model");
-  // The bytes are only read.
-  auto* bytes = reinterpret_cast<unsigned char*>(const_cast<char*>(package.data()));
-  if (NMR::lib3mf_reader_readfrombuffer(reader.get(), bytes, package.size()) != LIB3MF_OK) throw_error_of(reader.get());
-  Model model;
-  model.millimetres = millimetres_of(source.get());
-  read_objects(source.get(), model);
-  read_items(source.get(), model);
-  model.warnings = warnings_of(reader.get());
+Model read_model(const Package& package, const std::function<void(double)>& tell) {
+  Model model = ModelReader(package, tell).read();
+  if (model.objects.empty()) refuse("it has no object");
+  expect_few_parts(model);
   return model;
 }
 

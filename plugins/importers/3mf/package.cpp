@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "package.hpp"
 
-#include <zip.h>
-
 #include <cstdint>
 #include <fstream>
-#include <map>
-#include <memory>
 #include <stdexcept>
 #include <string_view>
-#include <utility>
 
-#include "components.hpp"
+#include "xml.hpp"
 
 namespace epura::plugin::threemf {
 
@@ -19,6 +14,8 @@ namespace {
 
 // XML of meshes shrinks to a tenth; the rest is for small files.
 constexpr std::uint64_t most_times_larger = 64, least_allowed = std::uint64_t{256} << 20;
+
+constexpr const char* relationships = "_rels/.rels";
 
 std::string whole_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
@@ -32,23 +29,20 @@ std::string whole_file(const std::string& path) {
 }
 
 struct Close {
-  void operator()(zip_t* archive) const { zip_discard(archive); }
   void operator()(zip_file_t* file) const { zip_fclose(file); }
-  void operator()(zip_source_t* source) const { zip_source_free(source); }
 };
-using Source = std::unique_ptr<zip_source_t, Close>;
-using Archive = std::unique_ptr<zip_t, Close>;
 using File = std::unique_ptr<zip_file_t, Close>;
 
-Archive open(const std::string& bytes) {
+zip_t* open(const std::string& bytes) {
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
-  Archive archive(source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, &error));
-  if (!archive && source != nullptr) zip_source_free(source);
+  zip_t* archive = source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, &error);
+  if (archive == nullptr && source != nullptr) zip_source_free(source);
   const std::string reason = zip_error_strerror(&error);
   zip_error_fini(&error);
-  if (!archive) throw std::runtime_error("is not a ZIP archive, as 3MF files are, or is cut short: " + reason);
+  if (archive == nullptr)
+    throw std::runtime_error("is not a ZIP archive, as 3MF files are, or is cut short: " + reason);
   return archive;
 }
 
@@ -64,7 +58,8 @@ zip_stat_t entry_at(zip_t* archive, std::uint64_t number) {
 }
 
 // The archive's directory may give too small a size.
-std::string unpacked(zip_t* archive, std::uint64_t number, const zip_stat_t& entry) {
+std::string unpacked(zip_t* archive, std::uint64_t number) {
+  const zip_stat_t entry = entry_at(archive, number);
   const std::string what = "'" + std::string(entry.name) + "'";
   const File file(zip_fopen_index(archive, number, 0));
   if (!file) throw std::runtime_error(what + " in it cannot be unpacked: " + zip_strerror(archive));
@@ -83,93 +78,46 @@ std::string unpacked(zip_t* archive, std::uint64_t number, const zip_stat_t& ent
   return text;
 }
 
-std::string_view value_of(std::string_view tag, std::string_view name) {
-  const std::size_t found = tag.find(name);
-  if (found == std::string_view::npos) return {};
-  const std::size_t quote = tag.find_first_of("\"'", found + name.size());
-  if (quote == std::string_view::npos) return {};
-  const std::size_t end = tag.find(tag[quote], quote + 1);
-  return tag.substr(quote + 1, end == std::string_view::npos ? end : end - quote - 1);
-}
-
-// Replaces triangles with two equal corners by blanks, and returns their number.
-std::size_t blank_degenerate(std::string& text) {
-  constexpr std::string_view start = "<triangle", end = "/>";
-  std::size_t count = 0;
-  for (std::size_t place = text.find(start); place != std::string::npos; place = text.find(start, place)) {
-    const std::size_t behind = text.find('>', place);
-    if (behind == std::string::npos) break;
-    const std::string_view tag = std::string_view(text).substr(place, behind + 1 - place);
-    const bool is_whole = tag.find_first_of(" \t\r\n") == start.size() && tag.substr(tag.size() - end.size()) == end;
-    const std::string_view a = value_of(tag, "v1"), b = value_of(tag, "v2"), c = value_of(tag, "v3");
-    if (is_whole && !a.empty() && !b.empty() && !c.empty() && (a == b || b == c || c == a)) {
-      text.replace(place, tag.size(), tag.size(), ' ');
-      ++count;
-    }
-    place = behind;
-  }
-  return count;
-}
-
-// Returns the archive with the texts of these entries replaced.
-std::string with_entries(const std::string& bytes, const std::map<std::uint64_t, std::string>& texts) {
-  const auto expect = [](bool is_done) {
-    if (!is_done) throw std::runtime_error("holds an archive that cannot be mended");
-  };
-  const Source source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, nullptr));
-  expect(source != nullptr);
-  zip_source_keep(source.get());
-  Archive archive(zip_open_from_source(source.get(), 0, nullptr));
-  if (!archive) zip_source_free(source.get());
-  expect(archive != nullptr);
-  for (const auto& [number, text] : texts) {
-    zip_source_t* replacement = zip_source_buffer(archive.get(), text.data(), text.size(), 0);
-    const bool is_replaced = replacement != nullptr && zip_file_replace(archive.get(), number, replacement, 0) == 0;
-    if (!is_replaced && replacement != nullptr) zip_source_free(replacement);
-    expect(is_replaced && zip_set_file_compression(archive.get(), number, ZIP_CM_STORE, 0) == 0);
-  }
-  expect(zip_close(archive.get()) == 0);
-  static_cast<void>(archive.release());
-  zip_stat_t stat;
-  zip_stat_init(&stat);
-  expect(zip_source_stat(source.get(), &stat) == 0 && zip_source_open(source.get()) == 0);
-  std::string mended(stat.size, 0);
-  const zip_int64_t count = zip_source_read(source.get(), mended.data(), mended.size());
-  zip_source_close(source.get());
-  expect(count == static_cast<zip_int64_t>(mended.size()));
-  return mended;
-}
+const char* without_slash(const std::string& part) { return part.c_str() + (part.substr(0, 1) == "/" ? 1 : 0); }
 
 }  // namespace
 
-Package read_package(const std::string& path) {
-  Package package{whole_file(path)};
-  const Archive archive = open(package.bytes);
-  const auto count = static_cast<std::uint64_t>(zip_get_num_entries(archive.get(), 0));
-  const std::uint64_t most = most_times_larger * package.bytes.size() + least_allowed;
+Package::Package(const std::string& path) : bytes_(whole_file(path)), archive_(open(bytes_)) {
+  const auto count = static_cast<std::uint64_t>(zip_get_num_entries(archive_.get(), 0));
+  const std::uint64_t most = most_times_larger * bytes_.size() + least_allowed;
   std::uint64_t size = 0;
   for (std::uint64_t i = 0; i < count; ++i) {
-    const zip_stat_t entry = entry_at(archive.get(), i);
+    const zip_stat_t entry = entry_at(archive_.get(), i);
     if (entry.size > most - size)
       throw std::runtime_error("unpacks to more than " + std::to_string(most >> 20) + " MB, " +
-                               std::to_string(most / package.bytes.size()) + " times its size, which models do not");
+                               std::to_string(most / bytes_.size()) + " times its size, which models do not");
     size += entry.size;
+    parts_.emplace_back(entry.name);
   }
-  Components components;
-  std::map<std::uint64_t, std::string> mended;
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const zip_stat_t entry = entry_at(archive.get(), i);
-    std::string text = unpacked(archive.get(), i, entry);
-    components.scan(entry.name, text);
-    const std::size_t degenerate = blank_degenerate(text);
-    package.degenerate += degenerate;
-    if (degenerate > 0) mended.emplace(i, std::move(text));
+  if (!has(relationships))
+    throw std::runtime_error(std::string("is a ZIP archive, but no 3MF: '") + relationships + "' is missing");
+}
+
+bool Package::has(const std::string& part) const {
+  return zip_name_locate(archive_.get(), without_slash(part), ZIP_FL_NOCASE) >= 0;
+}
+
+std::string Package::text_of(const std::string& part) const {
+  const zip_int64_t number = zip_name_locate(archive_.get(), without_slash(part), ZIP_FL_NOCASE);
+  if (number < 0) throw std::runtime_error("'" + part + "', to which it refers, is missing in it");
+  return unpacked(archive_.get(), static_cast<std::uint64_t>(number));
+}
+
+// What else it names, such as a picture of the model, is not needed, and programs name it where it is missing.
+std::string Package::model_part() const {
+  constexpr std::string_view kind = "/3dmodel";
+  const std::string text = text_of(relationships);
+  for (Xml xml(text); xml.next();) {
+    const std::string type = xml.tag().text("Type");
+    const bool is_model = type.size() > kind.size() && type.substr(type.size() - kind.size()) == kind;
+    if (xml.tag().name == "Relationship" && is_model) return without_slash(xml.tag().text("Target"));
   }
-  components.expect_few();
-  if (zip_name_locate(archive.get(), "_rels/.rels", 0) < 0)
-    throw std::runtime_error("is a ZIP archive, but no 3MF: '_rels/.rels' is missing");
-  if (!mended.empty()) package.bytes = with_entries(package.bytes, mended);
-  return package;
+  throw std::runtime_error(std::string("is a ZIP archive, but no 3MF: '") + relationships + "' names no model");
 }
 
 }  // namespace epura::plugin::threemf

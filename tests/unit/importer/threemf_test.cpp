@@ -80,6 +80,11 @@ TEST(ThreeMf, CoordinatesAreKnownToBeRoundedToDecimals) {
     more += "<vertex x=\"0." + digits.substr(0, 5) + "\" y=\"1." + digits + "\" z=\"-0." + digits + "\"/>";
   }
   xml.replace(xml.find("</vertices>"), 0, more);
+  more.clear();
+  for (int i = 0; i < 198; ++i)
+    more += "<triangle v1=\"" + std::to_string(8 + i) + "\" v2=\"" + std::to_string(9 + i) + "\" v3=\"" +
+            std::to_string(10 + i) + "\"/>";
+  xml.replace(xml.find("</triangles>"), 0, more);
   EXPECT_EQ(read(xml).mesh.report.resolution, 1e-5);
 }
 
@@ -140,12 +145,12 @@ TEST(ThreeMf, PartsOfThePackageHaveNumbersOfTheirOwn) {
   expect_extent(model.mesh, {0, 0, 0}, {7, 2, 2});
 }
 
-// lib3mf refuses files with such triangles, which CAD programs write.
+// CAD programs write such triangles.
 TEST(ThreeMf, TrianglesWithEqualCornersAreLeftOut) {
   std::string xml = model_of(cube(1), item(1));
   xml.replace(
       xml.find("</triangles>"), 0,
-      R"(<triangle v1="1" v2="1" v3="3"/><triangle v1="1" v2="11" v3="1" pid="4"/><triangle  v3='2' v2='2' v1='0' />)");
+      R"(<triangle v1="1" v2="1" v3="3"/><triangle v1="1" v2="7" v3="1" pid="4"/><triangle  v3='2' v2='2' v1='0' />)");
   std::vector<Entry> entries = entries_with(xml);
   entries.back().is_packed = true;
   const Folder folder;
@@ -177,8 +182,10 @@ TEST(ThreeMf, BombsAreNotUnpacked) {
   entries.push_back({"3D/large.model", std::string(1000, ' '), true, 300u << 20});
   const std::string refused = refusal_of_archive(entries);
   EXPECT_TRUE(refused.starts_with("unpacks to more than 256 MB, ")) << refused;
-  entries.back() = {"3D/large.model", std::string(1000, ' '), true, 10};
-  EXPECT_EQ(refusal_of_archive(entries), "'3D/large.model' in it is larger than its directory says");
+  entries.pop_back();
+  entries.back().is_packed = true;
+  entries.back().claimed = 10;
+  EXPECT_EQ(refusal_of_archive(entries), "'3D/3dmodel.model' in it is larger than its directory says");
 }
 
 // Each holds the one before ten times: ten thousand million cubes, of which nothing says so in one place.
@@ -203,8 +210,8 @@ TEST(ThreeMf, ComponentsDoNotHoldThemselves) {
   std::string chain = cube(1);
   for (int id = 2; id <= 100'000; ++id) chain += holding(id, id - 1);
   EXPECT_EQ(refusal(model_of(chain, item(100'000))), circle);
-  EXPECT_EQ(refusal(model_of(holding(1, 2) + cube(2), item(1))),
-            "is not a valid 3MF file: a component is of an object that does not stand before it");
+  EXPECT_EQ(refusal(model_of(holding(1, 3) + cube(2), item(1))),
+            "is not a valid 3MF file: a component is of an object that is missing");
 }
 
 TEST(ThreeMf, WhatIsWrongWithAnArchiveIsTold) {
@@ -224,11 +231,12 @@ TEST(ThreeMf, WhatIsWrongWithAnArchiveIsTold) {
   EXPECT_EQ(refusal_of_archive({{"readme.txt", "Hello"}}), "is a ZIP archive, but no 3MF: '_rels/.rels' is missing");
   std::vector<Entry> without = entries;
   without.pop_back();
-  EXPECT_EQ(refusal_of_archive(without), "is not a valid 3MF file: a part of the package that it refers to is missing");
+  EXPECT_EQ(refusal_of_archive(without), "'3D/3dmodel.model', to which it refers, is missing in it");
 }
 
 TEST(ThreeMf, WhatIsWrongWithAModelIsTold) {
-  EXPECT_EQ(refusal("<model>"), "is not a valid 3MF file: No resources in model file");
+  EXPECT_EQ(refusal("<model>"), "'3D/3dmodel.model' in it is damaged: line 1 of it ends within <model>");
+  EXPECT_EQ(refusal("<model/>"), "is not a valid 3MF file: it has no object");
   EXPECT_EQ(refusal(model_of(cube(1), item(7))), "is not a valid 3MF file: an object that is to be built is missing");
   std::string wrong = model_of(cube(1), item(1));
   wrong.replace(wrong.find("v1=\"0\""), 6, "v1=\"8\"");
@@ -236,6 +244,131 @@ TEST(ThreeMf, WhatIsWrongWithAModelIsTold) {
   for (const char* side : {"nan", "1e40", "-inf"})
     EXPECT_EQ(refusal(model_of(cube(1, side), item(1))),
               "is not a valid 3MF file: a vertex has a coordinate that is no number, or is too large");
+}
+
+std::string moved(int id, int x) { return item(id, "transform=\"1 0 0 0 1 0 0 0 1 " + std::to_string(x) + " 0 0\""); }
+
+// As PrusaSlicer writes it from the command line.
+TEST(ThreeMf, PicturesThatAreMissingAreNotNeeded) {
+  std::vector<Entry> entries = entries_with(model_of(cube(1), item(1)));
+  std::string& relations = entries[1].bytes;
+  const std::string picture =
+      R"(<Relationship Target="/Metadata/thumbnail.png" Id="t" Type="http://x/metadata/thumbnail"/>)";
+  relations.insert(relations.find("<Relationship "), picture);
+  const Folder folder;
+  const importer::ReadModel model = read_by_importer(folder.file("m.3mf", archive_of(entries)));
+  EXPECT_EQ(volume_of(model.mesh), 1);
+  EXPECT_TRUE(model.mesh.report.notes.empty());
+}
+
+TEST(ThreeMf, SupportsAndOtherObjectsAreLeftOutAndTold) {
+  const auto typed = [](int id, const std::string& type) {
+    std::string text = cube(id);
+    text.replace(text.find("type=\"model\""), 12, "type=\"" + type + "\"");
+    return text;
+  };
+  const importer::ReadModel model =
+      read(model_of(cube(1) + typed(2, "support") + typed(3, "solidsupport") + typed(4, "other") + typed(5, "surface"),
+                    item(1) + moved(2, 2) + moved(3, 4) + moved(4, 6) + moved(5, 8)));
+  EXPECT_EQ(volume_of(model.mesh), 2) << "a surface is drawn";
+  EXPECT_EQ(model.mesh.report.notes,
+            std::vector<std::string>{"2 supports, 1 object of type 'other' are no parts of what is printed: left out"});
+}
+
+/// Two cubes in one mesh: the second one stands at x = 5.
+std::string two_cubes() {
+  std::string one = cube(1), other = cube(1);
+  const auto inside = [](const std::string& text, const std::string& tag) {
+    const std::size_t begin = text.find("<" + tag + ">") + tag.size() + 2;
+    return text.substr(begin, text.find("</" + tag + ">") - begin);
+  };
+  std::string vertices = inside(other, "vertices"), triangles;
+  for (std::size_t at = 0; (at = vertices.find("x=\"", at)) != std::string::npos; at += 3)
+    vertices[at + 3] = vertices[at + 3] == '0' ? '5' : '6';
+  const std::string first = inside(one, "triangles");
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const bool is_corner = i > 1 && first[i - 1] == '"' && first[i] >= '0' && first[i] <= '7';
+    triangles += is_corner ? std::to_string(first[i] - '0' + 8) : std::string(1, first[i]);
+  }
+  one.insert(one.find("</vertices>"), vertices);
+  one.insert(one.find("</triangles>"), triangles);
+  return one;
+}
+
+std::string volume(int first, int last, const std::string& name, const std::string& type) {
+  return "<volume firstid=\"" + std::to_string(first) + "\" lastid=\"" + std::to_string(last) +
+         "\"><metadata type=\"volume\" key=\"name\" value=\"" + name +
+         "\"/><metadata type=\"volume\" key=\"volume_type\" value=\"" + type + "\"/></volume>";
+}
+
+importer::ReadModel read_with_settings(const std::string& xml, const std::string& part, const std::string& objects) {
+  std::vector<Entry> entries = entries_with(xml);
+  entries.push_back({part, "<config>" + objects + "</config>"});
+  const Folder folder;
+  return read_by_importer(folder.file("m.3mf", archive_of(entries)));
+}
+
+TEST(ThreeMf, VolumesOfSlicersArePartsOrLeftOut) {
+  const std::string xml = model_of(two_cubes(), item(1));
+  const auto with = [&](const std::string& type) {
+    return read_with_settings(xml, "Metadata/Slic3r_PE_model.config",
+                              R"(<object id="1"><metadata type="object" key="name" value="whole"/>)" +
+                                  volume(0, 11, "Body", "ModelPart") + volume(12, 23, "Lid &amp; seal", type) +
+                                  "</object>");
+  };
+  const importer::ReadModel both = with("ModelPart");
+  EXPECT_EQ(both.mesh.report.body_names, (std::vector<std::string>{"Body", "Lid & seal"}));
+  EXPECT_EQ(volume_of(both.mesh), 2);
+  const importer::ReadModel one = with("SupportBlocker");
+  EXPECT_EQ(volume_of(one.mesh), 1);
+  expect_extent(one.mesh, {0, 0, 0}, {1, 1, 1});
+  EXPECT_EQ(one.mesh.report.notes,
+            std::vector<std::string>{"1 support blocker is no part of what is printed: left out"});
+  EXPECT_EQ(with("NegativeVolume").mesh.report.notes,
+            std::vector<std::string>{"1 negative volume is left out: the slicer would cut such out of the parts, which "
+                                     "are drawn whole"});
+}
+
+// As Bambu Studio and OrcaSlicer write it, with the objects in parts of the package of their own.
+TEST(ThreeMf, ComponentsOfSlicersArePartsOrLeftOut) {
+  std::vector<Entry> entries = entries_with(
+      model_of(R"(<object id="3" type="model"><components>)"
+               R"(<component p:path="/3D/Objects/object_1.model" objectid="1"/>)"
+               R"(<component p:path="/3D/Objects/object_1.model" objectid="2" transform="1 0 0 0 1 0 0 0 1 5 0 0"/>)"
+               "</components></object>",
+               item(3)));
+  entries.push_back({"3D/Objects/object_1.model", model_of(cube(1) + cube(2), "")});
+  entries.push_back({"Metadata/model_settings.config",
+                     R"(<config><object id="3"><metadata key="name" value="Assembly"/><part id="1" )"
+                     R"(subtype="normal_part"><metadata key="name" value="Body"/></part><part id="2" )"
+                     R"(subtype="modifier_part"><metadata key="name" value="Infill"/></part></object></config>)"});
+  const Folder folder;
+  const importer::ReadModel model = read_by_importer(folder.file("m.3mf", archive_of(entries)));
+  EXPECT_EQ(volume_of(model.mesh), 1);
+  ASSERT_FALSE(model.body_parts.empty());
+  EXPECT_EQ(model.mesh.report.notes, std::vector<std::string>{"1 modifier is no part of what is printed: left out"});
+}
+
+// manifold3d and others name the objects that hold a mesh as their only component.
+TEST(ThreeMf, NamesOfComponentsAreThoseOfTheMeshesBelow) {
+  const auto named = [](int id, const std::string& name, const std::string& components) {
+    return "<object id=\"" + std::to_string(id) + "\" type=\"model\" name=\"" + name + "\"><components>" + components +
+           "</components></object>";
+  };
+  const importer::ReadModel model = read(model_of(
+      cube(1) + named(2, "Pin0", "<component objectid=\"1\"/>") + named(3, "Pin1", "<component objectid=\"1\"/>") +
+          named(4, "all", R"(<component objectid="2"/><component objectid="3" transform="1 0 0 0 1 0 0 0 1 5 0 0"/>)"),
+      item(4)));
+  EXPECT_EQ(model.mesh.report.body_names, (std::vector<std::string>{"Pin0", "Pin1"}));
+}
+
+TEST(ThreeMf, PartsInOnePlaceAreDrawnOnce) {
+  std::string items;
+  for (int i = 0; i < 100'000; ++i) items += item(1);
+  const importer::ReadModel model = read(model_of(cube(1), items));
+  EXPECT_EQ(model.mesh.report.triangles, 12);
+  EXPECT_EQ(model.mesh.report.notes,
+            std::vector<std::string>{"99999 parts stand in the place of the same part: drawn once"});
 }
 
 }  // namespace
