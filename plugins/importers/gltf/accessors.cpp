@@ -126,6 +126,32 @@ void replace_sparse(const Model& model, const Accessor& accessor, std::size_t va
   }
 }
 
+template <std::size_t size>
+std::vector<std::array<double, size>> vectors(const Model& model, int number, int type) {
+  const std::string what = name_of(number);
+  const Accessor& accessor = uncompressed(model, number, type);
+  const Kind& kind = kind_of(coordinate_kinds, accessor.componentType, what + " has positions");
+  const auto point_at = [&](const unsigned char* bytes) {
+    std::array<double, size> point{};
+    for (std::size_t k = 0; k < point.size(); ++k)
+      point[k] = kind.coordinate(bytes + k * kind.bytes, accessor.normalized);
+    return point;
+  };
+  const std::size_t bytes_of_one = size * kind.bytes;
+  std::vector<std::array<double, size>> points(accessor.count);
+  if (accessor.bufferView >= 0) {
+    const Elements elements =
+        elements_in(model, accessor.bufferView, accessor.byteOffset, accessor.count, bytes_of_one, what);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = point_at(elements.first + i * elements.stride);
+  }
+  replace_sparse(model, accessor, bytes_of_one, what,
+                 [&](std::uint32_t place, const unsigned char* bytes) { points[place] = point_at(bytes); });
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (const double coordinate : points[i])
+      refuse_if(!std::isfinite(coordinate), what + ": position " + std::to_string(i) + " is not finite");
+  return points;
+}
+
 }  // namespace
 
 std::span<const unsigned char> bytes_of(const Model& model, int view) {
@@ -144,8 +170,9 @@ const Accessor& accessor_at(const Model& model, int number, int type) {
   const std::string what = name_of(number);
   refuse_if(number < 0 || static_cast<std::size_t>(number) >= model.accessors.size(), what + " is not there");
   const Accessor& accessor = model.accessors[static_cast<std::size_t>(number)];
-  refuse_if(accessor.type != type,
-            what + (type == TINYGLTF_TYPE_VEC3 ? " holds no points" : " holds no single numbers"));
+  refuse_if(accessor.type != type, what + (type == TINYGLTF_TYPE_VEC3   ? " holds no points"
+                                           : type == TINYGLTF_TYPE_VEC4 ? " holds no rotations"
+                                                                        : " holds no single numbers"));
   return accessor;
 }
 
@@ -155,28 +182,10 @@ int position_of(const tinygltf::Primitive& primitive, const std::string& what) {
   return position->second;
 }
 
-std::vector<Point> positions(const Model& model, int number) {
-  const std::string what = name_of(number);
-  const Accessor& accessor = uncompressed(model, number, TINYGLTF_TYPE_VEC3);
-  const Kind& kind = kind_of(coordinate_kinds, accessor.componentType, what + " has positions");
-  const auto point_at = [&](const unsigned char* bytes) {
-    Point point{};
-    for (std::size_t k = 0; k < point.size(); ++k)
-      point[k] = kind.coordinate(bytes + k * kind.bytes, accessor.normalized);
-    return point;
-  };
-  const std::size_t size = 3 * kind.bytes;
-  std::vector<Point> points(accessor.count);
-  if (accessor.bufferView >= 0) {
-    const Elements elements = elements_in(model, accessor.bufferView, accessor.byteOffset, accessor.count, size, what);
-    for (std::size_t i = 0; i < points.size(); ++i) points[i] = point_at(elements.first + i * elements.stride);
-  }
-  replace_sparse(model, accessor, size, what,
-                 [&](std::uint32_t place, const unsigned char* bytes) { points[place] = point_at(bytes); });
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (const double coordinate : points[i])
-      refuse_if(!std::isfinite(coordinate), what + ": position " + std::to_string(i) + " is not finite");
-  return points;
+std::vector<Point> positions(const Model& model, int number) { return vectors<3>(model, number, TINYGLTF_TYPE_VEC3); }
+
+std::vector<std::array<double, 4>> quaternions(const Model& model, int number) {
+  return vectors<4>(model, number, TINYGLTF_TYPE_VEC4);
 }
 
 std::vector<std::uint32_t> indices(const Model& model, int number) {

@@ -4,6 +4,7 @@
 
 #include <tiny_gltf.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <epura/importer_plugin.hpp>
@@ -22,6 +23,8 @@ struct Corners {
 /// These throw std::runtime_error with a sentence that names the accessor or view. Positions have 32 bits, or are
 /// integers of 8 or 16 bits according to KHR_mesh_quantization.
 std::vector<Point> positions(const tinygltf::Model& model, int accessor);
+/// Rotations: x, y, z, w.
+std::vector<std::array<double, 4>> quaternions(const tinygltf::Model& model, int accessor);
 std::vector<std::uint32_t> indices(const tinygltf::Model& model, int accessor);
 
 /// The accessor, which has such a type. Its count is not checked.

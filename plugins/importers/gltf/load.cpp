@@ -13,6 +13,8 @@
 
 #include "draco.hpp"
 #include "extensions.hpp"
+#include "invalid.hpp"
+#include "meshopt.hpp"
 #include "refuse.hpp"
 #include "set_aside.hpp"
 
@@ -99,13 +101,23 @@ std::string with_json(std::string_view bytes, std::string json, bool is_binary) 
   return whole.append(bytes.substr(end));
 }
 
-void prepare_compressed(std::string& bytes, bool is_binary) {
+void set_aside_in(std::string& bytes, bool is_binary) {
   const std::string_view json = json_of(bytes, is_binary);
-  if (!reads_draco() || json.find(draco_extension) == std::string_view::npos) return;
-  std::string edited = set_indices_aside(json);
+  std::string edited = set_aside(json);
   if (edited == json) return;
   bytes = with_json(bytes, std::move(edited), is_binary);
   expect_32_bits(bytes.size());
+}
+
+// tinygltf takes a last chunk without bytes for damage. Programs write it where there is nothing to draw.
+void fill_empty_chunk(std::string& bytes) {
+  const std::size_t chunk = header_bytes + chunk_header_bytes + json_of(bytes, true).size();
+  const bool is_empty = bytes.size() == chunk + chunk_header_bytes && word_at(bytes, chunk) == 0;
+  if (!is_empty) return;
+  constexpr std::size_t least = 4;
+  bytes.resize(bytes.size() + least);
+  put_word(bytes, chunk, least);
+  put_word(bytes, magic.size() + 4, bytes.size());
 }
 
 bool has_scheme(std::string_view uri) {
@@ -175,8 +187,6 @@ bool leave_image_alone(tinygltf::Image*, int, std::string*, std::string*, int, i
   return true;
 }
 
-std::string first_line(const std::string& text) { return shortened(text.substr(0, text.find('\n'))); }
-
 // Checked first, because the errors that a reader finds in other versions would be misleading.
 void expect_version(const tinygltf::Model& model) {
   const std::string& version = model.asset.minVersion.empty() ? model.asset.version : model.asset.minVersion;
@@ -192,13 +202,15 @@ tinygltf::Model load(const Source& source, std::string& warning) {
   const bool is_binary = std::string_view(bytes).substr(0, magic.size()) == magic;
   if (is_binary) expect_whole(bytes);
   expect_shallow(json_of(bytes, is_binary));
-  prepare_compressed(bytes, is_binary);
+  set_aside_in(bytes, is_binary);
+  if (is_binary) fill_empty_chunk(bytes);
   Companions companions(source.path, source.may_leave);
   tinygltf::TinyGLTF reader;
   reader.SetFsCallbacks(companions.callbacks());
   reader.SetImageLoader(leave_image_alone, nullptr);
   tinygltf::Model model;
   std::string error, other;
+  bool has_wrong_values = false;
   bool is_read = false;
   try {
     const auto size = static_cast<unsigned>(bytes.size());
@@ -208,14 +220,15 @@ tinygltf::Model load(const Source& source, std::string& warning) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {
-    error = "its JSON holds values of another kind than glTF has there";
+    has_wrong_values = true;
   }
   expect_version(model);
   expect_extensions(model);
   if (!is_read && !companions.fault().empty()) throw std::runtime_error(companions.fault());
-  if (!is_read)
-    throw std::runtime_error("is not a valid glTF file: " + first_line(error.empty() ? "nothing is in it" : error));
-  warning = first_line(error);
+  refuse_if(has_wrong_values, "is not a valid glTF file: its JSON holds values of another kind than glTF has there");
+  refuse_if(!is_read, "is not a valid glTF file: " + (error.empty() ? "nothing is in it" : sentence_for(error)));
+  if (!error.empty()) warning = sentence_for(error);
+  decompress_views(model);
   return model;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "draco.hpp"
+#include "meshopt.hpp"
 
 namespace epura::plugin::gltf {
 
@@ -14,10 +15,12 @@ namespace {
 
 constexpr std::size_t nowhere = std::string_view::npos;
 
-/// An object or array, and where the values of members begin that compressed primitives have.
+/// An object or array, and where the values of members begin that compressed primitives and empty buffers have.
 struct Open {
   std::string_view name;  ///< of it as a member
-  std::size_t indices = nowhere, compression = nowhere;
+  std::size_t begin;
+  std::size_t indices = nowhere, compression = nowhere, length = nowhere, fallback = nowhere, uri = nowhere;
+  bool is_view = false;
 };
 
 // The place of the closing quote.
@@ -27,7 +30,23 @@ std::size_t end_of_text(std::string_view json, std::size_t quote) {
   return std::min(i, json.size());
 }
 
-std::vector<Open> compressed_primitives(std::string_view json) {
+bool is_compressed_primitive(const Open& one) { return one.indices != nowhere && one.compression != nowhere; }
+
+bool is_buffer(const Open& one) { return one.length != nowhere && one.uri == nowhere && !one.is_view; }
+
+// Notes where the value of a member of the last object begins.
+void note_member(std::vector<Open>& open, std::string_view member, std::size_t value) {
+  if (member == "indices") open.back().indices = value;
+  if (member == "byteLength") open.back().length = value;
+  if (member == "uri") open.back().uri = value;
+  if (member == "buffer") open.back().is_view = true;
+  const bool is_extension = open.back().name == "extensions" && open.size() > 1;
+  if (is_extension && member == draco_extension) open[open.size() - 2].compression = value;
+  const bool is_in_extension = open.size() > 2 && open.back().name == meshopt_extension;
+  if (is_in_extension && member == "fallback") open[open.size() - 3].fallback = value;
+}
+
+std::vector<Open> found_in(std::string_view json) {
   std::vector<Open> open, found;
   std::string_view text;
   for (std::size_t i = 0; i < json.size(); ++i) {
@@ -37,16 +56,14 @@ std::vector<Open> compressed_primitives(std::string_view json) {
       text = json.substr(i + 1, end - i - 1);
       i = end;
     } else if (c == '{' || c == '[') {
-      open.push_back({text});
+      open.push_back({text, i});
     } else if (open.empty()) {
       continue;
     } else if (c == '}' || c == ']') {
-      if (open.back().indices != nowhere && open.back().compression != nowhere) found.push_back(open.back());
+      if (is_compressed_primitive(open.back()) || is_buffer(open.back())) found.push_back(open.back());
       open.pop_back();
-    } else if (c == ':' && text == "indices") {
-      open.back().indices = i + 1;
-    } else if (c == ':' && text == draco_extension && open.back().name == "extensions" && open.size() > 1) {
-      open[open.size() - 2].compression = i + 1;
+    } else if (c == ':') {
+      note_member(open, text, i + 1);
     }
   }
   return found;
@@ -60,10 +77,20 @@ struct Edit {
 std::vector<Edit> edits_of(std::string_view json) {
   const auto next = [&](std::size_t place) { return std::min(json.find_first_not_of(" \t\r\n", place), json.size()); };
   const auto has = [&](std::size_t place, char c) { return place < json.size() && json[place] == c; };
+  const auto digits = [&](std::size_t place) {
+    return std::min(json.find_first_not_of("0123456789", place), json.size()) - place;
+  };
   std::vector<Edit> edits;
-  for (const Open& primitive : compressed_primitives(json)) {
-    const std::size_t number = next(primitive.indices), brace = next(primitive.compression);
-    const std::size_t length = std::min(json.find_first_not_of("0123456789", number), json.size()) - number;
+  for (const Open& one : found_in(json)) {
+    const std::size_t length_at = is_buffer(one) ? next(one.length) : json.size();
+    const bool is_zero = has(length_at, '0') && digits(length_at) == 1;
+    if (is_zero || (is_buffer(one) && one.fallback != nowhere)) {
+      edits.push_back({length_at, digits(length_at), "1"});
+      edits.push_back({one.begin + 1, 0, "\"uri\":\"data:application/octet-stream;base64,AA==\","});
+    }
+    if (!is_compressed_primitive(one) || !reads_draco()) continue;
+    const std::size_t number = next(one.indices), brace = next(one.compression);
+    const std::size_t length = digits(number);
     if (length == 0 || !has(brace, '{') || !has(next(brace + 1), '"')) continue;
     edits.push_back({number, length, "-1"});
     edits.push_back({brace + 1, 0, "\"indices\":" + std::string(json.substr(number, length)) + ","});
@@ -74,7 +101,7 @@ std::vector<Edit> edits_of(std::string_view json) {
 
 }  // namespace
 
-std::string set_indices_aside(std::string_view json) {
+std::string set_aside(std::string_view json) {
   std::string edited;
   std::size_t done = 0;
   for (const Edit& edit : edits_of(json)) {

@@ -117,8 +117,8 @@ double srgb_of(double linear) {
 /// Builds a mesh for the sink, primitive by primitive.
 class ShapeMaker {
  public:
-  ShapeMaker(const tinygltf::Model& model, std::size_t number, Sink& sink)
-      : model_(model), mesh_(model.meshes[number]), number_(number), sink_(sink) {}
+  ShapeMaker(const tinygltf::Model& model, const NamedMesh& named, Sink& sink)
+      : model_(model), mesh_(model.meshes[named.number]), named_(named), sink_(sink) {}
 
   void add_triangles(int mode, Corners corners) {
     std::vector<Triangle> triangles = triangles_of(mode, corners.numbers);
@@ -148,20 +148,20 @@ class ShapeMaker {
   void add_points(std::vector<Point>& points, std::vector<Element>& elements) {
     keep_used(points, elements, points_);
     points_ += points.size();
-    refuse_if(points_ >= EPURA_NONE, numbered("mesh", number_) + " has more points than can be numbered");
+    refuse_if(points_ >= EPURA_NONE, numbered("mesh", named_.number) + " has more points than can be numbered");
     if (shape_ == EPURA_NONE) begin_shape();
     sink_.points(points);
   }
 
   void begin_shape() {
-    shape_ = sink_.shape(mesh_.name);
+    shape_ = sink_.shape(named_.name);
     if (const std::vector<double>* colour = colour_of(model_, mesh_))
       sink_.colour(srgb_of((*colour)[0]), srgb_of((*colour)[1]), srgb_of((*colour)[2]));
   }
 
   const tinygltf::Model& model_;
   const tinygltf::Mesh& mesh_;
-  std::size_t number_;
+  const NamedMesh& named_;
   Sink& sink_;
   std::uint32_t shape_ = EPURA_NONE;
   std::size_t points_ = 0;
@@ -174,12 +174,12 @@ std::string LeftOut::sentence() const {
   return std::to_string(morphs) + (morphs == 1 ? " morph target is not drawn" : " morph targets are not drawn");
 }
 
-std::uint32_t add_shape(const tinygltf::Model& model, std::size_t number, Sink& sink, LeftOut& left_out) {
-  const tinygltf::Mesh& mesh = model.meshes[number];
-  ShapeMaker maker(model, number, sink);
+std::uint32_t add_shape(const tinygltf::Model& model, const NamedMesh& named, Sink& sink, LeftOut& left_out) {
+  const tinygltf::Mesh& mesh = model.meshes[named.number];
+  ShapeMaker maker(model, named, sink);
   for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
     const tinygltf::Primitive& primitive = mesh.primitives[i];
-    const std::string what = numbered("mesh", number) + ", " + numbered("primitive", i);
+    const std::string what = numbered("mesh", named.number) + ", " + numbered("primitive", i);
     const int mode = primitive.mode;
     refuse_if(mode < TINYGLTF_MODE_POINTS || mode > TINYGLTF_MODE_TRIANGLE_FAN,
               what + " is of unknown mode " + std::to_string(mode));

@@ -19,7 +19,13 @@ struct LeftOut {
   [[nodiscard]] std::string sentence() const;
 };
 
+/// A mesh, and what it is called.
+struct NamedMesh {
+  std::size_t number;
+  std::string name;
+};
+
 /// Passes a mesh to the sink. Returns its number as a shape, or EPURA_NONE if it has nothing to draw.
-std::uint32_t add_shape(const tinygltf::Model& model, std::size_t mesh, Sink& sink, LeftOut& left_out);
+std::uint32_t add_shape(const tinygltf::Model& model, const NamedMesh& mesh, Sink& sink, LeftOut& left_out);
 
 }  // namespace epura::plugin::gltf

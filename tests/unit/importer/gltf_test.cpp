@@ -64,11 +64,14 @@ TEST(Gltf, ParentsMoveTheirChildren) {
   expect_extent(read(file).mesh, {2, 4, 6}, {4, 6, 8});
 }
 
-TEST(Gltf, WithoutADefaultSceneAllAreDrawn) {
+TEST(Gltf, OneSceneIsDrawn) {
   File file = cube_file();
   file.nodes = R"({"name":"a","mesh":0},{"name":"b","mesh":0,"translation":[2,0,0]})";
   file.rest = R"(,"scenes":[{"nodes":[0]},{"nodes":[1,0]}])";
-  EXPECT_EQ(volume_of(read(file).mesh), 2);
+  const importer::ReadModel first = read(file);
+  expect_extent(first.mesh, {0, 0, 0}, {1, 1, 1});
+  EXPECT_EQ(first.mesh.report.notes,
+            std::vector<std::string>{"of 2 scenes, scene 0 is drawn: 1 mesh of other scenes or of none left out"});
   file.rest = R"(,"scene":1,"scenes":[{"nodes":[0]},{"nodes":[1]}])";
   expect_extent(read(file).mesh, {2, 0, 0}, {3, 1, 1});
   file.rest = "";
@@ -181,7 +184,7 @@ TEST(Gltf, PrimitivesWithoutAttributesAreTold) {
   file.primitives += R"(,{"indices":1})";
   const importer::ReadModel model = read(file);
   EXPECT_EQ(volume_of(model.mesh), 1);
-  EXPECT_EQ(model.mesh.report.notes, std::vector<std::string>{"'attributes' property is missing in Primitive."});
+  EXPECT_EQ(model.mesh.report.notes, std::vector<std::string>{"'attributes' is missing in one of its tables"});
 }
 
 TEST(Gltf, BuffersBesideTheFileAreRead) {
@@ -323,10 +326,10 @@ TEST(Gltf, PositionsAreFinite) {
 
 TEST(Gltf, UnknownExtensionsAreNamedWhereTheyAreNeeded) {
   File file = cube_file();
-  file.rest += R"(,"extensionsUsed":["EXT_meshopt_compression"])";
+  file.rest += R"(,"extensionsUsed":["EXT_unknown_shape"])";
   EXPECT_EQ(volume_of(read(file).mesh), 1);
-  file.rest += R"(,"extensionsRequired":["KHR_materials_unlit","EXT_meshopt_compression"])";
-  EXPECT_EQ(refusal(file), "needs the extension EXT_meshopt_compression, which is not read");
+  file.rest += R"(,"extensionsRequired":["KHR_materials_unlit","EXT_unknown_shape"])";
+  EXPECT_EQ(refusal(file), "needs the extension EXT_unknown_shape, which is not read");
 }
 
 // Their accessors have no views, which tinygltf takes for damage.
@@ -359,6 +362,58 @@ TEST(Gltf, FilesCutShortAndOtherVersionsAreTold) {
   EXPECT_EQ(refusal_with(std::string(100'000, '[')), "holds JSON of more than 200 levels");
   const std::string extras = R"({"asset":{"version":"2.0","extras":)" + std::string(100'000, '[');
   EXPECT_EQ(refusal_with(extras), "holds JSON of more than 200 levels");
+}
+
+TEST(Gltf, HiddenNodesAreLeftOutAndTold) {
+  File file = cube_file();
+  file.nodes = R"({"mesh":0},{"extensions":{"KHR_node_visibility":{"visible":false}},"children":[2]},)"
+               R"({"mesh":0,"translation":[5,0,0]})";
+  file.rest = R"(,"scene":0,"scenes":[{"nodes":[0,1]}],"extensionsUsed":["KHR_node_visibility"])";
+  const importer::ReadModel model = read(file);
+  expect_extent(model.mesh, {0, 0, 0}, {1, 1, 1});
+  EXPECT_EQ(model.mesh.report.notes, std::vector<std::string>{"1 mesh hidden by the file left out"});
+}
+
+// A quarter turn about z maps (x, y) to (-y, x): the second copy is twice as large and lies from x = 8 to 10.
+TEST(Gltf, InstancesAreScaledTurnedAndMovedBelowTheirNode) {
+  File file = cube_file();
+  const float half = 0.70710678f;
+  file.accessors += "," + accessor(file.buffer.view(std::vector<float>{0, 0, 0, 10, 0, 0}), 5126, 2, "VEC3") + "," +
+                    accessor(file.buffer.view(std::vector<float>{0, 0, 0, 1, 0, 0, half, half}), 5126, 2, "VEC4") +
+                    "," + accessor(file.buffer.view(std::vector<float>{1, 1, 1, 2, 2, 2}), 5126, 2, "VEC3");
+  file.nodes = R"({"name":"pin","mesh":0,"translation":[0,0,3],"extensions":{"EXT_mesh_gpu_instancing":{"attributes":)"
+               R"({"TRANSLATION":2,"ROTATION":3,"SCALE":4}}}})";
+  file.rest += R"(,"extensionsUsed":["EXT_mesh_gpu_instancing"],"extensionsRequired":["EXT_mesh_gpu_instancing"])";
+  const importer::ReadModel model = read(file);
+  EXPECT_NEAR(volume_of(model.mesh), 1 + 8, 1e-5);
+  expect_extent(model.mesh, {0, 0, 3}, {10, 2, 5}, 1e-6);
+  EXPECT_EQ(model.mesh.report.body_names, (std::vector<std::string>{"pin", "pin"}));
+  replace(file.nodes, R"("SCALE":4)", R"("SCALE":0)");
+  EXPECT_EQ(refusal(file), "node 0 has instances whose attributes differ in number");
+}
+
+TEST(Gltf, NamesOfNodesComeBeforeThoseOfMeshes) {
+  File file = cube_file();
+  file.nodes = R"({"name":"Pin","mesh":0},{"name":"Pin.001","mesh":0,"translation":[5,0,0]})";
+  file.rest = R"(,"scene":0,"scenes":[{"nodes":[0,1]}])";
+  const importer::ReadModel model = read(file);
+  EXPECT_EQ(model.mesh.report.body_names, (std::vector<std::string>{"Pin", "Pin.001"}));
+  for (const importer::BodyPart& part : model.body_parts) EXPECT_EQ(part.name, "Pin");
+}
+
+TEST(Gltf, AnEmptyChunkOfBytesIsNoDamage) {
+  File file;
+  std::string bytes = "glTF";
+  std::string text = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":0}],"nodes":[{"name":"a"}]})";
+  while (text.size() % 4 != 0) text += ' ';
+  append(bytes, std::uint32_t{2});
+  append(bytes, static_cast<std::uint32_t>(28 + text.size()));
+  append(bytes, static_cast<std::uint32_t>(text.size()));
+  bytes += "JSON" + text;
+  append(bytes, std::uint32_t{0});
+  bytes += std::string("BIN\0", 4);
+  const Folder folder;
+  EXPECT_EQ(refusal_of(folder.file("m.glb", bytes)), "holds no mesh to draw");
 }
 
 }  // namespace
