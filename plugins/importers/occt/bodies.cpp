@@ -8,11 +8,14 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace occt {
 
@@ -42,24 +45,40 @@ double gap_of(const TopoDS_Shape& shape) {
   return box.IsVoid() ? least_gap : std::clamp(relative_gap * std::sqrt(box.SquareExtent()), least_gap, most_gap);
 }
 
-/// Orients a closed shell so that the outside is known, which loose faces do not tell.
-TopoDS_Shape closed_as_solid(const TopoDS_Shape& shell) {
-  TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(shell)).Solid();
-  return BRepLib::OrientClosedSolid(solid) ? TopoDS_Shape(solid) : shell;
+/// Orients a closed shell so that the outside is known, which loose faces do not tell. Nothing if it is not closed,
+/// whatever it says: Open CASCADE then throws.
+std::optional<TopoDS_Shape> closed_as_solid(const TopoDS_Shape& shell) {
+  if (!BRep_Tool::IsClosed(shell)) return std::nullopt;
+  try {
+    TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(shell)).Solid();
+    return BRepLib::OrientClosedSolid(solid) ? TopoDS_Shape(solid) : shell;
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  }
 }
 
 void append(std::vector<TopoDS_Shape>& to, const std::vector<TopoDS_Shape>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// Returns shells and faces; none if a face was lost.
+bool has_face(const TopoDS_Shape& shape) { return TopExp_Explorer(shape, TopAbs_FACE).More(); }
+
+std::size_t count_degenerate_edges(const TopoDS_Shape& shape) {
+  const std::vector<TopoDS_Shape> edges = all(shape, TopAbs_EDGE, TopAbs_SHAPE);
+  return static_cast<std::size_t>(std::count_if(
+      edges.begin(), edges.end(), [](const TopoDS_Shape& edge) { return BRep_Tool::Degenerated(TopoDS::Edge(edge)); }));
+}
+
+/// Returns shells and faces; none if a face was lost, or an edge: edges that do not end in their vertices collapse.
 std::vector<TopoDS_Shape> sew(const std::vector<TopoDS_Shape>& pieces, std::size_t face_count) {
   const TopoDS_Compound together = compound_of(pieces);
   BRepBuilderAPI_Sewing sewing(gap_of(together));
   sewing.Add(together);
   sewing.Perform();
   const TopoDS_Shape& sewn = sewing.SewedShape();
-  if (sewn.IsNull() || all(sewn, TopAbs_FACE, TopAbs_SHAPE).size() != face_count) return {};
+  if (sewn.IsNull() || all(sewn, TopAbs_FACE, TopAbs_SHAPE).size() != face_count ||
+      count_degenerate_edges(sewn) > count_degenerate_edges(together))
+    return {};
   std::vector<TopoDS_Shape> found = all(sewn, TopAbs_FACE, TopAbs_SHELL);
   append(found, all(sewn, TopAbs_SHELL, TopAbs_SOLID));
   return found;
@@ -69,13 +88,15 @@ std::vector<TopoDS_Shape> sew(const std::vector<TopoDS_Shape>& pieces, std::size
 
 Bodies bodies_of(const TopoDS_Shape& shape) {
   Bodies bodies;
-  append(bodies.closed, all(shape, TopAbs_SOLID, TopAbs_SHAPE));
+  for (const TopoDS_Shape& solid : all(shape, TopAbs_SOLID, TopAbs_SHAPE))
+    if (has_face(solid)) bodies.closed.push_back(solid);
   bodies.solids = bodies.closed.size();
   std::vector<TopoDS_Shape> open = all(shape, TopAbs_FACE, TopAbs_SHELL);
   std::size_t face_count = open.size();
   for (const TopoDS_Shape& shell : all(shape, TopAbs_SHELL, TopAbs_SOLID)) {
-    if (BRep_Tool::IsClosed(shell)) {
-      bodies.closed.push_back(closed_as_solid(shell));
+    if (!has_face(shell)) continue;
+    if (const auto closed = closed_as_solid(shell)) {
+      bodies.closed.push_back(*closed);
       continue;
     }
     open.push_back(shell);
@@ -89,13 +110,12 @@ Bodies bodies_of(const TopoDS_Shape& shape) {
   }
   std::vector<TopoDS_Shape> faces;
   for (const TopoDS_Shape& piece : open) {
-    if (piece.ShapeType() != TopAbs_SHELL) {
+    if (piece.ShapeType() != TopAbs_SHELL)
       faces.push_back(piece);
-    } else if (BRep_Tool::IsClosed(piece)) {
-      bodies.closed.push_back(closed_as_solid(piece));
-    } else {
+    else if (const auto closed = closed_as_solid(piece))
+      bodies.closed.push_back(*closed);
+    else
       bodies.open.push_back(piece);
-    }
   }
   if (!faces.empty()) bodies.open.push_back(compound_of(faces));
   return bodies;

@@ -30,10 +30,30 @@ std::optional<Colour> colour_of(const TDF_Label& label) {
   return colour;
 }
 
+/// Whether nothing below the label has a name.
+bool is_nameless(const TDF_Label& label) {
+  TDF_LabelSequence components;
+  XCAFDoc_ShapeTool::GetComponents(label, components);
+  for (const TDF_Label& component : components) {
+    TDF_Label referred;
+    if (!XCAFDoc_ShapeTool::GetReferredShape(component, referred)) continue;
+    if (!name_of(component).empty() || !name_of(referred).empty() || !is_nameless(referred)) return false;
+  }
+  return true;
+}
+
+/// An assembly in an assembly whose components have no names of their own is one part to people: an electronic
+/// component of solids that are all called SOLID. So is the whole file if it holds one component alone.
+bool is_one_part(const TDF_Label& label, bool is_root) {
+  TDF_LabelSequence components;
+  XCAFDoc_ShapeTool::GetComponents(label, components);
+  return !name_of(label).empty() && (!is_root || components.Length() == 1) && is_nameless(label);
+}
+
 void add(const TDF_Label& label, Place place, TreeBuilder& tree, const Company& company = {}) {
   const std::string product = name_of(label);
   if (place.name.empty()) place.name = product;
-  if (!XCAFDoc_ShapeTool::IsAssembly(label)) {
+  if (!XCAFDoc_ShapeTool::IsAssembly(label) || is_one_part(label, place.parent == EPURA_NONE)) {
     tree.add(XCAFDoc_ShapeTool::GetShape(label), product, std::move(place), company);
     return;
   }

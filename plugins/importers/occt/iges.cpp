@@ -14,9 +14,11 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <cmath>
 
+#include "part21.hpp"
 #include "readers.hpp"
 #include "session.hpp"
 #include "tree.hpp"
+#include "unread.hpp"
 
 namespace occt {
 
@@ -79,6 +81,8 @@ Model read_iges(const std::string& path, Construction construction, epura::plugi
   TreeBuilder tree(model, attributes, construction);
   tree.add(everything, {}, {{}, EPURA_NONE, EPURA_NONE, gp_Trsf()});
   tree.finish();
+  const std::vector<std::string> unread = unread_in_iges(text_of(path));
+  model.notes.insert(model.notes.end(), unread.begin(), unread.end());
   return model;
 }
 

@@ -3,6 +3,8 @@
 
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <algorithm>
+#include <string_view>
 
 namespace occt {
 
@@ -15,16 +17,13 @@ Handle(Complaints) Complaints::install() {
 }
 
 void Complaints::send(const TCollection_AsciiString& text, Message_Gravity gravity) const {
-  if (gravity < Message_Fail || !first_.empty()) return;
-  for (const char* c = text.ToCString(); *c != '\0'; ++c) {
-    const bool is_space = *c == ' ' || *c == '\n' || *c == '\t' || *c == '\r';
-    if (!is_space) {
-      first_ += *c;
-    } else if (!first_.empty() && first_.back() != ' ') {
-      first_ += ' ';
-    }
-  }
-  while (!first_.empty() && (first_.back() == ' ' || first_.back() == '.')) first_.pop_back();
+  if (gravity < Message_Fail || !line_.empty()) return;
+  const std::string_view complaint = text.ToCString();
+  constexpr std::string_view word = "line ";
+  const std::size_t found = complaint.find(word);
+  if (found == std::string_view::npos) return;
+  const std::string_view rest = complaint.substr(found + word.size());
+  line_ = rest.substr(0, std::min(rest.find_first_not_of("0123456789"), rest.size()));
 }
 
 void Stage::Show(const Message_ProgressScope&, bool) {

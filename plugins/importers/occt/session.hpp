@@ -15,7 +15,7 @@
 
 namespace occt {
 
-/// Replaces Open CASCADE's printers, and keeps the first complaint.
+/// Replaces Open CASCADE's printers, and keeps the line of the file that the first complaint names.
 class Complaints : public Message_Printer {
   DEFINE_STANDARD_RTTI_INLINE(Complaints, Message_Printer)
 
@@ -23,13 +23,14 @@ class Complaints : public Message_Printer {
   /// Silences Open CASCADE in this process.
   static Handle(Complaints) install();
 
-  [[nodiscard]] const std::string& first() const { return first_; }
+  /// "" if no complaint names one.
+  [[nodiscard]] const std::string& line() const { return line_; }
 
  protected:
   void send(const TCollection_AsciiString& text, Message_Gravity gravity) const override;
 
  private:
-  mutable std::string first_;
+  mutable std::string line_;
 };
 
 /// During its lifetime, output that Open CASCADE writes directly to std::cout and std::cerr is discarded.
@@ -76,11 +77,8 @@ template <class Work>
 auto guarded(const std::string& what, Work&& work) {
   try {
     return work();
-  } catch (const Standard_Failure& failure) {
-    const char* message = failure.GetMessageString();
-    const bool says_why = message != nullptr && *message != '\0';
-    throw std::runtime_error(what + ": Open CASCADE failed (" +
-                             std::string(says_why ? message : failure.DynamicType()->Name()) + ")");
+  } catch (const Standard_Failure&) {  // its words are those of a library
+    throw std::runtime_error(what + ": Open CASCADE gives up on a shape in it, which may be damaged");
   }
 }
 

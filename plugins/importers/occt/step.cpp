@@ -2,10 +2,13 @@
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <STEPConstruct_UnitContext.hxx>
 #include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
+#include <StepBasic_NamedUnit.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepRepr_RepresentationItem.hxx>
+#include <StepShape_ShapeRepresentation.hxx>
 #include <StepShape_ShellBasedSurfaceModel.hxx>
 #include <StepShape_SolidModel.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
@@ -18,10 +21,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "part21.hpp"
 #include "readers.hpp"
 #include "session.hpp"
 #include "step_checks.hpp"
 #include "tree.hpp"
+#include "unread.hpp"
 
 namespace occt {
 
@@ -47,14 +52,28 @@ std::string converted_unit(const StepData_StepModel& model) {
   return {};
 }
 
+/// Whether a unit of this name is a millimetre, whatever it is called.
+bool is_millimetre(const StepData_StepModel& model, const std::string& name) {
+  for (int i = 1; i <= model.NbEntities(); ++i) {
+    const auto unit = Handle(StepBasic_ConversionBasedUnitAndLengthUnit)::DownCast(model.Value(i));
+    if (unit.IsNull() || unit->Name().IsNull() || name != unit->Name()->ToCString()) continue;
+    STEPConstruct_UnitContext context;
+    context.ComputeFactors(Handle(StepBasic_NamedUnit)(unit));
+    return context.LengthFactor() == 1;
+  }
+  const std::string unit = plain_unit(name);
+  return unit == "millimetre" || unit == "millimeter" || unit == "mm";
+}
+
 void note_units(STEPControl_Reader& reader, Model& model) {
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.FileUnits(lengths, angles, solid_angles);
   std::vector<std::string> others;
   for (const TCollection_AsciiString& length : lengths) {
-    const std::string unit = plain_unit(length.IsEmpty() ? converted_unit(*reader.StepModel()) : length.ToCString());
-    const bool is_millimetre = unit == "millimetre" || unit == "millimeter" || unit == "mm";
-    if (!unit.empty() && !is_millimetre && std::find(others.begin(), others.end(), unit) == others.end())
+    const std::string name = length.IsEmpty() ? converted_unit(*reader.StepModel()) : length.ToCString();
+    const std::string unit = plain_unit(name);
+    if (!unit.empty() && !is_millimetre(*reader.StepModel(), name) &&
+        std::find(others.begin(), others.end(), unit) == others.end())
       others.push_back(unit);
   }
   for (const std::string& unit : others) model.notes.push_back("the file is in " + unit + ": converted to millimetres");
@@ -92,6 +111,24 @@ Products products_of(const STEPControl_Reader& reader) {
   return products;
 }
 
+/// Shapes of files without products, such as sketches.
+std::vector<TopoDS_Shape> shapes_without_products(STEPControl_Reader& reader) {
+  const Handle(StepData_StepModel) model = reader.StepModel();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto representation = Handle(StepShape_ShapeRepresentation)::DownCast(model->Value(i));
+    if (!representation.IsNull()) reader.TransferEntity(representation);
+  }
+  std::vector<TopoDS_Shape> shapes;
+  for (int i = 1; i <= reader.NbShapes(); ++i) shapes.push_back(reader.Shape(i));
+  return shapes;
+}
+
+[[noreturn]] void throw_shapeless(const std::string& text, const std::string& faults) {
+  const std::string unread = unread_shapes_in_step(text);
+  const std::string& reason = unread.empty() ? faults : unread;
+  throw std::runtime_error("holds no shape" + (reason.empty() ? std::string() : ": " + reason));
+}
+
 }  // namespace
 
 Model read_step(const std::string& file, Construction construction, epura::plugin::Sink& sink) {
@@ -111,7 +148,7 @@ Model read_step(const std::string& file, Construction construction, epura::plugi
   reader.SetViewMode(false);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw std::runtime_error("is not a valid STEP file" +
-                             (complaints->first().empty() ? std::string() : ": " + complaints->first()));
+                             (complaints->line().empty() ? "" : ": it is damaged in line " + complaints->line()));
   sink.progress(share_of_reading / 4);
   const Handle(StepData_StepModel) entities = reader.ChangeReader().StepModel();
   expect_no_cycle(entities);
@@ -127,11 +164,18 @@ Model read_step(const std::string& file, Construction construction, epura::plugi
   Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
   const bool is_transferred = reader.Transfer(document, stage->Start());
   stage->finish();
-  if (!is_transferred) throw std::runtime_error("holds no shape" + (faults.empty() ? std::string() : ": " + faults));
   const Attributes attributes{names_of_bodies(reader.Reader()), colours_of(document), products_of(reader.Reader())};
   TreeBuilder tree(model, attributes, construction);
-  add_document(document, tree);
+  if (is_transferred)
+    add_document(document, tree);
+  else
+    for (const TopoDS_Shape& shape : shapes_without_products(reader.ChangeReader()))
+      tree.add(shape, {}, {{}, EPURA_NONE, EPURA_NONE, gp_Trsf()});
   tree.finish();
+  const std::string text = text_of(path);
+  if (model.parts.empty()) throw_shapeless(text, faults);
+  const std::vector<std::string> unread = unread_in_step(text);
+  model.notes.insert(model.notes.end(), unread.begin(), unread.end());
   return model;
 }
 

@@ -101,6 +101,15 @@ Contents contents_of(const Handle(StepData_StepModel) & model) {
   return contents;
 }
 
+// Open CASCADE says "Parameter n0.2 (vertex_geometry) : ...".
+std::string in_words(std::string_view text, Fault kind) {
+  const std::size_t open = text.find('('), close = text.find(')', std::min(open, text.size()));
+  const std::string member =
+      close == std::string_view::npos ? "a value" : "'" + std::string(text.substr(open + 1, close - open - 1)) + "'";
+  return member +
+         (kind == Fault::reference ? " refers to nothing, or to what it cannot be" : " is not what it must be");
+}
+
 }  // namespace
 
 void expect_no_cycle(const Handle(StepData_StepModel) & model) {
@@ -141,7 +150,7 @@ std::string faults_of(const Handle(StepData_StepModel) & model, Fault kind) {
     for (int fail = 1; fail <= check->NbFails(); ++fail)
       is_reference = is_reference || std::string_view(check->CFail(fail)).find("Entity") != std::string_view::npos;
     if (is_reference != (kind == Fault::reference)) continue;
-    if (count++ == 0) first = label_of(model, model->Value(i)) + ": " + check->CFail(1);
+    if (count++ == 0) first = label_of(model, model->Value(i)) + ": " + in_words(check->CFail(1), kind);
   }
   if (count == 0) return {};
   return std::to_string(count) + (count == 1 ? " entity is wrong: " : " entities are wrong, first ") + first;

@@ -19,11 +19,13 @@
 #include <IMeshTools_Parameters.hxx>
 #include <OSD_Parallel.hxx>
 #include <OSD_ThreadPool.hxx>
+#include <Poly_Triangulation.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -131,6 +133,32 @@ void mesh(const TopoDS_Shape& shape, const IMeshTools_Parameters& parameters,
   stage->finish();
 }
 
+/// Gives faces of three straight edges their triangle where Open CASCADE gave none, as for edges that do not quite end
+/// in their vertices: there is nothing to choose.
+void complete_triangles(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    const TopoDS_Face face = TopoDS::Face(faces(i).Oriented(TopAbs_FORWARD));
+    TopLoc_Location location;
+    const Handle(Poly_Triangulation)& known = BRep_Tool::Triangulation(face, location);
+    if (!known.IsNull() && known->NbTriangles() > 0) continue;
+    std::vector<gp_Pnt> corners;
+    bool is_straight = true;
+    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More() && corners.size() <= 3; edges.Next()) {
+      const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+      is_straight = is_straight && !BRep_Tool::Degenerated(edge) && BRepAdaptor_Curve(edge).GetType() == GeomAbs_Line;
+      const TopoDS_Vertex vertex = TopExp::FirstVertex(edge, true);
+      if (!vertex.IsNull()) corners.push_back(BRep_Tool::Pnt(vertex).Transformed(location.Transformation().Inverted()));
+    }
+    if (!is_straight || corners.size() != 3) continue;
+    const Handle(Poly_Triangulation) triangle = new Poly_Triangulation(3, 1, false);
+    for (int corner = 0; corner < 3; ++corner) triangle->SetNode(corner + 1, corners[corner]);
+    triangle->SetTriangle(1, Poly_Triangle(1, 2, 3));
+    BRep_Builder().UpdateFace(face, triangle);
+  }
+}
+
 /// Faces with triangles that cannot be refined to the tolerance without becoming too many.
 std::vector<TopoDS_Face> unsuitable(const TopoDS_Shape& shape, double tolerance) {
   TopTools_IndexedMapOfShape faces;
@@ -179,11 +207,12 @@ void tessellate(Model& model, const Fineness& fineness, epura::plugin::Sink& sin
   parameters.ControlSurfaceDeflection = false;
   mesh(everything, parameters, new FewPoints, {sink, share_of_reading, share_of_reading + share_of_meshing / 2});
   const std::vector<TopoDS_Face> again = unsuitable(everything, fineness.deflection);
-  if (again.empty()) return;
   for (const TopoDS_Face& face : again) BRepTools::Clean(face);
   parameters.ControlSurfaceDeflection = true;
-  mesh(everything, parameters, new BRepMesh_MeshAlgoFactory,
-       {sink, share_of_reading + share_of_meshing / 2, share_of_reading + share_of_meshing});
+  if (!again.empty())
+    mesh(everything, parameters, new BRepMesh_MeshAlgoFactory,
+         {sink, share_of_reading + share_of_meshing / 2, share_of_reading + share_of_meshing});
+  complete_triangles(everything);
 }
 
 }  // namespace occt

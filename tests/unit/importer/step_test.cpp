@@ -554,5 +554,37 @@ TEST(StepImporter, DamagedFilesAreRefusedWithTheReason) {
   EXPECT_FALSE(refusal_of(folder.file("f.igs", "not a drawing")).empty());
 }
 
+std::string with_statements(const std::string& path, const std::string& statements) {
+  std::string text = read_file(path);
+  text.insert(text.rfind("ENDSEC;"), statements);
+  return text;
+}
+
+TEST(StepImporter, WhatIsNotDrawnIsCounted) {
+  const Folder folder;
+  const std::string text = with_statements(
+      step_file(folder, block_with_bore()),
+      "#9001=DIMENSIONAL_SIZE(#1,'diameter');\n#9002=DATUM('A;(',$,#1,.F.,'A');\n/* #9=DATUM(); */\n"
+      "#9003=(GEOMETRIC_TOLERANCE('',$,#1,#1)POSITION_TOLERANCE());\n#9004=FLATNESS_TOLERANCE('',$,#1,#1);\n"
+      "#9005=PLUS_MINUS_TOLERANCE(#1,#1);\n#9006=CAMERA_MODEL_D3('v',#1,#1);\n"
+      "#9007=PRESENTATION_LAYER_ASSIGNMENT('L','',());\n#9008=INVISIBILITY((#9007));\n");
+  const std::vector<std::string> notes = read(folder.file("m.step", text)).mesh.report.notes;
+  EXPECT_NE(std::find(notes.begin(), notes.end(),
+                      "1 dimension, 2 geometric tolerances, 1 datum and 1 saved view of the file are not drawn"),
+            notes.end());
+  EXPECT_NE(std::find(notes.begin(), notes.end(), "1 layer is switched off in the file, which is not heeded"),
+            notes.end());
+}
+
+TEST(StepImporter, ShapesOfTrianglesAreNamed) {
+  const Folder folder;
+  const std::string empty =
+      "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n"
+      "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(0.,0.,0.));\n";
+  EXPECT_EQ(refusal_of(folder.file("m.step", empty + "#5=TESSELLATED_SOLID('',(#6),$);\nENDSEC;\nEND-ISO-10303-21;\n")),
+            "holds no shape: its shapes are triangles (TESSELLATED_SOLID), which are not read: export it with exact "
+            "surfaces, or as 3MF, STL or OBJ");
+}
+
 }  // namespace
 }  // namespace epura::test
