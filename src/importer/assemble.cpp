@@ -21,6 +21,13 @@ Mat4 matrix_of(const std::array<double, 12>& t) {
   return rows({t[0], t[1], t[2], t[3]}, {t[4], t[5], t[6], t[7]}, {t[8], t[9], t[10], t[11]}, {0, 0, 0, 1});
 }
 
+/// Where a shape stands.
+struct Occurrence {
+  std::string name;  ///< of the node, or of what it is a piece of
+  std::string part;  ///< name of the part, wherever it occurs
+  int number;        ///< of the part in the tree
+};
+
 class Assembler {
  public:
   explicit Assembler(const Document& document) : document_(document) {}
@@ -32,7 +39,7 @@ class Assembler {
     result_.soup.printed = document_.is_printed != 0;
     if (document_.nodes.empty()) {
       for (const Shape& shape : document_.shapes) {
-        place(shape, Mat4(1), {shape.name, static_cast<int>(result_.tree.size())}, no_colour);
+        place(shape, Mat4(1), {shape.name, shape.name, static_cast<int>(result_.tree.size())}, no_colour);
         add_to_tree({-1, shape.name}, &shape);
       }
     } else {
@@ -51,19 +58,60 @@ class Assembler {
   void place_nodes() {
     std::vector<Mat4> to_file;  // parents come before their children
     std::vector<int> colours;
-    for (const Node& node : document_.nodes) {
+    const std::vector<int> named = named_nodes(), shapes = shapes_below_roots();
+    for (std::size_t i = 0; i < document_.nodes.size(); ++i) {
+      const Node& node = document_.nodes[i];
       const Mat4 own = matrix_of(node.transform);
       to_file.push_back(node.parent < 0 ? own : to_file[static_cast<std::size_t>(node.parent)] * own);
-      const Shape* shape = node.shape < 0 ? nullptr : &document_.shapes[static_cast<std::size_t>(node.shape)];
-      const std::string& name = node.name.empty() && shape != nullptr ? shape->name : node.name;
-      add_to_tree({node.parent, name}, shape);
+      add_to_tree({node.parent, name_of(node)}, shape_of(node));
       const int above = node.parent < 0 ? no_colour : colours[static_cast<std::size_t>(node.parent)];
       colours.push_back(above == no_colour ? node.colour : above);
-      // What has no name is a piece of what is above it.
-      const bool is_piece = name.empty() && node.parent >= 0;
-      const int occurrence = is_piece ? node.parent : static_cast<int>(result_.tree.size()) - 1;
-      if (shape != nullptr) place(*shape, to_file.back(), {name, occurrence}, colours.back());
+      const Shape* shape = shape_of(node);
+      if (shape != nullptr)
+        place(*shape, to_file.back(), occurrence_of(static_cast<int>(i), named[i], shapes), colours.back());
     }
+  }
+
+  [[nodiscard]] const Shape* shape_of(const Node& node) const {
+    return node.shape < 0 ? nullptr : &document_.shapes[static_cast<std::size_t>(node.shape)];
+  }
+
+  [[nodiscard]] const std::string& name_of(const Node& node) const {
+    return node.name.empty() && node.shape >= 0 ? shape_of(node)->name : node.name;
+  }
+
+  /// The nearest node with a name for each: itself, or one above; -1: none.
+  [[nodiscard]] std::vector<int> named_nodes() const {
+    std::vector<int> named;
+    for (const Node& node : document_.nodes)
+      named.push_back(!name_of(node).empty() ? static_cast<int>(named.size())
+                      : node.parent < 0      ? -1
+                                             : named[static_cast<std::size_t>(node.parent)]);
+    return named;
+  }
+
+  /// By root: the number of shapes at it and below it. 0 for other nodes.
+  [[nodiscard]] std::vector<int> shapes_below_roots() const {
+    std::vector<int> shapes(document_.nodes.size(), 0), roots;
+    for (const Node& node : document_.nodes) {
+      roots.push_back(node.parent < 0 ? static_cast<int>(roots.size()) : roots[static_cast<std::size_t>(node.parent)]);
+      if (node.shape >= 0) ++shapes[static_cast<std::size_t>(roots.back())];
+    }
+    return shapes;
+  }
+
+  // What has no name is a piece of what is above it. What is above all is the whole file, and takes in only what is
+  // alone in it.
+  [[nodiscard]] Occurrence occurrence_of(int number, int named, const std::vector<int>& shapes) const {
+    const Node& node = document_.nodes[static_cast<std::size_t>(number)];
+    const std::string& part = shape_of(node)->name;
+    if (named == number) return {name_of(node), part, number};
+    const bool is_piece = named >= 0 && (document_.nodes[static_cast<std::size_t>(named)].parent >= 0 ||
+                                         shapes[static_cast<std::size_t>(named)] == 1);
+    if (!is_piece) return {{}, part, node.parent < 0 ? number : node.parent};
+    const Node& whole = document_.nodes[static_cast<std::size_t>(named)];
+    const Shape* own = shape_of(whole);
+    return {name_of(whole), own != nullptr && !own->name.empty() ? own->name : name_of(whole), named};
   }
 
   void add_to_tree(TreePart part, const Shape* shape) {
@@ -74,8 +122,8 @@ class Assembler {
     result_.tree.push_back(std::move(part));
   }
 
-  // `occurrence` has the name of the node. `colour` takes precedence over those of the shape.
-  void place(const Shape& shape, const Mat4& to_file, const BodyPart& occurrence, int colour) {
+  // `colour` takes precedence over those of the shape.
+  void place(const Shape& shape, const Mat4& to_file, const Occurrence& occurrence, int colour) {
     expect_room(result_.soup.corners.size() + shape.corners.size());
     expect_room(result_.soup.points.size() + shape.points.size());
     expect_room(result_.soup.wires.size() + shape.wire_vertices.size());
@@ -121,7 +169,7 @@ class Assembler {
     }
   }
 
-  void add_bodies(const Shape& shape, const BodyPart& occurrence) {
+  void add_bodies(const Shape& shape, const Occurrence& occurrence) {
     std::vector<std::string>& names = result_.soup.body_names;
     const auto first = static_cast<int>(names.size());
     const auto named = [&shape](const std::string& whole, const std::string& body) {
@@ -130,7 +178,7 @@ class Assembler {
     };
     const auto add = [&](const std::string& body) {
       names.push_back(named(occurrence.name, body));
-      result_.body_parts.push_back({named(shape.name, body), occurrence.occurrence});
+      result_.body_parts.push_back({named(occurrence.part, body), occurrence.number});
     };
     const auto is_whole = [](int body) { return body < 0; };
     for (const std::string& body : shape.body_names) add(body);
