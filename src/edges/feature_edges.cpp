@@ -13,6 +13,7 @@
 #include "edges/slivers.hpp"
 #include "edges/tangent_edges.hpp"
 #include "edges/walls.hpp"
+#include "view/page_height.hpp"
 
 namespace epura::edges {
 
@@ -371,7 +372,7 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
                         FoldLimit(crease_angle),
                         part,
                         seen_edge_on,
-                        page_resolution(around.world, view) / view.cell,
+                        view::page_resolution(around.world, view) / view.cell,
                         moved};
   const auto& edges = around.world.models[around.model].mesh->edges;
   check(is_tangent.empty() || is_tangent.size() == around.mesh().edges.size(), "every edge is tangent or not");

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "view/page_height.hpp"
 
 namespace epura::edges {
 
@@ -105,7 +106,7 @@ SliverRule::SliverRule(const EdgeSurroundings& around, const view::ProjectedScen
     : around_(around),
       view_(&view),
       lowest_(std::max(scene_rounding, around.world.rounding * view.map.normalisation)),
-      on_page_(lowest_on_page * page_resolution(around.world, view)) {}
+      on_page_(lowest_on_page * view::page_resolution(around.world, view)) {}
 
 bool SliverRule::holds_for(int triangle) const {
   const std::array<int, 3> corners = around_.corners(triangle);
@@ -113,7 +114,7 @@ bool SliverRule::holds_for(int triangle) const {
   if (height <= lowest_) return true;
   const double w = view_->projection.central ? nearest_w(*view_, corners) : 1;
   return height * view_->map.unit <= edge_on * on_page_ * w && height <= slender * longest_side(around_, corners) &&
-         height_on_page(*view_, corners) <= on_page_ && !is_of_a_step(triangle);
+         view::height_on_page(*view_, corners) <= on_page_ && !is_of_a_step(triangle);
 }
 
 bool SliverRule::is_of_a_step(int triangle) const {
@@ -157,25 +158,6 @@ Beyond Slivers::across(const std::array<int, 2>& edge, int triangle, std::vector
 
 Exit Slivers::way_out(const std::array<int, 2>& edge, int triangle) const {
   return exit_at(around_, edge, triangle, middle_of(around_, edge));
-}
-
-double height_on_page(const view::ProjectedScene& view, const std::array<int, 3>& corners) {
-  std::array<Vec2, 3> p{};
-  for (int i = 0; i < 3; ++i) {
-    if (!(view.clipper.vertices[corners[i]].w > 0)) return NAN;
-    p[i] = {view.vertices[corners[i]].x, view.vertices[corners[i]].y};
-  }
-  const Vec2 ab = p[1] - p[0], ac = p[2] - p[0];
-  const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
-  return longest > 0 ? std::abs(cross(ab, ac)) / longest : 0;
-}
-
-double page_resolution(const world::World& world, const view::ProjectedScene& view) {
-  // Both ends of a line and the point compared with it were rounded to the grid.
-  constexpr double grid = 2;
-  const double resolution = std::max(grid * view.cell, world.rounding * view.map.normalisation * view.map.unit);
-  check(resolution > 0, "a page has a resolution");
-  return resolution;
 }
 
 }  // namespace epura::edges

@@ -19,13 +19,6 @@
 
 namespace epura::edges {
 
-/// Returns the distance on the page (view units) below which the side of a line on which a point lies is uncertain: the
-/// resolution of the page grid or, if larger, the effect of rounding in the files.
-double page_resolution(const world::World& world, const view::ProjectedScene& view);
-
-/// Returns the height of a triangle above its longest side on the page; NaN if it extends behind the viewer.
-double height_on_page(const view::ProjectedScene& view, const std::array<int, 3>& corners);
-
 /// The continuation of a surface at an edge.
 struct Beyond {
   std::optional<int> triangle;  ///< number in the model; nothing if the surface ends

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "base/error.hpp"
-#include "edges/slivers.hpp"
+#include "view/page_height.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::edges {
@@ -17,7 +17,7 @@ std::vector<char> walls(const EdgeSurroundings& around, const view::ProjectedSce
   // Scaled differently in different directions, a surface is not at a known distance.
   const double scale = world::similarity_scale(placed.to_world).value_or(0);
   const double page_per_length = scale * view.map.normalisation * view.map.unit;
-  const double resolution = page_resolution(around.world, view);
+  const double resolution = view::page_resolution(around.world, view);
   std::vector<char> are_walls(part.faces.size(), 1);
   const std::vector<int>& faces = part.face_of_triangle;
   for (std::size_t t = 0; t < faces.size(); ++t) {
@@ -26,7 +26,7 @@ std::vector<char> walls(const EdgeSurroundings& around, const view::ProjectedSce
     if (are_walls[face] == 0) continue;
     // Both ends of the surface may be off it.
     const double most = resolution + 2 * part.faces[face].residual * page_per_length;
-    if (!(height_on_page(view, around.corners(static_cast<int>(t))) <= most)) are_walls[face] = 0;
+    if (!(view::height_on_page(view, around.corners(static_cast<int>(t))) <= most)) are_walls[face] = 0;
   }
   return are_walls;
 }

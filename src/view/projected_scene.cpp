@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "view/page_height.hpp"
 
 namespace epura::view {
 
@@ -218,6 +219,20 @@ Contact contact_of(const world::World& world, const ProjectedScene& view, std::o
           std::max(contact_part * std::max({size.x, size.y, size.z}), rounding)};
 }
 
+// What is cut off a triangle seen edge-on has corners between those of the triangle on the page, which the grid rounds
+// off its line. It hides nothing, like the whole triangle.
+void flatten_pieces_edge_on(ProjectedScene& view, const world::World& world) {
+  const double resolution = page_resolution(world, view);
+  parallel_for(view.triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      ViewTriangle& triangle = view.triangles[i];
+      const std::array<int, 3>& whole = world.triangles[static_cast<std::size_t>(triangle.source)];
+      if (triangle.vertex != whole && height_on_page(view, whole) <= resolution)
+        triangle.vertex[2] = triangle.vertex[1];
+    }
+  });
+}
+
 }  // namespace
 
 ProjectedScene project_scene(const world::World& world, const projection::Projection& projection,
@@ -251,6 +266,7 @@ ProjectedScene project_scene(const world::World& world, const projection::Projec
   choose_grid(view);
   view.contact = contact_of(world, view, limits.contact);
   lay_out(view);
+  flatten_pieces_edge_on(view, world);
   return view;
 }
 
