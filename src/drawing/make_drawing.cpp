@@ -33,19 +33,21 @@ std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::
                              const Progress& progress) {
   const edges::FeatureEdges& drawn = lines.drawn;
   const auto visit_drawn = [&](std::size_t e, const auto& visit) {
-    const edges::FeatureEdge& edge = drawn.edges[e];
-    const bool keeps = (keep_hidden || is_moved(edge)) && !edge.by_chance;
-    lines.hidden.visit_parts(e, [&](double from, double to, bool visible) {
-      if (!visible && !keeps) return;
-      if (visible)
-        for (const visibility::FacetsSpan& span : lines.hidden.hidden_by_facets(e)) {
-          const double begin = std::clamp(span.from, from, to), end = std::clamp(span.to, from, to);
-          if (!(begin < end)) continue;
-          if (from < begin) visit(from, begin, true, false);
-          visit(begin, end, true, true);
-          from = end;
-        }
+    const bool keeps = keep_hidden || is_moved(drawn.edges[e]);
+    // What is in such spans is drawn in another way.
+    const auto visit_around = [&](double from, double to, std::span<const visibility::FacetsSpan> spans, bool visible) {
+      for (const visibility::FacetsSpan& span : spans) {
+        const double begin = std::clamp(span.from, from, to), end = std::clamp(span.to, from, to);
+        if (!(begin < end)) continue;
+        if (from < begin) visit(from, begin, visible, false);
+        if (visible) visit(begin, end, true, true);
+        from = end;
+      }
       if (from < to) visit(from, to, visible, false);
+    };
+    lines.hidden.visit_parts(e, [&](double from, double to, bool visible) {
+      if (visible || keeps)
+        visit_around(from, to, visible ? lines.hidden.hidden_by_facets(e) : lines.hidden.folds_of(e), visible);
     });
   };
   std::vector<std::size_t> first(drawn.edges.size() + 1, 0);  // index of the first piece, by edge

@@ -130,9 +130,11 @@ class ModelContours {
   }
 
   /// Whether an edge between two triangles of one face is a contour only because the tessellation turned one of them
-  /// over: at their corners, the surface nowhere faces the other way.
+  /// over: at their corners, the surface nowhere faces the other way. A facet of a free form that is seen edge-on is
+  /// not turned over: it is a wall.
   [[nodiscard]] bool is_by_chance(std::span<const int> triangles) const {
     if (part_.face_of_triangle[triangles[0]] != part_.face_of_triangle[triangles[1]]) return false;
+    if (std::ranges::any_of(triangles, [&](int t) { return is_wall(t); })) return false;
     bool front = false, back = false;
     for (const int t : triangles)
       for (const int corner : mesh_.triangle(t)) {
@@ -206,6 +208,12 @@ class ModelContours {
   }
 
   [[nodiscard]] Vec3 towards_viewer(const Vec3& point) const { return central_ ? projector_ - point : projector_; }
+
+  [[nodiscard]] bool is_wall(int triangle) const {
+    if (surface_of(triangle).kind != SurfaceKind::free_form) return false;
+    const Vec3 normal = normal_of(triangle), view = towards_viewer(mesh_.point(mesh_.triangle(triangle)[0]));
+    return std::abs(glm::dot(normal, view)) <= along_projector * glm::length(normal) * glm::length(view);
+  }
 
   // Its length is twice the area.
   [[nodiscard]] Vec3 normal_of(int triangle) const {

@@ -109,7 +109,10 @@ struct Storyteller {
     for (const std::string& other : others) text += "    no ink " + other + " is drawn there\n";
     if (others.empty())
       for (const std::string& other : near) text += "    no ink " + other + " is drawn next to it\n";
-    return text.empty() ? "    no ink: shorter than " + format_value(limits.min) + " mm\n" : text;
+    if (!text.empty()) return text;
+    if (!drawn_view.hidden.folds_of(static_cast<std::size_t>(subject.drawn)).empty())
+      return "    no ink: no line of its face, which goes on right behind it\n";
+    return "    no ink: shorter than " + format_value(limits.min) + " mm\n";
   }
 
   // The parts of a line that are outside the detail shown or left out by breaks, up to `slack` mm inside it.

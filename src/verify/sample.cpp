@@ -37,8 +37,8 @@ PageLine page_line(const VerifyInput& input, const Viewing& viewing, const Toler
 void add_spans(const VerifyInput& input, int edge, std::vector<TestedSpan>& spans) {
   const visibility::HiddenSpans& hidden = input.hidden;
   double at = 0;
-  // Facets alone do not tell what is hidden of these, or it is not drawn.
-  const bool is_doubtful = input.drawn.edges[edge].by_chance || std::ranges::binary_search(hidden.by_surface, edge);
+  // Facets alone do not tell what is hidden of these.
+  const bool is_doubtful = std::ranges::binary_search(hidden.by_surface, edge);
   const auto add = [&](double from, double to, bool visible) {
     if (from < to && (visible || !is_doubtful)) spans.push_back({edge, from, to, visible, -1});
   };

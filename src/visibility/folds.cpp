@@ -163,7 +163,7 @@ struct Tests {
 /// Adds to the hidden spans of each tested edge what `hides` returns for it and its line.
 template <class Hides>
 HiddenSpans with_spans(const HiddenSpans& hidden, const Tests& tests, const HiddenSpans& found, const Hides& hides) {
-  HiddenSpans all{{0}, {}, hidden.undecided, hidden.by_surface, hidden.by_facets};
+  HiddenSpans all{{0}, {}, hidden.undecided, hidden.by_surface, hidden.by_facets, hidden.folds};
   all.first.reserve(hidden.first.size());
   all.spans.reserve(hidden.spans.size() + found.spans.size());
   std::size_t next = 0;
@@ -238,24 +238,26 @@ void hide_behind_own_face(const world::World& world, const view::ProjectedScene&
 void hide_folds(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                 HiddenSpans& hidden, const Progress& progress) {
   hide_behind_own_face(world, view, drawn, hidden, progress);
-  const auto is_doubtful = [](const edges::FeatureEdge& edge) { return edge.by_chance || edge.hollow != 0; };
-  const std::vector<std::size_t> folds = visible_edges(drawn, hidden, is_doubtful);
-  if (folds.empty()) return;
-  // A facet at the border of a face may lie over the next one, whose border is hidden there.
   std::vector<std::size_t> all;
   for (std::size_t e = 0; e < drawn.edges.size(); ++e)
-    if (is_doubtful(drawn.edges[e])) all.push_back(e);
-  check(all.size() >= folds.size(), "visible folds are among all");
+    if (drawn.edges[e].by_chance || drawn.edges[e].hollow != 0) all.push_back(e);
+  if (all.empty()) return;
+  // A facet at the border of a face may lie over the next one, whose border is hidden there.
   view::ProjectedScene faces = view_of(world, view, faces_with(world, drawn, all));
   TestedLines lines(world, faces);
   Tests tests;
   tests.lines.beside_slivers = drawn.beside_slivers;
-  for (const std::size_t e : folds)
+  for (const std::size_t e : all)
     if (const auto line = lines.beside(drawn.edges[e])) tests.add(e, *line);
+  std::vector<FacetsSpan> folds;
   const auto doubtful = [&](std::size_t e, std::span<const std::array<double, 2>> spans) {
-    return within(spans, doubtful_part(drawn.edges[e]), narrow_end);
+    Spans parts = within(spans, doubtful_part(drawn.edges[e]), narrow_end);
+    if (drawn.edges[e].by_chance)
+      for (const auto& [from, to] : parts) folds.push_back({static_cast<int>(e), from, to});
+    return parts;
   };
   hidden = with_spans(hidden, tests, found_hidden(world, faces, tests, progress), doubtful);
+  hidden.folds = std::move(folds);
 }
 
 }  // namespace epura::visibility

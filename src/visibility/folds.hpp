@@ -12,7 +12,8 @@ namespace epura::visibility {
 /// Adds to `hidden` where such contours (FeatureEdge::by_chance, hollow) are no outlines: on the other side of them,
 /// their face goes on no farther behind than their facets are deep, or twice that beyond a cusp. To find out, lines
 /// next to them at that depth are tested like edges against such faces. Lines that are drawn on a torus, not on its
-/// facets, are tested against it where they are drawn. Throws OutOfTime.
+/// facets, are tested against it where they are drawn. What is no outline of those that are there by chance is a fold,
+/// visible or not (HiddenSpans::folds). Throws OutOfTime.
 void hide_folds(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                 HiddenSpans& hidden, const Progress& progress = {});
 

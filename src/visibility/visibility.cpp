@@ -237,7 +237,7 @@ void keep_decided(edges::FeatureEdges& drawn, HiddenSpans& hidden) {
   std::size_t kept = 0, spans = 0;
   auto next = hidden.undecided.begin();
   std::vector<int> by_surface;
-  std::vector<FacetsSpan> by_facets;
+  std::vector<FacetsSpan> by_facets, folds;
   for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
     if (next != hidden.undecided.end() && static_cast<std::size_t>(*next) == e) {
       ++next;
@@ -247,6 +247,7 @@ void keep_decided(edges::FeatureEdges& drawn, HiddenSpans& hidden) {
       by_surface.push_back(static_cast<int>(kept));
     for (const FacetsSpan& span : hidden.hidden_by_facets(e))
       by_facets.push_back({static_cast<int>(kept), span.from, span.to});
+    for (const FacetsSpan& span : hidden.folds_of(e)) folds.push_back({static_cast<int>(kept), span.from, span.to});
     drawn.edges[kept] = drawn.edges[e];
     for (std::size_t i = hidden.first[e]; i < hidden.first[e + 1]; ++i) hidden.spans[spans++] = hidden.spans[i];
     hidden.first[++kept] = spans;
@@ -258,6 +259,7 @@ void keep_decided(edges::FeatureEdges& drawn, HiddenSpans& hidden) {
   hidden.undecided.clear();
   hidden.by_surface = std::move(by_surface);
   hidden.by_facets = std::move(by_facets);
+  hidden.folds = std::move(folds);
 }
 
 std::vector<int> all_but_longest(const view::ProjectedScene& view, const std::vector<edges::FeatureEdge>& edges,

@@ -13,7 +13,7 @@
 
 namespace epura::visibility {
 
-/// A part of an edge that only facets hide which lie behind it as their surface does (edges::ClearContour).
+/// A part of an edge.
 struct FacetsSpan {
   int edge;
   double from, to;
@@ -24,16 +24,17 @@ struct FacetsSpan {
 struct HiddenSpans {
   std::vector<std::size_t> first;
   std::vector<std::array<double, 2>> spans;
-  std::vector<int> undecided;           ///< edges not examined before time was up, ascending
-  std::vector<int> by_surface{};        ///< edges that facets alone do not hide as far as this, ascending (folds.hpp)
-  std::vector<FacetsSpan> by_facets{};  ///< visible nevertheless; ascending
+  std::vector<int> undecided;     ///< edges not examined before time was up, ascending
+  std::vector<int> by_surface{};  ///< edges that facets alone do not hide as far as this, ascending (folds.hpp)
+  /// What only facets hide that lie behind it as their surface does (edges::ClearContour): visible nevertheless;
+  /// ascending.
+  std::vector<FacetsSpan> by_facets{};
+  /// What is no line of the surface (folds.hpp): hidden, and not even drawn as such; ascending.
+  std::vector<FacetsSpan> folds{};
 
   /// What facets alone hide of an edge, though their surface does not.
-  [[nodiscard]] std::span<const FacetsSpan> hidden_by_facets(std::size_t e) const {
-    const auto edge = static_cast<int>(e);
-    const auto begin = std::ranges::lower_bound(by_facets, edge, {}, &FacetsSpan::edge);
-    return {begin, std::ranges::upper_bound(begin, by_facets.end(), edge, {}, &FacetsSpan::edge)};
-  }
+  [[nodiscard]] std::span<const FacetsSpan> hidden_by_facets(std::size_t e) const { return spans_of(by_facets, e); }
+  [[nodiscard]] std::span<const FacetsSpan> folds_of(std::size_t e) const { return spans_of(folds, e); }
 
   /// Calls `visit(from, to, visible)` for the parts of edge e from its first vertex to its second.
   template <class Visit>
@@ -48,6 +49,13 @@ struct HiddenSpans {
       at = spans[i][1];
     }
     part(at, 1, true);
+  }
+
+ private:
+  [[nodiscard]] static std::span<const FacetsSpan> spans_of(const std::vector<FacetsSpan>& spans, std::size_t e) {
+    const auto edge = static_cast<int>(e);
+    const auto begin = std::ranges::lower_bound(spans, edge, {}, &FacetsSpan::edge);
+    return {begin, std::ranges::upper_bound(begin, spans.end(), edge, {}, &FacetsSpan::edge)};
   }
 };
 

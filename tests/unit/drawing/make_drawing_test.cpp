@@ -40,7 +40,7 @@ TEST(MakeDrawing, ParametersAreThoseInSpace) {
   EXPECT_GT(cut, 10);
 }
 
-TEST(MakeDrawing, HiddenContoursThatAreThereByChanceAreNotDrawn) {
+TEST(MakeDrawing, FoldsAreNotDrawn) {
   Result r = draw(world_of(four_boxes()), orthographic({0.31, -0.62, 0.41}));
   const auto drawn = [&] {
     return drawing::make_drawing({r.world, r.view, r.drawn, r.hidden}, {1, Vec2(0)}, {"test", true}).segments;
@@ -49,7 +49,10 @@ TEST(MakeDrawing, HiddenContoursThatAreThereByChanceAreNotDrawn) {
     return std::ranges::count_if(segments, [&](const drawing::Segment& s) { return s.visible == visible; });
   };
   const std::vector<drawing::Segment> before = drawn();
-  for (edges::FeatureEdge& edge : r.drawn.edges) edge.by_chance = true;
+  for (std::size_t e = 0; e < r.drawn.edges.size(); ++e)
+    r.hidden.visit_parts(e, [&](double from, double to, bool visible) {
+      if (!visible) r.hidden.folds.push_back({static_cast<int>(e), from, to});
+    });
   const std::vector<drawing::Segment> after = drawn();
   EXPECT_GT(count(before, false), 0);
   EXPECT_EQ(count(after, false), 0);
