@@ -5,10 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/nearest.hpp"
+#include "search/lines_at.hpp"
 
 namespace epura::drawing {
 
@@ -106,14 +107,35 @@ double widest_gap(const ViewDrawing& drawing) {
   return widest;
 }
 
-// The number of segments that end in each vertex of a model: by model and vertex.
-std::map<std::array<int, 2>, int> ends_at_vertices(const std::vector<Segment>& segments) {
-  std::map<std::array<int, 2>, int> count;
-  for (const Segment& s : segments)
-    for (std::size_t end = 0; end < 2; ++end)
-      if (s.edge[0] >= 0 && (s.t[end] == 0 || s.t[end] == 1)) ++count[{s.model, s.edge[s.t[end] == 1 ? 1 : 0]}];
-  return count;
-}
+// Finds the lines that end or pass at a place.
+class LinesThere {
+ public:
+  LinesThere(const ViewDrawing& drawing, double reach)
+      : lines_(lines_of(drawing.segments)), at_(lines_, reach), chain_of_(lines_.size(), -1), reach_(reach) {
+    for (std::size_t c = 0; c < drawing.chains.size(); ++c)
+      for (const int segment : drawing.chains[c].segments) chain_of_[segment] = static_cast<int>(c);
+  }
+
+  /// Whether only lines of this chain do.
+  [[nodiscard]] bool are_of(int chain, const Vec2& place) const {
+    return std::ranges::all_of(at_(place), [&](int line) {
+      return chain_of_[line] == chain || distance_to_segment(place, lines_[line][0], lines_[line][1]) > reach_;
+    });
+  }
+
+ private:
+  static std::vector<search::LinesAt::Line> lines_of(const std::vector<Segment>& segments) {
+    std::vector<search::LinesAt::Line> lines;
+    lines.reserve(segments.size());
+    for (const Segment& segment : segments) lines.push_back({segment.from, segment.to});
+    return lines;
+  }
+
+  std::vector<search::LinesAt::Line> lines_;
+  search::LinesAt at_;
+  std::vector<int> chain_of_;  ///< by segment
+  double reach_;
+};
 
 }  // namespace
 
@@ -160,20 +182,18 @@ bool drop_short_creases(ViewDrawing& drawing, double least) {
     return chain.kind == EdgeKind::crease && !chain.closed && length_of(chain) < least;
   };
   if (std::none_of(drawing.chains.begin(), drawing.chains.end(), is_short)) return false;
-  const std::map<std::array<int, 2>, int> ends = ends_at_vertices(drawing.segments);
-  // Whether the edge ends there, and no other.
-  const auto fades = [&](const Segment& s, std::size_t end) {
-    if (s.edge[0] < 0 || (s.t[end] != 0 && s.t[end] != 1)) return false;
-    return ends.at({s.model, s.edge[s.t[end] == 1 ? 1 : 0]}) == 1;
-  };
+  const LinesThere lines(drawing, std::max({drawing.coincident, drawing.unseen, straight_mm}));
   std::vector<char> dropped(drawing.segments.size(), 0);
-  for (const Chain& chain : drawing.chains) {
-    if (!is_short(chain)) continue;
-    int fading = 0;
-    for (const int i : chain.segments)
-      for (std::size_t end = 0; end < 2; ++end) fading += fades(drawing.segments[i], end) ? 1 : 0;
-    if (fading == 2)
-      for (const int i : chain.segments) dropped[i] = 1;
+  for (std::size_t c = 0; c < drawing.chains.size(); ++c) {
+    const Chain& chain = drawing.chains[c];
+    const auto fades = [&](int segment, const Vec2& end) {
+      const Segment& s = drawing.segments[segment];
+      const double t = glm::distance(s.from, end) < glm::distance(s.to, end) ? s.t[0] : s.t[1];
+      return (t == 0 || t == 1) && lines.are_of(static_cast<int>(c), end);
+    };
+    if (!is_short(chain) || !fades(chain.segments.front(), chain.points.front())) continue;
+    if (!fades(chain.segments.back(), chain.points.back())) continue;
+    for (const int i : chain.segments) dropped[i] = 1;
   }
   const auto* first = drawing.segments.data();
   const auto count = std::erase_if(drawing.segments, [&](const Segment& s) { return dropped[&s - first] != 0; });

@@ -64,6 +64,9 @@ class Continuation {
       std::transform(members.begin(), members.end(), members.begin(), other);
       add_end(std::move(members));
     }
+    check(ends_.size() <= 2 * pieces_.size(), "a piece has two ends");
+    // Of two lines, the first stays whole: the numbering of faces does not tell which one that is.
+    std::ranges::stable_sort(ends_, {}, [](const LooseEnd& end) { return std::pair(end.at.x, end.at.y); });
     for (const auto& [cost, one, two] : pairs()) {
       progress.expect_time();
       if (is_joined_[one] != 0 || is_joined_[two] != 0 || cost <= touching_) continue;

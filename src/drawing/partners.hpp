@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -24,6 +25,10 @@ inline constexpr End no_end = -1;
 
 constexpr int line_of(End end) { return end / 2; }
 constexpr End other(End end) { return end ^ 1; }
+
+/// A position on the page as a number, different for both ends of level and of upright lines. It decides where nothing
+/// else does, so that the numbering of faces in a file does not.
+inline double order_on_page(const Vec2& place) { return place.x + std::numbers::phi * place.y; }
 
 /// Lines whose ends are to be joined. `place(end)` is the position of an end, mm; `look(end)` an array of doubles that
 /// two ends must have in common; `kind(end)` tells which of them belong together most.
@@ -85,9 +90,10 @@ bool pair_up(const Ends& lines, std::span<const End> ends, const Joining& rule, 
   std::vector<std::pair<End, Vec2>> left;  // with the direction in which the line leaves that end
   for (const End end : ends)
     if (partner[end] == no_end) left.emplace_back(end, leaving(lines, end));
-  using Pair = std::tuple<int, double, End, End>;
+  const auto order = [&](End end) { return order_on_page(lines.place(other(end))); };
+  using Pair = std::tuple<int, double, double, End, End>;
   while (left.size() >= 2) {
-    Pair best{3, HUGE_VAL, no_end, no_end};
+    Pair best{3, HUGE_VAL, HUGE_VAL, no_end, no_end};
     for (std::size_t i = 0; i < left.size(); ++i)
       for (std::size_t j = i + 1; j < left.size(); ++j) {
         const auto& [a, direction_a] = left[i];
@@ -96,9 +102,9 @@ bool pair_up(const Ends& lines, std::span<const End> ends, const Joining& rule, 
         const bool differ = lines.kind(a) != lines.kind(b);
         const int turn = straightness > turning_back ? 2 : straightness > going_on && differ ? 1 : 0;
         if (a == other(b) || glm::distance(lines.place(a), lines.place(b)) > rule.farthest) continue;
-        best = std::min(best, Pair(turn, straightness + (differ ? about : 0), a, b));
+        best = std::min(best, Pair(turn, straightness + (differ ? about : 0), order(a) + order(b), a, b));
       }
-    const End a = std::get<2>(best), b = std::get<3>(best);
+    const End a = std::get<3>(best), b = std::get<4>(best);
     if (a == no_end) return true;
     if (std::get<0>(best) == 2 && rule.turning_back == TurningBack::left_apart) return false;
     check(partner[a] == no_end && partner[b] == no_end && a != b, "an end has one partner");

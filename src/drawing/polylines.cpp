@@ -20,7 +20,7 @@ Polylines::Polylines(const std::vector<Piece>& pieces, const std::vector<signed 
   std::vector<char> used(pieces.size(), 0);
   members_.reserve(pieces.size());
   const auto follow = [&](End start, bool closed) {
-    Line line{members_.size(), 0, closed, strength[line_of(start)], 0};
+    Line line{members_.size(), 0, closed, strength[line_of(start)], 0, order_on_page(place(start))};
     for (End at = start; at != no_end && used[line_of(at)] == 0; at = partner[other(at)]) {
       used[line_of(at)] = 1;
       members_.push_back(at);
@@ -30,21 +30,42 @@ Polylines::Polylines(const std::vector<Piece>& pieces, const std::vector<signed 
     check(line.count > 0 && line.length >= 0, "a polyline has pieces");
     lines_.push_back(line);
   };
+  const auto last_of = [&](End start) {
+    End at = start;
+    while (partner[other(at)] != no_end) at = partner[other(at)];
+    return other(at);
+  };
+  // Of a ring, the end at its first place from which the next place comes first.
+  const auto first_of_ring = [&](End start) {
+    const auto rank = [&](End end) { return std::pair(order_on_page(place(end)), order_on_page(place(other(end)))); };
+    End first = start;
+    End at = start;
+    do {
+      for (const End end : {at, other(at)})
+        if (rank(end) < rank(first)) first = end;
+      at = partner[other(at)];
+    } while (at != start);
+    return first;
+  };
   const auto is_left = [&](End end) { return strength[line_of(end)] >= 0 && used[line_of(end)] == 0; };
   const End ends = static_cast<End>(partner.size());
-  for (End end = 0; end < ends; ++end)
-    if (partner[end] == no_end && is_left(end)) follow(end, false);
+  for (End end = 0; end < ends; ++end) {
+    if (partner[end] != no_end || !is_left(end)) continue;
+    const End last = last_of(end);
+    follow(order_on_page(place(last)) < order_on_page(place(end)) ? last : end, false);
+  }
   // The remaining pieces form rings.
   for (End end = 0; end < ends; end += 2)
-    if (is_left(end)) follow(end, true);
+    if (is_left(end)) follow(first_of_ring(end), true);
 }
 
 std::vector<std::size_t> Polylines::by_rank() const {
   std::vector<std::size_t> order(lines_.size());
   std::iota(order.begin(), order.end(), 0);
+  // Compared as floats, so that rounding does not decide.
   const auto rank = [&](std::size_t i) {
     const Line& line = lines_[i];
-    return std::tuple(-line.strength, -line.length, line_of(members_[line.first]), i);
+    return std::tuple(-line.strength, -static_cast<float>(line.length), line.order, line_of(members_[line.first]), i);
   };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   return order;

@@ -11,7 +11,7 @@
 
 namespace epura::drawing {
 
-/// Every piece with a strength is in exactly one polyline.
+/// Every piece with a strength is in exactly one polyline. Where it begins depends on its places on the page alone.
 class Polylines {
  public:
   /// `strength` by piece: stronger pieces are drawn instead of weaker ones; if it is negative, the piece is not ink.
@@ -26,7 +26,7 @@ class Polylines {
   }
   [[nodiscard]] bool is_closed(std::size_t line) const { return lines_[line].closed; }
 
-  /// The strongest first, then the longest, then the one with the first piece.
+  /// The strongest first, then the longest, then the one that begins first across the page.
   [[nodiscard]] std::vector<std::size_t> by_rank() const;
 
  private:
@@ -35,6 +35,7 @@ class Polylines {
     bool closed;
     int strength;
     double length;
+    double order;  ///< of its beginning on the page
   };
 
   std::vector<End> members_;

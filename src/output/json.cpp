@@ -307,10 +307,10 @@ std::string outline_of(const report::OutlineCheck& outline) {
 
 std::string verification_of(const report::Verification& found) {
   return "{\"points\": " + number(found.points) + ", \"decided\": " + number(found.decided) +
-         ", \"wrong\": " + number(found.wrong) + ", \"samples\": " + number(found.samples) +
-         ", \"length\": " + number(found.length) + ", \"misclassified\": " + number(found.misclassified) +
-         ", \"at_most\": " + number(found.at_most) + ", \"undecided\": " + number(found.undecided) +
-         ", \"untested\": " + number(found.untested) +
+         ", \"either_way\": " + number(found.either_way) + ", \"wrong\": " + number(found.wrong) +
+         ", \"samples\": " + number(found.samples) + ", \"length\": " + number(found.length) +
+         ", \"misclassified\": " + number(found.misclassified) + ", \"at_most\": " + number(found.at_most) +
+         ", \"undecided\": " + number(found.undecided) + ", \"untested\": " + number(found.untested) +
          ",\n   \"strata\": " + json_lines(found.strata, stratum_of, "\n    ") +
          ",\n   \"worst\": " + json_lines(found.worst, offence_of, "\n    ") +
          ",\n   \"outline\": " + outline_of(found.outline) + "}";

@@ -184,7 +184,7 @@ class ViewRun {
   void hide_folds();
   visibility::HiddenSpans hidden_in_time();
   bool keep_longest(const std::string& stage);
-  drawing::ViewDrawing drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges,
+  drawing::ViewDrawing drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges, double least_crease,
                                 const Progress& progress) const;
   DrawnLines draw_lines(const view::PaperMap& paper);
   template <class Change>
@@ -360,9 +360,9 @@ void ViewRun::hide_folds() {
 }
 
 drawing::ViewDrawing ViewRun::drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges,
-                                       const Progress& progress) const {
+                                       double least_crease, const Progress& progress) const {
   const drawing::DrawingOptions options{options_.name, options_.keep_hidden(), options_.leave_out.hidden,
-                                        near_lines(options_), options_.least_crease};
+                                        near_lines(options_), least_crease};
   return drawing::make_drawing({input_.world, view_, edges, hidden_}, paper, options, progress);
 }
 
@@ -370,7 +370,7 @@ drawing::ViewDrawing ViewRun::drawn_on(const view::PaperMap& paper, const edges:
 DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   const auto make = [&](const Progress& progress) {
     DrawnLines lines;
-    lines.drawing = drawn_on(paper, drawn_, progress);
+    lines.drawing = drawn_on(paper, drawn_, options_.least_crease, progress);
     if (options_.arcs && !options_.detail && !options_.breaks.any() && input_.broken_out.empty())
       lines.curves = curves_of(options_, input_.world, lines.drawing, progress);
     return lines;
@@ -505,13 +505,13 @@ std::vector<std::array<Vec2, 2>> ViewRun::traces(const view::PaperMap& paper, co
 std::optional<report::Verification> ViewRun::verified(const drawing::ViewDrawing& drawing, const view::PaperMap& paper,
                                                       const Progress& progress) const {
   if (!options_.verify) return std::nullopt;
-  if (!(drawn_.moved > 0)) return verified(drawn_, drawing, paper, progress);
+  if (!(drawn_.moved > 0) && !(options_.least_crease > 0)) return verified(drawn_, drawing, paper, progress);
   // Contours that are drawn at their position on the surface are tested at their position on the mesh, and for staying
-  // beside it.
+  // beside it; creases also if the user leaves them out.
   edges::FeatureEdges in_mesh = drawn_;
   in_mesh.moved = 0;
   for (edges::FeatureEdge& edge : in_mesh.edges) edge.shown = {-1, -1};
-  report::Verification found = verified(in_mesh, drawn_on(paper, in_mesh, progress), paper, progress);
+  report::Verification found = verified(in_mesh, drawn_on(paper, in_mesh, 0, progress), paper, progress);
   const verify::VerifyInput as_drawn{input_.world, view_.projection, options_.limits, drawn_, hidden_, drawing};
   verify::add_stray_contours(as_drawn, tolerance_on(paper), found.outline, progress);
   return found;

@@ -62,7 +62,8 @@ std::string format_outline(const OutlineCheck& outline) {
 
 std::string format_verification(const Verification& v) {
   std::string text = "verified " + std::to_string(v.points) + " points: " + std::to_string(v.decided) + " decided, " +
-                     std::to_string(v.wrong) + " wrong, " + std::to_string(v.points - v.decided) + " undecided\n";
+                     std::to_string(v.wrong) + " wrong, " + std::to_string(v.points - v.decided) + " undecided (" +
+                     std::to_string(v.either_way) + " of them on visible lines, which hide what lies behind them)\n";
   text += "misclassified by " + std::to_string(v.samples) +
           " of them at random: " + millimetres(v.misclassified * v.length) + " of " + millimetres(v.length) + " (" +
           percent(v.misclassified) + "), with 95 % confidence at most " + millimetres(v.at_most * v.length) + " (" +
@@ -70,7 +71,12 @@ std::string format_verification(const Verification& v) {
           "\n";
   for (const Mismatch& mismatch : v.worst)
     text += "wrong: " + position_of(mismatch) + " is " + mismatch.what + ", but " + reason_of(mismatch) + "\n";
-  return text + format_outline(v.outline);
+  text += format_outline(v.outline);
+  if (!v.is_conclusive())
+    text +=
+        "inconclusive: more than half of the points are undecided, so this proves nothing; turn the view a little, or "
+        "leave out models that lie behind one another\n";
+  return text;
 }
 
 std::string rounded_up(double millimetres) {

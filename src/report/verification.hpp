@@ -68,6 +68,7 @@ struct Verification {
   int points = 0;              ///< all points tested: also the middles and both sides of the ends of the spans that
                                ///< were hit
   int decided = 0, wrong = 0;  ///< of all points; `decided` includes the wrong ones
+  int either_way = 0;          ///< of the others: points with visible ink, which stays if they are hidden
   double length = 0;           ///< of all lines, including those that coincide, mm
   double untested = 0;         ///< fraction of it in spans too short to be guaranteed
   double undecided = 0;        ///< estimated fraction
@@ -78,7 +79,9 @@ struct Verification {
   OutlineCheck outline;
 
   [[nodiscard]] int errors() const { return wrong + outline.wrong(); }
-  [[nodiscard]] bool is_right() const { return errors() == 0; }
+  /// Whether so many points tell something of the drawing that their being right says that it is right.
+  [[nodiscard]] bool is_conclusive() const { return 2 * (decided + either_way) >= points; }
+  [[nodiscard]] bool is_right() const { return errors() == 0 && is_conclusive(); }
 };
 
 }  // namespace epura::report

@@ -17,7 +17,7 @@ constexpr std::size_t most_offences = 10;
 // Number of steps over the least guaranteed length in which the length of a wrong span is measured.
 constexpr int steps = 8;
 
-enum class Finding { right, undecided, misclassified, no_ink };
+enum class Finding { right, undecided, either_way, misclassified, no_ink };
 
 bool contradicts(const TestedSpan& span, ProbeAnswer answer) {
   return answer != ProbeAnswer::undecided && (answer == ProbeAnswer::visible) != span.visible;
@@ -114,15 +114,21 @@ class Verifier {
     std::vector<std::size_t> asked;
     std::vector<Expected> places;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-      if (findings_[i] != Finding::right || (!span_of(i).visible && !hidden_drawn_)) continue;
+      const bool undecided = findings_[i] == Finding::undecided, visible = span_of(i).visible;
+      if (!undecided && (findings_[i] != Finding::right || (!visible && !hidden_drawn_))) continue;
       asked.push_back(i);
-      places.push_back({page_of(i), span_of(i).visible});
+      places.push_back({page_of(i), visible || undecided});
     }
     // Lines within contact of another one are not drawn, nor are remainders shorter than a few times that.
     const double reach = std::max(guaranteed * tolerance_.size, 16 * tolerance_.contact) + input_.drawing.joined_within;
     const std::vector<bool> found = find_ink(input_.drawing, places, reach);
-    for (std::size_t i = 0; i < asked.size(); ++i)
-      if (!found[i]) findings_[asked[i]] = Finding::no_ink;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      Finding& finding = findings_[asked[i]];
+      if (finding == Finding::undecided)
+        finding = found[i] ? Finding::either_way : finding;
+      else if (!found[i])
+        finding = Finding::no_ink;
+    }
   }
 
   [[nodiscard]] Vec2 page_of(std::size_t sample) const {
@@ -137,8 +143,10 @@ class Verifier {
     report::Verification result;
     result.points = static_cast<int>(samples_.size());
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-      const bool undecided = findings_[i] == Finding::undecided, wrong = is_wrong(i);
+      const bool either_way = findings_[i] == Finding::either_way, wrong = is_wrong(i);
+      const bool undecided = either_way || findings_[i] == Finding::undecided;
       result.decided += undecided ? 0 : 1;
+      result.either_way += either_way ? 1 : 0;
       result.wrong += wrong ? 1 : 0;
       if (!samples_[i].at_random) continue;
       report::Stratum& stratum = population_.strata[span_of(i).stratum];

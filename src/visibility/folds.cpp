@@ -238,6 +238,7 @@ void hide_behind_own_face(const world::World& world, const view::ProjectedScene&
 void hide_folds(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                 HiddenSpans& hidden, const Progress& progress) {
   hide_behind_own_face(world, view, drawn, hidden, progress);
+  check(hidden.folds.empty(), "folds are found once");
   std::vector<std::size_t> all;
   for (std::size_t e = 0; e < drawn.edges.size(); ++e)
     if (drawn.edges[e].by_chance || drawn.edges[e].hollow != 0) all.push_back(e);

@@ -29,8 +29,9 @@ TEST(Verify, TheReportHoldsIt) {
   ASSERT_EQ(run.code, 0) << run.err;
   const Json json = JsonReader(run.out).read();
   const Json& found = json["report"]["verify"];
-  EXPECT_EQ(found.keys(),
-            "points decided wrong samples length misclassified at_most undecided untested strata worst outline");
+  EXPECT_EQ(
+      found.keys(),
+      "points decided either_way wrong samples length misclassified at_most undecided untested strata worst outline");
   const Json& outline = found["outline"];
   EXPECT_EQ(outline.keys(), "lines asked missing ink unfounded doubled undecided length at_most worst");
   EXPECT_GT(outline["asked"].number(), 150);

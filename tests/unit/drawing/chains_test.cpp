@@ -251,6 +251,20 @@ TEST(Chains, ShortCreasesThatMeetNothingAreDropped) {
   EXPECT_EQ(left(2), all - 2) << "nothing more";
 }
 
+// What counts is that lines meet on the page: those of bodies that touch have no vertex in common.
+TEST(Chains, ShortCreasesThatMeetLinesOfOtherBodiesAreKept) {
+  const auto edge = [](Vec2 from, Vec2 to, int model, int vertex) {
+    return drawing::Segment{from, to, true, EdgeKind::crease, model, {vertex, vertex + 1}, -1, {0, 1}};
+  };
+  for (const double away : {0.0, 0.5}) {
+    drawing::ViewDrawing drawing;
+    drawing.segments = {edge({0, 0}, {1, 0}, 0, 0), edge({1 + away, -4}, {1 + away, 5}, 1, 0)};
+    drawing.chains = drawing::chain_segments(drawing.segments, 1e-6);
+    EXPECT_EQ(drawing::drop_short_creases(drawing, 2), true);
+    EXPECT_EQ(drawing.segments.size(), away > 0 ? 1U : 2U);
+  }
+}
+
 TEST(Chains, HoldEverySegmentOnceAndItsLength) {
   std::mt19937 random(3);
   std::vector<drawing::Segment> segments;
