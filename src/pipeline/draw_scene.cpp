@@ -316,7 +316,6 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
       warn_if_unseen(messages, *section, seen[i], views.plans[i].options.name);
     results.push_back(draw_view(input, std::move(seen[i]), time_of_next_view(), watch));
     warn_if_empty(messages, results.back(), input);
-    if (section != nullptr && !input.options.detail) warn_about(messages, *section, results.back().overlaps);
     coarse.look(input, results.back().drawing, progress);
     note(results.back());
     CalloutTargets found = find_targets(world(i), results.back().drawing, annotations[i].callouts);

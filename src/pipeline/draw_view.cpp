@@ -138,8 +138,6 @@ class ViewRun {
     find_edges();
     watch_.lap("edges");
     hide();
-    if (input_.section != nullptr && !options_.wireframe)
-      overlaps_ = hide_in_overlaps(*input_.section, view_, paper, drawn_, hidden_);
     plan_.push_back(hidden_step(options_, hidden_));
     for (report::PlanStep& step : plan_) step.view = options_.name;
     watch_.lap("visibility");
@@ -169,8 +167,7 @@ class ViewRun {
             lines.curves,
             std::move(features),
             std::move(error),
-            unsymmetric,
-            std::move(overlaps_)};
+            unsymmetric};
   }
 
  private:
@@ -209,7 +206,6 @@ class ViewRun {
   view::ProjectedScene view_;
   edges::FeatureEdges drawn_{};
   visibility::HiddenSpans hidden_{};
-  std::vector<OverlappingBodies> overlaps_{};
   std::vector<report::PlanStep> plan_{};
   report::Partial partial_{};
   Stopwatch& watch_;

@@ -17,7 +17,6 @@
 #include "edges/find_edges.hpp"
 #include "pipeline/broken_outs.hpp"
 #include "pipeline/budget.hpp"
-#include "pipeline/cut_covers.hpp"
 #include "pipeline/revolved.hpp"
 #include "pipeline/sections.hpp"
 #include "pipeline/shortcuts.hpp"
@@ -74,10 +73,9 @@ struct ViewResult {
   std::optional<report::Verification> verification;
   std::optional<cut::CuttingSurface> section;  ///< shown by the view
   drawing::CurveReport curves{};
-  design::CentredFeatures features{};         ///< for centre lines, if requested
-  std::optional<report::ViewError> error{};   ///< if its input has heights of facets
-  double unsymmetric = 0;                     ///< mm of lines that a half view leaves out and does not show mirrored
-  std::vector<OverlappingBodies> overlaps{};  ///< in the section
+  design::CentredFeatures features{};        ///< for centre lines, if requested
+  std::optional<report::ViewError> error{};  ///< if its input has heights of facets
+  double unsymmetric = 0;                    ///< mm of lines that a half view leaves out and does not show mirrored
 };
 
 /// Seconds since the last call of `lap`, under a name.

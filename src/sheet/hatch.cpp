@@ -14,7 +14,6 @@
 #include "base/nearest.hpp"
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
-#include "drawing/cut_covers.hpp"
 #include "mesh/even_odd.hpp"
 #include "sheet/dash.hpp"
 
@@ -346,8 +345,8 @@ bool are_same(const std::vector<Line>& one, const std::vector<Line>& two) {
 
 // What keeps hatching lines from a view.
 struct HatchCovers {
-  std::vector<drawing::PaperTriangle> before;  ///< hides cut faces
-  std::vector<TurnedBox> texts;                ///< apart from each other, with some room around
+  const std::vector<drawing::PaperTriangle>& before;  ///< hides cut faces
+  std::vector<TurnedBox> texts;                       ///< apart from each other, with some room around
   std::vector<drawing::PaperTriangle> all;
 };
 
@@ -480,18 +479,8 @@ std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* cons
 Layer hatch_layer(const HatchedView& view, std::span<const Hatching> hatching, const LineWidths& widths,
                   const Progress& progress) {
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::hatch, widths);
-  const HatchCovers usual = covers_of(view);
-  const std::vector<drawing::CoveredFace> covered = drawing::covered_faces(view.drawing.cut_faces);
-  for (std::size_t i = 0; i < view.drawing.cut_faces.size(); ++i) {
-    const drawing::CutFace& face = view.drawing.cut_faces[i];
-    HatchCovers covers = usual;
-    for (const drawing::CoveredFace& pair : covered)
-      for (const drawing::PaperTriangle& triangle : pair.covered == i
-                                                        ? drawing::triangles_of(view.drawing.cut_faces[pair.covering])
-                                                        : std::vector<drawing::PaperTriangle>()) {
-        covers.before.push_back(triangle);
-        covers.all.push_back(triangle);
-      }
+  const HatchCovers covers = covers_of(view);
+  for (const drawing::CutFace& face : view.drawing.cut_faces) {
     const auto found = std::find_if(hatching.begin(), hatching.end(),
                                     [&](const Hatching& h) { return h.model == face.model && h.body == face.body; });
     check(found != hatching.end(), "every part that is cut has a hatching");
