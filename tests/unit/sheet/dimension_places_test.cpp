@@ -459,8 +459,8 @@ TEST(DimensionPlaces, SizesOfWhatIsNotShownAreLeftOut) {
   inner.circle->radius = 5;
   const std::vector<scene::DimensionDescription> both{diameter, inner};
   const sheet::DimensionStyle style{sheet::Lettering(), 0.25};
-  for (const Vec3& viewer : {from_front, Vec3(0, 0, 1)}) {
-    const drawing::ViewDrawing seen = drawing_of(world, orthographic(viewer));
+  for (const auto& projection : {orthographic(from_front), from_above()}) {
+    const drawing::ViewDrawing seen = drawing_of(world, projection);
     const sheet::PlacedLayer placed = sheet::place_dimensions({world, seen, both, 2}, style);
     EXPECT_EQ(placed.unseen, (std::vector<std::size_t>{1})) << "nothing has a radius of 5";
     EXPECT_EQ(placed.layer.texts.size(), 1U);
