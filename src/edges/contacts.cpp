@@ -52,6 +52,9 @@ class PlacedFaces {
   [[nodiscard]] bool touch(const std::array<FaceOfModel, 2>& faces, const Vec3& place, double reach,
                            double part_angle) const {
     const features::PartSurface &one = surface(faces[0]), &two = surface(faces[1]);
+    const auto is_plane = [](const features::PartSurface& s) { return s.kind == features::SurfaceKind::plane; };
+    if (is_plane(one) && is_plane(two)) return false;  // facets of planes cross where the planes do, at any angle
+    check(reach > 0, "facets that cross have a length");
     Vec3 p = place;
     for (int step = 0; step < most_steps; ++step) {
       const double from_one = features::signed_distance(one, p), from_two = features::signed_distance(two, p);

@@ -25,9 +25,9 @@ struct ContactLimits {
 };
 
 /// Returns the contact of each crossing. Two faces of parts either touch or cross as a whole, as most of the length of
-/// their crossings does. Recognised surfaces touch where they meet at no more than `part_angle`, or not at all. Other
-/// facets touch if the angle at which they cross does not exceed the turn of their surfaces from facet to facet.
-/// `normalisation` is the same as for find_intersections.
+/// their crossings does. Recognised surfaces, but for two planes, touch where they meet at no more than `part_angle`,
+/// or not at all. Other facets touch if the angle at which they cross does not exceed the turn of their surfaces from
+/// facet to facet. `normalisation` is the same as for find_intersections.
 std::vector<Contact> judge_contacts(const world::World& world, double normalisation, const ContactLimits& limits,
                                     const std::vector<FaceCrossing>& crossings, const Progress& progress);
 
