@@ -69,7 +69,7 @@ class CoverageFinder {
     for (const CircleSize& size : sizes_) {
       check(size.dimensions >= 0 && places_of(size) > 0, "a size is of one place or more");
       if (size.dimensions == 0 && !given_elsewhere(size) && !is_in_table(size) && !is_given_by_equal(size, views))
-        add_undimensioned(size.name, remedy_for(size.axis, is_only_along(size), views));
+        add_undimensioned(size.name, remedy_for(outward_axis(size), is_only_along(size), views));
       if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
     }
     for (std::size_t i = 0; i < widths_.size(); ++i) {
@@ -89,6 +89,11 @@ class CoverageFinder {
     std::vector<std::string>& views = coverage_.views_to_add;
     if (!remedy.view.empty() && std::find(views.begin(), views.end(), remedy.view) == views.end())
       views.push_back(remedy.view);
+  }
+
+  // Towards the side of the models on which it is: from there, nothing larger hides it.
+  [[nodiscard]] Vec3 outward_axis(const CircleSize& size) const {
+    return glm::dot(size.centre - subject_.world.box.centre(), size.axis) < 0 ? -size.axis : size.axis;
   }
 
   // Diameters can be given in views beside their axis, too.
