@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# README, recipes and docs/scale.md must not lie:  tests/readme.sh EPURA
-# Every ```sh block is run, in a scratch copy, with EPURA first in PATH; the pipeline is the one of src/CMakeLists.txt.
+# README, CONTRIBUTING, recipes, docs/office.md and docs/scale.md must not lie:  [ACCEPT=1] tests/readme.sh EPURA
+# Every ```sh block is run, in a scratch copy, with EPURA first in PATH; docs/office has the pictures that its blocks draw,
+# or, with ACCEPT=1, gets them; the folders are those of src/CMakeLists.txt.
 set -uo pipefail
 root=$(realpath "$(dirname "$(realpath "$0")")/..")
 PATH=$(dirname "$(realpath "$1")"):$PATH
@@ -17,7 +18,7 @@ complain() {
 cp -r "$root/include" "$root/cmake" "$scratch"
 mkdir "$scratch/samples"
 cp -r "$root/samples/models" "$root/samples/step" "$root/samples/frames" "$root/samples/bracket.toml" "$root/samples/plugin" "$scratch/samples"
-for page in README.md docs/recipes.md docs/scale.md; do
+for page in README.md docs/office.md docs/recipes.md docs/scale.md; do
   awk -v out="$scratch/$(basename $page)-" '/^```sh$/ { inside = 1; ++n; next } /^```$/ { inside = 0 }
                                             inside { print > (out n ".sh") }' "$root/$page"
   [ -f "$scratch/$(basename $page)-1.sh" ] || complain "no sh block found in $page"
@@ -36,10 +37,15 @@ for block in *.md-*.sh; do
   fi
 done
 
+for picture in $(sed -nE 's/^!\[.*\]\(office\/(.*)\)$/\1/p' "$root/docs/office.md"); do
+  if [ -n "${ACCEPT:-}" ]; then cp "$picture" "$root/docs/office/"; fi
+  cmp -s "$picture" "$root/docs/office/$picture" || complain "docs/office/$picture is not what its command draws"
+done
+
 sed -n '/^```cpp$/,/^```$/p' "$root/README.md" | sed '1d;$d' | diff - <(sed 1,2d "$root/samples/plugin/shadow.cpp") ||
   complain "its plugin is not samples/plugin/shadow.cpp"
 while IFS= read -r line; do
-  grep -qxF -- "$line" "$root/README.md" || complain "lacks the line of src/CMakeLists.txt: $line"
+  grep -qxF -- "$line" "$root/CONTRIBUTING.md" || complain "lacks the line of src/CMakeLists.txt: $line"
 done < <(sed -nE 's/^add_subdirectory\((.*)\) *# (.*)$/- `\1`: \2/p' "$root/src/CMakeLists.txt")
 grep -oE '\]\([^)#:]+\)' "$root/README.md" | tr -d '()]' | while read -r link; do
   [ -e "$root/$link" ] || echo "$link"
