@@ -2,6 +2,7 @@
 #include "design/design_holes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -38,10 +39,10 @@ class HoleReader {
     Vec3 axis = first.axis;
     std::vector<Piece> pieces = pieces_of(hole, first);
     const double low = pieces.front().begin, high = end_of(pieces);
-    const bool closed_low = is_closed(first, low), closed_high = is_closed(first, high);
-    const bool tip_low = ends_in_tip(pieces.front().wide_begin, pieces),
-               tip_high = ends_in_tip(radius_at_end(pieces), pieces);
-    const bool shut_low = closed_low || tip_low, shut_high = closed_high || tip_high;
+    const int body = part_.faces[static_cast<std::size_t>(hole.faces.front())].body;
+    const auto [closed_low, closed_high] = closed_ends(hole);
+    const bool shut_low = closed_low || is_closed(first, body, low) || ends_in_tip(pieces.front().wide_begin, pieces);
+    const bool shut_high = closed_high || is_closed(first, body, high) || ends_in_tip(radius_at_end(pieces), pieces);
     // The mouth of a hole that is open at both ends is the wider one.
     const bool mouth_is_low =
         shut_high || (!shut_low && pieces.front().wide_begin > radius_at_end(pieces) * (1 + same_size));
@@ -52,8 +53,8 @@ class HoleReader {
       axis = -axis;
     }
     const double mouth = pieces.front().begin;
-    DesignHole design{model_, first.origin - mouth * axis, axis, 0, hole.through && !shut_low && !shut_high};
-    const bool certain = hole.through != (shut_low || shut_high) && !(shut_low && shut_high);
+    DesignHole design{model_, first.origin - mouth * axis, axis, 0, !shut_low && !shut_high};
+    const bool certain = !(shut_low && shut_high);
     if (certain && interpret(pieces, design)) {
       if (!design.through && has_plane(axis, glm::dot(design.mouth, axis))) design.depth = end_of_bore(pieces) - mouth;
       described.holes.push_back(design);
@@ -108,6 +109,14 @@ class HoleReader {
     return end;
   }
 
+  // In the direction of the axis of its first face.
+  [[nodiscard]] std::array<bool, 2> closed_ends(const features::Hole& hole) const {
+    const features::PartFaces& part = *world_.models[static_cast<std::size_t>(model_)].part;
+    const Vec3& axis = part.faces[static_cast<std::size_t>(hole.faces.front())].surface.axis;
+    const bool same_way = glm::dot(hole.to - hole.from, axis) > 0;
+    return same_way ? hole.closed : std::array{hole.closed[1], hole.closed[0]};
+  }
+
   [[nodiscard]] double slack() const { return std::max(32 * part_.tolerance, 1e-7 * glm::length(world_.box.size())); }
 
   // Whether there is a plane face perpendicular to the axis at this place along it.
@@ -120,15 +129,15 @@ class HoleReader {
            std::abs(glm::dot(surface.origin, axis) - at) <= 10 * slack();
   }
 
-  // Whether a plane face closes the end at this height.
-  [[nodiscard]] bool is_closed(const features::PartSurface& bore, double height) const {
+  // Whether a plane face of the same body closes the end at this height.
+  [[nodiscard]] bool is_closed(const features::PartSurface& bore, int body, double height) const {
     const world::Placed& placed = world_.models[model_];
     const mesh::Mesh& mesh = placed.mesh->whole();
     const Vec3 end = bore.origin + height * bore.axis;
     const double at = glm::dot(end, bore.axis);
     std::vector<char> wanted(part_.faces.size(), 0);
     for (std::size_t f = 0; f < wanted.size(); ++f)
-      wanted[f] = is_plane_at(part_.faces[f].surface, bore.axis, at) ? 1 : 0;
+      wanted[f] = part_.faces[f].body == body && is_plane_at(part_.faces[f].surface, bore.axis, at) ? 1 : 0;
     if (std::count(wanted.begin(), wanted.end(), 1) == 0) return false;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
       const int face = placed.part->face_of_triangle[t];
@@ -142,11 +151,7 @@ class HoleReader {
     std::array<Vec3, 3> p;
     const auto corners = mesh.triangle(triangle);
     for (int k = 0; k < 3; ++k) p[k] = Vec3(to_world * Vec4(mesh.point(corners[k]), 1)) - point;
-    std::array<double, 3> turn{};
-    for (int k = 0; k < 3; ++k) turn[k] = glm::dot(axis, glm::cross(p[k], p[(k + 1) % 3]));
-    const double rounding = 1e-9 * (std::abs(turn[0]) + std::abs(turn[1]) + std::abs(turn[2]));
-    const auto [least, most] = std::minmax_element(turn.begin(), turn.end());
-    return rounding > 0 && (*least >= -rounding || *most <= rounding);
+    return features::height_on_axis(p, axis, slack()).has_value();
   }
 
   // Sets the sizes of a hole whose pieces are in order from the mouth; false if it has another shape.

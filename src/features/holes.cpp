@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 
 namespace epura::features {
 
@@ -99,41 +100,41 @@ class HoleFinder {
     std::sort(hole.diameters.begin(), hole.diameters.end());
     hole.from = surface.origin + from * surface.axis;
     hole.to = surface.origin + to * surface.axis;
-    hole.through = !is_closed(hole);
+    hole.closed = closed_ends(hole);
+    hole.through = !hole.closed[0] && !hole.closed[1];
     return hole;
   }
 
-  // Whether a face of the hole, or one adjacent to it, crosses its axis.
-  [[nodiscard]] bool is_closed(const Hole& hole) const {
+  // At which ends a face of the hole, or one adjacent to it, crosses its axis.
+  [[nodiscard]] std::array<bool, 2> closed_ends(const Hole& hole) const {
     std::vector<int> faces = hole.faces;
     for (const int f : hole.faces)
       for (const int next : beside_[f])
         if (part_.faces[next].area <= largest_section(hole.faces)) faces.push_back(next);
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    return std::any_of(faces.begin(), faces.end(), [&](int f) {
-      return std::any_of(triangles_[f].begin(), triangles_[f].end(), [&](int t) { return crosses(t, hole); });
-    });
+    std::array<bool, 2> closed{};
+    const double length = glm::distance(hole.from, hole.to);
+    for (const int f : faces)
+      for (const int t : triangles_[f])
+        if (const auto height = height_in(t, part_.faces[f].surface.kind, hole))
+          closed[*height > length / 2 ? 1 : 0] = true;
+    return closed;
   }
 
-  // Whether the axis of a hole, extended slightly beyond its ends, meets a triangle.
-  [[nodiscard]] bool crosses(int triangle, const Hole& hole) const {
+  // Where a triangle crosses the axis of a hole, extended beyond its ends by what a round bottom needs. The opposite
+  // side of a bore into which the hole leads is no bottom.
+  [[nodiscard]] std::optional<double> height_in(int triangle, SurfaceKind kind, const Hole& hole) const {
     const double length = glm::distance(hole.from, hole.to);
-    if (!(length > 0)) return false;
+    if (!(length > 0)) return std::nullopt;
     const Vec3 axis = (hole.to - hole.from) / length;
     const double slack = std::max(1e-6 * length, 32 * part_.tolerance);
+    const double beyond = (kind == SurfaceKind::cylinder ? 0 : hole.diameters.back() / 2) + slack;
     const std::array<int, 3> corners = mesh_.triangle(triangle);
     std::array<Vec3, 3> p;
     for (int k = 0; k < 3; ++k) p[k] = mesh_.point(corners[k]) - hole.from;
-    std::array<double, 3> volume;
-    for (int k = 0; k < 3; ++k) volume[k] = glm::dot(axis, glm::cross(p[(k + 1) % 3], p[(k + 2) % 3]));
-    const auto [least, most] = std::minmax_element(volume.begin(), volume.end());
-    const double sum = volume[0] + volume[1] + volume[2];
-    // The apex of a cone and the middle of a bottom are corners of several triangles.
-    const double rounding = 1e-9 * (std::abs(*least) + std::abs(*most));
-    if (sum == 0 || (*least<-rounding&& * most> rounding)) return false;
-    const double height = glm::dot(axis, volume[0] * p[0] + volume[1] * p[1] + volume[2] * p[2]) / sum;
-    return height >= -slack && height <= length + slack;
+    const std::optional<double> height = height_on_axis(p, axis, slack);
+    return height && *height >= -beyond && *height <= length + beyond ? height : std::nullopt;
   }
 
   const mesh::Mesh& mesh_;
@@ -143,6 +144,20 @@ class HoleFinder {
 };
 
 }  // namespace
+
+std::optional<double> height_on_axis(const std::array<Vec3, 3>& corners, const Vec3& axis, double slack) {
+  std::array<double, 3> area;  // opposite to each corner, seen along the axis; twice
+  for (int k = 0; k < 3; ++k) area[k] = glm::dot(axis, glm::cross(corners[(k + 1) % 3], corners[(k + 2) % 3]));
+  const double sum = area[0] + area[1] + area[2], way = sum < 0 ? -1 : 1;
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double side = glm::length(glm::cross(axis, corners[(k + 2) % 3] - corners[(k + 1) % 3]));
+    if (way * area[k] < -slack * side) return std::nullopt;
+    longest = std::max(longest, side);
+  }
+  if (std::abs(sum) <= slack * longest) return std::nullopt;  // along the axis
+  return glm::dot(axis, area[0] * corners[0] + area[1] * corners[1] + area[2] * corners[2]) / sum;
+}
 
 std::vector<Hole> find_holes(const mesh::Mesh& mesh, const PartFaces& part) { return HoleFinder(mesh, part).find(); }
 

@@ -54,6 +54,20 @@ TEST(Holes, ADrillPointAndABottomEndThem) {
   }
 }
 
+// The apex of the drill point is beside the axis by the rounding of the file.
+TEST(Holes, ADrillPointEndsThemWhereverThePartLies) {
+  for (const double step : {1e-9, 1e-6, 1e-4})
+    for (int place = 0; place < 12; ++place) {
+      Part part = bored({{4, 30}, {4, 12}, {0, 9.6}});
+      part.triangulate().move(
+          [&](const Vec3& p) { return glm::round((p + Vec3(13.71 * place, 11.37 * place, 1.0 / 3)) / step) * step; });
+      const auto holes = holes_of(part);
+      ASSERT_EQ(holes.size(), 1U) << step << " " << place;
+      EXPECT_FALSE(holes[0].through) << step << " " << place;
+      EXPECT_NE(holes[0].closed[0], holes[0].closed[1]) << step << " " << place;
+    }
+}
+
 TEST(Holes, StepsAndCountersinksBelongTogether) {
   const auto holes = holes_of(revolved({{4, 0}, {20, 0}, {20, 30}, {9, 30}, {7, 28}, {7, 20}, {4, 20}, {4, 0}}, 36));
   ASSERT_EQ(holes.size(), 1U);
