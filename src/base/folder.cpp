@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 
 namespace epura {
 
@@ -36,6 +37,22 @@ std::vector<std::string> names_in(const std::filesystem::path& folder) {
   std::vector<std::string> names = names_in(folder, failure);
   if (failure) throw Error(ErrorKind::input, folder.string(), "cannot be listed: " + failure.message());
   return names;
+}
+
+bool is_within(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+bool lies_below(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  // Of a file that does not exist, only the absolute path is complete. What the system cannot follow, such as a name
+  // that is too long, it cannot open either.
+  const auto followed = [](const fs::path& path) {
+    std::error_code error;
+    fs::path way = fs::weakly_canonical(path, error);
+    return error ? path.lexically_normal() : way;
+  };
+  return is_within(followed(end_of_links(fs::absolute(file))), followed(fs::absolute(folder)));
 }
 
 }  // namespace epura

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/folder.hpp"
 #include "base/text.hpp"
 #include "scene/arrow_views.hpp"
 #include "scene/body_styles.hpp"
@@ -229,29 +230,26 @@ void expect_cells(const TableDescription& table) {
     refuse_input(table.corner.where, "the table has a position and a corner", "omit 'corner', or 'at'");
 }
 
-// Links count as what they lead to: a scene file and a link can come from one stranger. Of a file that does not exist,
-// only the absolute path is complete.
-bool lies_below(const fs::path& file, const fs::path& folder) {
-  const fs::path whole = fs::weakly_canonical(fs::absolute(file));
-  const fs::path above = fs::weakly_canonical(folder.empty() ? "." : folder);
-  return std::mismatch(above.begin(), above.end(), whole.begin(), whole.end()).first == above.end();
+// Calls `visit` for the name of each file that the scene names.
+template <class Scene, class Visit>
+void visit_files(Scene& scene, const Visit& visit) {
+  for (auto& model : scene.models) visit(model.file);
+  for (auto& sheet : scene.sheets) {
+    if (sheet.font.given() && names_font_file(*sheet.font)) visit(sheet.font);
+    for (auto* file : {&sheet.form, &sheet.logo, &sheet.style})
+      if (file->given()) visit(*file);
+  }
 }
 
 // Resolves paths relative to the folder of the scene file.
 void find_files(SceneDescription& scene, const fs::path& folder, FilesOutside outside) {
-  const auto find = [&](LocatedText& file) {
+  visit_files(scene, [&](LocatedText& file) {
     const fs::path path = folder / *file;
     if (outside == FilesOutside::refused && !lies_below(path, folder))
       refuse_input(file.where, "'" + *file + "' lies outside the folder of the scene file",
                    "--allow-outside allows it, if you trust the scene file");
     file.value = path.string();
-  };
-  for (ModelDescription& model : scene.models) find(model.file);
-  for (SheetDescription& sheet : scene.sheets) {
-    if (sheet.font.given() && names_font_file(*sheet.font)) find(sheet.font);
-    for (LocatedText* file : {&sheet.form, &sheet.logo, &sheet.style})
-      if (file->given()) find(*file);
-  }
+  });
 }
 
 }  // namespace
@@ -280,6 +278,12 @@ SceneDescription read_scene_file(const fs::path& path, FilesOutside outside) {
   SceneDescription scene = scene_of(read_toml(path));
   find_files(scene, path.parent_path(), outside);
   return scene;
+}
+
+std::vector<fs::path> files_named_in(const SceneDescription& scene) {
+  std::vector<fs::path> files;
+  visit_files(scene, [&](const LocatedText& file) { files.emplace_back(*file); });
+  return files;
 }
 
 void expect_sound_names(const SceneDescription& scene) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "scene/description.hpp"
 #include "scene/toml_tree.hpp"
@@ -19,6 +20,9 @@ SceneDescription read_scene_file(const std::filesystem::path& path, FilesOutside
 
 /// The same for the root table of a file, or of a program that has the same keys. Paths stay as they are.
 SceneDescription scene_of(const TomlValue& root);
+
+/// The models, templates, logos, styles and fonts that a scene names.
+std::vector<std::filesystem::path> files_named_in(const SceneDescription& scene);
 
 /// Throws Error{input} for two models, sections or views with one name, and for views that refer to sections or sheets
 /// that do not exist.

@@ -17,6 +17,7 @@
 #include "app/console.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/folder.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 
@@ -29,8 +30,7 @@ namespace {
 constexpr const char* manifest_name = "epura-batch.jsonl";
 
 // Beside the outputs: in the part of the first output's folder that all jobs share.
-fs::path whole_manifest(const BatchOptions& options, const std::vector<Job>& jobs) {
-  if (!options.manifest.empty()) return options.manifest;
+fs::path manifest_beside_outputs(const BatchOptions& options, const std::vector<Job>& jobs) {
   for (const LaterOption& later : options.later) {
     if (!later.flag.ends_with("--output")) continue;
     const std::string& text = std::get<std::string>(later.value.content);
@@ -44,14 +44,30 @@ fs::path whole_manifest(const BatchOptions& options, const std::vector<Job>& job
   return fs::path(jobs.front().outputs.front()).parent_path() / manifest_name;
 }
 
-struct Counts {
-  std::size_t drawn = 0, unchanged = 0, failed = 0;
+fs::path whole_manifest(const BatchOptions& options, const std::vector<Job>& jobs) {
+  if (!options.manifest.empty()) return options.manifest;
+  fs::path manifest = manifest_beside_outputs(options, jobs);
+  if (!lies_below(manifest, manifest.parent_path()))
+    throw Error(ErrorKind::input, manifest.string(), "is a link that leaves its folder",
+                "remove it, or name a file by --manifest");
+  return manifest;
+}
 
-  void add(const JobResult& result) { ++(!result.record.is_good() ? failed : result.is_unchanged ? unchanged : drawn); }
-  [[nodiscard]] std::string words() const {
+struct Counts {
+  std::size_t drawn = 0, unchanged = 0, failed = 0, with_warnings = 0;
+
+  void add(const JobResult& result) {
+    ++(!result.record.is_good() ? failed : result.is_unchanged ? unchanged : drawn);
+    if (result.record.is_good() && result.record.warnings > 0) ++with_warnings;
+  }
+  /// `page`: that shows the warnings; empty: none.
+  [[nodiscard]] std::string words(const std::string& page) const {
     std::string text = std::to_string(drawn) + " drawn";
     if (unchanged > 0) text += ", " + std::to_string(unchanged) + " unchanged";
-    return text + ", " + std::to_string(failed) + " failed";
+    text += ", " + std::to_string(failed) + " failed";
+    if (with_warnings == 0) return text;
+    return text + ", " + std::to_string(with_warnings) + " with warnings (" +
+           (page.empty() ? "--report FILE.html shows them" : "see " + printable(page)) + ")";
   }
 };
 
@@ -81,7 +97,7 @@ int merge(const BatchOptions& options) {
     records.push_back(record);
   }
   write_reports(options, records);
-  std::fputs((printable(whole.string()) + ": " + counts.words() + "\n").c_str(), stdout);
+  std::fputs((printable(whole.string()) + ": " + counts.words(options.report) + "\n").c_str(), stdout);
   return counts.failed == 0 ? 0 : found_wrong_exit_code;
 }
 
@@ -162,7 +178,7 @@ int batch(const BatchOptions& options) {
   for (const std::size_t number : numbers) done.push_back(std::move(records[number]));
   tell_failures(console, done);
   write_reports(options, done);
-  std::fputs((counts.words() + "\n").c_str(), stdout);
+  std::fputs((counts.words(options.report) + "\n").c_str(), stdout);
   return counts.failed == 0 ? 0 : found_wrong_exit_code;
 }
 

@@ -13,7 +13,10 @@
 #include "app/batch/sources.hpp"
 #include "app/draw_options.hpp"
 #include "base/error.hpp"
+#include "base/folder.hpp"
 #include "base/text.hpp"
+#include "importer/read_model.hpp"
+#include "scene/choices.hpp"
 
 namespace epura {
 
@@ -27,18 +30,24 @@ std::string column_of(const scene::OptionInfo& option) {
   return name.starts_with("--") ? name.substr(2) : name;
 }
 
-bool is_output(const LaterOption& option) { return option.flag.ends_with("--output"); }
+constexpr const char* output_flag = "-o,--output";
+
+bool is_output(const LaterOption& option) { return option.flag == output_flag; }
 
 struct Column {
   std::string flag;
   bool is_repeatable = false;
+  bool names_file = false;
+  bool is_left_to_user = false;  ///< no table says it: it may be a stranger's
 };
 
 // Columns of a table by their names, with "file" and "model" for the models.
 std::map<std::string, Column> columns() {
   std::map<std::string, Column> all;
   for (const scene::OptionInfo& option : job_options())
-    if (!option.flag.empty()) all[column_of(option)] = {option.flag, option.repeatable};
+    if (!option.flag.empty())
+      all[column_of(option)] = {option.flag, option.repeatable, option.form.completion == scene::Completion::files,
+                                option.nature == scene::Nature::code || option.flag == "--sandbox"};
   all["file"] = all["model"] = all["models"];
   return all;
 }
@@ -76,38 +85,66 @@ Job finished(std::vector<std::string> models, const std::vector<LaterOption>& op
 }
 
 const Column& column_named(const std::string& name, const TableRow& row, const std::map<std::string, Column>& known) {
-  if (const auto found = known.find(name); found != known.end()) return found->second;
+  if (const auto found = known.find(name); found != known.end()) {
+    if (found->second.is_left_to_user)
+      throw Error(ErrorKind::input, row.where, "a table must not say '" + name + "', since it may be a stranger's",
+                  "write --" + name + " on the command line, for all jobs");
+    return found->second;
+  }
   std::vector<std::string> names;
   for (const auto& [other, column] : known) names.push_back(other);
   throw Error(ErrorKind::input, row.where, "unknown column '" + name + "'", did_you_mean(name, names));
 }
 
+// Paths in a table are relative to its folder, as in scene files.
+std::string path_in_table(const scene::TomlValue& value, const TableRow& row) {
+  return (fs::path(row.where).parent_path() / text_of(value)).string();
+}
+
+bool names_file(const Column& column, const scene::TomlValue& value) {
+  return column.names_file || (column.flag == "--font" && scene::names_font_file(text_of(value)));
+}
+
+// What holds for scene files holds for tables: they name only what lies below their folders.
+// Outputs and settings count if the row gives them by these flags.
+void expect_files_below(const Job& job, const TableRow& row, const std::set<std::string>& flags) {
+  const auto expect = [&](const std::string& file) {
+    if (!lies_below(file, fs::path(row.where).parent_path()))
+      throw Error(ErrorKind::input, row.where, "'" + file + "' lies outside the folder of the table",
+                  "--allow-outside allows it, if you trust the table");
+  };
+  for (const std::string& model : job.models) expect(importer::parse_model_request(model).path);
+  if (flags.count(output_flag) > 0)
+    for (const std::string& output : job.outputs) expect(output);
+  for (const LaterOption& setting : job.settings)
+    if (flags.count(setting.flag) > 0) expect(text_of(setting.value));
+}
+
 void append_row(std::vector<Job>& jobs, const TableRow& row, const std::map<std::string, Column>& known,
                 const BatchOptions& options) {
-  // Paths in a table are relative to its folder, as in scene files.
-  const fs::path folder = fs::path(row.where).parent_path();
   std::vector<std::string> models;
   std::vector<LaterOption> later;
-  bool has_output = false;
+  std::set<std::string> flags_of_files;
   for (const auto& [name, cell] : row.cells) {
     const Column& column = column_named(name, row, known);
     for (const scene::TomlValue& value : values_of(cell, column)) {
       if (column.flag == "models") {
-        models.push_back((folder / text_of(value)).string());
+        models.push_back(path_in_table(value, row));
         continue;
       }
       later.push_back({column.flag, value});
-      if (!is_output(later.back())) continue;
-      later.back().value.content = (folder / text_of(value)).string();
-      has_output = true;
+      if (!names_file(column, value)) continue;
+      later.back().value.content = path_in_table(value, row);
+      flags_of_files.insert(column.flag);
     }
   }
   if (models.empty()) throw Error(ErrorKind::input, row.where, "has no model", "add a column 'file'");
   std::vector<LaterOption> all;
   for (const LaterOption& common : options.later)
-    if (!has_output || !is_output(common)) all.push_back(common);
+    if (!is_output(common) || flags_of_files.count(output_flag) == 0) all.push_back(common);
   all.insert(all.end(), later.begin(), later.end());
   jobs.push_back(finished(std::move(models), all, jobs.size() + 1));
+  if (!options.draw.run.allow_outside) expect_files_below(jobs.back(), row, flags_of_files);
 }
 
 std::string normal(const std::string& path) { return fs::path(path).lexically_normal().string(); }
@@ -145,7 +182,7 @@ void tell_apart(std::vector<Job>& jobs) {
 scene::Options<DrawOptions> job_options() {
   scene::Options<DrawOptions> options = draw_options();
   std::erase_if(options, [](const scene::OptionInfo& option) {
-    const bool is_for_files = option.flag == "models" || option.flag == "-o,--output";
+    const bool is_for_files = option.flag == "models" || option.flag == output_flag;
     return option.flag == "--format" ||
            (option.nature == scene::Nature::run && !is_for_files && option.flag != "--threads" &&
             option.flag != "--time-limit" && option.flag != "--sandbox" && option.flag != "--verify" &&

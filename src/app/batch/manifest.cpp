@@ -38,8 +38,8 @@ std::string line_of(const std::string& output, const JobRecord& record) {
   for (const WrittenFile& file : record.outputs) outputs += (outputs.empty() ? "" : ", ") + write_output(file);
   return "{\"output\": " + json_string(output) + ", \"job\": " + json_string(record.name) +
          ", \"key\": " + json_string(record.key) + ", \"code\": " + std::to_string(record.code) +
-         ", \"seconds\": " + format_rounded(record.seconds, 4) + ", \"MB\": " + format_rounded(record.megabytes, 4) +
-         ", \"outputs\": {" + outputs + "}" +
+         ", \"warnings\": " + std::to_string(record.warnings) + ", \"seconds\": " + format_rounded(record.seconds, 4) +
+         ", \"MB\": " + format_rounded(record.megabytes, 4) + ", \"outputs\": {" + outputs + "}" +
          (record.picture.path.empty() ? "" : ", \"picture\": {" + write_output(record.picture) + "}") +
          ", \"messages\": " +
          output::json_list(record.messages, [](const std::string& message) { return json_string(message); }) + "}\n";
@@ -51,10 +51,9 @@ std::string text_in(const JsonValue& object, const char* key) {
   return {found->value.GetString(), found->value.GetStringLength()};
 }
 
-// A job with a damaged code has failed.
-int exit_code_in(const JsonValue& object) {
-  const auto found = object.FindMember("code");
-  return found != object.MemberEnd() && found->value.IsInt() ? found->value.GetInt() : 1;
+int whole_number_in(const JsonValue& object, const char* key, int otherwise) {
+  const auto found = object.FindMember(key);
+  return found != object.MemberEnd() && found->value.IsInt() ? found->value.GetInt() : otherwise;
 }
 
 double number_in(const JsonValue& object, const char* key) {
@@ -73,7 +72,8 @@ std::vector<WrittenFile> files_in(const JsonValue& object, const char* key) {
 void read_record(const JsonValue& object, JobRecords& records) {
   JobRecord record{.name = text_in(object, "job"),
                    .key = text_in(object, "key"),
-                   .code = exit_code_in(object),
+                   .code = whole_number_in(object, "code", 1),  // a job with a damaged code has failed
+                   .warnings = whole_number_in(object, "warnings", 0),
                    .seconds = number_in(object, "seconds"),
                    .megabytes = number_in(object, "MB")};
   record.outputs = files_in(object, "outputs");

@@ -24,6 +24,7 @@ struct JobRecord {
   std::vector<WrittenFile> outputs{};
   WrittenFile picture{};  ///< of the first sheet, for the report; without a path: none was needed
   int code = 0;           ///< exit code, as of `epura draw`
+  int warnings = 0;       ///< their number among the messages
   double seconds = 0, megabytes = 0;
   std::vector<std::string> messages{};  ///< of the run, with its warnings and errors
 

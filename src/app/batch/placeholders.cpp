@@ -40,6 +40,12 @@ std::string folder_of(const std::string& model) {
   return folder.string();
 }
 
+// A model called "...obj" has the stem "..", which would lead a path upwards.
+std::string name_of(const fs::path& model) {
+  const std::string stem = model.stem().string();
+  return stem == "." || stem == ".." ? model.filename().string() : stem;
+}
+
 }  // namespace
 
 bool has_placeholder(std::string_view text) {
@@ -62,7 +68,7 @@ void expect_known_placeholders(std::string_view text, const std::string& where) 
 
 PlaceholderValues values_for(const std::string& request, std::size_t number) {
   const std::string model = importer::parse_model_request(request).path;
-  return {{"name", [=] { return fs::path(model).stem().string(); }},
+  return {{"name", [=] { return name_of(model); }},
           {"folder", [=] { return folder_of(model); }},
           {"number", [=] { return std::to_string(number); }},
           {"hash", [=] { return hash_of_file(model); }}};

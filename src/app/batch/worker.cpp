@@ -147,7 +147,11 @@ void draw_job(const DrawOptions& options, const std::string& picture, JobRecord&
   const auto keep = [&](std::string_view text) {
     for (std::string& line : lines_of(text)) record.messages.push_back(std::move(line));
   };
-  const pipeline::Messages messages{keep, keep};
+  const auto keep_warning = [&](const std::string& sentence) {
+    keep(sentence);
+    ++record.warnings;
+  };
+  const pipeline::Messages messages{keep_warning, keep};
   const DrawnFiles drawn = draw_files(options, messages, Progress(board, options.run.time_limit));
   tell_the_end(messages, options, drawn);
   record.code = exit_code_of(drawn);
@@ -183,6 +187,7 @@ foreign::Packer packed(const JobResult& result) {
   message(result.is_unchanged);
   message(record.key);
   message(record.code);
+  message(record.warnings);
   message(record.seconds);
   message(record.megabytes);
   message(record.messages);
@@ -295,6 +300,7 @@ JobResult unpack_result(const std::string& message) {
   unpack(result.is_unchanged);
   unpack(record.key);
   unpack(record.code);
+  unpack(record.warnings);
   unpack(record.seconds);
   unpack(record.megabytes);
   unpack(record.messages);

@@ -151,6 +151,82 @@ TEST(Batch, ReadsTables) {
   EXPECT_TRUE(fs::exists(parts.folder / "two/a.pdf"));
 }
 
+// Whoever wrote it may be a stranger: what holds for scene files holds for tables.
+TEST(BatchTableOfAStranger, NamesOnlyWhatLiesBelowItsFolder) {
+  const Parts parts(1);
+  fs::create_directories(parts.folder / "theirs/plugins");
+  fs::copy(parts.folder / "parts/a/m0.obj", parts.folder / "theirs/m.obj");
+  fs::copy(parts.folder / "parts/a/m0.obj", parts.folder / "m.obj");
+  fs::create_symlink("../absent.svg", parts.folder / "theirs/link.svg");
+  fs::create_symlink("../m.obj", parts.folder / "theirs/link.obj");
+  write_file(parts.folder / "style.toml", "[visible]\ncolour = \"#f00\"\n");
+  struct Case {
+    std::string heading, row, words;
+  };
+  const std::vector<Case> cases{
+      {"file,output,plugin-path", "m.obj,x.svg,plugins", "a table must not say 'plugin-path'"},
+      {"file,output,allow-outside", "m.obj,x.svg,true", "a table must not say 'allow-outside'"},
+      {"file,output,sandbox", "m.obj,x.svg,off", "a table must not say 'sandbox'"},
+      {"file,output", "m.obj,../x.svg", "x.svg' lies outside"},
+      {"file,output", "m.obj," + (parts.folder / "x.svg").string(), "x.svg' lies outside"},
+      {"file,output", "m.obj,link.svg", "link.svg' lies outside"},
+      {"file,output", "m.obj,../{name}.svg", "m.svg' lies outside"},
+      {"file,output", "../m.obj,x.svg", "m.obj' lies outside"},
+      {"file,output", "link.obj,x.svg", "link.obj' lies outside"},
+      {"file,output,style", "m.obj,x.svg,../style.toml", "style.toml' lies outside"},
+      {"file,output,template", "m.obj,x.svg,/etc/passwd", "passwd' lies outside"},
+      {"file,output,font", "m.obj,x.svg,../font.ttf", "font.ttf' lies outside"},
+  };
+  const auto names = parts.folder.names();
+  for (const Case& one : cases) {
+    write_file(parts.folder / "theirs/jobs.csv", one.heading + "\n" + one.row + "\n");
+    const Outcome run = parts.run({"--table", "theirs/jobs.csv"});
+    EXPECT_EQ(run.code, 2) << one.row;
+    EXPECT_TRUE(contains(run.err, "jobs.csv:2: ") && contains(run.err, one.words)) << run.err;
+    EXPECT_EQ(parts.folder.names(), names) << one.row;
+  }
+  // What the user writes on the command line is the user's.
+  write_file(parts.folder / "theirs/jobs.csv", "file,style\n../m.obj,../style.toml\n");
+  EXPECT_EQ(parts.run({"--table", "theirs/jobs.csv", "-o", "{name}.svg"}).code, 2);
+  const Outcome run = parts.run({"--table", "theirs/jobs.csv", "-o", "{name}.svg", "--allow-outside"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(read_file(parts.folder / "m.svg"), "stroke=\"#ff0000\""));
+}
+
+TEST(BatchTableOfAStranger, GetsNoManifestElsewhere) {
+  const Parts parts(1);
+  fs::create_directory(parts.folder / "theirs");
+  fs::copy(parts.folder / "parts/a/m0.obj", parts.folder / "theirs/m.obj");
+  fs::create_symlink("../absent", parts.folder / "theirs/epura-batch.jsonl");
+  write_file(parts.folder / "theirs/jobs.csv", "file,output\nm.obj,x.svg\n");
+  const Outcome run = parts.run({"--table", "theirs/jobs.csv"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(contains(run.err, "epura-batch.jsonl: is a link that leaves its folder")) << run.err;
+  EXPECT_FALSE(fs::exists(parts.folder / "absent"));
+}
+
+TEST(Batch, ANameThatLeadsUpwardsDoesNot) {
+  const Parts parts(0);
+  fs::create_directory(parts.folder / "in");
+  for (const char* name : {"...obj", "..obj"}) write_file(parts.folder / "in" / name, block(1));
+  const Outcome run = parts.run({"in/...obj", "in/..obj", "-o", "out/{name}/x.svg"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(parts.drawings("out").count("...obj/x.svg"), 1U);
+  EXPECT_EQ(parts.drawings("out").size(), 2U);
+  EXPECT_FALSE(fs::exists(parts.folder / "x.svg"));
+}
+
+TEST(Batch, TellsHowManyDrawingsHaveWarnings) {
+  const Parts parts(2);
+  // A face without an area, whose repair is told.
+  write_file(parts.folder / "parts/a/m0.obj", block(1) + "f 1 1 2\n");
+  const std::string told = "0 failed, 1 with warnings (--report FILE.html shows them)\n";
+  EXPECT_EQ(parts.draw_all().out, "2 drawn, " + told);
+  EXPECT_EQ(parts.draw_all().out, "0 drawn, 2 unchanged, " + told);
+  const Outcome run = parts.draw_all({"--report", "r.html"});
+  EXPECT_TRUE(contains(run.out, "1 with warnings (see r.html)")) << run.out;
+}
+
 TEST(Batch, TellsRowsWithTheSameModelApart) {
   const Parts parts(1);
   write_file(parts.folder / "jobs.csv",

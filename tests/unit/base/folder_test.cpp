@@ -32,5 +32,26 @@ TEST(Folders, TellWhyTheyCannotBeListed) {
   EXPECT_FALSE(failure) << "an old failure is forgotten";
 }
 
+TEST(Folders, TellWhatLiesBelow) {
+  namespace fs = std::filesystem;
+  const Folder folder;
+  fs::create_directories(folder / "in/deep");
+  folder.file("in/a", "");
+  folder.file("out", "");
+  fs::create_symlink("../out", folder / "in/leads-out");
+  fs::create_symlink("../absent", folder / "in/leads-out-to-nothing");
+  fs::create_directory_symlink("..", folder / "in/up");
+  fs::create_symlink("a", folder / "in/stays");
+  for (const char* name : {"a", "absent", "deep/../a", "deep/absent", "stays", "."})
+    EXPECT_TRUE(lies_below(folder / "in" / name, folder / "in")) << name;
+  for (const char* name : {"..", "../out", "../in2/a", "leads-out", "leads-out-to-nothing", "up/out", "/etc/passwd"})
+    EXPECT_FALSE(lies_below(folder / "in" / name, folder / "in")) << name;
+  const std::string long_name(3000, 'a');
+  EXPECT_TRUE(lies_below(folder / "in" / long_name, folder / "in"));
+  EXPECT_FALSE(lies_below(folder / "in/.." / long_name, folder / "in"));
+  EXPECT_TRUE(lies_below("absent", ""));
+  EXPECT_FALSE(lies_below("../absent", ""));
+}
+
 }  // namespace
 }  // namespace epura::test
