@@ -89,6 +89,7 @@ scene::Options<SnapshotOptions> snapshot_options() {
                               file_name("FILE")),
       scene::option<Snapshot>({.flag = "--junit", .help = "results for CI: JUnit XML"}, &Snapshot::junit,
                               file_name("FILE")),
+      plugin_path_option<Snapshot>(&Snapshot::plugin_path),
       scene::option<Snapshot>(
           {.flag = "--threads", .help = "number of cases drawn at the same time, 0 for one per core", .usual = "0"},
           &Snapshot::threads, scene::whole_number(0, 1024)),
@@ -179,6 +180,18 @@ scene::Options<NewProjectionOptions> new_projection_options() {
   return {scene::option<NewProjectionOptions>(
       {.flag = "name", .help = "name of the projection; creates a folder NAME", .required = true},
       &NewProjectionOptions::name, scene::field_text().shown_as("NAME"))};
+}
+
+scene::Options<NewSceneOptions> new_scene_options() {
+  using New = NewSceneOptions;
+  return {
+      scene::option<New>({.flag = "model", .help = "model that the scene is to draw", .required = true}, &New::model,
+                         file_name("MODEL")),
+      scene::option<New>(
+          {.flag = "-o,--output", .help = "file to write, in the folder of the model or above", .usual = "MODEL.toml"},
+          &New::output, file_name("FILE")),
+      plugin_path_option<New>(&New::plugin_path),
+  };
 }
 
 }  // namespace epura

@@ -17,5 +17,6 @@ scene::Options<CheckPluginOptions> check_plugin_options();
 scene::Options<ImportersOptions> importers_options();
 scene::Options<CheckImporterOptions> check_importer_options();
 scene::Options<NewProjectionOptions> new_projection_options();
+scene::Options<NewSceneOptions> new_scene_options();
 
 }  // namespace epura

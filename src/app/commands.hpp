@@ -23,6 +23,7 @@ int check_plugin(const CheckPluginOptions& options);
 int importers(const ImportersOptions& options);
 int check_importer(const CheckImporterOptions& options);
 int new_projection(const NewProjectionOptions& options);
+int new_scene(const NewSceneOptions& options);
 int compare_files(const CompareOptions& options);
 int snapshot(const SnapshotOptions& options);
 int info(const InfoOptions& options);

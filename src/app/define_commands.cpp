@@ -74,6 +74,9 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
   commands.push_back(define_command(add("new-projection", "create a projection plugin: C++ source and CMake file"),
                                     new_projection_options, new_projection));
   commands.push_back(
+      define_command(add("new-scene", "create a scene file for a model, with its views, holes and bodies"),
+                     new_scene_options, new_scene));
+  commands.push_back(
       define_command(list->add_subcommand("check", "test a projection plugin"), check_plugin_options, check_plugin));
   CLI::App* importers_list = add("importers", "list formats that plugins read, show one, or test an importer");
   commands.push_back(define_command(importers_list, importers_options, importers));

@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <sys/mman.h>
+
+#include <cstdio>
+
 #include "app/define_commands.hpp"
 #include "app/study.hpp"
+
+// Cairo makes PostScript by way of a temporary file, which no sandbox allows. It finds this function before that of the
+// system, and its file is in memory.
+extern "C" __attribute__((visibility("default"))) std::FILE* tmpfile() {
+  const int file = ::memfd_create("epura", MFD_CLOEXEC);
+  return file < 0 ? nullptr : ::fdopen(file, "w+");
+}
 
 int main(int argc, char** argv) {
   using namespace epura;

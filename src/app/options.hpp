@@ -131,6 +131,12 @@ struct NewProjectionOptions {
   std::string name;
 };
 
+struct NewSceneOptions {
+  std::string model;
+  std::string output;  ///< empty: beside the model
+  std::vector<std::filesystem::path> plugin_path;
+};
+
 struct CompareOptions {
   std::string before, after;                                    ///< drawings, models or scene files
   std::vector<scene::Located<scene::ProjectionRequest>> views;  ///< views of models
@@ -152,7 +158,8 @@ struct SnapshotOptions {
   bool accept = false;               ///< make the current drawings the expected ones
   double tolerance = 0.001;          ///< mm
   std::string report, junit;         ///< files to write; empty: none
-  int threads = 0;                   ///< number of cases drawn concurrently
+  std::vector<std::filesystem::path> plugin_path;
+  int threads = 0;  ///< number of cases drawn concurrently
 };
 
 }  // namespace epura

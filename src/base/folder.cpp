@@ -52,7 +52,7 @@ bool lies_below(const std::filesystem::path& file, const std::filesystem::path& 
     fs::path way = fs::weakly_canonical(path, error);
     return error ? path.lexically_normal() : way;
   };
-  return is_within(followed(end_of_links(fs::absolute(file))), followed(fs::absolute(folder)));
+  return is_within(followed(end_of_links(fs::absolute(file))), followed(fs::absolute(folder.empty() ? "." : folder)));
 }
 
 }  // namespace epura

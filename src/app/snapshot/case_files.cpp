@@ -8,7 +8,9 @@
 #include "app/draw_options.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/folder.hpp"
 #include "base/text.hpp"
+#include "importer/read_model.hpp"
 #include "scene/scene_file.hpp"
 
 namespace epura {
@@ -16,11 +18,6 @@ namespace epura {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Both paths must be free of symbolic links.
-bool is_within(const fs::path& path, const fs::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
-}
 
 bool is_link_outside(const fs::path& path, const fs::path& root) {
   std::error_code error;
@@ -54,9 +51,9 @@ std::vector<fs::path> files_of(const SnapshotCase& one) {
   std::vector<fs::path> files;
   for (const char* name : {"scene.toml", "options", "expected.json", "expected.svg", "expected.pdf"})
     files.push_back(one.folder / name);
-  for (const scene::ModelDescription& model :
-       scene::read_scene_file(files.front(), scene::FilesOutside::allowed).models)
-    files.emplace_back(*model.file);
+  const scene::SceneDescription scene = scene::read_scene_file(files.front(), scene::FilesOutside::allowed);
+  for (fs::path& file : scene::files_named_in(scene))
+    files.emplace_back(importer::parse_model_request(file.string()).path);
   return files;
 }
 
@@ -88,6 +85,12 @@ std::vector<std::string> drawing_options(const std::string& text, const std::str
       throw Error(ErrorKind::input, file, "'" + option.flag + "' is not an option of the drawing itself",
                   "a case must not read, write, load or run anything else");
   return words;
+}
+
+void refuse_options_outside(const std::vector<std::string>& words, const SnapshotCase& one) {
+  for (const std::string_view word : words)
+    for (const std::string_view file : {word, word.substr(word.find('=') + 1)})
+      if (!file.empty()) refuse_link_outside(file, one.root);
 }
 
 }  // namespace epura

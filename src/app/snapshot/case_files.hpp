@@ -21,4 +21,7 @@ void refuse_links_outside(const SnapshotCase& one);
 /// an option of `epura draw`, or is an option that reads, writes, loads or runs something.
 std::vector<std::string> drawing_options(const std::string& text, const std::string& file);
 
+/// Throws Error{input} if one of the words is a link that leads out of the given folder, or a path on which one lies.
+void refuse_options_outside(const std::vector<std::string>& words, const SnapshotCase& one);
+
 }  // namespace epura

@@ -39,13 +39,16 @@ std::vector<fs::path> expectations(const fs::path& folder) {
 }
 
 // Returns whether the case was drawn.
-bool draw_case(const SnapshotCase& one, SnapshotResult& result) {
+bool draw_case(const SnapshotCase& one, const std::vector<fs::path>& plugin_path, SnapshotResult& result) {
   refuse_links_outside(one);
   std::vector<std::string> arguments{"draw", "--allow-outside", (one.folder / "scene.toml").string()};
   const fs::path options = one.folder / "options";
-  if (fs::exists(options))
-    for (std::string& word : drawing_options(read_file(options), options.string()))
-      arguments.push_back(std::move(word));
+  if (fs::exists(options)) {
+    const std::vector<std::string> words = drawing_options(read_file(options), options.string());
+    refuse_options_outside(words, one);
+    arguments.insert(arguments.end(), words.begin(), words.end());
+  }
+  for (const fs::path& folder : plugin_path) arguments.insert(arguments.end(), {"--plugin-path", folder.string()});
   const std::string format = result.expected.extension().string().substr(1);
   arguments.insert(arguments.end(), {"--output", "-", "--format", format, "--progress", "never"});
   ProgramRun run = run_epura(arguments);
@@ -101,7 +104,7 @@ std::vector<SnapshotCase> find_cases(const std::vector<std::string>& folders) {
   return cases;
 }
 
-std::vector<SnapshotResult> run_case(const SnapshotCase& one, double tolerance, bool with_pictures) {
+std::vector<SnapshotResult> run_case(const SnapshotCase& one, const SnapshotOptions& options) {
   std::vector<fs::path> files = expectations(one.folder);
   if (files.empty()) files.push_back(one.folder / "expected.svg");
   std::vector<SnapshotResult> results;
@@ -111,7 +114,8 @@ std::vector<SnapshotResult> run_case(const SnapshotCase& one, double tolerance, 
     result.expected = file;
     try {
       refuse_irregular_files(one.folder);
-      if (draw_case(one, result)) compare_with_expectation(result, tolerance, with_pictures);
+      if (draw_case(one, options.plugin_path, result))
+        compare_with_expectation(result, options.tolerance, !options.report.empty());
     } catch (const Error& error) {
       result.words = std::string(error.what()) + "\n" + (error.hint().empty() ? "" : "hint: " + error.hint() + "\n");
     }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/options.hpp"
 #include "compare/html_report.hpp"
 
 namespace epura {
@@ -34,8 +35,8 @@ struct SnapshotResult {
   compare::ReportedCase pictures{};
 };
 
-/// Draws the case and compares it with each expected drawing; a case without any is drawn for expected.svg. If
-/// `with_pictures`, `pictures` are made for differences.
-std::vector<SnapshotResult> run_case(const SnapshotCase& one, double tolerance, bool with_pictures);
+/// Draws the case and compares it with each expected drawing; a case without any is drawn for expected.svg. If a report
+/// is wanted, `pictures` are made for differences.
+std::vector<SnapshotResult> run_case(const SnapshotCase& one, const SnapshotOptions& options);
 
 }  // namespace epura

@@ -25,7 +25,7 @@ namespace {
 std::vector<SnapshotResult> run_all(const std::vector<SnapshotCase>& cases, const SnapshotOptions& options) {
   std::vector<std::vector<SnapshotResult>> found(cases.size());
   parallel_for(cases.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) found[i] = run_case(cases[i], options.tolerance, !options.report.empty());
+    for (std::size_t i = begin; i < end; ++i) found[i] = run_case(cases[i], options);
   });
   std::vector<SnapshotResult> results;
   for (std::vector<SnapshotResult>& of_case : found)

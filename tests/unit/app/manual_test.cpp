@@ -39,6 +39,7 @@ TEST(Manual, HasEveryOptionOfEveryCommand) {
                                                                                        {"plugins"},
                                                                                        {"plugins", "check"},
                                                                                        {"new-projection"},
+                                                                                       {"new-scene"},
                                                                                        {"manual"},
                                                                                        {"completion"}}) {
     std::vector<std::string> arguments = command;

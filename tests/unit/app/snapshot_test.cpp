@@ -158,6 +158,34 @@ TEST(SnapshotOfAStranger, FollowsNoLinkThatLeadsOut) {
   }
 }
 
+// Not only models: everything that a scene or the options of a case name.
+TEST(SnapshotOfAStranger, FollowsNoLinkOfASheetThatLeadsOut) {
+  const std::string scene = "[[model]]\nfile = \"../models/cube.obj\"\n[[view]]\nprojection = \"isometric\"\n";
+  for (const char* key : {"style", "template", "logo", "font"}) {
+    const Suite suite({"cube-isometric"});
+    suite.write("outside", "");
+    fs::create_symlink("../../outside", suite.folder / "cases/cube-isometric/link.ttf");
+    suite.write("cases/cube-isometric/scene.toml", scene + "[[sheet]]\n" + key + " = \"link.ttf\"\n");
+    EXPECT_TRUE(contains(suite.run().out, "link.ttf: is a link that leaves ")) << key << suite.run().out;
+    suite.write("cases/cube-isometric/scene.toml", scene);
+    for (const char* between : {" ", "="}) {
+      suite.write("cases/cube-isometric/options",
+                  std::string("--") + key + between + "cases/cube-isometric/link.ttf\n");
+      EXPECT_TRUE(contains(suite.run().out, "link.ttf: is a link that leaves ")) << key << suite.run().out;
+    }
+  }
+}
+
+TEST(SnapshotCommand, TakesPluginsOfTheUser) {
+  const Suite suite({"cube-isometric"});
+  suite.write("cases/cube-isometric/scene.toml",
+              "[[model]]\nfile = \"../models/cube.obj\"\n[[view]]\nprojection = \"plain\"\n");
+  const std::string plugins = std::string(EPURA_TEST_BAD_PLUGINS) + "/good";
+  EXPECT_TRUE(contains(suite.run().out, "plain: no such projection")) << suite.run().out;
+  EXPECT_TRUE(contains(suite.run({"--plugin-path", plugins}).out, "DIFFERENT cube-isometric/expected.json"))
+      << suite.run({"--plugin-path", plugins}).out;
+}
+
 TEST(SnapshotOfAStranger, WritesNothingThroughLinksThatLeadOut) {
   const Variable no_ci("CI", nullptr);
   const Suite suite({"cube-isometric"});

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// epura new-scene MODEL: a scene file with what the model has, to be edited. Lines that begin with "# " are words,
+// those that begin with "#" alone are proposals.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/run_epura.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/folder.hpp"
+#include "base/text.hpp"
+#include "base/utf8.hpp"
+#include "features/holes.hpp"
+#include "importer/read_model.hpp"
+#include "pipeline/complete_scene.hpp"
+#include "pipeline/read_models.hpp"
+
+namespace epura {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_holes = 20, most_bodies = 40;  // lines that a person reads
+constexpr int position_digits = 7;                        // of positions
+constexpr double position_step = 1e-6;                    // mm; what is below is left by computing
+
+/// A hole in the world, in mm, and the others like it.
+struct EqualHoles {
+  features::Hole first;
+  int count = 0;
+};
+
+// TOML 1.0: a basic string.
+std::string toml_text(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : one_line(text)) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+std::string triple(const Vec3& p) {
+  const auto text_of = [](double place) {
+    return format_rounded(std::round(place / position_step) * position_step, position_digits);
+  };
+  return "[" + text_of(p.x) + ", " + text_of(p.y) + ", " + text_of(p.z) + "]";
+}
+
+std::string axis_of(const features::Hole& hole) {
+  const Vec3 axis = glm::abs(glm::normalize(hole.to - hole.from));
+  constexpr double along = 1 - 1e-9;
+  for (int i = 0; i < 3; ++i)
+    if (axis[i] > along) return std::string("along ") + "xyz"[i];
+  return "along an axis that is none of the world";
+}
+
+std::vector<features::Hole> holes_in_world(const world::Placed& placed) {
+  const auto scale = features::similarity_scale(placed.to_world);
+  if (!scale) return {};
+  const features::PartFaces part = placed.part != nullptr ? *placed.part : features::recognise_faces(*placed.mesh);
+  std::vector<features::Hole> holes = features::find_holes(*placed.mesh, part);
+  for (features::Hole& hole : holes) {
+    for (double& diameter : hole.diameters) diameter *= *scale;
+    for (Vec3* end : {&hole.from, &hole.to}) *end = Vec3(placed.to_world * Vec4(*end, 1));
+  }
+  return holes;
+}
+
+// The most frequent ones first, then the largest.
+std::vector<EqualHoles> groups_of(const std::vector<features::Hole>& holes) {
+  const auto text_of = [](const features::Hole& hole) {
+    std::string text = axis_of(hole) + (hole.through ? "t" : format_rounded(glm::distance(hole.from, hole.to), 4));
+    for (const double diameter : hole.diameters) text += " " + format_rounded(diameter, 4);
+    return text;
+  };
+  std::vector<std::pair<std::string, EqualHoles>> groups;
+  for (const features::Hole& hole : holes) {
+    const std::string text = text_of(hole);
+    auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == text; });
+    if (same == groups.end()) same = groups.insert(groups.end(), {text, {hole}});
+    ++same->second.count;
+  }
+  std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.second.count, a.second.first.diameters.back()) >
+           std::pair(b.second.count, b.second.first.diameters.back());
+  });
+  std::vector<EqualHoles> equal;
+  for (auto& [text, group] : groups) equal.push_back(std::move(group));
+  return equal;
+}
+
+// On the rim where the hole begins.
+Vec3 rim_of(const features::Hole& hole) {
+  const Vec3 axis = glm::normalize(hole.to - hole.from);
+  const Vec3 across = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+  return hole.from + hole.diameters.back() / 2 * across;
+}
+
+std::string hole_text(const EqualHoles& group) {
+  const features::Hole& hole = group.first;
+  std::string text = "# ";
+  if (group.count > 1) text += std::to_string(group.count) + " x ";
+  for (std::size_t i = 0; i < hole.diameters.size(); ++i)
+    text += (i > 0 ? " and " : "") + std::string("Ø") + format_rounded(hole.diameters[i], 5);
+  text += hole.through ? ", through" : ", " + format_rounded(glm::distance(hole.from, hole.to), 5) + " deep";
+  text += ", " + axis_of(hole) + (group.count > 1 ? ", one of them" : "") + " from " + triple(hole.from) + "\n";
+  return text + "#[[dimension]]\n#type = \"diameter\"\n#at = {point = " + triple(rim_of(hole)) +
+         "}\n#tolerance = \"H7\"\n";
+}
+
+std::string holes_text(const std::vector<EqualHoles>& groups) {
+  if (groups.empty()) return "";
+  std::string text =
+      "\n# Holes. A tolerance belongs to a dimension of its own; a thread: [[thread]], thread = \"M6\".\n";
+  for (std::size_t i = 0; i < std::min(groups.size(), most_holes); ++i) text += hole_text(groups[i]);
+  if (groups.size() > most_holes)
+    text += "# and " + std::to_string(groups.size() - most_holes) + " more kinds: epura info lists them\n";
+  return text;
+}
+
+// Through the largest hole, or the middle of the model.
+std::string section_text(const std::vector<EqualHoles>& groups, const Box& box) {
+  const auto largest = std::max_element(groups.begin(), groups.end(), [](const EqualHoles& a, const EqualHoles& b) {
+    return a.first.diameters.back() < b.first.diameters.back();
+  });
+  const bool has_hole = largest != groups.end();
+  const Vec3 point = has_hole ? largest->first.from : box.centre();
+  return std::string("\n# A section through ") + (has_hole ? "the largest hole" : "the middle") +
+         ". The side to which the normal points is removed.\n#[[section]]\n#name = \"A\"\n#point = " + triple(point) +
+         "\n#normal = [0, -1, 0]\n#[[view]]\n#projection = \"front\"\n#name = \"section\"\n#section = \"A\"\n";
+}
+
+std::string bodies_text(const mesh::MeshReport& report) {
+  if (report.bodies < 2) return "";
+  std::string text = "\n# Bodies: " + std::to_string(report.bodies) +
+                     ". What is left whole in sections, such as bolts, has cut = false.\n";
+  for (std::size_t i = 0; i < std::min(report.body_names.size(), most_bodies); ++i)
+    text += "#[[style]]\n#match = " + toml_text(report.body_names[i]) + "\n#cut = false\n";
+  if (report.body_names.size() > most_bodies)
+    text += "# and " + std::to_string(report.body_names.size() - most_bodies) + " more: epura info lists them\n";
+  return text + "#[[explode]]\n#factor = 1.5\n#[parts_list]\n";
+}
+
+std::string views_text() {
+  std::string text = "\n# Views: 'epura plugins' lists the projections.\n";
+  for (const char* name : {"front", "top", "left", "isometric"})
+    text += std::string("[[view]]\nprojection = \"") + name + "\"\n";
+  return text;
+}
+
+std::string scene_text(const std::string& file, const world::World& world) {
+  const world::Placed& placed = world.models.front();
+  const std::vector<EqualHoles> groups = groups_of(holes_in_world(placed));
+  const Vec3 size = world.box.size();
+  const std::string name = fs::path(importer::parse_model_request(file).path).stem().string();
+  return "# " + one_line(file) + ": " + format_rounded(size.x, 5) + " x " + format_rounded(size.y, 5) + " x " +
+         format_rounded(size.z, 5) + " mm, from " + triple(world.box.min) + " to " + triple(world.box.max) +
+         "\n# docs/formats.md has all keys. Lines with # and no blank are proposals: remove the #.\n\n[[model]]\nfile "
+         "= " +
+         toml_text(file) + "\n#unit = \"mm\"\n#transform = \"rotate:z,0\"\n" + views_text() +
+         section_text(groups, world.box) + "\n[[dimension]]\ntype = \"auto\"\n" + holes_text(groups) +
+         bodies_text(placed.mesh->report) +
+         "\n[[sheet]]\nsize = \"A3\"\n#scale = \"auto\"\n\n[title_block]\ntitle = " + toml_text(name) +
+         "\n#owner = \"\"\n#number = \"\"\n";
+}
+
+fs::path output_of(const NewSceneOptions& options, const fs::path& model) {
+  fs::path output = options.output.empty() ? fs::path(model).replace_extension(".toml") : fs::path(options.output);
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(output, error)))
+    throw Error(ErrorKind::input, output.string(), "exists already", "choose another name by -o, or remove it");
+  if (!lies_below(model, output.parent_path()))
+    throw Error(ErrorKind::input, output.string(), "a scene file names models below its own folder alone",
+                "write it into the folder of " + model.string() + ", or one above");
+  return output;
+}
+
+}  // namespace
+
+int new_scene(const NewSceneOptions& options) {
+  const fs::path model = importer::parse_model_request(options.model).path;
+  if (model == importer::standard_input)
+    throw Error(ErrorKind::input, options.model, "has no name that a scene could have", "name a file");
+  const fs::path output = output_of(options, model);
+  scene::SceneDescription scene;
+  scene.models.emplace_back().file = {options.model, options.model};
+  pipeline::complete_scene(scene);
+  pipeline::RunOptions run;
+  run.plugin_path = options.plugin_path;
+  std::vector<mesh::MeshReport> reports;
+  const world::World world =
+      pipeline::read_models(scene, pipeline::reading_of(scene, run), reports, pipeline::silent_messages(), {}).world;
+  const std::string parameters = options.model.substr(model.string().size());
+  const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
+  const std::string file = fs::proximate(model, folder).generic_string() + parameters;
+  write_file(output, scene_text(file, world));
+  std::fputs(printable(output.string() + "\n\nTo draw it:\n  epura draw " + for_shell(output.string()) + " -o " +
+                       for_shell(fs::path(output).replace_extension(".pdf").string()) + "\n")
+                 .c_str(),
+             stdout);
+  return 0;
+}
+
+}  // namespace epura
