@@ -62,9 +62,9 @@ std::string words_of(const std::vector<std::string>& words) {
 std::string type_of(const OptionInfo& key) {
   if (key.form.is_closed && key.form.is_list) return "Union[str, Sequence[" + words_of(key.form.words) + "]]";
   if (key.form.is_closed) return words_of(key.form.words);
-  // "0 to 180, degrees"
+  // "0 to 180, degrees", "-1e+05 to 1e+05, mm"
   const char first = key.form.name.empty() ? ' ' : key.form.name.front();
-  if (first >= '0' && first <= '9') return "float";
+  if (first == '-' || (first >= '0' && first <= '9')) return "float";
   for (const auto& [name, type] : types)
     if (key.form.name.starts_with(name)) return type;
   std::fprintf(stderr, "parts: '%s' is a '%s', which has no type in Python\n", key.key.c_str(), key.form.name.c_str());

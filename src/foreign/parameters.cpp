@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/largest_number.hpp"
 #include "base/text.hpp"
 
 namespace epura::foreign {
@@ -44,6 +45,8 @@ std::vector<double> value_of(const Parameter& parameter, const std::string& text
                             std::to_string(numbers->size()));
   for (const double number : *numbers) {
     if (!std::isfinite(number)) refuse_value(where, "must be finite");
+    if (!is_usable(number))
+      refuse_value(where, "is " + format_number(number) + ", allowed is up to " + format_number(largest_number));
     if (number < parameter.min || number > parameter.max)
       refuse_value(where, "is " + format_number(number) + ", allowed is " + range_of(parameter));
   }

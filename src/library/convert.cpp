@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/largest_number.hpp"
 #include "base/text.hpp"
 #include "library/own_projections.hpp"
+#include "scene/line_roles.hpp"
 
 namespace epura {
 
@@ -18,10 +21,11 @@ std::string item(const std::string& list, std::size_t number) { return list + "[
 
 double checked(double number, const std::string& where, double min = -HUGE_VAL, double max = HUGE_VAL) {
   if (!std::isfinite(number)) throw Error(ErrorKind::input, where, "is not a finite number");
+  min = std::max(min, -largest_number);
+  max = std::min(max, largest_number);
   if (number < min || number > max)
     throw Error(ErrorKind::input, where,
-                "is " + format_number(number) + ", allowed is " + format_number(min) +
-                    (std::isinf(max) ? " or more" : " to " + format_number(max)));
+                "is " + format_number(number) + ", allowed is " + format_number(min) + " to " + format_number(max));
   return number;
 }
 
@@ -35,8 +39,19 @@ scene::LocatedText located(const std::string& text, const std::string& where) {
   return {text, where};
 }
 
+// A program can give a number that is none of the enumerators, by a cast or without an initialisation.
+template <class Enum>
+scene::Located<Enum> chosen(Enum value, const std::string& where) {
+  if (static_cast<std::size_t>(value) >= scene::Words<Enum>::list.size())
+    throw Error(ErrorKind::input, where,
+                "is " + std::to_string(static_cast<long long>(value)) + ", which none of its enumerators is");
+  return {value, where};
+}
+
 template <class Value>
 scene::Located<Value> located(const std::optional<Value>& value, const std::string& where) {
+  if constexpr (std::is_enum_v<Value>)
+    if (value) return chosen(*value, where);
   return {value, where};
 }
 
@@ -107,8 +122,8 @@ scene::ModelDescription describe(const Model& model, const std::string& where) {
   description.transform = {
       rows({m[0], m[1], m[2], m[3]}, {m[4], m[5], m[6], m[7]}, {m[8], m[9], m[10], m[11]}, {0, 0, 0, 1}),
       where + ".transform"};
-  description.line = {model.line, where + ".line"};
-  description.surfaces = {model.surfaces, where + ".surfaces"};
+  description.line = chosen(model.line, where + ".line");
+  description.surfaces = chosen(model.surfaces, where + ".surfaces");
   description.hidden = located(model.hidden, where + ".hidden");
   return description;
 }
@@ -129,6 +144,8 @@ scene::BreakChoice break_choice(const View& view, const std::string& where) {
     if (one.axis < 0 || one.axis > 2)
       throw Error(ErrorKind::input, where, "has axis " + std::to_string(one.axis), "0 is x, 1 is y, 2 is z");
     if (!(one.from < one.to)) throw Error(ErrorKind::input, where, "has a place 'from' that is not below 'to'");
+    for (const double place : {one.from, one.to})
+      if (!std::isinf(place)) checked(place, where);
     choice.parts.push_back({one.axis, one.from, one.to});
   }
   return choice;
@@ -150,7 +167,7 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
                                      where + ".weak_crease_angle"};
   description.least_crease = {checked(view.least_crease, where + ".least_crease", 0, 100), where + ".least_crease"};
   description.join_within = {checked(view.join_within, where + ".join_within", 0, 1), where + ".join_within"};
-  description.layers = {view.layers, where + ".layers"};
+  description.layers = chosen(view.layers, where + ".layers");
   description.near = located(view.near, where + ".near");
   description.far = located(view.far, where + ".far");
   if (!view.construction.empty()) {
@@ -170,7 +187,7 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   description.detail = located(view.detail, where + ".detail");
   if (view.automatic_breaks || !view.breaks.empty())
     description.breaks = {break_choice(view, where + ".breaks"), where + ".breaks"};
-  if (view.break_line != BreakLine::zigzag) description.break_line = {view.break_line, where + ".break_line"};
+  if (view.break_line != BreakLine::zigzag) description.break_line = chosen(view.break_line, where + ".break_line");
   description.half = located(view.half, where + ".half");
   if (description.detail.given()) description.projection.value.reset();
   return description;
@@ -253,14 +270,16 @@ scene::DimensionDescription describe(const Dimension& dimension, const std::stri
   scene::DimensionDescription description;
   description.where = where;
   description.view = located(dimension.view, where + ".view");
-  description.type = {dimension.type, where + ".type"};
+  description.type = chosen(dimension.type, where + ".type");
   description.direction = located(dimension.direction, where + ".direction");
   for (const DimensionAnchor& anchor : dimension.anchors)
     description.anchors.push_back(anchor_of(anchor, where + ".anchors"));
-  description.offset = located(dimension.offset, where + ".offset");
+  if (dimension.offset)
+    description.offset = {checked(*dimension.offset, where + ".offset", -scene::longest_side, scene::longest_side),
+                          where + ".offset"};
   description.text = located(dimension.text, where + ".text");
   description.tolerance = located(dimension.tolerance, where + ".tolerance");
-  if (dimension.holes != HoleDimensions::notes) description.holes = {dimension.holes, where + ".holes"};
+  if (dimension.holes != HoleDimensions::notes) description.holes = chosen(dimension.holes, where + ".holes");
   if (dimension.limits) description.limits = {true, where + ".limits"};
   description.arrangement = located(dimension.arrangement, where + ".arrangement");
   if (dimension.arrangement && dimension.type != DimensionType::linear && dimension.type != DimensionType::automatic)
@@ -276,7 +295,8 @@ scene::ThreadDescription describe(const Thread& thread, const std::string& where
   description.thread = {thread.thread, where + ".thread"};
   description.at = {anchor_of(thread.at, where + ".at"), where + ".at"};
   if (thread.depth) {
-    if (!(*thread.depth > 0)) throw Error(ErrorKind::input, where + ".depth", "must be above 0");
+    if (!(checked(*thread.depth, where + ".depth") > 0))
+      throw Error(ErrorKind::input, where + ".depth", "must be above 0");
     description.depth = located(thread.depth, where + ".depth");
   }
   description.equal = {thread.equal, where + ".equal"};
@@ -305,14 +325,14 @@ scene::SheetDescription describe(const SheetOptions& sheet, const std::string& w
   scene::SheetDescription description;
   description.where = where;
   if (sheet.size) description.size = {paper_of(*sheet.size, where + ".size"), where + ".size"};
-  description.orientation = {sheet.orientation, where + ".orientation"};
+  description.orientation = chosen(sheet.orientation, where + ".orientation");
   if (sheet.scale) description.scale = {scale_of(*sheet.scale, where + ".scale"), where + ".scale"};
-  description.angle = {sheet.angle, where + ".angle"};
-  description.layout = {sheet.layout, where + ".layout"};
-  description.fit = {sheet.fit, where + ".fit"};
-  description.frame = {sheet.frame, where + ".frame"};
-  description.dimension_unit = {sheet.dimension_unit, where + ".dimension_unit"};
-  description.decimal_sign = {sheet.decimal_sign, where + ".decimal_sign"};
+  description.angle = chosen(sheet.angle, where + ".angle");
+  description.layout = chosen(sheet.layout, where + ".layout");
+  description.fit = chosen(sheet.fit, where + ".fit");
+  description.frame = chosen(sheet.frame, where + ".frame");
+  description.dimension_unit = chosen(sheet.dimension_unit, where + ".dimension_unit");
+  description.decimal_sign = chosen(sheet.decimal_sign, where + ".decimal_sign");
   description.font = located(sheet.font, where + ".font");
   description.form = located(sheet.sheet_template, where + ".sheet_template");
   description.logo = located(sheet.logo, where + ".logo");

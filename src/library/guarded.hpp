@@ -2,6 +2,8 @@
 // Converts exceptions to the one type that the library throws.
 #pragma once
 
+#include <cxxabi.h>
+
 #include <epura/epura.hpp>
 #include <exception>
 #include <new>
@@ -32,6 +34,11 @@ auto guarded(const Work& work) {
                   ", not in the input; to report it, send the scene with its models");
   } catch (const std::exception& error) {
     throw Failure(Failure::Kind::input, "", error.what(), "");
+  } catch (const abi::__forced_unwind&) {
+    throw;  // the thread is being cancelled
+  } catch (...) {
+    throw Failure(Failure::Kind::input, "settings", "a function of the program throws what is no std::exception",
+                  "let 'progress' and projections of your own throw nothing, or what derives from std::exception");
   }
 }
 

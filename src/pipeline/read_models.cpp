@@ -21,6 +21,7 @@
 #include "scene/body_styles.hpp"
 #include "scene/transform.hpp"
 #include "sheet/paper.hpp"
+#include "world/expect_usable.hpp"
 
 namespace epura::pipeline {
 
@@ -223,6 +224,7 @@ ReadWorld read_models(const scene::SceneDescription& scene, const Reading& readi
     warn_about(messages, reports.back(), says_wires);
   }
   world::World world = world::make_world(std::move(placed), wants_wires(scene));
+  world::expect_usable(world);
   if (!scene.dimensions.empty()) doubt_size(messages, world, without_unit);
   return {std::move(world), std::move(parts), std::move(patterns.explosions)};
 }

@@ -57,7 +57,7 @@ Options<DimensionWords> dimension_options() {
                     in_description(&Dimension::name), any_text()),
       option<Words>({.key = "offset",
                      .help = "distance on paper from the anchors to the dimension line; its sign selects the side"},
-                    in_description(&Dimension::offset), any_number("mm")),
+                    in_description(&Dimension::offset), number_between(-longest_side, longest_side, "mm")),
       option<Words>({.key = "text", .help = "text instead of the measured value; `<>` stands for that value"},
                     in_description(&Dimension::text), any_text()),
       option<Words>({.key = "tolerance",

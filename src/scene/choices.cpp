@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/largest_number.hpp"
 #include "base/text.hpp"
 
 namespace epura::scene {
@@ -56,7 +57,7 @@ ScaleChoice parse_scale(std::string_view text, const std::string& where) {
   const auto model =
       parts.size() == 2 && !is_percent ? parse_number(parts[1]) : std::optional<double>(is_percent ? 100 : 1);
   const double scale = paper && model && parts.size() <= (is_percent ? 1U : 2U) ? *paper / *model : 0;
-  if (!std::isfinite(scale) || !(scale > 0) || !(*paper > 0) || std::isinf(*model))
+  if (!is_usable(scale) || !(scale >= 1 / largest_number) || !(*paper > 0) || std::isinf(*model))
     throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a scale",
                 "write fit, auto, paper:model such as 1:2 or 5:1, or a number above 0");
   return {scale, false};
@@ -90,7 +91,7 @@ BreakChoice::Part parse_break(std::string_view text, const std::string& where) {
   const auto read = [&](std::string_view word, double& place) {
     if (word.empty()) return;
     const auto number = parse_number(word);
-    if (!number || !std::isfinite(*number)) refuse("is not a break: '" + std::string(word) + "' is not a number");
+    if (!number || !is_usable(*number)) refuse("is not a break: '" + std::string(word) + "' is not a number");
     place = *number;
   };
   read(words[1], part.from);

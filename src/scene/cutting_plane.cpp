@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/largest_number.hpp"
 #include "base/text.hpp"
 
 namespace epura::scene {
@@ -12,7 +13,8 @@ namespace epura::scene {
 std::optional<Vec3> parse_vector(std::string_view text) {
   const auto numbers = parse_numbers(text);
   if (!numbers || numbers->size() != 3) return std::nullopt;
-  return Vec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+  const Vec3 vector((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+  return is_usable(vector) ? std::optional(vector) : std::nullopt;
 }
 
 CuttingPlane make_cutting_plane(const SectionDescription& section) {

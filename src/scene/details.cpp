@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/largest_number.hpp"
 #include "base/text.hpp"
 #include "scene/cutting_plane.hpp"
 
@@ -120,7 +121,7 @@ DetailRequest parse_detail(std::string_view text, const std::string& where) {
   const auto parts = split(text, ':');
   const auto centre = parts.size() >= 3 ? parse_vector(parts[0]) : std::nullopt;
   const auto radius = parts.size() >= 3 ? parse_number(parts[1]) : std::nullopt;
-  if (!centre || !radius || !(*radius > 0))
+  if (!centre || !radius || !(*radius > 0) || !is_usable(*radius))
     refuse_input(where, "'" + std::string(text) + "' is not a detail",
                  "write its centre, its radius and its scale, X,Y,Z:RADIUS:SCALE, such as 40,0,10:6:5:1");
   const std::size_t before = parts[0].size() + parts[1].size() + 2;

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "base/error.hpp"
+#include "base/largest_number.hpp"
 #include "base/text.hpp"
 #include "scene/transform.hpp"
 
@@ -55,26 +56,31 @@ std::string read_field(const TomlValue& value) {
   return date != nullptr ? date->text : checked_text(value);
 }
 
+[[noreturn]] void refuse_range(const TomlValue& value, double number, double min, double max) {
+  const std::string range = std::isfinite(max) ? " to " + format_number(max) : " or more";
+  refuse(value, "is " + format_number(number) + ", allowed is " + format_number(min) + range);
+}
+
+double usable(const TomlValue& value, double number) {
+  if (!is_usable(number)) refuse_range(value, number, -largest_number, largest_number);
+  return number;
+}
+
 double option_number(const TomlValue& value, const std::string& text, bool whole) {
   const auto number = parse_number(text);
   if (!number || !std::isfinite(*number) || (whole && *number != std::floor(*number)))
     refuse(value, "'" + text + "' is not a " + (whole ? "whole number" : "number"));
-  return *number;
+  return usable(value, *number);
 }
 
 double read_number(const TomlValue& value) {
   if (const std::string* text = option_text(value)) return option_number(value, *text, false);
   const double number = content_of<double>(value);
   if (!std::isfinite(number)) refuse(value, "is not a finite number");
-  return number;
+  return usable(value, number);
 }
 
 bool read_truth(const TomlValue& value) { return option_text(value) != nullptr || content_of<bool>(value); }
-
-[[noreturn]] void refuse_range(const TomlValue& value, double number, double min, double max) {
-  const std::string range = std::isfinite(max) ? " to " + format_number(max) : " or more";
-  refuse(value, "is " + format_number(number) + ", allowed is " + format_number(min) + range);
-}
 
 int read_whole(const TomlValue& value, int min, int max = std::numeric_limits<int>::max()) {
   const std::string* text = option_text(value);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/largest_number.hpp"
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 
@@ -56,8 +57,10 @@ Mat4 parse_step(std::string_view step) {
 
   const auto numbers = parse_numbers(values);
   if (!numbers) refuse(step, "needs numbers separated by commas");
-  for (const double number : *numbers)
+  for (const double number : *numbers) {
     if (!std::isfinite(number)) refuse(step, "has a number that is not finite");
+    if (!is_usable(number)) refuse(step, "has a number beyond " + format_number(largest_number));
+  }
   const std::vector<double>& v = *numbers;
   if (verb == "translate" && v.size() == 3) return glm::translate(Mat4(1.0), Vec3(v[0], v[1], v[2]));
   if (verb == "scale" && v.size() == 1) return glm::scale(Mat4(1.0), Vec3(v[0]));

@@ -117,7 +117,7 @@ void check_drawing_size(const Vec2& size) {
   if (!(size.x <= scene::longest_side && size.y <= scene::longest_side))
     throw Error(ErrorKind::input, "--scale",
                 "the drawing would be " + format_fixed(std::max(size.x, size.y) / 1000, 1) + " m long",
-                "use fit or a smaller scale");
+                "use fit or a smaller scale, and points that are on the models");
 }
 
 Placement place_ink(const Vec2& min, const Vec2& max, std::optional<double> scale, const Paper& paper) {

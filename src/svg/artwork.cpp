@@ -22,6 +22,7 @@ namespace {
 constexpr int deepest = 100;             // groups in groups
 constexpr double longest_side = 20'000;  // mm
 constexpr double least_text = 1e-6;      // mm
+constexpr double farthest = 1e6;         // mm; what lies there is not meant for a sheet
 
 // Elements that show nothing.
 constexpr std::array<std::string_view, 7> silent = {
@@ -85,7 +86,10 @@ struct Approximated {
 class Reader {
  public:
   Reader(std::string_view bytes, const std::string& where, std::span<const std::string_view> areas)
-      : bytes_(bytes), where_(where), wanted_(areas), room_(bytes.size(), where) {}
+      : bytes_(bytes), where_(where), wanted_(areas), room_(bytes.size(), where) {
+    for (std::size_t end = bytes.find('\n'); end != std::string_view::npos; end = bytes.find('\n', end + 1))
+      line_ends_.push_back(static_cast<std::ptrdiff_t>(end));
+  }
 
   Artwork read() {
     pugi::xml_document document;
@@ -118,8 +122,8 @@ class Reader {
 
  private:
   [[nodiscard]] std::string line_at(std::ptrdiff_t offset) const {
-    const std::size_t end = std::min(bytes_.size(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
-    return where_ + ":" + std::to_string(1 + std::count(bytes_.begin(), bytes_.begin() + end, '\n'));
+    const auto line = std::lower_bound(line_ends_.begin(), line_ends_.end(), offset);
+    return where_ + ":" + std::to_string(1 + (line - line_ends_.begin()));
   }
 
   [[noreturn]] void refuse(const pugi::xml_node& at, const std::string& what, const std::string& hint = {}) const {
@@ -270,24 +274,32 @@ class Reader {
              "use the commands M L H V C Q A Z");
     Shape shape{std::move(path->lines)};
     for (Line& line : shape.lines)
-      for (Vec2& p : line.points) p = context.map(p);
+      for (Vec2& p : line.points) p = near_sheet(element, context.map(p));
     shape.fill = paint(element, context, "fill", "#000");
     shape.stroke = paint(element, context, "stroke", "none");
     read_stroke(element, context, shape);
     if (!shape.lines.empty()) art_.items.emplace_back(std::move(shape));
   }
 
+  // Also false for NaN, as of an arc whose radius is beyond all numbers.
+  [[nodiscard]] static bool is_near(const Vec2& p) { return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest; }
+
+  [[nodiscard]] Vec2 near_sheet(const pugi::xml_node& element, const Vec2& p) const {
+    if (!is_near(p)) refuse(element, "reaches more than 1 km beyond the sheet", "remove what lies there");
+    return p;
+  }
+
   void read_stroke(const pugi::xml_node& element, const Context& context, Shape& shape) const {
     const std::string_view width = context.style.of("stroke-width"), dashes = context.style.of("stroke-dasharray");
     const auto units = width.empty() ? 1 : length_of(width);
     if (!units) refuse(element, "has the line width '" + std::string(width) + "'", "give a length, such as 0.7");
-    shape.width = *units * context.map.scale();
+    shape.width = near_sheet(element, Vec2(*units * context.map.scale())).x;
     if (shape.width == 0) shape.stroke.reset();
     if (dashes.empty() || dashes == "none") return;
     for (const std::string_view word : split_lengths(dashes)) {
       const auto length = length_of(word);
       if (!length) refuse(element, "has the dashes '" + std::string(dashes) + "'", "give lengths, such as 3, 0.75");
-      shape.dashes.push_back(*length * context.map.scale());
+      shape.dashes.push_back(near_sheet(element, Vec2(*length * context.map.scale())).x);
     }
     if (shape.dashes.size() % 2 == 1) shape.dashes.insert(shape.dashes.end(), shape.dashes.begin(), shape.dashes.end());
   }
@@ -353,10 +365,10 @@ class Reader {
     if (std::abs(turned + along * across) > 1e-6 * along * across)
       refuse(node, "a text is mirrored or slanted", "only scale and turn it");
     if (std::abs(along - across) > 0.01 * along) stretched_.note(line_at(node.offset_debug()));
-    words.at = map({place("x"), place("y")});
     words.size = *size * across;
-    if (!(words.size > least_text && std::isfinite(words.size)))
+    if (!(words.size > least_text && words.size <= farthest))
       refuse(node, "a text has no height", "give it a font-size and a transform that leave it one");
+    words.at = near_sheet(node, map({place("x"), place("y")}));
     words.angle = portable_atan2(map.along.y, map.along.x) * 180 / std::numbers::pi;
     const std::string_view anchor = context.style.of("text-anchor");
     words.anchor = anchor == "middle" ? TextAnchor::middle : anchor == "end" ? TextAnchor::end : TextAnchor::start;
@@ -368,6 +380,7 @@ class Reader {
   }
 
   std::string_view bytes_;
+  std::vector<std::ptrdiff_t> line_ends_{};
   const std::string& where_;
   std::span<const std::string_view> wanted_;
   Rules rules_{};

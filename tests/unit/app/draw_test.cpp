@@ -263,11 +263,11 @@ TEST(Draw, IdsOfSvgBeginAsAskedFor) {
   EXPECT_TRUE(contains(refused.err, "--id-prefix: '1st' cannot begin an id")) << refused.err;
 }
 
-TEST(Draw, CoordinatesNearTheEndOfTheDoublesAreDrawn) {
+TEST(Draw, HugeCoordinatesAreDrawnUpToTheBorder) {
   const Folder folder;
   const std::string small = folder.file("small.obj", "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -1\nf 1 2 3\nf 1 2 4\n");
   const std::string huge =
-      folder.file("huge.obj", "v -1e308 0 0\nv 1e308 0 0\nv 0 1e308 0\nv 0 0 -1e308\nf 1 2 3\nf 1 2 4\n");
+      folder.file("huge.obj", "v -1e50 0 0\nv 1e50 0 0\nv 0 1e50 0\nv 0 0 -1e50\nf 1 2 3\nf 1 2 4\n");
   const auto lines = [&](const std::string& model) {
     const Outcome run = epura({"draw", model, "-o", "-", "--format", "svg", "--plain"}, folder / "");
     EXPECT_EQ(run.code, 0) << run.err;
@@ -275,6 +275,10 @@ TEST(Draw, CoordinatesNearTheEndOfTheDoublesAreDrawn) {
   };
   // They look alike: fitted to the sheet, at most the last digit differs.
   EXPECT_EQ(lines(small).size(), lines(huge).size());
+  const std::string beyond = folder.file("beyond.obj", "v -1 0 0\nv 1 0 0\nv 0 1e155 0\nf 1 2 3\n");
+  const Outcome refused = epura({"draw", beyond, "-o", "x.svg"}, folder / "");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(contains(refused.err, beyond + ": has a vertex at 1e+155")) << refused.err;
 }
 
 TEST(Draw, AnOldFileIsReplacedAndKeepsItsMode) {

@@ -218,7 +218,13 @@ TEST_F(Refusal, Words) {
   expect_option_refused({"--transform", "scale:0"}, {"'scale:0'", "flattens"});
   expect_option_refused({"--transform", "turn:z,3"}, {"'turn:z,3'", "not a known step", "steps:"});
   expect_option_refused({"--transform", "scale:1", "--transform", "scale:2"}, {"--transform"});
-  expect_option_refused({"--transform", "scale:1e300 scale:1e300"}, {cube, "range"});
+  expect_option_refused({"--transform", "scale:1e300"}, {"'scale:1e300'", "beyond 1e+50"});
+  expect_option_refused({"--transform", "scale:1e50 scale:1e50"}, {cube, "has a vertex at", "allowed is up to 1e+50"});
+  expect_option_refused({"--section", "0,0,1e60:0,-1,0"}, {"--section", "is not a cutting plane"});
+  expect_option_refused({"--detail", "1e60,0,0:1:5:1"}, {"--detail", "is not a detail"});
+  expect_option_refused({"--explode", "1e60"}, {"--explode", "allowed is"});
+  expect_option_refused({"--scale", "1e-300"}, {"--scale", "is not a scale"});
+  expect_option_refused({"--projection", "look-at:eye=0,-1e300,0"}, {"look-at:eye", "allowed is up to 1e+50"});
 }
 
 TEST_F(Refusal, ViewsInWhichNothingIsLeft) {

@@ -445,11 +445,58 @@ TEST(Library, FailuresNameTheMember) {
   expect(scene, "views[0].projection", "eye");
   scene = in_memory();
   scene.views[0].projection = "isometrik";
-  EXPECT_EQ(failure_of(scene).kind(), Failure::Kind::plugin);
+  EXPECT_EQ(failure_of(scene).kind(), Failure::Kind::input);
   scene = in_memory();
   scene.models[0].polygons.faces.clear();
   scene.models[0].polygons.points.resize(1);
   expect(scene, "models[0]", "holds no faces");
+}
+
+// Values that a cast, or a variable without a value, can have.
+TEST(Library, RefusesWhatNoEnumeratorIs) {
+  const auto expect = [](const Scene& scene, const std::string& place) {
+    const Failure failure = failure_of(scene);
+    EXPECT_EQ(failure.kind(), Failure::Kind::input) << place;
+    EXPECT_EQ(failure.place(), place);
+    EXPECT_NE(std::string(failure.what()).find("none of its enumerators"), std::string::npos) << failure.what();
+  };
+  Scene scene = in_memory();
+  scene.dimensions = {{.type = static_cast<DimensionType>(-2147483648)}};
+  expect(scene, "dimensions[0].type");
+  scene = in_memory();
+  scene.dimensions = {{.direction = static_cast<DimensionDirection>(5)}};
+  expect(scene, "dimensions[0].direction");
+  scene = in_memory();
+  scene.views[0].hidden = static_cast<HiddenLines>(99);
+  expect(scene, "views[0].hidden");
+  scene = in_memory();
+  scene.models[0].line = static_cast<LineRole>(-1);
+  expect(scene, "models[0].line");
+  scene = in_memory();
+  scene.sheets = {{.frame = static_cast<FrameKind>(4)}};
+  expect(scene, "sheets[0].frame");
+}
+
+TEST(Library, RefusesNumbersWhoseSquaresAreNone) {
+  Scene scene = in_memory();
+  for (auto& point : scene.models[0].polygons.points) point[0] = 1e155 * (point[0] + 1);
+  EXPECT_EQ(failure_of(scene).kind(), Failure::Kind::input);
+  EXPECT_NE(std::string(failure_of(scene).what()).find("has a vertex at "), std::string::npos)
+      << failure_of(scene).what();
+  scene = in_memory();
+  scene.explosions = {{.move = {{1e308, 0, 0}}}};
+  EXPECT_EQ(failure_of(scene).place(), "explosions[0].move");
+  scene = in_memory();
+  scene.dimensions = {{.type = DimensionType::aligned, .anchors = {std::array{0, 0}, std::array{1e100, 0.0, 0.0}}}};
+  EXPECT_EQ(failure_of(scene).place(), "dimensions[0].anchors");
+  scene.dimensions[0].anchors[1] = std::array{1e20, 0.0, 0.0};
+  EXPECT_EQ(failure_of(scene).kind(), Failure::Kind::input) << failure_of(scene).what();
+}
+
+TEST(Library, ThrowsOneTypeWhateverItsProgressThrows) {
+  Settings how = settings();
+  how.progress = [](const std::string&, double) { throw 3; };
+  EXPECT_EQ(failure_of(in_memory(), how).place(), "settings");
 }
 
 TEST(Library, TellsItsProgress) {

@@ -204,6 +204,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"<text transform=\"scale(0)\" style=\"font-size:3px\">a</text>", "height", "transform"},
                     Refused{"<text transform=\"scale(1e200) scale(1e200)\" style=\"font-size:3px\">a</text>", "height",
                             ""},
+                    Refused{"<path d=\"M0 0L1e308 1e308\"/>", "1 km beyond", "remove"},
+                    Refused{"<g transform=\"scale(1e9)\"><rect width=\"1\" height=\"1\"/></g>", "1 km beyond", ""},
+                    Refused{"<path d=\"M0 0L1 1\" style=\"stroke-width:1e9\"/>", "1 km beyond", ""},
+                    Refused{"<text x=\"1e9\" style=\"font-size:3px\">a</text>", "1 km beyond", ""},
                     Refused{"<g transform=\"skewX(3)\"/>", "transform", ""},
                     Refused{"<style>g > rect{fill:red}</style>", "selector", "classes"}));
 
