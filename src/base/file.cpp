@@ -2,6 +2,7 @@
 #include "base/file.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <span>
 
 #include "base/descriptor.hpp"
 #include "base/error.hpp"
@@ -120,6 +122,23 @@ bool replace_by_named(const fs::path& target, std::string_view bytes, Progress p
   return false;
 }
 
+// Reads from a file that was opened without waiting. Who names a pipe may begin to write a moment later; a pipe to
+// which nobody writes would be waited for without end. `has_begun`: an empty answer is the end.
+ssize_t read_some(const Descriptor& file, std::span<char> to, bool has_begun, const Progress& progress) {
+  constexpr int patience_ms = 5000, look_ms = 20;
+  for (int waited_ms = 0; waited_ms < patience_ms; waited_ms += has_begun ? 0 : look_ms) {
+    progress.expect_time();
+    const ssize_t got = ::read(file.number(), to.data(), std::min(to.size(), most_at_once));
+    if (got > 0 || (got == 0 && has_begun) || (got < 0 && errno != EINTR && errno != EAGAIN)) return got;
+    has_begun = has_begun || (got < 0 && errno == EAGAIN);  // the writer pauses
+    pollfd end{file.number(), POLLIN, 0};
+    ::poll(&end, 1, look_ms);
+    if ((end.revents & POLLHUP) != 0) has_begun = true;  // the writer has come and gone
+  }
+  errno = ETIMEDOUT;
+  return -1;
+}
+
 }  // namespace
 
 fs::path end_of_links(const fs::path& path) {
@@ -142,7 +161,7 @@ std::string identity_of_file(const fs::path& path) {
 }
 
 std::string read_file(const fs::path& path, const Progress& progress, std::uintmax_t most_bytes) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
   if (file.number() < 0) fail(ErrorKind::input, path, "read", errno);
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) fail(ErrorKind::input, path, "read", errno);
@@ -160,11 +179,12 @@ std::string read_file(const fs::path& path, const Progress& progress, std::uintm
   // One byte more than the size, so that the end of the file is detected without growing. A pipe reports size 0.
   std::string bytes(static_cast<std::size_t>(status.st_size) + 1, '\0');
   std::size_t filled = 0;
+  const bool is_pipe = S_ISFIFO(status.st_mode);
   while (true) {
-    progress.expect_time();
     if (filled == bytes.size()) bytes.resize(2 * filled + 65536);
-    const ssize_t got = ::read(file.number(), bytes.data() + filled, std::min(bytes.size() - filled, most_at_once));
-    if (got < 0 && errno == EINTR) continue;
+    const ssize_t got = read_some(file, std::span(bytes).subspan(filled), !is_pipe || filled > 0, progress);
+    if (is_pipe && got < 0 && errno == ETIMEDOUT)
+      throw Error(ErrorKind::input, path.string(), "is a pipe to which nobody writes");
     if (got < 0) fail(ErrorKind::input, path, "read", errno);
     if (got == 0) break;
     filled += static_cast<std::size_t>(got);

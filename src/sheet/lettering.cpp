@@ -81,7 +81,10 @@ Lettering::Lettering(const std::filesystem::path& file) : Lettering(Font{file}) 
 Lettering::Lettering(const Font& font)
     : font_(std::make_shared<FontFile>(font.file.empty() ? usual_font() : font.file, font.face, font.family)),
       installed_(std::make_shared<InstalledFonts>()) {
-  if (!font_->is_open()) refuse(font_->file, "the lettering font is missing");
+  std::error_code error;
+  if (!font_->is_open())
+    refuse(font_->file, std::filesystem::exists(font_->file, error) ? "the lettering font cannot be read, or is no font"
+                                                                    : "the lettering font is missing");
   if (!(font_->capital() > 0) || !(font_->units_per_em() > 0)) refuse(font_->file, "is not an outline font");
 }
 

@@ -44,6 +44,34 @@ TEST(Files, MoreThanIsWantedIsNotRead) {
   EXPECT_TRUE(contains(error_of([&] { read_file(path, {}, 2'999'999); }).what(), "has more than 2 MB"));
 }
 
+// A scene file can name a pipe.
+TEST(Files, APipeWithoutAWriterIsNotWaitedFor) {
+  const Folder folder;
+  const std::string path = folder / "pipe";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  EXPECT_TRUE(contains(error_of([&] { read_file(path); }).what(), "is a pipe to which nobody writes"));
+}
+
+TEST(Files, AWriterMayComeLateAndPause) {
+  const Folder folder;
+  const std::string path = folder / "pipe";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds(60)); };
+  std::thread writer([&] {
+    pause();
+    std::ofstream pipe(path);
+    pause();
+    pipe << "one " << std::flush;
+    pause();
+    pipe << "two";
+  });
+  EXPECT_EQ(read_file(path), "one two");
+  writer.join();
+  std::thread silent([&] { const std::ofstream pipe(path); });
+  EXPECT_EQ(read_file(path), "");
+  silent.join();
+}
+
 TEST(Files, APipeWithoutEndIsRefused) {
   const Folder folder;
   const std::string path = folder / "pipe";
