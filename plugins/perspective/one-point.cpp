@@ -13,15 +13,16 @@ struct OnePoint {
       distance_parameter,
       number("right", "diagonals", "distance of the eye to the right of the model's centre", 0.5, -1e3, 1e3),
       number("above", "diagonals", "height of the eye above the model's centre", 0.4, -1e3, 1e3),
+      eye_height_parameter,
   };
 
-  static View project(const Scene& scene, double distance, double right, double above) {
+  static View project(const Scene& scene, double distance, double right, double above, double eye_height) {
     const Vec3 centre = scene.centre();
     return {.central = true,
             .point = {centre.x, scene.least.y, centre.z},
             .normal = {0, -1, 0},
             .up = {0, 0, 1},
-            .projector = centre + scene.diagonal() * Vec3{right, -distance, above}};
+            .projector = at_height(centre + scene.diagonal() * Vec3{right, -distance, above}, eye_height)};
   }
 };
 EPURA_PROJECTION(OnePoint)

@@ -15,9 +15,15 @@ inline constexpr double calm_distance = 2.5;
 inline constexpr epura_parameter distance_parameter = number(
     "distance", "diagonals", "distance of the eye from the model's centre, along the normal", calm_distance, 0.6, 1e6);
 
+inline constexpr epura_parameter eye_height_parameter =
+    number("eye-height", "model units", "z of the eye, instead of 'above'", from_box, -1e9, 1e9);
+
 /// The given value, or its default.
 inline double given_or(double given, double otherwise) { return std::isnan(given) ? otherwise : given; }
 inline Vec3 given_or(Vec3 given, Vec3 otherwise) { return std::isnan(given.x) ? otherwise : given; }
+
+/// The eye at its height above z = 0, if that is given.
+inline Vec3 at_height(Vec3 eye, double height) { return {eye.x, eye.y, given_or(height, eye.z)}; }
 
 /// An eye that sees the whole model from the right, the front and above while looking at `reference`.
 inline Vec3 calm_eye(const Scene& scene, Vec3 reference) {

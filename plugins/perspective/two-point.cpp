@@ -13,16 +13,17 @@ struct TwoPoint {
       distance_parameter,
       number("azimuth", "deg", "angle of the eye to the right of the front", 40, -360, 360),
       number("above", "diagonals", "height of the eye above the model's centre", 0.25, -1e3, 1e3),
+      eye_height_parameter,
   };
 
-  static View project(const Scene& scene, double distance, double azimuth, double above) {
+  static View project(const Scene& scene, double distance, double azimuth, double above, double eye_height) {
     require_turned(azimuth);
     const Vec3 n = towards_viewer(azimuth, 0);
     return {.central = true,
             .point = scene.centre(),
             .normal = n,
             .up = {0, 0, 1},
-            .projector = scene.centre() + scene.diagonal() * (distance * n + Vec3{0, 0, above})};
+            .projector = at_height(scene.centre() + scene.diagonal() * (distance * n + Vec3{0, 0, above}), eye_height)};
   }
 };
 EPURA_PROJECTION(TwoPoint)

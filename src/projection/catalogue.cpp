@@ -76,7 +76,9 @@ std::optional<ProjectionEntry> entry_named(std::string_view name, const std::vec
                      : name == "side" ? "write left or right"
                                       : did_you_mean(name, names);
   for (const BadPlugin& bad : catalogue.bad) hint += ('\n' + bad.path.string()) + ": " + bad.reason;
-  throw Error(ErrorKind::plugin, std::string(name), "no such projection", hint);
+  // A misspelt word is wrong input, unless a plugin that cannot be used might have had it.
+  const ErrorKind kind = names.empty() || !catalogue.bad.empty() ? ErrorKind::plugin : ErrorKind::input;
+  throw Error(kind, std::string(name), "no such projection", hint);
 }
 
 // Short names for the most common projections.

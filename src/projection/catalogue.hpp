@@ -53,9 +53,9 @@ std::vector<std::filesystem::path> plugin_folders(const std::vector<std::filesys
 Catalogue load_catalogue(const std::vector<std::filesystem::path>& folders);
 
 /// Finds one projection, reading as few plugins as possible: NAME.so first, then the others until it is found. "iso"
-/// means isometric and "perspective" two-point, unless there is a NAME.so of that name. Throws Error{plugin} if there
-/// is no such projection, with the fault of NAME.so if it exists; otherwise with "did you mean" and the bad plugins
-/// that might have contained it. `own` are projections of the calling program, which come before all plugins.
+/// means isometric and "perspective" two-point, unless there is a NAME.so of that name. If there is no such projection,
+/// throws Error{input} with "did you mean"; Error{plugin} with the fault of NAME.so if it exists, or with the bad
+/// plugins that might have contained it. `own` are projections of the calling program, which come before all plugins.
 ProjectionEntry find_projection(std::string_view name, const std::vector<std::filesystem::path>& folders,
                                 const std::vector<ProjectionEntry>& own = {});
 

@@ -18,9 +18,30 @@ namespace {
   throw Error(ErrorKind::plugin, entry.plugin.string(), "'" + entry.name + "': " + reason);
 }
 
+bool has_parameter(const ProjectionEntry& entry, const std::string& name) {
+  return std::any_of(entry.parameters.begin(), entry.parameters.end(),
+                     [&](const Parameter& parameter) { return parameter.name == name; });
+}
+
+// Who misses a parameter may mean another projection of the family: cavalier has no ratio, but oblique has, and cabinet
+// is half. Empty if no other one has it.
+std::string hint_at_family(const ProjectionEntry& entry, const std::string& parameter) {
+  std::string having, others;
+  for (const ProjectionEntry& other : load_catalogue({entry.plugin.parent_path()}).entries) {
+    if (other.family != entry.family || other.name == entry.name) continue;
+    const bool has = has_parameter(other, parameter);
+    (has ? having : others) += "; " + other.name + (has ? " has it: " : ": ") + other.summary;
+  }
+  return having.empty() ? "" : having.substr(2) + others;
+}
+
 }  // namespace
 
 Projection make_projection(const ProjectionEntry& entry, const scene::ProjectionRequest& request, const Box& scene) {
+  for (const auto& [name, text] : request.assignments)
+    if (!has_parameter(entry, name))
+      if (const std::string hint = hint_at_family(entry, name); !hint.empty())
+        throw Error(ErrorKind::input, entry.name + ":" + name, "no such parameter", hint);
   const ParameterValues values = values_of(entry.parameters, request.assignments, entry.name, "projection");
   const PluginAnswer answer = ask_plugin(entry, values, scene);
   if (answer.refusal) refuse_answer(entry, request, *answer.refusal);

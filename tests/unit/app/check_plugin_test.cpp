@@ -129,7 +129,7 @@ TEST(CrashingPlugin, IsNamedInTheListAndHidesNoOther) {
 TEST(PluginOfTheCurrentFolder, IsNotFound) {
   const Outcome run =
       epura({"draw", sample("bracket.obj"), "--projection", "plain", "-o", "-", "--format", "svg"}, bad("good"));
-  EXPECT_EQ(run.code, 3);
+  EXPECT_EQ(run.code, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_TRUE(contains(run.err, "plain: no such projection")) << run.err;
 }

@@ -179,7 +179,7 @@ TEST(Pictures, NameTheParametersThatSetEachValue) {
   using Names = std::vector<std::string>;
   const pipeline::Picture two_point = picture_of(request_for("two-point", sample("bracket.obj")));
   EXPECT_EQ(of(two_point, Quantity::normal), (Names{"azimuth"}));
-  EXPECT_EQ(of(two_point, Quantity::projector), (Names{"distance", "azimuth", "above"}));
+  EXPECT_EQ(of(two_point, Quantity::projector), (Names{"distance", "azimuth", "above", "eye-height"}));
   EXPECT_EQ(of(two_point, Quantity::point), Names{});
   const pipeline::Picture phigs = picture_of(request_for("phigs", sample("bracket.obj")));
   EXPECT_EQ(of(phigs, Quantity::window), (Names{"window"}));

@@ -111,7 +111,7 @@ Failure failure_with(const std::string& request, const Settings& all) {
 TEST(OwnProjections, AreUsedByName) {
   const Scene scene{.models = {{.file = EPURA_TEST_SAMPLES "/models/bracket.obj"}}, .views = {{.projection = "own"}}};
   EXPECT_EQ(draw(scene, with(own())).views().at(0).projection, "own");
-  EXPECT_EQ(failure_with("own", settings()).kind(), Failure::Kind::plugin);
+  EXPECT_EQ(failure_with("own", settings()).kind(), Failure::Kind::input);
   EXPECT_NE(failure_with("owm", with(own())).hint().find("own"), std::string::npos);
 }
 

@@ -206,7 +206,7 @@ TEST_F(with_folder, projection_in_a_library_of_another_name_is_found) {
 
 TEST(find_projection, says_what_was_perhaps_meant) {
   const Error error = error_of([] { projection::find_projection("isometrik", built_plugins()); });
-  EXPECT_EQ(error.kind(), ErrorKind::plugin);
+  EXPECT_EQ(error.kind(), ErrorKind::input);
   EXPECT_STREQ(error.what(), "isometrik: no such projection");
   EXPECT_EQ(error.hint(), "did you mean 'isometric'?");
 }

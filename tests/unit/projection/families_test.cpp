@@ -198,6 +198,16 @@ TEST(perspective, two_point_keeps_verticals_vertical) {
     EXPECT_NEAR(place(p, foot).x, place(p, foot + 3.0 * ez).x, 1e-13);
 }
 
+// At the height of the eye, whatever lies before it is drawn on the horizon: with the same y.
+TEST(perspective, the_eye_has_the_given_height) {
+  for (const char* name : {"one-point", "two-point:azimuth=25", "two-point:azimuth=25:above=7"}) {
+    const projection::Projection p = make(std::string(name) + ":eye-height=1.6", a_box());
+    EXPECT_NEAR(place(p, Vec3(-1, -2, 1.6)).y, place(p, Vec3(3, 1, 1.6)).y, 1e-12) << name;
+    EXPECT_NEAR(place(p, Vec3(-1, 2, 1.6)).y, place(p, Vec3(3, -1, 1.6)).y, 1e-12) << name;
+    EXPECT_GT(std::abs(place(p, Vec3(-1, -2, 2)).y - place(p, Vec3(3, 1, 2)).y), 1e-3) << name;
+  }
+}
+
 TEST(perspective, one_point_keeps_the_front_true) {
   const projection::Projection p = make("one-point", a_box());
   const Vec3 corner = a_box().min;
