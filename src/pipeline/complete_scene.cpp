@@ -14,6 +14,7 @@
 #include "scene/details.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/view_names.hpp"
+#include "scene/view_sections.hpp"
 #include "sheet/form.hpp"
 #include "sheet/paper.hpp"
 #include "world/exploded_world.hpp"
@@ -97,6 +98,7 @@ void complete_scene(scene::SceneDescription& scene) {
     take_option(view, "hidden", view.hidden);
     take_option(view, "half", view.half);
   }
+  scene::take_view_sections(scene);
   for (const scene::ViewDescription& view : scene.views)
     if (view.of.given() && !view.projection.given()) {
       scene::complete_directions(scene);

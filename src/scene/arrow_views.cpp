@@ -28,6 +28,17 @@ void expect_parent(const ViewDescription& view, const std::vector<ViewDescriptio
                  "name a view that has its own projection");
 }
 
+}  // namespace
+
+std::set<std::string> letters_of(const SceneDescription& scene) {
+  std::set<std::string> taken;
+  for (const SectionDescription& section : scene.sections) taken.insert(*section.name);
+  for (const DetailDescription& detail : scene.details) taken.insert(*detail.name);
+  for (const ViewDescription& view : scene.views)
+    if (view.label.given()) taken.insert(*view.label);
+  return taken;
+}
+
 // ISO 128-3 recommends to leave out I, O and Q.
 std::string next_letter(std::set<std::string>& taken) {
   for (const char letter : std::string("ABCDEFGHJKLMNPRSTUVWXYZ"))
@@ -35,8 +46,6 @@ std::string next_letter(std::set<std::string>& taken) {
   for (int number = 1;; ++number)
     if (taken.insert("A" + std::to_string(number)).second) return "A" + std::to_string(number);
 }
-
-}  // namespace
 
 void complete_directions(SceneDescription& scene) {
   for (ViewDescription& view : scene.views) {
@@ -56,11 +65,7 @@ void complete_directions(SceneDescription& scene) {
 }
 
 void complete_letters(SceneDescription& scene) {
-  std::set<std::string> taken;
-  for (const SectionDescription& section : scene.sections) taken.insert(*section.name);
-  for (const DetailDescription& detail : scene.details) taken.insert(*detail.name);
-  for (const ViewDescription& view : scene.views)
-    if (view.label.given()) taken.insert(*view.label);
+  std::set<std::string> taken = letters_of(scene);
   for (ViewDescription& view : scene.views) {
     if (!view.of.given()) continue;
     expect_parent(view, scene.views);
