@@ -89,7 +89,8 @@ grep -q fBcabinet "$scratch/prefix/share/man/man1/epura.1" || complain "the inst
 
 # A new projection, begun by the program and built from where it was begun; never over another one.
 cd "$scratch" || exit 2
-if try "$epura" new-projection 3-quarters && make_it 3-quarters 3-quarters/build &&
+# Its line for CMake works as it is printed.
+if "$epura" new-projection 3-quarters >steps && grep '^  cmake ' steps >build.sh && try sh -e build.sh &&
   try "$epura" plugins check 3-quarters/build/3-quarters.so && draw 3-quarters/build 3-quarters new.svg; then
   echo mine >3-quarters/3-quarters.cpp
   "$epura" new-projection 3-quarters >log 2>&1 && complain "a folder was overwritten"
@@ -130,4 +131,11 @@ try cc -shared -fPIC "${flags[@]}" "$samples/plugin-c/worms-eye.c" -o by-hand.so
   try "$epura" plugins check by-hand.so
 try $compiler -std=c++20 "${flags[@]}" "$samples/library/sheet.cpp" "${libraries[@]}" \
   -Wl,-rpath,"$(pkg-config --variable=libdir epura)" -o by-hand && same_drawing ./by-hand dxf
+
+# The module for Python, on this library.
+if [ -f "$(find "$scratch/prefix" -path '*/cmake/epura/_parts.py')" ]; then
+  try "$samples/../tests/pip.sh" --config-settings=installed="$scratch/prefix" --config-settings=build="$scratch/pip"
+else
+  complain "the classes of scenes for Python are not installed"
+fi
 exit $status

@@ -118,7 +118,8 @@ void Console::give_up_when_over() {
 }
 
 void Console::draw_line() {
-  const std::string line = progress_line(board_.standing(), terminal_width());
+  const Standing standing = board_.standing();
+  const std::string line = progress_line(standing, time_left_.at(standing), terminal_width());
   const std::lock_guard lock(printing_);
   const std::size_t rest = line_length_ > line.size() ? line_length_ - line.size() : 0;
   put("\r" + line + std::string(rest, ' '));

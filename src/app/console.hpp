@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/options.hpp"
+#include "app/progress_line.hpp"
 #include "base/progress.hpp"
 #include "pipeline/messages.hpp"
 
@@ -48,6 +49,7 @@ class Console {
   int signals_ = -1;  ///< descriptor that receives signals
   int end_ = -1;      ///< descriptor that ends the thread
   std::mutex printing_;
+  TimeLeft time_left_;           ///< used by the watcher alone
   std::size_t line_length_ = 0;  ///< length of the line on the screen
   std::thread watcher_;
 };

@@ -5,9 +5,11 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "app/run_epura.hpp"
 #include "app/skeleton.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/shared_library.hpp"
 #include "projection/loader.hpp"
 
 namespace epura {
@@ -20,7 +22,7 @@ constexpr auto next_steps = R"(NAME/NAME.cpp
 NAME/CMakeLists.txt
 
 NAME draws a military projection, as a start. To build, test and use it:
-  cmake -S NAME -B NAME/build && cmake --build NAME/build
+INSTALL  cmake -S NAME -B NAME/buildPREFIX && cmake --build NAME/build
   epura plugins check NAME/build/NAME.so
   epura draw MODEL --plugin-path NAME/build --projection NAME -o drawing.pdf
 )";
@@ -42,6 +44,25 @@ std::string type_name(const std::string& name) {
   return type;
 }
 
+// Where this epura is installed; empty if it runs in the folder where it was built, or without its headers.
+fs::path own_prefix() {
+  std::error_code error;
+  const bool has_package = fs::exists(own_folder().parent_path() / "cmake/epura/epura-config.cmake", error);
+  return has_package ? fs::read_symlink("/proc/self/exe", error).parent_path().parent_path() : fs::path();
+}
+
+// CMake looks into the folders of the system by itself.
+std::string next_steps_for(const std::string& name) {
+  const fs::path prefix = own_prefix();
+  const bool is_found = prefix == "/usr" || prefix == "/usr/local";
+  const std::string place = prefix.empty() ? "\"$HOME/.local\"" : for_shell(prefix.string());
+  const std::string install = prefix.empty() ? "  cmake --install BUILD --prefix " + place +
+                                                   "   # BUILD: where this epura was built, without its headers\n"
+                                             : "";
+  const std::string text = replaced(next_steps, "NAME", name);
+  return replaced(replaced(text, "INSTALL", install), "PREFIX", is_found ? "" : " -DCMAKE_PREFIX_PATH=" + place);
+}
+
 std::string renamed(const char* skeleton, const std::string& name) {
   return replaced(replaced(skeleton, "MilitaryProjection", type_name(name) + "Projection"), "military", name);
 }
@@ -60,7 +81,7 @@ int new_projection(const NewProjectionOptions& options) {
     throw Error(ErrorKind::output, name, "cannot create the folder: " + error.message());
   write_file(folder / (name + ".cpp"), renamed(skeleton_source, name));
   write_file(folder / "CMakeLists.txt", renamed(skeleton_build, name));
-  std::fputs(replaced(next_steps, "NAME", name).c_str(), stdout);
+  std::fputs(next_steps_for(name).c_str(), stdout);
   return 0;
 }
 

@@ -28,7 +28,20 @@ std::string clock_text(double seconds) {
   return std::to_string(minutes / 60) + ":" + two_digits(minutes % 60) + ":" + two_digits(whole % 60);
 }
 
-std::string progress_line(const Standing& standing, std::size_t width) {
+std::optional<double> TimeLeft::at(const Standing& standing) {
+  if (standing.stage != stage_ || standing.done < done_) {
+    stage_ = standing.stage;
+    end_.reset();
+  } else if (standing.done == done_ && end_) {
+    return *end_ > standing.seconds ? std::optional(*end_ - standing.seconds) : std::nullopt;
+  }
+  done_ = standing.done;
+  const std::optional<double> left = seconds_left(standing);
+  if (left) end_ = std::min(end_.value_or(HUGE_VAL), standing.seconds + *left);
+  return left && *end_ >= standing.seconds ? std::optional(*end_ - standing.seconds) : std::nullopt;
+}
+
+std::string progress_line(const Standing& standing, std::optional<double> seconds_left, std::size_t width) {
   std::string name = standing.stage;
   name.resize(std::max(name.size(), name_width), ' ');
   std::string line = "epura: " + name;
@@ -38,7 +51,7 @@ std::string progress_line(const Standing& standing, std::size_t width) {
     const double part = std::min(static_cast<double>(standing.done) / static_cast<double>(standing.work), 1.0);
     const std::string percent = std::to_string(static_cast<int>(100 * part));
     line += bar(part) + std::string(4 - percent.size(), ' ') + percent + " %";
-    if (const auto left = seconds_left(standing)) line += "  " + clock_text(*left) + " left";
+    if (seconds_left) line += "  " + clock_text(*seconds_left) + " left";
   }
   return line.substr(0, width);
 }
