@@ -4,9 +4,11 @@
     pip install --no-build-isolation .                      # builds in build/pip
     pip install . --config-settings=build=FOLDER            # in another folder
     pip install . --config-settings=cmake=-DEPURA_WERROR=ON # with other options of CMake, separated by blanks
+    pip install . --config-settings=installed=PREFIX        # on the epura that is installed there; no: on none
 
-The wheel has the library, the projections and the importers beside the module. `build_backend.py FOLDER` writes the
-metadata of an installed package, for CMake.
+On an installed epura of this version, that of the program in PATH unless another one is named, only the module is built:
+half a minute. Otherwise the wheel has the library, the projections and the importers beside the module.
+`build_backend.py FOLDER` writes the metadata of an installed package, for CMake.
 """
 from __future__ import annotations
 
@@ -65,18 +67,46 @@ def _tag() -> str:
     return f"{python}-{python}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
 
 
+def _package_in(prefix: Path) -> Optional[Path]:
+    """The folder of the CMake package of an epura of this version, with what the module is built from."""
+    for parts in sorted(prefix.glob("lib*/cmake/epura/_parts.py")) + sorted(prefix.glob("lib/*/cmake/epura/_parts.py")):
+        version = parts.with_name("epura-config-version.cmake")
+        if version.exists() and f'set(PACKAGE_VERSION "{_project()["version"]}")' in version.read_text("utf-8"):
+            return parts.parent
+    return None
+
+
+def _installed(settings: Dict[str, Any]) -> Optional[Path]:
+    """The package of the installed epura on which the module is to be built."""
+    wanted = settings.get("installed", "")
+    if wanted == "no":
+        return None
+    program = shutil.which("epura")
+    prefix = Path(wanted) if wanted else Path(program).resolve().parent.parent if program else None
+    package = _package_in(prefix) if prefix else None
+    if wanted and package is None:
+        raise SystemExit(f"epura: no epura {_project()['version']} with its headers is installed in {wanted}")
+    return package
+
+
 def _install(stage: Path, settings: Dict[str, Any]) -> None:
     """Builds, and installs what a wheel contains."""
-    build = Path(settings.get("build", ROOT / "build" / "pip")).resolve()
+    package = _installed(settings)
+    build = Path(settings.get("build", ROOT / "build" / ("pip" if package is None else "pip-module"))).resolve()
     launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
     options = settings.get("cmake", "").split()
-    subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", *launcher, *options,
-                    "-DEPURA_TESTS=OFF", "-DEPURA_DEBIAN=OFF", f"-DEPURA_PYTHON={sys.executable}",
-                    "-DEPURA_PYTHON_FOLDER=.", f"-DCMAKE_INSTALL_PREFIX={stage}", "-DCMAKE_INSTALL_LIBDIR=epura/lib",
-                    "-DCMAKE_INSTALL_BINDIR=epura/bin", "-DCMAKE_INSTALL_DATADIR=epura/share",
-                    "-DCMAKE_INSTALL_DOCDIR=epura/share/doc", "-DCMAKE_INSTALL_MANDIR=epura/share/man"], check=True)
+    common = ["-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", *launcher, *options,
+              f"-DEPURA_PYTHON={sys.executable}", "-DEPURA_PYTHON_FOLDER=.", f"-DCMAKE_INSTALL_PREFIX={stage}"]
+    if package is None:
+        subprocess.run(["cmake", "-S", ROOT, *common, "-DEPURA_TESTS=OFF", "-DEPURA_DEBIAN=OFF",
+                        "-DCMAKE_INSTALL_LIBDIR=epura/lib", "-DCMAKE_INSTALL_BINDIR=epura/bin",
+                        "-DCMAKE_INSTALL_DATADIR=epura/share", "-DCMAKE_INSTALL_DOCDIR=epura/share/doc",
+                        "-DCMAKE_INSTALL_MANDIR=epura/share/man"], check=True)
+    else:
+        print(f"epura: the module is built on the epura of {package}; --config-settings=installed=no builds all anew")
+        subprocess.run(["cmake", "-S", ROOT / "python", *common, f"-Depura_DIR={package}"], check=True)
     subprocess.run(["cmake", "--build", build], check=True)
-    for component in COMPONENTS:
+    for component in COMPONENTS if package is None else ("python",):
         subprocess.run(["cmake", "--install", build, "--component", component, "--strip"], check=True)
     if not (stage / "epura" / "__init__.py").exists():
         raise SystemExit("epura: the module was not built: install pybind11-dev and python3-dev, then try again")

@@ -118,12 +118,20 @@ bool append_class(std::string& module, const SceneSection& section) {
   return is_sound;
 }
 
+void append_title_fields(std::string& module, const SceneSection& section) {
+  module += "\n#: The known fields of the title block.\nTITLE_FIELDS = (";
+  for (const OptionInfo& key : section.keys) module += "\"" + key.key + "\", ";
+  module += ")\n";
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
   if (count != 2) return 2;
   std::string module = head;
   bool is_sound = true;
+  for (const SceneSection& section : epura::scene::scene_sections())
+    if (section.name == "title_block") append_title_fields(module, section);
   for (const SceneSection& section : epura::scene::scene_sections())
     if (section.name != "all_sheets" && section.name != "title_block")
       is_sound = append_class(module, section) && is_sound;

@@ -11,6 +11,7 @@ from . import _core
 from ._drawing import Drawing
 from ._errors import InputError
 from ._models import Model
+from ._options import Options, dimensions_of, parted, section_of
 from ._parts import Sheet, View
 from ._scene import Scene, described
 from ._values import fields_of
@@ -97,6 +98,11 @@ def draw(
     scale: Union[str, float, None] = None,
     title: Optional[str] = None,
     sheet: Union[Sheet, Mapping[str, Any], None] = None,
+    dimensions: Any = None,
+    arrangement: Optional[str] = None,
+    section: Any = None,
+    explode: Optional[float] = None,
+    parts_list: bool = False,
     contact: Optional[float] = None,
     wireframe: bool = False,
     centre_lines: bool = False,
@@ -110,12 +116,16 @@ def draw(
     allow_outside: bool = False,
     projections: Sequence[Any] = (),
     progress: Union[bool, Callable[[str, float], None], None] = None,
+    **options: Any,
 ) -> Drawing:
     """Draws a `Scene`, a scene file (.toml), or one model: whatever `Model` takes, or vertices (n, 3) with faces.
 
     Of one model: `projection` is its view, by default isometric, with `parameters` (`epura plugins NAME`); `views` are
     several instead. `hidden`: style of hidden lines; `size` of the paper, such as "A4"; `scale`: mm on paper per mm, or
-    "1:2"; `title`; `sheet`: other options of the sheet.
+    "1:2"; `title`; `sheet`: other options of the sheet; `dimensions`: "overall", "auto" or "hole-table", or a list, with
+    `arrangement`; `section` of a single view: "0,0,10:0,-1,0", or a Section; `explode`: a factor; `parts_list`; and all
+    options of `View`, `Sheet` and `Model`, and fields of the title block, by their names: `edges=["contour"]`,
+    `angle="third"`, `unit="in"`, `owner="Works"`.
 
     Of every drawing: `contact`: distance below which faces touch; `wireframe`: no hidden lines are removed;
     `max_error`: mm on paper by which lines may be off those of the part, with facets, arcs and decimals chosen for it;
@@ -128,7 +138,8 @@ def draw(
     Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt. Raises InputError, PluginError or TimeError.
     """
     of_one = {"projection": projection, "parameters": parameters, "views": views, "hidden": hidden, "size": size,
-              "scale": scale, "title": title, "sheet": sheet}
+              "scale": scale, "title": title, "sheet": sheet, "dimensions": dimensions, "arrangement": arrangement,
+              "section": section, "explode": explode, "parts_list": parts_list or None, **options}
     settings: Dict[str, Any] = {"wireframe": wireframe, "centre_lines": centre_lines, "error_note": error_note,
                                 "threads": threads, "allow_outside": allow_outside,
                                 "plugin_path": [os.fspath(folder) for folder in plugin_path]}
@@ -142,9 +153,19 @@ def draw(
     if scene_file:
         job = _core.begin_file(scene_file, settings, tables_of(projections))
     else:
-        scene = model if isinstance(model, Scene) else Scene(
-            models=[model if faces is None else Model(model, faces)],
-            views=_views_of(projection, parameters, views, hidden), sheets=_sheets_of(sheet, size, scale, title))
+        if isinstance(model, Scene):
+            scene = model
+        else:
+            parts = parted(options, [*(name for name in of_one if name not in options), *settings])
+            scene = Scene(models=[_model_of(model, faces, parts)],
+                          views=_views_of(projection, parameters, views, {"hidden": hidden, **parts.view}),
+                          sheets=_sheets_of(sheet, {"size": size, "scale": scale, **parts.sheet},
+                                            {"title": title, **parts.title_block}),
+                          dimensions=dimensions_of(dimensions, arrangement),
+                          explosions=[] if explode is None else [{"factor": explode}],
+                          parts_list={} if parts_list else None)
+            if section is not None:
+                _cut(scene, section)
         value, sources, classes = described(scene)
         job = _core.begin(value, sources, settings, tables_of([*projections, *classes]))
     bar = _bar() if progress is True else None
@@ -155,26 +176,52 @@ def draw(
             bar.close()
 
 
+def _model_of(model: Any, faces: Any, parts: Options) -> Any:
+    if not parts.model:
+        return model if faces is None else Model(model, faces)
+    if isinstance(model, (Model, Mapping)):
+        name = next(iter(parts.model))
+        raise InputError(f"{name}: given with a model that has options", name, "give it to the model")
+    return Model(model, faces, **parts.model)
+
+
+def _given(values: Mapping[str, Any]) -> Dict[str, Any]:
+    return {key: value for key, value in values.items() if value is not None}
+
+
 def _views_of(projection: Any, parameters: Optional[Mapping[str, Any]], views: Optional[Sequence[Any]],
-              hidden: Any) -> List[Any]:
+              options: Mapping[str, Any]) -> List[Any]:
+    given = _given(options)
     if views is None:
         name = "isometric" if projection is None else projection
-        return [View({"name": name, **parameters} if parameters else name, hidden=hidden)]
-    for given, value in (("projection", projection), ("parameters", parameters)):
+        return [View({"name": name, **parameters} if parameters else name, **given)]
+    for option, value in (("projection", projection), ("parameters", parameters)):
         if value is not None:
-            raise InputError(f"{given}: given with views", given, "give it to one of the views")
-    several: List[Any] = [views] if isinstance(views, str) else list(views)
-    if hidden is not None and any(isinstance(view, (View, Mapping)) for view in several):
-        raise InputError("hidden: given with a view", "hidden", "give it to the view")
-    return several if hidden is None else [View(view, hidden=hidden) for view in several]
+            raise InputError(f"{option}: given with views", option, "give it to one of the views")
+    several: List[Any] = views.split(",") if isinstance(views, str) else list(views)
+    if given and any(isinstance(view, (View, Mapping)) for view in several):
+        name = next(iter(given))
+        raise InputError(f"{name}: given with a view", name, "give it to the view")
+    return [View(view, **given) for view in several] if given else several
 
 
-def _sheets_of(sheet: Union[Sheet, Mapping[str, Any], None], size: Optional[str], scale: Union[str, float, None],
-               title: Optional[str]) -> List[Mapping[str, Any]]:
+def _cut(scene: Scene, section: Any) -> None:
+    """As `--section`: of a single view."""
+    if len(scene.views) != 1:
+        raise InputError("section: given with several views", "section",
+                         'write it to one of them, "front:section=y@20", or draw an epura.Scene')
+    cut = section_of(section)
+    view = scene.views[0]
+    values = dict(fields_of(view) if isinstance(view, View) else view if isinstance(view, Mapping) else
+                  {"projection": view})
+    scene.sections, scene.views = [cut], [{**values, "section": cut["name"]}]
+
+
+def _sheets_of(sheet: Union[Sheet, Mapping[str, Any], None], options: Mapping[str, Any],
+               fields: Mapping[str, Any]) -> List[Mapping[str, Any]]:
     if not isinstance(sheet, (Sheet, Mapping, type(None))):
         raise InputError(f"sheet: is {sheet!r}", "sheet", 'give an epura.Sheet; size="A4" sets the size alone')
-    values = dict(fields_of(sheet) if isinstance(sheet, Sheet) else sheet or {})
-    values.update({key: value for key, value in (("size", size), ("scale", scale)) if value is not None})
-    if title is not None:
-        values["title_block"] = {**values.get("title_block", {}), "title": title}
+    values = {**(fields_of(sheet) if isinstance(sheet, Sheet) else sheet or {}), **_given(options)}
+    if _given(fields):
+        values["title_block"] = {**values.get("title_block", {}), **_given(fields)}
     return [values] if values else []

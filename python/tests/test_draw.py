@@ -86,6 +86,41 @@ def test_errors_have_place_and_hint(call, kind, place):
     assert caught.value.place == place and caught.value.hint and caught.value.hint in str(caught.value)
 
 
+@pytest.mark.parametrize("words, options", [
+    (["--views", "front,top", "--dimensions", "auto", "--third-angle", "--owner", "Works", "--scale", "1:2"],
+     {"views": ["front", "top"], "dimensions": "auto", "angle": "third", "owner": "Works", "scale": "1:2"}),
+    (["--projection", "front", "--section", "0,0,5:0,-1,0", "--hatch", "steel"],
+     {"projection": "front", "section": "0,0,5:0,-1,0", "hatch": "steel"}),
+    (["--edges", "contour", "--unit", "in", "--frame", "plain"],
+     {"edges": ["contour"], "unit": "in", "frame": "plain"}),
+    (["--views", "front,top", "--dimensions", "hole-table", "--parts-list"],
+     {"views": "front,top", "dimensions": "hole-table", "parts_list": True}),
+    (["--projection", "front", "--dimensions", "auto", "--arrangement", "chain", "--explode", "1"],
+     {"projection": "front", "dimensions": "auto", "arrangement": "chain", "explode": 1})])
+def test_options_are_those_of_the_program(tmp_path, words, options):
+    model = SAMPLES / "models" / "flange.obj"
+    by_program = tmp_path / "program.svg"
+    subprocess.run([os.environ["EPURA_PROGRAM"], "draw", model, *words, "-o", by_program], check=True, capture_output=True)
+    epura.draw(model, **options).save(tmp_path / "module.svg")
+    assert (tmp_path / "module.svg").read_bytes() == by_program.read_bytes()
+
+
+def test_a_misspelt_option_is_told_with_the_known_ones():
+    with pytest.raises(epura.InputError) as near:
+        epura.draw(VERTICES, FACES, dimension="auto")
+    assert near.value.place == "dimension" and near.value.hint == "did you mean 'dimensions'?"
+    with pytest.raises(epura.InputError, match="known are .*edges.*owner.*unit"):
+        epura.draw(VERTICES, FACES, zzzzzz=1)
+    for options in ({"dimensions": "all"}, {"section": "y"}, {"views": ["front", "top"], "section": "0,0,0:0,-1,0"},
+                    {"arrangement": "chain"}):
+        with pytest.raises(epura.InputError) as wrong:
+            epura.draw(VERTICES, FACES, **options)
+        assert wrong.value.place in options and wrong.value.hint
+    with pytest.raises(epura.InputError) as with_scene:
+        epura.draw(epura.Scene(models=[epura.Model(VERTICES, FACES)]), edges=["contour"])
+    assert with_scene.value.place == "edges"
+
+
 def test_an_unknown_projection_and_a_missing_file():
     with pytest.raises(epura.Error, match="isometrik"):
         epura.draw(VERTICES, FACES, projection="isometrik")
