@@ -29,8 +29,9 @@ constexpr double cost_of_alignment = 1.9;
 
 // Returns the largest scale at which `fits` holds, if it holds at some scale that is not much less than `max`.
 std::optional<double> largest_that(double max, bool standard, const std::function<bool(double)>& fits) {
+  // What stands around the views, such as their dimensions, may leave no room at any scale.
+  if (!(max > 0)) return std::nullopt;
   double fitting = standard ? standard_scale_up_to(max) : max;
-  if (!(fitting > 0)) return std::nullopt;
   double too_large = fitting;
   for (int i = 0; !fits(fitting); ++i) {
     if (i == most_halvings) return std::nullopt;

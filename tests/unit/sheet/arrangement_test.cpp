@@ -254,6 +254,18 @@ TEST(Arrangement, ViewsWithoutExtentAndOfExtremeSizeFindAPlace) {
   }
 }
 
+// Dimensions around a view can take all of the paper, whatever the scale of the view.
+TEST(Arrangement, ViewsWithoutRoomAtAnyScaleAreBeyondTheSheet) {
+  std::vector<sheet::ViewToPlace> views = views_of_box({front, right});
+  views[0].before = {300, 0};
+  views[0].after = {300, 0};
+  for (const bool standard : {false, true}) {
+    const auto made = sheet::arrange(views, {std::nullopt, standard}, ProjectionAngle::first, a3());
+    EXPECT_FALSE(made.inside);
+    EXPECT_GT(made.scale, 0);
+  }
+}
+
 TEST(FreeRectangles, AreMaximal) {
   const sheet::Rectangle block[] = {{{60, 0}, {100, 20}}};
   const auto free = sheet::free_rectangles({{0, 0}, {100, 100}}, block);
