@@ -6,10 +6,12 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "sheet/dimensions/box_index.hpp"
 #include "sheet/furniture.hpp"
 
 namespace epura::sheet {
@@ -32,47 +34,46 @@ double reach_of(const drawing::Boundary& boundary, const Vec2& direction) {
   return reach;
 }
 
-bool is_near(const TurnedBox& box, const Rectangle& area) { return around(box).overlaps(area.grown(gap), -gap); }
-
-/// What letters must not touch, in the neighbourhood of one detail.
+/// What letters must not touch. All details share it: each may try some hundred places.
 class LetterObstacles {
  public:
-  LetterObstacles(const LetterRoom& room, const Rectangle& neighbourhood, const Lettering& lettering)
+  LetterObstacles(const LetterRoom& room, std::span<const Stroke> boundaries, const Lettering& lettering)
       : area_(room.area) {
-    for (const Layer& layer : room.drawn) add(layer, neighbourhood, lettering);
-    for (const TurnedBox& box : room.reserved)
-      if (is_near(box, neighbourhood)) boxes_.push_back(box);
+    for (const Layer& layer : room.drawn) {
+      for (const Stroke& stroke : layer.strokes) add(stroke);
+      Layer rest;
+      rest.fills = layer.fills;
+      rest.texts = layer.texts;
+      add(boxes_of(rest, lettering));
+    }
+    for (const Stroke& boundary : boundaries) add(boundary);
+    add(room.reserved);
   }
 
-  void add(const Stroke& stroke, const Rectangle& neighbourhood) {
-    const std::size_t count = stroke.points.size();
-    for (std::size_t i = stroke.closed ? 0 : 1; i < count; ++i) {
-      const TurnedBox line = line_box(stroke.points[(i + count - 1) % count], stroke.points[i]);
-      if (is_near(line, neighbourhood)) boxes_.push_back(line);
-    }
+  void add(std::span<const TurnedBox> boxes) {
+    boxes_.add(boxes);
+    count_ += static_cast<int>(boxes.size());
   }
 
   /// How many obstacles a letter would touch; being outside the area counts most.
-  [[nodiscard]] std::size_t touched_by(const TurnedBox& letter) const {
+  [[nodiscard]] int touched_by(const TurnedBox& letter) const {
     TurnedBox wide = letter;
     wide.half += gap;
-    const auto touched = static_cast<std::size_t>(
-        std::count_if(boxes_.begin(), boxes_.end(), [&](const TurnedBox& box) { return overlap(wide, box); }));
-    return touched + (area_.holds(around(letter)) ? 0 : boxes_.size() + 1);
+    return boxes_.overlaps(wide) + (area_.holds(around(letter)) ? 0 : count_ + 1);
   }
 
  private:
-  void add(const Layer& layer, const Rectangle& neighbourhood, const Lettering& lettering) {
-    for (const Stroke& stroke : layer.strokes) add(stroke, neighbourhood);
-    Layer rest;
-    rest.fills = layer.fills;
-    rest.texts = layer.texts;
-    for (const TurnedBox& box : boxes_of(rest, lettering))
-      if (is_near(box, neighbourhood)) boxes_.push_back(box);
+  void add(const Stroke& stroke) {
+    std::vector<TurnedBox> lines;
+    const std::size_t count = stroke.points.size();
+    for (std::size_t i = stroke.closed ? 0 : 1; i < count; ++i)
+      lines.push_back(line_box(stroke.points[(i + count - 1) % count], stroke.points[i]));
+    add(lines);
   }
 
   Rectangle area_;
-  std::vector<TurnedBox> boxes_;
+  BoxIndex boxes_{};
+  int count_ = 0;
 };
 
 struct LetterPlace {
@@ -92,11 +93,11 @@ LetterPlace place_at(const drawing::Boundary& boundary, int degrees, double lead
 // The nearest free place, or the one that touches least.
 LetterPlace best_place(const drawing::Boundary& boundary, const Vec2& half, const LetterObstacles& obstacles) {
   LetterPlace best = place_at(boundary, letter_directions[0], 0, half);
-  std::size_t touched = obstacles.touched_by(best.letter);
+  int touched = obstacles.touched_by(best.letter);
   for (double leader = 0; touched > 0 && leader <= longest_leader; leader += detail_leader_step)
     for (const int degrees : letter_directions) {
       const LetterPlace place = place_at(boundary, degrees, leader, half);
-      const std::size_t here = obstacles.touched_by(place.letter);
+      const int here = obstacles.touched_by(place.letter);
       if (here < touched) {
         best = place;
         touched = here;
@@ -126,19 +127,16 @@ Layer detail_marks(const std::string& view, std::span<const DetailMark> marks, c
   const double height = letter_widths * widths.narrow;
   std::vector<Stroke> boundaries;
   for (const DetailMark& mark : marks) boundaries.push_back(boundary_line(mark.boundary));
-  std::vector<TurnedBox> letters = room.reserved;
+  LetterObstacles obstacles(room, boundaries, lettering);
   for (const DetailMark& mark : marks) {
     const Vec2 half = Vec2(lettering.width(mark.name, height), height) / 2.0;
-    const Rectangle neighbourhood = box_of(mark.boundary).grown(longest_leader + 2 * (half.x + half.y));
-    LetterObstacles obstacles({room.area, room.drawn, letters}, neighbourhood, lettering);
-    for (const Stroke& boundary : boundaries) obstacles.add(boundary, neighbourhood);
     const LetterPlace place = best_place(mark.boundary, half, obstacles);
     if (place.leader > 0) {
       const Vec2 direction = glm::normalize(place.letter.centre - place.from);
       layer.strokes.push_back(line(place.from, place.from + place.leader * direction));
     }
     layer.texts.push_back({mark.name, place.letter.centre - Vec2(0, height / 2), height, 0, Align::middle, "detail"});
-    letters.push_back(place.letter);
+    obstacles.add({&place.letter, 1});
   }
   append(layer.strokes, std::move(boundaries));
   check(layer.texts.size() == marks.size() && layer.strokes.size() <= 2 * marks.size(),
