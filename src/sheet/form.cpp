@@ -102,13 +102,21 @@ struct Ray {
   Vec2 from, along;
 };
 
+using Shapes = std::vector<const svg::Shape*>;
+
+// Those with lines. They are listed once: a form can have as many texts as it has bytes for.
+Shapes stroked_shapes(const svg::Artwork& art) {
+  Shapes shapes;
+  for (const auto& item : art.items)
+    if (const auto* shape = std::get_if<svg::Shape>(&item); shape != nullptr && shape->stroke) shapes.push_back(shape);
+  return shapes;
+}
+
 // How far a ray runs before a line of the form crosses it.
-double free_length(const Ray& ray, const svg::Artwork& art) {
+double free_length(const Ray& ray, const Shapes& shapes) {
   double free = HUGE_VAL;
   const Vec2 across(-ray.along.y, ray.along.x);
-  for (const auto& item : art.items) {
-    const auto* shape = std::get_if<svg::Shape>(&item);
-    if (shape == nullptr || !shape->stroke) continue;
+  for (const svg::Shape* shape : shapes)
     for (const svg::Line& line : shape->lines)
       for (std::size_t i = 0; i + (line.closed ? 0 : 1) < line.points.size(); ++i) {
         const Vec2 a = line.points[i] - ray.from, b = line.points[(i + 1) % line.points.size()] - ray.from;
@@ -117,17 +125,16 @@ double free_length(const Ray& ray, const svg::Artwork& art) {
         const double at = glm::dot(a + before / (before - behind) * (b - a), ray.along) - shape->width / 2;
         if (at > 0) free = std::min(free, at);
       }
-  }
   return free;
 }
 
 // The longest text that fits at the place of a field, with a little air at its end.
-double room_of(const svg::Words& words, double height, const svg::Artwork& art) {
+double room_of(const svg::Words& words, double height, const Shapes& shapes) {
   constexpr double air = 1;
   const double angle = words.angle * std::numbers::pi / 180;
   const Vec2 along(portable_cos(angle), portable_sin(angle)), up(-along.y, along.x);
   const Vec2 from = words.at + height / 2 * up;
-  const double ahead = free_length({from, along}, art), behind = free_length({from, -along}, art);
+  const double ahead = free_length({from, along}, shapes), behind = free_length({from, -along}, shapes);
   switch (words.anchor) {
     case svg::TextAnchor::start:
       return ahead - air;
@@ -147,11 +154,11 @@ Align align_of(svg::TextAnchor anchor) {
 
 // In as many lines as it needs, the first at the place of the field.
 void add_field(LayerMaker& layers, DrawnForm& drawn, const svg::Words& words, const std::string& value,
-               const std::pair<const Form&, const Lettering&>& on) {
-  const std::string field = field_of(words);
-  const auto& [form, lettering] = on;
-  const double height = words.size / lettering.em(), room = room_of(words, height, form.art);
+               const std::pair<const Shapes&, const Lettering&>& on) {
   if (value.empty()) return;
+  const std::string field = field_of(words);
+  const auto& [shapes, lettering] = on;
+  const double height = words.size / lettering.em(), room = room_of(words, height, shapes);
   FittedText fitted{{value}, height, false};
   const bool fits = lettering.width(value, height) <= room;
   if (!fits && field == "number")
@@ -252,6 +259,7 @@ DrawnForm draw_form(const Form& form, const TitleBlock& block, const Lettering& 
   LayerMaker layers("sheet/template", scene::SheetLine::form);
   std::vector<std::string> fields = known_fields();
   for (const auto& [name, value] : block.fields) fields.push_back(form_name(name));
+  const Shapes shapes = stroked_shapes(form.art);
   for (const auto& item : form.art.items) {
     if (const auto* shape = std::get_if<svg::Shape>(&item)) {
       layers.add(*shape, 1, Vec2(0));
@@ -259,7 +267,7 @@ DrawnForm draw_form(const Form& form, const TitleBlock& block, const Lettering& 
     }
     const auto& words = std::get<svg::Words>(item);
     if (words.is_field || is_field(words.name, fields))
-      add_field(layers, drawn, words, value_in(block, field_of(words)), {form, lettering});
+      add_field(layers, drawn, words, value_in(block, field_of(words)), {shapes, lettering});
     else
       layers.add({words.text, words.at, words.size / lettering.em(), words.angle, align_of(words.anchor), "caption"},
                  words.colour);
