@@ -6,6 +6,7 @@
 
 #include "scene/body_styles.hpp"
 #include "scene/details.hpp"
+#include "world/expect_usable.hpp"
 
 namespace epura::pipeline {
 
@@ -39,6 +40,7 @@ ShownWorlds::ShownWorlds(world::World world, const scene::SceneDescription& scen
     ShownWorld shown;
     if (!moves.empty()) {
       world::ExplodedWorld exploded = world::explode_world(world, moves, names);
+      world::expect_usable(exploded.world);
       shown.world = std::move(exploded.world);
       shown.traces = std::move(exploded.traces);
     } else if (views.size() == 1) {
