@@ -159,7 +159,7 @@ scene::LeaderEnd end_of(const scene::CalloutDescription& callout, bool on_a_line
 std::string name_of(const scene::CalloutDescription& callout) { return std::visit(NameOf(), callout.content); }
 
 CalloutTargets find_targets(const world::World& world, const drawing::ViewDrawing& drawing,
-                            std::span<const ViewCallout> callouts) {
+                            std::span<const ViewCallout> callouts, bool is_partial) {
   CalloutTargets found;
   if (callouts.empty()) return found;
   std::vector<PagePoint> points;
@@ -175,7 +175,7 @@ CalloutTargets find_targets(const world::World& world, const drawing::ViewDrawin
     const Vec2 at = drawing.breaks.moved(points[i].at);
     const bool is_inside = at.x >= drawing.min.x && at.y >= drawing.min.y && at.x <= drawing.max.x &&
                            at.y <= drawing.max.y && drawing.breaks.keeps(points[i].at);
-    expect_shown(callouts[i], at, drawing, lines[i] || (depths[i] && is_inside));
+    if (!is_partial) expect_shown(callouts[i], at, drawing, lines[i] || (depths[i] && is_inside));
     sheet::CalloutTarget target{at, end_of(callouts[i].description, lines[i].has_value())};
     if (lines[i]) {
       const bool right = sides[2 * i].has_value(), left = sides[2 * i + 1].has_value();
@@ -183,8 +183,8 @@ CalloutTargets find_targets(const world::World& world, const drawing::ViewDrawin
       target.is_border = left != right;
       target.normal = target.is_border && is_enclosed(drawing, at, normal) ? -normal : normal;
     } else {
-      expect_line(callouts[i], drawing.name);
-      if (points[i].depth && !drawing.projection.central && *depths[i] > *points[i].depth + slack)
+      if (!is_partial) expect_line(callouts[i], drawing.name);
+      if (points[i].depth && !drawing.projection.central && depths[i] && *depths[i] > *points[i].depth + slack)
         found.warnings.push_back("in view '" + drawing.name + "', a face hides the point of " +
                                  name_of(callouts[i].description) + "\n  hint: choose a view or section that shows it");
     }

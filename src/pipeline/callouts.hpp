@@ -30,9 +30,9 @@ struct CalloutTargets {
 
 /// Where the leaders of a view end; by default with an arrow on a line and with a dot on a face. `world` is what the
 /// view shows. Throws Error{input} for points that the view does not show: outside of its bodies and lines, left out,
-/// or behind the viewer; and for datums that are not on a line.
+/// or behind the viewer; and for datums that are not on a line; but not in a partial view, which may lack that line.
 CalloutTargets find_targets(const world::World& world, const drawing::ViewDrawing& drawing,
-                            std::span<const ViewCallout> callouts);
+                            std::span<const ViewCallout> callouts, bool is_partial);
 
 /// The name of the view in which a callout with a leader or at a dimension stands.
 const std::string& view_of_callout(const scene::CalloutDescription& callout, const scene::SceneDescription& scene);

@@ -89,7 +89,8 @@ struct Run {
 
   double fineness = 1;  ///< of imported surfaces, as a multiple of what --max-error usually needs
   std::optional<world::FacetHeights> heights{};
-  bool declares_surfaces = false;  ///< all files have those of their parts
+  bool declares_surfaces = false;   ///< all files have those of their parts
+  std::string cut_before_sheets{};  ///< the first stage on the models that the time limit cut short
 
   void note(const ViewResult& result);
   void note(const FinishedSheet& sheet);
@@ -318,7 +319,8 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
     warn_if_empty(messages, results.back(), input);
     coarse.look(input, results.back().drawing, progress);
     note(results.back());
-    CalloutTargets found = find_targets(world(i), results.back().drawing, annotations[i].callouts);
+    CalloutTargets found =
+        find_targets(world(i), results.back().drawing, annotations[i].callouts, !results.back().partial.stages.empty());
     for (const std::string& warning : found.warnings) messages.warn(warning);
     targets.push_back(std::move(found.targets));
     if (annotations[i].balloons) items_seen[i] = seen_items(world(i), results.back().drawing, views.items);
@@ -338,7 +340,8 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
   gathered.answers += sheet.answers = std::move(answers_of_sheet);
   if (options.line_facts)
     for (std::size_t i = 0; i < sheet.drawings.size(); ++i) add_line_facts(sheet.sheet, sheet.drawings[i], world(i));
-  if (!partial.stages.empty()) mark_partial(sheet, partial.stages.front());
+  if (const std::string cut = partial.stages.empty() ? cut_before_sheets : partial.stages.front(); !cut.empty())
+    mark_partial(sheet, cut);
   gathered.report.partial.add(partial);
   if (!options.keeps_drawings) sheet.drawings = {};
   note(sheet);
@@ -532,6 +535,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   refers_to_models = refer_to_models(scene, world);
   if (refers_to_models) warn_of_unrecognised(messages, scene, world);
   find_heights(world);
+  if (!gathered.report.partial.stages.empty()) cut_before_sheets = gathered.report.partial.stages.front();
   watch.lap("features");
   const ShownWorlds worlds(std::move(world), scene, messages, progress);
   if (!scene.explosions.empty() || !worlds.surfaces().empty()) watch.lap("section");

@@ -180,7 +180,7 @@ class ViewRun {
   void find_clear_contours();
   void hide_folds();
   visibility::HiddenSpans hidden_in_time();
-  bool keep_longest(const std::string& stage);
+  bool keep_longest(const std::string& stage, std::size_t lines);
   drawing::ViewDrawing drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges, double least_crease,
                                 const Progress& progress) const;
   DrawnLines draw_lines(const view::PaperMap& paper);
@@ -279,8 +279,8 @@ void ViewRun::find_edges() {
 }
 
 // Leaves all but the longest edges undecided. Returns whether so few are left that they take negligible time.
-bool ViewRun::keep_longest(const std::string& stage) {
-  hidden_.undecided = visibility::all_but_longest(view_, drawn_.edges, fewer(drawn_.edges.size()));
+bool ViewRun::keep_longest(const std::string& stage, std::size_t lines) {
+  hidden_.undecided = visibility::all_but_longest(view_, drawn_.edges, lines);
   partial_.add_stage(stage);
   partial_.undecided += count_of(hidden_.undecided.size());
   visibility::keep_decided(drawn_, hidden_);
@@ -289,7 +289,8 @@ bool ViewRun::keep_longest(const std::string& stage) {
 
 visibility::HiddenSpans ViewRun::hidden_in_time() {
   int cuts = 0;
-  // After two failed attempts, it is the faces that take the time, and still fewer lines do not help.
+  // After two failed attempts, it is the faces that take the time, and fewer lines do not help there: so few are tested
+  // against all faces that there is always something to show.
   const auto is_direct = [&] { return cuts == 2; };
   const auto make = [&](const Progress& progress) {
     return is_direct() ? visibility::find_hidden_directly(input_.world, view_, drawn_, progress)
@@ -299,8 +300,8 @@ visibility::HiddenSpans ViewRun::hidden_in_time() {
     if (is_direct()) throw OutOfTime{stage};
     ++cuts;
     hidden_ = visibility::nothing_hidden(drawn_);
-    keep_longest(stage);
-    return false;
+    keep_longest(stage, is_direct() ? few_lines : fewer(drawn_.edges.size()));
+    return is_direct();
   };
   try {
     return make_in_time(budget_.lines.with_part_of_the_time(part_for_hiding), budget_.last(), make, leave_out);
@@ -371,7 +372,7 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
       lines.curves = curves_of(options_, input_.world, lines.drawing, progress);
     return lines;
   };
-  const auto leave_out = [&](const std::string& stage) { return keep_longest(stage); };
+  const auto leave_out = [&](const std::string& stage) { return keep_longest(stage, fewer(drawn_.edges.size())); };
   DrawnLines lines = make_in_time(budget_.lines, budget_.last(), make, leave_out);
   double moved = 0;
   if (const CutSection* section = input_.section) {

@@ -18,8 +18,9 @@ namespace epura::pipeline {
 
 namespace {
 
-// Fraction of the time left after reading.
-constexpr double part_for_faces = 0.25;
+// Fraction of the time left after reading. What comes later shows the longest lines if there is little time, but
+// without its faces a part is drawn as a mesh.
+constexpr double part_for_faces = 0.6;
 
 // Degrees.
 constexpr double flat = 0.005;
@@ -80,7 +81,7 @@ void recognise_parts(world::World& world, const scene::SceneDescription& scene, 
     if (is_new) wanted.emplace_back();
     wanted[known->second].push_back(model);
   }
-  progress.begin("recognising faces", wanted.size());
+  progress.begin(recognising_faces, wanted.size());
   const Progress limited = progress.with_part_of_the_time(part_for_faces);
   try {
     parallel_for(wanted.size(), 1, limited, [&](std::size_t begin, std::size_t end) {

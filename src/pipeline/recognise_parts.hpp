@@ -10,6 +10,9 @@
 
 namespace epura::pipeline {
 
+/// The name of the stage.
+inline constexpr const char* recognising_faces = "recognising faces";
+
 /// Recognises faces that the file does not declare, if requested and useful, and adds a step to the plan of the report.
 /// Models for which there is no time are drawn as meshes, and reported. The report also has the error of tessellation.
 void recognise_parts(world::World& world, const scene::SceneDescription& scene, const RunOptions& options,

@@ -137,6 +137,55 @@ TEST(StagesInTime, WithoutTimeForTheSearchTheLongestLinesAreTriedOnAllFaces) {
   for (const std::string& segment : shown) EXPECT_TRUE(whole.contains(segment)) << segment;
 }
 
+// The stages before hiding took all of the time, and more: a few lines take hardly any.
+TEST(StagesInTime, WithoutAnyTimeForHidingTheLongestLinesAreShown) {
+  const Folder folder;
+  const std::string model = folder.file("tangle.obj", tangle(400)), json = (folder / "x.json").string();
+  const std::vector<std::string> arguments{model, "-o", json, "--join-within", "0"};
+  draw_struck_at("", arguments);
+  const std::set<std::string> whole = segments_of(read_file(json));
+  bool struck = false;
+  const auto clock = [&](const std::string& stage, int) {
+    struck = struck || stage == "finding occluders";
+    return struck ? 1.06 * limit : 0;
+  };
+  const Drawn run = draw_by(clock, arguments);
+  EXPECT_EQ(run.error, "");
+  const std::set<std::string> shown = segments_of(read_file(json));
+  EXPECT_GE(shown.size(), 20U);
+  EXPECT_LT(shown.size(), whole.size());
+  for (const std::string& segment : shown) EXPECT_TRUE(whole.contains(segment)) << segment;
+}
+
+// No line is missing, but those of a part without its faces are others.
+TEST(StagesInTime, WithoutTimeForFacesTheSheetIsMarked) {
+  const Folder folder;
+  const std::string svg = (folder / "x.svg").string();
+  double now = 0;
+  const auto clock = [&](const std::string& stage, int look) {
+    if (stage == "recognising faces" && look > 1) now = 0.7 * limit;  // the first look is for what it may take
+    return now;
+  };
+  const Drawn run = draw_by(clock, {sample("shaft.obj"), "--views", "front,top", "-o", svg});
+  EXPECT_EQ(run.error, "");
+  EXPECT_EQ(run.stages, std::vector<std::string>{"recognising faces"});
+  EXPECT_TRUE(contains(read_file(svg), "-sheet-partial\" inkscape:groupmode"));
+}
+
+// The model is there, though the line at which a leader ends may be one of those that are left out.
+TEST(StagesInTime, NoNoteIsRefusedBecauseItsLineIsLeftOut) {
+  const Folder folder;
+  folder.file("tangle.obj", tangle(400));
+  std::string scene = "[[model]]\nfile = \"tangle.obj\"\n[[view]]\nprojection = \"front\"\n";
+  for (int vertex = 0; vertex < 40; ++vertex)
+    scene += "[[note]]\ntext = \"n\"\nto = [\"tangle\", " + std::to_string(vertex) + "]\n";
+  const std::string file = folder.file("scene.toml", scene), svg = (folder / "x.svg").string();
+  EXPECT_EQ(draw_struck_at("", {file, "-o", svg}).error, "");
+  const Drawn run = draw_struck_at("hiding lines", {file, "-o", svg});
+  EXPECT_EQ(run.error, "");
+  EXPECT_FALSE(run.stages.empty());
+}
+
 class StageBesideLines : public testing::TestWithParam<const char*> {};
 
 // Hatching, dimensions, tests and answers that there is no time for are left out; no line is.
