@@ -92,7 +92,7 @@ for _ in $(seq 300); do
 done
 [ -n "$task" ] || fail "the second node gets no task"
 kill -9 "$(cat d2.pid)" "$(ps -o ppid= -p "$task" | tr -d ' ')" "-$(ps -o pgid= -p "$task" | tr -d ' ')"
-for _ in $(seq 120); do
+for _ in $(seq 400); do
   [ -z "$(squeue -h 2>/dev/null)" ] && break
   # Slurm lets two minutes pass before it begins again.
   waiting=$(squeue -h -t pending -o %A 2>/dev/null)
