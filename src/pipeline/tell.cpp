@@ -45,7 +45,7 @@ std::string sentence_of_scale(const SheetPlan& plan) {
 
 void tell_of_scales(const Messages& messages, const SheetPlan& plan, const scene::SheetDescription& sheet,
                     const SheetOfViews& views) {
-  if (plan.chosen && plan.inside) messages.warn(sentence_of_scale(plan));
+  if (plan.chosen && plan.inside) messages.print(sentence_of_scale(plan) + "\n");
   if (sheet.size.value_or({}).kind == scene::PaperChoice::Kind::none) return;
   std::vector<double> chosen;
   const auto add = [&](const scene::Located<scene::ScaleChoice>& scale) {
