@@ -101,7 +101,7 @@ int lint(DrawOptions options) {
   if (options.lint_json != "-") {
     std::fputs(printed_findings(findings, options.lint_all).c_str(), stdout);
     std::fputs((hint_for_machines(drawn.report) + hint_of(drawn.report.views_to_add)).c_str(), stdout);
-    if (findings.empty()) std::fputs("every recognised size has one dimension, and none cross\n", stdout);
+    if (findings.empty()) std::fputs("no fault found in the sizes that are recognised; others are not checked\n", stdout);
   }
   const int code = exit_code_of(drawn);
   return code == 0 && !findings.empty() ? found_wrong_exit_code : code;
