@@ -33,10 +33,29 @@ std::string json_of(const report::Finding& finding) {
   return text + ", \"what\": " + output::json_string(finding.what) + "}";
 }
 
+std::string json_of(const report::SizeCount& count) {
+  return "{\"kind\": " + output::json_string(count.kind) + ", \"given\": " + std::to_string(count.given) +
+         ", \"all\": " + std::to_string(count.all) + "}";
+}
+
 std::string json_of(const report::Report& report) {
   const auto write = [](const report::Finding& finding) { return json_of(finding); };
   return "{\"epura_lint\": 1, \"findings\": " + output::json_lines(report.findings, write, "\n  ") +
+         ", \"sizes\": " + output::json_list(report.sizes, [](const report::SizeCount& one) { return json_of(one); }) +
          ", \"views_to_add\": " + output::json_list(report.views_to_add, output::json_string) + "}\n";
+}
+
+// "sizes: 53 of 56 plane faces, 12 of 12 holes; 3 have none"
+std::string sentence_of(const std::vector<report::SizeCount>& sizes) {
+  if (sizes.empty()) return "sizes: no faces are counted, only overall sizes and places of parts are checked\n";
+  std::string text;
+  int missing = 0;
+  for (const report::SizeCount& one : sizes) {
+    text += (text.empty() ? "" : ", ") + std::to_string(one.given) + " of " + std::to_string(one.all) + " " + one.kind;
+    missing += one.all - one.given;
+  }
+  if (missing > 0) text += "; " + std::to_string(missing) + (missing == 1 ? " has none" : " have none");
+  return "sizes: " + text + "\n";
 }
 
 // Of a machine, most sizes have no room.
@@ -101,10 +120,12 @@ int lint(DrawOptions options) {
   if (options.lint_json != "-") {
     std::fputs(printed_findings(findings, options.lint_all).c_str(), stdout);
     std::fputs((hint_for_machines(drawn.report) + hint_of(drawn.report.views_to_add)).c_str(), stdout);
-    if (findings.empty()) std::fputs("no fault found in the sizes that are recognised; others are not checked\n", stdout);
+    std::fputs(sentence_of(drawn.report.sizes).c_str(), stdout);
   }
   const int code = exit_code_of(drawn);
-  return code == 0 && !findings.empty() ? found_wrong_exit_code : code;
+  const bool lacks_any = std::any_of(drawn.report.sizes.begin(), drawn.report.sizes.end(),
+                                     [](const report::SizeCount& one) { return one.given < one.all; });
+  return code == 0 && (lacks_any || !findings.empty()) ? found_wrong_exit_code : code;
 }
 
 }  // namespace epura

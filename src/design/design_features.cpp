@@ -11,6 +11,7 @@
 #include "base/angle.hpp"
 #include "base/portable_math.hpp"
 #include "base/range.hpp"
+#include "design/cavities.hpp"
 #include "design/centred_features.hpp"
 #include "design/design_holes.hpp"
 #include "design/engraving.hpp"
@@ -28,7 +29,6 @@ namespace {
 
 using features::SurfaceKind;
 
-constexpr double beside = 1.002;         // relative to the radius of a hole or slot: within it
 constexpr double shortest_arc = 20;      // degrees
 constexpr double least_round = 180;      // degrees of a turn that slots may leave of a rounded edge
 constexpr double longest_chamfer = 0.5;  // relative to the radius
@@ -46,27 +46,6 @@ bool are_same_thread(const std::optional<DesignThread>& a, const std::optional<D
 double distance_from_line(const Vec3& point, const Vec3& on_line, const Vec3& axis) {
   return glm::length(glm::cross(point - on_line, axis));
 }
-
-/// The room inside a hole or slot: within `radius` of the segment between two points, along the axis.
-struct Cavity {
-  std::array<Vec3, 2> centres;
-  Vec3 axis;
-  double radius;
-  bool has_floor;  ///< a plane across its axis belongs to it
-
-  [[nodiscard]] bool holds(const Vec3& point) const {
-    const auto flat = [this](const Vec3& d) { return d - glm::dot(d, axis) * axis; };
-    const Vec3 d = flat(point - centres[0]), along = flat(centres[1] - centres[0]);
-    const double square = glm::dot(along, along);
-    const double t = square > 0 ? std::clamp(glm::dot(d, along) / square, 0.0, 1.0) : 0;
-    return glm::length(d - t * along) <= beside * radius;
-  }
-  /// Whether a plane face is part of its wall or floor.
-  [[nodiscard]] bool holds(const Vec3& normal, const std::vector<Vec3>& corners) const {
-    if (are_parallel(normal, axis) && !has_floor) return false;
-    return std::all_of(corners.begin(), corners.end(), [this](const Vec3& p) { return holds(p); });
-  }
-};
 
 /// Finds the features of one model.
 class PartReader {
@@ -91,23 +70,23 @@ class PartReader {
   }
 
   void add_levels(const DesignFeatures& found, std::vector<DesignLevel>& levels) const {
-    const std::vector<Cavity> cavities = cavities_of(found);
+    const std::vector<Cavity> cavities = cavities_of(found, model_);
     for (std::size_t f = 0; f < part_.faces.size(); ++f) {
       const features::PartSurface& surface = part_.faces[f].surface;
       const std::vector<Vec3>& corners = planes_[f].corners;
       if (corners.empty()) continue;
       const int axis = axis_along(surface.axis);
-      if (axis < 0 || is_inside(cavities, surface.axis, corners)) continue;
+      if (axis < 0 || cavity_around(cavities, surface.axis, corners)) continue;
       add_level(levels, {axis, surface.origin[axis], part_.faces[f].area, corners});
     }
   }
 
   void add_bevels(const DesignFeatures& found, std::vector<DesignBevel>& bevels) const {
-    const std::vector<Cavity> cavities = cavities_of(found);
+    const std::vector<Cavity> cavities = cavities_of(found, model_);
     for (std::size_t f = 0; f < part_.faces.size(); ++f) {
       const Vec3& normal = part_.faces[f].surface.axis;
       const std::vector<Vec3>& corners = planes_[f].corners;
-      if (corners.empty() || axis_along(normal) >= 0 || is_inside(cavities, normal, corners)) continue;
+      if (corners.empty() || axis_along(normal) >= 0 || cavity_around(cavities, normal, corners)) continue;
       for (int along = 0; along < 3; ++along)
         if (std::abs(normal[along]) <= parallel)
           if (const auto bevel = bevel_of(f, along)) bevels.push_back(*bevel);
@@ -143,11 +122,6 @@ class PartReader {
     return exact;
   }
 
-  static bool is_inside(const std::vector<Cavity>& cavities, const Vec3& normal, const std::vector<Vec3>& corners) {
-    return std::any_of(cavities.begin(), cavities.end(),
-                       [&](const Cavity& cavity) { return cavity.holds(normal, corners); });
-  }
-
   void add_level(std::vector<DesignLevel>& levels, DesignLevel level) const {
     const double slack = 1e-5 * glm::length(world_.box.size());
     const bool is_end = level.at <= box_.min[level.axis] + slack || level.at >= box_.max[level.axis] - slack;
@@ -159,19 +133,6 @@ class PartReader {
         return;
       }
     levels.push_back(std::move(level));
-  }
-
-  [[nodiscard]] std::vector<Cavity> cavities_of(const DesignFeatures& found) const {
-    std::vector<Cavity> cavities;
-    for (const DesignHole& hole : found.holes) {
-      double widest = hole.diameter;
-      if (hole.counterbore) widest = hole.counterbore->diameter;
-      if (hole.countersink) widest = hole.countersink->diameter;
-      if (hole.model == model_) cavities.push_back({{hole.mouth, hole.mouth}, hole.axis, widest / 2, true});
-    }
-    for (const DesignSlot& slot : found.slots)
-      if (slot.model == model_) cavities.push_back({slot.centres, slot.axis, slot.radius, false});
-    return cavities;
   }
 
   // The axis of the world to which a plane face through all these corners is perpendicular, other than `along`; -1 if
@@ -194,6 +155,7 @@ class PartReader {
     const auto [low, high] =
         std::minmax_element(corners.begin(), corners.end(), [b](const Vec3& p, const Vec3& q) { return p[b] < q[b]; });
     DesignBevel bevel{model_, along, {*low, *high}, {-1, -1}, part_.faces[face].area};
+    bevel.face = static_cast<int>(face);
     bevel.ends[1][along] = bevel.ends[0][along];
     for (const std::size_t end : {0U, 1U}) {
       std::vector<Vec3> edge;

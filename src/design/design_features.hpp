@@ -150,6 +150,7 @@ struct DesignBevel {
   std::array<int, 2> across;  ///< the axes of the world to which these are perpendicular
   double area;
   bool is_chamfer = false;  ///< of 45 degrees, at a corner
+  int face = -1;            ///< its number in the part
 
   /// The size of a chamfer along both axes.
   [[nodiscard]] double leg() const;

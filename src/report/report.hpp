@@ -79,6 +79,12 @@ struct Finding {
   std::string what;
 };
 
+/// How many faces or holes of the models have a size and a place on the sheets.
+struct SizeCount {
+  std::string kind;  ///< "plane faces"
+  int given, all;
+};
+
 struct Report {
   std::vector<mesh::MeshReport> meshes;
   std::vector<PlanStep> plan;
@@ -89,6 +95,7 @@ struct Report {
   std::optional<Tessellation> tessellation{};           ///< if round faces of a part are recognised
   std::vector<ViewError> errors{};                      ///< one for each view, if requested
   std::vector<Finding> findings{};                      ///< of the dimensions, if requested
+  std::vector<SizeCount> sizes{};                       ///< with findings
   std::vector<std::string> views_to_add{};              ///< projections that show what has no dimension, with findings
   bool cut_off = false;                                 ///< views extend beyond the paper
 };

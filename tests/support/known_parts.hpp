@@ -325,6 +325,7 @@ inline Loop stairs(int count) {
 struct KnownPart {
   std::string name, obj;
   std::vector<std::string> texts;  ///< all its dimensions
+  std::string lacks{};             ///< how lint counts what they leave open
 };
 
 // Four holes of different kinds.
@@ -466,6 +467,7 @@ inline std::string keyed_hub() {
 
 // Prisms along y over parts of circles.
 inline std::vector<KnownPart> interrupted_circles() {
+  const std::string no_sides_of_teeth = "sizes: 2 of 18 plane faces, 16 of 16 cylindrical faces; 16 have none\n";
   const double flat = std::acos(0.8) * 180 / std::numbers::pi, key = std::asin(0.3) * 180 / std::numbers::pi;
   Loop two_flats = arc_of(10, flat, 180 - flat), other = arc_of(10, 180 + flat, 360 - flat);
   two_flats.insert(two_flats.end(), other.begin(), other.end());
@@ -474,8 +476,8 @@ inline std::vector<KnownPart> interrupted_circles() {
   return {{"a flat", block(arc_of(10, flat, 360 - flat), 40), {"18", "⌀20", "40"}},
           {"two flats", block(two_flats, 40), {"16", "⌀20", "40"}},
           {"a keyway", block(keyed, 40), {"⌀20", "40", "6", "16.5"}},
-          {"teeth", block(teeth(8, 20, 15, 0), 40), {"⌀40", "40", "⌀30"}},
-          {"teeth beside the axes", block(teeth(8, 20, 15, 22.5), 40), {"⌀40", "40", "⌀30"}},
+          {"teeth", block(teeth(8, 20, 15, 0), 40), {"⌀40", "40", "⌀30"}, no_sides_of_teeth},
+          {"teeth beside the axes", block(teeth(8, 20, 15, 22.5), 40), {"⌀40", "40", "⌀30"}, no_sides_of_teeth},
           {"a keyed hub", keyed_hub(), {"⌀40", "8", "⌀20", "5.18", "33"}}};
 }
 

@@ -11,8 +11,10 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "design/tolerances.hpp"
+#include "sheet/dimensions/circle_size.hpp"
 #include "sheet/dimensions/cone_angles.hpp"
 #include "sheet/dimensions/equal_features.hpp"
+#include "sheet/dimensions/face_coverage.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/missing_views.hpp"
 #include "sheet/dimensions/place_chain.hpp"
@@ -32,20 +34,6 @@ constexpr double size_agrees = 2e-4;   // relative
 bool agree(double a, double b) { return std::abs(a - b) <= size_agrees * std::max(std::abs(a), std::abs(b)); }
 
 bool is_auxiliary(const std::string& text) { return !text.empty() && text.front() == '('; }
-
-/// A size of one feature, and how many dimensions give it.
-struct CircleSize {
-  std::string name;
-  std::string kind;             ///< its name without lengths
-  std::vector<double> lengths;  ///< in its name: equal ones may be rounded to different decimals
-  int model;
-  Vec3 centre, axis;
-  double radius;
-  bool anywhere;  ///< a dimension of any equal one counts: radii of fillets
-  bool needs_depth;
-  int equal = 0;  ///< number of its list of equal ones
-  int dimensions = 0;
-};
 
 class CoverageFinder {
  public:
@@ -68,7 +56,7 @@ class CoverageFinder {
     for (int axis = 0; axis < 3; ++axis) chains_[axis].list_open(axis, notation_, coverage_.undimensioned);
     for (const CircleSize& size : sizes_) {
       check(size.dimensions >= 0 && places_of(size) > 0, "a size is of one place or more");
-      if (size.dimensions == 0 && !given_elsewhere(size) && !is_in_table(size) && !is_given_by_equal(size, views))
+      if (!is_given(size, views))
         add_undimensioned(size.name, remedy_for(outward_axis(size), is_only_along(size), views));
       if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
     }
@@ -78,6 +66,7 @@ class CoverageFinder {
       if (widths_[i] > 1) coverage_.repeated.push_back(name);
     }
     add_uncheckable(views);
+    count_faces(views);
     merge(coverage_.undimensioned);
     merge(coverage_.repeated);
     return std::move(coverage_);
@@ -109,8 +98,12 @@ class CoverageFinder {
 
   void add_places() {
     const design::DesignFeatures& features = subject_.features;
-    for (const design::DesignHole& hole : features.holes)
+    for (const design::DesignHole& hole : features.holes) {
       add_place(hole.mouth, hole.axis, "hole ⌀" + length(hole.diameter));
+      if (world_axis(hole.axis) < 0)
+        coverage_.undimensioned.push_back("hole ⌀" + length(hole.diameter) +
+                                          ": position and angle, as its axis is parallel to none of the world");
+    }
     for (const design::DesignCylinder& cylinder : features.cylinders)
       add_place(cylinder.from, cylinder.axis, name_of(cylinder));
     for (const design::DesignSlot& slot : features.slots)
@@ -290,6 +283,10 @@ class CoverageFinder {
            });
   }
 
+  [[nodiscard]] bool is_given(const CircleSize& size, std::span<const DimensionsInView> views) const {
+    return size.dimensions > 0 || given_elsewhere(size) || is_in_table(size) || is_given_by_equal(size, views);
+  }
+
   // Whether an overall dimension is this diameter.
   [[nodiscard]] bool given_elsewhere(const CircleSize& size) const {
     return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const design::Extent& extent) {
@@ -373,15 +370,18 @@ class CoverageFinder {
     }
   }
 
+  [[nodiscard]] bool is_labelled(const design::DesignHole& hole) const {
+    return std::any_of(labels_.begin(), labels_.end(), [&](const WorldCircle& label) {
+      return glm::length(label.centre - hole.mouth) <= size_agrees * label.radius;
+    });
+  }
+
   // Whether a size is that of a pitch circle whose holes are in a table.
   [[nodiscard]] bool is_in_table(const CircleSize& size) const {
     return std::any_of(subject_.features.holes.begin(), subject_.features.holes.end(), [&](const auto& hole) {
       if (hole.pitch_circle < 0) return false;
       const design::DesignPitchCircle& circle = subject_.features.pitch_circles[std::size_t(hole.pitch_circle)];
-      const bool labelled = std::any_of(labels_.begin(), labels_.end(), [&](const WorldCircle& label) {
-        return glm::length(label.centre - hole.mouth) <= size_agrees * label.radius;
-      });
-      return labelled && is_at(size, {circle.centre, circle.axis, circle.radius, {}, true});
+      return is_labelled(hole) && is_at(size, {circle.centre, circle.axis, circle.radius, {}, true});
     });
   }
 
@@ -482,6 +482,44 @@ class CoverageFinder {
     });
   }
 
+  // Positions of holes are asked for along the axes of the world across theirs.
+  [[nodiscard]] bool is_placed(const design::DesignHole& hole) {
+    const int along = world_axis(hole.axis);
+    for (int axis = 0; axis < 3; ++axis)
+      if (axis != along && !chains_[axis].is_joined(hole.mouth[axis])) return false;
+    return along >= 0;
+  }
+
+  void count_faces(std::span<const DimensionsInView> views) {
+    GivenSizes given{[this](int axis, double at) { return chains_[axis].is_joined(at); },
+                     [this](const features::PartFace& face) { return has_doubly_curved(face); }};
+    const std::vector<design::DesignHole>& holes = subject_.features.holes;
+    int placed = 0;
+    for (std::size_t i = 0; i < sizes_.size(); ++i) {
+      const CircleSize& size = sizes_[i];
+      const bool is_hole = i < holes.size();  // the sizes of holes are the first
+      const bool has_size = is_given(size, views) || (is_hole && is_labelled(holes[i]));
+      given.circles.push_back({size.centre, size.axis, size.radius, has_size});
+      if (size.kind == "slot") given.slots.push_back(has_size);
+      if (!is_hole) continue;
+      given.holes.push_back(has_size);
+      if (has_size && is_placed(holes[i])) ++placed;
+      given.circles.push_back({size.centre, size.axis, holes[i].diameter / 2, has_size});
+      for (const auto& recess : {holes[i].counterbore, holes[i].countersink})
+        if (recess) given.circles.push_back({size.centre, size.axis, recess->diameter / 2, has_size});
+    }
+    check(given.holes.size() == holes.size(), "the sizes of holes are the first");
+    given.radii = radii_;
+    for (const SizedCircle& circle : given.circles)
+      if (circle.is_given) given.radii.push_back(circle.radius);
+    for (const int dimensions : widths_) given.hexagons.push_back(dimensions > 0);
+    FaceCoverage faces = cover_faces(subject_, given, notation_);
+    coverage_.counts = std::move(faces.counts);
+    if (!holes.empty()) coverage_.counts.push_back({"holes", placed, static_cast<int>(holes.size())});
+    std::vector<std::string>& open = coverage_.undimensioned;
+    open.insert(open.end(), faces.unaccounted.begin(), faces.unaccounted.end());
+  }
+
   // Spheres and tori, and models whose faces are others than those of their files.
   void add_uncheckable(std::span<const DimensionsInView> views) {
     for (std::size_t model = 0; model < subject_.world.models.size(); ++model) {
@@ -495,6 +533,17 @@ class CoverageFinder {
     }
   }
 
+  [[nodiscard]] bool has_doubly_curved(const features::PartFace& face) const {
+    const bool sphere = face.surface.kind == features::SurfaceKind::sphere;
+    const double radius = sphere ? face.surface.radius : face.surface.minor;
+    check(radius > 0, "a sphere or torus has a radius");
+    const auto is_it = [&](double r) {
+      return agree(r, radius) || are_written_alike(r, radius, notation_) ||
+             std::abs(r - radius) <= design::radius_doubt(face);
+    };
+    return std::any_of(radii_.begin(), radii_.end(), is_it) || (sphere && is_overall_sphere(face.surface));
+  }
+
   // Parts of a fillet around a corner belong to it: a dimension of its radius gives theirs.
   void add_doubly_curved(const world::PlacedPart& part, std::span<const DimensionsInView> views) {
     std::vector<features::PartSurface> seen;
@@ -503,14 +552,7 @@ class CoverageFinder {
       const bool sphere = surface.kind == features::SurfaceKind::sphere;
       if (!sphere && surface.kind != features::SurfaceKind::torus) continue;
       const auto same = [&](const features::PartSurface& other) { return features::are_one(other, surface); };
-      const double radius = sphere ? surface.radius : surface.minor;
-      check(radius > 0, "a sphere or torus has a radius");
-      const auto is_it = [&](double r) {
-        return agree(r, radius) || are_written_alike(r, radius, notation_) ||
-               std::abs(r - radius) <= design::radius_doubt(face);
-      };
-      const bool is_given = std::any_of(radii_.begin(), radii_.end(), is_it);
-      if (is_given || std::any_of(seen.begin(), seen.end(), same) || (sphere && is_overall_sphere(surface))) continue;
+      if (has_doubly_curved(face) || std::any_of(seen.begin(), seen.end(), same)) continue;
       seen.push_back(surface);
       if (sphere)
         add_undimensioned("sphere SR" + length(surface.radius), {});

@@ -40,6 +40,12 @@ void PlaceChain::join_row(double from, double to, int parts) {
   for (int i = 0; i < parts; ++i) join_by_length(from + (to - from) * i / parts, from + (to - from) * (i + 1) / parts);
 }
 
+bool PlaceChain::is_joined(double at) {
+  const int i = index_of(at);
+  return i >= 0 && sets_.root(i) == sets_.root(index_of(extent_.from)) &&
+         sets_.root(i) == sets_.root(index_of(extent_.to));
+}
+
 void PlaceChain::list_open(int axis, const Notation& notation, std::vector<std::string>& open) {
   const int root = sets_.root(index_of(extent_.from));
   const std::string along = axis_names[static_cast<std::size_t>(axis)];

@@ -33,6 +33,9 @@ class PlaceChain {
   /// Joins the places that divide a length equally.
   void join_row(double from, double to, int parts);
 
+  /// Whether dimensions join a place to both ends of the models.
+  [[nodiscard]] bool is_joined(double at);
+
   /// Adds the places that nothing joins to the ends of the models.
   void list_open(int axis, const Notation& notation, std::vector<std::string>& open);
 
