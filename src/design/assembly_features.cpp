@@ -8,21 +8,21 @@
 #include <map>
 #include <utility>
 
+#include "design/tolerances.hpp"
+#include "world/explosion_order.hpp"
+
 namespace epura::design {
 
 namespace {
 
-constexpr double least_part = 0.01;              // of the diagonal of the assembly
-constexpr double parallel_axes = 1e-4;           // sine
-constexpr double off_axis = 0.1;                 // between the axes of a hole and what is in it, in radii of the hole
-constexpr double loosest = 0.5, tightest = 1.3;  // radius of what is in a hole: with play, or in a tapped one
-constexpr double looks_into = 2;                 // diameters of a hole without a certain depth
+constexpr double least_part = 0.01;  // of the diagonal of the assembly
+constexpr double off_axis = 0.1;     // between the axes of a hole and what is in it, in radii of the hole
+constexpr double looks_into = 2;     // diameters of a hole without a certain depth
 
 // Whether a shaft, such as that of a bolt, is in a hole.
 bool is_filled_by(const DesignHole& hole, const DesignCylinder& shaft) {
-  const double radius = hole.diameter / 2, play = shaft.radius / radius;
-  if (shaft.inwards || play < loosest || play > tightest) return false;
-  if (glm::length(glm::cross(hole.axis, shaft.axis)) > parallel_axes) return false;
+  const double radius = hole.diameter / 2;
+  if (shaft.inwards || !world::may_be_in(shaft.radius, radius) || !are_parallel(hole.axis, shaft.axis)) return false;
   if (glm::length(glm::cross(shaft.from - hole.mouth, hole.axis)) > off_axis * radius) return false;
   const auto [low, high] =
       std::minmax({glm::dot(shaft.from - hole.mouth, hole.axis), glm::dot(shaft.to - hole.mouth, hole.axis)});

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double parallel_axes = 1e-4;           // sine
 constexpr double off_axis = 0.1;                 // between the axes of a pin and its hole, in radii of the pin
-constexpr double loosest = 0.5, tightest = 1.3;  // radius of a pin in its hole: with play, or in a tapped one
+constexpr double loosest = 0.5, tightest = 1.3;  // radius of a shaft, in radii of its hole
 constexpr double of_head = 1.15;                 // radius of a head, at least, in radii of its shank
 constexpr double near_end = 0.25;                // of the length of a pin: where its head is
 
@@ -70,8 +70,7 @@ std::vector<Cylinder> cylinders_of(const World& world) {
 // The part of a hole that a pin is in, as heights along the pin.
 std::optional<Interval> hole_around(const Cylinder& pin, const Cylinder& hole) {
   const features::PartSurface &inner = pin.face.surface, &outer = hole.face.surface;
-  const double play = inner.radius / outer.radius;
-  if (play < loosest || play > tightest) return std::nullopt;
+  if (!may_be_in(inner.radius, outer.radius)) return std::nullopt;
   if (glm::length(glm::cross(inner.axis, outer.axis)) > parallel_axes) return std::nullopt;
   if (glm::length(glm::cross(outer.origin - inner.origin, inner.axis)) > off_axis * inner.radius) return std::nullopt;
   Interval along;
@@ -236,6 +235,11 @@ class Order {
 };
 
 }  // namespace
+
+bool may_be_in(double shaft, double hole) {
+  const double play = shaft / hole;
+  return play >= loosest && play <= tightest;
+}
 
 void order_by_holes(const World& world, Bodies& bodies) {
   const auto is_outward = [](const MovedBody& body) { return body.factor > 0; };

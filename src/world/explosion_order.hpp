@@ -9,6 +9,9 @@
 
 namespace epura::world {
 
+/// Whether a shaft may be in a hole, by their radii: with play, or in a tapped one.
+bool may_be_in(double shaft, double hole);
+
 /// A body of a model, and its move in an exploded view.
 struct MovedBody {
   Box box{};
