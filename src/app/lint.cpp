@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <map>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,16 +46,19 @@ std::string json_of(const report::Report& report) {
          ", \"views_to_add\": " + output::json_list(report.views_to_add, output::json_string) + "}\n";
 }
 
+int missing_in(const std::vector<report::SizeCount>& sizes) {
+  return std::accumulate(sizes.begin(), sizes.end(), 0,
+                         [](int missing, const report::SizeCount& one) { return missing + one.all - one.given; });
+}
+
 // "sizes: 53 of 56 plane faces, 12 of 12 holes; 3 have none"
 std::string sentence_of(const std::vector<report::SizeCount>& sizes) {
   if (sizes.empty()) return "sizes: no faces are counted, only overall sizes and places of parts are checked\n";
   std::string text;
-  int missing = 0;
-  for (const report::SizeCount& one : sizes) {
+  for (const report::SizeCount& one : sizes)
     text += (text.empty() ? "" : ", ") + std::to_string(one.given) + " of " + std::to_string(one.all) + " " + one.kind;
-    missing += one.all - one.given;
-  }
-  if (missing > 0) text += "; " + std::to_string(missing) + (missing == 1 ? " has none" : " have none");
+  if (const int missing = missing_in(sizes); missing > 0)
+    text += "; " + std::to_string(missing) + (missing == 1 ? " has none" : " have none");
   return "sizes: " + text + "\n";
 }
 
@@ -123,9 +127,7 @@ int lint(DrawOptions options) {
     std::fputs(sentence_of(drawn.report.sizes).c_str(), stdout);
   }
   const int code = exit_code_of(drawn);
-  const bool lacks_any = std::any_of(drawn.report.sizes.begin(), drawn.report.sizes.end(),
-                                     [](const report::SizeCount& one) { return one.given < one.all; });
-  return code == 0 && (lacks_any || !findings.empty()) ? found_wrong_exit_code : code;
+  return code == 0 && (missing_in(drawn.report.sizes) > 0 || !findings.empty()) ? found_wrong_exit_code : code;
 }
 
 }  // namespace epura

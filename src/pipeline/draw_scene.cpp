@@ -498,9 +498,8 @@ FinishedSheet Run::draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views
       best = std::move(*other);
       if (*holes == HoleDimensions::notes)
         best.told.messages().warn(
-            "the sheet has no room for the table of the holes, which have dimensions instead\n  hint: use a larger "
-            "sheet "
-            "or a smaller scale");
+            "the sheet has no room for the table of the holes, which have dimensions instead\n"
+            "  hint: use a larger sheet or a smaller scale");
     }
   }
   best.told.tell(messages);

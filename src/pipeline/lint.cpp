@@ -90,7 +90,7 @@ void add_uncovered_sizes(report::Report& report, const world::World& world, cons
     findings.push_back({report::FindingKind::undimensioned, "", what});
   for (const sheet::DimensionsInView& view : views) find_cut_off(findings, scene, view);
   for (const std::string& what : coverage.repeated) findings.push_back({report::FindingKind::repeated, "", what});
-  for (const sheet::SizeCount& count : coverage.counts) report.sizes.push_back({count.kind, count.given, count.all});
+  report.sizes = std::move(coverage.counts);
   report.views_to_add = std::move(coverage.views_to_add);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "projection/projection.hpp"
+#include "report/report.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/automatic.hpp"
 #include "sheet/notation.hpp"
@@ -22,14 +23,8 @@ struct DimensionsInView {
   std::optional<Vec3> turned_about{};  ///< of an aligned section: the direction in which lengths stay as they are
 };
 
-/// How many of one kind there are, and of how many dimensions give size and place.
-struct SizeCount {
-  std::string kind;  ///< "plane faces"
-  int given, all;
-};
-
 struct Coverage {
-  std::vector<SizeCount> counts;  ///< of kinds that there are
+  std::vector<report::SizeCount> counts;  ///< of kinds that there are
   std::vector<std::string> undimensioned;
   std::vector<std::string> repeated;
   std::vector<std::string> views_to_add;  ///< each once: they show what no view shows

@@ -28,8 +28,8 @@ struct GivenSizes {
 
 /// What is known of all faces but free forms and walls of letters.
 struct FaceCoverage {
-  std::vector<SizeCount> counts;         ///< of kinds that there are
-  std::vector<std::string> unaccounted;  ///< faces without a size that belong to no feature which would be missed
+  std::vector<report::SizeCount> counts;  ///< of kinds that there are
+  std::vector<std::string> unaccounted;   ///< faces without a size that belong to no feature which would be missed
 };
 
 /// None for an assembly, whose drawing gives the places of its parts alone.
