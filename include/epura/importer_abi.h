@@ -109,6 +109,10 @@ typedef struct epura_sink {
   /* The colour of what began last: a node, a body, or a shape and those of its bodies that have none. That of a node
    * takes precedence over all below it. sRGB, each from 0 to 1. */
   int (*colour)(void* host, double red, double green, double blue);
+  /* The distance between neighbouring values of coordinates of the current shape, in its own units: of a mesh that is
+   * quantised to integers, or printed with few decimals. The greatest one counts. If it is not called, the coordinates
+   * themselves tell. */
+  int (*step)(void* host, double distance);
 } epura_sink;
 
 /* The file to read, and the required precision. */

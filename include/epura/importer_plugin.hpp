@@ -101,6 +101,10 @@ class Sink {
     if (sink_.size >= offsetof(epura_sink, colour) + sizeof sink_.colour)
       expect(sink_.colour(sink_.host, red, green, blue));
   }
+  /// Of coordinates of the current shape. Older hosts ignore it.
+  void step(double distance) {
+    if (sink_.size >= offsetof(epura_sink, step) + sizeof sink_.step) expect(sink_.step(sink_.host, distance));
+  }
   void note(const std::string& sentence) { expect(sink_.note(sink_.host, sentence.c_str())); }
   void progress(double done) { expect(sink_.progress(sink_.host, done)); }
 

@@ -57,6 +57,7 @@ class Copying {
     own.origin = all_.origin;
     own.scale = all_.scale;
     own.tolerance = all_.tolerance;
+    own.slack = all_.slack;
     own.first_triangle = own.first_vertex = {0};
     const auto vertex = [&](int v) {
       if (std::exchange(owner_[v], owner) != owner) {

@@ -25,6 +25,10 @@ constexpr double least_tolerance = 3e-7;
 // Number of roundings by which a vertex may lie off its surface: three coordinates, and those of its neighbours in the
 // fit.
 constexpr double roundings = 4;
+// Of a grid to whose points vertices were moved, in steps.
+constexpr double half_diagonal = 0.866;
+// CAD kernels leave vertices farther off than rounding does; on a grid, its step is all there is.
+constexpr double usual_slack = 4, grid_slack = 2;
 
 bool is_before(const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
@@ -70,9 +74,12 @@ void read_triangles(const mesh::Mesh& mesh, Facets& f) {
   f.scale = size > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(size), -1000, 1000)) : 1;
   for (Vec3& p : f.points) p = (p - f.origin) * f.scale;
   begin_at_first_corners(f);
-  const double rounding = std::max(farthest * (mesh.report.single_precision ? 0x1p-24 : 0x1p-51),
-                                   std::max(mesh.report.resolution / 2, mesh.report.weld_distance));
-  f.tolerance = std::max(roundings * rounding, least_tolerance * size) * f.scale;
+  const double rounding =
+      std::max(farthest * (mesh.report.single_precision ? 0x1p-24 : 0x1p-51), mesh.report.weld_distance);
+  const double by_rounding = std::max(roundings * rounding, least_tolerance * size);
+  const double by_grid = half_diagonal * mesh.report.resolution;
+  f.tolerance = std::max(by_rounding, by_grid) * f.scale;
+  f.slack = by_grid > by_rounding ? grid_slack : usual_slack;
 }
 
 // The triangle on the other side of an edge, of the same body if several touch there; -1 if there is none, or more.

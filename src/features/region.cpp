@@ -45,7 +45,7 @@ double angle_of_cosine(double cosine) { return std::sqrt(std::max(0.0, 2 * (1 - 
 }  // namespace
 
 double allowance_of(const Facets& facets, double sagitta) {
-  return std::clamp(sagitta / 64, 4 * facets.tolerance, 16 * facets.tolerance);
+  return std::clamp(sagitta / 64, facets.slack * facets.tolerance, 16 * facets.tolerance);
 }
 
 namespace {
@@ -349,7 +349,7 @@ std::optional<Region> RegionGrower::grow(const PartSurface& beginning, std::span
     if (region.residual > allowance_of(facets_, region.sagitta)) return std::nullopt;
   }
   // A surface is distinguishable from the polyhedron only where the two differ.
-  if (region.residual > allowance_of(facets_, region.sagitta) || region.sagitta < 4 * region.residual)
+  if (region.residual > allowance_of(facets_, region.sagitta) || region.sagitta < facets_.slack * region.residual)
     return std::nullopt;
   if (region.surface.kind == SurfaceKind::cone) prefer_cylinder(region);
   take_enclosed(region);

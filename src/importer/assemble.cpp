@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/vec.hpp"
+#include "mesh/resolution.hpp"
 
 namespace epura::importer {
 
@@ -37,6 +38,7 @@ class Assembler {
     result_.soup.notes = document_.notes;
     result_.soup.single_precision = document_.is_single_precision != 0;
     result_.soup.printed = document_.is_printed != 0;
+    find_steps();
     if (document_.nodes.empty()) {
       for (const Shape& shape : document_.shapes) {
         place(shape, Mat4(1), {shape.name, shape.name, static_cast<int>(result_.tree.size())}, no_colour);
@@ -55,6 +57,20 @@ class Assembler {
   }
 
  private:
+  // A program prints all shapes in one way, but quantises each by its own size. Surfaces of a part are exact.
+  void find_steps() {
+    mesh::Points all;
+    for (const Shape& shape : document_.shapes)
+      if (document_.is_printed != 0) all.insert(all.end(), shape.points.begin(), shape.points.end());
+    const double of_all = mesh::resolution_of(all, false);
+    for (const Shape& shape : document_.shapes) {
+      const bool is_known = shape.step > 0 || document_.is_printed != 0 || !shape.faces.empty();
+      steps_.push_back(!is_known        ? mesh::resolution_of(shape.points, document_.is_single_precision != 0)
+                       : shape.step > 0 ? shape.step
+                                        : of_all);
+    }
+  }
+
   void place_nodes() {
     std::vector<Mat4> to_file;  // parents come before their children
     std::vector<int> colours;
@@ -132,7 +148,11 @@ class Assembler {
       const Vec3 at(to_file * Vec4(p[0], p[1], p[2], 1));
       result_.soup.points.push_back({at.x, at.y, at.z});
     }
-    add_polygons(shape, first_point, glm::determinant(Mat3(to_file)) < 0);
+    const Mat3 turn(to_file);
+    const double stretch = std::max({glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2])});
+    const double step = steps_[static_cast<std::size_t>(&shape - document_.shapes.data())];
+    result_.step = std::max(result_.step, step * stretch);
+    add_polygons(shape, first_point, glm::determinant(turn) < 0);
     add_wires_and_points(shape, first_point);
     add_bodies(shape, occurrence);
     add_colours(shape, colour);
@@ -215,6 +235,7 @@ class Assembler {
   }
 
   const Document& document_;
+  std::vector<double> steps_;  ///< of the coordinates of each shape
   Assembled result_;
 };
 

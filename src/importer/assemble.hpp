@@ -25,6 +25,7 @@ struct BodyPart {
 
 struct Assembled {
   mesh::Soup soup;
+  double step = 0;                   ///< distance between neighbouring values of coordinates; 0: they are not rounded
   std::vector<BodyPart> body_parts;  ///< by body name of the soup
   std::vector<TreePart> tree;
   /// Empty if some polygon belongs to no face: faces must then be recognised.

@@ -79,7 +79,7 @@ class Checker {
     expect("reads", called + " becomes a mesh", [&] {
       first = read(model);
       Assembled assembled = assemble(*first, importer_.table.name);
-      mesh::make_mesh(std::move(assembled.soup), model.string());
+      mesh::make_mesh(std::move(assembled.soup), model.string(), {}, assembled.step);
       return std::string();
     });
     if (!first) return;

@@ -2,6 +2,7 @@
 #include "importer/document.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "foreign/parameters.hpp"
 
@@ -30,7 +31,8 @@ bool is_kind(const features::PartSurface& face) {
 bool is_sound(const Shape& shape) {
   std::vector<int> edge_ends;
   for (const features::DeclaredEdge& edge : shape.edges) edge_ends.push_back(edge.end);
-  return are_within(shape.corners, 0, shape.points.size()) && are_ends(shape.polygon_ends, shape.corners.size()) &&
+  return std::isfinite(shape.step) && shape.step >= 0 && are_within(shape.corners, 0, shape.points.size()) &&
+         are_ends(shape.polygon_ends, shape.corners.size()) &&
          shape.face_of_polygon.size() == shape.polygon_ends.size() &&
          shape.body_of_polygon.size() == shape.polygon_ends.size() &&
          shape.body_colours.size() == shape.body_names.size() && is_colour(shape.colour) &&
@@ -48,7 +50,8 @@ bool is_sound(const Shape& shape) {
 
 template <class Pack, class Value>
 void pack_shape(Pack& pack, Value& shape) {
-  pack(shape.name), pack(shape.points), pack(shape.corners), pack(shape.polygon_ends), pack(shape.face_of_polygon);
+  pack(shape.name), pack(shape.step), pack(shape.points), pack(shape.corners), pack(shape.polygon_ends),
+      pack(shape.face_of_polygon);
   pack(shape.body_of_polygon), pack(shape.body_names), pack(shape.body_colours), pack(shape.colour), pack(shape.faces);
   pack(shape.edges), pack(shape.edge_vertices), pack(shape.wire_vertices), pack(shape.wire_ends),
       pack(shape.marked_points);

@@ -21,6 +21,7 @@ inline constexpr int no_colour = -1;
 
 struct Shape {
   std::string name{};
+  double step = 0;  ///< distance between neighbouring values of coordinates; 0: not told
   mesh::Points points{};
   std::vector<int> corners{};          ///< indices of points, of all polygons one after the other
   std::vector<int> polygon_ends{};     ///< end of each polygon in `corners`
@@ -48,7 +49,7 @@ struct Document {
   double unit = 1;  ///< millimetres
   int is_y_up = 0;  ///< instead of z
   int is_single_precision = 0;
-  int is_printed = 0;  ///< coordinates were stored as text
+  int is_printed = 0;  ///< coordinates were stored as text, all with the same number of digits or decimals
   std::vector<Shape> shapes{};
   std::vector<Node> nodes{};
   std::vector<std::string> notes{};

@@ -142,7 +142,7 @@ ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, 
   try {
     Assembled assembled = assemble(document, importer.table.name);
     const std::vector<int> name_of_polygon = assembled.soup.face_body;
-    ReadModel model{mesh::make_mesh(std::move(assembled.soup), source.name, progress)};
+    ReadModel model{mesh::make_mesh(std::move(assembled.soup), source.name, progress, assembled.step)};
     model.body_parts = parts_of_bodies(model.mesh, name_of_polygon, assembled.body_parts);
     if (!assembled.part.faces.empty())
       model.part = std::make_shared<features::PartFaces>(

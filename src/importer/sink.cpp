@@ -74,7 +74,8 @@ DocumentSink::DocumentSink(std::function<void(double)> tell)
              &call<&DocumentSink::note, const char*>,
              &call<&DocumentSink::progress, double>,
              &call<&DocumentSink::rounding, uint32_t>,
-             &call<&DocumentSink::colour, double, double, double>} {}
+             &call<&DocumentSink::colour, double, double, double>,
+             &call<&DocumentSink::step, double>} {}
 
 template <auto member, class... A>
 int DocumentSink::call(void* host, A... arguments) noexcept {
@@ -230,6 +231,12 @@ int DocumentSink::colour(double red, double green, double blue) {
   if (begun_ == Begun::node) document_.nodes.back().colour = number;
   if (begun_ == Begun::shape) document_.shapes.back().colour = number;
   if (begun_ == Begun::body) document_.shapes.back().body_colours.back() = number;
+  return 0;
+}
+
+int DocumentSink::step(double distance) {
+  require(std::isfinite(distance) && distance > 0, "hands over a step of coordinates that is not positive");
+  current().step = std::max(current().step, distance);
   return 0;
 }
 

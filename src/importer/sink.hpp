@@ -38,6 +38,7 @@ class DocumentSink {
   int progress(double done);
   int rounding(uint32_t kinds);
   int colour(double red, double green, double blue);
+  int step(double distance);
 
   template <auto member, class... A>
   static int call(void* host, A... arguments) noexcept;

@@ -100,8 +100,7 @@ void drop_equal_triangles(UsableTriangles& usable, bool are_faces, MeshReport& r
 /// their numbers.
 void close_cracks(Soup& soup, UsableTriangles& usable, bool are_faces, MeshReport& report) {
   Faces& triangles = usable.triangles;
-  const bool single = soup.single_precision || soup.corners_repeat_points;  // text STL usually holds floats
-  Mending mending = mend_cracks(soup.points, triangles.corners, usable.table, single ? 0x1p-23 : 0x1p-52);
+  Mending mending = mend_cracks(soup.points, triangles.corners, usable.table, report.resolution);
   if (mending.joined == 0) return;
   report.welded_vertices += mending.joined;
   report.weld_distance = mending.distance;
@@ -296,7 +295,7 @@ void number_bodies(Mesh& mesh, const Soup& soup) {
 
 }  // namespace
 
-Mesh build_mesh(Soup soup, std::string name, const Progress& progress) {
+Mesh build_mesh(Soup soup, std::string name, const Progress& progress, std::optional<double> step) {
   Mesh mesh;
   MeshReport& report = mesh.report;
   report.name = std::move(name);
@@ -309,7 +308,7 @@ Mesh build_mesh(Soup soup, std::string name, const Progress& progress) {
   weld(soup, report);
   report.vertices = static_cast<int>(soup.points.size());
   report.non_finite_vertices = count_non_finite(soup.points);
-  if (soup.printed) report.resolution = decimal_resolution(soup.points);
+  report.resolution = step ? *step : resolution_of(soup.points, soup.single_precision && !soup.printed);
   auto [triangles, table, twins] = usable_triangles(soup, report, progress);
 
   progress.expect_time();

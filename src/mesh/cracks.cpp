@@ -16,6 +16,9 @@ namespace {
 
 // Rounding moves a coordinate by half a unit in the last place; coordinates computed in different ways differ by more.
 constexpr double roundings = 4;
+// Of the largest coordinate: the last place of 32-bit floats. Kernels of CAD programs compute a vertex of two faces no
+// more closely, even if they write it with all digits.
+constexpr double relative_step = 0x1p-23;
 
 Vec3 place(const Points& points, int vertex) { return {points[vertex][0], points[vertex][1], points[vertex][2]}; }
 
@@ -133,8 +136,8 @@ class Clusters {
 
 }  // namespace
 
-Mending mend_cracks(const Points& points, std::span<const int> corners, const EdgeTable& table, double precision) {
-  const double tolerance = roundings * precision * largest_coordinate(points, corners);
+Mending mend_cracks(const Points& points, std::span<const int> corners, const EdgeTable& table, double resolution) {
+  const double tolerance = roundings * std::max(relative_step * largest_coordinate(points, corners), resolution / 2);
   const std::vector<OpenEnd> ends = open_ends(points, table, tolerance);
   const std::vector<EndPair> pairs = near_pairs(points, ends);
   if (pairs.empty()) return {};

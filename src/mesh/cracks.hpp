@@ -14,8 +14,8 @@ struct Mending {
 };
 
 /// Merges ends of open edges that lie within a few roundings of each other, and much closer than the length of their
-/// open edges; never two vertices with an edge between them. `corners` are those of the table; `precision` is the
-/// distance from 1 to the next number in the precision of the file.
-Mending mend_cracks(const Points& points, std::span<const int> corners, const EdgeTable& table, double precision);
+/// open edges; never two vertices with an edge between them. `corners` are those of the table; `resolution` is the
+/// distance between neighbouring values of coordinates, 0 for full numbers.
+Mending mend_cracks(const Points& points, std::span<const int> corners, const EdgeTable& table, double resolution);
 
 }  // namespace epura::mesh

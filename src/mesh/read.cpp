@@ -84,11 +84,11 @@ const Format* format_named(std::string_view name) {
   return found == own_formats.end() ? nullptr : &*found;
 }
 
-Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress) {
+Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress, std::optional<double> step) {
   // Half-edges, at most twice as many as corners, are numbered with int.
   if (soup.corners.size() > INT_MAX / 6 || soup.wires.size() > INT_MAX / 6 || soup.points.size() > INT_MAX)
     throw Error(ErrorKind::input, name, "has too many corners", "split the model");
-  Mesh mesh = build_mesh(std::move(soup), name, progress);
+  Mesh mesh = build_mesh(std::move(soup), name, progress, step);
   if (mesh.report.triangles == 0 && mesh.report.wires == 0) fail_with_nothing_to_draw(mesh.report);
   return mesh;
 }

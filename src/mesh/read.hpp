@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,8 +34,8 @@ std::span<const Format> formats();
 /// Returns the format with a name; null if there is none.
 const Format* format_named(std::string_view name);
 
-/// Builds a mesh from polygons in memory; `name` precedes the reason in errors.
-Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress = {});
+/// Builds a mesh from polygons in memory; `name` precedes the reason in errors. `step` as in build_mesh.
+Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress = {}, std::optional<double> step = {});
 
 // One reader for each format; `name` precedes the line or byte in errors.
 Soup read_obj(std::string_view bytes, std::string_view name, const Progress& progress = {});

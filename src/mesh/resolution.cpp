@@ -6,29 +6,45 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "mesh/lattice.hpp"
 
 namespace epura::mesh {
 
 namespace {
 
 // With fewer decimals, coordinates are as likely to be chosen as rounded.
-constexpr int fewest_decimals = 5;
-constexpr int most_decimals = 9;
+constexpr int fewest_decimals = 2;
+constexpr int most_decimals = 12;
 constexpr int fewest_digits = 5;
 constexpr int most_digits = 8;
-constexpr std::size_t least_points = 100;
 constexpr std::size_t points_at_once = 4096;
-constexpr std::array<double, most_decimals + 1> powers{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+constexpr std::size_t most_points = 4096;  // whose numbers are looked at; all must be rounded
+// A file that is rounded more coarsely, as a fraction of the size, has chosen coordinates, or nothing to be recognised.
+constexpr double fewest_steps = 2000;
+// Numbers that end in another digit than 0 or 5, which designers prefer. Where steps are small, fewer are enough, since
+// less harm is done by chosen ones.
+constexpr double many_steps = 0x1p14;
+constexpr std::size_t least_telling = 4, least_telling_of_many = 2;
+constexpr std::array<double, most_decimals + 1> powers{1,   1e1, 1e2, 1e3,  1e4,  1e5, 1e6,
+                                                       1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
 
-bool is_multiple(double coordinate, int decimals) {
-  const double scaled = coordinate * powers[decimals];
-  // Beyond 2^50 every double is nearly an integer, which is no evidence.
-  return std::abs(scaled - std::nearbyint(scaled)) <= 0x1p-50 * std::abs(scaled) && std::abs(scaled) < 0x1p50;
+/// How exactly a file holds numbers.
+struct Storage {
+  double rounding;  ///< relative
+  double largest;   ///< multiple of a step that can be told from other numbers
+};
+constexpr Storage doubles{0x1p-51, 0x1p48}, floats{0x1.01p-24, 0x1p21};
+
+// Whether a coordinate is a multiple, but for the rounding of the largest one: what was moved has no less of it near 0.
+bool is_multiple(double coordinate, int decimals, double largest, const Storage& storage) {
+  const double scaled = std::abs(coordinate) * powers[decimals];
+  return std::abs(scaled - std::nearbyint(scaled)) <= storage.rounding * largest * powers[decimals];
 }
 
 template <class Holds>
@@ -41,15 +57,25 @@ bool all_coordinates(const Points& points, const Holds& holds) {
   return all;
 }
 
-template <class Holds>
-std::size_t count_coordinates(const Points& points, const Holds& holds) {
-  std::size_t count = 0;
-  for (const auto& p : points) count += static_cast<std::size_t>(std::count_if(p.begin(), p.end(), holds));
-  return count;
+bool all_multiples(const Points& points, int decimals, double largest, const Storage& storage) {
+  return largest * powers[decimals] < storage.largest &&
+         all_coordinates(points, [&](double c) { return is_multiple(c, decimals, largest, storage); });
 }
 
-bool all_multiples(const Points& points, int decimals) {
-  return all_coordinates(points, [&](double c) { return is_multiple(c, decimals); });
+// The sizes of coordinates of some points, evenly distributed; each once, ascending.
+std::vector<double> distinct_sizes(const Points& points) {
+  std::vector<double> sizes;
+  const std::size_t stride = points.size() / most_points + 1;
+  for (std::size_t i = 0; i < points.size(); i += stride)
+    for (const double c : points[i]) sizes.push_back(std::abs(c));
+  std::sort(sizes.begin(), sizes.end());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+  return sizes;
+}
+
+template <class Holds>
+std::size_t count_in(const std::vector<double>& sizes, const Holds& holds) {
+  return static_cast<std::size_t>(std::count_if(sizes.begin(), sizes.end(), holds));
 }
 
 // The double nearest to 10^exponent, which the powers and logarithms of the C library miss on some processors; 0 below
@@ -81,43 +107,67 @@ bool has_digits(double coordinate, int digits) {
   return std::abs(scaled - std::nearbyint(scaled)) <= 0x1p-48 * std::abs(scaled);
 }
 
-double decimals_of(const Points& points) {
-  if (!all_multiples(points, most_decimals)) return 0;
-  int decimals = most_decimals;
-  while (decimals > fewest_decimals && all_multiples(points, decimals - 1)) --decimals;
-  const std::size_t needing = count_coordinates(points, [&](double c) { return !is_multiple(c, decimals - 1); });
-  return 4 * needing >= 3 * points.size() ? 1 / powers[decimals] : 0;
+double decimals_of(const Points& points, const std::vector<double>& sizes, const Storage& storage) {
+  int decimals = 0;
+  while (decimals <= most_decimals && !all_multiples(points, decimals, sizes.back(), storage)) ++decimals;
+  if (decimals < fewest_decimals || decimals > most_decimals) return 0;
+  long long common = 0;
+  std::size_t telling = 0, long_ones = 0;
+  for (const double size : sizes) {
+    const long long steps = std::llround(size * powers[decimals]);
+    common = std::gcd(common, steps);
+    telling += steps % 5 != 0 ? 1 : 0;
+    long_ones += steps % 100 != 0 ? 1 : 0;
+  }
+  const double most = std::nearbyint(sizes.back() * powers[decimals]);
+  const bool rounded = common == 1 && most >= fewest_steps && 4 * telling >= long_ones &&
+                       telling >= (most >= many_steps ? least_telling_of_many : least_telling);
+  return rounded ? 1 / powers[decimals] : 0;
 }
 
-// The place of the last digit of the largest coordinate that needs it, if all coordinates have the same number of
-// digits: smaller coordinates then have more decimals.
-double digits_of(const Points& points) {
+// The place of the last digit of the largest coordinates, if all coordinates have the same number of digits: smaller
+// ones then have more decimals, which the largest lack although they need all digits.
+double digits_of(const Points& points, const std::vector<double>& sizes) {
   const auto all_have = [&](int digits) {
     return all_coordinates(points, [&](double c) { return has_digits(c, digits); });
   };
-  if (!all_have(most_digits)) return 0;
-  int digits = most_digits;
-  while (digits > fewest_digits && all_have(digits - 1)) --digits;
-  const auto needs_all = [&](double c) { return !has_digits(c, digits - 1); };
-  double largest = 0;
-  for (const auto& p : points)
-    for (const double c : p)
-      if (needs_all(c)) largest = std::max(largest, std::abs(c));
-  if (largest == 0) return 0;
-  const double last = power_of_ten(first_place(largest) - digits + 1);
-  const auto is_finer = [&](double c) { return std::abs(c / last - std::nearbyint(c / last)) > 0x1p-10; };
-  const bool rounded = 4 * count_coordinates(points, needs_all) >= 3 * points.size() &&
-                       8 * count_coordinates(points, is_finer) >= 3 * points.size();
+  int digits = fewest_digits;
+  while (digits <= most_digits && !all_have(digits)) ++digits;
+  if (digits > most_digits) return 0;
+  const auto needs_all = [&](double size) { return !has_digits(size, digits - 1); };
+  const auto largest = std::find_if(sizes.rbegin(), sizes.rend(), needs_all);
+  if (largest == sizes.rend()) return 0;
+  const int place = first_place(*largest);
+  const double last = power_of_ten(place - digits + 1);
+  const auto is_finer = [&](double size) { return std::abs(size / last - std::nearbyint(size / last)) > 0x1p-10; };
+  const auto is_telling = [&](double size) { return size >= power_of_ten(place) && needs_all(size); };
+  const bool rounded =
+      count_in(sizes, is_telling) >= least_telling && std::any_of(sizes.begin(), sizes.end(), is_finer);
   return rounded ? last : 0;
+}
+
+// A step of three digits, such as 0.05 or 25.4, or a binary fraction.
+bool is_chosen(const LatticeStep& step) {
+  const auto is_whole = [&](double unit) {
+    const double count = step.length / unit;
+    return std::abs(count - std::nearbyint(count)) <= step.doubt / unit + 0x1p-40;
+  };
+  constexpr int bits = 8;
+  return is_whole(power_of_ten(first_place(step.length) - 2)) ||
+         is_whole(std::ldexp(1, std::ilogb(step.length) - bits));
 }
 
 }  // namespace
 
-double decimal_resolution(const Points& points) {
-  if (points.size() < least_points) return 0;
-  const bool finite = all_coordinates(points, [](double c) { return std::isfinite(c); });
-  const double decimals = decimals_of(points);
-  return decimals > 0 || !finite ? decimals : digits_of(points);
+double resolution_of(const Points& points, bool are_floats) {
+  if (points.empty() || !all_coordinates(points, [](double c) { return std::isfinite(c); })) return 0;
+  const std::vector<double> sizes = distinct_sizes(points);
+  if (sizes.back() == 0) return 0;
+  const Storage& storage = are_floats ? floats : doubles;
+  const double digits = are_floats ? 0 : digits_of(points, sizes);
+  const double written = digits > 0 ? digits : decimals_of(points, sizes, storage);
+  const LatticeStep lattice = lattice_of(points, std::max(2 * storage.rounding * sizes.back(), written));
+  return lattice.length > 2 * written && !is_chosen(lattice) ? lattice.length : written;
 }
 
 }  // namespace epura::mesh

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Detects the decimal place to which the coordinates of a text file were rounded.
+// Detects to what the coordinates of a file were rounded.
 #pragma once
 
 #include "mesh/soup.hpp"
 
 namespace epura::mesh {
 
-/// Returns 10^-d if all coordinates are multiples of it, with d from 5 to 9, and so many need the last decimal that
-/// they appear rounded: a quarter of them, with a hundred points at least. If not the decimals but the significant
-/// digits are equal in number (5 to 8, as "%g" and "%e" write them), returns the last place of the largest coordinate.
-/// Otherwise 0: the coordinates are taken as exact.
-double decimal_resolution(const Points& points);
+/// Returns the distance between neighbouring values of coordinates if these appear rounded, the widest of:
+/// 10^-d, with d from 2 to 12, if all coordinates are multiples of it and enough of them need the last decimal;
+/// the last place of the largest coordinate, if all have the same number of significant digits (5 to 8, as "%g" and
+/// "%e" write them);
+/// the step of a lattice (mesh/lattice.hpp), unless a designer would choose it.
+/// Otherwise 0: the coordinates are taken as exact. `are_floats`: they are known to 32 bits.
+double resolution_of(const Points& points, bool are_floats);
 
 }  // namespace epura::mesh

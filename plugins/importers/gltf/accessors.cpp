@@ -44,6 +44,14 @@ double coordinate_at(const unsigned char* bytes, bool is_normalized) {
     return value;
 }
 
+template <class T>
+double step_between(bool is_normalized) {
+  if constexpr (std::is_integral_v<T>)
+    return is_normalized ? 1.0 / std::numeric_limits<T>::max() : 1;
+  else
+    return 0;
+}
+
 using ReadCoordinate = double (*)(const unsigned char*, bool);
 using ReadIndex = std::uint32_t (*)(const unsigned char*);
 
@@ -51,12 +59,17 @@ struct Kind {
   int component_type;
   std::size_t bytes;
   ReadCoordinate coordinate;
+  double (*step)(bool);
 };
-constexpr std::array coordinate_kinds{Kind{TINYGLTF_COMPONENT_TYPE_FLOAT, 4, coordinate_at<float>},
-                                      Kind{TINYGLTF_COMPONENT_TYPE_BYTE, 1, coordinate_at<std::int8_t>},
-                                      Kind{TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, 1, coordinate_at<std::uint8_t>},
-                                      Kind{TINYGLTF_COMPONENT_TYPE_SHORT, 2, coordinate_at<std::int16_t>},
-                                      Kind{TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, 2, coordinate_at<std::uint16_t>}};
+template <class T>
+constexpr Kind kind_for(int component_type) {
+  return {component_type, sizeof(T), coordinate_at<T>, step_between<T>};
+}
+constexpr std::array coordinate_kinds{kind_for<float>(TINYGLTF_COMPONENT_TYPE_FLOAT),
+                                      kind_for<std::int8_t>(TINYGLTF_COMPONENT_TYPE_BYTE),
+                                      kind_for<std::uint8_t>(TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE),
+                                      kind_for<std::int16_t>(TINYGLTF_COMPONENT_TYPE_SHORT),
+                                      kind_for<std::uint16_t>(TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)};
 
 template <class T>
 std::uint32_t index_at(const unsigned char* bytes) {
@@ -186,6 +199,12 @@ std::vector<Point> positions(const Model& model, int number) { return vectors<3>
 
 std::vector<std::array<double, 4>> quaternions(const Model& model, int number) {
   return vectors<4>(model, number, TINYGLTF_TYPE_VEC4);
+}
+
+double step_of(const Accessor& positions) {
+  for (const Kind& kind : coordinate_kinds)
+    if (kind.component_type == positions.componentType) return kind.step(positions.normalized);
+  return 0;
 }
 
 std::vector<std::uint32_t> indices(const Model& model, int number) {

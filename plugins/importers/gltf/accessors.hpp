@@ -18,6 +18,7 @@ namespace epura::plugin::gltf {
 struct Corners {
   std::vector<Point> points;
   std::vector<std::uint32_t> numbers;
+  double step = 0;  ///< distance between neighbouring values of quantised coordinates; 0: they are not quantised
 };
 
 /// These throw std::runtime_error with a sentence that names the accessor or view. Positions have 32 bits, or are
@@ -26,6 +27,9 @@ std::vector<Point> positions(const tinygltf::Model& model, int accessor);
 /// Rotations: x, y, z, w.
 std::vector<std::array<double, 4>> quaternions(const tinygltf::Model& model, int accessor);
 std::vector<std::uint32_t> indices(const tinygltf::Model& model, int accessor);
+
+/// The distance between neighbouring integers of positions; 0 for floats.
+double step_of(const tinygltf::Accessor& positions);
 
 /// The accessor, which has such a type. Its count is not checked.
 const tinygltf::Accessor& accessor_at(const tinygltf::Model& model, int accessor, int type);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draco.hpp"
 
+#include <draco/attributes/attribute_quantization_transform.h>
 #include <draco/compression/decode.h>
 #include <draco/compression/point_cloud/point_cloud_decoder.h>
 #include <draco/core/varint_decoding.h>
@@ -80,7 +81,9 @@ std::unique_ptr<draco::Mesh> mesh_in(Bytes bytes, Counts expected, const std::st
   // Seams of other attributes make more points of those that are announced.
   expect({std::max(counts.points, expected.points), counts.triangles});
   draco::DecoderBuffer buffer = buffer_of(bytes);
-  draco::StatusOr<std::unique_ptr<draco::Mesh>> decoded = draco::Decoder().DecodeMeshFromBuffer(&buffer);
+  draco::Decoder decoder;
+  decoder.SetSkipAttributeTransform(draco::GeometryAttribute::POSITION);  // see Grid
+  draco::StatusOr<std::unique_ptr<draco::Mesh>> decoded = decoder.DecodeMeshFromBuffer(&buffer);
   refuse_if(!decoded.ok(), what + " is damaged");
   std::unique_ptr<draco::Mesh> mesh = std::move(decoded).value();
   expect({mesh->num_points(), mesh->num_faces()});
@@ -96,13 +99,39 @@ draco::PointAttribute& positions_in(draco::Mesh& mesh, int id, const std::string
   return attribute;
 }
 
-std::vector<Point> points_of(const draco::Mesh& mesh, const draco::PointAttribute& attribute, const std::string& what) {
+/// The grid to which positions were rounded. Draco forgets it where it turns them into floats, as is done here.
+class Grid {
+ public:
+  explicit Grid(const draco::PointAttribute& attribute) {
+    if (attribute.GetAttributeTransformData() == nullptr || !transform_.InitFromAttribute(attribute)) return;
+    step_ = transform_.range() / static_cast<float>((std::uint32_t{1} << transform_.quantization_bits()) - 1);
+  }
+  /// 0 if positions were not rounded.
+  [[nodiscard]] double step() const { return static_cast<double>(step_); }
+  [[nodiscard]] Point place(const Point& numbers) const {
+    if (step_ == 0) return numbers;
+    Point place{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const float along = static_cast<float>(numbers[static_cast<std::size_t>(axis)]) * step_;
+      place[static_cast<std::size_t>(axis)] = static_cast<double>(along + transform_.min_value(axis));
+    }
+    return place;
+  }
+
+ private:
+  draco::AttributeQuantizationTransform transform_;
+  float step_ = 0;
+};
+
+std::vector<Point> points_of(const draco::Mesh& mesh, const draco::PointAttribute& attribute, const Grid& grid,
+                             const std::string& what) {
   const bool is_normalized = attribute.normalized() && attribute.data_type() != draco::DT_FLOAT32;
   std::vector<Point> points(mesh.num_points());
   for (std::uint32_t i = 0; i < mesh.num_points(); ++i) {
     const draco::AttributeValueIndex value = attribute.mapped_index(draco::PointIndex(i));
     refuse_if(value.value() >= attribute.size() || !attribute.ConvertValue<double, 3>(value, points[i].data()),
               what + " is damaged");
+    points[i] = grid.place(points[i]);
     for (double& coordinate : points[i]) {
       refuse_if(!std::isfinite(coordinate), what + ": position " + std::to_string(i) + " is not finite");
       if (is_normalized) coordinate = std::max(coordinate, -1.0);
@@ -138,8 +167,9 @@ Corners decompressed(const tinygltf::Model& model, const tinygltf::Primitive& pr
   const std::unique_ptr<draco::Mesh> mesh = mesh_in(bytes, {points.count, indices.count / 3}, data);
   draco::PointAttribute& attribute = positions_in(*mesh, number_in(extension.Get("attributes"), "POSITION"), data);
   // The accessor tells, not the data.
-  attribute.set_normalized(points.normalized);
-  return {points_of(*mesh, attribute, data), corners_of(*mesh)};
+  const Grid grid(attribute);
+  attribute.set_normalized(points.normalized && grid.step() == 0);
+  return {points_of(*mesh, attribute, grid, data), corners_of(*mesh), grid.step() > 0 ? grid.step() : step_of(points)};
 }
 
 }  // namespace epura::plugin::gltf

@@ -55,7 +55,9 @@ std::vector<Triangle> triangles_of(int mode, const std::vector<std::uint32_t>& n
 
 Corners uncompressed(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& what) {
   Corners corners;
-  corners.points = positions(model, position_of(primitive, what));
+  const int position = position_of(primitive, what);
+  corners.points = positions(model, position);
+  corners.step = step_of(accessor_at(model, position, TINYGLTF_TYPE_VEC3));
   if (primitive.indices >= 0) {
     corners.numbers = indices(model, primitive.indices);
   } else {
@@ -122,14 +124,14 @@ class ShapeMaker {
 
   void add_triangles(int mode, Corners corners) {
     std::vector<Triangle> triangles = triangles_of(mode, corners.numbers);
-    add_points(corners.points, triangles);
+    add_points(corners, triangles);
     sink_.triangles(triangles);
   }
 
   void add_wires(int mode, Corners corners) {
     std::vector<Wire> wires = wires_of(mode, std::move(corners.numbers));
     if (wires.empty()) return;
-    add_points(corners.points, wires);
+    add_points(corners, wires);
     for (const Wire& wire : wires) sink_.wire(wire);
   }
 
@@ -137,7 +139,7 @@ class ShapeMaker {
     std::vector<std::array<std::uint32_t, 1>> points;
     for (const std::uint32_t number : corners.numbers) points.push_back({number});
     if (points.empty()) return;
-    add_points(corners.points, points);
+    add_points(corners, points);
     for (const auto& [number] : points) sink_.point(number);
   }
 
@@ -145,12 +147,13 @@ class ShapeMaker {
 
  private:
   template <class Element>
-  void add_points(std::vector<Point>& points, std::vector<Element>& elements) {
-    keep_used(points, elements, points_);
-    points_ += points.size();
+  void add_points(Corners& corners, std::vector<Element>& elements) {
+    keep_used(corners.points, elements, points_);
+    points_ += corners.points.size();
     refuse_if(points_ >= EPURA_NONE, numbered("mesh", named_.number) + " has more points than can be numbered");
     if (shape_ == EPURA_NONE) begin_shape();
-    sink_.points(points);
+    if (corners.step > 0) sink_.step(corners.step);
+    sink_.points(corners.points);
   }
 
   void begin_shape() {

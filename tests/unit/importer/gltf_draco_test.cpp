@@ -146,6 +146,16 @@ TEST(GltfDraco, QuantisationRoundsByHalfAStep) {
   EXPECT_GT(largest, 0) << "nothing was rounded";
 }
 
+TEST(GltfDraco, QuantisationIsTheResolution) {
+  for (const int bits : {8, 11, 14}) {
+    const Compression how{.bits = bits};
+    const double step = read(file_of(compressed(corners, how), how)).mesh.report.resolution;
+    EXPECT_NEAR(step, 1 / (std::pow(2, bits) - 1), 1e-6 * step) << bits;
+  }
+  const Compression whole{};
+  EXPECT_EQ(read(file_of(compressed(corners, whole), whole)).mesh.report.resolution, 0);
+}
+
 TEST(GltfDraco, ACopyForReadersWithoutDracoIsNotReadTwice) {
   const Compression how;
   File file = file_of(compressed(bent_corners(), how), how);

@@ -147,8 +147,13 @@ TEST(Gltf, QuantisedPositionsAreIntegers) {
   file.rest += R"(,"extensionsUsed":["KHR_mesh_quantization"],"extensionsRequired":["KHR_mesh_quantization"])";
   file.accessors = accessor(of_shorts, 5122, 8, "VEC3", ",\"normalized\":true") + indices;
   expect_extent(read(file).mesh, Vec3(-1), Vec3(1));
+  EXPECT_DOUBLE_EQ(read(file).mesh.report.resolution, 1 / 32767.0);
+  file.nodes = R"({"mesh":0,"scale":[0.5,0.5,0.5]})";
+  EXPECT_DOUBLE_EQ(read(file).mesh.report.resolution, 0.5 / 32767);
+  file.nodes = R"({"mesh":0})";
   file.accessors = accessor(of_bytes, 5120, 8, "VEC3") + indices;
   expect_extent(read(file).mesh, Vec3(-20), Vec3(100));
+  EXPECT_EQ(read(file).mesh.report.resolution, 1);
 }
 
 TEST(Gltf, LinesAreWiresAndPointsAreCrosses) {

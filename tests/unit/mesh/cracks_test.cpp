@@ -23,13 +23,10 @@ struct Loose {
     const double far = 20 * static_cast<double>(polygon.size() + 1);
     add(a, {a[0], a[1] + far, 0}, {a[0], a[1] + far, far});
   }
-  // The largest coordinate decides how far apart two places may be that are one.
+  // The step of coordinates decides how far apart two places may be that are one.
   [[nodiscard]] mesh::Mending mended(double tolerance) const {
-    double largest = 0;
-    for (const auto& p : points)
-      for (const double x : p) largest = std::max(largest, std::abs(x));
     const auto table = mesh::make_edge_table(corners, polygon, static_cast<int>(points.size()));
-    return mesh::mend_cracks(points, corners, table, tolerance / (4 * largest));
+    return mesh::mend_cracks(points, corners, table, tolerance / 2);
   }
 };
 
