@@ -16,6 +16,7 @@
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
+#include "design/unit_guess.hpp"
 #include "features/holes.hpp"
 #include "features/recognise.hpp"
 #include "importer/read_model.hpp"
@@ -54,54 +55,6 @@ struct ModelInfo {
   [[nodiscard]] bool closed() const { return report.triangles > 0 && report.open_edges == 0; }
 };
 
-Box box_of(const mesh::Mesh& mesh) {
-  Box box;
-  for (int t = 0; t < mesh.report.triangles; ++t)
-    for (const int v : mesh.triangle(t)) box.add(mesh.point(v));
-  for (const mesh::MeshEdge& edge : mesh.edges)
-    if (edge.count == 0)
-      for (const int v : edge.vertex) box.add(mesh.point(v));
-  return box;
-}
-
-// The fraction of diameters that are integer multiples of a step.
-double share_of_round(const std::vector<double>& diameters, double step) {
-  if (diameters.empty()) return 0;
-  const auto is_round = [&](double d) {
-    const double steps = d / step;
-    return steps > 0.5 && std::abs(steps - std::nearbyint(steps)) < 1e-3;
-  };
-  return static_cast<double>(std::count_if(diameters.begin(), diameters.end(), is_round)) /
-         static_cast<double>(diameters.size());
-}
-
-// Guesses the unit in which most diameters are round and the part has a plausible size.
-std::optional<Unit> guess_unit(const Box& box, const features::PartFaces& part) {
-  struct Guess {
-    Unit unit;
-    double step, least, most;  ///< step of diameters; range of plausible sizes
-  };
-  constexpr std::array guesses{Guess{Unit::mm, 0.5, 2, 2e4}, Guess{Unit::in, 1.0 / 32, 0.1, 400},
-                               Guess{Unit::m, 0.0005, 0.005, 100}};
-  if (part.faces.empty()) return std::nullopt;
-  const Vec3 size = box.size();
-  const double largest = std::max({size.x, size.y, size.z});
-  std::vector<double> diameters;
-  for (const features::PartFace& face : part.faces)
-    if (face.surface.kind == features::SurfaceKind::cylinder && face.sweep > 359)
-      diameters.push_back(2 * face.surface.radius);
-  std::optional<Unit> best;
-  double best_share = 0.5;
-  for (const Guess& guess : guesses) {
-    const double share = share_of_round(diameters, guess.step);
-    if (largest < guess.least || largest > guess.most || share <= best_share) continue;
-    best = guess.unit;
-    best_share = share;
-  }
-  if (best) return best;
-  return largest >= 5 && largest <= 2e4 ? std::optional(Unit::mm) : std::nullopt;
-}
-
 // Bodies with millimetres as the unit of length if the file states its unit.
 void measure(ModelInfo& info, const mesh::Mesh& mesh, std::optional<double> density) {
   const double scale = info.unit.value_or(1);
@@ -134,13 +87,13 @@ ModelInfo info_of(const std::string& path, const InfoOptions& options) {
   const importer::ReadModel read =
       importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path});
   const mesh::Mesh& mesh = read.mesh;
-  ModelInfo info{mesh.report, box_of(mesh), read.unit, std::nullopt, {}, 0, false, {}, read.tree, {}};
+  ModelInfo info{mesh.report, design::box_of(mesh), read.unit, std::nullopt, {}, 0, false, {}, read.tree, {}};
   info.part = read.part != nullptr ? *read.part : features::recognise_faces(mesh);
   info.shared_borders = count_shared(mesh, info.part);
   info.is_declared = read.part != nullptr;
   info.report.name = request.path;
   info.holes = features::find_holes(mesh, info.part);
-  if (!read.unit) info.guessed_unit = guess_unit(info.box, info.part);
+  if (!read.unit) info.guessed_unit = design::guess_unit(info.box, info.part);
   measure(info, mesh, options.density);
   return info;
 }
@@ -341,8 +294,9 @@ std::string text_of(const ModelInfo& info) {
                  [](char c) { return 'a' <= c && c <= 'z' ? char(c - 32) : c; });
   std::string text = one_line(report.name) + "\n";
   const int pieces = report.wires - report.point_arms;
-  text += line_of("file", format + (report.single_precision ? ", 32-bit coordinates" : "") + ", " +
-                              counted(report.vertices, "vertex", "vertices") + ", " +
+  text += line_of("file", format + (report.single_precision ? ", 32-bit coordinates" : "") +
+                              (report.resolution > 0 ? ", rounded to " + format_rounded(report.resolution, 3) : "") +
+                              ", " + counted(report.vertices, "vertex", "vertices") + ", " +
                               counted(report.faces, "face", "faces") + ", " +
                               counted(report.triangles, "triangle", "triangles") +
                               (pieces > 0 ? ", " + counted(pieces, "piece", "pieces") + " of lines" : "") +
@@ -367,7 +321,11 @@ std::string text_of(const ModelInfo& info) {
     text += line_of("edges", edges_text(info));
     text += holes_text(info.holes, rounded);
   }
-  const std::vector<std::string> repairs = repairs_of(report);
+  std::vector<std::string> repairs = repairs_of(report);
+  for (const world::Solid& solid : info.solids)
+    if (solid.turned)
+      repairs.push_back("body " + std::to_string(solid.body) +
+                        " is turned inside out; its volume is that of the body turned back");
   text += line_of("repairs", repairs.empty() ? "none" : repairs.front());
   for (std::size_t i = 1; i < repairs.size(); ++i) text += line_of("", repairs[i]);
   return text;
@@ -411,6 +369,7 @@ std::string json_of(const ModelInfo& info) {
   if (report.wires > report.point_arms) text += number("wires", report.wires - report.point_arms);
   if (report.points > 0) text += number("points", report.points);
   text += std::string(", \"single_precision\": ") + truth(report.single_precision);
+  text += ", \"resolution\": " + json_number(report.resolution);
   if (!info.box.empty())
     text += ",\n   \"box\": {\"min\": " + json_vector(info.box.min) + ", \"max\": " + json_vector(info.box.max) + "}";
   text += ",\n   \"unit\": " + (info.guessed_unit ? json_string(scene::word_of(*info.guessed_unit)) : "null");

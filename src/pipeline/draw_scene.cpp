@@ -527,6 +527,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   world::World world = std::move(read.world);
   watch.lap("read");
   recognise_parts(world, scene, options, gathered.report, progress);
+  doubt_unit(messages, scene, world, read.without_unit);
   if (std::any_of(sheets.begin(), sheets.end(), shows_parts))
     world = replace_helical_threads(std::move(world), scene, messages, progress);
   place_threads(world, scene);

@@ -17,9 +17,10 @@ namespace epura::pipeline {
 world::World read_world(const scene::SceneDescription& scene, const RunOptions& options, const Messages& messages,
                         Progress progress) {
   report::Report report;
-  world::World world = read_models(scene, reading_of(scene, options), report.meshes, messages, progress).world;
-  recognise_parts(world, scene, options, report, progress);
-  return world;
+  ReadWorld read = read_models(scene, reading_of(scene, options), report.meshes, messages, progress);
+  recognise_parts(read.world, scene, options, report, progress);
+  doubt_unit(messages, scene, read.world, read.without_unit);
+  return std::move(read.world);
 }
 
 PlacedView place_view(const world::World& world, const scene::SceneDescription& scene, const RunOptions& options) {

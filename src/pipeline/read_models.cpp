@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "design/unit_guess.hpp"
 #include "mesh/read.hpp"
 #include "pipeline/choose.hpp"
 #include "pipeline/item_names.hpp"
@@ -19,6 +20,7 @@
 #include "pipeline/omit_bodies.hpp"
 #include "pipeline/view_error.hpp"
 #include "scene/body_styles.hpp"
+#include "scene/choices.hpp"
 #include "scene/transform.hpp"
 #include "sheet/paper.hpp"
 #include "world/expect_usable.hpp"
@@ -53,17 +55,6 @@ bool wants_wires(const scene::SceneDescription& scene) {
 // Without a power of ten, if it is legible so.
 std::string size_text(double size) {
   return size < 1e3 || size > 1e9 ? format_rounded(size, 4) : format_fixed(size, 0);
-}
-
-// Dimensions are in millimetres, and most formats have no unit. `without_unit`: the first model without one, or empty.
-void doubt_size(const Messages& messages, const world::World& world, const std::string& without_unit) {
-  constexpr double least = 1, most = 10'000;  // mm
-  const Vec3 size = world.box.max - world.box.min;
-  const double largest = std::max({size.x, size.y, size.z});
-  if (without_unit.empty() || (largest >= least && largest <= most)) return;
-  messages.warn(without_unit + " has no unit and is dimensioned in millimetres: the largest size is " +
-                size_text(largest) + " mm\n  hint: --unit m or --unit in, if that is too " +
-                (largest < least ? "small" : "large"));
 }
 
 // The user's statements about a file take precedence over those in the file.
@@ -194,7 +185,7 @@ ReadWorld read_models(const scene::SceneDescription& scene, const Reading& readi
   // Who chooses the kinds of edges knows of them.
   const bool says_wires = std::any_of(scene.views.begin(), scene.views.end(),
                                       [](const scene::ViewDescription& view) { return !view.edges.given(); });
-  std::string without_unit;
+  int without_unit = -1;
   std::vector<world::Placed> placed;
   std::vector<std::vector<importer::BodyPart>> parts;
   KeptModels own;
@@ -211,8 +202,8 @@ ReadWorld read_models(const scene::SceneDescription& scene, const Reading& readi
     // Models that are not drawn keep their numbers.
     const bool drawn = is_drawn(description);
     KeptModel model = std::move(all[i]);
-    if (drawn && description.soup == nullptr && without_unit.empty() && !description.unit.given() && !model.rest.unit)
-      without_unit = model.mesh->report.name;
+    if (drawn && description.soup == nullptr && without_unit < 0 && !description.unit.given() && !model.rest.unit)
+      without_unit = static_cast<int>(placed.size());
     std::vector<scene::StyleDescription> styles =
         scene::styles_of_bodies(*model.mesh, scene::name_of(description), patterns.styles);
     model = leave_out(std::move(model), styles);
@@ -225,8 +216,27 @@ ReadWorld read_models(const scene::SceneDescription& scene, const Reading& readi
   }
   world::World world = world::make_world(std::move(placed), wants_wires(scene));
   world::expect_usable(world);
-  if (!scene.dimensions.empty()) doubt_size(messages, world, without_unit);
-  return {std::move(world), std::move(parts), std::move(patterns.explosions)};
+  return {std::move(world), std::move(parts), std::move(patterns.explosions), without_unit};
+}
+
+void doubt_unit(const Messages& messages, const scene::SceneDescription& scene, const world::World& world,
+                int without_unit) {
+  constexpr double least = 1, most = 10'000;  // mm
+  if (without_unit < 0) return;
+  const world::Placed& model = world.models[static_cast<std::size_t>(without_unit)];
+  const std::string& name = model.mesh->report.name;
+  const auto guess =
+      model.part == nullptr ? std::nullopt : design::guess_unit(design::box_of(model.mesh->whole()), *model.part);
+  if (guess && *guess != Unit::mm) {
+    const std::string word(scene::word_of(*guess));
+    return messages.warn(name + " has no unit and is drawn in millimetres, but its sizes are round in " + word +
+                         "\n  hint: --unit " + word + ", or --unit mm if they are right");
+  }
+  const Vec3 size = world.box.max - world.box.min;
+  const double largest = std::max({size.x, size.y, size.z});
+  if (scene.dimensions.empty() || (largest >= least && largest <= most)) return;
+  messages.warn(name + " has no unit and is dimensioned in millimetres: the largest size is " + size_text(largest) +
+                " mm\n  hint: --unit m or --unit in, if that is too " + (largest < least ? "small" : "large"));
 }
 
 }  // namespace epura::pipeline

@@ -29,11 +29,17 @@ struct ReadWorld {
   world::World world;
   std::vector<std::vector<importer::BodyPart>> parts{};  ///< of the bodies of each model
   std::vector<scene::ExplodeDescription> explosions{};   ///< of the scene, for bodies by their own names
+  int without_unit = -1;  ///< the first model whose unit neither its file nor the user states; -1: none
 };
 
 /// Reads and positions the models; appends a report for each to `reports`. Reports repairs. Faces of parts are those
 /// that the files declare.
 ReadWorld read_models(const scene::SceneDescription& scene, const Reading& reading,
                       std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress);
+
+/// Reports if the sizes of that model, whose faces are recognised by now, are rather those of another unit than
+/// millimetres.
+void doubt_unit(const Messages& messages, const scene::SceneDescription& scene, const world::World& world,
+                int without_unit);
 
 }  // namespace epura::pipeline
