@@ -531,7 +531,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   if (std::any_of(sheets.begin(), sheets.end(), shows_parts))
     world = replace_helical_threads(std::move(world), scene, messages, progress);
   place_threads(world, scene);
-  complete_mass(scene, world);
+  complete_mass(scene, world, messages);
   refers_to_models = refer_to_models(scene, world);
   if (refers_to_models) warn_of_unrecognised(messages, scene, world);
   find_heights(world);

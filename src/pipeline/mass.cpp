@@ -20,6 +20,14 @@ std::string solid_name(const world::World& world, const scene::SceneDescription&
   return mesh.report.bodies > 1 ? "body " + std::to_string(body) + " of " + of_model : of_model;
 }
 
+void tell_of_turned(const Messages& messages, const world::World& world, const scene::SceneDescription& scene) {
+  for (std::size_t m = 0; m < world.models.size(); ++m)
+    for (const world::Solid& solid : world::solids_of(world.models[m].mesh->whole(), world.models[m].to_world))
+      if (solid.turned)
+        messages.warn(solid_name(world, scene, m, solid.body) +
+                      " is turned inside out in the file; its mass is that of the body turned back");
+}
+
 }  // namespace
 
 world::MassProperties mass_of(const world::World& world, const scene::SceneDescription& scene, bool wants_mass,
@@ -45,13 +53,17 @@ world::MassProperties mass_of(const world::World& world, const scene::SceneDescr
   return world::sum_of(solids, densities);
 }
 
-void complete_mass(scene::SceneDescription& scene, const world::World& world) {
+void complete_mass(scene::SceneDescription& scene, const world::World& world, const Messages& messages) {
+  bool is_asked = false;
   for (scene::SheetDescription& sheet : scene.sheets) {
     const DecimalSign sign = sheet.decimal_sign.value_or(DecimalSign::point);
     for (auto& [name, text] : sheet.title_block)
-      if (name == "mass" && *text == "auto")
+      if (name == "mass" && *text == "auto") {
+        is_asked = true;
         text.value = sheet::mass_text(mass_of(world, scene, true, text.where).mass.value_or(0), sign);
+      }
   }
+  if (is_asked) tell_of_turned(messages, world, scene);
 }
 
 }  // namespace epura::pipeline

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "pipeline/messages.hpp"
 #include "scene/description.hpp"
 #include "world/mass.hpp"
 #include "world/world.hpp"
@@ -16,6 +17,6 @@ world::MassProperties mass_of(const world::World& world, const scene::SceneDescr
                               const std::string& where);
 
 /// Replaces `auto` as the mass in a title block.
-void complete_mass(scene::SceneDescription& scene, const world::World& world);
+void complete_mass(scene::SceneDescription& scene, const world::World& world, const Messages& messages);
 
 }  // namespace epura::pipeline

@@ -102,16 +102,18 @@ std::vector<Shell> shells_of(const mesh::Mesh& mesh, const Mat4& to_world, const
   return shells;
 }
 
+void turn(Shell& shell) {
+  shell.solid.volume = -shell.solid.volume;
+  shell.moment = -shell.moment;
+}
+
 // If the largest one is turned inwards, all are turned round.
 void turn_outwards(std::vector<Shell>& shells) {
   const auto largest = std::max_element(shells.begin(), shells.end(), [](const Shell& a, const Shell& b) {
     return std::abs(a.solid.volume) < std::abs(b.solid.volume);
   });
   if (largest == shells.end() || largest->solid.volume >= 0) return;
-  for (Shell& shell : shells) {
-    shell.solid.volume = -shell.solid.volume;
-    shell.moment = -shell.moment;
-  }
+  for (Shell& shell : shells) turn(shell);
 }
 
 }  // namespace
@@ -136,7 +138,8 @@ std::vector<Solid> solids_of(const mesh::Mesh& mesh, const Mat4& to_world) {
       body->moment += shell.moment;
       is_cavity[i] = 1;
     } else {
-      shell.solid.fault = "it is turned inside out, and no body is around it";
+      turn(shell);
+      shell.solid.turned = true;
     }
   }
   for (std::size_t i = 0; i < shells.size(); ++i) {

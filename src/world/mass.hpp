@@ -17,11 +17,12 @@ struct Solid {
   std::string fault{};  ///< why it has no volume: "it has 3 open edges"; otherwise empty
   double volume = 0;
   double area = 0;
-  Vec3 centre{0};  ///< of gravity, at constant density
+  Vec3 centre{0};       ///< of gravity, at constant density
+  bool turned = false;  ///< its faces are turned inwards in the file, unlike those of other bodies
 };
 
 /// By number of the body; a shell turned inwards inside the box of another body is a cavity of that. Faces may be
-/// turned outwards or, all of them, inwards.
+/// turned outwards or, all of them, inwards. A shell turned inwards with no body around it is a body that was mirrored.
 std::vector<Solid> solids_of(const mesh::Mesh& mesh, const Mat4& to_world);
 
 /// The density of a body in kg/m³, of its style or its model; 0 if it has none.

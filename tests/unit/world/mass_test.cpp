@@ -69,6 +69,21 @@ TEST(Mass, LeavesOutCavities) {
   expect_at(hollow[0].centre, {1.5, 1.5, 1.5});
 }
 
+// As where a mirrored copy was exported without turning its faces.
+TEST(Mass, OfABodyTurnedInsideOutIsThatOfTheBodyTurnedBack) {
+  Shape two = box({0, 0, 0}, {3, 2, 2});
+  Shape mirrored = box({5, 0, 0}, {6, 2, 2});
+  for (auto& face : mirrored.faces) std::reverse(face.begin(), face.end());
+  two.add(mirrored);
+  const auto found = solids(two);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[1].fault, "");
+  EXPECT_NEAR(found[1].volume, 4, 1e-12);
+  expect_at(found[1].centre, {5.5, 1, 1});
+  EXPECT_TRUE(found[1].turned);
+  EXPECT_FALSE(found[0].turned);
+}
+
 TEST(Mass, OfWhatIsNotClosedIsRefused) {
   Shape open = tetrahedron(1, 1, 1);
   open.faces.pop_back();
