@@ -241,10 +241,21 @@ class PlyReader {
         },
         [&](std::size_t p) {
           if (p != wanted) return;
-          if (!strips) return soup_.end_face();
+          if (!strips) return end_face();
           add_strip(strip);
           strip.clear();
         });
+  }
+
+  // A face with two corners is a line.
+  void end_face() {
+    const auto first = static_cast<std::size_t>(soup_.face_ends.empty() ? 0 : soup_.face_ends.back());
+    if (soup_.corners.size() == first + 2) {
+      soup_.wires.push_back({soup_.corners[first], soup_.corners[first + 1]});
+      soup_.corners.resize(first);
+      ++soup_.wire_faces;
+    }
+    soup_.end_face();
   }
 
   void read_edges(const PlyElement& element) {

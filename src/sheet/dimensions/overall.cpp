@@ -109,6 +109,7 @@ std::vector<scene::DimensionDescription> overall_dimensions(const scene::Dimensi
   });
   for (const PageDirection* ordered : order) {
     const PageDirection& direction = *ordered;
+    if (!(extents[axis_of(direction.direction)].size() > 0)) continue;  // a flat model has no thickness
     const NamedProjection* view =
         clearest(views, direction, overall.view.value_or(""), extents[axis_of(direction.direction)]);
     if (view == nullptr || stands_already(direction)) continue;

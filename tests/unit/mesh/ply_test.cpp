@@ -42,6 +42,17 @@ TEST(Ply, EdgesAreWires) {
             "m.ply:16 | m.ply:16: an edge refers to vertex 3, but there are 3 | ");
 }
 
+// As meshio writes line cells.
+TEST(Ply, FacesOfTwoCornersAreWires) {
+  const mesh::Soup soup = soup_of("ply\nformat ascii 1.0\n" + vertex_header +
+                                  "element face 3\nproperty list uchar int vertex_indices\nend_header\n"
+                                  "0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n2 2 0\n");
+  EXPECT_EQ(soup.wires, (std::vector<std::array<int, 2>>{{0, 1}, {2, 0}}));
+  EXPECT_EQ(soup.corners, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(soup.face_ends, (std::vector<int>{0, 3, 3})) << "numbers of faces stay";
+  EXPECT_EQ(soup.wire_faces, 2);
+}
+
 TEST(Ply, BinaryInBothByteOrdersWithFacesFirst) {
   for (const std::endian order : {std::endian::little, std::endian::big}) {
     std::string bytes = std::string("ply\nformat binary_") + (order == std::endian::big ? "big" : "little") +
