@@ -75,16 +75,28 @@ std::string first_bytes_of(const fs::path& path) {
   return bytes;
 }
 
+const ImporterEntry* importer_by_content(const Catalogue& catalogue, const Source& source) {
+  const std::string bytes = source.bytes != nullptr ? source.bytes->substr(0, mark_bytes) : first_bytes_of(source.path);
+  for (const ImporterEntry& entry : catalogue.entries)
+    if (entry.recognises(bytes)) return &entry;
+  return nullptr;
+}
+
 // The first importer for the extension, otherwise the first one that recognises the content.
 const ImporterEntry* importer_for(const Catalogue& catalogue, const std::string& extension, const Source& source) {
   for (const ImporterEntry& entry : catalogue.entries)
     if (std::find(entry.table.extensions.begin(), entry.table.extensions.end(), extension) !=
         entry.table.extensions.end())
       return &entry;
-  const std::string bytes = source.bytes != nullptr ? source.bytes->substr(0, mark_bytes) : first_bytes_of(source.path);
+  return importer_by_content(catalogue, source);
+}
+
+// ".step, .stp, .glb"
+std::string extensions_in(const Catalogue& catalogue) {
+  std::string text;
   for (const ImporterEntry& entry : catalogue.entries)
-    if (entry.recognises(bytes)) return &entry;
-  return nullptr;
+    for (const std::string& extension : entry.table.extensions) text += (text.empty() ? "." : ", .") + extension;
+  return text;
 }
 
 [[noreturn]] void throw_missing(const std::string& name, const std::string& extension, const Catalogue& catalogue) {
@@ -158,9 +170,10 @@ ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, 
   }
 }
 
-// Nothing for mesh formats.
+// Nothing for what is read without a library; `others` then lists what libraries read, if the name does not tell the
+// format.
 std::optional<ReadModel> read_by_library(const Source& source, const foreign::Assignments& parameters,
-                                         const ReadOptions& options, const Progress& progress) {
+                                         const ReadOptions& options, std::string& others, const Progress& progress) {
   const std::string extension = extension_of(source.name);
   std::error_code error;
   const bool is_readable = source.bytes != nullptr ? !source.bytes->empty() : fs::is_regular_file(source.path, error);
@@ -169,6 +182,7 @@ std::optional<ReadModel> read_by_library(const Source& source, const foreign::As
     if (const ImporterEntry* importer = importer_for(catalogue, extension, source))
       return read_by_importer(*importer, source, parameters, options, progress);
     if (!package_for(extension).empty()) throw_missing(source.name, extension, catalogue);
+    others = extensions_in(catalogue);
   }
   if (!parameters.empty() && mesh::format_named(extension) == nullptr)
     throw Error(ErrorKind::input, source.name + ":" + parameters.front().first,
@@ -217,6 +231,18 @@ ReadModel rounded(mesh::Mesh mesh, const Subdivision& subdivision, const Progres
   return {std::move(mesh)};
 }
 
+// A file that is no mesh, whatever its name says. Nothing if no importer recognises it.
+std::optional<ReadModel> read_misnamed(const Source& source, const ReadOptions& options, const Progress& progress) {
+  if (mesh::format_named(extension_of(source.name)) == nullptr) return std::nullopt;
+  const Catalogue catalogue = load_catalogue(importer_folders(options.plugin_path));
+  const ImporterEntry* importer = importer_by_content(catalogue, source);
+  if (importer == nullptr) return std::nullopt;
+  ReadModel model = read_by_importer(*importer, source, {}, options, progress);
+  model.mesh.report.notes.push_back("the file is named ." + extension_of(source.name) + ", but holds " +
+                                    importer->table.name);
+  return model;
+}
+
 bool is_assignment(std::string_view part) {
   const std::size_t equals = part.find('=');
   return equals != std::string_view::npos && foreign::is_plugin_name(part.substr(0, equals));
@@ -246,18 +272,27 @@ ReadModel read_model(const fs::path& path, const foreign::Assignments& parameter
                      const Progress& progress) {
   if (path == standard_input)
     return read_model(read_file("/dev/stdin", progress), "standard input", parameters, options, progress);
-  if (std::optional<ReadModel> model = read_by_library({path, path.string()}, parameters, options, progress))
+  const Source source{path, path.string()};
+  std::string others;
+  if (std::optional<ReadModel> model = read_by_library(source, parameters, options, others, progress))
     return *std::move(model);
   const Subdivision subdivision = subdivision_of(path.string(), parameters);
-  return rounded(mesh::read_mesh(path, progress), subdivision, progress);
+  try {
+    return rounded(mesh::read_mesh(path, progress, others), subdivision, progress);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::input || !fs::is_regular_file(path)) throw;
+    if (std::optional<ReadModel> model = read_misnamed(source, options, progress)) return *std::move(model);
+    throw;
+  }
 }
 
 ReadModel read_model(std::string bytes, const std::string& name, const foreign::Assignments& parameters,
                      const ReadOptions& options, const Progress& progress) {
-  if (std::optional<ReadModel> model = read_by_library({name, name, &bytes}, parameters, options, progress))
+  std::string others;
+  if (std::optional<ReadModel> model = read_by_library({name, name, &bytes}, parameters, options, others, progress))
     return *std::move(model);
   const Subdivision subdivision = subdivision_of(name, parameters);
-  return rounded(mesh::read_mesh(std::move(bytes), name, progress), subdivision, progress);
+  return rounded(mesh::read_mesh(std::move(bytes), name, progress, others), subdivision, progress);
 }
 
 }  // namespace epura::importer

@@ -37,25 +37,45 @@ bool may_be_obj(std::string_view bytes) {
   return std::find(words.begin(), words.end(), TextCursor(bytes, "").word_of_any_line()) != words.end();
 }
 
-const Format& format_of(std::string_view bytes, std::string_view extension, const std::string& name) {
+/// The mark of a packed file, and the program that unpacks it.
+struct Packing {
+  std::string_view mark, program;
+};
+constexpr std::array<Packing, 5> packings{{{"\x1f\x8b", "gunzip"},
+                                           {"PK\3\4", "unzip"},
+                                           {"\xfd"
+                                            "7zXZ",
+                                            "unxz"},
+                                           {"BZh", "bunzip2"},
+                                           {"\x28\xb5\x2f\xfd", "unzstd"}}};
+
+void refuse_packed(std::string_view bytes, const std::string& name) {
+  for (const Packing& packing : packings)
+    if (bytes.starts_with(packing.mark))
+      throw Error(ErrorKind::input, name, "is packed", "unpack it first: " + std::string(packing.program) + " " + name);
+}
+
+const Format& format_of(std::string_view bytes, std::string_view extension, const std::string& name,
+                        const std::string& others) {
   if (const Format* format = format_of_content(bytes)) return *format;
   if (const Format* format = format_named(extension)) return *format;
   if (extension.empty() && may_be_obj(bytes)) return *format_named("obj");
+  refuse_packed(bytes, name);
   std::string known;
   for (const Format& format : own_formats) known += (known.empty() ? "." : ", .") + std::string(format.name);
   throw Error(ErrorKind::input, name,
               extension.empty() ? "has no extension, so its format is unknown"
                                 : "'." + std::string(extension) + "' is not a supported model format",
-              "supported: " + known);
+              "supported: " + known + (others.empty() ? "" : ", " + others));
 }
 
-Soup read_soup(std::string bytes, const std::string& name, const Progress& progress) {
+Soup read_soup(std::string bytes, const std::string& name, const std::string& others, const Progress& progress) {
   if (bytes.empty()) throw Error(ErrorKind::input, name, "is empty");
   if (stl_kind(bytes) != StlKind::binary) bytes = without_byte_order_mark(std::move(bytes));
 
   const std::string dotted = to_lower(std::filesystem::path(name).extension().string());
   const std::string extension = dotted.empty() ? dotted : dotted.substr(1);
-  const Format& format = format_of(bytes, extension, name);
+  const Format& format = format_of(bytes, extension, name, others);
   Soup soup = format.read(bytes, name, progress);
   if (format_named(extension) != nullptr && extension != soup.format)
     soup.notes.push_back("the file is named ." + extension + ", but holds " + soup.format);
@@ -93,13 +113,13 @@ Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress, std
   return mesh;
 }
 
-Mesh read_mesh(const std::filesystem::path& path, const Progress& progress) {
-  return read_mesh(read_file(path, progress), path.string(), progress);
+Mesh read_mesh(const std::filesystem::path& path, const Progress& progress, const std::string& others) {
+  return read_mesh(read_file(path, progress), path.string(), progress, others);
 }
 
-Mesh read_mesh(std::string bytes, const std::string& name, const Progress& progress) {
+Mesh read_mesh(std::string bytes, const std::string& name, const Progress& progress, const std::string& others) {
   const std::size_t size = bytes.size();
-  Mesh mesh = make_mesh(read_soup(std::move(bytes), name, progress), name, progress);
+  Mesh mesh = make_mesh(read_soup(std::move(bytes), name, others, progress), name, progress);
   progress.advance(size);
   return mesh;
 }

@@ -17,11 +17,12 @@ namespace epura::mesh {
 /// Reads OBJ, STL (text, binary), PLY (text, both byte orders) or OFF. The format is determined by the content of the
 /// file, then by its extension. Coordinates are the doubles nearest to those in the file. Throws Error{input} with path
 /// and line (text) or byte (binary), and OutOfTime. Every byte of the file counts twice as progress: when it has been
-/// read, and when the mesh is complete.
-Mesh read_mesh(const std::filesystem::path& path, const Progress& progress = {});
+/// read, and when the mesh is complete. `others`: extensions of further formats, for who looks for one: ".step, .glb".
+Mesh read_mesh(const std::filesystem::path& path, const Progress& progress = {}, const std::string& others = {});
 
 /// The same for a file in memory. `name` precedes the line or byte in errors; its extension counts.
-Mesh read_mesh(std::string bytes, const std::string& name, const Progress& progress = {});
+Mesh read_mesh(std::string bytes, const std::string& name, const Progress& progress = {},
+               const std::string& others = {});
 
 /// A format that read_mesh reads.
 struct Format {

@@ -56,6 +56,25 @@ TEST(ImporterProcess, IsChosenByExtensionOrByContent) {
             "off");
 }
 
+TEST(ImporterProcess, IsChosenByContentWhereTheNameIsWrong) {
+  const Folder folder;
+  for (const char* name : {"a.stl", "a.obj", "a.ply"}) {
+    const mesh::MeshReport report = read_by("good", folder.file(name, "plain text")).mesh.report;
+    EXPECT_EQ(report.format, "plain") << name;
+    EXPECT_EQ(report.notes.back(), "the file is named " + std::string(name + 1) + ", but holds plain");
+  }
+}
+
+TEST(ImporterProcess, FormatsOfLibrariesAreListedForAnUnknownName) {
+  const Folder folder;
+  try {
+    read_by("good", folder.file("a.amf", "<amf>"));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.hint(), "supported: .obj, .stl, .ply, .off, .plain, .pln");
+  }
+}
+
 TEST(ImporterProcess, LibrariesOfProjectionsAreNoMistake) {
   const importer::Catalogue catalogue = importer::load_catalogue({EPURA_TEST_PLUGINS});
   EXPECT_TRUE(catalogue.entries.empty());

@@ -101,6 +101,7 @@ TEST(ReadMesh, ErrorsNameTheFileAndTheReason) {
   EXPECT_EQ(error("m.obj", ""), "FILE | FILE: is empty | ");
   EXPECT_EQ(error("m.step", "ISO-10303-21;"),
             "FILE | FILE: '.step' is not a supported model format | supported: .obj, .stl, .ply, .off");
+  EXPECT_EQ(error("m.stpz", "\x1f\x8b\b"), "FILE | FILE: is packed | unpack it first: gunzip FILE");
   EXPECT_EQ(error("model", "# of OBJ\nv 0 0 0\n"), "FILE | FILE: holds no faces | points at one place have no size");
   EXPECT_EQ(error("model", "vertices\n"),
             "FILE | FILE: has no extension, so its format is unknown | supported: .obj, .stl, .ply, .off");
