@@ -9,6 +9,8 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "base/text.hpp"
+#include "scene/choices.hpp"
 #include "sheet/dimensions/tolerance.hpp"
 
 namespace epura::sheet {
@@ -377,6 +379,18 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   return {length, with_text(dimension, {value, sign}, sight.notation), dimension.offset};
 }
 
+// No sheet is longer.
+void expect_within_a_sheet(const AnchoredDimension& dimension, const Sight& sight) {
+  for (const Vec3& point : dimension.points) {
+    const Vec2 place = glm::abs(sight.whole_page(point));
+    if (!(std::max(place.x, place.y) <= scene::longest_side))
+      refuse_measure(
+          dimension,
+          "one of its points lies " + format_rounded(std::max(place.x, place.y) / 1000, 4) + " m away on the sheet",
+          "use a smaller scale, and points that are on the models");
+  }
+}
+
 }  // namespace
 
 MeasuredDimension measure(const drawing::ViewDrawing& drawing, const AnchoredDimension& dimension,
@@ -386,6 +400,7 @@ MeasuredDimension measure(const drawing::ViewDrawing& drawing, const AnchoredDim
                    "measure in an orthographic view");
   const Sight sight{drawing, notation};
   check(sight.millimetres() > 0, "a parallel view has a scale");
+  expect_within_a_sheet(dimension, sight);
   switch (dimension.type) {
     case DimensionType::linear:
       return dimension.arrangement ? measure_row(dimension, sight) : linear(dimension, sight);

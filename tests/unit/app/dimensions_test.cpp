@@ -112,6 +112,15 @@ TEST_F(DimensionsOfProgram, Refused) {
   const std::string view = refused({scene, "--views", "front,top"});
   EXPECT_TRUE(contains(view, "scene.toml:5")) << view;
   EXPECT_TRUE(contains(view, "did you mean 'front'?")) << view;
+  for (const char* far : {"1e9", "1e20", "1e50"}) {
+    const std::string away =
+        refused({folder.file("far.toml", "[[model]]\nfile = \"" + sample("bracket.obj") +
+                                             "\"\n[[dimension]]\ntype = \"linear\"\ndirection = \"horizontal\"\n"
+                                             "from = {point = [0, 0, 0]}\nto = {point = [" +
+                                             far + ", 0, 0]}\n")});
+    EXPECT_TRUE(contains(away, "far.toml:3")) << away;
+    EXPECT_TRUE(contains(away, "m away on the sheet")) << away;
+  }
 }
 
 // Along the axes, where both ends of the models have corners.
