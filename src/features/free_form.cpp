@@ -279,16 +279,17 @@ bool is_one_face(const Facets& facets, const Region& one, const Region& two) {
          (2 * smaller.facets.size() < larger.facets.size() && are_chords(facets, smaller, larger));
 }
 
-/// Finds strips of cylinders and cones that are rows of a free form's tessellation: they lie beside facets of a free
-/// form, or several lie side by side. So are regions of cylinders and cones of which vertices lie off the surface by
-/// more than rounding, beside facets of a free form or other such regions along their generators: over a short way, any
-/// curve is nearly an arc.
+/// Finds strips of spheres, cylinders and cones that are rows of a free form's tessellation. Two circles about one axis
+/// always lie on a sphere; strips of cylinders and cones lie beside facets of a free form, or several lie side by side.
+/// So are regions of cylinders and cones of which vertices lie off the surface by more than rounding, beside facets of
+/// a free form or other such regions along their generators: over a short way, any curve is nearly an arc.
 class Rows {
  public:
   Rows(const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions)
       : facets_(facets), region_of_(region_of), strips_(regions.size()), is_row_(regions.size()) {
     for (std::size_t r = 0; r < regions.size(); ++r) strips_[r] = strip_of(regions[r], static_cast<int>(r));
     for (std::size_t r = 0; r < regions.size(); ++r) flanks_.push_back(flanks_of(regions[r], static_cast<int>(r)));
+    for (std::size_t r = 0; r < regions.size(); ++r) is_row_[r] = is_strip_of_sphere(regions[r], static_cast<int>(r));
   }
 
   std::vector<char> find() {
@@ -369,6 +370,29 @@ class Rows {
       at_border += strip.across > before ? 1 : 0;
     }
     return 10 * at_border > 9 * region.facets.size() ? strip : Strip{};
+  }
+
+  [[nodiscard]] bool is_strip_of_sphere(const Region& region, int number) const {
+    if (region.surface.kind != SurfaceKind::sphere) return false;
+    std::size_t at_border = 0;
+    std::vector<int> all, ends;
+    for (const int f : region.facets) {
+      const std::size_t before = ends.size();
+      facets_.for_sides(f, [&](int t, int side, int other) {
+        if (region_of_[other] == number) return;
+        ends.push_back(facets_.corners[t][side]);
+        ends.push_back(facets_.corners[t][(side + 1) % 3]);
+      });
+      at_border += ends.size() > before ? 1 : 0;
+      const auto vertices = facets_.vertices_of(f);
+      all.insert(all.end(), vertices.begin(), vertices.end());
+    }
+    return 10 * at_border > 9 * region.facets.size() && count_distinct(ends) == count_distinct(all);
+  }
+
+  static std::size_t count_distinct(std::vector<int>& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    return static_cast<std::size_t>(std::unique(numbers.begin(), numbers.end()) - numbers.begin());
   }
 
   void add_side(Strip& strip, const PartSurface& surface, int triangle, int side) const {

@@ -41,6 +41,22 @@ TEST(SurfacesOfRevolution, ASurfaceOfRevolutionOverACurveIsNoStackOfCones) {
   EXPECT_EQ(part.faces.size(), 5U);
 }
 
+// Two circles about one axis lie on a sphere: the staggered triangles between them, too, which no cone has.
+TEST(SurfacesOfRevolution, AStripOfStaggeredTrianglesIsNoSphere) {
+  std::vector<Vec2> profile{{0, -30}, {25, -30}, {25, 0}};
+  for (int i = 1; i <= 24; ++i) profile.emplace_back(25 - 0.02 * i * i - 0.1 * std::sin(0.7 * i), 1.0 * i);
+  profile.emplace_back(0, 24);
+  Part part = revolved(profile, 48);
+  part.triangulate().move([&](const Vec3& p) {
+    const int ring = static_cast<int>(std::lround(p.z));
+    const double angle = p.z > 0 && p.z < 24 && ring % 2 != 0 ? pi / 48 : 0;
+    return Vec3(p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle), p.z);
+  });
+  const features::PartFaces found = recognise(part);
+  EXPECT_EQ(count(found, features::SurfaceKind::sphere), 0);
+  EXPECT_EQ(count(found, features::SurfaceKind::cylinder), 1);
+}
+
 // Meshers crowd vertices around an apex, off the cone by rounding: facets that reach there face anywhere.
 TEST(SurfacesOfRevolution, AConeWithACrowdedApexIsOneFace) {
   for (const unsigned seed : {1U, 2U, 3U}) {
