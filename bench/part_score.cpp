@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "base/nearest.hpp"
+#include "drawing/near_lines.hpp"
 #include "search/line_cells.hpp"
 
 namespace epura::bench {

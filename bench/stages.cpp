@@ -17,6 +17,7 @@
 #include "generators.hpp"
 #include "mesh/build.hpp"
 #include "mesh/read.hpp"
+#include "output/format.hpp"
 #include "output/write.hpp"
 #include "sheet/view_lines.hpp"
 #include "view/projected_scene.hpp"

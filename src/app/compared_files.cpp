@@ -13,6 +13,7 @@
 
 #include "app/describe.hpp"
 #include "base/text.hpp"
+#include "drawing/drawing.hpp"
 #include "pipeline/draw_scene.hpp"
 #include "pipeline/targets.hpp"
 #include "sheet/standard_scale.hpp"

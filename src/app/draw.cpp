@@ -10,6 +10,7 @@
 #include "app/explain.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "output/format.hpp"
 #include "pipeline/draw_scene.hpp"
 #include "pipeline/tell.hpp"
 #include "pipeline/view_error.hpp"

@@ -9,6 +9,7 @@
 
 #include "app/command_line_options.hpp"
 #include "base/text.hpp"
+#include "output/format.hpp"
 #include "scene/cutting_plane.hpp"
 #include "scene/details.hpp"
 #include "scene/part_options.hpp"

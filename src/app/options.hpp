@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "importer/process.hpp"
-#include "output/write.hpp"
+#include "output/vector_options.hpp"
 #include "pipeline/options.hpp"
 #include "projection/plugin_process.hpp"
 #include "scene/description.hpp"

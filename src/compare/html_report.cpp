@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compare/overlay.hpp"
+#include "output/format.hpp"
 #include "output/html.hpp"
 #include "output/write.hpp"
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/description.hpp"
 #include "world/placed_part.hpp"
 #include "world/world.hpp"
 

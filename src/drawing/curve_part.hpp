@@ -5,9 +5,18 @@
 #include <span>
 #include <vector>
 
-#include "drawing/drawing.hpp"
+#include "base/vec.hpp"
 
 namespace epura::drawing {
+
+/// A part of a polyline that is an arc: points first ... last lie on centre + cos(a) u + sin(a) v, where a runs from
+/// `from` to `to` (radians). For a circle, u and v have the same length; for an ellipse, they are its semi-axes; u is
+/// perpendicular to v. If a curve ends at the first point of a closed line, `last` is the number of points.
+struct CurvePart {
+  int first, last;
+  Vec2 centre, u, v;
+  double from, to;
+};
 
 /// Returns the point of a curve at an angle.
 Vec2 position_on_curve(const CurvePart& curve, double angle);

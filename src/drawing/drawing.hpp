@@ -3,17 +3,22 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/vec.hpp"
-#include "construction/figure.hpp"
 #include "drawing/boundary.hpp"
 #include "drawing/breaks.hpp"
+#include "drawing/curve_part.hpp"
 #include "edges/edge_kind.hpp"
 #include "projection/projection.hpp"
+
+namespace epura::construction {
+struct Figure;
+}
 
 namespace epura::drawing {
 
@@ -39,15 +44,6 @@ struct CrossingSegment {
   /// out), and {-1, -1} for the cutting plane.
   std::array<std::array<int, 2>, 2> faces;
   std::array<Vec3, 2> world;  ///< ends in world coordinates
-};
-
-/// A part of a polyline that is an arc: points first ... last lie on centre + cos(a) u + sin(a) v, where a runs from
-/// `from` to `to` (radians). For a circle, u and v have the same length; for an ellipse, they are its semi-axes; u is
-/// perpendicular to v. If a curve ends at the first point of a closed line, `last` is the number of points.
-struct CurvePart {
-  int first, last;
-  Vec2 centre, u, v;
-  double from, to;
 };
 
 /// Segments with the same appearance, model and named body, chained end to end.
@@ -108,7 +104,8 @@ struct ViewDrawing {
   Breaks breaks{};                            ///< parts left out; all else is where it is after the move
   std::vector<Limit> limits{};                ///< where parts are left out
   std::vector<std::array<Vec2, 2>> traces{};  ///< of bodies moved apart: visible lines from their places
-  construction::Figure construction{};        ///< of the projection; in the elevation, that of an épura
+  std::shared_ptr<const construction::Figure> construction{};  ///< of the projection; in the elevation, that of an
+                                                               ///< épura; null: none
   double contours_moved = 0;  ///< mm; greatest distance at which contours of curved faces are drawn from edges of the
                               ///< mesh
   double outlines_moved = 0;  ///< mm; the same of outlines of cut faces, from where the plane cuts the mesh

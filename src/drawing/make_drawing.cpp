@@ -16,6 +16,7 @@
 #include "drawing/ink.hpp"
 #include "drawing/meet_contours.hpp"
 #include "drawing/moved_contours.hpp"
+#include "drawing/near_ink.hpp"
 #include "drawing/specks.hpp"
 
 namespace epura::drawing {

@@ -6,7 +6,7 @@
 
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
-#include "drawing/near_ink.hpp"
+#include "drawing/near_lines.hpp"
 #include "view/paper_map.hpp"
 #include "visibility/visibility.hpp"
 

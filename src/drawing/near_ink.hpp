@@ -12,26 +12,12 @@
 // the other line. Ends that would be left unconnected are joined to the ink that is drawn instead of the removed ink.
 #pragma once
 
-#include <functional>
-#include <numbers>
 #include <vector>
 
 #include "base/progress.hpp"
 #include "drawing/ink.hpp"
 
 namespace epura::drawing {
-
-struct NearLines {
-  double distance = 0;  ///< mm on paper; 0: all lines are drawn
-  /// For model, body, kind and visibility: of two lines, the one with the greater number is drawn; a negative number
-  /// means no ink.
-  std::function<int(int, int, EdgeKind, bool)> strength{};
-
-  /// For removed ink, there is ink that stays within this distance, mm.
-  [[nodiscard]] double reach() const { return std::numbers::sqrt2 * distance; }
-  /// The same once lines are continued and specks are dropped, which may be the ink that stayed.
-  [[nodiscard]] double reach_in_all() const { return reach() + 2.5 * distance; }
-};
 
 /// Returns what is left of `pieces`, in their order. `strength` is by piece. Lines within `touching` mm meet. Throws
 /// OutOfTime.

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "drawing/curve_part.hpp"
+#include "drawing/drawing.hpp"
 
 namespace epura::drawing {
 

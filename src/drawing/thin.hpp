@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 
 namespace epura::drawing {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "drawing/closed_line.hpp"
+#include "drawing/drawing.hpp"
 #include "drawing/freehand.hpp"
 #include "drawing/ink.hpp"
 #include "explain/reason.hpp"

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/text.hpp"
+#include "drawing/drawing.hpp"
 
 namespace epura::explain {
 

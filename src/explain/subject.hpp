@@ -13,6 +13,7 @@
 #include "drawing/drawing.hpp"
 #include "drawing/make_drawing.hpp"
 #include "edges/find_edges.hpp"
+#include "explain/edge_question.hpp"
 #include "view/paper_map.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/visibility.hpp"
@@ -33,9 +34,6 @@ struct Subject {
   int mesh_edge;  ///< number in its model; -1 for an intersection line
   int drawn;      ///< index in FeatureEdges::edges; -1 if no part of it is drawn
 };
-
-/// A face of a file: the number of its model and its own number; -1 for one that a section leaves out.
-using FaceName = std::array<int, 2>;
 
 /// Returns the face to which a triangle of the world belongs.
 FaceName face_of(const world::World& world, int triangle);

@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "drawing/drawing.hpp"
 #include "explain/reason.hpp"
 
 namespace epura::explain {

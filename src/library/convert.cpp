@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/largest_number.hpp"
 #include "base/text.hpp"
+#include "drawing/drawing.hpp"
 #include "library/own_projections.hpp"
 #include "scene/line_roles.hpp"
 

@@ -5,7 +5,7 @@
 #include <epura/epura.hpp>
 #include <vector>
 
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 #include "pipeline/options.hpp"
 #include "report/error_budget.hpp"
 #include "scene/description.hpp"

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "drawing/drawing.hpp"
+#include "drawing/curve_part.hpp"
 
 namespace epura::output {
 

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "output/write.hpp"
+#include "output/vector_options.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura::output {

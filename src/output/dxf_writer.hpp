@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "output/write.hpp"
+#include "output/vector_options.hpp"
 
 namespace epura::output {
 

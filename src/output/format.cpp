@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of output formats, the only place that lists them. A new format consists of a file in this folder, whose
 // function may be declared here, and a row.
+#include "output/format.hpp"
+
 #include <algorithm>
 #include <array>
 #include <numbers>

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "base/text.hpp"
+#include "drawing/drawing.hpp"
+#include "output/format.hpp"
 #include "output/html.hpp"
 #include "output/json_text.hpp"
 #include "output/page_lines.hpp"

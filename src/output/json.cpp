@@ -8,9 +8,11 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "construction/figure.hpp"
+#include "drawing/drawing.hpp"
+#include "output/format.hpp"
 #include "output/in_order.hpp"
 #include "output/json_text.hpp"
-#include "output/write.hpp"
 #include "report/format.hpp"
 #include "report/report.hpp"
 
@@ -217,7 +219,7 @@ void append_view(std::string& text, const drawing::ViewDrawing& drawing, double 
     text += ",\n   \"broken_out\": " + json_lines(drawing.broken_out, broken_out_of, "\n    ");
   if (!drawing.cut_faces.empty())
     text += ",\n   \"cut_faces\": " + json_lines(drawing.cut_faces, cut_face_of, "\n    ");
-  if (!drawing.construction.empty()) text += ",\n   \"construction\": " + construction_of(drawing.construction);
+  if (drawing.construction) text += ",\n   \"construction\": " + construction_of(*drawing.construction);
   text += '}';
 }
 

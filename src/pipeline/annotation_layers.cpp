@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "drawing/drawing.hpp"
 #include "pipeline/construction_layers.hpp"
 #include "pipeline/details.hpp"
 #include "pipeline/occupied_room.hpp"
@@ -514,7 +515,7 @@ void add_balloons(AnnotationLayers& result, sheet::Neighbours& around, const She
 
 // Besides dimensions.
 bool has_lettering(const SheetInput& input, std::span<const ViewResult> views) {
-  if (std::any_of(views.begin(), views.end(), [](const auto& view) { return !view.drawing.construction.empty(); }))
+  if (std::any_of(views.begin(), views.end(), [](const auto& view) { return view.drawing.construction != nullptr; }))
     return true;
   const auto is_given = [](const auto& view) { return !view.empty(); };
   return std::any_of(input.balloons.begin(), input.balloons.end(), is_given) ||

@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "drawing/boundary.hpp"
 #include "drawing/cut_faces.hpp"
+#include "drawing/drawing.hpp"
 #include "drawing/freehand.hpp"
 #include "edges/crossing_candidates.hpp"
 #include "scene/details.hpp"

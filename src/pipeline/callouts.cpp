@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "drawing/drawing.hpp"
 #include "pipeline/page_triangle.hpp"
 #include "sheet/callout_symbols.hpp"
 #include "sheet/fit_text.hpp"

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 #include "scene/description.hpp"
 #include "sheet/callouts.hpp"
 #include "world/world.hpp"

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "drawing/drawing.hpp"
 #include "edges/dihedral.hpp"
 #include "features/recognise.hpp"
 

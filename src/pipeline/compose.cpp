@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "construction/figure.hpp"
+#include "drawing/drawing.hpp"
 #include "drawing/thin.hpp"
 #include "pipeline/annotation_layers.hpp"
 #include "pipeline/constructions.hpp"
@@ -216,13 +218,18 @@ void keep_curves(std::vector<drawing::Chain>& chains) {
   chains.shrink_to_fit();
 }
 
+std::shared_ptr<const construction::Figure> unless_empty(construction::Figure figure) {
+  return figure.empty() ? nullptr : std::make_shared<const construction::Figure>(std::move(figure));
+}
+
 // On paper, when the views are drawn. An épura has its figure in the elevation.
 void construct(const SheetInput& input, std::vector<ViewResult>& results) {
   const SheetOfViews& views = input.views;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const bool in_epura = views.epura && (i == views.epura->elevation || i == views.epura->plan);
     if (!in_epura && views.descriptions[i].construction.given() && !results[i].drawing.detail)
-      results[i].drawing.construction = figure_on_paper(input.world, views.descriptions[i], results[i].drawing);
+      results[i].drawing.construction =
+          unless_empty(figure_on_paper(input.world, views.descriptions[i], results[i].drawing));
   }
   if (!views.epura) return;
   drawing::ViewDrawing& elevation = results[views.epura->elevation].drawing;
@@ -235,7 +242,7 @@ void construct(const SheetInput& input, std::vector<ViewResult>& results) {
                                   (plan.max.y + elevation.min.y) / 2,
                                   {std::min(plan.min.x, elevation.min.x), std::max(plan.max.x, elevation.max.x)}};
   const std::array descriptions{&views.descriptions[views.epura->elevation], &views.descriptions[views.epura->plan]};
-  elevation.construction = figure_of_epura(input.world, descriptions, epura);
+  elevation.construction = unless_empty(figure_of_epura(input.world, descriptions, epura));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "construction/figure.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/construction_layer.hpp"
 #include "sheet/free_rectangles.hpp"
 #include "sheet/table_drawing.hpp"
@@ -52,15 +54,18 @@ sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& o
   if (const auto block = sheet::block_boxes(furniture).all) taken.push_back(block->grown(apart));
   for (const sheet::Rectangle& block : blocks) taken.push_back(block.grown(apart));
   for (const sheet::Rectangle& one : taken) room.taken.push_back(sheet::turned_box(one));
-  if (std::all_of(own.begin(), own.end(),
-                  [&](std::size_t i) { return is_clear(views[i].drawing.construction, taken); })) {
+  if (std::all_of(own.begin(), own.end(), [&](std::size_t i) {
+        const auto& figure = views[i].drawing.construction;
+        return !figure || is_clear(*figure, taken);
+      })) {
     room.area = sheet::united(room.area, *ink);
     return room;
   }
   const auto size = [](const Vec2& sides) { return std::max(sides.x, 0.0) * std::max(sides.y, 0.0); };
   sheet::Rectangle wanted = *ink;
   for (const std::size_t i : own)
-    wanted = sheet::box_of(views[i].drawing.construction, wanted, farthest * glm::length(ink->size()));
+    if (views[i].drawing.construction)
+      wanted = sheet::box_of(*views[i].drawing.construction, wanted, farthest * glm::length(ink->size()));
   const auto worth = [&](const sheet::Rectangle& free) {
     const Vec2 held = glm::min(free.max, wanted.max) - glm::max(free.min, wanted.min);
     return std::pair(std::round(size(held)), size(free.size()));
@@ -82,8 +87,8 @@ Legend legend_of(std::span<const ViewResult> views) {
   Legend legend;
   std::vector<std::vector<std::string>>& rows = legend.table.rows;
   for (const ViewResult& view : views) {
-    const construction::Figure& figure = view.drawing.construction;
-    if (figure.empty()) continue;
+    if (!view.drawing.construction) continue;
+    const construction::Figure& figure = *view.drawing.construction;
     legend.is_asked_for = legend.is_asked_for || figure.legend;
     for (const construction::Term& term : figure.terms)
       if (const std::vector<std::string> row{term.symbol, term.meaning};
@@ -114,16 +119,18 @@ DrawnConstructions draw_constructions(const SheetInput& input, std::span<const V
                                       std::vector<sheet::Rectangle> blocks) {
   std::vector<std::size_t> order(views.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_partition(order.begin(), order.end(),
-                        [&](std::size_t i) { return !views[i].drawing.construction.keys.empty(); });
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) {
+    const auto& figure = views[i].drawing.construction;
+    return figure && !figure->keys.empty();
+  });
   DrawnConstructions drawn;
   for (const std::size_t i : order) {
     const drawing::ViewDrawing& drawing = views[i].drawing;
-    if (drawing.construction.empty()) continue;
+    if (!drawing.construction) continue;
     std::vector<std::size_t> own{i};
     if (input.views.epura && input.views.epura->elevation == i) own.push_back(input.views.epura->plan);
     const sheet::ConstructionRoom room = room_for_constructions(own, around, input.plan.furniture, views, blocks);
-    sheet::ConstructionLayer layer = sheet::construction_layer(drawing.name, drawing.construction, room, style);
+    sheet::ConstructionLayer layer = sheet::construction_layer(drawing.name, *drawing.construction, room, style);
     const std::vector<sheet::TurnedBox> more = sheet::boxes_of(layer.layer, style.lettering);
     around.boxes.insert(around.boxes.end(), more.begin(), more.end());
     blocks.insert(blocks.end(), layer.keys.begin(), layer.keys.end());

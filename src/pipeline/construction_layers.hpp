@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "construction/figure.hpp"
 #include "pipeline/annotation_layers.hpp"
 #include "sheet/dimensions/dimensions.hpp"
 

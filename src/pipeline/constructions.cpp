@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "construction/axonometry.hpp"
 #include "construction/perspective.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/arrangement.hpp"
 #include "sheet/construction_layer.hpp"
 #include "sheet/dimensions/anchors.hpp"

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "drawing/drawing.hpp"
 #include "scene/details.hpp"
 #include "sheet/detail_marks.hpp"
 #include "sheet/frame.hpp"

@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "design/place_threads.hpp"
+#include "drawing/drawing.hpp"
 #include "mesh/read.hpp"
 #include "pipeline/annotations.hpp"
 #include "pipeline/arrow_views.hpp"

@@ -13,7 +13,6 @@
 #include "drawing/arcs.hpp"
 #include "drawing/breaks.hpp"
 #include "drawing/drawing.hpp"
-#include "drawing/make_drawing.hpp"
 #include "edges/find_edges.hpp"
 #include "pipeline/broken_outs.hpp"
 #include "pipeline/budget.hpp"

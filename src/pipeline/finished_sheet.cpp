@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "drawing/curve_part.hpp"
+#include "drawing/drawing.hpp"
 #include "drawing/thin.hpp"
 #include "pipeline/budget.hpp"
 #include "sheet/partial_mark.hpp"

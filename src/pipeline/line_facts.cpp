@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "drawing/drawing.hpp"
 
 namespace epura::pipeline {
 

@@ -2,7 +2,7 @@
 // What the models tell of the lines on a sheet: lengths in space, faces, bodies, and depth.
 #pragma once
 
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 #include "sheet/sheet.hpp"
 #include "world/world.hpp"
 

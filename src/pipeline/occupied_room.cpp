@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "drawing/drawing.hpp"
 #include "sheet/dimensions/boxes.hpp"
 #include "sheet/frame.hpp"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "explain/find_subjects.hpp"
+#include "explain/edge_question.hpp"
 #include "pipeline/shortcuts.hpp"
 #include "projection/catalogue.hpp"
 #include "scene/choices.hpp"

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "construction/picture_plane.hpp"
+#include "drawing/drawing.hpp"
 #include "pipeline/complete_scene.hpp"
 #include "pipeline/read_models.hpp"
 #include "sheet/construction_layer.hpp"

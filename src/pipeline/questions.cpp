@@ -4,6 +4,7 @@
 #include <string>
 
 #include "explain/explain.hpp"
+#include "explain/find_subjects.hpp"
 #include "explain/tables.hpp"
 
 namespace epura::pipeline {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "drawing/drawing.hpp"
 
 namespace epura::pipeline {
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "drawing/closed_line.hpp"
+#include "drawing/drawing.hpp"
 #include "pipeline/page_triangle.hpp"
 
 namespace epura::pipeline {

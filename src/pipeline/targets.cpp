@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "output/format.hpp"
 #include "sheet/real_dashes.hpp"
 
 namespace epura::pipeline {

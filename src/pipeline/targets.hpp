@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "output/write.hpp"
+#include "output/format.hpp"
 #include "pipeline/finished_sheet.hpp"
 #include "pipeline/messages.hpp"
 #include "report/report.hpp"

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "drawing/drawing.hpp"
 #include "pipeline/layout.hpp"
 #include "report/format.hpp"
 #include "sheet/lettering.hpp"

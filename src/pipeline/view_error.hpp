@@ -7,9 +7,9 @@
 #include <string>
 
 #include "drawing/arcs.hpp"
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 #include "edges/find_edges.hpp"
-#include "output/write.hpp"
+#include "output/vector_options.hpp"
 #include "pipeline/messages.hpp"
 #include "pipeline/options.hpp"
 #include "pipeline/targets.hpp"

@@ -11,30 +11,16 @@
 #include <variant>
 #include <vector>
 
-#include "base/colour.hpp"
 #include "base/vec.hpp"
 #include "mesh/soup.hpp"
 #include "scene/choices.hpp"
 #include "scene/construction_choice.hpp"
 #include "scene/geometric_tolerances.hpp"
+#include "scene/located.hpp"
+#include "scene/style.hpp"
 #include "scene/surface_texture.hpp"
 
 namespace epura::scene {
-
-/// A value and its location: an option such as "--scale", or "scene.toml:12:9".
-template <class Value>
-struct Located {
-  std::optional<Value> value{};
-  std::string where{};
-
-  [[nodiscard]] bool given() const { return value.has_value(); }
-  /// Returns the value, or `usual` if none is given.
-  [[nodiscard]] Value value_or(const Value& usual) const { return value.value_or(usual); }
-  const Value& operator*() const { return *value; }
-  const Value* operator->() const { return &*value; }
-};
-
-using LocatedText = Located<std::string>;
 
 struct ModelDescription {
   LocatedText file;                                           ///< in a scene file, relative to its folder
@@ -50,28 +36,6 @@ struct ModelDescription {
   Located<Surfaces> surfaces;   ///< by default automatic
   Located<bool> drawn;          ///< by default true
   Located<double> density{};    ///< kg/m³, of bodies whose style has none
-};
-
-/// The colour of lines.
-struct ColourChoice {
-  bool of_file = false;  ///< that of the body in its file; if there is none, black
-  Colour colour{};       ///< otherwise
-};
-
-/// How bodies with certain names are drawn, whatever their models and views say. Of several styles that match a body,
-/// the last one that has a value counts.
-struct StyleDescription {
-  LocatedText match;  ///< names of bodies or models: * stands for any text, ? for one character, [ab] for a or b
-  Located<LineRole> line;
-  Located<HiddenLines> hidden;
-  Located<ColourChoice> colour;
-  Located<bool> cut;            ///< by sections; true by default
-  Located<HatchPattern> hatch;  ///< general by default
-  Located<double> hatch_angle;  ///< degrees counterclockwise; chosen by default
-  Located<double> hatch_pitch;  ///< mm on paper; chosen by default
-  Located<bool> drawn;          ///< true by default
-  LocatedText material;         ///< for the parts list
-  Located<double> density;      ///< kg/m³, for masses; by default that of the model
 };
 
 /// A view of the models. A detail view shows its parent at a larger scale, see complete_details. Views without a

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/fit_text.hpp"
 #include "sheet/line_styles.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 #include "scene/description.hpp"
 #include "sheet/dimensions/dimensions.hpp"
 #include "sheet/dimensions/marks.hpp"

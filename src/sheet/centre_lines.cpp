@@ -17,6 +17,7 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/dash.hpp"
 #include "sheet/seen_circle.hpp"
 #include "sheet/seen_features.hpp"

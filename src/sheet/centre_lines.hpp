@@ -7,7 +7,7 @@
 
 #include "base/progress.hpp"
 #include "design/centred_features.hpp"
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 #include "sheet/sheet.hpp"
 #include "sheet/view_lines.hpp"
 

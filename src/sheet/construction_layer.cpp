@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/free_rectangles.hpp"
 #include "sheet/furniture.hpp"
 #include "sheet/label_places.hpp"

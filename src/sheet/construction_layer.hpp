@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "construction/figure.hpp"
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 #include "sheet/dimensions/marks.hpp"
 #include "sheet/rectangle.hpp"
 #include "sheet/sheet.hpp"

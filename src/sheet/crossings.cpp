@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/parallel.hpp"
+#include "drawing/drawing.hpp"
 #include "search/choose_grid.hpp"
 #include "sheet/chain_lines.hpp"
 

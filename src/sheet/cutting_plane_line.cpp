@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/dash.hpp"
 #include "sheet/dimensions/boxes.hpp"
 #include "sheet/furniture.hpp"

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "cut/cutting_surface.hpp"
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
+#include "projection/projection.hpp"
 #include "sheet/sheet.hpp"
 #include "sheet/view_lines.hpp"
 

@@ -14,6 +14,7 @@
 #include "base/nearest.hpp"
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
+#include "drawing/drawing.hpp"
 #include "mesh/even_odd.hpp"
 #include "sheet/dash.hpp"
 

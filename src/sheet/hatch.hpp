@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 #include "sheet/dimensions/boxes.hpp"
 #include "sheet/sheet.hpp"
 #include "sheet/view_lines.hpp"

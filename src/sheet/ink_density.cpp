@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/chain_lines.hpp"
 
 namespace epura::sheet {

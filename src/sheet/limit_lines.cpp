@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/range.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/dash.hpp"
 #include "sheet/furniture.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/portable_math.hpp"
+#include "drawing/drawing.hpp"
 
 namespace epura::sheet {
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "drawing/drawing.hpp"
 
 namespace epura::sheet {
 

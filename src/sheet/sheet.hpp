@@ -14,7 +14,8 @@
 
 #include "base/colour.hpp"
 #include "base/vec.hpp"
-#include "drawing/drawing.hpp"
+#include "drawing/curve_part.hpp"
+#include "edges/edge_kind.hpp"
 #include "scene/choices.hpp"
 
 namespace epura::sheet {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/portable_math.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/furniture.hpp"
 
 namespace epura::sheet {

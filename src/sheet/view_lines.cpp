@@ -13,6 +13,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "drawing/curve_part.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/crossings.hpp"
 #include "sheet/dash.hpp"
 #include "sheet/ink_density.hpp"

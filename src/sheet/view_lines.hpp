@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 #include "sheet/line_styles.hpp"
 #include "sheet/sheet.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "base/nearest.hpp"
 #include "base/parallel.hpp"
+#include "drawing/drawing.hpp"
 #include "verify/probe_grid.hpp"
 
 namespace epura::verify {

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/parallel.hpp"
+#include "drawing/drawing.hpp"
 #include "verify/probe_grid.hpp"
 
 namespace epura::verify {

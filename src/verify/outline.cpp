@@ -8,6 +8,7 @@
 #include <span>
 #include <tuple>
 
+#include "drawing/drawing.hpp"
 #include "verify/confidence.hpp"
 #include "verify/ink.hpp"
 #include "verify/line_scan.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "drawing/drawing.hpp"
 #include "edges/thread_lines.hpp"
 
 namespace epura::verify {

@@ -10,6 +10,7 @@
 #include "base/groups.hpp"
 #include "base/nearest.hpp"
 #include "base/parallel.hpp"
+#include "drawing/drawing.hpp"
 #include "verify/confidence.hpp"
 #include "verify/sample.hpp"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/drawing.hpp"
 #include "verify/confidence.hpp"
 #include "verify/ink.hpp"
 #include "verify/judge.hpp"

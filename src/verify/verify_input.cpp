@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/drawing.hpp"
+
 namespace epura::verify {
 
 namespace {

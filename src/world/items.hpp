@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "importer/assemble.hpp"
+#include "scene/description.hpp"
 #include "world/world.hpp"
 
 namespace epura::world {

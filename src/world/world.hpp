@@ -11,7 +11,7 @@
 #include "base/vec.hpp"
 #include "features/recognise.hpp"
 #include "mesh/mesh.hpp"
-#include "scene/description.hpp"
+#include "scene/style.hpp"
 #include "scene/threads.hpp"
 
 namespace epura::world {

@@ -14,6 +14,7 @@
 #include "compare/comparison.hpp"
 #include "compare/read_pictures.hpp"
 #include "mesh/read.hpp"
+#include "output/format.hpp"
 #include "own_file.hpp"
 #include "own_projections.hpp"
 #include "pipeline/complete_scene.hpp"

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "output/write.hpp"
+#include "output/format.hpp"
 
 namespace epura::study {
 

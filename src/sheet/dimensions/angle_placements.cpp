@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/dimensions/forms.hpp"
 
 namespace epura::sheet {

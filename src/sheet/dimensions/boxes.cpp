@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "drawing/drawing.hpp"
 
 namespace epura::sheet {
 

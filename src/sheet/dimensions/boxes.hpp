@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/rectangle.hpp"
 #include "sheet/sheet.hpp"

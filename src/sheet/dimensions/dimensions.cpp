@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/measure.hpp"

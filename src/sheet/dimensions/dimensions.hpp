@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 #include "scene/description.hpp"
 #include "sheet/dimensions/conflicts.hpp"
 #include "sheet/dimensions/marks.hpp"

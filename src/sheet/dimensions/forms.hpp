@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drawing/view_drawing.hpp"
 #include "sheet/dimensions/marks.hpp"
 #include "sheet/dimensions/measure.hpp"
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "drawing/drawing.hpp"
 #include "sheet/free_rectangles.hpp"
 
 namespace epura::sheet {

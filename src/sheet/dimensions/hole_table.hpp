@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "design/design_features.hpp"
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 #include "sheet/dimensions/marks.hpp"
 #include "sheet/notation.hpp"
 #include "sheet/rectangle.hpp"

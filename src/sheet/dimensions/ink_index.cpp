@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "drawing/drawing.hpp"
+
 namespace epura::sheet {
 
 namespace {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "drawing/ink_cells.hpp"
+#include "drawing/view_drawing.hpp"
 #include "sheet/dimensions/boxes.hpp"
 
 namespace epura::sheet {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/length_reach.hpp"
 #include "sheet/dimensions/straight.hpp"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "drawing/view_drawing.hpp"
 #include "sheet/dimensions/measure.hpp"
 
 namespace epura::sheet {

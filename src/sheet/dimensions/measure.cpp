@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
+#include "drawing/drawing.hpp"
 #include "scene/choices.hpp"
 #include "sheet/dimensions/tolerance.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "drawing/drawing.hpp"
+#include "drawing/view_drawing.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/dimension_text.hpp"
 #include "sheet/notation.hpp"

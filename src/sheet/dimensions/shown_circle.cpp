@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "drawing/drawing.hpp"
 
 namespace epura::sheet {
 

@@ -12,6 +12,7 @@
 #include "compare/comparison.hpp"
 #include "compare/ink_parts.hpp"
 #include "errors.hpp"
+#include "output/format.hpp"
 #include "plate.hpp"
 #include "sheet/paper.hpp"
 #include "sheet/view_lines.hpp"

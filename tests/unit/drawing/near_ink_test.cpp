@@ -8,6 +8,8 @@
 #include <numbers>
 #include <random>
 
+#include "drawing/drawing.hpp"
+
 namespace epura::test {
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "base/broken.hpp"
 #include "json_reader.hpp"
-#include "output/write.hpp"
+#include "output/format.hpp"
 #include "report/report.hpp"
 
 namespace epura {

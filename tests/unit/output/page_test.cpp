@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/error.hpp"
+#include "output/format.hpp"
 #include "output/write.hpp"
 #include "support.hpp"
 

@@ -10,6 +10,7 @@
 #include <locale>
 #include <thread>
 
+#include "output/format.hpp"
 #include "output/write.hpp"
 #include "support.hpp"
 

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "drawing/drawing.hpp"
 #include "sheet/dash.hpp"
 
 namespace epura {

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <utility>
 
+#include "drawing/drawing.hpp"
+
 namespace epura {
 namespace {
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "drawing/drawing.hpp"
+
 namespace epura {
 namespace {
 

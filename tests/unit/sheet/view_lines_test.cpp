@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "drawing/drawing.hpp"
 #include "sheet/dash.hpp"
 
 namespace epura {
