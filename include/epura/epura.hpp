@@ -206,7 +206,7 @@ struct Comparison {
 [[nodiscard]] EPURA_PUBLIC Comparison compare_drawings(const DrawingFile& before, const DrawingFile& after,
                                                        double tolerance = 0.001);
 
-/// "0.1.0"
+/// "0.2.0"
 EPURA_PUBLIC const char* version() noexcept;
 
 }  // namespace epura
