@@ -15,21 +15,11 @@
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
 #include "drawing/conic_fit.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
 namespace {
-
-constexpr int least_edges_of_arc = 7;
-constexpr std::size_t least_known_corners = 3;  // of a line: its ends do not count
-constexpr double least_turn = 30 * degree;
-constexpr double much_better = 5;
-constexpr double most_step = 30.001 * degree;
-constexpr double most_known_step = 90.001 * degree;
-constexpr double part_if_exact = 0.1;  // of the tolerance
-constexpr double least_radius_in_tolerances = 10;
-constexpr double least_radius = 0.05;  // mm; no line is narrower
-constexpr double most_radius = 1e5;    // mm
 
 struct Fit {
   Ellipse ellipse;
@@ -49,10 +39,9 @@ double rise_over(const Ellipse& e, double from, double step) {
 
 // Whether the largest value is not much more than the usual one.
 bool is_even(std::vector<double> values) {
-  constexpr double at_most = 3;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
-  return *std::max_element(middle, values.end()) <= at_most * *middle;
+  return *std::max_element(middle, values.end()) <= most_uneven * *middle;
 }
 
 double angle_between(const Vec2& a, const Vec2& b) { return portable_atan2(cross(a, b), glm::dot(a, b)); }
@@ -78,7 +67,7 @@ struct Line {
       const double turning = turn(last - 1);
       if (!(turned * turning >= 0) || turning == 0) return last;
       turned += turning;
-      if (last - first >= least_edges_of_arc && std::abs(turned) >= least_turn) return last;
+      if (last - first >= least_edges_of_arc && std::abs(turned) >= least_turn_of_arc) return last;
     }
     return max;
   }

@@ -8,12 +8,11 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
 namespace {
-
-constexpr double off_the_arc = 1e-4;  // mm
 
 /// The parameters of a line at which it crosses the circle, or the lines through the sides of the rectangle.
 using CutParameters = std::vector<double>;
@@ -150,7 +149,7 @@ std::vector<std::vector<Vec2>> area_inside(const Boundary& boundary, const std::
   std::vector<std::vector<Vec2>> inside;
   for (const std::vector<Vec2>& outline : rings) {
     std::vector<Vec2> ring = ring_inside(boundary, outline);
-    const double least = 1e-9 * glm::dot(boundary.half, boundary.half);
+    const double least = rounding_part * glm::dot(boundary.half, boundary.half);
     if (ring.size() >= 3 && std::abs(twice_area(ring)) > least) inside.push_back(std::move(ring));
   }
   return inside;

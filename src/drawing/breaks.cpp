@@ -14,15 +14,11 @@
 #include "drawing/closed_line.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/freehand.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
 namespace {
-
-constexpr double rounding_of_limits = 1e-9;  // mm
-// Points this close to a limit are drawn. Lengths in mm, or in the unit of the world before there is a scale.
-constexpr double beside = 1e-6;
-constexpr double on_freehand = 0.01;  // mm; more than its chords are off its waves
 
 struct Interval {
   double min, max, shift;
@@ -96,14 +92,14 @@ std::optional<std::array<double, 2>> extent_at(const ViewDrawing& drawing, int a
   const int across = 1 - axis;
   std::array<double, 2> extent{HUGE_VAL, -HUGE_VAL};
   const auto add = [&](double y) {
-    if (y < part.min[across] - rounding_of_limits || y > part.max[across] + rounding_of_limits) return;
+    if (y < part.min[across] - rounding_mm || y > part.max[across] + rounding_mm) return;
     extent = {std::min(extent[0], y), std::max(extent[1], y)};
   };
   for (const Segment& segment : drawing.segments) {
     if (!segment.visible) continue;
     const Vec2 &p = segment.from, &q = segment.to;
-    if (std::abs(p[axis] - at) <= rounding_of_limits) add(p[across]);
-    if (std::abs(q[axis] - at) <= rounding_of_limits) add(q[across]);
+    if (std::abs(p[axis] - at) <= rounding_mm) add(p[across]);
+    if (std::abs(q[axis] - at) <= rounding_mm) add(q[across]);
     if ((p[axis] < at) != (q[axis] < at))
       add(p[across] + (at - p[axis]) / (q[axis] - p[axis]) * (q[across] - p[across]));
   }
@@ -135,7 +131,7 @@ std::vector<Limit> straight_limits(const ViewDrawing& drawing, const Breaks& bre
         limit.meets = {other && *other == part.min[across], other && *other == part.max[across]};
         limit.from[across] += limit.meets[0] ? part.min[across] : (*extent)[0];
         limit.to[across] += limit.meets[1] ? part.max[across] : (*extent)[1];
-        check(limit.from[across] <= limit.to[across] + 2 * rounding_of_limits, "a limit goes forwards");
+        check(limit.from[across] <= limit.to[across] + 2 * rounding_mm, "a limit goes forwards");
         limits.push_back(limit);
       }
   return limits;
@@ -223,7 +219,7 @@ bool LeftOut::is_between() const { return !std::isinf(from) && !std::isinf(to); 
 bool Breaks::keeps(const Vec2& p) const {
   for (const int axis : {0, 1})
     for (const LeftOut& strip : along[axis])
-      if (p[axis] > strip.from + beside && p[axis] < strip.to - beside) return false;
+      if (p[axis] > strip.from + beside_break && p[axis] < strip.to - beside_break) return false;
   return true;
 }
 
@@ -233,7 +229,7 @@ Vec2 Breaks::restored(const Vec2& p) const {
   Vec2 whole = p;
   for (const int axis : {0, 1})
     for (const Interval& kept : kept_along(along[axis], gap))
-      if (p[axis] >= kept.min + kept.shift - rounding_of_limits) whole[axis] = p[axis] - kept.shift;
+      if (p[axis] >= kept.min + kept.shift - rounding_mm) whole[axis] = p[axis] - kept.shift;
   return whole;
 }
 
@@ -285,12 +281,11 @@ std::vector<std::array<double, 2>> kept_of_line(const Breaks& breaks, const Vec2
 
 std::vector<std::array<Vec2, 2>> remaining_line(const Breaks& breaks, const Vec2& from, const Vec2& to) {
   for (const int axis : {0, 1}) {
-    if (std::abs(to[axis] - from[axis]) > rounding_of_limits) continue;
+    if (std::abs(to[axis] - from[axis]) > rounding_mm) continue;
     const Vec2 a = breaks.moved(from), b = breaks.moved(to);
     for (const LeftOut& strip : breaks.along[axis])
-      if (from[axis] > strip.from + rounding_of_limits && from[axis] < strip.to - rounding_of_limits) return {};
-    return glm::distance(a, b) > rounding_of_limits ? std::vector{std::array{a, b}}
-                                                    : std::vector<std::array<Vec2, 2>>{};
+      if (from[axis] > strip.from + rounding_mm && from[axis] < strip.to - rounding_mm) return {};
+    return glm::distance(a, b) > rounding_mm ? std::vector{std::array{a, b}} : std::vector<std::array<Vec2, 2>>{};
   }
   std::vector<std::array<Vec2, 2>> lines;
   for (const KeptPart& part : kept_parts(breaks))

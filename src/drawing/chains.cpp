@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "drawing/limits.hpp"
 #include "search/lines_at.hpp"
 
 namespace epura::drawing {

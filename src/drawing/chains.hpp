@@ -10,9 +10,6 @@
 
 namespace epura::drawing {
 
-/// Corners of chains of drawings that are no farther off a straight line are left out.
-inline constexpr double straight_mm = 1e-6;
-
 /// Every segment is in exactly one chain. Where more than two ends meet, the straightest continuations are joined.
 /// Corners at which a chain runs straight on within `tolerance` mm are left out. Throws OutOfTime.
 std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance, const Gaps& gaps = {},

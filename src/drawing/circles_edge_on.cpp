@@ -17,6 +17,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/portable_math.hpp"
+#include "drawing/limits.hpp"
 #include "drawing/polylines.hpp"
 #include "visibility/spans.hpp"
 #include "world/placed_part.hpp"
@@ -24,15 +25,6 @@
 namespace epura::drawing {
 
 namespace {
-
-// Sine of the angle between an axis and the projectors up to which a cylinder is seen along its axis.
-constexpr double along_axis = 1e-6;
-// A piece that turns farther about the centre is no chord of a rim.
-constexpr double most_turn_of_chord = 0.5 * std::numbers::pi;
-// Of circles that are one, relative to their size.
-constexpr double same_circle = 1e-6;
-// Radians.
-constexpr double rounding = 1e-12;
 
 const visibility::Spans whole{{0, 1}};
 
@@ -100,7 +92,7 @@ class Circles {
   static std::optional<CircleEdgeOn> circle_of(const features::PartSurface& surface, const Vec3& viewer,
                                                const Mat4& map) {
     if (surface.kind != features::SurfaceKind::cylinder) return std::nullopt;
-    if (glm::length(glm::cross(surface.axis, viewer)) > along_axis) return std::nullopt;
+    if (glm::length(glm::cross(surface.axis, viewer)) > parallel_sine) return std::nullopt;
     const Vec3 any = std::abs(surface.axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 u = glm::normalize(glm::cross(surface.axis, any)), v = glm::cross(surface.axis, u);
     const Vec2 centre = on_page(map, surface.origin);
@@ -127,15 +119,15 @@ struct Chord {
 std::optional<Chord> chord_of(const CircleEdgeOn& circle, const Piece& piece, std::size_t number, bool inside) {
   const Vec2 from = circle.local(piece.from), to = circle.local(piece.to);
   const double turn = portable_atan2(cross(from, to), glm::dot(from, to));
-  if (std::abs(turn) <= rounding || std::abs(turn) > most_turn_of_chord) return std::nullopt;
+  if (std::abs(turn) <= on_rim || std::abs(turn) > most_turn_of_chord) return std::nullopt;
   return Chord{number, inside, from, to, portable_atan2(from.y, from.x), turn};
 }
 
 // At which fraction of a chord it is seen from the centre in a direction.
 double fraction_at(const Chord& chord, double angle) {
   const double turned = (angle - chord.start) / chord.turn;
-  if (turned <= rounding) return 0;
-  if (turned >= 1 - rounding) return 1;
+  if (turned <= on_rim) return 0;
+  if (turned >= 1 - on_rim) return 1;
   const Vec2 direction(portable_cos(angle), portable_sin(angle));
   const double from = cross(direction, chord.from), to = cross(direction, chord.to);
   return std::clamp(from / (from - to), 0.0, 1.0);
@@ -189,9 +181,8 @@ Piece part_of(const Piece& piece, const std::array<double, 2>& part) {
 
 // The angles of the ends of the edge, rounded, the smaller one first.
 std::array<long, 2> place_of(const Chord& chord) {
-  constexpr double units_a_turn = 1e9;
   const auto rounded = [](const Vec2& end) {
-    return std::lround(portable_atan2(end.y, end.x) / full_turn * units_a_turn);
+    return std::lround(portable_atan2(end.y, end.x) / full_turn * places_on_a_circle);
   };
   const long from = rounded(chord.edge[0]), to = rounded(chord.edge[1]);
   return {std::min(from, to), std::max(from, to)};

@@ -7,13 +7,11 @@
 
 #include "base/error.hpp"
 #include "drawing/chains.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
 namespace {
-
-// Pieces shorter than this are rounding errors at the boundary.
-constexpr double least_mm = 1e-9;
 
 // A parallel view keeps ratios: the same parameters apply on paper, along the edge and in the world.
 template <class Point>
@@ -31,7 +29,7 @@ void clip_segments(ViewDrawing& drawing, const PartsOf& parts_of) {
   std::vector<CrossingSegment> crossings;
   for (const Segment& whole : drawing.segments)
     for (const std::array<double, 2>& part : parts_of(whole.from, whole.to)) {
-      if ((part[1] - part[0]) * glm::distance(whole.from, whole.to) < least_mm) continue;
+      if ((part[1] - part[0]) * glm::distance(whole.from, whole.to) < rounding_mm) continue;
       check(part[0] >= 0 && part[0] <= part[1] && part[1] <= 1, "what is inside is a part of the line");
       Segment segment = whole;
       const auto [from, to] = part_of(whole.from, whole.to, part);
@@ -118,8 +116,7 @@ void clip_drawing(ViewDrawing& drawing, const DetailFrame& detail, const Progres
   progress.begin("clipping the detail", drawing.segments.size());
   clip_to(drawing, boundary);
   chain_lines(drawing, progress);
-  constexpr double slack = 1e-6;
-  const Boundary grown{boundary.centre, boundary.half + slack, false};
+  const Boundary grown{boundary.centre, boundary.half + on_line_mm, false};
   for (const Segment& segment : drawing.segments)
     check(glm::all(glm::lessThanEqual(glm::abs(segment.from - grown.centre), grown.half)) &&
               glm::all(glm::lessThanEqual(glm::abs(segment.to - grown.centre), grown.half)),

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
@@ -108,13 +109,11 @@ std::optional<Rings> common_area(const ClosedLine& line, const Rings& rings) {
   return rings_of(pieces);
 }
 
-constexpr double touching = 1e-9;  // mm; about the rounding of positions on a sheet
-
 bool is_on(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a;
   const double square = glm::dot(along, along);
   const double t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
-  return glm::distance(p, a + t * along) <= touching;
+  return glm::distance(p, a + t * along) <= rounding_mm;
 }
 
 // The part of a line in a triangle; nothing if it only touches it.
@@ -131,14 +130,14 @@ std::optional<std::array<double, 2>> part_in(const std::array<Vec2, 3>& triangle
   return part[0] < part[1] ? std::optional(part) : std::nullopt;
 }
 
-// The union of intervals between 0 and 1. Rounding separates neighbouring triangles by less than `gap`.
+// The union of intervals between 0 and 1. Rounding separates neighbouring triangles by less than `between_triangles`.
 std::vector<std::array<double, 2>> joined(std::vector<std::array<double, 2>> parts) {
-  constexpr double gap = 1e-6;
   std::sort(parts.begin(), parts.end());
   std::vector<std::array<double, 2>> all;
   for (const std::array<double, 2>& part : parts) {
-    if (all.empty() || part[0] > all.back()[1] + gap) all.push_back({part[0] <= gap ? 0 : part[0], part[1]});
-    all.back()[1] = std::max(all.back()[1], part[1] >= 1 - gap ? 1 : part[1]);
+    if (all.empty() || part[0] > all.back()[1] + between_triangles)
+      all.push_back({part[0] <= between_triangles ? 0 : part[0], part[1]});
+    all.back()[1] = std::max(all.back()[1], part[1] >= 1 - between_triangles ? 1 : part[1]);
   }
   return all;
 }
@@ -224,7 +223,7 @@ std::vector<ClosedLine::Crossing> ClosedLine::crossings(const Vec2& from, const 
 }
 
 bool ClosedLine::touches(const Vec2& from, const Vec2& to) const {
-  const Vec2 low = glm::min(from, to) - touching, high = glm::max(from, to) + touching;
+  const Vec2 low = glm::min(from, to) - rounding_mm, high = glm::max(from, to) + rounding_mm;
   if (high.x < min_.x || low.x > max_.x) return false;
   bool found = false;
   visit_between(low.y, high.y, [&](int i) {
@@ -254,9 +253,8 @@ std::vector<std::array<double, 2>> ClosedLine::parts(const Vec2& from, const Vec
 
 std::vector<std::vector<Vec2>> ClosedLine::area(const std::vector<std::vector<Vec2>>& rings) const {
   if (auto common = common_area(*this, rings)) return std::move(*common);
-  constexpr double aside = 1e-8;  // mm; far below what a drawing shows, and above the rounding of positions
   for (int attempt = 1; attempt <= 8; ++attempt) {
-    const Vec2 shift = aside * attempt * Vec2(portable_cos(attempt), portable_sin(attempt));
+    const Vec2 shift = aside_mm * attempt * Vec2(portable_cos(attempt), portable_sin(attempt));
     std::vector<Vec2> moved = corners_;
     for (Vec2& p : moved) p += shift;
     if (auto common = common_area(ClosedLine(std::move(moved)), rings)) return std::move(*common);

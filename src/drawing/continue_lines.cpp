@@ -10,19 +10,12 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "drawing/limits.hpp"
 #include "drawing/polylines.hpp"
 
 namespace epura::drawing {
 
 namespace {
-
-// In multiples of the distance: the greatest overlap, and the length over which directions are measured.
-constexpr double most_overlap = 16;
-constexpr double with_direction = 3;
-// Cosine of the angle between lines that continue each other.
-constexpr double least_cosine = 0.85;
-// A line approaches the end at which it continues another one over so many times its distance from it.
-constexpr double approach = 1.5;
 
 /// A line followed from one of its ends.
 struct LooseEnd {
@@ -107,7 +100,8 @@ class Continuation {
     LooseEnd end{std::move(members), {}, {}};
     end.at = place(end.members.front());
     Vec2 inside = end.at;
-    for (std::size_t i = 0; i < end.members.size() && glm::distance(inside, end.at) < with_direction * distance_; ++i)
+    for (std::size_t i = 0; i < end.members.size() && glm::distance(inside, end.at) < with_direction_at_end * distance_;
+         ++i)
       inside = place(other(end.members[i]));
     const double length = glm::distance(inside, end.at);
     if (!(length > 0)) return;
@@ -119,7 +113,7 @@ class Continuation {
   // Whether two ends may continue each other: the first line goes a little beyond the end of the second one.
   [[nodiscard]] bool may_continue(const Candidate& one, const Candidate& two) const {
     if (one.model != two.model || one.visible != two.visible) return false;
-    if (glm::dot(one.outwards, two.outwards) > -least_cosine) return false;
+    if (glm::dot(one.outwards, two.outwards) > -continuing_cosine) return false;
     const double along = glm::dot(one.at - two.at, one.outwards);
     return along >= -distance_ && along <= most_overlap * distance_;
   }
@@ -210,7 +204,7 @@ class Continuation {
     const Foot end = foot(cut, line.at, reach);
     const double between = distance_between(cut, end, line, reach);
     if (between > distance_) return false;
-    const auto begin = beyond(cut, end, approach * end.distance);
+    const auto begin = beyond(cut, end, most_approach * end.distance);
     if (!begin || is_cut_off(line, 0) || is_cut_off(cut, begin->member)) return false;
     for (std::size_t i = 0; i < begin->member; ++i) is_dropped_[line_of(cut.members[i])] = 1;
     const End entered = cut.members[begin->member];

@@ -5,12 +5,11 @@
 #include <cstddef>
 #include <utility>
 
+#include "drawing/limits.hpp"
+
 namespace epura::drawing {
 
 namespace {
-
-// Planes at a smaller angle (radians) to the viewer's direction are lines on the page.
-constexpr double edge_on = 1e-9;
 
 // The corners of what a triangle has in front of the plane.
 std::vector<Vec3> in_front(const world::World& world, int triangle, const scene::CuttingPlane& plane) {
@@ -30,7 +29,8 @@ std::vector<Vec3> in_front(const world::World& world, int triangle, const scene:
 
 bool is_seen(const scene::CuttingPlane& plane, const projection::Projection& projection) {
   const Vec3 to_viewer = projection.central ? projection.projector - plane.point : projection.projector;
-  return glm::dot(plane.normal, to_viewer) > edge_on * glm::length(to_viewer);
+  // Planes along the direction to the viewer are lines on the page.
+  return glm::dot(plane.normal, to_viewer) > rounding_part * glm::length(to_viewer);
 }
 
 std::vector<PaperTriangle> before_cuts_on_paper(const world::World& world, const std::vector<std::vector<int>>& uncut,

@@ -6,19 +6,14 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
 namespace {
 
-// Millimetres between a line on facets and the same line drawn elsewhere.
-constexpr double on_facets = 1e-6;
-// How much farther an end moves than both lines, at most: where they cross at less than 6 degrees, facets do not tell
-// which of them ends.
-constexpr double most_slant = 10;
-
 bool is_on(const std::array<Vec2, 2>& line, const PageCurve& curve) {
-  return std::max(curve.distance(line[0]), curve.distance(line[1])) <= on_facets;
+  return std::max(curve.distance(line[0]), curve.distance(line[1])) <= on_line_mm;
 }
 
 // Whether a line is the one that ends at `end` on facets, or an arc of which that is a part, or the other end of a line

@@ -4,14 +4,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "drawing/limits.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::drawing {
 
 namespace {
-
-// Of a face seen edge-on, the part of its area that is seen.
-constexpr double most_seen = 0.02;
 
 std::vector<char> faces_edge_on(const world::World& world, std::size_t model, const Vec3& viewer) {
   const world::Placed& placed = world.models[model];
@@ -26,7 +24,7 @@ std::vector<char> faces_edge_on(const world::World& world, std::size_t model, co
     all[faces[t]] += glm::length(area);
   }
   std::vector<char> edge_on(seen.size());
-  for (std::size_t f = 0; f < seen.size(); ++f) edge_on[f] = seen[f] < most_seen * all[f] ? 1 : 0;
+  for (std::size_t f = 0; f < seen.size(); ++f) edge_on[f] = seen[f] < seen_edge_on * all[f] ? 1 : 0;
   return edge_on;
 }
 

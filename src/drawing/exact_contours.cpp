@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "drawing/conic_fit.hpp"
 #include "drawing/drawn_lines.hpp"
+#include "drawing/limits.hpp"
 #include "drawing/places.hpp"
 
 namespace epura::drawing {
@@ -22,11 +23,6 @@ namespace {
 
 using features::PartSurface;
 using features::SurfaceKind;
-
-// Millimetres between a line and the edge of the mesh that it shows; others are on the surface already.
-constexpr double on_edge = 1e-6;
-// Radians about the axis between the ends of a generator, which files round.
-constexpr double most_turn_of_generator = 1e-3;
 
 /// The generators of a cylinder or cone at which it turns away from the viewer: directions away from its axis.
 std::optional<std::array<Vec3, 2>> generators_of(const PartSurface& surface, const Vec3& towards_viewer) {
@@ -47,7 +43,7 @@ bool is_along_generator(const PartSurface& surface, const Vec3& from, const Vec3
     const Vec3 out = point - surface.origin;
     return glm::normalize(out - glm::dot(out, surface.axis) * surface.axis);
   };
-  return glm::length(glm::cross(away(from), away(to))) < most_turn_of_generator;
+  return glm::length(glm::cross(away(from), away(to))) < told_apart_sine;
 }
 
 // The point of a surface at the height of another point, in a direction away from the axis.
@@ -133,8 +129,8 @@ class Mover {
     const Vec2 begin = on_page(edges_.place_on(segment, 0)), along = on_page(edges_.place_on(segment, 1)) - begin;
     const auto parameter = [&](const Vec2& end) { return glm::dot(end - begin, along) / glm::dot(along, along); };
     const double first_t = parameter(segment.from), last_t = parameter(segment.to);
-    if (!(glm::distance(begin + first_t * along, segment.from) <= on_edge)) return std::nullopt;
-    if (!(glm::distance(begin + last_t * along, segment.to) <= on_edge)) return std::nullopt;
+    if (!(glm::distance(begin + first_t * along, segment.from) <= on_line_mm)) return std::nullopt;
+    if (!(glm::distance(begin + last_t * along, segment.to) <= on_line_mm)) return std::nullopt;
     const Vec3 from = edges_.place_on(segment, first_t), to = edges_.place_on(segment, last_t);
     const auto moved = [&](const Vec3& point) { return on_page(on_surface(*surface, point, away)); };
     const auto is_inside = [](double t) { return t != 0 && t != 1; };

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "base/error.hpp"
+#include "drawing/limits.hpp"
 #include "features/least_squares.hpp"
 
 namespace epura::drawing {
@@ -16,18 +17,6 @@ namespace {
 using features::PartFace;
 using features::PartSurface;
 using features::SurfaceKind;
-
-// Ends of lines at a node differ by a few times what counts as touching: what hides the rest of a contour must be in
-// front of it by so much.
-constexpr double node_reach = 16;
-// How much farther a node may move than the mean heights of facets explain.
-constexpr double most_heights = 4;
-// At smaller angles, facets do not tell where surfaces cross.
-constexpr double least_sine_of_surfaces = 1e-3;
-// Part of what counts as touching to which a node lies on its surfaces.
-constexpr double precision = 0.01;
-// Sine of the angle between directions of the same line.
-constexpr double most_sine_along = 1e-3;
 
 /// A number that vanishes on a surface, or on its contour, near which it is a length.
 struct Condition {
@@ -42,9 +31,8 @@ class Conditions {
 
   // Returns the point nearby at which all vanish, to `precise`.
   [[nodiscard]] std::optional<Vec3> solve(const Vec3& start, double precise) const {
-    constexpr int most_steps = 30;
     Vec3 at = start;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < newton_steps; ++step) {
       features::NormalEquations<3> equations;
       double off = 0;
       for (const Condition& one : all_) {
@@ -110,7 +98,7 @@ ExactCrossings::ExactCrossings(const PartEdges& edges, const ViewDrawing& drawin
       towards_viewer_(glm::normalize(drawing.projection.projector)),
       touching_(drawing.coincident / glm::length(Vec3(drawing.world_to_page[0][0], drawing.world_to_page[1][0],
                                                       drawing.world_to_page[2][0]))),
-      number_of_(node_reach * drawing.coincident) {
+      number_of_(node_in_touching * drawing.coincident) {
   // Faces of the file are told by models of the scene.
   if (drawing.projection.central || !drawing.numbers_in_scene.empty()) return;
   for (const Segment& segment : drawing.segments)
@@ -177,10 +165,10 @@ std::optional<Vec3> ExactCrossings::solved(const Node& node) const {
     conditions.push_back({&face->surface, true});
     width = std::max(width, width_of_facets(*face, node.in_mesh));
   }
-  if (!(sine >= least_sine_of_surfaces)) return std::nullopt;
-  const double size = most_heights * heights / sine + 2 * width + node_reach * touching_;
+  if (!(sine >= told_apart_sine)) return std::nullopt;
+  const double size = most_heights * heights / sine + 2 * width + node_in_touching * touching_;
   check(size >= 0, "facets tell how far a crossing may be from them");
-  return Conditions(std::move(conditions), towards_viewer_, size).solve(node.in_mesh, precision * touching_);
+  return Conditions(std::move(conditions), towards_viewer_, size).solve(node.in_mesh, node_precision * touching_);
 }
 
 std::optional<Vec2> ExactCrossings::moved(const Vec2& place) const {
@@ -190,10 +178,10 @@ std::optional<Vec2> ExactCrossings::moved(const Vec2& place) const {
 
 std::optional<Vec3> ExactCrossings::on_both(const Vec3& start, const Pair& pair) const {
   const double sine = sine_between(pair[0]->surface, pair[1]->surface, start);
-  if (!(sine >= least_sine_of_surfaces)) return std::nullopt;
-  const double size = most_heights * (pair[0]->sagitta + pair[1]->sagitta) / sine + node_reach * touching_;
+  if (!(sine >= told_apart_sine)) return std::nullopt;
+  const double size = most_heights * (pair[0]->sagitta + pair[1]->sagitta) / sine + node_in_touching * touching_;
   return Conditions({{&pair[0]->surface, false}, {&pair[1]->surface, false}}, towards_viewer_, size)
-      .solve(start, precision * touching_);
+      .solve(start, node_precision * touching_);
 }
 
 // The surfaces whose crossing leads from a node to another place; null if none does.
@@ -202,7 +190,7 @@ const ExactCrossings::Pair* ExactCrossings::crossing_between(const Node* node, c
   const Vec2 along = glm::normalize(to - from);
   for (const Way& way : node->ways) {
     const Vec2 step = way.to - from;
-    if (glm::dot(step, along) > 0 && std::abs(cross(along, step)) <= most_sine_along * glm::length(step))
+    if (glm::dot(step, along) > 0 && std::abs(cross(along, step)) <= told_apart_sine * glm::length(step))
       return &way.pair;
   }
   return nullptr;
@@ -211,7 +199,6 @@ const ExactCrossings::Pair* ExactCrossings::crossing_between(const Node* node, c
 // Halves the curve until its chords are within the tolerance.
 void ExactCrossings::add_between(const Node& from, const Node& to, const Pair& pair, double tolerance,
                                  std::vector<Vec2>& points) const {
-  constexpr int most_halvings = 6;
   const auto add = [&](const auto& self, const Vec3& a, const Vec3& b, int halvings) -> void {
     const auto middle = halvings < most_halvings ? on_both((a + b) / 2.0, pair) : std::nullopt;
     if (!middle || glm::distance(on_page(*middle), on_page((a + b) / 2.0)) <= tolerance) return;

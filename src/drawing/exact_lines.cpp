@@ -7,14 +7,12 @@
 #include "drawing/exact_contours.hpp"
 #include "drawing/exact_crossings.hpp"
 #include "drawing/known_circles.hpp"
+#include "drawing/limits.hpp"
 #include "drawing/part_edges.hpp"
 
 namespace epura::drawing {
 
 namespace {
-
-// The part of the tolerance of curves to which crossings are drawn: they are lines of many chords, not curves.
-constexpr double part_for_chords = 0.1;
 
 void widen_box(ViewDrawing& drawing) {
   for (const Chain& chain : drawing.chains) {
@@ -37,7 +35,7 @@ CurveReport draw_exactly(const world::World& world, ViewDrawing& drawing, CurveL
   std::vector<EndsOnFacets> ends;
   for (Chain& chain : drawing.chains) {
     ends.push_back({chain.points.front(), chain.points.back()});
-    limits.exact.push_back(crossings.refine(chain, part_for_chords * limits.tolerance) ? 1 : 0);
+    limits.exact.push_back(crossings.refine(chain, part_if_exact * limits.tolerance) ? 1 : 0);
   }
   const KnownCircles known = known_circles(edges, drawing);
   const CurveReport found = find_curves(drawing.chains, limits, known, progress);

@@ -11,15 +11,11 @@
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "drawing/kept_ink.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
 namespace {
-
-// Places on a piece at which other lines are looked for.
-constexpr std::size_t places = 16;
-// The part of a run that is alone where it closes a gap.
-constexpr double part_of_gaps = 1.0 / 3;
 
 /// The pieces in doubt, with places on each that have no other visible line beside them.
 class Doubts {
@@ -29,7 +25,7 @@ class Doubts {
         distance_(distance),
         parts_(parts_of(
             pieces, [&](std::size_t i) { return pieces[i].by_facets; }, distance)),
-        alone_(parts_.all().size(), std::vector<char>(places, 1)) {}
+        alone_(parts_.all().size(), std::vector<char>(places_in_doubt, 1)) {}
 
   /// Takes note of visible lines.
   void look_at_others(const Progress& progress) {
@@ -55,13 +51,13 @@ class Doubts {
     for (std::size_t part = 0; part < run.size(); ++part) {
       const double own = length_of(pieces_[parts_[static_cast<int>(part)].piece]);
       length[run[part]] += own;
-      alone[run[part]] += own * static_cast<double>(std::ranges::count(alone_[part], 1)) / places;
+      alone[run[part]] += own * static_cast<double>(std::ranges::count(alone_[part], 1)) / places_in_doubt;
     }
     std::vector<char> closes(pieces_.size(), 0);
     for (std::size_t part = 0; part < run.size(); ++part) {
       const int piece = parts_[static_cast<int>(part)].piece;
       check(pieces_[piece].by_facets, "a gap is closed by what facets hide");
-      closes[piece] = alone[run[part]] > part_of_gaps * length[run[part]] ? 1 : 0;
+      closes[piece] = alone[run[part]] > alone_in_gap * length[run[part]] ? 1 : 0;
     }
     return closes;
   }
@@ -73,8 +69,8 @@ class Doubts {
     if (!(length_of(piece) > 0)) return;
     const Vec2 along = glm::normalize(piece.to - piece.from);
     std::vector<char>& alone = alone_[static_cast<std::size_t>(part)];
-    for (std::size_t i = 0; i < places; ++i) {
-      const Vec2 place = place_on(piece, (static_cast<double>(i) + 0.5) / places);
+    for (std::size_t i = 0; i < places_in_doubt; ++i) {
+      const Vec2 place = place_on(piece, (static_cast<double>(i) + 0.5) / places_in_doubt);
       const Vec2 from = line[0] - place, to = line[1] - place;
       const double before = glm::dot(along, from), after = glm::dot(along, to);
       if ((before > 0) == (after > 0)) continue;

@@ -7,15 +7,11 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
 namespace {
-
-// The most points that are passed in the opposite order at once.
-constexpr std::size_t most_passed = 8;
-// By more than this part, the line must become shorter.
-constexpr double least_gain = 1e-9;
 
 // Whether a line turns back by 90 degrees or more at any of its points.
 bool turns_back(std::span<const Vec2> points) {
@@ -43,7 +39,7 @@ bool is_better_reversed(std::span<const Vec2> line, double distance) {
   const std::size_t last = line.size() - 1;
   const double now = glm::distance(line[0], line[1]) + glm::distance(line[last - 1], line[last]);
   const double then = glm::distance(line[0], line[last - 1]) + glm::distance(line[1], line[last]);
-  if (!(now - then > least_gain * now)) return false;
+  if (!(now - then > rounding_part * now)) return false;
   std::vector<Vec2> reversed(line.begin(), line.end());
   std::reverse(reversed.begin() + 1, reversed.end() - 1);
   return lies_on(reversed[0], reversed[1], line, distance) &&
@@ -60,7 +56,7 @@ std::vector<Vec2> go_forwards(std::vector<Vec2> points, bool closed, double dist
     std::size_t changes_left = 4 * points.size();
     for (std::size_t first = 1; first + 2 < points.size();) {
       std::size_t count = 2;
-      const std::size_t most = std::min(most_passed, points.size() - 1 - first);
+      const std::size_t most = std::min(most_reversed, points.size() - 1 - first);
       while (count <= most && !is_better_reversed(std::span(points).subspan(first - 1, count + 2), distance)) ++count;
       if (count > most || changes_left == 0) {
         ++first;
@@ -70,7 +66,7 @@ std::vector<Vec2> go_forwards(std::vector<Vec2> points, bool closed, double dist
       check(first >= 1 && first + count < points.size(), "the ends of a line stay where they are");
       const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
       std::reverse(begin, begin + static_cast<std::ptrdiff_t>(count));
-      first -= std::min(first - 1, most_passed);
+      first -= std::min(first - 1, most_reversed);
     }
   }
   if (closed) points.pop_back();

@@ -7,15 +7,14 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
 namespace {
 
-constexpr double wave_step = 0.25;                // mm between points: the chords are less than 0.005 mm off the waves
 constexpr double long_wave = 13, short_wave = 7;  // mm, about
 constexpr double share_of_long = 0.6, phase = 1;  // radians; so that waves do not repeat visibly
-constexpr double most_of_turn = 0.25;             // waves grow no higher than this part of a small line's size
 
 // A point of the Catmull-Rom curve between p[1] and p[2].
 Vec2 on_curve(const std::vector<Vec2>& points, std::size_t i, double t) {

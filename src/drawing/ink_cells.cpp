@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
@@ -20,8 +21,6 @@ constexpr double most_columns = 1 << 14;
 constexpr std::size_t found_mostly = 64;
 
 constexpr int sectors = 32;
-// Cosine and sine of 25.1 degrees, a little more than what is promised.
-constexpr double cosine = 0.90556, sine = 0.42420;
 
 }  // namespace
 
@@ -34,9 +33,10 @@ int sector_of(const Vec2& direction) {
 
 Sectors sectors_around(const Vec2& direction) {
   const auto [x, y] = std::array{direction.x, direction.y};
-  const int last = sector_of({cosine * x - sine * y, sine * x + cosine * y});
+  const int last = sector_of({looked_at_cosine * x - looked_at_sine * y, looked_at_sine * x + looked_at_cosine * y});
   Sectors found = Sectors{1} << last;
-  for (int at = sector_of({cosine * x + sine * y, cosine * y - sine * x}); at != last; at = (at + 1) % sectors)
+  for (int at = sector_of({looked_at_cosine * x + looked_at_sine * y, looked_at_cosine * y - looked_at_sine * x});
+       at != last; at = (at + 1) % sectors)
     found |= Sectors{1} << at;
   return found;
 }

@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/range.hpp"
 #include "construction/figure.hpp"
+#include "drawing/limits.hpp"
 #include "drawing/places.hpp"
 #include "features/least_squares.hpp"
 
@@ -21,11 +22,6 @@ namespace {
 
 using features::PartSurface;
 using features::SurfaceKind;
-
-// Semi-axes that differ by less than this part are those of a circle.
-constexpr double equal = 1e-9;
-// Fewer edges would be on a circle by chance.
-constexpr std::size_t least_edges_of_rim = 2;
 
 struct Circle {
   Vec3 centre, axis;
@@ -89,8 +85,8 @@ std::optional<Ellipse> image_of(const Circle& circle, const Mat4& map) {
   const construction::Curve image = construction::ellipse_of(centre, radius(p), radius(q));
   Ellipse ellipse{centre, image.u, image.v};
   const double longer = glm::length(ellipse.u), shorter = glm::length(ellipse.v);
-  if (!(shorter > equal * longer)) return std::nullopt;
-  if (longer - shorter < equal * longer) ellipse = {centre, {longer, 0}, {0, longer}};
+  if (!(shorter > rounding_part * longer)) return std::nullopt;
+  if (longer - shorter < rounding_part * longer) ellipse = {centre, {longer, 0}, {0, longer}};
   if (ellipse.u.x * ellipse.v.y < ellipse.u.y * ellipse.v.x) ellipse.v = -ellipse.v;
   return ellipse;
 }

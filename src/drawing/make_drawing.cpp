@@ -14,6 +14,7 @@
 #include "drawing/facet_doubts.hpp"
 #include "drawing/forwards.hpp"
 #include "drawing/ink.hpp"
+#include "drawing/limits.hpp"
 #include "drawing/meet_contours.hpp"
 #include "drawing/moved_contours.hpp"
 #include "drawing/near_ink.hpp"
@@ -22,12 +23,6 @@
 namespace epura::drawing {
 
 namespace {
-
-constexpr double coincident_cells = 4;
-// The part of the distance at which lines are one that nobody sees in a single line.
-constexpr double unseen = 0.1;
-// The part of that distance within which a line goes back and forth on itself.
-constexpr double on_one_line = 0.5;
 
 // Hidden pieces of contours that are drawn on the surface are among them in any case.
 std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::PaperMap& paper, bool keep_hidden,
@@ -162,8 +157,8 @@ void add_segments(const visibility::ResolvedView& lines, const std::vector<Piece
     for (std::size_t i = begin; i < end; ++i) {
       Segment& segment = drawing.segments[i];
       segment = segment_of(lines, pieces[i], crossing[i]);
-      constexpr double rounding = 1e-9;
-      check(std::min(segment.t[0], segment.t[1]) >= -rounding && std::max(segment.t[0], segment.t[1]) <= 1 + rounding,
+      check(std::min(segment.t[0], segment.t[1]) >= -rounding_part &&
+                std::max(segment.t[0], segment.t[1]) <= 1 + rounding_part,
             "the parameters of a line are from 0 to 1");
       if (segment.crossing < 0) continue;
       const edges::FeatureEdge& edge = drawn.edges[pieces[i].edge];
@@ -247,8 +242,7 @@ double join_where_near(std::vector<Piece>& pieces, const visibility::ResolvedVie
 // Where a contour is moved, it may change between visible and hidden that much too early or too late, unless a person
 // would see it.
 double longest_glint(double near, double moved) {
-  constexpr double seen = 2.5;  // multiple of the distance at which lines are one: half of the width of outlines
-  return std::max(unseen * near, std::min(seen * near, moved));
+  return std::max(unseen_up_to * near, std::min(seen_from * near, moved));
 }
 
 }  // namespace
@@ -311,7 +305,7 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   add_segments(lines, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // to make room for the chains
   progress.begin("joining lines", drawing.segments.size());
-  drawing.unseen = unseen * options.near.distance;
+  drawing.unseen = unseen_up_to * options.near.distance;
   chain_lines(drawing, progress);
   if (options.least_crease > 0 && drop_short_creases(drawing, options.least_crease)) chain_lines(drawing, progress);
   if (options.near.distance > 0)

@@ -7,15 +7,13 @@
 #include <optional>
 
 #include "base/parallel.hpp"
+#include "drawing/limits.hpp"
 #include "drawing/moved_contours.hpp"
 #include "drawing/t_junctions.hpp"
 
 namespace epura::drawing {
 
 namespace {
-
-// How far a line is extended to a contour, at most, as a multiple of the distance by which the contour is moved.
-constexpr double farthest = 2;
 
 // Returns where the line of a piece crosses a contour as drawn, if that is within a distance from its end.
 std::optional<Vec2> crossing_with(const MovedContour& contour, const Piece& piece, const Vec2& end, double within) {
@@ -42,8 +40,8 @@ std::optional<Vec2> met(const MovedContours& contours, const Piece& piece, bool 
       return false;
     }
     if (!met)
-      met =
-          moved ? there : crossing_with(contour, piece, drawn, farthest * glm::distance(there, place)).value_or(there);
+      met = moved ? there
+                  : crossing_with(contour, piece, drawn, most_extension * glm::distance(there, place)).value_or(there);
     return true;
   });
   return met;

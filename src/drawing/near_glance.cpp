@@ -10,6 +10,7 @@
 #include "base/groups.hpp"
 #include "base/parallel.hpp"
 #include "drawing/beside.hpp"
+#include "drawing/limits.hpp"
 #include "search/choose_grid.hpp"
 
 namespace epura::drawing {
@@ -21,8 +22,6 @@ constexpr std::size_t grain = 1024;
 constexpr double cells_a_piece = 1, cuts_a_piece = 2;
 // With more pieces than this in a cell, a glance costs more than it saves.
 constexpr std::size_t crowd_of_pieces = 96;
-// How much farther a glance reaches than the search, whose lines are parts of pieces, and rounded.
-constexpr double margin = 1e-6;
 
 // A piece in a cell. Those that are taken last come first.
 struct Entry {
@@ -80,7 +79,7 @@ void NearGlance::find_last_along(const AlongLimits& limits, const Progress& prog
       seen[line_of(members_[turn].end)] = {{static_cast<float>(d.x), static_cast<float>(d.y)}, static_cast<int>(turn)};
     }
   });
-  const double distance = limits.distance * (1 + margin), least = limits.touching * (1 - margin);
+  const double distance = limits.distance * (1 + glance_margin), least = limits.touching * (1 - glance_margin);
   const search::CellGrid grid = search::grid_over_lines(
       pieces, {cells_a_piece * static_cast<double>(pieces.size()) + 1, 4 * distance, cuts_a_piece, HUGE_VAL});
   // In the order of pieces, since neighbours in that order mostly lie side by side.
@@ -104,9 +103,9 @@ void NearGlance::find_last_along(const AlongLimits& limits, const Progress& prog
   });
   const auto run_along = [&](const Piece& piece, const Vec2& direction, int other) {
     const Vec2 facing(seen[other].direction[0], seen[other].direction[1]), step = piece.to - piece.from;
-    if (std::abs(glm::dot(direction, facing)) < AlongLimits::least_cosine - margin) return false;
+    if (std::abs(glm::dot(direction, facing)) < along_cosine - glance_margin) return false;
     const std::array line{pieces[other].from - piece.from, pieces[other].to - piece.from};
-    const Range range = Beside(direction, step, line, distance, AlongLimits::steepest + margin).range;
+    const Range range = Beside(direction, step, line, distance, steepest_along + glance_margin).range;
     return (range[1] - range[0]) * glm::length(step) > least;
   };
   visit_pieces([&](int piece) {

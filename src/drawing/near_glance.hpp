@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "drawing/limits.hpp"
 #include "drawing/measured_polyline.hpp"
 #include "drawing/polylines.hpp"
 
@@ -20,13 +21,8 @@ struct AlongLimits {
   double distance;  ///< greatest distance between them
   double touching;  ///< they must be within it over more than this length
 
-  /// Lines whose directions differ by less have about the same direction. So do facets of rims with eight or more
-  /// corners.
-  static constexpr double least_cosine = 0.9063;  // 25 degrees
-  /// Greatest slope of pieces without a direction of their own, relative to the direction of the polyline.
-  static constexpr double steepest = 2;
   /// The length from which lines have a direction of their own.
-  [[nodiscard]] double with_direction() const { return 4 * distance; }
+  [[nodiscard]] double with_direction() const { return with_direction_along * distance; }
 };
 
 class NearGlance {

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "drawing/close_ends.hpp"
+#include "drawing/limits.hpp"
 #include "drawing/near_glance.hpp"
 #include "drawing/near_search.hpp"
 #include "drawing/polylines.hpp"
@@ -15,9 +16,6 @@
 namespace epura::drawing {
 
 namespace {
-
-// By how much lines are extended or cut off, at most, as a multiple of the distance.
-constexpr double along = 2;
 
 // Sorts parts by piece, merges those that continue each other, and adds whole pieces that are not ink.
 std::vector<InkPart> joined_parts(std::vector<InkPart> parts, const std::vector<signed char>& strength) {
@@ -49,7 +47,7 @@ std::vector<Piece> join_near(std::vector<Piece> pieces, const std::vector<signed
   std::vector<InkPart> left = search.kept().all();
   left.insert(left.end(), search.specks().begin(), search.specks().end());
   return close_ends(search.kept(), search.taken(), joined_parts(std::move(left), strength),
-                    {touching, along * distance}, progress);
+                    {touching, most_extension * distance}, progress);
 }
 
 }  // namespace epura::drawing

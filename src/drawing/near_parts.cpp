@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "drawing/limits.hpp"
 #include "visibility/spans.hpp"
 
 namespace epura::drawing {
@@ -14,8 +15,6 @@ namespace {
 
 // Width of the finest cells in which ink is searched for, as a multiple of the distance.
 constexpr double finest_cell = 2;
-// After this many other lines, the rest may be left out if those found cover the whole member.
-constexpr std::size_t many_others = 4;
 
 std::array<Vec2, 2> box_of(const std::vector<Piece>& pieces) {
   std::array<Vec2, 2> box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
@@ -69,13 +68,13 @@ void KeptInk::append(const std::vector<int>& numbers, const MeasuredPolyline& po
   visibility::Spans spans;
   for (std::size_t i = found.first; i < parts.size(); ++i) visibility::add_span(spans, parts[i].stretch);
   for (const int number : numbers) {
-    if (parts.size() >= found.first + many_others && visibility::covers(spans, own.from, own.to)) return;
+    if (parts.size() >= found.first + many_near && visibility::covers(spans, own.from, own.to)) return;
     const auto& [p, q] = parts_.line(number);
-    const Beside beside(along, b - a, {p - a, q - a}, limits_.distance, AlongLimits::steepest);
+    const Beside beside(along, b - a, {p - a, q - a}, limits_.distance, steepest_along);
     const auto [from, to] = beside.range;
     if (!(to - from > touching)) continue;
     const std::array<float, 2>& facing = directions_[static_cast<std::size_t>(number)];
-    if (!(std::abs(facing[0] * along.x + facing[1] * along.y) >= AlongLimits::least_cosine)) continue;
+    if (!(std::abs(facing[0] * along.x + facing[1] * along.y) >= along_cosine)) continue;
     const auto apart = [&](double u) { return std::abs(beside.value + u * beside.slope); };
     check(from >= 0 && to <= 1, "ink beside a line is beside a part of it");
     parts.push_back({{x(from), x(to)}, number, {apart(from), apart(to)}});

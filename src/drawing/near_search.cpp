@@ -8,21 +8,11 @@
 
 #include "base/error.hpp"
 #include "drawing/beside.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
 namespace {
-
-// Multiples of the distance:
-constexpr double longest_gap = 3;   // length of a polyline that is removed along with near parts beside it, at most
-constexpr double shortest_run = 5;  // length from which a near part counts by itself
-// Greatest distance from the end of a near part to the contact up to which the part is shortened. Within it, lines at
-// 1.2 degrees or more separate, and so does an arc with a radius of up to 1250 from its tangent: nobody mistakes one
-// for the other.
-constexpr double farthest_contact = 50;
-// Where lines do not meet, so much of the distance at the ends of a near part tells that they bend apart there, rather
-// than that one of them ends or has a corner; and so much is close.
-constexpr double apart_at_ends = 0.9, close = 0.75;
 
 // Returns the parameters of a line, 0 at a and 1 at b, where it lies within a distance of the line p, q, a convex set.
 Range part_around(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q, double distance) {
@@ -210,7 +200,7 @@ std::optional<double> NearSearch::closest_approach(const Run& run) const {
     }
   }
   const bool leaves = std::min(at_ends[0], at_ends[1]) >= apart_at_ends * limits_.distance;
-  return leaves && closest.first <= close * limits_.distance ? std::optional(closest.second) : std::nullopt;
+  return leaves && closest.first <= close_between * limits_.distance ? std::optional(closest.second) : std::nullopt;
 }
 
 NearSearch::Run NearSearch::between_contacts(const Run& run, const std::array<bool, 2>& goes_on) const {

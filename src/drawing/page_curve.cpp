@@ -6,17 +6,9 @@
 #include <numbers>
 
 #include "base/portable_math.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
-
-namespace {
-
-// Curves at smaller angles do not cross.
-constexpr double least_sine_of_curves = 1e-6;
-constexpr int most_steps = 30;
-constexpr double settled = 1e-11;  // mm of the last step
-
-}  // namespace
 
 Vec2 PageCurve::derivative(double parameter) const {
   return is_straight_ ? shape_.u : portable_cos(parameter) * shape_.v - portable_sin(parameter) * shape_.u;
@@ -49,14 +41,14 @@ Vec2 PageCurve::place_of_tangent(const Vec2& along, const Vec2& point) const {
 
 std::optional<Vec2> crossing_near(const PageCurve& one, const PageCurve& other, const Vec2& point) {
   double s = one.parameter_of(point), t = other.parameter_of(point);
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < newton_steps; ++step) {
     const Vec2 gap = other.at(t) - one.at(s), along = one.derivative(s), across = other.derivative(t);
     const double area = cross(along, across), lengths = glm::length(along) * glm::length(across);
-    if (!(std::abs(area) > least_sine_of_curves * lengths)) return std::nullopt;
+    if (!(std::abs(area) > parallel_sine * lengths)) return std::nullopt;
     const double ds = cross(gap, across) / area, dt = cross(gap, along) / area;
     s += ds;
     t += dt;
-    if (std::max(std::abs(ds) * glm::length(along), std::abs(dt) * glm::length(across)) <= settled) return one.at(s);
+    if (std::max(std::abs(ds) * glm::length(along), std::abs(dt) * glm::length(across)) <= settled_mm) return one.at(s);
   }
   return std::nullopt;
 }

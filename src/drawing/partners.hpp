@@ -16,6 +16,7 @@
 #include "base/progress.hpp"
 #include "base/same_key.hpp"
 #include "base/vec.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
@@ -51,9 +52,6 @@ struct Gaps {
 /// Which lines are joined where only those are left that turn back there.
 enum class TurningBack { left_apart, joined };
 
-/// The cosine of the angle between the directions in which two lines leave a point, from which on they turn back there.
-inline constexpr double turning_back = 0.75;
-
 /// Which of the ends that meet are joined.
 struct Joining {
   TurningBack turning_back;
@@ -83,10 +81,7 @@ bool pair_up(const Ends& lines, End a, End b, const Joining& rule, std::vector<E
 /// Returns false if some are left that turn back there.
 template <class Ends>
 bool pair_up(const Ends& lines, std::span<const End> ends, const Joining& rule, std::vector<End>& partner) {
-  constexpr std::size_t most_at_a_point = 64;  // beyond that, straightness is not worth a quadratic search
-  constexpr double going_on = -0.75;           // cosine between the directions in which the lines leave the point
-  constexpr double about = 0.02;               // difference of such cosines
-  if (ends.size() > most_at_a_point) return true;
+  if (ends.size() > most_ends_at_a_point) return true;
   std::vector<std::pair<End, Vec2>> left;  // with the direction in which the line leaves that end
   for (const End end : ends)
     if (partner[end] == no_end) left.emplace_back(end, leaving(lines, end));
@@ -100,9 +95,9 @@ bool pair_up(const Ends& lines, std::span<const End> ends, const Joining& rule, 
         const auto& [b, direction_b] = left[j];
         const double straightness = glm::dot(direction_a, direction_b);
         const bool differ = lines.kind(a) != lines.kind(b);
-        const int turn = straightness > turning_back ? 2 : straightness > going_on && differ ? 1 : 0;
+        const int turn = straightness > turning_back ? 2 : straightness > -turning_back && differ ? 1 : 0;
         if (a == other(b) || glm::distance(lines.place(a), lines.place(b)) > rule.farthest) continue;
-        best = std::min(best, Pair(turn, straightness + (differ ? about : 0), order(a) + order(b), a, b));
+        best = std::min(best, Pair(turn, straightness + (differ ? about_as_straight : 0), order(a) + order(b), a, b));
       }
     const End a = std::get<3>(best), b = std::get<4>(best);
     if (a == no_end) return true;

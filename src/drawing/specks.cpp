@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "drawing/kept_ink.hpp"
+#include "drawing/limits.hpp"
 #include "drawing/polylines.hpp"
 
 namespace epura::drawing {
@@ -40,7 +41,6 @@ std::vector<char> find_needless(const std::vector<Piece>& pieces, const Progress
 std::vector<char> find_short(const std::vector<Piece>& pieces, const std::vector<signed char>& strength,
                              const ContinuingLimits& limits, const Progress& progress) {
   const double most = limits.distance;
-  constexpr double unseen = 0.1;
   std::vector<char> is_short(pieces.size(), 0), needless;
   const Polylines lines(pieces, strength, progress, limits.touching);
   check(lines.size() <= pieces.size(), "a polyline has a piece");
@@ -54,7 +54,7 @@ std::vector<char> find_short(const std::vector<Piece>& pieces, const std::vector
       if (length > most) break;
     }
     if (length > most) continue;
-    if (links_only && length > unseen * most) {
+    if (links_only && length > unseen_up_to * most) {
       if (needless.empty()) needless = find_needless(pieces, progress);
       if (needless[line_of(lines[i].front())] == 0) continue;
     }

@@ -8,12 +8,13 @@
 #include <map>
 #include <vector>
 
+#include "drawing/limits.hpp"
+
 namespace epura::drawing {
 
 namespace {
 
-constexpr double cell_width = 2;   // mm
-constexpr double sample_step = 1;  // mm, between tested points; there is one at least in each line
+constexpr double cell_width = 2;  // mm
 
 double distance_to(const Segment& segment, const Vec2& p) {
   const Vec2 d = segment.to - segment.from;
@@ -73,7 +74,7 @@ double length_without_mirror_image(const ViewDrawing& drawing, int axis, double 
     progress.expect_time();
     if (!segment.visible) continue;
     const double length = glm::distance(segment.from, segment.to);
-    const int points = std::max(1, static_cast<int>(std::ceil(length / sample_step)));
+    const int points = std::max(1, static_cast<int>(std::ceil(length / symmetry_step)));
     for (int i = 0; i < points; ++i) {
       Vec2 image = glm::mix(segment.from, segment.to, (i + 0.5) / points);
       image[axis] = 2 * at - image[axis];

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "drawing/limits.hpp"
 #include "drawing/make_drawing.hpp"
 #include "drawing/moved_contours.hpp"
 #include "search/bounds_tree.hpp"
@@ -17,13 +18,6 @@
 namespace epura::drawing {
 
 namespace {
-
-// Pieces along a contour, to each side, among which the crossing is looked for, and how far it may be: a multiple of
-// the distance by which the contour is moved.
-constexpr std::size_t most_pieces = 12;
-constexpr double most_moved = 4;
-// The sine of the angle at which contours cross rather than run along each other.
-constexpr double least_sine = 0.02;
 
 /// Which end of an edge comes next along a contour.
 struct Way {
@@ -151,7 +145,7 @@ class TJunctions {
   }
 
   // How far a change is moved at most.
-  [[nodiscard]] double reach(const Step& visible) const { return most_moved * moved(pieces_[visible.piece]); }
+  [[nodiscard]] double reach(const Step& visible) const { return crossing_within * moved(pieces_[visible.piece]); }
 
   void find_lines_near(const std::vector<Step>& ends) {
     const search::BoundsTree<2> wanted(ends.size(), [&](std::size_t i) {
@@ -199,7 +193,7 @@ class TJunctions {
   // The steps from one on, as long as they are as visible as that, and go on.
   [[nodiscard]] std::vector<Step> walk(const Step& from) const {
     std::vector<Step> steps{from};
-    while (steps.size() < most_pieces) {
+    while (steps.size() < most_walked) {
       const auto next = after(steps.back());
       if (!next || next->piece == from.piece) break;
       const Piece& piece = pieces_[next->piece];
@@ -265,7 +259,7 @@ class TJunctions {
       if (are_joined(own, other)) return true;
       const Vec2 across = other.to - other.from, way = other.from - from;
       const double area = cross(along, across);
-      if (!(std::abs(area) > least_sine * glm::length(along) * glm::length(across))) return true;
+      if (!(std::abs(area) > crossing_sine * glm::length(along) * glm::length(across))) return true;
       const double t = cross(way, across) / area, u = cross(way, along) / area;
       if (!(t >= 0 && t < first.t && t <= 1 && u >= 0 && u <= 1)) return true;
       if (depth_at(other, u) > depth_at(own, step.ahead == 1 ? t : 1 - t))

@@ -9,8 +9,8 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "drawing/chains.hpp"
 #include "drawing/drawing.hpp"
+#include "drawing/limits.hpp"
 #include "drawing/near_lines.hpp"
 #include "pipeline/draw_view.hpp"
 #include "report/format.hpp"
