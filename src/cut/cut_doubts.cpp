@@ -7,14 +7,11 @@
 #include <tuple>
 
 #include "base/disjoint_sets.hpp"
+#include "cut/limits.hpp"
 
 namespace epura::cut {
 
 namespace {
-
-constexpr std::size_t most_ends = 1024;  // per body, of open outlines; with more, the area that they bound is unknown
-constexpr double line_part = 1e-3;       // of the squared length: an outline around a smaller area is a line
-constexpr double most = 0.5;             // of an area: the part that must have one orientation
 
 double signed_area(const Vec2& a, const Vec2& b) { return cross(a, b) / 2; }
 
@@ -35,8 +32,8 @@ struct Piece {
     senses.push_back(sense);
   }
   void measure();
-  [[nodiscard]] bool is_line() const { return around <= line_part * length * length; }
-  [[nodiscard]] int sense() const { return std::abs(directed) < most * around ? 0 : directed > 0 ? 1 : -1; }
+  [[nodiscard]] bool is_line() const { return around <= area_of_line * length * length; }
+  [[nodiscard]] int sense() const { return std::abs(directed) < one_sense * around ? 0 : directed > 0 ? 1 : -1; }
   [[nodiscard]] bool holds(const Vec2& p) const {
     return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y && mesh::is_inside(outlines, p);
   }

@@ -5,19 +5,11 @@
 #include <cmath>
 
 #include "base/disjoint_sets.hpp"
+#include "cut/limits.hpp"
 
 namespace epura::cut {
 
 namespace {
-
-// Rounding moves each of two vertices that should be equal, and also the edges that the plane cuts there.
-constexpr double roundings = 4;
-// The mean height of a surface above the middles of its facets is half to two thirds of the largest height.
-constexpr double highest = 2;
-constexpr int joints = 4;                // vertices from an end, used to estimate the fineness of tessellation
-constexpr double largest_turn = 0.4143;  // tangent of half of 45 degrees; chords with a larger turn form no arc
-constexpr double least_outline = 50;     // length of the outline at each end, as a multiple of the gap
-constexpr double least_room = 3;         // distance to the next end, as a multiple of the gap
 
 /// The outline from one end to the next end or branch.
 struct Chain {
@@ -118,7 +110,7 @@ class Outline {
       const int next = other_end(segment, vertex);
       const Vec2 along = place(next) - place(vertex);
       chain.length += glm::length(along);
-      if (0 < i && i <= joints) chain.arc = std::max(chain.arc, arc_height(last, along));
+      if (0 < i && i <= joints_at_end) chain.arc = std::max(chain.arc, arc_height(last, along));
       if (at_[next].size() != 2) return chain;
       last = along;
       segment = at_[next][at_[next][0] == segment ? 1 : 0];
@@ -131,7 +123,7 @@ class Outline {
   static double arc_height(const Vec2& a, const Vec2& b) {
     const double product = glm::length(a) * glm::length(b) + glm::dot(a, b);
     const double turn = product > 0 ? std::abs(cross(a, b)) / product : HUGE_VAL;
-    return turn <= largest_turn ? std::min(glm::length(a), glm::length(b)) * turn / 4 : 0;
+    return turn <= most_turn_of_arc ? std::min(glm::length(a), glm::length(b)) * turn / 4 : 0;
   }
 
   [[nodiscard]] std::vector<End> find_ends(const GapLimits& limits) const {
@@ -174,8 +166,8 @@ class Outline {
 
   // The widest gap between two ends that tessellation or rounding can explain.
   static double explained(const End& one, const End& other, double rounding) {
-    const auto height = [](const End& end) { return end.sagitta ? highest * *end.sagitta : end.arc; };
-    return std::min({std::max({roundings * rounding, height(one), height(other)}), one.reach, other.reach});
+    const auto height = [](const End& end) { return end.sagitta ? highest_in_sagittas * *end.sagitta : end.arc; };
+    return std::min({std::max({roundings_of_gap * rounding, height(one), height(other)}), one.reach, other.reach});
   }
 
   std::vector<CutSegment> segments_;

@@ -9,13 +9,12 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "cut/limits.hpp"
 #include "cut/split_world.hpp"
 
 namespace epura::cut {
 
 namespace {
-
-constexpr double rounding_part = 0x1p-44;  // uncertainty of computed distances, as a fraction of the world's size
 
 class Knife {
  public:

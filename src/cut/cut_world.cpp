@@ -16,6 +16,7 @@
 #include "cut/cut_mesh.hpp"
 #include "cut/cut_outline.hpp"
 #include "cut/cut_region.hpp"
+#include "cut/limits.hpp"
 #include "cut/split_world.hpp"
 #include "cut/true_outline.hpp"
 #include "mesh/edge_table.hpp"
@@ -37,8 +38,6 @@ struct RegionOfCut {
                        [&](const CutBorder& border) { return side_of(border, point, split.slack) <= 0; });
   }
 };
-
-constexpr double least_gap = 0x1p-44;  // of the world's size; narrower gaps are rounding errors, and are not reported
 
 /// The cut of one model, by one plane or in one region of a surface; then all of them together.
 struct ModelCut {
@@ -110,7 +109,7 @@ GapLimits ModelCut::gap_limits() const {
 
 void ModelCut::tell_outlines_apart() {
   const GapLimits limits = gap_limits();
-  const double nothing = std::max(limits.rounding, least_gap);
+  const double nothing = std::max(limits.rounding, rounding_part);
   std::vector<CutSegment> closed;
   visit_bodies(cut.segments, [&](int body, std::span<const CutSegment> segments) {
     ToldApart apart = tell_apart(segments, places(), frame, limits);

@@ -9,12 +9,11 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "cut/limits.hpp"
 
 namespace epura::cut {
 
 namespace {
-
-constexpr double straight = 1e-9;  // rounding of a path's corners, as a part of its size
 
 /// A path with its coordinates along the cutting planes and along the normal.
 struct Trace {
@@ -74,7 +73,7 @@ Trace make_trace(const scene::SectionDescription& section, const Vec3& normal) {
   for (const Vec3& corner : path)
     if (!finite(corner)) refuse("has a number that is not finite", "");
   if (path.size() < 2) refuse("the path has fewer than two points", "give the corners of the cutting-plane line");
-  Trace trace{where, path, normal, Vec3(0), straight * size_of(path)};
+  Trace trace{where, path, normal, Vec3(0), rounding_of_path * size_of(path)};
   if (!(trace.least > 0)) refuse("all points of the path are the same", "give the corners of the cutting-plane line");
   Vec3 across(0);
   for (std::size_t i = 1; i < path.size() && !(glm::length(across) > trace.least); ++i) {
@@ -135,7 +134,7 @@ std::vector<Leg> straight_legs(const Trace& trace) {
     if (!(glm::distance(at, to) > trace.least))
       throw Error(ErrorKind::input, trace.where, corner_text(i + 1) + " is the same as the one before it", "remove it");
     const Leg leg{at, glm::normalize(to - at), glm::distance(at, to), i};
-    const bool goes_on = !legs.empty() && glm::distance(legs.back().along, leg.along) <= straight;
+    const bool goes_on = !legs.empty() && glm::distance(legs.back().along, leg.along) <= rounding_of_path;
     if (goes_on)
       legs.back().length += leg.length;
     else
@@ -149,8 +148,8 @@ std::vector<Leg> without_steps(const std::vector<Leg>& legs) {
   std::vector<Leg> planes;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const bool is_step = i > 0 && i + 1 < legs.size() &&
-                         glm::distance(legs[i - 1].along, legs[i + 1].along) <= straight &&
-                         std::abs(glm::dot(legs[i].along, legs[i - 1].along)) <= straight;
+                         glm::distance(legs[i - 1].along, legs[i + 1].along) <= rounding_of_path &&
+                         std::abs(glm::dot(legs[i].along, legs[i - 1].along)) <= rounding_of_path;
     if (!is_step) planes.push_back(legs[i]);
   }
   return planes;
@@ -160,7 +159,7 @@ std::vector<Leg> without_steps(const std::vector<Leg>& legs) {
 bool cross_each_other(const std::vector<Leg>& legs, std::size_t i, std::size_t j) {
   const Leg &a = legs[i], &b = legs[j];
   const double turn = cross(a.along, b.along);
-  if (std::abs(turn) <= straight) return false;
+  if (std::abs(turn) <= rounding_of_path) return false;
   const double on_a = cross(b.at - a.at, b.along) / turn, on_b = cross(b.at - a.at, a.along) / turn;
   return (i == 0 || on_a >= 0) && on_a <= a.length && on_b >= 0 && (j + 1 == legs.size() || on_b <= b.length);
 }
@@ -173,7 +172,7 @@ void expect_axes(const Trace& trace, const std::vector<Leg>& legs) {
     refuse("the path of the aligned section has no corner, so there is no axis to turn a plane about",
            "give a corner in which two planes meet, such as a point of the axis of a round part, or omit 'aligned'");
   for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
-    if (glm::distance(legs[i].along, -legs[i + 1].along) <= straight)
+    if (glm::distance(legs[i].along, -legs[i + 1].along) <= rounding_of_path)
       refuse("the path goes back on itself at " + corner_text(legs[i + 1].corner), "give its points in one direction");
     for (std::size_t j = i + 2; j < legs.size(); ++j)
       if (cross_each_other(legs, i, j))
@@ -229,7 +228,7 @@ Mat4 in_world(const Turn& turn, const Trace& trace) {
 // Makes a region of each leg that is no step: what is perpendicular to it.
 void align(CuttingSurface& surface, Trace& trace) {
   std::vector<Leg> legs = straight_legs(trace);
-  const auto is_ahead = [&](const Leg& leg) { return std::abs(leg.along.y) <= straight; };
+  const auto is_ahead = [&](const Leg& leg) { return std::abs(leg.along.y) <= rounding_of_path; };
   const auto found = std::find_if(legs.begin(), legs.end(), is_ahead);
   if (found != legs.end() && found->along.x < 0) {
     trace.along = -trace.along;

@@ -8,17 +8,14 @@
 #include <optional>
 #include <vector>
 
+#include "cut/limits.hpp"
+
 namespace epura::cut {
 
 namespace {
 
 using features::PartFace;
 using features::SurfaceKind;
-
-constexpr int most_steps = 40;        // tangent surfaces halve the distance with each step, others square it
-constexpr double tangent = 1e-3;      // sine of the angle between outlines that do not cross clearly
-constexpr double rounding = 0x1p-44;  // of distances, as a fraction of the world's size
-constexpr double most_sagittas = 16;  // height of the highest facets, as a multiple of a face's mean sagitta
 
 /// The two triangles that meet at a vertex of the cut.
 struct Meeting {
@@ -33,7 +30,7 @@ class OutlineMover {
         first_triangle_(world.first_triangle[model]),
         plane_(frame.plane),
         part_(part),
-        precise_(rounding / frame.normalisation) {}
+        precise_(rounding_part / frame.normalisation) {}
 
   [[nodiscard]] std::optional<Vec3> place_for(const Vec3& start, const Meeting& meeting) const {
     if (meeting.count != 2) return std::nullopt;
@@ -85,7 +82,7 @@ class OutlineMover {
 
   // Newton's method, straight towards the outline.
   [[nodiscard]] std::optional<Vec3> onto(const PartFace& face, Vec3 point) const {
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < newton_steps; ++step) {
       const Slope slope = slope_at(face, point);
       if (std::abs(slope.distance) <= precise_) return point;
       const double steepness = glm::dot(slope.gradient, slope.gradient);
@@ -97,12 +94,12 @@ class OutlineMover {
 
   // Where two surfaces touch, they need not meet to the last digit.
   [[nodiscard]] std::optional<Vec3> between(const PartFace& one, const PartFace& other, Vec3 point) const {
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < newton_steps; ++step) {
       const Slope a = slope_at(one, point), b = slope_at(other, point);
       const double apart = std::max(std::abs(a.distance), std::abs(b.distance));
       if (apart <= precise_) return point;
       const double turn = cross(a.gradient, b.gradient);
-      const bool touch = std::abs(turn) <= tangent * glm::length(a.gradient) * glm::length(b.gradient);
+      const bool touch = std::abs(turn) <= tangent_sine * glm::length(a.gradient) * glm::length(b.gradient);
       if (touch && apart <= part_.tolerance) return point;
       if (turn == 0) return std::nullopt;
       const Vec2 by = Vec2(b.distance * a.gradient.y - a.distance * b.gradient.y,

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every tolerance, angle and ratio that decides something in this stage. Numbers have no unit unless said otherwise;
+// angles are told in degrees, those of constants by their sines and tangents, too.
+#pragma once
+
+#include <cstddef>
+
+namespace epura::cut {
+
+// Rounding
+
+/// Of computed distances, as a part of the world's size. Narrower gaps are rounding errors, and are not reported.
+inline constexpr double rounding_part = 0x1p-44;
+inline constexpr double rounding_of_path = 1e-9;  ///< of a path's corners, as a part of its size
+/// Rounding moves each of two vertices that should be equal, and also the edges that the plane cuts there.
+inline constexpr double roundings_of_gap = 4;
+
+// Outlines on surfaces
+
+inline constexpr double most_sagittas = 16;   ///< height of the highest facets, as a multiple of a face's mean sagitta
+inline constexpr double tangent_sine = 1e-3;  ///< 0.06 degrees; outlines at a smaller angle do not cross clearly
+/// Tangent surfaces halve the distance with each step, others square it.
+inline constexpr int newton_steps = 40;
+
+// Gaps in outlines
+
+/// The mean height of a surface above the middles of its facets is half to two thirds of the largest height.
+inline constexpr double highest_in_sagittas = 2;
+inline constexpr int joints_at_end = 4;  ///< vertices from an end, used to estimate the fineness of tessellation
+/// Tangent of half of 45 degrees; chords with a larger turn form no arc.
+inline constexpr double most_turn_of_arc = 0.4143;
+inline constexpr double least_outline = 50;  ///< length of the outline at each end, as a multiple of the gap
+inline constexpr double least_room = 3;      ///< distance to the next end, as a multiple of the gap
+
+// What open outlines bound
+
+inline constexpr std::size_t most_ends = 1024;  ///< per body; with more, the area that they bound is unknown
+inline constexpr double area_of_line = 1e-3;    ///< of the squared length: an outline around a smaller area is a line
+inline constexpr double one_sense = 0.5;        ///< of an area: the part that must have one orientation
+
+}  // namespace epura::cut
