@@ -7,7 +7,6 @@
 #include "base/error.hpp"
 #include "base/largest_number.hpp"
 #include "base/text.hpp"
-#include "drawing/drawing.hpp"
 #include "scene/cutting_plane.hpp"
 
 namespace epura::scene {
