@@ -182,7 +182,7 @@ std::vector<AngleRange> circle_inside(const Boundary& boundary, const Vec2& cent
     parts.pop_back();
   }
   for (const AngleRange& part : parts)
-    check(part.from < part.to && part.to - part.from <= whole * (1 + 1e-9), "an arc is a part of its circle");
+    check(part.from < part.to && part.to - part.from <= whole * (1 + rounding_part), "an arc is a part of its circle");
   return parts;
 }
 

@@ -274,7 +274,7 @@ double draw_circles_once(const visibility::ResolvedView& lines, const view::Pape
   const auto ink = [](const std::vector<Piece>& all) {
     return std::accumulate(all.begin(), all.end(), 0.0, [](double sum, const Piece& p) { return sum + length_of(p); });
   };
-  check(!(ink(kept) > ink(pieces) * (1 + 1e-9)), "drawing circles once adds no ink");
+  check(!(ink(kept) > ink(pieces) * (1 + rounding_part)), "drawing circles once adds no ink");
   pieces = std::move(kept);
   return rise;
 }

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
@@ -39,7 +40,7 @@ std::optional<std::array<double, n>> least_squares(std::array<Column, n> columns
       for (std::size_t i = 0; i < column.size(); ++i) column[i] -= r[j][k] * columns[j][i];
     }
   }
-  check(!(dot(target, target) > before * (1 + 1e-9)), "a fit leaves no more than there was");
+  check(!(dot(target, target) > before * (1 + rounding_part)), "a fit leaves no more than there was");
   std::array<double, n> result{};
   for (std::size_t j = n; j-- > 0;) {
     result[j] = r[j][n];

@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/same_key.hpp"
 #include "drawing/covers.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
@@ -126,7 +127,7 @@ std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double toleranc
   pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(kept), pieces.end());
   pieces.insert(pieces.end(), waiting.begin(), waiting.end());
   check(next == covers.size(), "every cover is of a line");
-  check(ink_of(pieces) <= ink * (1 + 1e-9), "of lines that coincide, no more ink is left than there was");
+  check(ink_of(pieces) <= ink * (1 + rounding_part), "of lines that coincide, no more ink is left than there was");
   return pieces;
 }
 

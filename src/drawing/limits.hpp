@@ -104,6 +104,7 @@ inline constexpr double least_turn_of_arc = 30 * degree;    ///< of the shortest
 inline constexpr double most_step = 30.001 * degree;        ///< between corners of an arc
 inline constexpr double most_known_step = 90.001 * degree;  ///< between corners of a known circle
 inline constexpr double most_turn_of_chord = 90 * degree;   ///< a piece that turns farther is no chord of a rim
+inline constexpr double rounding_of_turn = 1e-6;            ///< radians, 0.00006 degrees: an arc turns once
 inline constexpr double most_uneven = 3;                    ///< largest step of an arc over the usual one
 inline constexpr double much_better = 5;                    ///< how much closer an ellipse than a circle must be
 inline constexpr double part_if_exact = 0.1;                ///< of the tolerance: lines on crossings of surfaces
