@@ -141,8 +141,7 @@ void Run::find_heights(const world::World& world) {
 
 // Whether a model comes from an importer, which chooses facets, and facets finer by a factor may be asked of it.
 bool Run::may_be_finer(double factor) const {
-  constexpr double finest = 20;  // beyond, meshes become hundreds of times as large
-  constexpr double most = 160;   // the same with the largest step beyond it
+  constexpr double finest = 20, most = 160;  // beyond, with the last step, meshes become hundreds of times as large
   const auto is_imported = [](const mesh::MeshReport& mesh) {
     return !mesh.format.empty() && mesh::format_named(mesh.format) == nullptr;
   };
@@ -158,11 +157,13 @@ void Run::judge(const ViewResult& result) {
   gathered.report.errors.push_back(error);
   if (!options.max_error) return;
   const double by_facets = error[ErrorTerm::surface] + error[ErrorTerm::intersections] + error[ErrorTerm::contours];
-  const double part = part_for_facets(*options.max_error, options.arcs.has_value());
-  // Heights over facets are as the squares of their lengths, but ends of contours are off by lengths.
+  const double part = std::min(part_for_facets(*options.max_error, options.arcs.has_value()),
+                               *options.max_error - (error.total() - by_facets));
+  // Heights over facets are as the squares of their lengths; ends of contours are off by lengths, or gone: tried once.
   const double ratio = by_facets / part;
   const double factor = error[ErrorTerm::contours] > by_facets / 2 ? ratio * ratio : ratio;
-  if (error.total() > *options.max_error && ratio > 1 && may_be_finer(factor)) throw TooCoarse{factor};
+  if (error.total() > *options.max_error && ratio > 1 && may_be_finer(factor > ratio && fineness == 1 ? 1 : factor))
+    throw TooCoarse{factor};
   expect_within(*options.max_error, error, declares_surfaces);
   messages.print(sentence_of(error));
 }
@@ -569,6 +570,7 @@ DrawnScene draw_once(const scene::SceneDescription& scene, const RunOptions& opt
 DrawnScene draw_within_error(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context,
                              const std::vector<SheetOfViews>& sheets) {
   constexpr double reserve = 1.5, most_at_once = 8;
+  expect_certain(*options.max_error, reading_of(scene, options).options.relative_tolerance, options.arcs.has_value());
   for (double fineness = 1;;) {
     HeldMessages held;
     const Messages messages = held.messages();

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/limits.hpp"
@@ -62,19 +63,24 @@ class Judge {
 
   /// Faces that are off by h and k meet farther from where their facets meet, the smaller the angle between them.
   void add_intersections(report::ViewError& error) const {
+    const ChordHeights chords = heights_of_chords();
     double largest = 0;
     for (const edges::FeatureEdge& edge : judged_.edges.edges) {
-      const double off = off_edge(edge);
+      const double off = off_edge(edge, chords);
       if (!(off > 0)) continue;
       largest = std::max(largest, off * std::max(stretch_at(edge.vertex[0]), stretch_at(edge.vertex[1])));
     }
     error[ErrorTerm::intersections] = std::max(0.0, largest - error[ErrorTerm::surface]);
   }
 
-  /// Where a surface curves both ways, its contour may end in a cusp, which facets do not have: theirs ends up to a
-  /// facet before. Contours drawn on the surface have their own measure.
+  /// Where a surface curves both ways, its contour may end in a cusp, which facets do not have: theirs turns back
+  /// there, up to a facet before. Contours drawn on the surface have their own measure.
   void add_cusps(report::ViewError& error) const {
-    double& largest = error[ErrorTerm::contours];
+    struct Leg {
+      int from;
+      Vec2 along;
+    };
+    std::vector<Leg> legs;
     for (const edges::FeatureEdge& edge : judged_.edges.edges) {
       if (edge.kind != EdgeKind::contour || edge.mesh_edge < 0 || edge.shown[0] >= 0 || edge.shown[1] >= 0) continue;
       const world::Placed& placed = judged_.world.models[static_cast<std::size_t>(edge.model)];
@@ -83,14 +89,27 @@ class Judge {
       const int first = judged_.world.first_triangle[static_cast<std::size_t>(edge.model)];
       if (beside.size() != 2 || !judged_.is_whole) continue;
       if (!is_inside(placed, edge.mesh_edge, {first + beside[0], first + beside[1]})) continue;
-      for (const int triangle : beside)
-        if (is_saddle(edge.model, triangle))
-          largest = std::max(largest, longest_side(first + triangle) *
-                                          std::max(stretch_at(edge.vertex[0]), stretch_at(edge.vertex[1])));
+      if (std::none_of(beside.begin(), beside.end(), [&](int triangle) { return is_saddle(edge.model, triangle); }))
+        continue;
+      const Vec2 along = place_of(edge.vertex[1]) - place_of(edge.vertex[0]);
+      legs.push_back({edge.vertex[0], along});
+      legs.push_back({edge.vertex[1], -along});
     }
+    std::stable_sort(legs.begin(), legs.end(), [](const Leg& a, const Leg& b) { return a.from < b.from; });
+    double& largest = error[ErrorTerm::contours];
+    for (std::size_t i = 0; i < legs.size(); ++i)
+      for (std::size_t j = i + 1; j < legs.size() && legs[j].from == legs[i].from; ++j)
+        if (glm::dot(legs[i].along, legs[j].along) > 0)
+          largest = std::max({largest, glm::length(legs[i].along), glm::length(legs[j].along)});
   }
 
  private:
+  /// On paper, mm, from the middle of the view.
+  [[nodiscard]] Vec2 place_of(int vertex) const {
+    const view::PageVertex& at = judged_.view.vertices[vertex];
+    return judged_.paper.scale * Vec2(at.x, at.y);
+  }
+
   // Planes, cylinders, cones and spheres curve one way.
   static bool may_be_saddle(const features::PartFaces& part, int triangle) {
     const int face = part.face_of_triangle[static_cast<std::size_t>(triangle)];
@@ -153,6 +172,44 @@ class Judge {
     return glm::cross(points[b] - points[a], points[c] - points[a]);
   }
 
+  /// How far the chords of borders are from these, in world units, by model and mesh edge; empty for models without
+  /// recognised faces.
+  using ChordHeights = std::vector<std::vector<double>>;
+
+  // Vertices of the border between two faces lie on both, so its edges are chords of the true one, however small the
+  // angle between the faces: with a turn t from one to the next, a chord of length s is off by s t / 8. Twice that, as
+  // vertices are not evenly distributed.
+  [[nodiscard]] ChordHeights heights_of_chords() const {
+    ChordHeights heights(judged_.world.models.size());
+    for (std::size_t m = 0; m < heights.size(); ++m) {
+      const world::Placed& placed = judged_.world.models[m];
+      if (placed.part == nullptr || !judged_.is_whole) continue;
+      heights[m].assign(placed.mesh->edges.size(), 0);
+      const auto along = [&](int edge) {
+        const auto& [a, b] = placed.mesh->edges[static_cast<std::size_t>(edge)].vertex;
+        const int first = judged_.world.first_vertex[m];
+        return judged_.world.points[first + b] - judged_.world.points[first + a];
+      };
+      for (const features::PartBorder& border : placed.part->borders) {
+        const std::size_t count = border.edges.size();
+        for (std::size_t i = border.closed ? 0 : 1; i < count; ++i) {
+          const std::array both{border.edges[(i + count - 1) % count], border.edges[i]};
+          const Vec3 one = along(both[0]), two = along(both[1]);
+          const auto& ends = placed.mesh->edges[static_cast<std::size_t>(both[0])].vertex;
+          const auto& others = placed.mesh->edges[static_cast<std::size_t>(both[1])].vertex;
+          const bool is_against = ends[0] == others[0] || ends[1] == others[1];
+          const double turn =
+              portable_atan2(glm::length(glm::cross(one, two)), (is_against ? -1 : 1) * glm::dot(one, two));
+          for (const int edge : both) {
+            double& height = heights[m][static_cast<std::size_t>(edge)];
+            height = std::max(height, glm::length(along(edge)) * turn / 4);
+          }
+        }
+      }
+    }
+    return heights;
+  }
+
   // Two planes that are off by h and k cross within sqrt(h^2 + k^2 + 2 h k |cosine|) / sine.
   [[nodiscard]] double off_between(int one, int other, double h, double k) const {
     const Vec3 a = normal_of(one), b = normal_of(other);
@@ -163,14 +220,17 @@ class Judge {
   }
 
   // The lines of a thread have one triangle twice.
-  [[nodiscard]] double off_edge(const edges::FeatureEdge& edge) const {
-    if (edge.crossing < 0) return edge.mesh_edge < 0 ? 0 : off_border(edge);
+  [[nodiscard]] double off_edge(const edges::FeatureEdge& edge, const ChordHeights& chords) const {
+    if (edge.crossing < 0) return edge.mesh_edge < 0 ? 0 : off_border(edge, chords);
     const auto [one, other] = judged_.edges.crossings[static_cast<std::size_t>(edge.crossing)].triangles;
-    return one == other ? 0 : off_between(one, other, height_of(one), height_of(other));
+    if (one == other) return 0;
+    // Farther away, other facets meet.
+    return std::min(off_between(one, other, height_of(one), height_of(other)),
+                    std::max(longest_side(one), longest_side(other)));
   }
 
   // Where two faces of the part meet; or at the outline of a section, what is left of a face, and the cut face.
-  [[nodiscard]] double off_border(const edges::FeatureEdge& edge) const {
+  [[nodiscard]] double off_border(const edges::FeatureEdge& edge, const ChordHeights& chords) const {
     const world::Placed& placed = judged_.world.models[static_cast<std::size_t>(edge.model)];
     const std::span<const int> beside =
         placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]);
@@ -179,7 +239,11 @@ class Judge {
     const std::array both{first + beside[0], first + beside[1]};
     if (edge.kind == EdgeKind::section) return off_between(both[0], both[1], height_of_model(edge.model), 0);
     if (!judged_.is_whole || is_inside(placed, edge.mesh_edge, both)) return 0;
-    return off_between(both[0], both[1], height_of(both[0]), height_of(both[1]));
+    const double h = height_of(both[0]), k = height_of(both[1]);
+    const double off = off_between(both[0], both[1], h, k);
+    if (placed.part == nullptr || placed.part->border_at(edge.mesh_edge) == nullptr) return off;
+    const double chord = chords[static_cast<std::size_t>(edge.model)][static_cast<std::size_t>(edge.mesh_edge)];
+    return std::min(off, std::max(h, k) + chord);
   }
 
   // Whether facets on both sides are of one surface.
@@ -250,6 +314,17 @@ double error_of_writing(std::span<const Target> targets, const output::VectorOpt
   double largest = 0;
   for (const Target& target : targets) largest = std::max(largest, target.format->error(options, has_arcs));
   return largest;
+}
+
+void expect_certain(double max_error, double facets, bool has_arcs) {
+  const double part = facets * max_error / part_for_facets(max_error, has_arcs);
+  if (part <= 0 || part >= guaranteed_part) return;
+  constexpr double above_rounding = 1.5;  // to one digit
+  throw Error(
+      ErrorKind::input, "--max-error",
+      "is " + format_number(max_error) +
+          " mm, but no part of a line shorter than a millionth of the drawing is certain to be visible or hidden",
+      "raise --max-error to " + format_rounded(above_rounding * max_error * guaranteed_part / part, 1) + " mm or more");
 }
 
 void expect_within(double max_error, const report::ViewError& error, bool declares_surfaces) {

@@ -48,6 +48,10 @@ void choose_writing(output::VectorOptions& options, std::span<const Target> targ
 /// Returns the largest error of the formats of the targets, mm.
 double error_of_writing(std::span<const Target> targets, const output::VectorOptions& options, bool has_arcs);
 
+/// Refuses a --max-error that is below what is certain of any drawing. `facets`: its part for facets, as a fraction of
+/// the largest drawing; 0: unknown. Throws Error{input}.
+void expect_certain(double max_error, double facets, bool has_arcs);
+
 /// Refuses a view whose error exceeds --max-error. `declares_surfaces`: all files have the surfaces of their parts, of
 /// which finer facets have been asked for already. Throws Error{input}.
 void expect_within(double max_error, const report::ViewError& error, bool declares_surfaces);
