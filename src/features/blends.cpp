@@ -8,20 +8,11 @@
 #include <utility>
 
 #include "base/angle.hpp"
+#include "features/limits.hpp"
 
 namespace epura::features {
 
 namespace {
-
-// Two points are on one circle around an axis if their heights differ by so many tolerances at most.
-constexpr double same_height = 16;
-constexpr std::size_t fewest_seeds = 3;
-// A blend that its facets alone do not prove extends over so much of its circle and of its tube at least, and its
-// radius is that by which it is tangent, up to such a part.
-constexpr double least_turn = 20 * degree;
-constexpr double same_radius = 0.02;
-// The part of its border beyond which facets may continue it that have no surface either.
-constexpr double most_open = 0.1;
 
 /// A side at which a region ends on a circle around its axis, and the facet beyond it.
 struct RimSide {
@@ -51,7 +42,7 @@ class BlendGrower {
       const std::vector<RimSide> sides = rim_sides(regions_[r]);
       for (auto first = sides.begin(); first != sides.end();) {
         const auto last = std::find_if(first, sides.end(), [&](const RimSide& side) {
-          return side.height > first->height + same_height * facets_.tolerance;
+          return side.height > first->height + most_allowance * facets_.tolerance;
         });
         grow_from(surface, {first, last});
         first = last;
@@ -69,7 +60,7 @@ class BlendGrower {
         if (facets_.cosine_of_fold(t, side) < smooth_cosine) return;
         const auto [a, b] = facets_.ends_of(t, side);
         const double height = profile_of(region.surface, a).y;
-        if (std::abs(height - profile_of(region.surface, b).y) <= same_height * facets_.tolerance)
+        if (std::abs(height - profile_of(region.surface, b).y) <= most_allowance * facets_.tolerance)
           sides.push_back({height, other, a});
       });
     std::sort(sides.begin(), sides.end(), [](const RimSide& a, const RimSide& b) {
@@ -94,13 +85,13 @@ class BlendGrower {
   }
 
   [[nodiscard]] bool is_blend(const Region& region, const PartSurface& tangent) const {
-    if (std::abs(region.surface.minor - tangent.minor) > same_radius * tangent.minor) return false;
+    if (std::abs(region.surface.minor - tangent.minor) > same_blend_radius * tangent.minor) return false;
     std::vector<Vec3> points;
     for (const int f : region.facets)
       for (const int v : facets_.supports_of(f)) points.push_back(facets_.points[v]);
     const double allowance = allowance_of(facets_, region.sagitta);
-    return places_of(region.surface, points, false, allowance).sweep >= least_turn &&
-           places_of(region.surface, points, true, allowance).sweep >= least_turn && is_whole(region);
+    return places_of(region.surface, points, false, allowance).sweep >= least_blend &&
+           places_of(region.surface, points, true, allowance).sweep >= least_blend && is_whole(region);
   }
 
   // Whether it ends at edges and at other surfaces, not anywhere in a free form.

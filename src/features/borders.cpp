@@ -13,17 +13,12 @@
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
 #include "features/free_normals.hpp"
+#include "features/limits.hpp"
 #include "features/pairs_by_body.hpp"
 
 namespace epura::features {
 
 namespace {
-
-// Normals of free forms are estimates: where they are not farther apart than twice the greatest angle between tangent
-// faces, so much of a border need not exceed that angle for it to be tangent.
-constexpr double most_of_estimated = 0.75;
-// Inside a free-form face, an edge with a sharper fold fades out at its ends.
-constexpr double fading_cosine = 0.766;  // 40 degrees
 
 /// One mesh edge between two faces.
 struct BorderEdge {
@@ -246,7 +241,7 @@ class BorderFinder {
     const BorderEdge& any = edges_[chain.edges.front()];
     PartBorder border{any.faces, any.open ? BorderKind::open : BorderKind::tangent, 0, {}, chain.closed};
     for (const int e : chain.edges) border.edges.push_back(edges_[e].edge);
-    border.angle = angle_along(chain.edges, most_of_it);
+    border.angle = angle_along(chain.edges, most_of_border);
     if (!any.open && border.angle > tangent_angle_ && border.angle <= 2 * tangent_angle_ && is_beside_free_form(any))
       border.angle = angle_along(chain.edges, most_of_estimated);
     if (!any.open && border.angle > tangent_angle_) border.kind = BorderKind::sharp;

@@ -14,11 +14,8 @@ namespace epura::features {
 /// The angle in degrees between the facets on both sides of a piece of a border, and the length of the piece.
 using AngleAlong = std::array<double, 2>;
 
-/// The fraction of a border that counts: at a corner, a third face may interfere.
-inline constexpr double most_of_it = 0.9;
-
 /// Returns the least angle that is not exceeded over a fraction of the length. There must be at least one piece.
-double angle_of_most(std::vector<AngleAlong> angles, double most = most_of_it);
+double angle_of_most(std::vector<AngleAlong> angles, double most);
 
 /// A border is sharp or tangent as a whole, as determined by the surfaces on both sides: tangent if they meet within
 /// `tangent_angle` degrees along all of it, except a tenth of its length. Borders are ordered by their first edges.

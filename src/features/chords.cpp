@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "features/limits.hpp"
+
 namespace epura::features {
 
 namespace {
@@ -12,10 +14,6 @@ namespace {
 bool is_round(const Region& region) {
   return region.surface.kind != SurfaceKind::plane && region.surface.kind != SurfaceKind::free_form;
 }
-
-// CAD kernels trim faces along inexact curves: vertices there may lie off both surfaces, by less than the sagitta of
-// the tessellation.
-constexpr double most_trimmed = 64;  // tolerances
 
 bool is_piece(const Facets& facets, int facet, const Region& region) {
   return is_chord(facets, facet, region.surface, allowance_of(facets, region.sagitta), region.sagitta);
@@ -79,10 +77,9 @@ void take_pieces(const Facets& facets, std::vector<int>& region_of, std::vector<
 
 // Whether a facet faces as a surface does at its vertices, within an eighth of a turn.
 bool faces_along(const Facets& facets, int facet, const PartSurface& surface) {
-  constexpr double least_facing = 0.7;
   const auto vertices = facets.supports_of(facet);
   return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
-    return std::abs(glm::dot(normal_near(surface, facets.points[v]), facets.facets[facet].normal)) >= least_facing;
+    return std::abs(glm::dot(normal_near(surface, facets.points[v]), facets.facets[facet].normal)) >= smooth_cosine;
   });
 }
 
@@ -106,12 +103,11 @@ class Island {
 
   /// Returns nothing if the island is larger than a coarse spot of a mesh.
   [[nodiscard]] std::vector<int> from(int facet) const {
-    constexpr std::size_t most = 64;
     std::vector<int> island{facet};
     bool is_enclosed = lies_on(facets_, facet, region_);
-    for (std::size_t i = 0; i < island.size() && is_enclosed && island.size() <= most; ++i)
+    for (std::size_t i = 0; i < island.size() && is_enclosed && island.size() <= largest_island; ++i)
       is_enclosed = add_around(island[i], island);
-    return is_enclosed && island.size() <= most ? island : std::vector<int>();
+    return is_enclosed && island.size() <= largest_island ? island : std::vector<int>();
   }
 
  private:
@@ -167,9 +163,8 @@ void take_chords(const Facets& facets, std::vector<int>& region_of, std::vector<
 
 int region_around(const Facets& facets, int facet, const std::vector<int>& region_of,
                   const std::vector<Region>& regions) {
-  constexpr std::size_t most_corners = 5;
   const auto vertices = facets.vertices_of(facet);
-  if (vertices.size() > most_corners) return -1;
+  if (vertices.size() > corners_in_round) return -1;
   int nearest = -1;
   double least = HUGE_VAL;
   for (const int t : facets.triangles_of(facet))

@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "features/borders.hpp"
+#include "features/limits.hpp"
 #include "features/pairs_by_body.hpp"
 #include "features/region.hpp"
 #include "features/surface_sheet.hpp"
@@ -257,7 +258,7 @@ class DeclaredFaces {
         if (const auto [one, two] = faces_of(pair); one != two) angle = std::max(angle, angle_between(pair));
       angles.push_back({angle, glm::distance(mesh_.point(edge.vertex[0]), mesh_.point(edge.vertex[1]))});
     }
-    return angle_of_most(std::move(angles));
+    return angle_of_most(std::move(angles), most_of_border);
   }
 
   const mesh::Mesh& mesh_;

@@ -14,21 +14,14 @@
 #include "base/parallel.hpp"
 #include "features/estimates.hpp"
 #include "features/least_squares.hpp"
+#include "features/limits.hpp"
+#include "mesh/resolution.hpp"
 
 namespace epura::features {
 
 namespace {
 
 constexpr std::size_t grain = 8192;
-// Precision to which CAD kernels keep the positions of vertices, as a fraction of the size of the model.
-constexpr double least_tolerance = 3e-7;
-// Number of roundings by which a vertex may lie off its surface: three coordinates, and those of its neighbours in the
-// fit.
-constexpr double roundings = 4;
-// Of a grid to whose points vertices were moved, in steps.
-constexpr double half_diagonal = 0.866;
-// CAD kernels leave vertices farther off than rounding does; on a grid, its step is all there is.
-constexpr double usual_slack = 4, grid_slack = 2;
 
 bool is_before(const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
@@ -76,7 +69,7 @@ void read_triangles(const mesh::Mesh& mesh, Facets& f) {
   begin_at_first_corners(f);
   const double rounding =
       std::max(farthest * (mesh.report.single_precision ? 0x1p-24 : 0x1p-51), mesh.report.weld_distance);
-  const double by_rounding = std::max(roundings * rounding, least_tolerance * size);
+  const double by_rounding = std::max(mesh::roundings * rounding, least_tolerance * size);
   const double by_grid = half_diagonal * mesh.report.resolution;
   f.tolerance = std::max(by_rounding, by_grid) * f.scale;
   f.slack = by_grid > by_rounding ? grid_slack : usual_slack;

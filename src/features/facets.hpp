@@ -12,9 +12,6 @@
 
 namespace epura::features {
 
-inline constexpr double coarse_fold = 0.185;  ///< tangent of half of 21 degrees: folds inside faces are rarely larger
-inline constexpr double smooth_cosine = 0.7;  ///< of a fold that occurs inside faces of coarse tessellations
-
 /// Triangles that form one flat piece, or a polygon of the file.
 struct Facet {
   Vec3 normal;  ///< unit; zero if it has no area

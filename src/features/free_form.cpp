@@ -9,21 +9,11 @@
 
 #include "base/disjoint_sets.hpp"
 #include "features/chords.hpp"
+#include "features/limits.hpp"
 
 namespace epura::features {
 
 namespace {
-
-// Folds, as tangents of half their angles.
-constexpr double most_smooth = 0.277;  // 31 degrees
-constexpr double fold_ratio = 3;
-constexpr double fold_slack = 0.0175;  // 2 degrees
-// Facets of one tessellation have about the same sagitta, so their widths differ little.
-constexpr double width_ratio = 8;
-// Above coarse_fold, folds may also be those between flats of a polygon and narrow chamfers, and widths must be more
-// similar.
-constexpr double coarse_width_ratio = 3;
-constexpr double narrow = 8;
 
 class Completion {
  public:
@@ -34,8 +24,6 @@ class Completion {
     find_largest_folds();
     for (int f = 0; f < size(); ++f)
       if (is_loose(f)) join_smooth_neighbours(f);
-    // Between a narrow triangle and its face, others may lie; more than a few are no chance of a tessellation.
-    constexpr int most_between = 8;
     for (int i = 0; i < most_between && join_narrow_triangles(); ++i) continue;
     make_regions();
     give_slivers_away();
@@ -104,7 +92,7 @@ class Completion {
       const auto [a, b] = facets_.ends_of(t, side);
       const double one = reach(f, a, b), two = reach(other, a, b);
       const double most_ratio =
-          angle > coarse_fold && is_polygon(f) && is_polygon(other) ? coarse_width_ratio : width_ratio;
+          angle > coarse_fold && is_polygon(f) && is_polygon(other) ? similar_width_ratio : width_ratio;
       if (one > most_ratio * two || two > most_ratio * one) return;
       sets_.join(f, other);
     });
@@ -261,11 +249,9 @@ bool are_chords(const Facets& facets, const Region& some, const Region& of) {
 
 // Where the normal of a torus is parallel to its axis, its facets form a flat ring, or parts of it.
 bool is_ring_of_torus(const Facets& facets, const Region& flat, const Region& torus) {
-  constexpr double parallel = 1 - 1e-6;
-  constexpr std::size_t few_corners = 6;
   if (torus.surface.kind != SurfaceKind::torus || !are_chords(facets, flat, torus)) return false;
-  return std::abs(glm::dot(torus.surface.axis, flat.surface.axis)) > parallel ||
-         (flat.facets.size() == 1 && facets.vertices_of(flat.facets.front()).size() <= few_corners);
+  return std::abs(glm::dot(torus.surface.axis, flat.surface.axis)) > parallel_cosine ||
+         (flat.facets.size() == 1 && facets.vertices_of(flat.facets.front()).size() <= corners_in_ring);
 }
 
 // Whether the region with fewer facets, which determine its surface less precisely, is a part of the other one.
@@ -330,7 +316,7 @@ class Rows {
   [[nodiscard]] Flanks flanks_of(const Region& region, int number) const {
     const SurfaceKind kind = region.surface.kind;
     if (kind != SurfaceKind::cylinder && kind != SurfaceKind::cone) return {};
-    if (region.residual <= facets_.tolerance / 2 || sweep_of(region) > most_sweep) return {};
+    if (region.residual <= facets_.tolerance / 2 || sweep_of(region) > most_row_sweep) return {};
     Flanks flanks;
     for (const int f : region.facets)
       facets_.for_sides(f, [&](int t, int side, int other) {
@@ -402,9 +388,10 @@ class Rows {
     const int other = facets_.facet_of[facets_.sides[triangle][side].neighbour];
     const double ratio = facets_.facets[other].width / facets_.facets[facets_.facet_of[triangle]].width;
     const double fold = facets_.fold_at(triangle, side);
-    if (ratio < 1 / row_ratio || ratio > row_ratio || fold > most_smooth) return;
+    if (ratio < 1 / similar_width_ratio || ratio > similar_width_ratio || fold > most_smooth) return;
     strip.beyond.push_back(other);
-    if (fold > least_fold) strip.sides.push_back({other, length, fold, is_convex(facets_.facet_of[triangle], other)});
+    if (fold > least_row_fold)
+      strip.sides.push_back({other, length, fold, is_convex(facets_.facet_of[triangle], other)});
   }
 
   // Whether a side runs along the generators rather than across them.
@@ -438,7 +425,6 @@ class Rows {
 
   // Many adjacent strips that turn back at few of them: a surface of revolution over a curve.
   void find_long_chains() {
-    constexpr int least_rows = 8, most_turned_back = 4;  // one in so many
     DisjointSets sets(strips_.size());
     for (std::size_t r = 0; r < strips_.size(); ++r)
       for (const int facet : strips_[r].beyond) {
@@ -454,7 +440,7 @@ class Rows {
       if (turns(true) && turns(false)) ++turned_back[sets.root(static_cast<int>(r))];
     }
     mark_rows(sets, [&](int root, int members) {
-      return members >= least_rows && most_turned_back * turned_back[root] <= members;
+      return members >= least_rows_turning && most_turned_back * turned_back[root] <= members;
     });
   }
 
@@ -468,15 +454,13 @@ class Rows {
     }
   }
 
-  // Adjacent strips with folds of similar size. Designers make two or three in a row, but not this many.
+  // Adjacent strips with folds of similar size.
   void find_chains() {
-    constexpr int least_rows = 4;
-    constexpr double fold_ratio_of_rows = 1.5;
     DisjointSets sets(strips_.size());
     for (std::size_t r = 0; r < strips_.size(); ++r) {
       const auto [least, most] = std::minmax_element(strips_[r].sides.begin(), strips_[r].sides.end(),
                                                      [](const auto& a, const auto& b) { return a.fold < b.fold; });
-      if (strips_[r].sides.empty() || most->fold > fold_ratio_of_rows * least->fold) continue;
+      if (strips_[r].sides.empty() || most->fold > row_fold_ratio * least->fold) continue;
       double length = 0;
       for (const LongSide& side : strips_[r].sides) length += side.length;
       if (2 * length < strips_[r].across) continue;
@@ -491,11 +475,6 @@ class Rows {
     }
     mark_rows(sets, [](int, int members) { return members >= least_rows; });
   }
-
-  // Degrees. Fillets, which may be inexact, turn farther.
-  static constexpr double most_sweep = 50;
-  static constexpr double row_ratio = 3;
-  static constexpr double least_fold = 0.0087;  // 1 degree
 
   const Facets& facets_;
   const std::vector<int>& region_of_;

@@ -6,16 +6,11 @@
 #include <utility>
 
 #include "features/least_squares.hpp"
+#include "features/limits.hpp"
 
 namespace epura::features {
 
 namespace {
-
-constexpr std::size_t enough_vertices = 14;
-constexpr std::size_t least_vertices = 7;
-constexpr std::size_t most_facets = 48;
-// A paraboloid cannot extend across a crease inside the face.
-constexpr double least_cosine = 0.6;
 
 /// Terms of the height over the estimated tangent plane: a x + b y + (c x^2 + 2 d x y + e y^2) / 2.
 std::array<double, 5> terms_of(double x, double y) { return {x, y, x * x / 2, x * y, y * y / 2}; }
@@ -37,8 +32,8 @@ FreeNormals::FreeNormals(const Facets& facets, const std::vector<int>& region_of
 FreeNormals::Patch FreeNormals::patch_around(int facet, int vertex) const {
   Patch patch{{}, {vertex}};
   auto& [facets, vertices] = patch;
-  facets.reserve(most_facets);
-  vertices.reserve(most_facets);
+  facets.reserve(most_normal_facets);
+  vertices.reserve(most_normal_facets);
   std::vector<int> next{vertex}, from;
   const auto is_in = [](const std::vector<int>& all, int i) {
     return std::find(all.begin(), all.end(), i) != all.end();
@@ -49,7 +44,7 @@ FreeNormals::Patch FreeNormals::patch_around(int facet, int vertex) const {
     for (const int v : from)
       for (const int f : at_vertex_[static_cast<std::size_t>(v)]) {
         if (region_of_[f] != region_of_[facet] || is_in(facets, f)) continue;
-        if (facets.size() == most_facets) return patch;
+        if (facets.size() == most_normal_facets) return patch;
         facets.push_back(f);
         for (const int w : facets_.vertices_of(f))
           if (!is_in(vertices, w)) {
@@ -95,7 +90,7 @@ std::optional<FreeNormals::Normal> FreeNormals::at(int facet, int vertex) const 
     sum += (p.z - height) * (p.z - height);
   }
   const Vec3 direction = glm::normalize(guess - (*found)[0] * across[0] - (*found)[1] * across[1]);
-  if (!finite(direction) || glm::dot(direction, guess) < least_cosine) return std::nullopt;
+  if (!finite(direction) || glm::dot(direction, guess) < crease_cosine) return std::nullopt;
   return Normal{direction, 4 * std::sqrt(sum / static_cast<double>(vertices.size()))};
 }
 

@@ -8,12 +8,11 @@
 #include <numbers>
 #include <optional>
 
+#include "features/limits.hpp"
+
 namespace epura::features {
 
 namespace {
-
-constexpr double whole_turn = 359;
-constexpr double parallel = 1 - 1e-6;
 
 class HoleFinder {
  public:
@@ -47,7 +46,7 @@ class HoleFinder {
 
   [[nodiscard]] bool is_about(const PartFace& face, const PartSurface& bore) const {
     if (!has_axis(face.surface.kind) || !face.inwards || face.sweep < whole_turn) return false;
-    if (std::abs(glm::dot(face.surface.axis, bore.axis)) < parallel) return false;
+    if (std::abs(glm::dot(face.surface.axis, bore.axis)) < parallel_cosine) return false;
     const Vec3 from = face.surface.origin - bore.origin;
     const double aside = glm::length(from - glm::dot(from, bore.axis) * bore.axis);
     return aside <= std::max(32 * part_.tolerance, 1e-4 * bore.radius);
@@ -67,7 +66,7 @@ class HoleFinder {
       for (const int next : beside_[faces[i]]) {
         take(next);
         const PartSurface& step = part_.faces[next].surface;
-        if (step.kind != SurfaceKind::plane || std::abs(glm::dot(step.axis, surface.axis)) < parallel) continue;
+        if (step.kind != SurfaceKind::plane || std::abs(glm::dot(step.axis, surface.axis)) < parallel_cosine) continue;
         // A large face has many neighbours and is not a step.
         if (part_.faces[next].area > largest_section(faces)) continue;
         for (const int behind : beside_[next]) take(behind);

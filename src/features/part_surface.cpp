@@ -7,13 +7,11 @@
 #include <vector>
 
 #include "features/least_squares.hpp"
+#include "features/limits.hpp"
 
 namespace epura::features {
 
 namespace {
-
-// Surfaces of a model that is stretched by less are kept.
-constexpr double least_stretch = 1e-9;
 
 // The number of unknowns of a torus, the largest.
 using Unknowns = std::array<double, 7>;
@@ -216,19 +214,18 @@ PartSurface moved(PartSurface surface, const Mat4& transform, double scale) {
 }
 
 bool are_one(const PartSurface& one, const PartSurface& other) {
-  constexpr double part_of_size = 1e-6;
   if (one.kind != other.kind || one.kind == SurfaceKind::free_form || one.kind == SurfaceKind::plane) return false;
-  const double slack = part_of_size * std::max(one.radius + one.minor, other.radius + other.minor);
+  const double slack = same_surface * std::max(one.radius + one.minor, other.radius + other.minor);
   const auto is_near = [&](double length) { return std::abs(length) <= slack; };
   const Vec3 way = other.origin - one.origin;
   if (one.kind == SurfaceKind::sphere) return is_near(glm::length(way)) && is_near(one.radius - other.radius);
   const double height = glm::dot(way, one.axis), along = glm::dot(one.axis, other.axis);
-  if (glm::length(glm::cross(one.axis, other.axis)) > part_of_size) return false;
+  if (glm::length(glm::cross(one.axis, other.axis)) > same_surface) return false;
   if (!is_near(glm::length(way - height * one.axis))) return false;
   if (one.kind == SurfaceKind::torus)
     return is_near(height) && is_near(one.radius - other.radius) && is_near(one.minor - other.minor);
   const double slope = along < 0 ? -other.slope : other.slope;  // cylinders have slope 0
-  return std::abs(one.slope - slope) <= part_of_size && is_near(one.radius + one.slope * height - other.radius);
+  return std::abs(one.slope - slope) <= same_surface && is_near(one.radius + one.slope * height - other.radius);
 }
 
 int unknowns_of(SurfaceKind kind) {
@@ -283,7 +280,6 @@ double residual_of(const PartSurface& surface, std::span<const Vec3> points) {
 
 double refine(PartSurface& surface, std::span<const Vec3> points, double wanted) {
   constexpr int most_steps = 16;
-  constexpr double whole_step = 1e-3;  // damping
   const auto count = static_cast<double>(points.size());
   const Vec3 middle = mean_of(points);
   // Moves the origin beside the points, so that tilts and shifts of the axis can be told apart.

@@ -15,18 +15,13 @@
 #include "features/clusters.hpp"
 #include "features/facets.hpp"
 #include "features/free_form.hpp"
+#include "features/limits.hpp"
 #include "features/region.hpp"
 #include "features/round_regions.hpp"
 
 namespace epura::features {
 
 namespace {
-
-// Least fraction of a part's area that must be recognised.
-constexpr double least_recognised = 0.25;
-constexpr std::size_t most_alone = 256;
-// The tangent of a fold above which a mesh edge certainly is an edge of the part.
-constexpr double shallow_most = 1;
 
 /// Converts regions to faces, with lengths in units of the file.
 class Result {
@@ -109,8 +104,7 @@ class Result {
   // Whether triangles pass over the gap between the vertices of a round face. Where these lie at random, as those of
   // meshes for computations, the largest gap is many times the usual one.
   [[nodiscard]] bool goes_around(const Region& region, const Reach& reach) const {
-    constexpr double widest = 46;  // degrees, of a chord
-    if (reach.sweep <= 360 - widest) return false;
+    if (reach.sweep <= 360 - widest_chord) return false;
     return std::any_of(region.facets.begin(), region.facets.end(), [&](int f) {
       const auto triangles = facets_.triangles_of(f);
       return std::any_of(triangles.begin(), triangles.end(), [&](int t) {
@@ -159,7 +153,6 @@ bool is_scan(const Facets& facets, const std::vector<int>& region_of) {
 // trim faces along inexact curves, and a fillet between two of these has no other vertices.
 void find_inexact_cylinders(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions,
                             const Progress& progress) {
-  constexpr double looseness = 4;
   const auto is_left = [&](int f) { return region_of[f] < 0 && !facets.facets[f].is_plane; };
   std::vector<int> left;
   for (int f = 0; f < static_cast<int>(region_of.size()); ++f) {
@@ -221,7 +214,7 @@ bool has_shallow_folds(const mesh::Mesh& mesh, double least) {
     const auto triangles = mesh.triangles_of(edge);
     const Vec3 one = normal(triangles[0]), two = normal(triangles[1]);
     const double sine = glm::length(glm::cross(one, two)), cosine = std::abs(glm::dot(one, two));
-    return sine > shallow_least * cosine && sine < shallow_most * cosine;
+    return sine > shallow_least * cosine && sine < certain_edge_tangent * cosine;
   });
 }
 

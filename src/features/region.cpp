@@ -11,41 +11,20 @@
 #include "base/portable_math.hpp"
 #include "features/estimates.hpp"
 #include "features/least_squares.hpp"
+#include "features/limits.hpp"
 
 namespace epura::features {
 
 namespace {
 
 constexpr std::size_t facets_in_parallel = 4096;
-// A facet spans at most 45 degrees of its surface, so the normal at a corner differs by half of that.
-constexpr double least_agreement = 0.913;       // cosine of 24 degrees
-constexpr double most_relative_sagitta = 0.09;  // of the radius
-constexpr double least_fold_cosine = 0.62;
-// Twelve facets per turn or more, on average.
-constexpr double most_mean_turn = 15.5 * degree;
-constexpr double most_step = 33 * degree;
-constexpr double most_of_sweep = 0.6;  // fraction of an arc that a single facet may span
-constexpr double most_mean_turn_both_ways = 21.5 * degree;
-// Greatest distance of a facet's chords from the surface, in sagittas.
-constexpr double most_sagittas = 16;
-constexpr double tilted_facing = 0.9976;  // cosine of 4 degrees
-constexpr double least_facing = 0.5;
-constexpr double tangent_cosine = 0.99966;  // of 1.5 degrees
-// Least number of positions around a surface, including ends at which a neighbour is tangent to it: three would always
-// lie on some surface.
-constexpr int least_places = 5;
-constexpr std::size_t most_fitted = 192;
-// Least evidence for a surface, in bits: the binary logarithm of how unlikely it is that vertices lie on it by chance.
-// Each vertex beyond those that determine the surface contributes that of the sagitta over its distance from the
-// surface.
-constexpr double least_bits = 40;
 
 double angle_of_cosine(double cosine) { return std::sqrt(std::max(0.0, 2 * (1 - cosine))); }
 
 }  // namespace
 
 double allowance_of(const Facets& facets, double sagitta) {
-  return std::clamp(sagitta / 64, facets.slack * facets.tolerance, 16 * facets.tolerance);
+  return std::clamp(sagitta / 64, facets.slack * facets.tolerance, most_allowance * facets.tolerance);
 }
 
 namespace {
@@ -62,7 +41,6 @@ double angle_of(const PartSurface& surface, const Vec3& point, bool around_tube)
 
 // Returns the normal near a vertex; zero where the allowance leaves it open: that close to the apex of a cone.
 Vec3 normal_at_vertex(const PartSurface& surface, const Vec3& point, double allowance) {
-  constexpr double still_open = 8;
   const bool is_at_apex = surface.kind == SurfaceKind::cone &&
                           glm::length(glm::cross(surface.axis, point - surface.origin)) <= still_open * allowance;
   return is_at_apex ? Vec3(0) : normal_near(surface, point);
@@ -130,18 +108,17 @@ double radius_near(const PartSurface& s, std::span<const Vec3> points) {
 Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around_tube, double allowance) {
   const double at_origin = radius_near(s, points), radius = around_tube ? s.minor : at_origin;
   const double same = std::max(1e-5, 16 * allowance / radius);
-  constexpr double none = HUGE_VAL;
   std::vector<double> angles(points.size());
   parallel_for(points.size(), facets_in_parallel, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      // A point on the axis has no angle.
+      // A point on the axis has no angle: it comes last.
       const Vec3 from = points[i] - s.origin;
       const bool is_off = glm::length(from - glm::dot(from, s.axis) * s.axis) > 1e-3 * at_origin;
-      angles[i] = is_off ? angle_of(s, points[i], around_tube) : none;
+      angles[i] = is_off ? angle_of(s, points[i], around_tube) : HUGE_VAL;
     }
   });
   parallel_sort(angles.begin(), angles.end());
-  while (!angles.empty() && angles.back() == none) angles.pop_back();
+  while (!angles.empty() && angles.back() == HUGE_VAL) angles.pop_back();
   if (angles.empty()) return {};
   std::vector<double> places{angles.front()};
   for (const double a : angles)
@@ -155,7 +132,7 @@ Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around
       from = places[i];
     }
   const auto count = static_cast<int>(places.size());
-  const bool closed = gap < 46 * degree && gap <= 4 * full_turn / count;
+  const bool closed = gap < widest_chord * degree && gap <= 4 * full_turn / count;
   double step = closed ? gap : 0;
   for (std::size_t i = 1; i < places.size(); ++i)
     if (places[i] != from) step = std::max(step, places[i] - places[i - 1]);
@@ -272,7 +249,6 @@ bool RegionGrower::spread(Region& region) {
 // A cone with a very small slope is a cylinder with inexact vertices, unless vertices lie on the cone much more
 // exactly.
 void RegionGrower::prefer_cylinder(Region& region) {
-  constexpr double least_slope = 0.01;
   if (std::abs(region.surface.slope) > least_slope) return;
   PartSurface cylinder = region.surface;
   cylinder.kind = SurfaceKind::cylinder;
@@ -362,13 +338,12 @@ double RegionGrower::mean_turn_of(const Region& region) const {
   int count = 0;
   for (const int f : region.facets) {
     if (has_no_say(facets_, f, region.surface, region.sagitta)) continue;
-    constexpr double none = 2;
-    double least = none;
+    double least = HUGE_VAL;
     for (const int v : facets_.supports_of(f)) {
       const Vec3 normal = normal_at_vertex(region.surface, facets_.points[v], allowance);
       if (normal != Vec3(0)) least = std::min(least, std::abs(glm::dot(normal, facets_.facets[f].normal)));
     }
-    if (least == none) continue;
+    if (least == HUGE_VAL) continue;
     sum += angle_of_cosine(least);
     ++count;
   }
@@ -443,11 +418,9 @@ std::optional<PartSurface> RegionGrower::simpler_than(const Region& region) {
 
 // The number of vertices that do not lie on one plane arc, if they are few: nothing if not.
 std::optional<std::size_t> RegionGrower::few_beside_arc(const Region& region) {
-  constexpr std::size_t most_vertices = 16;
-  constexpr double least_sine = 0.01;
-  const std::vector<Vec3> points = points_of(region, most_vertices + 1);
+  const std::vector<Vec3> points = points_of(region, most_near_arc + 1);
   const std::size_t count = points.size();
-  if (count > most_vertices) return std::nullopt;
+  if (count > most_near_arc) return std::nullopt;
   std::size_t least = count;
   const auto look = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 normal = glm::cross(b - a, c - a);

@@ -15,19 +15,13 @@
 #include "base/parallel.hpp"
 #include "features/clusters.hpp"
 #include "features/estimates.hpp"
+#include "features/limits.hpp"
 
 namespace epura::features {
 
 namespace {
 
-constexpr std::size_t most_nearby = 24;  // facets around a seed
 constexpr std::size_t most_beside = 4;
-// The search is abandoned when at least `least_seeds` seeds were tried and fewer than one in `seeds_for_one` has grown.
-constexpr int least_seeds = 256;
-constexpr int seeds_for_one = 192;
-constexpr int seeds_for_one_cylinder = 64;
-constexpr int patience = 512;
-constexpr char enough_failures = 8;
 constexpr int facets_at_once = 256;
 
 /// A surface on which some facets around a seed lie.

@@ -6,6 +6,10 @@
 
 namespace epura::mesh {
 
+/// By how many roundings of a coordinate a vertex may lie off its place: three coordinates are rounded, and those of
+/// its neighbours; coordinates computed in different ways differ by more than one.
+inline constexpr double roundings = 4;
+
 /// Returns the distance between neighbouring values of coordinates if these appear rounded, the widest of:
 /// 10^-d, with d from 2 to 12, if all coordinates are multiples of it and enough of them need the last decimal;
 /// the last place of the largest coordinate, if all have the same number of significant digits (5 to 8, as "%g" and
