@@ -6,6 +6,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "cut/limits.hpp"
+#include "mesh/resolution.hpp"
 
 namespace epura::cut {
 
@@ -167,7 +168,7 @@ class Outline {
   // The widest gap between two ends that tessellation or rounding can explain.
   static double explained(const End& one, const End& other, double rounding) {
     const auto height = [](const End& end) { return end.sagitta ? highest_in_sagittas * *end.sagitta : end.arc; };
-    return std::min({std::max({roundings_of_gap * rounding, height(one), height(other)}), one.reach, other.reach});
+    return std::min({std::max({mesh::roundings * rounding, height(one), height(other)}), one.reach, other.reach});
   }
 
   std::vector<CutSegment> segments_;

@@ -12,12 +12,9 @@ namespace epura::cut {
 /// Of computed distances, as a part of the world's size. Narrower gaps are rounding errors, and are not reported.
 inline constexpr double rounding_part = 0x1p-44;
 inline constexpr double rounding_of_path = 1e-9;  ///< of a path's corners, as a part of its size
-/// Rounding moves each of two vertices that should be equal, and also the edges that the plane cuts there.
-inline constexpr double roundings_of_gap = 4;
 
 // Outlines on surfaces
 
-inline constexpr double most_sagittas = 16;   ///< height of the highest facets, as a multiple of a face's mean sagitta
 inline constexpr double tangent_sine = 1e-3;  ///< 0.06 degrees; outlines at a smaller angle do not cross clearly
 /// Tangent surfaces halve the distance with each step, others square it.
 inline constexpr int newton_steps = 40;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "design/interrupted_faces.hpp"
+#include "features/limits.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::design {
@@ -18,11 +19,9 @@ using features::PartFace;
 using features::PartSurface;
 using features::SurfaceKind;
 
-constexpr double whole_turn = 359;        // degrees
 constexpr double surely_parallel = 1e-9;  // sine
 constexpr double across = 1e-4;           // cosine; a diameter is perpendicular to its axis
 constexpr double same = 1e-6;             // as a fraction of the world's size
-constexpr double most_sagittas = 16;      // height of the highest facets, as a multiple of a face's mean sagitta
 
 using Triangle = std::array<Vec3, 3>;
 
@@ -76,7 +75,7 @@ class Outward {
 
   // Whether the surface is no farther from a facet than facets deviate from their surface.
   [[nodiscard]] bool is_above(double rise) const {
-    return std::abs(rise) <= most_sagittas * face_.sagitta + face_.residual;
+    return std::abs(rise) <= features::most_sagittas * face_.sagitta + face_.residual;
   }
 
   [[nodiscard]] std::optional<double> ridge(const Triangle& triangle) const {
@@ -185,7 +184,8 @@ class ExtentFinder {
   }
 
   static bool is_whole(const PartFace& face) {
-    return world::is_round(face.surface.kind) && (face.surface.kind == SurfaceKind::sphere || face.sweep >= whole_turn);
+    return world::is_round(face.surface.kind) &&
+           (face.surface.kind == SurfaceKind::sphere || face.sweep >= features::whole_turn);
   }
 
   static bool is_across(const Vec3& axis, const Vec3& direction) {
@@ -276,7 +276,7 @@ class ExtentFinder {
   }
 
   void add_facet(const PartFace& face, bool turned, const Triangle& corners) {
-    const double rise = most_sagittas * face.sagitta + face.residual + same * size_;
+    const double rise = features::most_sagittas * face.sagitta + face.residual + same * size_;
     for (int end = 0; end < 6; ++end) {
       const Vec3 direction = direction_of(end);
       double top = -HUGE_VAL;

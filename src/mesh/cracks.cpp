@@ -9,13 +9,12 @@
 #include <utility>
 
 #include "base/vec.hpp"
+#include "mesh/resolution.hpp"
 
 namespace epura::mesh {
 
 namespace {
 
-// Rounding moves a coordinate by half a unit in the last place; coordinates computed in different ways differ by more.
-constexpr double roundings = 4;
 // Of the largest coordinate: the last place of 32-bit floats. Kernels of CAD programs compute a vertex of two faces no
 // more closely, even if they write it with all digits.
 constexpr double relative_step = 0x1p-23;

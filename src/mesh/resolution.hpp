@@ -7,7 +7,7 @@
 namespace epura::mesh {
 
 /// By how many roundings of a coordinate a vertex may lie off its place: three coordinates are rounded, and those of
-/// its neighbours; coordinates computed in different ways differ by more than one.
+/// its neighbours; those computed in different ways differ by more than one; a cut moves along with its edges.
 inline constexpr double roundings = 4;
 
 /// Returns the distance between neighbouring values of coordinates if these appear rounded, the widest of:

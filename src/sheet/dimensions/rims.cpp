@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
+#include "features/limits.hpp"
 #include "world/placed_circles.hpp"
 
 namespace epura::sheet {
@@ -19,7 +20,6 @@ namespace {
 
 using features::SurfaceKind;
 
-constexpr double whole_turn = 359;  // degrees
 constexpr double roundness = 2e-3;  // relative to the radius: twice the tolerance of find_circles for vertices
 
 double distance(const Vec3& point, const WorldCircle& circle) {
@@ -115,7 +115,7 @@ std::vector<WorldCircle> Rims::of_faces(const std::array<int, 2>& vertex) {
     check(surface.radius > 0 && points.size() >= 3, "a cylinder has a radius and triangles");
     const double height = glm::dot(world_.points[wanted] - surface.origin, surface.axis);
     circles.push_back({surface.origin + height * surface.axis, surface.axis, surface.radius,
-                       in_order_around(points, surface), part->faces[face].sweep >= whole_turn});
+                       in_order_around(points, surface), part->faces[face].sweep >= features::whole_turn});
   }
   return circles;
 }
