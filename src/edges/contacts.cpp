@@ -14,6 +14,7 @@
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
 #include "edges/dihedral.hpp"
+#include "edges/limits.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::edges {
@@ -23,8 +24,6 @@ namespace {
 constexpr std::size_t crossings_a_look = 1024;
 // Steps of Newton's method, which halve the distance to a line of contact, and find one of crossing in fewer.
 constexpr int most_steps = 16;
-// A point lies on both surfaces if it is so near them, as a part of the length of the facets.
-constexpr double on_both = 1e-6;
 
 /// A face of a part: the number of its model, and its number in the part.
 using FaceOfModel = std::array<int, 2>;

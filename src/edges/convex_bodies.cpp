@@ -11,23 +11,13 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "edges/limits.hpp"
 
 namespace epura::edges {
 
 namespace {
 
 constexpr std::size_t grain = 8192;
-// Error bound for a determinant of three differences, as a fraction of the sum of the absolute values of its products:
-// each product has been rounded eight times.
-constexpr double determinant_rounding = 9 * 0x1p-53;
-// Error bound for a unit normal, as a multiple of longest side / height of its triangle.
-constexpr double normal_rounding = 0x1p-49;
-// Error bound for the distance between a plane and a point of about unit size.
-constexpr double distance_rounding = 0x1p-50;
-// An inward fold of more than this (radians) is not due to rounding. Smaller ones are summed as integers, in multiples
-// of a unit, so that the sum does not depend on the order.
-constexpr double most_fold = 1e-6;
-constexpr double fold_unit = 0x1p-60;
 // One edge in this many is tested before all others, which rejects most bodies that are not convex.
 constexpr std::size_t sample_step = 64;
 

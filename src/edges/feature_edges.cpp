@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
+#include "edges/limits.hpp"
 #include "edges/slivers.hpp"
 #include "edges/tangent_edges.hpp"
 #include "edges/walls.hpp"
@@ -18,11 +19,6 @@
 namespace epura::edges {
 
 namespace {
-
-// Degrees; with a threshold of 360/N either all or none of the edges of an N-sided prism are creases.
-constexpr double angle_rounding = 1e-6;
-// A triangle that deviates from the plane of its neighbour by less than this fraction of the scene's size lies in it.
-constexpr double flatness = 0x1p-29;
 
 // Twice the vector areas of the polygons of the file, by number: normals of polygons that need not be flat (Newell).
 // Empty if all polygons are triangles.
@@ -44,7 +40,6 @@ std::vector<char> moved_vertices(const EdgeSurroundings& around) {
   const world::Placed& placed = around.world.models[around.model];
   const mesh::Mesh& cut = *placed.mesh;
   if (around.uncut == nullptr || placed.part == nullptr) return {};
-  constexpr double rounding = 0x1p-40;
   std::vector<char> moved(cut.points.size(), 0);
   for (std::size_t i = 0; i < cut.cut_vertices.size(); ++i) {
     const mesh::CutVertex& vertex = cut.cut_vertices[i];
@@ -53,7 +48,7 @@ std::vector<char> moved_vertices(const EdgeSurroundings& around) {
     const Vec3 a = point(vertex.edge[0]), b = point(vertex.edge[1]);
     const int number = cut.first_cut_vertex + static_cast<int>(i);
     const double off = glm::distance(point(number), a + vertex.t * (b - a));
-    moved[number] = off > rounding * std::max(glm::length(a), glm::length(b)) ? 1 : 0;
+    moved[number] = off > place_rounding * std::max(glm::length(a), glm::length(b)) ? 1 : 0;
   }
   return moved;
 }

@@ -11,6 +11,7 @@
 #include "edges/crossing_candidates.hpp"
 #include "edges/dihedral.hpp"
 #include "edges/feature_edges.hpp"
+#include "edges/limits.hpp"
 #include "edges/slivers.hpp"
 #include "edges/smooth_contours.hpp"
 #include "edges/thread_lines.hpp"
@@ -18,9 +19,6 @@
 namespace epura::edges {
 
 namespace {
-
-// Fraction of the remaining time for each of the two steps that find crossings; the lines need the rest.
-constexpr double part_for_search = 0.4;
 
 // The triangles that meet in the edge, including slivers next to it; empty if no slivers are there.
 std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Slivers& slivers,
@@ -101,8 +99,7 @@ FeatureEdges edges_of_meshes(const world::World& world, view::ProjectedScene& vi
 void check_sound(const FeatureEdges& drawn, const view::ProjectedScene& view) {
   const auto vertices = static_cast<int>(view.vertices.size()), crossings = static_cast<int>(drawn.crossings.size());
   const auto is_vertex = [&](int v) { return v >= 0 && v < vertices; };
-  constexpr double rounding = 1e-9;
-  const auto is_part = [](double t) { return t >= -rounding && t <= 1 + rounding; };
+  const auto is_part = [](double t) { return t >= -parameter_rounding && t <= 1 + parameter_rounding; };
   int model = 0;
   for (const FeatureEdge& edge : drawn.edges) {
     check(is_vertex(edge.vertex[0]) && is_vertex(edge.vertex[1]), "an edge ends at vertices of the view");

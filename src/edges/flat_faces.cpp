@@ -8,6 +8,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "edges/limits.hpp"
 
 namespace epura::edges {
 
@@ -15,9 +16,6 @@ namespace {
 
 // Smaller faces have few pairs of triangles to skip.
 constexpr std::size_t least_of_face = 256;
-// Two neighbours belong to one face if the corners of one are within this multiple of `contact` of the plane of the
-// other.
-constexpr double join_contacts = 4;
 
 class FlatFaces {
  public:

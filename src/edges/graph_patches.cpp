@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/parallel.hpp"
+#include "edges/limits.hpp"
 #include "search/triangle_tree.hpp"
 
 namespace epura::edges {
@@ -22,8 +23,6 @@ namespace {
 // Smaller patches have few pairs of triangles to skip.
 constexpr std::size_t least_of_patch = 1024;
 constexpr std::size_t triangles_at_once = 8192;
-// Rounding of points of about unit size matters beside a smaller contact distance.
-constexpr double least_contact = 1e-12;
 
 /// The coordinate plane over which a triangle lies, and the side to which it faces: 0 to 5.
 using Facing = std::int8_t;
@@ -238,8 +237,7 @@ class GraphPatches {
         reach = std::max(reach, glm::dot(q - origin, q - origin));
       }
       check(i == start, "an outline ends where it begins");
-      constexpr double rounding = 0x1p-48;
-      if (std::abs(area) <= static_cast<double>(count) * rounding * reach) return false;
+      if (std::abs(area) <= static_cast<double>(count) * product_rounding * reach) return false;
       outlines += area > 0 ? 1 : 0;
     }
     return outlines == 1;

@@ -14,14 +14,12 @@
 #include "edges/dihedral.hpp"
 #include "edges/flat_faces.hpp"
 #include "edges/graph_patches.hpp"
+#include "edges/limits.hpp"
 #include "search/triangle_tree.hpp"
 
 namespace epura::edges {
 
 namespace {
-
-// Planes at a smaller angle (radians) have no reliable common line.
-constexpr double least_angle = 1e-9;
 
 // n . p = offset with a unit normal; a zero normal for a low triangle.
 struct Plane {
@@ -87,7 +85,7 @@ class Crossings {
     if (stays_apart(second, planes_[first]) || stays_apart(first, planes_[second])) return std::nullopt;
     if (!boxes_overlap(box(first), box(second))) return std::nullopt;
     Vec3 along = glm::cross(planes_[first].normal, planes_[second].normal);
-    if (glm::length(along) < least_angle) return std::nullopt;
+    if (glm::length(along) < least_crossing) return std::nullopt;
     if (glm::dot(along, usual_way) < 0) along = -along;
     const auto one = cut(first, planes_[second]);
     if (!one) return std::nullopt;

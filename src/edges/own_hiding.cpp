@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "edges/limits.hpp"
 
 namespace epura::edges {
 
@@ -12,9 +13,6 @@ namespace {
 
 using features::PartSurface;
 using features::SurfaceKind;
-
-// Bends this small are 0.
-constexpr double straight = 1e-9;
 
 // Returns the curvature of a torus along the projector through a point, times a positive factor: positive where it
 // bends like a ball. By Euler, the curvatures around the tube, 1 / minor, and around the axis, which changes its sign

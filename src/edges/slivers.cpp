@@ -7,26 +7,12 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "edges/limits.hpp"
 #include "view/page_height.hpp"
 
 namespace epura::edges {
 
 namespace {
-
-// Relative to the scene's size: for lower triangles, products of coordinates keep too few digits.
-constexpr double scene_rounding = 0x1p-48;
-// Slivers are lower on the page than this multiple of its resolution, so that no other triangle becomes a line on the
-// page grid.
-constexpr double lowest_on_page = 2;
-// Triangles that are higher in space than this multiple of the limit on the page, or whose height is more than this
-// fraction of their length, are not slivers: they are seen edge-on.
-constexpr double edge_on = 1024;
-constexpr double slender = 1.0 / 64;
-// Walls are not slivers either: a triangle higher than this multiple of the rounding has a known normal, and if it
-// meets another such triangle at this angle or more, both are faces of a step.
-constexpr double known_height = 16;
-constexpr double step_angle = 30;  // degrees
-constexpr int longest_row = 256;   // adjacent slivers; a longer row is not a surface any more
 
 double length_of(const EdgeSurroundings& around, const std::array<int, 2>& side) {
   return glm::length(around.point(side[1]) - around.point(side[0]));
@@ -105,7 +91,7 @@ double nearest_w(const view::ProjectedScene& view, const std::array<int, 3>& cor
 SliverRule::SliverRule(const EdgeSurroundings& around, const view::ProjectedScene& view)
     : around_(around),
       view_(&view),
-      lowest_(std::max(scene_rounding, around.world.rounding * view.map.normalisation)),
+      lowest_(std::max(product_rounding, around.world.rounding * view.map.normalisation)),
       on_page_(lowest_on_page * view::page_resolution(around.world, view)) {}
 
 bool SliverRule::holds_for(int triangle) const {

@@ -12,23 +12,15 @@
 #include "base/groups.hpp"
 #include "base/nearest.hpp"
 #include "base/parallel.hpp"
+#include "edges/limits.hpp"
 #include "edges/own_hiding.hpp"
+#include "features/limits.hpp"
 
 namespace epura::edges {
 
 namespace {
 
 using features::SurfaceKind;
-
-// Relative to the size of a triangle: the contour of a surface is no farther from that of its facets.
-constexpr double most_moved = 1;
-
-// Seen by the viewer, the contour of a cylinder or cone is not farther from that of its facets than so many times the
-// mean height of the surface over them.
-constexpr double most_rises = 16;
-
-// Cosines this small of the angle between a normal and the projector count as 0.
-constexpr double along_projector = 1e-5;
 
 SurfaceKind kind_at(const world::Placed& placed, int triangle) {
   const int face = placed.part->face_of_triangle[triangle];
@@ -65,8 +57,7 @@ double longest_side(const mesh::Mesh& mesh, int triangle) {
 
 // Whether one of the triangles is so small that which way it faces means nothing.
 bool is_any_tiny(const world::Placed& placed, std::span<const int> triangles) {
-  constexpr double tolerances = 8;
-  const double most = tolerances * placed.part->tolerance;
+  const double most = tiny_triangle * placed.part->tolerance;
   return std::ranges::any_of(triangles, [&](int t) { return longest_side(*placed.mesh, t) <= most; });
 }
 
@@ -112,7 +103,7 @@ class ModelContours {
       if (!line) continue;
       const Vec3 place = nearest_on_segment(from, (*line)[0], (*line)[1]);
       if (glm::distance(place, from) > most_moved * size_of(t)) continue;
-      if (is_straight(placed_, t) && seen_across(place, from, t) > most_rises * rise_at(t)) continue;
+      if (is_straight(placed_, t) && seen_across(place, from, t) > features::most_sagittas * rise_at(t)) continue;
       if (nearest && glm::distance(place, from) >= glm::distance(*nearest, from)) continue;
       nearest = place;
       on_triangle = t;
@@ -161,7 +152,6 @@ class ModelContours {
   // Returns the point nearest to a vertex of the circle in which projectors touch a sphere. Nothing if it is some
   // facets away, or on the page farther than the sphere falls over so many: four times its sagitta over one.
   [[nodiscard]] std::optional<Vec3> on_sphere(int vertex, int triangle) const {
-    constexpr double facets = 2;
     constexpr int rounds = 4;  // projectors through a centre depend on the place
     const features::PartSurface& sphere = surface_of(triangle);
     const Vec3 from = mesh_.point(vertex), out = glm::normalize(from - sphere.origin);
@@ -180,7 +170,8 @@ class ModelContours {
       }
     const Vec3 moved = place - from;
     const double on_page = glm::length(moved - glm::dot(moved, view) * view);
-    const bool is_near = glm::length(moved) <= facets * side && on_page <= 4 * facets * facets * sagitta;
+    const bool is_near =
+        glm::length(moved) <= most_facets_away * side && on_page <= 4 * most_facets_away * most_facets_away * sagitta;
     return is_near ? std::optional(place) : std::nullopt;
   }
 

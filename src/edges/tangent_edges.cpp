@@ -9,25 +9,20 @@
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "edges/limits.hpp"
 
 namespace epura::edges {
 
 namespace {
-
-constexpr double flat = 0.05;            // degrees; tolerates rounded coordinates
-constexpr double curvature_ratio = 2.5;  // a fillet begins with half a fold, which counts less than a whole one
-constexpr double parallel = 0.996;       // cosine of 5 degrees
-constexpr double no_fold = -1;           // for an edge that does not have two triangles
-// Only the size of larger facets is considered, so that the time stays proportional to the number of edges.
-constexpr std::size_t most_sides = 64;
 
 std::array<int, 2> ends_of(const EdgeSurroundings& around, const mesh::MeshEdge& edge) {
   const int first = around.world.first_vertex[around.model];
   return {first + edge.vertex[0], first + edge.vertex[1]};
 }
 
+// Negative for an edge that does not have two triangles.
 std::vector<double> folds_of(const EdgeSurroundings& around, const mesh::Mesh& mesh) {
-  std::vector<double> folds(mesh.edges.size(), no_fold);
+  std::vector<double> folds(mesh.edges.size(), -1);
   parallel_for(folds.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       const mesh::MeshEdge& edge = mesh.edges[e];
@@ -45,7 +40,7 @@ class Facets {
  public:
   Facets(const mesh::Mesh& mesh, const std::vector<double>& folds) : facet_(facets_of(mesh, folds)) {
     for (std::size_t e = 0; e < folds.size(); ++e)
-      if (folds[e] == no_fold || folds[e] > flat)
+      if (folds[e] < 0 || folds[e] > flat_fold)
         for (const int triangle : mesh.triangles_of(mesh.edges[e]))
           sides_.emplace_back(facet_of(triangle), static_cast<int>(e));
     std::sort(sides_.begin(), sides_.end());
@@ -64,7 +59,7 @@ class Facets {
   static std::vector<int> facets_of(const mesh::Mesh& mesh, const std::vector<double>& folds) {
     DisjointSets facets(mesh.polygon.size());
     for (std::size_t e = 0; e < folds.size(); ++e) {
-      if (folds[e] < 0 || folds[e] > flat) continue;
+      if (folds[e] < 0 || folds[e] > flat_fold) continue;
       const auto triangles = mesh.triangles_of(mesh.edges[e]);
       facets.join(triangles[0], triangles[1]);
     }
@@ -84,7 +79,7 @@ struct TangencyJudge {
   const Facets& facets;
   double crease_angle;
 
-  [[nodiscard]] bool is_smooth(std::size_t edge) const { return folds[edge] > flat && folds[edge] < crease_angle; }
+  [[nodiscard]] bool is_smooth(std::size_t edge) const { return folds[edge] > flat_fold && folds[edge] < crease_angle; }
 
   // Degrees per length across the edge, on the side of the triangle; the fold is taken to continue evenly if nothing
   // else is known.
@@ -100,7 +95,8 @@ struct TangencyJudge {
       const Vec3 from = around.point(far[0]), to = around.point(far[1]);
       const double nearer = std::min(distance(from), distance(to));
       extent = std::max({extent, distance(from), distance(to)});
-      if (std::abs(glm::dot(to - from, along)) < parallel * glm::length(to - from) || nearer <= parallel_at) continue;
+      if (std::abs(glm::dot(to - from, along)) < nearly_parallel * glm::length(to - from) || nearer <= parallel_at)
+        continue;
       parallel_at = nearer;
       fold = is_smooth(std::size_t(side)) ? (folds[edge] + folds[std::size_t(side)]) / 2 : folds[edge];
     }

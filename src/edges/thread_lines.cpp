@@ -13,21 +13,15 @@
 #include "base/portable_math.hpp"
 #include "design/place_threads.hpp"
 #include "design/round_faces.hpp"
+#include "edges/limits.hpp"
 #include "edges/material_along.hpp"
 
 namespace epura::edges {
 
 namespace {
 
-constexpr double along_axis = 1e-6;  // sine
 constexpr int arc_parts = 108;
-// Degrees: the part of a circle that is open is in the upper right quadrant, and its ends do not meet centre lines.
-constexpr double arc_begin = 95, arc_sweep = 270;
-constexpr double at_end = 1e-3;  // what is this near to an end of a thread, in its lengths, or to its axis, is at it
-constexpr int halvings = 20;     // with which the end of an arc is found
-constexpr double largest_depth = 0.5;  // of a thread in the drawing, relative to its radius
-// A chamfer of a thread ends near its root, relative to the radius there: others are cones of their own.
-constexpr double least_chamfer = 0.8, widest_countersink = 1.15;
+constexpr int halvings = 20;  // with which the end of an arc is found
 
 /// A threaded cylinder, as far as a cut leaves it. Heights are along its axis.
 struct SeenThread {
