@@ -19,6 +19,7 @@
 #include "drawing/moved_contours.hpp"
 #include "drawing/near_ink.hpp"
 #include "drawing/specks.hpp"
+#include "visibility/limits.hpp"
 
 namespace epura::drawing {
 

@@ -10,20 +10,14 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "visibility/limits.hpp"
 
 namespace epura::visibility {
 
 namespace {
 
-// Number of page grid cells within which everything that a triangle hides lies from it.
-constexpr double slack_cells = 8;
-// Number of page grid cells between an edge and the place of a triangle whose depth is compared with that of the edge,
-// at most: crossings of sides lie within 2 cells of both, and rounding moves edge and side by 0.7 cells each.
-constexpr double depth_cells = 3;
-
 constexpr std::size_t least_pile = 8;
-constexpr std::size_t least_at_hub = 16;
-constexpr std::size_t part_at_hub = 2;  // at least every second triangle
+constexpr std::size_t least_at_hub = 16;  // and every second triangle
 
 Vec3 point(const view::ProjectedScene& view, int vertex) {
   const view::PageVertex& v = view.vertices[vertex];
@@ -78,7 +72,7 @@ void CandidateTree::note_corners(const view::ProjectedScene& view, const std::ve
     begin = end;
   }
   check(max <= triangles.size(), "a triangle has a vertex at one of its corners");
-  if (max < least_at_hub || max * part_at_hub < triangles.size()) return;
+  if (max < least_at_hub || 2 * max < triangles.size()) return;
   hub_ = SeenFrom(view, view.grid[hub]);
   std::erase_if(joined_, [&](const auto& corner) { return hub_->is_at(view.grid[corner.first]); });
 }
@@ -127,7 +121,7 @@ void CandidateTree::choose_directions(const view::ProjectedScene& view, const st
     for (const int v : view.triangles[t].vertex) deepest = std::max(deepest, std::abs(view.vertices[v].depth));
   for (std::size_t i = 0; i < directions; ++i) {
     const Vec3& d = directions_[i];
-    const double cells = i < height ? slack_cells : depth_cells;
+    const double cells = i < height ? hidden_cells : depth_cells;
     slack_[i] = cells * view.cell * std::hypot(d.x, d.y) + depth_rounding * d.z * deepest;
     check(slack_[i] >= 0, "bounds are widened");
   }

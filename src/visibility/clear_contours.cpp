@@ -11,14 +11,12 @@
 #include "base/groups.hpp"
 #include "base/parallel.hpp"
 #include "visibility/hiding_rule.hpp"
+#include "visibility/limits.hpp"
 #include "visibility/visibility.hpp"
 
 namespace epura::visibility {
 
 namespace {
-
-// Where facets of its own face hide a contour, some of these are so many facets away at most.
-constexpr int rings = 2;
 
 /// The facets of one model.
 class FacetsOfModel {

@@ -11,20 +11,12 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "visibility/limits.hpp"
 #include "visibility/spans.hpp"
 
 namespace epura::visibility {
 
 namespace {
-
-// Distance of the tested line from the contour, as a fraction of the width of its facets.
-constexpr double off_contour = 1.0 / 64;
-constexpr double least_cells = 4;
-// Depth of the tested line behind a contour that goes on beyond a cusp, as a multiple of that of its facets: the
-// surface is about as far behind as from one facet to the next.
-constexpr double beyond_cusp = 2;
-// At its ends, a fold is too narrow to lie beside the tested line: this fraction of the contour is not drawn either.
-constexpr double narrow_end = 0.25;
 
 bool is_visible_somewhere(const HiddenSpans& hidden, std::size_t edge) {
   bool visible = false;

@@ -7,13 +7,11 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "visibility/limits.hpp"
 
 namespace epura::visibility {
 
 namespace {
-
-// Triangles whose height on the page is less than this fraction of their length are lines there.
-constexpr double thinnest = 0x1p-40;
 
 // For a triangle that is a line on the page, depth alone decides.
 double steepness(const std::optional<Vec2>& slope) { return slope ? 1 + glm::length(*slope) : 1; }
@@ -75,14 +73,13 @@ SideCrossing place_crossing(const view::ProjectedScene& view, const PageEdge& ed
   const double s = on_side(computed);
   const double cell = view.cell * std::sqrt(length2);
   const auto is_within = [&](double cells) { return s >= -cells * cell && s <= length2 + cells * cell; };
-  constexpr double cells = 2, least_turn = 64;
   const bool agrees = decided.confirms(computed);
-  const bool confirmed = agrees && is_within(cells);
+  const bool confirmed = agrees && is_within(crossing_cells);
   const auto place = [&](double t) { return placed(t, decided.numerator, decided.denominator); };
   // Rounding turns the line of a short edge, so that far beyond the edge it hits a side which the edge's own line
   // misses. The plane of the triangle goes on there.
   const bool is_turned = agrees && !confirmed && std::abs(turn) > least_turn * cell;
-  if (is_turned && is_within(cells * std::abs(computed)) && place(computed) == computed)
+  if (is_turned && is_within(crossing_cells * std::abs(computed)) && place(computed) == computed)
     return {computed, s / length2, crossed.u, crossed.v};
   const double t = place(confirmed ? computed : decided.t());
   return {t, std::clamp((t == computed ? s : on_side(t)) / length2, 0.0, 1.0), crossed.u, crossed.v};

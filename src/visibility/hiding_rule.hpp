@@ -16,8 +16,6 @@
 
 namespace epura::visibility {
 
-inline constexpr double depth_rounding = 0x1p-40;  ///< relative error of depths
-
 /// Returns the gradient of depth over the page, or nothing if the triangle is a line there.
 std::optional<Vec2> slope_of(const view::ProjectedScene& view, const view::ViewTriangle& triangle);
 
@@ -33,10 +31,7 @@ struct PageEdge {
   int p, q;  ///< vertices of the view
 };
 
-/// Pieces of a line shorter than this fraction of the drawing are rounding, not geometry.
-inline constexpr double least_piece = 1e-7;
-
-/// The same as a fraction of the edge's length on the page.
+/// Returns least_piece (limits.hpp) as a fraction of the edge's length on the page.
 double least_span(const view::ProjectedScene& view, const PageEdge& edge);
 
 /// Where an edge crosses a side of a triangle.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "visibility/limits.hpp"
 
 namespace epura::visibility {
 

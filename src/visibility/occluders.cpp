@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "search/triangle_cells.hpp"
+#include "visibility/limits.hpp"
 #include "visibility/occluder_patch.hpp"
 #include "visibility/occlusion_query.hpp"
 
@@ -19,30 +20,15 @@ namespace epura::visibility {
 namespace {
 
 constexpr std::size_t chunk = 4096;
-// Number of triangles for each cell of the page. Most cells of a triangle cost nothing, since no line runs through
-// them.
-constexpr double triangles_of_cell = 5;
 constexpr search::GridLimits page_limits{0x1p24, 0, 8, 128};
-// Cells with more pairs of edge and triangle than this are divided, and so are their parts.
-constexpr double most_pairs = 1 << 15;
 constexpr search::GridLimits cell_limits{1024, 0, 8, 32};
 constexpr int deepest_level = 8;
 // Number of triangles that are examined to choose a grid.
 constexpr std::size_t sample = 65536;
 
-// A division that leaves more than this fraction of the pairs is called idle. One idle division is tolerated (the arms
-// of an L are separated only by the second). Where very many pairs are left, any number is, until the cells are as
-// small as the L is wide.
-constexpr double worthwhile = 0.5;
-constexpr int most_idle = 1;
-constexpr double many_pairs = 1 << 22;
-
 // A tree is good enough if most edges of a sample need at most this number of tests.
 constexpr int few_tries = 16;
 constexpr int sampled_edges = 24;
-
-// Cells are widened by this fraction of their side, since rounding lets segments reach beyond their borders.
-constexpr double cell_slack = 0x1p-12;
 
 void raise(double& value, double other) {
   std::atomic_ref<double> shared(value);
@@ -328,7 +314,9 @@ bool OccluderGrid::leaves_few_tries(const CandidateTree& tree, const std::vector
 // Full cells get a tree if that leaves few tests; otherwise they are divided if that saves work.
 void OccluderGrid::relieve_full_cells(const Content& content, const CellLoad& load, int idle, int depth,
                                       Level& level) const {
-  const bool may_divide = depth < deepest_level && !(idle > most_idle && content.pairs < many_pairs);
+  // One idle division is tolerated (the arms of an L are separated only by the second). Where very many pairs are left,
+  // any number is, until the cells are as small as the L is wide.
+  const bool may_divide = depth < deepest_level && !(idle > 1 && content.pairs < many_pairs);
   std::vector<Content> parts = contents_of_full_cells(content, load, idle, level);
   std::vector<double> saved(parts.size(), 0);
   level.children.resize(parts.size());

@@ -5,14 +5,11 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "visibility/limits.hpp"
 
 namespace epura::visibility {
 
 namespace {
-
-// Number of page grid cells within which everything that a triangle hides lies from it.
-constexpr double behind_cells = 12;
-constexpr double rounding = 0x1p-48;  // of angles
 
 // The angle from one direction to another, in -pi to pi.
 double turn_between(const Vec2& from, const Vec2& to) { return std::atan2(cross(from, to), glm::dot(from, to)); }
@@ -51,7 +48,7 @@ double distance_to(const Vec2& a, const Vec2& b) {
 // The angle by which rounding may turn something `distance` cells away; half a circle or more where it may lie in any
 // direction.
 double turned_by_rounding(double distance) {
-  return distance > behind_cells ? rounding + std::asin(behind_cells / distance) : 2 * std::numbers::pi;
+  return distance > behind_cells ? turn_rounding + std::asin(behind_cells / distance) : 2 * std::numbers::pi;
 }
 
 }  // namespace
@@ -67,7 +64,7 @@ Turn SeenFrom::of_triangle(const view::ProjectedScene& view, const view::ViewTri
   for (std::size_t i = 0; i < 3; ++i) corners[i] = view.grid[triangle.vertex[i]];
   for (std::size_t i = 0; i < 3; ++i)
     if (is_at(corners[i]))
-      return turn_over(std::array{way_to(corners[(i + 1) % 3]), way_to(corners[(i + 2) % 3])}, rounding);
+      return turn_over(std::array{way_to(corners[(i + 1) % 3]), way_to(corners[(i + 2) % 3])}, turn_rounding);
   const std::array ways{way_to(corners[0]), way_to(corners[1]), way_to(corners[2])};
   const double distance =
       std::min({distance_to(ways[0], ways[1]), distance_to(ways[1], ways[2]), distance_to(ways[2], ways[0])});
@@ -76,7 +73,7 @@ Turn SeenFrom::of_triangle(const view::ProjectedScene& view, const view::ViewTri
 
 Turn SeenFrom::of_edge(const view::ProjectedScene& view, const PageEdge& edge) const {
   const Vec2 way = way_to(view.grid[is_at(view.grid[edge.p]) ? edge.q : edge.p]);
-  return turn_over(std::array{way}, rounding);
+  return turn_over(std::array{way}, turn_rounding);
 }
 
 Turn SeenFrom::of_line(const Vec2& a, const Vec2& b) const {

@@ -8,6 +8,7 @@
 #include "oracle/span_sets.hpp"
 #include "study/accuracy/peak_memory.hpp"
 #include "verify/confidence.hpp"
+#include "visibility/limits.hpp"
 
 namespace epura::study {
 

@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "visibility/limits.hpp"
 #include "visibility/spans.hpp"
 
 namespace epura::stability {
