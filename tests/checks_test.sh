@@ -51,6 +51,12 @@ tree mesh/a.cpp 'namespace epura {\nint x;\n}  // namespace epura\n'
 expect fails "a file outside the namespace of its folder" style
 tree mesh/a.cpp 'namespace epura::mesh {\nint x;\n}  // namespace epura::mesh\n'
 expect passes "a file in the namespace of its folder" style
+tree mesh/a.cpp 'constexpr double near = 4;\n'
+expect passes "a limit in a folder without a header of limits" style
+printf '%b#pragma once\n\ninline constexpr double far = 8;\n' "$licence" >"$scratch/tree/src/mesh/limits.hpp"
+expect fails "a limit beside the header of limits" style
+printf '%bconstexpr int near = 4;\n' "$licence" >"$scratch/tree/src/mesh/a.cpp"
+expect passes "a count beside the header of limits" style
 tree mesh/a.hpp 'int f();\n'
 expect fails "a header without a guard" style
 tree mesh/a.cpp "// see /ho""me/me\\n"

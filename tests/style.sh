@@ -44,6 +44,15 @@ foreign_namespaces() {
   done
 }
 
+# A stage that has a header of limits tells all of them there: no floating-point constant has a name elsewhere.
+scattered_limits() {
+  local header
+  for header in src/*/limits.hpp; do
+    [ -e "$header" ] || continue
+    grep -nE '(^|[^a-z_])constexpr (double|float) [a-z_0-9]+( =|\{)' "${header%/*}"/*.[ch]pp | grep -v "^$header:"
+  done
+}
+
 mapfile -t files < <(sources)
 if [ ${#files[@]} -eq 0 ]; then
   echo "style: no sources under $root" >&2
@@ -54,6 +63,7 @@ complain "files longer than 600 lines" "$(wc -l "${files[@]}" | awk '$1 > 600 &&
 complain "functions longer than 70 lines" "$(long_functions "${files[@]}")"
 complain "files without a licence" "$(grep -L 'SPDX-License-Identifier: Apache-2.0' "${files[@]}")"
 complain "files outside the namespace of their folder" "$(foreign_namespaces)"
+complain "limits elsewhere than in the limits.hpp of their folder" "$(scattered_limits)"
 complain "types of one name" "$(repeated_types "${files[@]}")"
 complain "headers without a guard" \
   "$(printf '%s\n' "${files[@]}" | grep -E '\.(hpp|h)$' | xargs -r grep -L -e '#pragma once' -e '#ifndef')"

@@ -58,7 +58,7 @@ double length_of_curve(const CurvePart& curve, double from, double to) {
   // Gauss-Legendre quadrature with three nodes for each piece.
   constexpr std::array<double, 3> places{-0.7745966692414834, 0, 0.7745966692414834};
   constexpr std::array<double, 3> weights{5.0 / 9, 8.0 / 9, 5.0 / 9};
-  constexpr double piece = 5 * std::numbers::pi / 180;
+  const double piece = 5 * std::numbers::pi / 180;
   const int pieces = static_cast<int>(std::abs(to - from) / piece) + 1;
   const double half = (to - from) / (2 * pieces);
   double length = 0;

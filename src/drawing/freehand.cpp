@@ -13,9 +13,6 @@ namespace epura::drawing {
 
 namespace {
 
-constexpr double long_wave = 13, short_wave = 7;  // mm, about
-constexpr double share_of_long = 0.6, phase = 1;  // radians; so that waves do not repeat visibly
-
 // A point of the Catmull-Rom curve between p[1] and p[2].
 Vec2 on_curve(const std::vector<Vec2>& points, std::size_t i, double t) {
   const std::size_t n = points.size();
@@ -68,8 +65,8 @@ std::vector<Vec2> freehand_around(const std::vector<Vec2>& points) {
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const Vec2 along = curve[(i + 1) % curve.size()] - curve[(i + curve.size() - 1) % curve.size()];
     const double at = turn * static_cast<double>(i), size = glm::length(along);
-    const double wave =
-        share_of_long * portable_sin(longs * at) + (1 - share_of_long) * portable_sin(shorts * at + phase);
+    const double wave = share_of_long * portable_sin(longs * at) +
+                        (1 - share_of_long) * portable_sin(shorts * at + phase_of_short_wave);
     line.push_back(curve[i] + (size > 0 ? high * wave / size * Vec2(along.y, -along.x) : Vec2(0)));
   }
   return line;
@@ -78,7 +75,7 @@ std::vector<Vec2> freehand_around(const std::vector<Vec2>& points) {
 double freehand_offset(double place) {
   const double turn = 2 * std::numbers::pi * place;
   return freehand_wave * (share_of_long * portable_sin(turn / long_wave) +
-                          (1 - share_of_long) * portable_sin(turn / short_wave + phase));
+                          (1 - share_of_long) * portable_sin(turn / short_wave + phase_of_short_wave));
 }
 
 std::vector<Vec2> freehand_along(int along, const Vec2& from, const Vec2& to) {

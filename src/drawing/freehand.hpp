@@ -22,7 +22,4 @@ double freehand_offset(double place);
 /// Returns points on a circle, close enough for a smooth curve through them.
 std::vector<Vec2> points_on_circle(const Vec2& centre, double radius);
 
-/// mm; half the height of the waves.
-inline constexpr double freehand_wave = 0.7;
-
 }  // namespace epura::drawing

@@ -12,11 +12,6 @@ namespace epura::drawing {
 
 namespace {
 
-// Greatest length of a piece, in widths of the cells of its grid.
-constexpr double cells_a_part = 16;
-// The cells of a grid are numbered with ints.
-constexpr double most_columns = 1 << 14;
-
 // What a search mostly finds, at most.
 constexpr std::size_t found_mostly = 64;
 

@@ -2,7 +2,6 @@
 // Every tolerance, angle and ratio that decides something in this stage. Lengths are millimetres on paper, other
 // numbers have no unit, unless said otherwise. *The distance* is that at which lines are one to a person
 // (NearLines::distance). Angles are told in degrees, those of constants in radians and by their sines and cosines, too.
-// Numbers that only make a search faster stand in the search.
 #pragma once
 
 #include <cstddef>
@@ -115,9 +114,26 @@ inline constexpr double off_the_arc = 1e-4;                 ///< mm, of chords a
 
 // Freehand lines and symmetry
 
+inline constexpr double freehand_wave = 0.7;      ///< mm; half the height of the waves
+inline constexpr double long_wave = 13;           ///< mm, about
+inline constexpr double short_wave = 7;           ///< mm, about; so that waves do not repeat visibly
+inline constexpr double share_of_long = 0.6;      ///< of the height
+inline constexpr double phase_of_short_wave = 1;  ///< radians
+
 inline constexpr double wave_step = 0.25;     ///< mm between points: the chords are less than 0.005 mm off the waves
 inline constexpr double on_freehand = 0.01;   ///< mm; more than those chords are off
 inline constexpr double most_of_turn = 0.25;  ///< waves grow no higher than this part of a small line's size
 inline constexpr double symmetry_step = 1;    ///< mm between tested points; there is one at least in each line
+
+// Searches: what takes least time; the drawing is the same
+
+inline constexpr double cells_a_part = 16;       ///< greatest length of a piece, in widths of the cells of its grid
+inline constexpr double most_columns = 1 << 14;  ///< cells of a grid are numbered with ints
+inline constexpr double cells_a_piece = 1;       ///< of the grid of a glance
+inline constexpr double cuts_a_piece = 2;        ///< by that grid, on average
+inline constexpr double finest_cell = 2;         ///< in which ink is searched for, in multiples of the distance
+inline constexpr double speck_cell = 8;          ///< cells that tell where no specks are, in multiples of the distance
+inline constexpr double worth_dividing = 0.85;   ///< a division that leaves at most this part of the work
+inline constexpr double symmetry_cell = 2;       ///< mm; in which the mirror image of a line is searched for
 
 }  // namespace epura::drawing

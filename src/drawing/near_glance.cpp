@@ -18,8 +18,6 @@ namespace epura::drawing {
 namespace {
 
 constexpr std::size_t grain = 1024;
-// Number of grid cells for each piece, and how many times the grid cuts a piece on average.
-constexpr double cells_a_piece = 1, cuts_a_piece = 2;
 // With more pieces than this in a cell, a glance costs more than it saves.
 constexpr std::size_t crowd_of_pieces = 96;
 

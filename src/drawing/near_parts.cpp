@@ -13,9 +13,6 @@ namespace epura::drawing {
 
 namespace {
 
-// Width of the finest cells in which ink is searched for, as a multiple of the distance.
-constexpr double finest_cell = 2;
-
 std::array<Vec2, 2> box_of(const std::vector<Piece>& pieces) {
   std::array<Vec2, 2> box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
   for (const Piece& p : pieces)

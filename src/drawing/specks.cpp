@@ -17,9 +17,6 @@ namespace epura::drawing {
 
 namespace {
 
-// Width of the cells that tell where no specks are, as a multiple of the distance.
-constexpr double cells_a_distance = 8;
-
 std::array<Vec2, 2> ends_of(const Piece& piece) { return {piece.from, piece.to}; }
 
 /// Returns for each link whether two other pieces that are drawn meet where it begins: they continue each other.
@@ -176,7 +173,7 @@ LeftInk drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& s
   if (std::find(is_short.begin(), is_short.end(), 1) == is_short.end()) return {std::move(pieces)};
   const InkParts specks = parts_of(
       pieces, [&](std::size_t i) { return is_short[i] != 0; }, distance);
-  const search::OccupiedCells near_specks = specks.cells_within(distance, cells_a_distance * distance);
+  const search::OccupiedCells near_specks = specks.cells_within(distance, speck_cell * distance);
   std::vector<std::array<double, 2>> away(pieces.size(), {HUGE_VAL, HUGE_VAL});  // from lines that stay, by end
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     if (is_short[p] != 0 || strength[p] < 0) continue;

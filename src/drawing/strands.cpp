@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::drawing {
 
@@ -18,12 +19,10 @@ namespace {
 constexpr std::size_t few_strands = 24, few_ends = 4;
 // From this number, another direction is tried if one does not help.
 constexpr std::size_t many_strands = 96;
-// A division is worthwhile if it leaves at most this fraction of the work.
-constexpr double worth_dividing = 0.85;
 
 // The undirected direction of a line, from 0 to 2, measured upwards around a square instead of a circle: it changes by
 // no more than the angle in radians, and by no less than half of that.
-constexpr double half_turn = 2;
+constexpr int half_turn = 2;
 
 double direction_of(const Piece& p) {
   Vec2 along = p.to - p.from;

@@ -14,8 +14,6 @@ namespace epura::drawing {
 
 namespace {
 
-constexpr double cell_width = 2;  // mm
-
 double distance_to(const Segment& segment, const Vec2& p) {
   const Vec2 d = segment.to - segment.from;
   const double length = glm::dot(d, d);
@@ -40,13 +38,13 @@ class Lines {
  private:
   using Cell = std::array<int, 2>;
   static Cell cell_of(const Vec2& p) {
-    return {static_cast<int>(std::floor(p.x / cell_width)), static_cast<int>(std::floor(p.y / cell_width))};
+    return {static_cast<int>(std::floor(p.x / symmetry_cell)), static_cast<int>(std::floor(p.y / symmetry_cell))};
   }
 
   // A piece of a line no longer than a cell lies in few cells.
   void add(std::size_t i) {
     const Vec2 &from = segments_[i].from, &to = segments_[i].to;
-    const int pieces = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / cell_width)));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / symmetry_cell)));
     for (int k = 0; k < pieces; ++k) {
       const Vec2 p = glm::mix(from, to, double(k) / pieces), q = glm::mix(from, to, double(k + 1) / pieces);
       const Cell min = cell_of(glm::min(p, q) - slack_), max = cell_of(glm::max(p, q) + slack_);

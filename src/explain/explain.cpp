@@ -7,6 +7,7 @@
 #include "drawing/drawing.hpp"
 #include "drawing/freehand.hpp"
 #include "drawing/ink.hpp"
+#include "drawing/limits.hpp"
 #include "explain/reason.hpp"
 
 namespace epura::explain {

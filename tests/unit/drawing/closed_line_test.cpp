@@ -9,6 +9,7 @@
 #include <random>
 
 #include "drawing/freehand.hpp"
+#include "drawing/limits.hpp"
 
 namespace epura::test {
 namespace {
