@@ -83,7 +83,7 @@ typedef struct epura_sink {
   uint32_t size; /* sizeof(epura_sink) */
   uint32_t unused;
   void* host; /* the first argument of every call */
-  /* The unit of length of the file in millimetres; 1 if not called. */
+  /* The unit of length of the file in millimetres. If not called, the file states none: a user may, or it is 1. */
   int (*unit)(void* host, double millimetres);
   /* The axis of the file that points up: 'y' or 'z'; 'z' if not called. */
   int (*up)(void* host, char axis);

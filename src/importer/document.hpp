@@ -46,7 +46,7 @@ struct Node {
 };
 
 struct Document {
-  double unit = 1;  ///< millimetres
+  double unit = 0;  ///< millimetres; 0: the file does not state it
   int is_y_up = 0;  ///< instead of z
   int is_single_precision = 0;
   int is_printed = 0;  ///< coordinates were stored as text, all with the same number of digits or decimals

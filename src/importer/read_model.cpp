@@ -159,7 +159,7 @@ ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, 
     if (!assembled.part.faces.empty())
       model.part = std::make_shared<features::PartFaces>(
           features::part_of(model.mesh, assembled.part, features::RecogniseOptions().tangent_angle));
-    model.unit = document.unit;
+    if (document.unit > 0) model.unit = document.unit;
     model.is_y_up = document.is_y_up != 0;
     model.tree = std::move(assembled.tree);
     advance.to(2);
