@@ -9,7 +9,7 @@ set(same_version "(= ${PROJECT_VERSION})")
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(components epura study library development)
-foreach(importer gltf 3mf opencascade)
+foreach(importer gltf 3mf om opencascade)
   if(TARGET ${importer})
     list(APPEND components ${importer})
   endif()
@@ -35,7 +35,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/lib)
 set(CPACK_DEBIAN_EPURA_PACKAGE_NAME epura)
 set(CPACK_DEBIAN_EPURA_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_EPURA_PACKAGE_DEPENDS fonts-osifont)
-set(CPACK_DEBIAN_EPURA_PACKAGE_SUGGESTS "epura-study ${same_version}, epura-opencascade ${same_version}, epura-gltf ${same_version}, epura-3mf ${same_version}")
+set(CPACK_DEBIAN_EPURA_PACKAGE_SUGGESTS "epura-study ${same_version}, epura-opencascade ${same_version}, epura-gltf ${same_version}, epura-3mf ${same_version}, epura-om ${same_version}")
 set(CPACK_DEBIAN_EPURA_DESCRIPTION
 "Any projection, exact hidden lines, dimensions and sheets after ISO; reads
 OBJ, STL, PLY and OFF, writes SVG, PDF, PS, EPS, PNG, DXF, HTML and JSON.
@@ -66,6 +66,12 @@ set(CPACK_DEBIAN_3MF_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_3MF_PACKAGE_DEPENDS "epura ${same_version}")
 set(CPACK_DEBIAN_3MF_DESCRIPTION
 "3MF for epura: items, components, names, units.")
+
+set(CPACK_DEBIAN_OM_PACKAGE_NAME epura-om)
+set(CPACK_DEBIAN_OM_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_OM_PACKAGE_DEPENDS "epura ${same_version}")
+set(CPACK_DEBIAN_OM_DESCRIPTION
+"OM, the files of OpenMesh, for epura: polygons in double precision.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${library})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)

@@ -29,7 +29,7 @@ from typing import Any, Dict, List, Optional
 
 ROOT = Path(__file__).resolve().parent.parent
 #: What the module needs at run time; importers that could not be built have no rules.
-COMPONENTS = ("python", "library", "epura", "opencascade", "gltf", "3mf")
+COMPONENTS = ("python", "library", "epura", "opencascade", "gltf", "3mf", "om")
 
 
 def _project() -> Dict[str, Any]:

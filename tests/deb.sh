@@ -75,10 +75,10 @@ cat >"$system/tmp/triangle.gltf" <<'END'
 END
 inside epura draw /tmp/triangle.gltf -o /tmp/triangle.svg 2>"$scratch/log" && fail "there is no importer, and that is no failure"
 grep 'install the package epura-gltf' "$scratch/log" >/dev/null || fail "epura does not tell that the importer is missing"
-inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/epura-opencascade_*.deb /tmp/epura-gltf_*.deb /tmp/epura-3mf_*.deb' >"$scratch/log" 2>&1 ||
+inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/epura-opencascade_*.deb /tmp/epura-gltf_*.deb /tmp/epura-3mf_*.deb /tmp/epura-om_*.deb' >"$scratch/log" 2>&1 ||
   { cat "$scratch/log" >&2; fail "the importers cannot be installed"; }
 inside epura draw /tmp/triangle.gltf -o /tmp/triangle.svg || fail "glTF is not drawn"
-[ "$(inside epura importers | grep -cE '^  (step|iges|brep|gltf|3mf) ')" -eq 5 ] || fail "importers are missing"
+[ "$(inside epura importers | grep -cE '^  (step|iges|brep|gltf|3mf|om) ')" -eq 6 ] || fail "importers are missing"
 
 inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/libepura*.deb' >"$scratch/log" 2>&1 ||
   { cat "$scratch/log" >&2; fail "the library cannot be installed"; }
@@ -95,7 +95,7 @@ assert known.version("epura") == epura.__version__
 assert [point.value for point in known.entry_points(group="pytest11") if point.name == "epura"] == ["pytest_epura"]
 ' || fail "the module for Python does not work"
 
-inside apt-get -q purge --yes python3-epura epura epura-study epura-opencascade epura-gltf epura-3mf libepura-dev >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; fail "stays"; }
+inside apt-get -q purge --yes python3-epura epura epura-study epura-opencascade epura-gltf epura-3mf epura-om libepura-dev >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; fail "stays"; }
 left=$(traces)
 [ -z "$left" ] || fail "leaves behind: $left"
 echo "deb: $(cd $build && echo *.deb): installed, used and removed"

@@ -46,11 +46,17 @@ std::string_view package_for(std::string_view extension) {
   struct Row {
     std::string_view extension, package;
   };
-  constexpr std::array rows{Row{"step", "epura-opencascade"}, Row{"stp", "epura-opencascade"},
-                            Row{"p21", "epura-opencascade"},  Row{"iges", "epura-opencascade"},
-                            Row{"igs", "epura-opencascade"},  Row{"brep", "epura-opencascade"},
-                            Row{"brp", "epura-opencascade"},  Row{"gltf", "epura-gltf"},
-                            Row{"glb", "epura-gltf"},         Row{"3mf", "epura-3mf"}};
+  constexpr std::array rows{Row{"step", "epura-opencascade"},
+                            Row{"stp", "epura-opencascade"},
+                            Row{"p21", "epura-opencascade"},
+                            Row{"iges", "epura-opencascade"},
+                            Row{"igs", "epura-opencascade"},
+                            Row{"brep", "epura-opencascade"},
+                            Row{"brp", "epura-opencascade"},
+                            Row{"gltf", "epura-gltf"},
+                            Row{"glb", "epura-gltf"},
+                            Row{"3mf", "epura-3mf"},
+                            Row{"om", "epura-om"}};
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.extension == extension; });
   return found == rows.end() ? std::string_view() : found->package;
 }
