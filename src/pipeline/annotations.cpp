@@ -21,6 +21,7 @@
 #include "sheet/dimensions/overall.hpp"
 #include "sheet/dimensions/pictorial.hpp"
 #include "sheet/dimensions/thread_notes.hpp"
+#include "sheet/dimensions/twins.hpp"
 
 namespace epura::pipeline {
 
@@ -115,6 +116,16 @@ scene::DimensionDescription shown_dimension(scene::DimensionDescription dimensio
   return dimension;
 }
 
+// Those that somebody asked for take the places of automatic ones in any view.
+void replace_found(std::vector<std::vector<scene::DimensionDescription>>& found, std::vector<Annotations>& annotations,
+                   const world::World& world, std::span<const sheet::NamedProjection> projections) {
+  std::vector<scene::DimensionDescription*> given;
+  for (Annotations& of_view : annotations)
+    for (scene::DimensionDescription& one : of_view.dimensions) given.push_back(&one);
+  for (std::vector<scene::DimensionDescription>& of_view : found)
+    sheet::replace_twins(of_view, given, world, projections);
+}
+
 void add_dimensions(std::vector<Annotations>& annotations, const world::World& world,
                     const scene::SceneDescription& scene, const SheetOfViews& sheet,
                     std::span<const view::ProjectedScene> seen, const SectionSurfaces& sections) {
@@ -131,6 +142,7 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
     const auto number = std::size_t(view - views.begin());
     auto& dimensions = is_given ? annotations[number].dimensions : found[number];
     dimensions.push_back(dimension);
+    dimensions.back().view = {*views[number].name, dimension.view.where};
   };
   const auto add = [&](const scene::DimensionDescription& dimension) { add_to(dimension, true); };
   const auto is_outside = [&](const scene::DimensionDescription& dimension) {
@@ -168,6 +180,7 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
         if (!is_outside(one)) add_to(one, *dimension.type == DimensionType::overall);
     }
   }
+  replace_found(found, annotations, world, projections);
   for (std::size_t i = 0; i < views.size(); ++i) {
     std::vector<scene::DimensionDescription>& dimensions = annotations[i].dimensions;
     annotations[i].found = found[i].size();

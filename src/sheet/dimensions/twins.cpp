@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/twins.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "design/tolerances.hpp"
+#include "sheet/dimensions/anchors.hpp"
+#include "sheet/dimensions/equal_features.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using design::are_parallel;
+using design::same_size;
+using scene::DimensionDescription;
+
+/// What a dimension measures: a circle, or from one place to another along a direction.
+struct Measure {
+  std::optional<WorldCircle> circle{};
+  Vec3 along{0};
+  double from = 0, to = 0;
+};
+
+std::optional<Vec3> direction_of(const DimensionDescription& description, const AnchoredDimension& dimension,
+                                 std::span<const NamedProjection> views) {
+  if (dimension.type == DimensionType::overall) return Mat3(1)[axis_of(*dimension.direction)];
+  if (dimension.type == DimensionType::aligned) return glm::normalize(dimension.points[1] - dimension.points[0]);
+  for (const NamedProjection& view : views)
+    if (description.view.value_or("") == view.name)
+      return *dimension.direction == DimensionDirection::horizontal ? view.projection.u : view.projection.v;
+  return std::nullopt;
+}
+
+std::optional<Measure> measure_of(const DimensionDescription& description, const AnchoredDimension& dimension,
+                                  std::span<const NamedProjection> views) {
+  if (dimension.is_label || dimension.arrangement) return std::nullopt;
+  if (dimension.type == DimensionType::diameter || dimension.type == DimensionType::radius)
+    return Measure{dimension.circles.front()};
+  if (dimension.type == DimensionType::angular || dimension.type == DimensionType::arc) return std::nullopt;
+  const std::optional<Vec3> along = direction_of(description, dimension, views);
+  if (!along) return std::nullopt;
+  return Measure{{}, *along, glm::dot(dimension.points[0], *along), glm::dot(dimension.points[1], *along)};
+}
+
+std::vector<std::optional<Measure>> measures_of(const std::vector<DimensionDescription>& descriptions,
+                                                const world::World& world, std::span<const NamedProjection> views) {
+  const std::vector<AnchoredDimension> anchored = find_anchors(world, descriptions);
+  std::vector<std::optional<Measure>> measures;
+  for (std::size_t i = 0; i < anchored.size(); ++i) measures.push_back(measure_of(descriptions[i], anchored[i], views));
+  return measures;
+}
+
+bool are_one_circle(const WorldCircle& a, const WorldCircle& b) {
+  const double slack = 10 * same_size * a.radius;
+  return std::abs(a.radius - b.radius) <= slack && are_parallel(a.axis, b.axis) &&
+         glm::length(glm::cross(b.centre - a.centre, a.axis)) <= slack;
+}
+
+bool is_across(const Measure& length, const WorldCircle& circle) {
+  const double slack = 10 * same_size * circle.radius, middle = glm::dot(circle.centre, length.along);
+  return std::abs(glm::dot(circle.axis, length.along)) <= design::parallel &&
+         std::abs(std::abs(length.to - length.from) - 2 * circle.radius) <= slack &&
+         std::abs((length.from + length.to) / 2 - middle) <= slack;
+}
+
+bool are_one(const Measure& a, const Measure& b, double slack) {
+  if (a.circle && b.circle) return are_one_circle(*a.circle, *b.circle);
+  if (a.circle) return is_across(b, *a.circle);
+  if (b.circle) return is_across(a, *b.circle);
+  if (!are_parallel(a.along, b.along)) return false;
+  const double way = glm::dot(a.along, b.along) < 0 ? -1 : 1;
+  const auto near = [&](double x, double y) { return std::abs(x - way * y) <= slack; };
+  return (near(a.from, b.from) && near(a.to, b.to)) || (near(a.from, b.to) && near(a.to, b.from));
+}
+
+// A text in brackets is auxiliary (ISO 129-1).
+bool is_replacement(const DimensionDescription& given, const DimensionDescription& automatic) {
+  if (!given.text.given()) return true;
+  return given.text->rfind('(', 0) != 0 && repeats_of(*given.text) == repeats_of(automatic.text.value_or(""));
+}
+
+}  // namespace
+
+void replace_twins(std::vector<DimensionDescription>& automatic, std::span<DimensionDescription* const> given,
+                   const world::World& world, std::span<const NamedProjection> views) {
+  if (automatic.empty() || given.empty()) return;
+  std::vector<DimensionDescription> copies;
+  for (const DimensionDescription* one : given) copies.push_back(*one);
+  const auto of_given = measures_of(copies, world, views), of_automatic = measures_of(automatic, world, views);
+  const double slack = same_size * glm::length(world.box.size());
+  std::vector<char> replaced(automatic.size(), 0);
+  for (std::size_t i = 0; i < automatic.size(); ++i)
+    for (std::size_t j = 0; j < given.size() && replaced[i] == 0; ++j) {
+      if (!of_automatic[i] || !of_given[j] || !are_one(*of_automatic[i], *of_given[j], slack)) continue;
+      if (!is_replacement(*given[j], automatic[i])) continue;
+      // A length across a circle has another value than its radius, and no text of the circle.
+      const bool is_text_right = of_automatic[i]->circle.has_value() == of_given[j]->circle.has_value();
+      if (!given[j]->text.given() && automatic[i].text.given() && is_text_right) given[j]->text = automatic[i].text;
+      replaced[i] = 1;
+    }
+  std::size_t number = 0;
+  std::erase_if(automatic, [&](const DimensionDescription&) { return replaced[number++] != 0; });
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dimensions that somebody asked for and that give the size of an automatic one, in whose place they stand: those with
+// a tolerance, for example.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sheet/dimensions/named_projection.hpp"
+#include "world/world.hpp"
+
+namespace epura::sheet {
+
+/// Removes automatic dimensions whose size others give: a length between the same places, a diameter or radius of the
+/// same circle, or a diameter as a length across it. One without a text takes over that of the automatic one, as
+/// "4× <> ↧12"; a text that counts other features than the automatic one is no replacement. Rows stay. All name their
+/// views.
+void replace_twins(std::vector<scene::DimensionDescription>& automatic,
+                   std::span<scene::DimensionDescription* const> given, const world::World& world,
+                   std::span<const NamedProjection> views);
+
+}  // namespace epura::sheet

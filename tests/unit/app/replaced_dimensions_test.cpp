@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dimensions of a scene that take the places of automatic ones.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "drawn_texts.hpp"
+#include "folder.hpp"
+#include "known_parts.hpp"
+#include "program.hpp"
+
+namespace epura::test {
+namespace {
+
+class ReplacedDimensions : public testing::Test {
+ protected:
+  Folder folder;
+};
+
+// A dimension of the scene takes the place of the automatic one: on the circle, as a length across a shaft, between the
+// same places. The text of the automatic one stays.
+TEST_F(ReplacedDimensions, AreThereOnce) {
+  const auto hole = [](double r, double depth) { return stepped_hole({{r, 20}, {r, 20 - depth}}); };
+  folder.file("one.obj", plate({50, 30}, 1, 1, 20, hole(5, 12)));
+  folder.file("shaft.obj", shaft({{0, 1e-9}, {0, 20}, {10, 20}, {10, 14}, {50, 14}, {50, 1e-9}}));
+  struct Case {
+    std::string model, given;
+    Words texts;
+  };
+  const std::string top = "view = \"top\"\n", front = "view = \"front\"\n";
+  const auto at = [](const std::string& key, const std::string& point) {
+    return key + " = {point = [" + point + "]}\n";
+  };
+  const std::vector<Case> cases{
+      {"one",
+       "type = \"diameter\"\ntolerance = \"H7\"\n" + top + at("at", "25, 20, 20"),
+       {"50", "30", "20", "25", "15", "⌀10 H7 ↧12"}},
+      {"one",
+       "type = \"diameter\"\ntext = \"<> reamed\"\n" + top + at("at", "25, 20, 20"),
+       {"50", "30", "20", "25", "15", "⌀10 reamed"}},
+      {"one",
+       "type = \"linear\"\ndirection = \"horizontal\"\ntolerance = \"±0.1\"\n" + top + at("from", "0, 0, 20") +
+           at("to", "25, 15, 20"),
+       {"50", "30", "20", "25 ±0.1", "15", "⌀10 ↧12"}},
+      {"one",
+       "type = \"linear\"\ndirection = \"vertical\"\ntolerance = \"±0.2\"\n" + front + at("from", "0, 0, 0") +
+           at("to", "0, 0, 20"),
+       {"50", "30", "20 ±0.2", "25", "15", "⌀10 ↧12"}},
+      {"one",
+       "type = \"linear\"\ndirection = \"vertical\"\ntext = \"(<>)\"\n" + front + at("from", "0, 0, 0") +
+           at("to", "0, 0, 20"),
+       {"50", "30", "20", "(20)", "25", "15", "⌀10 ↧12"}},
+      {"shaft",
+       "type = \"linear\"\ndirection = \"vertical\"\ntext = \"⌀<>\"\ntolerance = \"h6\"\n" + front +
+           at("from", "50, 0, -14") + at("to", "50, 0, 14"),
+       {"50", "⌀40", "10", "⌀28 h6"}},
+      {"shaft",
+       "type = \"overall\"\ndirection = \"width\"\ntolerance = \"±0.3\"\n" + front,
+       {"50 ±0.3", "⌀40", "10", "⌀28"}},
+  };
+  for (const Case& one : cases) {
+    const std::string scene =
+        "[[model]]\nfile = \"" + one.model +
+        ".obj\"\n[[view]]\nprojection = \"front\"\n[[view]]\nprojection = \"top\"\n"
+        "[[view]]\nprojection = \"left\"\n[sheet]\nsize = \"A3\"\n[[dimension]]\ntype = \"auto\"\n"
+        "[[dimension]]\n";
+    const Outcome run = epura({"draw", folder.file("scene.toml", scene + one.given), "-o", "x.svg"}, folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted(one.texts)) << one.given;
+  }
+}
+
+}  // namespace
+}  // namespace epura::test
