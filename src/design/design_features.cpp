@@ -11,10 +11,12 @@
 #include "base/angle.hpp"
 #include "base/portable_math.hpp"
 #include "base/range.hpp"
+#include "design/bevels.hpp"
 #include "design/cavities.hpp"
 #include "design/centred_features.hpp"
 #include "design/design_holes.hpp"
 #include "design/engraving.hpp"
+#include "design/face_borders.hpp"
 #include "design/interrupted_faces.hpp"
 #include "design/place_threads.hpp"
 #include "design/plane_faces.hpp"
@@ -83,14 +85,22 @@ class PartReader {
 
   void add_bevels(const DesignFeatures& found, std::vector<DesignBevel>& bevels) const {
     const std::vector<Cavity> cavities = cavities_of(found, model_);
-    for (std::size_t f = 0; f < part_.faces.size(); ++f) {
-      const Vec3& normal = part_.faces[f].surface.axis;
-      const std::vector<Vec3>& corners = planes_[f].corners;
-      if (corners.empty() || axis_along(normal) >= 0 || cavity_around(cavities, normal, corners)) continue;
-      for (int along = 0; along < 3; ++along)
-        if (std::abs(normal[along]) <= parallel)
-          if (const auto bevel = bevel_of(f, along)) bevels.push_back(*bevel);
-    }
+    const auto is_other = [&](std::size_t face) {
+      const PlaneFace& plane = planes_[face];
+      return cavity_around(cavities, plane.normal, plane.corners).has_value() ||
+             std::any_of(found.hexagons.begin(), found.hexagons.end(), [&](const DesignHexagon& hexagon) {
+               return hexagon.model == model_ && hexagon.has_flat(plane.vertices);
+             });
+    };
+    const std::vector<std::vector<FaceBorder>> borders = borders_of_faces(world_.models[model_]);
+    const std::vector<DesignBevel> own = find_bevels({world_, model_, part_, planes_, borders}, is_other);
+    bevels.insert(bevels.end(), own.begin(), own.end());
+  }
+
+  void add_inclined(std::vector<DesignPlane>& inclined) const {
+    for (const PlaneFace& plane : planes_)
+      if (!plane.corners.empty() && axis_along(plane.normal) < 0)
+        inclined.push_back({model_, plane.normal, plane.corners});
   }
 
   void add_hexagons(std::vector<DesignHexagon>& hexagons) const {
@@ -105,12 +115,6 @@ class PartReader {
     for (std::size_t f = 0; f < walls.size(); ++f)
       if (walls[f] != 0) part.faces[f].surface.kind = SurfaceKind::free_form;
     return part;
-  }
-
-  static int axis_along(const Vec3& direction) {
-    for (int axis = 0; axis < 3; ++axis)
-      if (std::abs(direction[axis]) >= 1 - parallel * parallel) return axis;
-    return -1;
   }
 
   // Axes of short arcs are less accurate than the axis of the world to which they are parallel.
@@ -133,40 +137,6 @@ class PartReader {
         return;
       }
     levels.push_back(std::move(level));
-  }
-
-  // The axis of the world to which a plane face through all these corners is perpendicular, other than `along`; -1 if
-  // there is none.
-  [[nodiscard]] int axis_of_neighbour(const std::vector<Vec3>& edge, int along) const {
-    for (const PlaneFace& plane : planes_) {
-      const int axis = plane.corners.empty() ? -1 : axis_along(plane.normal);
-      const auto is_corner = [&](const Vec3& p) {
-        return std::find(plane.corners.begin(), plane.corners.end(), p) != plane.corners.end();
-      };
-      if (axis >= 0 && axis != along && std::all_of(edge.begin(), edge.end(), is_corner)) return axis;
-    }
-    return -1;
-  }
-
-  [[nodiscard]] std::optional<DesignBevel> bevel_of(std::size_t face, int along) const {
-    const std::vector<Vec3>& corners = planes_[face].corners;
-    const double slack = 1e-5 * glm::length(world_.box.size());
-    const int b = (along + 1) % 3, c = (along + 2) % 3;
-    const auto [low, high] =
-        std::minmax_element(corners.begin(), corners.end(), [b](const Vec3& p, const Vec3& q) { return p[b] < q[b]; });
-    DesignBevel bevel{model_, along, {*low, *high}, {-1, -1}, part_.faces[face].area};
-    bevel.face = static_cast<int>(face);
-    bevel.ends[1][along] = bevel.ends[0][along];
-    for (const std::size_t end : {0U, 1U}) {
-      std::vector<Vec3> edge;
-      for (const Vec3& p : corners)
-        if (std::abs(p[b] - bevel.ends[end][b]) <= slack) edge.push_back(p);
-      bevel.across[end] = edge.size() < 2 ? -1 : axis_of_neighbour(edge, along);
-      if (bevel.across[end] < 0) return std::nullopt;
-    }
-    const Vec3 span = bevel.ends[1] - bevel.ends[0];
-    bevel.is_chamfer = bevel.across[0] != bevel.across[1] && std::abs(std::abs(span[b]) - std::abs(span[c])) <= slack;
-    return bevel;
   }
 
   // The ends of all faces of one cylinder.
@@ -384,6 +354,11 @@ void add_slots(const CentredFeatures& centred, std::vector<DesignSlot>& slots) {
   }
 }
 
+bool are_one(const DesignPitchCircle& a, const DesignPitchCircle& b) {
+  return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis) &&
+         distance_from_line(b.centre, a.centre, a.axis) <= same_size * a.radius;
+}
+
 void add_pitch_circles(const CentredFeatures& centred, DesignFeatures& found) {
   for (const PitchCircle& circle : centred.pitch_circles) {
     std::vector<DesignHole*> on_it;
@@ -395,8 +370,12 @@ void add_pitch_circles(const CentredFeatures& centred, DesignFeatures& found) {
           on_it.push_back(&hole);
     }
     if (on_it.size() != circle.holes.size()) continue;
-    for (DesignHole* hole : on_it) hole->pitch_circle = static_cast<int>(found.pitch_circles.size());
-    found.pitch_circles.push_back({on_it.front()->model, circle.centre, circle.axis, circle.radius});
+    // Holes of several kinds may be on one circle.
+    const DesignPitchCircle own{on_it.front()->model, circle.centre, circle.axis, circle.radius};
+    const auto same = std::find_if(found.pitch_circles.begin(), found.pitch_circles.end(),
+                                   [&own](const DesignPitchCircle& other) { return are_one(own, other); });
+    for (DesignHole* hole : on_it) hole->pitch_circle = static_cast<int>(same - found.pitch_circles.begin());
+    if (same == found.pitch_circles.end()) found.pitch_circles.push_back(own);
   }
 }
 
@@ -488,8 +467,6 @@ bool are_equal(const DesignHole& a, const DesignHole& b) {
          are_same_thread(a.thread, b.thread);
 }
 
-double DesignBevel::leg() const { return std::abs(ends[1][(along + 1) % 3] - ends[0][(along + 1) % 3]); }
-
 bool has_coaxial_outline(const DesignFeatures& features, const DesignCylinder& circle) {
   const auto is_on_axis = [&circle](const Vec3& point, const Vec3& axis) {
     return are_parallel(axis, circle.axis) &&
@@ -519,8 +496,9 @@ DesignFeatures find_design_features(const world::World& world, const Progress& p
     PartReader reader(world, model, std::move(*part));
     reader.read(found);
     reader.add_levels(found, found.levels);
-    reader.add_bevels(found, found.bevels);
     reader.add_hexagons(found.hexagons);
+    reader.add_bevels(found, found.bevels);
+    reader.add_inclined(found.inclined);
   }
   add_pitch_circles(centred, found);
   std::stable_sort(found.levels.begin(), found.levels.end(), [](const DesignLevel& a, const DesignLevel& b) {

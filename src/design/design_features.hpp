@@ -141,19 +141,27 @@ struct DesignLevel {
   std::optional<double> other_side{};
 };
 
-/// A plane face that is parallel to one axis of the world only, between faces perpendicular to others: a chamfered
-/// corner, or a slope.
+/// A plane face that is parallel to one axis of the world only: a chamfered corner, or a slope.
 struct DesignBevel {
   int model;
   int along;                  ///< the axis of the world
-  std::array<Vec3, 2> ends;   ///< on its edges at those faces
-  std::array<int, 2> across;  ///< the axes of the world to which these are perpendicular
+  std::array<Vec3, 2> ends;   ///< where it meets its neighbours, or would without the rounding between them
+  std::array<int, 2> across;  ///< the axes of the world to which these are perpendicular; -1 for a slope, one at most
   double area;
-  bool is_chamfer = false;  ///< of 45 degrees, at a corner
-  int face = -1;            ///< its number in the part
+  bool is_chamfer = false;        ///< of 45 degrees, at a corner of the material
+  std::array<bool, 2> rounded{};  ///< an arc, tangent to both, lies between it and its neighbour
+  Vec3 normal{0};                 ///< unit, out of the material
+  int face = -1;                  ///< its number in the part
 
   /// The size of a chamfer along both axes.
   [[nodiscard]] double leg() const;
+};
+
+/// A plane face that is parallel to one axis of the world only, on which features may begin.
+struct DesignPlane {
+  int model;
+  Vec3 normal;                ///< unit, out of the material
+  std::vector<Vec3> corners;  ///< three or more
 };
 
 struct DesignPitchCircle {
@@ -175,6 +183,7 @@ struct DesignFeatures {
   std::vector<DesignPitchCircle> pitch_circles;
   std::vector<DesignBevel> bevels{};
   std::vector<DesignHexagon> hexagons{};
+  std::vector<DesignPlane> inclined{};
 };
 
 /// Whether a shaft or boss of the same model, or the corners of a hexagon, have this axis and radius.

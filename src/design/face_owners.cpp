@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "design/face_owners.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "design/cavities.hpp"
@@ -17,12 +16,9 @@ FaceOwner owner_of(int model, int face, const PlaneFace& plane, const std::vecto
   if (plane.corners.empty()) return {};
   if (const auto cavity = cavity_around(cavities, plane.normal, plane.corners))
     return {cavity->is_hole ? OwnerKind::hole : OwnerKind::slot, cavity->number};
-  for (std::size_t i = 0; i < features.hexagons.size(); ++i) {
-    const std::vector<int>& flats = features.hexagons[i].vertices;
-    if (features.hexagons[i].model == model &&
-        std::includes(flats.begin(), flats.end(), plane.vertices.begin(), plane.vertices.end()))
+  for (std::size_t i = 0; i < features.hexagons.size(); ++i)
+    if (features.hexagons[i].model == model && features.hexagons[i].has_flat(plane.vertices))
       return {OwnerKind::hexagon, static_cast<int>(i)};
-  }
   for (std::size_t i = 0; i < features.bevels.size(); ++i)
     if (features.bevels[i].model == model && features.bevels[i].face == face)
       return {OwnerKind::bevel, static_cast<int>(i)};

@@ -2,6 +2,7 @@
 // Finds regular hexagons among plane faces: nuts, heads of screws, and sockets.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -24,6 +25,10 @@ struct DesignHexagon {
 
   /// Half of the size of the full hexagon along a direction: across flats, corners, or between.
   [[nodiscard]] double reach(const Vec3& direction) const;
+  /// Whether a face with these vertices is one of its flats.
+  [[nodiscard]] bool has_flat(const std::vector<int>& face) const {
+    return std::includes(vertices.begin(), vertices.end(), face.begin(), face.end());
+  }
 };
 
 /// The hexagons of one model, body by body.

@@ -14,6 +14,12 @@ constexpr double same_size = 1e-4;  // relative
 
 /// Of unit vectors; opposite ones are parallel too.
 inline bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
+/// The axis of the world, 0 to 2, to which a unit vector is parallel; -1 if there is none.
+inline int axis_along(const Vec3& direction) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(direction[axis]) >= 1 - parallel * parallel) return axis;
+  return -1;
+}
 inline bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
 
 }  // namespace epura::design

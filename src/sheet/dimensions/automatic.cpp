@@ -2,9 +2,11 @@
 #include "sheet/dimensions/automatic.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,15 +15,17 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "design/tolerances.hpp"
-#include "sheet/dimensions/anchors.hpp"
-#include "sheet/dimensions/cone_angles.hpp"
+#include "sheet/dimensions/axis_positions.hpp"
+#include "sheet/dimensions/cone_dimensions.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
+#include "sheet/dimensions/hole_angles.hpp"
 #include "sheet/dimensions/level_stations.hpp"
+#include "sheet/dimensions/planning.hpp"
+#include "sheet/dimensions/round_ends.hpp"
 #include "sheet/dimensions/rounded_edges.hpp"
-#include "sheet/dimensions/stations.hpp"
+#include "sheet/dimensions/slope_dimensions.hpp"
 #include "sheet/dimensions/thread_notes.hpp"
-#include "sheet/dimensions/view_choice.hpp"
 
 namespace epura::sheet {
 
@@ -32,36 +36,19 @@ using design::are_same;
 using design::same_size;
 using scene::DimensionDescription;
 
-constexpr std::size_t most_of_a_kind = 40;  // notes, horizontal or vertical dimensions of a view
-
-bool are_coaxial(const Vec3& point, const Vec3& axis, const Vec3& other, double size) {
-  return glm::length(glm::cross(other - point, axis)) <= same_size * size;
-}
-
-bool are_equal_chamfers(const design::DesignBevel& a, const design::DesignBevel& b) {
-  return a.model == b.model && a.along == b.along && are_same(a.leg(), b.leg());
-}
-
-bool are_equal_ends(const design::DesignCylinder& a, const design::DesignCylinder& b) {
-  return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
-}
-
 class Planner {
  public:
   Planner(const DimensionDescription& wanted, std::span<const NamedProjection> views, const DimensionSubject& subject,
           const Notation& notation)
-      : wanted_(wanted),
-        views_(wanted, views),
-        subject_(subject),
-        notation_(notation),
-        stations_(subject),
-        box_(design::box_of_faces(subject.world)) {}
+      : plan_(wanted, views, subject, notation) {}
 
   AutomaticPlan plan(std::span<const NamedProjection> views) {
-    DimensionDescription overall = wanted_;
-    overall.type = {DimensionType::overall, wanted_.type.where};
-    dimensions_ = overall_dimensions(overall, views, subject_.extents);
+    DimensionDescription overall = plan_.wanted;
+    overall.type = {DimensionType::overall, plan_.wanted.type.where};
+    plan_.dimensions = overall_dimensions(overall, views, plan_.subject.extents);
+    add_round_ends();
     add_hexagons();
+    add_radial_holes();
     add_holes();
     add_pitch_circles();
     add_cylinders();
@@ -69,23 +56,23 @@ class Planner {
     add_arcs();
     add_rounds();
     add_balls();
-    add_chamfers();
-    add_cones();
-    add_bevels();
-    for (const Station& level : level_stations(subject_, views_, stations_)) stations_.add(level);
-    for (DimensionDescription& dimension : stations_.dimensions(wanted_, notation_))
-      dimensions_.push_back(std::move(dimension));
+    add_chamfers(plan_);
+    add_cones(plan_);
+    add_slopes(plan_);
+    for (const Station& level : level_stations(plan_.subject, plan_.views, plan_.stations)) plan_.stations.add(level);
+    for (DimensionDescription& dimension : plan_.stations.dimensions(plan_.wanted, plan_.notation))
+      plan_.dimensions.push_back(std::move(dimension));
     leave_out_excess();
-    for (const DimensionDescription& dimension : dimensions_)
+    for (const DimensionDescription& dimension : plan_.dimensions)
       check(dimension.view.given() && dimension.type.given(), "an automatic dimension has a type and a view");
-    return {std::move(dimensions_), std::move(tables_)};
+    return {std::move(plan_.dimensions), std::move(tables_)};
   }
 
  private:
   // Machines of a hundred parts have more features than a sheet has room for.
   void leave_out_excess() {
     std::map<std::pair<std::string, int>, std::size_t> count;
-    std::erase_if(dimensions_, [&](const DimensionDescription& dimension) {
+    std::erase_if(plan_.dimensions, [&](const DimensionDescription& dimension) {
       if (dimension.is_label) return false;
       const int row = dimension.direction.given() ? static_cast<int>(*dimension.direction) : -1;
       return ++count[{*dimension.view, row}] > most_of_a_kind;
@@ -93,24 +80,7 @@ class Planner {
   }
 
   DimensionDescription& add(DimensionType type, const NamedProjection& view, const std::string& text) {
-    DimensionDescription& dimension = dimensions_.emplace_back();
-    dimension.where = wanted_.where;
-    dimension.view = {view.name, wanted_.where};
-    dimension.type = {type, wanted_.where};
-    if (text != "<>") dimension.text = {text, wanted_.where};
-    return dimension;
-  }
-
-  // In the upper right, where leaders find room beside the lower and left baselines.
-  template <class Feature>
-  static const Feature* uppermost(const std::vector<const Feature*>& group, const NamedProjection& view,
-                                  const std::function<Vec3(const Feature&)>& centre) {
-    const auto height = [&](const Feature* one) {
-      const std::optional<Vec3> shown = shown_point(view, centre(*one));
-      return shown && keeps(view, centre(*one)) ? glm::dot(*shown, view.projection.u + view.projection.v) : -HUGE_VAL;
-    };
-    return *std::max_element(group.begin(), group.end(),
-                             [&](const Feature* a, const Feature* b) { return height(a) < height(b); });
+    return plan_.add(type, view, text);
   }
 
   // A view that shows one of several equal features from the side.
@@ -119,44 +89,39 @@ class Planner {
                                               const std::function<Vec3(const Feature&)>& centre) const {
     const NamedProjection* view = nullptr;
     for (std::size_t i = 0; i < group.size() && view == nullptr; ++i)
-      view = views_.beside(group[i]->axis, centre(*group[i]));
+      view = plan_.views.beside(group[i]->axis, centre(*group[i]));
     return view;
   }
 
-  // Positions in the plane of a view, along the axes of the world that it shows.
-  void add_position(const NamedProjection& view, const Vec3& centre, int group) {
-    for (const Vec3& along : {view.projection.u, view.projection.v})
-      if (const int axis = world_axis(along); axis >= 0)
-        stations_.add({&view, axis, centre[axis], centre, group, centre});
-  }
-
-  [[nodiscard]] std::string length(double value) const { return length_text(value, notation_); }
+  [[nodiscard]] std::string length(double value) const { return plan_.length(value); }
 
   [[nodiscard]] std::string note_of(const design::DesignHole& hole, std::size_t count) const {
-    return times(count) + name_in_note(hole.thread) + recesses_of(hole, notation_);
+    return times(count) + name_in_note(hole.thread) + recesses_of(hole, plan_.notation);
   }
 
   // The width across flats of a hexagon gives that across its corners, which is auxiliary, and the places of its flats;
   // on the axis of a hexagon that is as large as the models, nothing needs a position.
   void add_hexagons() {
-    for (const design::DesignHexagon& hexagon : subject_.features.hexagons) {
+    for (const design::DesignHexagon& hexagon : plan_.subject.features.hexagons) {
       check(hexagon.across_flats > 0, "a hexagon has a width");
-      if (!has_width(hexagon, views_)) continue;
-      for (DimensionDescription& overall : dimensions_)
+      if (!has_width(hexagon, plan_.views)) continue;
+      for (DimensionDescription& overall : plan_.dimensions)
         if (const int axis = axis_of(*overall.direction);
-            is_extent(hexagon, axis, subject_, false) && !is_extent(hexagon, axis, subject_, true))
-          overall.text = {"(<>)", wanted_.where};
+            is_extent(hexagon, axis, plan_.subject, false) && !is_extent(hexagon, axis, plan_.subject, true))
+          overall.text = {"(<>)", plan_.wanted.where};
       for (int axis = 0; axis < 3; ++axis) {
-        if (is_extent(hexagon, axis, subject_, false)) stations_.know(axis, hexagon.centre[axis]);
+        if (is_extent(hexagon, axis, plan_.subject, false)) plan_.stations.know(axis, hexagon.centre[axis]);
         for (const Vec3& normal : hexagon.normals)
           if (world_axis(normal) == axis)
             for (const double side : {-0.5, 0.5})
-              stations_.know(axis, hexagon.centre[axis] + side * hexagon.across_flats);
+              plan_.stations.know(axis, hexagon.centre[axis] + side * hexagon.across_flats);
       }
-      if (const NamedProjection* view = views_.along(hexagon.axis)) add_position(*view, hexagon.centre, ++groups_);
+      ++plan_.groups;
+      if (const NamedProjection* view = plan_.views.along(hexagon.axis))
+        add_positions(plan_, std::array{hexagon.centre}, hexagon.axis, view);
     }
-    for (DimensionDescription& width : hexagon_widths(wanted_, views_, subject_))
-      dimensions_.push_back(std::move(width));
+    for (DimensionDescription& width : hexagon_widths(plan_.wanted, plan_.views, plan_.subject))
+      plan_.dimensions.push_back(std::move(width));
   }
 
   // Whether holes of one group are behind those of the other, and look the same from the other side.
@@ -176,12 +141,14 @@ class Planner {
   // Groups of equal holes; those behind others that only one view shows have one note with them. Rows of a table name
   // the side by their letters.
   [[nodiscard]] std::vector<std::vector<const design::DesignHole*>> groups_of_holes() const {
-    auto groups = groups_of<design::DesignHole>(subject_.features.holes, design::are_equal);
+    auto groups = groups_of<design::DesignHole>(plan_.subject.features.holes, design::are_equal);
     for (auto& group : groups) {
+      std::erase_if(group, [this](const design::DesignHole* hole) { return is_radial(*hole); });
       if (group.empty()) continue;
       const Vec3 axis = group.front()->axis;
-      const NamedProjection* view = views_.along(axis, true);
-      if (view == nullptr || glm::dot(view->projection.n, axis) <= 0 || views_.along(-axis, true) != view) continue;
+      const NamedProjection* view = plan_.views.along(axis, true);
+      if (view == nullptr || glm::dot(view->projection.n, axis) <= 0 || plan_.views.along(-axis, true) != view)
+        continue;
       if (has_table() && can_have_table(*view)) continue;
       const auto other = std::find_if(groups.begin(), groups.end(), [&](const auto& one) {
         return &one != &group && !one.empty() && are_opposite(group, one);
@@ -197,8 +164,8 @@ class Planner {
 
   void add_holes() {
     for (const auto& group : groups_of_holes()) {
-      ++groups_;
-      const NamedProjection* along = views_.along(group.front()->axis, !group.front()->through);
+      ++plan_.groups;
+      const NamedProjection* along = plan_.views.along(group.front()->axis, !group.front()->through);
       const auto mouth = [](const design::DesignHole& hole) { return hole.mouth; };
       const NamedProjection* view = along != nullptr ? along : beside<design::DesignHole>(group, mouth);
       if (view == nullptr) continue;
@@ -210,13 +177,46 @@ class Planner {
       const auto* shown = uppermost<design::DesignHole>(group, *view, mouth);
       add(DimensionType::diameter, *view, note_of(*group.front(), group.size())).circle = {
           shown->mouth, shown->axis, shown->called() / 2, {}};
+      std::vector<Vec3> centres;
       for (const design::DesignHole* hole : group)
-        if (along != nullptr && hole->pitch_circle < 0) add_position(*along, hole->mouth, groups_);
+        if (hole->pitch_circle < 0) centres.push_back(hole->mouth);
+      if (!centres.empty()) add_positions(plan_, centres, group.front()->axis, along);
     }
   }
 
+  // One note, the angles and the height of holes that lead to the axis of a round part.
+  void add_radial_holes() {
+    radial_ = find_radial_patterns(plan_.subject.features);
+    for (const RadialPattern& pattern : radial_) {
+      ++plan_.groups;
+      const auto mouth = [](const design::DesignHole& hole) { return hole.mouth; };
+      const design::DesignHole* shown = pattern.holes.front();
+      const NamedProjection* view = nullptr;
+      for (const design::DesignHole* hole : pattern.holes)
+        if (const NamedProjection* along = plan_.views.along(hole->axis, true); along != nullptr && view == nullptr) {
+          view = along;
+          shown = hole;
+        }
+      if (view == nullptr) view = beside<design::DesignHole>(pattern.holes, mouth);
+      if (view == nullptr) continue;
+      add(DimensionType::diameter, *view, note_of(*shown, pattern.holes.size())).circle = {
+          shown->mouth, shown->axis, shown->called() / 2, {}};
+      add_angles(plan_, directions_of(pattern), true);
+      const int axis = world_axis(pattern.axis);
+      const NamedProjection* across = plan_.views.across(pattern.axis, shown->mouth);
+      if (axis < 0 || across == nullptr) continue;
+      plan_.stations.add({across, axis, shown->mouth[axis], shown->mouth, plan_.groups, shown->mouth});
+    }
+  }
+
+  [[nodiscard]] bool is_radial(const design::DesignHole& hole) const {
+    return std::any_of(radial_.begin(), radial_.end(), [&](const RadialPattern& pattern) {
+      return std::find(pattern.holes.begin(), pattern.holes.end(), &hole) != pattern.holes.end();
+    });
+  }
+
   [[nodiscard]] bool has_table() const {
-    return wanted_.holes.value_or(HoleDimensions::notes) == HoleDimensions::table;
+    return plan_.wanted.holes.value_or(HoleDimensions::notes) == HoleDimensions::table;
   }
 
   static bool can_have_table(const NamedProjection& view) {
@@ -226,7 +226,7 @@ class Planner {
   // The left or lower end of the models in a view along one of its directions; the axis of a round part.
   [[nodiscard]] double origin_along(const Vec3& direction) const {
     const int axis = world_axis(direction);
-    const design::Extent& extent = subject_.extents[axis];
+    const design::Extent& extent = plan_.subject.extents[axis];
     if (extent.form != design::ExtentForm::length) return (extent.from + extent.to) / 2;
     return direction[axis] > 0 ? extent.from : extent.to;
   }
@@ -236,7 +236,7 @@ class Planner {
       if (table.view == view.name) return table;
     HoleTable& table = tables_.emplace_back();
     table.view = view.name;
-    table.origin = box_.max;
+    table.origin = plan_.box.max;
     for (const Vec3& along : {view.projection.u, view.projection.v})
       table.origin[world_axis(along)] = origin_along(along);
     return table;
@@ -249,7 +249,7 @@ class Planner {
     const auto place = [&](const design::DesignHole* hole) {
       return std::pair(glm::dot(hole->mouth - origin, u), glm::dot(hole->mouth - origin, v));
     };
-    const double same = same_size * glm::length(box_.size());
+    const double same = same_size * glm::length(plan_.box.size());
     std::sort(group.begin(), group.end(), [&](const auto* a, const auto* b) {
       const auto [ax, ay] = place(a);
       const auto [bx, by] = place(b);
@@ -262,55 +262,66 @@ class Planner {
       const auto [x, y] = place(&hole);
       const std::string label = letters + std::to_string(i + 1);
       const std::string size = hole.thread ? hole.thread->text : "⌀" + length(hole.diameter);
-      table.rows.push_back({label, length(x), length(y), size + recesses_of(hole, notation_)});
+      table.rows.push_back({label, length(x), length(y), size + recesses_of(hole, plan_.notation)});
       DimensionDescription& dimension = add(DimensionType::diameter, view, label);
       dimension.circle = {hole.mouth, hole.axis, hole.called() / 2, {}};
       dimension.is_label = true;
-      for (const Vec3& along : {u, v}) stations_.know(world_axis(along), hole.mouth[world_axis(along)]);
+      for (const Vec3& along : {u, v}) plan_.stations.know(world_axis(along), hole.mouth[world_axis(along)]);
     }
   }
 
   void add_pitch_circles() {
     if (has_table()) return;
-    for (const design::DesignPitchCircle& circle : subject_.features.pitch_circles) {
-      ++groups_;
-      const NamedProjection* view = views_.along(circle.axis);
+    const std::vector<design::DesignPitchCircle>& circles = plan_.subject.features.pitch_circles;
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      ++plan_.groups;
+      const NamedProjection* view = plan_.views.along(circles[i].axis);
       if (view == nullptr) continue;
-      add(DimensionType::diameter, *view, "<>").circle = {circle.centre, circle.axis, circle.radius, {}};
-      add_position(*view, circle.centre, groups_);
+      add(DimensionType::diameter, *view, "<>").circle = {circles[i].centre, circles[i].axis, circles[i].radius, {}};
+      add_angles(plan_, directions_of(plan_.subject.features, static_cast<int>(i)), false);
+      add_positions(plan_, std::array{circles[i].centre}, circles[i].axis, view);
     }
   }
 
-  // Whether an overall dimension is the diameter of a cylinder.
-  [[nodiscard]] bool is_overall(const design::DesignCylinder& cylinder) const {
-    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const design::Extent& extent) {
-      return extent.form == design::ExtentForm::diameter && are_same(extent.size(), 2 * cylinder.radius) &&
-             are_parallel(extent.axis, cylinder.axis) &&
-             are_coaxial(extent.centre, extent.axis, cylinder.from, cylinder.radius);
-    });
+  // The radius of a round end and the place of its centre give the size over it.
+  void add_round_ends() {
+    const std::vector<RoundEnd> ends = find_round_ends(plan_.subject.features);
+    for (DimensionDescription& overall : plan_.dimensions) {
+      const int axis = axis_of(*overall.direction);
+      for (const int side : {0, 1})
+        if (const RoundEnd* end = end_along(ends, axis, side, plan_.subject.extents[static_cast<std::size_t>(axis)]);
+            end != nullptr && plan_.views.along(end->axis) != nullptr)
+          overall.text = {"(<>)", plan_.wanted.where};
+    }
+    // Its radius is half of the width of a bar.
+    for (const RoundEnd& end : ends)
+      for (int axis = 0; axis < 3; ++axis)
+        if (const design::Extent& extent = plan_.subject.extents[static_cast<std::size_t>(axis)];
+            end.ends_models(axis, 0, extent) && end.ends_models(axis, 1, extent))
+          plan_.stations.know(axis, end.centre[axis]);
   }
 
   // The end of a cylinder from which extension lines to the outside are short.
   [[nodiscard]] Vec3 outer_end(const design::DesignCylinder& cylinder) const {
-    const Vec3 middle = box_.centre();
+    const Vec3 middle = plan_.box.centre();
     const auto off = [&](const Vec3& p) { return std::abs(glm::dot(p - middle, cylinder.axis)); };
     return off(cylinder.from) > off(cylinder.to) ? cylinder.from : cylinder.to;
   }
 
   void add_cylinders() {
     std::vector<design::DesignCylinder> left;
-    for (const design::DesignCylinder& cylinder : subject_.features.cylinders)
-      if (cylinder.inwards || !is_overall(cylinder)) left.push_back(cylinder);
+    for (const design::DesignCylinder& cylinder : plan_.subject.features.cylinders)
+      if (cylinder.inwards || !sheet::is_overall(plan_.subject, cylinder)) left.push_back(cylinder);
     const auto equal = [](const design::DesignCylinder& a, const design::DesignCylinder& b) {
       return a.inwards == b.inwards && a.whole == b.whole && a.model == b.model && are_same(a.radius, b.radius) &&
              are_parallel(a.axis, b.axis) && name_in_note(a.thread) == name_in_note(b.thread);
     };
     for (const auto& group : groups_of<design::DesignCylinder>(left, equal)) {
-      ++groups_;
+      ++plan_.groups;
       const Vec3& axis = group.front()->axis;
-      const NamedProjection* along = views_.along(axis);
+      const NamedProjection* along = plan_.views.along(axis);
       const auto end = [this](const design::DesignCylinder& cylinder) { return outer_end(cylinder); };
-      const NamedProjection* across = group.front()->inwards ? nullptr : views_.across(axis, end(*group.front()));
+      const NamedProjection* across = group.front()->inwards ? nullptr : plan_.views.across(axis, end(*group.front()));
       // Across an interrupted one, its outline may not be seen.
       const bool is_clear = across != nullptr && (group.front()->whole || along == nullptr);
       const NamedProjection* view = is_clear ? across : along;
@@ -321,8 +332,9 @@ class Planner {
       add(DimensionType::diameter, *view, times(group.size()) + name_in_note(shown.thread)).circle = {
           outer_end(shown), axis, shown.called(), {}};
       if (across != nullptr) add_thread_ends(group, *across);
-      if (along == nullptr) continue;
-      for (const design::DesignCylinder* cylinder : group) add_position(*along, cylinder->from, groups_);
+      std::vector<Vec3> centres;
+      for (const design::DesignCylinder* cylinder : group) centres.push_back(cylinder->from);
+      add_positions(plan_, centres, axis, along);
     }
   }
 
@@ -334,7 +346,7 @@ class Planner {
       const bool horizontal = std::abs(view.projection.u[axis]) > 0.5;
       const Vec3 towards = cylinder->called() * (horizontal ? -view.projection.v : view.projection.u);
       const Vec3& end = cylinder->thread->end;
-      stations_.add({&view, axis, end[axis], end + towards, -1, end - towards});
+      plan_.stations.add({&view, axis, end[axis], end + towards, -1, end - towards});
     }
   }
 
@@ -345,11 +357,11 @@ class Planner {
              are_same(glm::length(span(a)), glm::length(span(b))) &&
              are_parallel(glm::normalize(span(a)), glm::normalize(span(b)));
     };
-    for (const auto& group : groups_of<design::DesignSlot>(subject_.features.slots, equal)) {
-      ++groups_;
+    for (const auto& group : groups_of<design::DesignSlot>(plan_.subject.features.slots, equal)) {
+      ++plan_.groups;
       const design::DesignSlot& slot = *group.front();
       check(slot.radius > 0 && slot.centres[0] != slot.centres[1], "a slot has a width and a length");
-      const NamedProjection* view = views_.along(slot.axis);
+      const NamedProjection* view = plan_.views.along(slot.axis);
       if (view == nullptr) continue;
       const Vec3 along = glm::normalize(span(slot)), out = glm::cross(slot.axis, along);
       std::vector<Vec3> arc;
@@ -363,62 +375,61 @@ class Planner {
       for (const design::DesignSlot* one : group) {
         const double way = glm::dot(span(*one), view->projection.u + view->projection.v);
         const auto& [low, high] = std::pair(one->centres[way > 0 ? 0 : 1], one->centres[way > 0 ? 1 : 0]);
-        add_position(*view, low, groups_);
+        add_positions(plan_, std::array{low}, slot.axis, view);
         if (axis >= 0)
-          stations_.know(axis, high[axis]);
+          plan_.stations.know(axis, high[axis]);
         else
-          add_position(*view, high, groups_);
+          add_positions(plan_, std::array{high}, slot.axis, view);
       }
     }
   }
 
+  // Equal radii have one note, whatever their axes: the view that shows most of them has it.
   void add_arcs() {
-    const auto equal = [](const design::DesignArc& a, const design::DesignArc& b) {
-      return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
+    const auto equal = [this](const design::DesignArc& a, const design::DesignArc& b) {
+      return a.model == b.model && are_alike(a.radius, b.radius);
     };
-    auto groups = groups_of<design::DesignArc>(subject_.features.arcs, equal);
+    auto groups = groups_of<design::DesignArc>(plan_.subject.features.arcs, equal);
     std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
       return double(a.size()) * a.front()->radius > double(b.size()) * b.front()->radius;
     });
-    const Vec3 size = box_.size();
+    const Vec3 size = plan_.box.size();
     const double largest = std::max({size.x, size.y, size.z});
     std::map<std::string, std::size_t> in_view;
+    for (const RoundEnd& end : find_round_ends(plan_.subject.features)) {
+      ++plan_.groups;
+      add_positions(plan_, std::array{end.centre}, end.axis, plan_.views.along(end.axis));
+    }
     for (const auto& group : groups) {
-      const NamedProjection* view = views_.along(group.front()->axis);
-      const std::size_t count = group.size() + (view == nullptr ? 0 : unseen_arcs(groups, *group.front()));
-      const double sum = double(count) * group.front()->radius;
-      if (view == nullptr || sum < least_radius * largest || in_view[view->name]++ >= most_radii) continue;
+      const auto [view, seen] = most_seen(group);
+      if (view == nullptr || double(group.size()) * group.front()->radius < least_radius * largest ||
+          in_view[view->name]++ >= most_radii)
+        continue;
       const auto* shown =
-          uppermost<design::DesignArc>(group, *view, [](const design::DesignArc& arc) { return arc.points[4]; });
+          uppermost<design::DesignArc>(seen, *view, [](const design::DesignArc& arc) { return arc.points[4]; });
       check(shown->radius > 0 && shown->points.size() > 4, "an arc has a radius and a middle");
-      add(DimensionType::radius, *view, times(count) + "<>").circle = {shown->centre, shown->axis, shown->radius,
-                                                                       shown->points};
+      add(DimensionType::radius, *view, times(group.size()) + "<>").circle = {shown->centre, shown->axis, shown->radius,
+                                                                              shown->points};
     }
   }
 
-  [[nodiscard]] bool are_alike(double a, double b) const { return are_written_alike(a, b, notation_); }
-
-  // The number of fillets of the same radius whose form no view shows, such as those around a hexagon. The first group
-  // that a view shows stands for them.
-  std::size_t unseen_arcs(const std::vector<std::vector<const design::DesignArc*>>& groups,
-                          const design::DesignArc& shown) const {
-    std::size_t count = 0;
-    for (const auto& group : groups) {
-      const design::DesignArc& arc = *group.front();
-      if (arc.model != shown.model || !are_alike(arc.radius, shown.radius)) continue;
-      const bool is_seen = views_.along(arc.axis) != nullptr;
-      if (is_seen && &arc != &shown) return count;
-      if (is_seen) break;
+  // The view along most of some arcs, and these.
+  [[nodiscard]] std::pair<const NamedProjection*, std::vector<const design::DesignArc*>> most_seen(
+      const std::vector<const design::DesignArc*>& arcs) const {
+    std::pair<const NamedProjection*, std::vector<const design::DesignArc*>> best{};
+    for (const NamedProjection* view : plan_.views.all()) {
+      std::vector<const design::DesignArc*> seen;
+      std::copy_if(arcs.begin(), arcs.end(), std::back_inserter(seen),
+                   [&](const design::DesignArc* arc) { return plan_.views.along(arc->axis) == view; });
+      if (seen.size() > best.second.size()) best = {view, std::move(seen)};
     }
-    for (const auto& group : groups)
-      if (group.front()->model == shown.model && are_alike(group.front()->radius, shown.radius) &&
-          views_.along(group.front()->axis) == nullptr)
-        count += group.size();
-    return count;
+    return best;
   }
+
+  [[nodiscard]] bool are_alike(double a, double b) const { return are_written_alike(a, b, plan_.notation); }
 
   [[nodiscard]] bool has_radius(double radius, double doubt = 0) const {
-    return std::any_of(dimensions_.begin(), dimensions_.end(), [&](const DimensionDescription& dimension) {
+    return std::any_of(plan_.dimensions.begin(), plan_.dimensions.end(), [&](const DimensionDescription& dimension) {
       return *dimension.type == DimensionType::radius &&
              (are_alike(dimension.circle->radius, radius) || std::abs(dimension.circle->radius - radius) <= doubt);
     });
@@ -429,9 +440,9 @@ class Planner {
     const auto equal = [](const design::DesignRound& a, const design::DesignRound& b) {
       return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
     };
-    for (const auto& group : groups_of<design::DesignRound>(subject_.features.rounds, equal)) {
+    for (const auto& group : groups_of<design::DesignRound>(plan_.subject.features.rounds, equal)) {
       const design::DesignRound& round = *group.front();
-      std::optional<SeenSection> seen = seen_section(round, views_);
+      std::optional<SeenSection> seen = seen_section(round, plan_.views);
       if (!seen || has_radius(round.radius)) continue;
       add(DimensionType::radius, *seen->view, times(group.size()) + "<>").circle = std::move(seen->circle);
     }
@@ -442,14 +453,14 @@ class Planner {
     const auto equal = [&](const design::DesignBall& a, const design::DesignBall& b) {
       return a.model == b.model && are_alike(a.radius, b.radius);
     };
-    for (const auto& group : groups_of<design::DesignBall>(subject_.features.balls, equal)) {
+    for (const auto& group : groups_of<design::DesignBall>(plan_.subject.features.balls, equal)) {
       const design::DesignBall& ball = *group.front();
       check(ball.radius > 0, "a ball has a radius");
       if (has_radius(ball.radius, ball.doubt) || is_overall(ball)) continue;
-      const auto found = std::find_if(views_.all().begin(), views_.all().end(), [&](const NamedProjection* one) {
-        return std::abs(glm::dot(ball.middle, one->projection.n)) < 0.5;
-      });
-      if (found == views_.all().end()) continue;
+      const auto found = std::find_if(
+          plan_.views.all().begin(), plan_.views.all().end(),
+          [&](const NamedProjection* one) { return std::abs(glm::dot(ball.middle, one->projection.n)) < 0.5; });
+      if (found == plan_.views.all().end()) continue;
       const NamedProjection* view = *found;
       const projection::Projection& projection = view->projection;
       const Vec3 flat = ball.middle - glm::dot(ball.middle, projection.n) * projection.n;
@@ -465,115 +476,13 @@ class Planner {
 
   // Whether an overall dimension is the diameter of a ball.
   [[nodiscard]] bool is_overall(const design::DesignBall& ball) const {
-    return std::any_of(subject_.extents.begin(), subject_.extents.end(), [&](const design::Extent& extent) {
+    return std::any_of(plan_.subject.extents.begin(), plan_.subject.extents.end(), [&](const design::Extent& extent) {
       return extent.form == design::ExtentForm::sphere && are_same(extent.size(), 2 * ball.radius);
     });
   }
 
-  // The angle of a cone with a rounded end; diameters and positions of other ends, as far as no cylinder and no step
-  // has them.
-  void add_cones() {
-    std::vector<design::DesignCylinder> ends;
-    for (const design::DesignCone& cone : subject_.features.cones) {
-      check(cone.radii[0] >= 0 && cone.radii[0] <= cone.radii[1], "a cone begins at its smaller end");
-      ++groups_;
-      const NamedProjection* view = views_.across(cone.axis, cone.ends[0]);
-      if (view == nullptr) continue;
-      const projection::Projection& projection = view->projection;
-      const bool horizontal = are_parallel(projection.u, cone.axis);
-      const Vec3 out = horizontal ? -projection.v : projection.u;
-      const bool by_angle = has_angle(cone, glm::length(box_.size()));
-      if (by_angle) {
-        const NamedProjection* shown = view_of_angle(cone, subject_.features, views_);
-        DimensionDescription& angle = add(DimensionType::angular, *shown, "<>");
-        for (const Vec3& anchor : anchors_of_angle(cone, shown->projection)) angle.anchors.emplace_back(anchor);
-      }
-      for (const int end : {0, 1}) {
-        if (by_angle && end == rounded_end(cone)) continue;
-        const design::DesignCylinder circle{cone.model, cone.ends[end],  cone.ends[end],
-                                            cone.axis,  cone.radii[end], false};
-        if (!(circle.radius > 0)) continue;
-        const auto is_same = [&](const design::DesignCylinder& other) {
-          return are_equal_ends(other, circle) && glm::distance(other.from, circle.from) <= same_size * circle.radius;
-        };
-        if (!is_overall(circle) && !design::has_coaxial_outline(subject_.features, circle) &&
-            std::none_of(ends.begin(), ends.end(), is_same))
-          ends.push_back(circle);
-        if (const int axis = world_axis(cone.axis); axis >= 0)
-          stations_.add({view, axis, circle.from[axis], circle.from + circle.radius * out, -1,
-                         circle.from - circle.radius * out});
-      }
-    }
-    add_ends_of_cones(ends);
-  }
-
-  void add_ends_of_cones(const std::vector<design::DesignCylinder>& ends) {
-    for (const auto& group : groups_of<design::DesignCylinder>(ends, are_equal_ends)) {
-      const design::DesignCylinder& shown = *group.front();
-      const NamedProjection* view = views_.across(shown.axis, shown.from);
-      check(view != nullptr, "an end of a cone is measured across its axis");
-      add(DimensionType::diameter, *view, times(group.size()) + "<>").circle = {
-          shown.from, shown.axis, shown.radius, {}};
-    }
-  }
-
-  void add_chamfers() {
-    const auto equal = [](const design::DesignCone& a, const design::DesignCone& b) {
-      return a.model == b.model && are_same(glm::length(a.ends[1] - a.ends[0]), glm::length(b.ends[1] - b.ends[0])) &&
-             are_same(a.angle, b.angle) && are_parallel(a.axis, b.axis);
-    };
-    for (const auto& group : groups_of<design::DesignCone>(subject_.features.chamfers, equal)) {
-      const design::DesignCone& chamfer = *group.front();
-      check(chamfer.angle > 0 && chamfer.angle < 90, "a chamfer is neither a cylinder nor a plane");
-      const NamedProjection* view = views_.across(chamfer.axis, chamfer.ends[0]);
-      if (view == nullptr) continue;
-      const projection::Projection& projection = view->projection;
-      const bool horizontal = are_parallel(projection.u, chamfer.axis);
-      const Vec3 out = horizontal ? -projection.v : projection.u;
-      DimensionDescription& dimension =
-          add(DimensionType::linear, *view, times(group.size()) + "<>×" + format_fixed(chamfer.angle, 1) + "°");
-      dimension.direction = {horizontal ? DimensionDirection::horizontal : DimensionDirection::vertical, wanted_.where};
-      for (const int end : {0, 1}) dimension.anchors.emplace_back(chamfer.ends[end] + chamfer.radii[end] * out);
-    }
-  }
-
-  // Chamfered corners have a note; other slopes have the positions of their ends, those of the largest ones first.
-  void add_bevels() {
-    std::vector<design::DesignBevel> chamfers, slopes;
-    for (const design::DesignBevel& bevel : subject_.features.bevels) {
-      check(bevel.along >= 0 && bevel.along < 3 && bevel.area > 0, "a slope has an axis and an area");
-      (bevel.is_chamfer ? chamfers : slopes).push_back(bevel);
-    }
-    for (const auto& group : groups_of<design::DesignBevel>(chamfers, are_equal_chamfers)) {
-      const NamedProjection* view = views_.along(Mat3(1)[group.front()->along]);
-      if (view == nullptr) continue;
-      const auto* shown = uppermost<design::DesignBevel>(
-          group, *view, [](const design::DesignBevel& one) { return (one.ends[0] + one.ends[1]) / 2.0; });
-      DimensionDescription& dimension = add(DimensionType::linear, *view, times(group.size()) + "<>×45°");
-      dimension.direction = {DimensionDirection::horizontal, wanted_.where};
-      for (const Vec3& end : shown->ends) dimension.anchors.emplace_back(end);
-      // The other ends are on the faces at the corner.
-      for (const design::DesignBevel* chamfer : group)
-        for (const int end : {0, 1}) stations_.know(chamfer->across[end], chamfer->ends[1 - end][chamfer->across[end]]);
-    }
-    std::stable_sort(slopes.begin(), slopes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
-    for (std::size_t i = 0; i < std::min(slopes.size(), most_of_a_kind); ++i) {
-      const NamedProjection* view = views_.along(Mat3(1)[slopes[i].along]);
-      if (view == nullptr || slopes[i].area < least_area(box_)) continue;
-      for (int axis = 0; axis < 3; ++axis)
-        for (const Vec3& end : slopes[i].ends)
-          if (axis != slopes[i].along) stations_.add({view, axis, end[axis], end, -1, end});
-    }
-  }
-
-  const DimensionDescription& wanted_;
-  ViewChoice views_;
-  const DimensionSubject& subject_;
-  Notation notation_;
-  Stations stations_;
-  Box box_;
-  int groups_ = 0;  ///< of equal holes, so far
-  std::vector<DimensionDescription> dimensions_;
+  Planning plan_;
+  std::vector<RadialPattern> radial_;
   std::vector<HoleTable> tables_;
   std::size_t labelled_ = 0;  // groups in tables
 };

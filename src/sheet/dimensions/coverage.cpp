@@ -11,14 +11,17 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "design/tolerances.hpp"
-#include "sheet/dimensions/circle_size.hpp"
+#include "sheet/dimensions/circle_sizes.hpp"
 #include "sheet/dimensions/cone_angles.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/face_coverage.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/missing_views.hpp"
 #include "sheet/dimensions/place_chain.hpp"
+#include "sheet/dimensions/round_ends.hpp"
+#include "sheet/dimensions/slope_dimensions.hpp"
 #include "sheet/dimensions/stations.hpp"
+#include "sheet/dimensions/turned_coverage.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::sheet {
@@ -29,20 +32,17 @@ using design::are_parallel;
 using design::parallel;
 
 constexpr double place_agrees = 2e-5;  // relative to the size of the models
-constexpr double size_agrees = 2e-4;   // relative
-
-bool agree(double a, double b) { return std::abs(a - b) <= size_agrees * std::max(std::abs(a), std::abs(b)); }
 
 bool is_auxiliary(const std::string& text) { return !text.empty() && text.front() == '('; }
 
 class CoverageFinder {
  public:
-  CoverageFinder(const DimensionSubject& subject, const Notation& notation) : subject_(subject), notation_(notation) {
+  CoverageFinder(const DimensionSubject& subject, const Notation& notation)
+      : subject_(subject), notation_(notation), sizes_(circle_sizes(subject.features, notation)) {
     const double slack = place_agrees * glm::length(subject.world.box.size());
     for (int axis = 0; axis < 3; ++axis) chains_.emplace_back(subject.extents[axis], slack);
     widths_.resize(subject.features.hexagons.size(), 0);
     add_places();
-    add_sizes();
     for (PlaceChain& chain : chains_) chain.begin();
   }
 
@@ -53,11 +53,11 @@ class CoverageFinder {
     for (const DimensionsInView& view : views)
       for (const AnchoredDimension& dimension : view.dimensions)
         if (!is_auxiliary(dimension.text)) join(dimension, view);
+    join_round_ends();
     for (int axis = 0; axis < 3; ++axis) chains_[axis].list_open(axis, notation_, coverage_.undimensioned);
     for (const CircleSize& size : sizes_) {
       check(size.dimensions >= 0 && places_of(size) > 0, "a size is of one place or more");
-      if (!is_given(size, views))
-        add_undimensioned(size.name, remedy_for(outward_axis(size), is_only_along(size), views));
+      if (!is_given(size)) add_undimensioned(size.name, remedy_for(outward_axis(size), is_only_along(size), views));
       if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
     }
     for (std::size_t i = 0; i < widths_.size(); ++i) {
@@ -66,7 +66,9 @@ class CoverageFinder {
       if (widths_[i] > 1) coverage_.repeated.push_back(name);
     }
     add_uncheckable(views);
-    count_faces(views);
+    TurnedCoverage turned = cover_turned(views, subject_, notation_);
+    coverage_.undimensioned.insert(coverage_.undimensioned.end(), turned.missing.begin(), turned.missing.end());
+    count_faces(slopes_given(views), turned.holes);
     merge(coverage_.undimensioned);
     merge(coverage_.repeated);
     return std::move(coverage_);
@@ -91,25 +93,22 @@ class CoverageFinder {
   [[nodiscard]] std::string length(double value) const { return length_text(value, notation_); }
 
   void add_place(const Vec3& centre, const Vec3& axis, const std::string& name) {
-    if (const int along = world_axis(axis); along >= 0)
-      for (int other = 0; other < 3; ++other)
-        if (other != along) chains_[other].add(centre[other], name);
+    for (int other = 0; other < 3; ++other)
+      if (std::abs(axis[other]) <= parallel) chains_[other].add(centre[other], name);
   }
 
   void add_places() {
     const design::DesignFeatures& features = subject_.features;
-    for (const design::DesignHole& hole : features.holes) {
+    for (const design::DesignHole& hole : features.holes)
       add_place(hole.mouth, hole.axis, "hole ⌀" + length(hole.diameter));
-      if (world_axis(hole.axis) < 0)
-        coverage_.undimensioned.push_back("hole ⌀" + length(hole.diameter) +
-                                          ": position and angle, as its axis is parallel to none of the world");
-    }
     for (const design::DesignCylinder& cylinder : features.cylinders)
-      add_place(cylinder.from, cylinder.axis, name_of(cylinder));
+      add_place(cylinder.from, cylinder.axis, name_of(cylinder, notation_));
     for (const design::DesignSlot& slot : features.slots)
       for (const Vec3& centre : slot.centres) add_place(centre, slot.axis, "slot R" + length(slot.radius));
     for (const design::DesignPitchCircle& circle : features.pitch_circles)
       add_place(circle.centre, circle.axis, "pitch circle ⌀" + length(2 * circle.radius));
+    for (const RoundEnd& end : find_round_ends(features))
+      add_place(end.centre, end.axis, "round end R" + length(end.radius));
     for (const design::DesignHexagon& hexagon : features.hexagons)
       add_place(hexagon.centre, hexagon.axis, "hexagon " + length(hexagon.across_flats));
     for (const design::DesignLevel& level : features.levels) {
@@ -123,121 +122,11 @@ class CoverageFinder {
     for (const design::DesignBevel& bevel : features.bevels)
       for (int axis = 0; axis < 3; ++axis)
         for (const Vec3& end : bevel.ends)
-          if (axis != bevel.along) chains_[axis].add(end[axis], bevel.is_chamfer ? "chamfer" : "slope");
+          if (axis != bevel.along && !has_angle(bevel, subject_))
+            chains_[axis].add(end[axis], bevel.is_chamfer ? "chamfer" : "slope");
     for (const design::DesignCylinder& cylinder : features.cylinders)
       if (const int axis = world_axis(cylinder.axis); axis >= 0 && cylinder.thread && cylinder.thread->length)
         chains_[axis].add(cylinder.thread->end[axis], "end of thread " + cylinder.thread->text);
-  }
-
-  [[nodiscard]] std::string name_of(const design::DesignCylinder& cylinder) const {
-    const std::string size = cylinder.thread ? cylinder.thread->text : "⌀" + length(2 * cylinder.radius);
-    return (cylinder.inwards ? "bore " : "cylinder ") + size;
-  }
-
-  // Those that one note can describe, as automatic dimensions do.
-  static std::string kind_of(const design::DesignCylinder& cylinder) {
-    return std::string(cylinder.whole ? "" : "interrupted ") + (cylinder.inwards ? "bore" : "cylinder");
-  }
-
-  static bool have_equal_lengths(const CircleSize& a, const CircleSize& b) {
-    return std::equal(a.lengths.begin(), a.lengths.end(), b.lengths.begin(), b.lengths.end(),
-                      [](double x, double y) { return std::abs(x - y) <= 1e-4 * std::max(std::abs(x), std::abs(y)); });
-  }
-
-  void add_size(CircleSize size) {
-    size.equal = static_cast<int>(sizes_.size());
-    for (const CircleSize& other : sizes_)
-      if (other.kind == size.kind && other.model == size.model && are_parallel(other.axis, size.axis) &&
-          have_equal_lengths(other, size) && (!size.needs_depth || glm::dot(other.axis, size.axis) > 0)) {
-        size.equal = other.equal;
-        break;
-      }
-    sizes_.push_back(std::move(size));
-  }
-
-  void add_sizes() {
-    const design::DesignFeatures& features = subject_.features;
-    for (const design::DesignHole& hole : features.holes) {
-      check(hole.called() > 0 && (!hole.depth || *hole.depth > 0), "a hole has a diameter, and a depth if it is known");
-      std::string name = "hole " + (hole.thread ? hole.thread->text : "⌀" + length(hole.diameter));
-      std::string kind = hole.thread ? name : "hole";
-      std::vector<double> lengths{hole.called()};
-      const auto add = [&](const char* sign, double value) {
-        name += sign + length(value);
-        kind += sign;
-        lengths.push_back(value);
-      };
-      if (hole.depth) add(" ↧", *hole.depth);
-      if (hole.counterbore) add(" ⌴⌀", hole.counterbore->diameter);
-      if (hole.countersink) add(" ⌵⌀", hole.countersink->diameter);
-      add_size({name, kind, lengths, hole.model, hole.mouth, hole.axis, hole.called() / 2, false,
-                hole.depth || hole.counterbore || hole.countersink});
-    }
-    for (const design::DesignCylinder& cylinder : features.cylinders)
-      add_size({name_of(cylinder),
-                cylinder.thread ? name_of(cylinder) : kind_of(cylinder),
-                {cylinder.called()},
-                cylinder.model,
-                cylinder.from,
-                cylinder.axis,
-                cylinder.called(),
-                false,
-                false});
-    for (const design::DesignPitchCircle& circle : features.pitch_circles)
-      add_size({"pitch circle ⌀" + length(2 * circle.radius),
-                "pitch circle",
-                {circle.radius},
-                circle.model,
-                circle.centre,
-                circle.axis,
-                circle.radius,
-                false,
-                false});
-    for (const design::DesignCone& cone : features.cones)
-      for (const int end : {0, 1}) add_end(cone, end);
-    for (const design::DesignSlot& slot : features.slots)
-      add_size({"slot R" + length(slot.radius),
-                "slot",
-                {slot.radius},
-                slot.model,
-                slot.centres[1],
-                slot.axis,
-                slot.radius,
-                true,
-                false});
-    for (const design::DesignArc& arc : features.arcs)
-      add_size({"radius R" + length(arc.radius),
-                "radius",
-                {arc.radius},
-                arc.model,
-                arc.centre,
-                arc.axis,
-                arc.radius,
-                true,
-                false});
-  }
-
-  // A cylinder that continues a cone has the size of its end.
-  void add_end(const design::DesignCone& cone, int end) {
-    const design::DesignCylinder circle{cone.model, cone.ends[end], cone.ends[end], cone.axis, cone.radii[end], false};
-    if (circle.radius > 0 && !design::has_coaxial_outline(subject_.features, circle))
-      add_size({"end of a cone ⌀" + length(2 * circle.radius),
-                "end of a cone",
-                {circle.radius},
-                cone.model,
-                circle.from,
-                cone.axis,
-                circle.radius,
-                false,
-                false});
-  }
-
-  static bool is_equal(const CircleSize& size, const WorldCircle& circle) {
-    return are_parallel(size.axis, circle.axis) && agree(size.radius, circle.radius);
-  }
-  static bool is_at(const CircleSize& size, const WorldCircle& circle) {
-    return is_equal(size, circle) &&
-           glm::length(glm::cross(size.centre - circle.centre, size.axis)) <= size_agrees * 10 * circle.radius;
   }
 
   // A dimension counts for the features on its circle, and for those equal to them if it is one of a fillet or has
@@ -248,13 +137,13 @@ class CoverageFinder {
     const WorldCircle& circle = dimension.circles.front();
     std::vector<int> lists;
     for (const CircleSize& size : sizes_)
-      if (is_at(size, circle) && !(size.needs_depth && dimension.text.empty())) lists.push_back(size.equal);
+      if (size.is_at(circle) && !(size.needs_depth && dimension.text.empty())) lists.push_back(size.equal);
     if (lists.empty() && dimension.type == DimensionType::radius)
       for (const CircleSize& size : sizes_)
-        if (size.anywhere && is_equal(size, circle)) lists.push_back(size.equal);
+        if (size.anywhere && size.is_equal(circle)) lists.push_back(size.equal);
     for (CircleSize& size : sizes_) {
       const bool listed = std::find(lists.begin(), lists.end(), size.equal) != lists.end();
-      if (listed && (size.anywhere || many || is_at(size, circle))) ++size.dimensions;
+      if (listed && (size.anywhere || many || size.is_at(circle))) ++size.dimensions;
     }
   }
 
@@ -265,26 +154,22 @@ class CoverageFinder {
     for (const CircleSize& one : sizes_) {
       if (one.equal != size.equal) continue;
       for (const CircleSize& other : sizes_)
-        if (is_at(other, {one.centre, one.axis, one.radius, {}, true}) &&
+        if (other.is_at({one.centre, one.axis, one.radius, {}, true}) &&
             std::find(lists.begin(), lists.end(), other.equal) == lists.end())
           lists.push_back(other.equal);
     }
     return static_cast<int>(lists.size());
   }
 
-  // Whether a size is the radius of a fillet whose form no view shows, and another dimension gives it. Radii of short
-  // arcs are not accurate: the number that is written counts.
-  [[nodiscard]] bool is_given_by_equal(const CircleSize& size, std::span<const DimensionsInView> views) const {
-    const bool is_seen = std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
-      return are_parallel(view.projection.n, size.axis);
-    });
-    return size.anywhere && !is_seen && std::any_of(radii_.begin(), radii_.end(), [&](double radius) {
-             return length(radius) == length(size.radius);
-           });
+  // Whether a size is the radius of a fillet that the dimension of another one gives. Radii of short arcs are not
+  // accurate: the number that is written counts.
+  [[nodiscard]] bool is_given_by_equal(const CircleSize& size) const {
+    return size.is_fillet() && std::any_of(radii_.begin(), radii_.end(),
+                                           [&](double radius) { return length(radius) == length(size.radius); });
   }
 
-  [[nodiscard]] bool is_given(const CircleSize& size, std::span<const DimensionsInView> views) const {
-    return size.dimensions > 0 || given_elsewhere(size) || is_in_table(size) || is_given_by_equal(size, views);
+  [[nodiscard]] bool is_given(const CircleSize& size) const {
+    return size.dimensions > 0 || given_elsewhere(size) || is_in_table(size) || is_given_by_equal(size);
   }
 
   // Whether an overall dimension is this diameter.
@@ -354,7 +239,7 @@ class CoverageFinder {
       if (const int axis = world_axis(cone.axis); axis >= 0) chains_[axis].join(cone.ends[0][axis], cone.ends[1][axis]);
       const int end = rounded_end(cone);
       for (CircleSize& size : sizes_)
-        if (is_at(size, {cone.ends[end], cone.axis, cone.radii[end], {}, true})) ++size.dimensions;
+        if (size.is_at({cone.ends[end], cone.axis, cone.radii[end], {}, true})) ++size.dimensions;
     }
   }
 
@@ -381,7 +266,7 @@ class CoverageFinder {
     return std::any_of(subject_.features.holes.begin(), subject_.features.holes.end(), [&](const auto& hole) {
       if (hole.pitch_circle < 0) return false;
       const design::DesignPitchCircle& circle = subject_.features.pitch_circles[std::size_t(hole.pitch_circle)];
-      return is_labelled(hole) && is_at(size, {circle.centre, circle.axis, circle.radius, {}, true});
+      return is_labelled(hole) && size.is_at({circle.centre, circle.axis, circle.radius, {}, true});
     });
   }
 
@@ -395,6 +280,18 @@ class CoverageFinder {
       for (int other = 0; other < 3; ++other)
         if (other != along && (many || off <= size_agrees * leg))
           chains_[other].join(bevel.ends[0][other], bevel.ends[1][other]);
+    }
+  }
+
+  // The radius of a round end gives the distance from its centre to the end of the models.
+  void join_round_ends() {
+    for (const RoundEnd& end : find_round_ends(subject_.features)) {
+      const auto is_it = [&end](double radius) { return agree(radius, end.radius); };
+      if (std::none_of(radii_.begin(), radii_.end(), is_it)) continue;
+      for (int axis = 0; axis < 3; ++axis)
+        for (const int side : {0, 1})
+          if (const design::Extent& extent = subject_.extents[axis]; end.ends_models(axis, side, extent))
+            chains_[axis].join(end.centre[axis], side == 0 ? extent.from : extent.to);
     }
   }
 
@@ -460,7 +357,7 @@ class CoverageFinder {
         const double middle = circle.centre[axis];
         join_sides(axis, middle, circle.radius);
         for (const CircleSize& size : sizes_)
-          if (many && is_equal(size, circle)) join_sides(axis, size.centre[axis], circle.radius);
+          if (many && size.is_equal(circle)) join_sides(axis, size.centre[axis], circle.radius);
         for (const design::DesignHole& hole : subject_.features.holes)
           if (lies_on(hole.mouth, circle) && are_parallel(hole.axis, circle.axis))
             chains_[axis].join(middle, hole.mouth[axis]);
@@ -484,13 +381,33 @@ class CoverageFinder {
 
   // Positions of holes are asked for along the axes of the world across theirs.
   [[nodiscard]] bool is_placed(const design::DesignHole& hole) {
-    const int along = world_axis(hole.axis);
     for (int axis = 0; axis < 3; ++axis)
-      if (axis != along && !chains_[axis].is_joined(hole.mouth[axis])) return false;
-    return along >= 0;
+      if (std::abs(hole.axis[axis]) <= parallel && !chains_[axis].is_joined(hole.mouth[axis])) return false;
+    return true;
   }
 
-  void count_faces(std::span<const DimensionsInView> views) {
+  // By its angle, or by the places of its ends.
+  std::vector<bool> slopes_given(std::span<const DimensionsInView> views) {
+    std::vector<bool> given;
+    for (const design::DesignBevel& bevel : subject_.features.bevels) {
+      bool is_known = true;
+      if (has_angle(bevel, subject_)) {
+        is_known = std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
+          return std::any_of(view.dimensions.begin(), view.dimensions.end(),
+                             [&](const AnchoredDimension& one) { return is_angle_of(one, bevel); });
+        });
+        if (!is_known) coverage_.undimensioned.push_back("slope of " + format_rounded(bevel.area, 4) + " mm²: angle");
+      } else {
+        for (int axis = 0; axis < 3; ++axis)
+          for (const Vec3& end : bevel.ends)
+            is_known = is_known && (axis == bevel.along || chains_[axis].is_joined(end[axis]));
+      }
+      given.push_back(is_known);
+    }
+    return given;
+  }
+
+  void count_faces(std::vector<bool> slopes, const std::vector<bool>& turned_holes) {
     GivenSizes given{[this](int axis, double at) { return chains_[axis].is_joined(at); },
                      [this](const features::PartFace& face) { return has_doubly_curved(face); }};
     const std::vector<design::DesignHole>& holes = subject_.features.holes;
@@ -498,12 +415,12 @@ class CoverageFinder {
     for (std::size_t i = 0; i < sizes_.size(); ++i) {
       const CircleSize& size = sizes_[i];
       const bool is_hole = i < holes.size();  // the sizes of holes are the first
-      const bool has_size = is_given(size, views) || (is_hole && is_labelled(holes[i]));
+      const bool has_size = is_given(size) || (is_hole && is_labelled(holes[i]));
       given.circles.push_back({size.centre, size.axis, size.radius, has_size});
       if (size.kind == "slot") given.slots.push_back(has_size);
       if (!is_hole) continue;
       given.holes.push_back(has_size);
-      if (has_size && is_placed(holes[i])) ++placed;
+      if (has_size && turned_holes[i] && is_placed(holes[i])) ++placed;
       given.circles.push_back({size.centre, size.axis, holes[i].diameter / 2, has_size});
       for (const auto& recess : {holes[i].counterbore, holes[i].countersink})
         if (recess) given.circles.push_back({size.centre, size.axis, recess->diameter / 2, has_size});
@@ -513,6 +430,7 @@ class CoverageFinder {
     for (const SizedCircle& circle : given.circles)
       if (circle.is_given) given.radii.push_back(circle.radius);
     for (const int dimensions : widths_) given.hexagons.push_back(dimensions > 0);
+    given.bevels = std::move(slopes);
     FaceCoverage faces = cover_faces(subject_, given, notation_);
     coverage_.counts = std::move(faces.counts);
     if (!holes.empty()) coverage_.counts.push_back({"holes", placed, static_cast<int>(holes.size())});

@@ -11,6 +11,7 @@
 #include "design/face_owners.hpp"
 #include "design/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
+#include "sheet/dimensions/round_ends.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "world/placed_part.hpp"
 
@@ -30,7 +31,7 @@ constexpr std::array<const char*, 6> kind_names = {
 class FaceCounter {
  public:
   FaceCounter(const DimensionSubject& subject, const GivenSizes& given, const Notation& notation)
-      : subject_(subject), given_(given), notation_(notation) {}
+      : subject_(subject), given_(given), notation_(notation), ends_(find_round_ends(subject.features)) {}
 
   FaceCoverage count() {
     const world::World& world = subject_.world;
@@ -67,18 +68,24 @@ class FaceCounter {
     if (owner.kind == OwnerKind::hole) return given_.holes[number];
     if (owner.kind == OwnerKind::slot) return given_.slots[number];
     if (owner.kind == OwnerKind::hexagon) return given_.hexagons[number];
-    if (owner.kind == OwnerKind::bevel) return has_bevel(subject_.features.bevels[number]);
+    if (owner.kind == OwnerKind::bevel) return given_.bevels[number];
     const features::PartSurface& plane = face.surface;
     if (const int axis = world_axis(plane.axis); axis >= 0) return given_.has_place(axis, plane.origin[axis]);
+    if (is_between_round_ends(face)) return true;
     miss("inclined plane face", face, "place and angle");
     return false;
   }
 
-  [[nodiscard]] bool has_bevel(const design::DesignBevel& bevel) const {
-    for (int axis = 0; axis < 3; ++axis)
-      for (const Vec3& end : bevel.ends)
-        if (axis != bevel.along && !given_.has_place(axis, end[axis])) return false;
-    return true;
+  // A face that touches two round ends follows from them.
+  [[nodiscard]] bool is_between_round_ends(const features::PartFace& face) const {
+    const Vec3& normal = face.surface.axis;
+    int touched = 0;
+    for (const RoundEnd& end : ends_) {
+      const double off = glm::dot(face.surface.origin - end.centre, normal),
+                   slack = 10 * design::same_size * end.radius;
+      if (std::abs(glm::dot(normal, end.axis)) <= design::parallel && std::abs(off - end.radius) <= slack) ++touched;
+    }
+    return touched >= 2;
   }
 
   // Of a cone, one end: the other one, an angle or a length follows from the places of its ends.
@@ -123,6 +130,7 @@ class FaceCounter {
   const DimensionSubject& subject_;
   const GivenSizes& given_;
   const Notation& notation_;
+  std::vector<RoundEnd> ends_;
   std::array<int, kind_names.size()> all_{}, with_{};  // by kind
   FaceCoverage found_;
 };

@@ -23,7 +23,7 @@ struct GivenSizes {
   std::function<bool(const features::PartFace&)> has_doubly_curved;  ///< a sphere or torus
   std::vector<SizedCircle> circles{};                                ///< of all features that have any
   std::vector<double> radii{};                                       ///< that are given somewhere
-  std::vector<bool> holes{}, slots{}, hexagons{};                    ///< in the order of the DesignFeatures
+  std::vector<bool> holes{}, slots{}, hexagons{}, bevels{};          ///< in the order of the DesignFeatures
 };
 
 /// What is known of all faces but free forms and walls of letters.

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "sheet/dimensions/round_ends.hpp"
 
 namespace epura::sheet {
 
@@ -49,6 +50,20 @@ bool are_a_row(std::span<const Station> stations, double slack) {
   return true;
 }
 
+Datum datum_along(int axis, const DimensionSubject& subject, std::span<const NamedProjection* const> views) {
+  bool low = true;
+  for (const NamedProjection* view : views)
+    if (const Vec3& u = view->projection.u, &v = view->projection.v; world_axis(u) == axis || world_axis(v) == axis) {
+      low = (world_axis(u) == axis ? u : v)[axis] > 0;
+      break;
+    }
+  const design::Extent& extent = subject.extents[static_cast<std::size_t>(axis)];
+  const std::vector<RoundEnd> ends = find_round_ends(subject.features);
+  const RoundEnd* end = end_along(ends, axis, low ? 0 : 1, extent);
+  if (end != nullptr && end->bulges(axis, low ? 0 : 1)) return {end->centre[axis], end->centre};
+  return {low ? extent.from : extent.to, std::nullopt};
+}
+
 }  // namespace
 
 int world_axis(const Vec3& direction) {
@@ -62,13 +77,14 @@ bool is_plain(const projection::Projection& projection) {
          glm::length(glm::cross(projection.projector, projection.n)) <= 1e-9 * glm::length(projection.projector);
 }
 
-Stations::Stations(const DimensionSubject& subject)
+Stations::Stations(const DimensionSubject& subject, std::span<const NamedProjection* const> views)
     : subject_(subject),
+      datums_{datum_along(0, subject, views), datum_along(1, subject, views), datum_along(2, subject, views)},
       points_(design::points_of_faces(subject.world)),
       slack_(same_station * glm::length(subject.world.box.size())) {
   for (int axis = 0; axis < 3; ++axis) {
     const design::Extent& extent = subject.extents[axis];
-    known_[axis] = {extent.from, extent.to};
+    known_[axis] = {extent.from, extent.to, datums_[axis].at};
     // The middle of a shaft needs no dimension, even where a flat is.
     if (extent.form == design::ExtentForm::length) continue;
     for (int other = 0; other < 3; ++other)
@@ -106,19 +122,18 @@ void Stations::add(const Station& station) {
 
 // Positions on a round part are measured from its axis.
 Station Stations::base_of(const Station& station) const {
-  const projection::Projection& projection = station.view->projection;
   const design::Extent& extent = subject_.extents[station.axis];
   if (station.from) {
     Station base = station;
     base.at = base.point[base.axis] = base.opposite[base.axis] = *station.from;
     return base;
   }
-  const double way = is_horizontal(station) ? projection.u[station.axis] : projection.v[station.axis];
   const bool from_axis = extent.form != design::ExtentForm::length && station.group >= 0;
+  const Datum datum = from_axis ? Datum{(extent.from + extent.to) / 2, extent.centre} : datums_[station.axis];
   Station base = station;
-  base.at = from_axis ? (extent.from + extent.to) / 2 : way > 0 ? extent.from : extent.to;
-  if (from_axis) {
-    base.point = base.opposite = shown_point(*base.view, extent.centre).value_or(extent.centre);
+  base.at = datum.at;
+  if (datum.centre) {
+    base.point = base.opposite = shown_point(*base.view, *datum.centre).value_or(*datum.centre);
     return base;
   }
   double nearest = HUGE_VAL;

@@ -33,10 +33,18 @@ bool is_plain(const projection::Projection& projection);
 /// The largest number of parallel dimensions of one direction in a view: more stand too far from what they measure.
 inline constexpr std::size_t most_parallel = 8;
 
+/// What positions along an axis of the world are measured from, in all views.
+struct Datum {
+  double at = 0;
+  std::optional<Vec3> centre{};  ///< of a round end, where extension lines begin
+};
+
 /// Collects stations, each once.
 class Stations {
  public:
-  explicit Stations(const DimensionSubject& subject);
+  /// Along each axis, all views measure from one end of the models: the left or lower one in the first view that shows
+  /// the axis. Where that end is round, they measure from its centre.
+  Stations(const DimensionSubject& subject, std::span<const NamedProjection* const> views);
 
   /// Notes that a place follows from other dimensions.
   void know(int axis, double at);
@@ -45,8 +53,8 @@ class Stations {
   /// same place in one view, those nearest to the dimension line count.
   void add(const Station& station);
 
-  /// Dimensions of all stations, from the left or lower end of the models in their view, in the arrangement that is
-  /// wanted; without one, parallel, and with a common origin where these would be more than `most_parallel`.
+  /// Dimensions of all stations in the arrangement that is wanted; without one, parallel, and with a common origin
+  /// where these would be more than `most_parallel`.
   [[nodiscard]] std::vector<scene::DimensionDescription> dimensions(const scene::DimensionDescription& wanted,
                                                                     const Notation& notation) const;
 
@@ -62,6 +70,7 @@ class Stations {
                std::vector<scene::DimensionDescription>& dimensions) const;
 
   const DimensionSubject& subject_;
+  std::array<Datum, 3> datums_;
   std::vector<Vec3> points_;
   double slack_;
   std::array<std::vector<double>, 3> known_;

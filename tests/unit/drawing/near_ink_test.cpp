@@ -8,8 +8,6 @@
 #include <numbers>
 #include <random>
 
-#include "drawing/drawing.hpp"
-
 namespace epura::test {
 namespace {
 

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/cone_dimensions.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "design/tolerances.hpp"
+#include "sheet/dimensions/cone_angles.hpp"
+#include "sheet/dimensions/equal_features.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using design::are_parallel;
+using design::are_same;
+using design::DesignCone;
+using design::DesignCylinder;
+using design::same_size;
+using scene::DimensionDescription;
+
+bool are_equal_ends(const DesignCylinder& a, const DesignCylinder& b) {
+  return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
+}
+
+void add_ends_of_cones(Planning& plan, const std::vector<DesignCylinder>& ends) {
+  for (const auto& group : groups_of<DesignCylinder>(ends, are_equal_ends)) {
+    const DesignCylinder& shown = *group.front();
+    const NamedProjection* view = plan.views.across(shown.axis, shown.from);
+    check(view != nullptr, "an end of a cone is measured across its axis");
+    plan.add(DimensionType::diameter, *view, times(group.size()) + "<>").circle = {
+        shown.from, shown.axis, shown.radius, {}};
+  }
+}
+
+}  // namespace
+
+void add_chamfers(Planning& plan) {
+  const auto equal = [](const DesignCone& a, const DesignCone& b) {
+    return a.model == b.model && are_same(glm::length(a.ends[1] - a.ends[0]), glm::length(b.ends[1] - b.ends[0])) &&
+           are_same(a.angle, b.angle) && are_parallel(a.axis, b.axis);
+  };
+  for (const auto& group : groups_of<DesignCone>(plan.subject.features.chamfers, equal)) {
+    const DesignCone& chamfer = *group.front();
+    check(chamfer.angle > 0 && chamfer.angle < 90, "a chamfer is neither a cylinder nor a plane");
+    const NamedProjection* view = plan.views.across(chamfer.axis, chamfer.ends[0]);
+    if (view == nullptr) continue;
+    const projection::Projection& projection = view->projection;
+    const bool horizontal = are_parallel(projection.u, chamfer.axis);
+    const Vec3 out = horizontal ? -projection.v : projection.u;
+    DimensionDescription& dimension =
+        plan.add(DimensionType::linear, *view, times(group.size()) + "<>×" + format_fixed(chamfer.angle, 1) + "°");
+    dimension.direction = {horizontal ? DimensionDirection::horizontal : DimensionDirection::vertical,
+                           plan.wanted.where};
+    for (const int end : {0, 1}) dimension.anchors.emplace_back(chamfer.ends[end] + chamfer.radii[end] * out);
+  }
+}
+
+void add_cones(Planning& plan) {
+  std::vector<DesignCylinder> ends;
+  for (const DesignCone& cone : plan.subject.features.cones) {
+    check(cone.radii[0] >= 0 && cone.radii[0] <= cone.radii[1], "a cone begins at its smaller end");
+    ++plan.groups;
+    const NamedProjection* view = plan.views.across(cone.axis, cone.ends[0]);
+    if (view == nullptr) continue;
+    const projection::Projection& projection = view->projection;
+    const bool horizontal = are_parallel(projection.u, cone.axis);
+    const Vec3 out = horizontal ? -projection.v : projection.u;
+    const bool by_angle = has_angle(cone, glm::length(plan.box.size()));
+    if (by_angle) {
+      const NamedProjection* shown = view_of_angle(cone, plan.subject.features, plan.views);
+      DimensionDescription& angle = plan.add(DimensionType::angular, *shown, "<>");
+      for (const Vec3& anchor : anchors_of_angle(cone, shown->projection)) angle.anchors.emplace_back(anchor);
+    }
+    for (const int end : {0, 1}) {
+      if (by_angle && end == rounded_end(cone)) continue;
+      const DesignCylinder circle{cone.model, cone.ends[end], cone.ends[end], cone.axis, cone.radii[end], false};
+      if (!(circle.radius > 0)) continue;
+      const auto is_same = [&](const DesignCylinder& other) {
+        return are_equal_ends(other, circle) && glm::distance(other.from, circle.from) <= same_size * circle.radius;
+      };
+      if (!is_overall(plan.subject, circle) && !design::has_coaxial_outline(plan.subject.features, circle) &&
+          std::none_of(ends.begin(), ends.end(), is_same))
+        ends.push_back(circle);
+      if (const int axis = world_axis(cone.axis); axis >= 0)
+        plan.stations.add(
+            {view, axis, circle.from[axis], circle.from + circle.radius * out, -1, circle.from - circle.radius * out});
+    }
+  }
+  add_ends_of_cones(plan, ends);
+}
+
+}  // namespace epura::sheet

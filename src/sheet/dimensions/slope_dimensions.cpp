@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/slope_dimensions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "base/error.hpp"
+#include "design/tolerances.hpp"
+#include "sheet/dimensions/equal_features.hpp"
+#include "sheet/dimensions/level_stations.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using design::are_same;
+using design::DesignBevel;
+using scene::DimensionDescription;
+
+bool are_equal_chamfers(const DesignBevel& a, const DesignBevel& b) {
+  return a.model == b.model && a.along == b.along && are_same(a.leg(), b.leg());
+}
+
+// Beyond the models along an axis across the slope.
+bool is_outside(const DesignBevel& slope, std::size_t end, const DimensionSubject& subject) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const design::Extent& extent = subject.extents[static_cast<std::size_t>(axis)];
+    const double at = slope.ends[end][axis], slack = design::same_size * extent.size();
+    if (axis != slope.along && (at < extent.from - slack || at > extent.to + slack)) return true;
+  }
+  return false;
+}
+
+// The corner, and the ends of its legs: along its neighbour, which the material lies behind, and along the slope.
+std::array<Vec3, 3> anchors_of_angle(const DesignBevel& slope, const DimensionSubject& subject) {
+  const bool first = slope.across[0] >= 0 && (slope.across[1] < 0 || is_outside(slope, 0, subject));
+  const std::size_t end = first ? 0 : 1;
+  check(slope.across[end] >= 0, "a slope has a neighbour that is perpendicular to an axis of the world");
+  const int axis = 3 - slope.along - slope.across[end];
+  const Vec3 corner = slope.ends[end], side = slope.ends[1 - end] - corner;
+  const double way = slope.normal[axis] > 0 ? -1 : 1;
+  return {corner, corner + way * glm::length(side) * Mat3(1)[axis], corner + side};
+}
+
+void add_chamfers(Planning& plan, const std::vector<DesignBevel>& chamfers) {
+  const Vec3 size = plan.box.size();
+  const double least = least_radius * std::max({size.x, size.y, size.z});
+  for (const auto& group : groups_of<DesignBevel>(chamfers, are_equal_chamfers)) {
+    const NamedProjection* view = plan.views.along(Mat3(1)[group.front()->along]);
+    if (view == nullptr || group.front()->leg() < least) continue;
+    const auto* shown =
+        uppermost<DesignBevel>(group, *view, [](const DesignBevel& one) { return (one.ends[0] + one.ends[1]) / 2.0; });
+    DimensionDescription& dimension = plan.add(DimensionType::linear, *view, times(group.size()) + "<>×45°");
+    dimension.direction = {DimensionDirection::horizontal, plan.wanted.where};
+    for (const Vec3& end : shown->ends) dimension.anchors.emplace_back(end);
+    // The other ends are on the faces at the corner.
+    for (const DesignBevel* chamfer : group)
+      for (const int end : {0, 1})
+        plan.stations.know(chamfer->across[end], chamfer->ends[1 - end][chamfer->across[end]]);
+  }
+}
+
+}  // namespace
+
+bool has_angle(const DesignBevel& slope, const DimensionSubject& subject) {
+  return is_outside(slope, 0, subject) || is_outside(slope, 1, subject);
+}
+
+bool is_angle_of(const AnchoredDimension& dimension, const DesignBevel& slope) {
+  if (dimension.type != DimensionType::angular) return false;
+  check(dimension.points.size() == 3, "an angle has a corner and two legs");
+  const Vec3 side = slope.ends[1] - slope.ends[0], corner = dimension.points[0];
+  const double off = glm::dot(corner - slope.ends[0], slope.normal);
+  if (std::abs(off) > 10 * design::same_size * glm::length(side)) return false;
+  const std::array<Vec3, 2> legs{glm::normalize(dimension.points[1] - corner),
+                                 glm::normalize(dimension.points[2] - corner)};
+  for (const std::size_t leg : {0U, 1U})
+    if (design::are_parallel(legs[leg], glm::normalize(side)) && design::axis_along(legs[1 - leg]) >= 0) return true;
+  return false;
+}
+
+void add_slopes(Planning& plan) {
+  std::vector<DesignBevel> chamfers, slopes;
+  for (const DesignBevel& bevel : plan.subject.features.bevels) {
+    check(bevel.along >= 0 && bevel.along < 3 && bevel.area > 0, "a slope has an axis and an area");
+    (bevel.is_chamfer ? chamfers : slopes).push_back(bevel);
+  }
+  add_chamfers(plan, chamfers);
+  std::stable_sort(slopes.begin(), slopes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
+  for (std::size_t i = 0; i < std::min(slopes.size(), most_of_a_kind); ++i) {
+    const NamedProjection* view = plan.views.along(Mat3(1)[slopes[i].along]);
+    if (view == nullptr || slopes[i].area < least_area(plan.box)) continue;
+    if (has_angle(slopes[i], plan.subject)) {
+      DimensionDescription& angle = plan.add(DimensionType::angular, *view, "<>");
+      for (const Vec3& anchor : anchors_of_angle(slopes[i], plan.subject)) angle.anchors.emplace_back(anchor);
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+      for (const Vec3& end : slopes[i].ends)
+        if (axis != slopes[i].along) plan.stations.add({view, axis, end[axis], end, -1, end});
+  }
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/turned_coverage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "design/tolerances.hpp"
+#include "sheet/dimensions/axis_positions.hpp"
+#include "sheet/dimensions/equal_features.hpp"
+#include "sheet/dimensions/hole_angles.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using design::are_parallel;
+using design::same_size;
+
+bool any_dimension(std::span<const DimensionsInView> views,
+                   const std::function<bool(const AnchoredDimension&)>& is_wanted) {
+  return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
+    return std::any_of(view.dimensions.begin(), view.dimensions.end(), is_wanted);
+  });
+}
+
+// Whether holes in a table have coordinates instead of angles.
+bool has_label(std::span<const DimensionsInView> views, const design::DesignHole& hole) {
+  return any_dimension(views, [&](const AnchoredDimension& dimension) {
+    return dimension.is_label &&
+           glm::distance(dimension.circles.front().centre, hole.mouth) <= same_size * hole.called();
+  });
+}
+
+// Whether a length along a slope begins or ends at a place.
+bool measures(const AnchoredDimension& dimension, const Vec3& along, const Vec3& place, double slack) {
+  if (dimension.type != DimensionType::aligned) return false;
+  check(dimension.points.size() == 2, "an aligned dimension has two ends");
+  const Vec3 span = dimension.points[1] - dimension.points[0];
+  if (!(glm::length(span) > 0) || !are_parallel(glm::normalize(span), along)) return false;
+  const auto at = [&](const Vec3& p) { return glm::dot(p, along); };
+  // A row "3× 20 (=60)" has places between its ends.
+  const int parts = dimension.text.find('=') == std::string::npos ? 1 : repeats_of(dimension.text);
+  for (int i = 0; i <= parts; ++i)
+    if (std::abs(at(dimension.points[0] + (double(i) / parts) * span) - at(place)) <= slack) return true;
+  return false;
+}
+
+class TurnedFinder {
+ public:
+  TurnedFinder(std::span<const DimensionsInView> views, const DimensionSubject& subject, const Notation& notation)
+      : views_(views),
+        features_(subject.features),
+        notation_(notation),
+        slack_(same_size * glm::length(subject.world.box.size())) {}
+
+  TurnedCoverage find() {
+    found_.holes.assign(features_.holes.size(), true);
+    std::vector<char> is_radial(features_.holes.size(), 0);
+    for (const RadialPattern& pattern : find_radial_patterns(features_)) {
+      for (const design::DesignHole* hole : pattern.holes) is_radial[number_of(hole)] = 1;
+      add_angles(directions_of(pattern));
+    }
+    for (std::size_t i = 0; i < features_.pitch_circles.size(); ++i)
+      add_angles(directions_of(features_, static_cast<int>(i)));
+    for (std::size_t i = 0; i < features_.holes.size(); ++i)
+      if (const design::DesignHole& hole = features_.holes[i]; is_radial[i] == 0 && !has_place(hole.mouth, hole.axis)) {
+        found_.holes[i] = false;
+        found_.missing.push_back(name_of(hole) + ": position along its slope");
+      }
+    for (const design::DesignSlot& slot : features_.slots)
+      if (!has_place(slot.centres[0], slot.axis))
+        found_.missing.push_back("slot R" + length_text(slot.radius, notation_) + ": position along its slope");
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t number_of(const design::DesignHole* hole) const {
+    return static_cast<std::size_t>(hole - features_.holes.data());
+  }
+  [[nodiscard]] std::string name_of(const design::DesignHole& hole) const {
+    return "hole ⌀" + length_text(hole.diameter, notation_);
+  }
+
+  // Of evenly spaced ones, any may have the angle; those in a table have coordinates.
+  void add_angles(const HoleDirections& around) {
+    const auto is_given = [&](const Vec3& direction) {
+      return any_dimension(views_,
+                           [&](const AnchoredDimension& one) { return gives_direction(one, around, direction); });
+    };
+    const bool any = around.are_even() && std::any_of(around.directions.begin(), around.directions.end(), is_given);
+    for (const std::size_t i : around.needed())
+      if (!any && !is_given(around.directions[i]) && !has_label(views_, *around.holes[i])) {
+        found_.holes[number_of(around.holes[i])] = false;
+        found_.missing.push_back(name_of(*around.holes[i]) + ": angle");
+      }
+  }
+
+  [[nodiscard]] bool has_place(const Vec3& place, const Vec3& axis) const {
+    if (design::axis_along(axis) >= 0) return true;
+    const std::optional<Vec3> along = slanted_across(axis);
+    return along && any_dimension(views_, [&](const AnchoredDimension& dimension) {
+             return measures(dimension, *along, place, slack_);
+           });
+  }
+
+  std::span<const DimensionsInView> views_;
+  const design::DesignFeatures& features_;
+  const Notation& notation_;
+  double slack_;
+  TurnedCoverage found_;
+};
+
+}  // namespace
+
+TurnedCoverage cover_turned(std::span<const DimensionsInView> views, const DimensionSubject& subject,
+                            const Notation& notation) {
+  return TurnedFinder(views, subject, notation).find();
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Automatic dimensions of slopes, notches, round ends and turned holes: every size once, none twice.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "drawn_texts.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+#include "sloped_parts.hpp"
+
+namespace epura::test {
+namespace {
+
+class MissingSizes : public testing::Test {
+ protected:
+  Folder folder;
+
+  Outcome lint(const std::string& model) {
+    return epura({"lint", model, "--views", "front,top,left", "--dimensions", "auto", "--sheet", "A2", "-o", "x.svg",
+                  "--svg-text", "text"},
+                 folder / "");
+  }
+  void expect_known(const std::vector<KnownPart>& parts) {
+    EXPECT_GE(parts.size(), std::size_t(8));
+    for (const KnownPart& part : parts) {
+      const Outcome run = lint(folder.file("part.obj", part.obj));
+      EXPECT_EQ(run.code, 0) << part.name << ": " << run.out << run.err;
+      const auto boxes = boxes_in(read_file(folder / "x.svg"));
+      Words texts;
+      for (const auto& [text, box] : boxes_in(dimension_layers(read_file(folder / "x.svg")))) texts.push_back(text);
+      EXPECT_EQ(sorted(texts), sorted(part.texts)) << part.name;
+      EXPECT_GE(boxes.size(), part.texts.size()) << part.name;
+      for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t j = i + 1; j < boxes.size(); ++j)
+          EXPECT_FALSE(sheet::overlap(boxes[i].second, boxes[j].second))
+              << part.name << ": " << boxes[i].first << " on " << boxes[j].first;
+    }
+  }
+};
+
+TEST_F(MissingSizes, OfNotches) { expect_known(v_notches()); }
+TEST_F(MissingSizes, OfPlanesBetweenSlopes) { expect_known(planes_between_slopes()); }
+TEST_F(MissingSizes, OfSlopesToRoundedCorners) { expect_known(slopes_to_rounded_corners()); }
+TEST_F(MissingSizes, OfRoundedTrapezia) { expect_known(rounded_trapezia()); }
+TEST_F(MissingSizes, OfSlopesOf45Degrees) { expect_known(slopes_of_45_degrees()); }
+TEST_F(MissingSizes, OfRoundEnds) { expect_known(round_ends()); }
+TEST_F(MissingSizes, OfTongues) { expect_known(tongues()); }
+TEST_F(MissingSizes, OfLinks) { expect_known(links()); }
+TEST_F(MissingSizes, OfRadialHoles) { expect_known(tubes_with_radial_holes()); }
+TEST_F(MissingSizes, OfHolesInSlopes) { expect_known(wedges_with_holes()); }
+
+}  // namespace
+}  // namespace epura::test
