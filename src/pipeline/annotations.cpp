@@ -122,8 +122,10 @@ void replace_found(std::vector<std::vector<scene::DimensionDescription>>& found,
   std::vector<scene::DimensionDescription*> given;
   for (Annotations& of_view : annotations)
     for (scene::DimensionDescription& one : of_view.dimensions) given.push_back(&one);
+  if (given.empty() || std::all_of(found.begin(), found.end(), [](const auto& one) { return one.empty(); })) return;
+  const design::DesignFeatures features = design::features_to_dimension(world);
   for (std::vector<scene::DimensionDescription>& of_view : found)
-    sheet::replace_twins(of_view, given, world, projections);
+    sheet::replace_twins(of_view, given, world, features, projections);
 }
 
 void add_dimensions(std::vector<Annotations>& annotations, const world::World& world,

@@ -60,6 +60,17 @@ bool are_one_circle(const WorldCircle& a, const WorldCircle& b) {
          glm::length(glm::cross(b.centre - a.centre, a.axis)) <= slack;
 }
 
+// Whether two circles are those of holes that one note describes.
+bool are_of_equal_holes(const WorldCircle& a, const WorldCircle& b, const design::DesignFeatures& features) {
+  const auto hole_at = [&features](const WorldCircle& circle) {
+    return std::find_if(features.holes.begin(), features.holes.end(), [&circle](const design::DesignHole& hole) {
+      return are_one_circle({hole.mouth, hole.axis, hole.called() / 2, {}, true}, circle);
+    });
+  };
+  const auto one = hole_at(a), other = hole_at(b);
+  return one != features.holes.end() && other != features.holes.end() && design::are_equal(*one, *other);
+}
+
 bool is_across(const Measure& length, const WorldCircle& circle) {
   const double slack = 10 * same_size * circle.radius, middle = glm::dot(circle.centre, length.along);
   return std::abs(glm::dot(circle.axis, length.along)) <= design::parallel &&
@@ -67,8 +78,9 @@ bool is_across(const Measure& length, const WorldCircle& circle) {
          std::abs((length.from + length.to) / 2 - middle) <= slack;
 }
 
-bool are_one(const Measure& a, const Measure& b, double slack) {
-  if (a.circle && b.circle) return are_one_circle(*a.circle, *b.circle);
+bool are_one(const Measure& a, const Measure& b, const design::DesignFeatures& features, double slack) {
+  if (a.circle && b.circle)
+    return are_one_circle(*a.circle, *b.circle) || are_of_equal_holes(*a.circle, *b.circle, features);
   if (a.circle) return is_across(b, *a.circle);
   if (b.circle) return is_across(a, *b.circle);
   if (!are_parallel(a.along, b.along)) return false;
@@ -86,7 +98,8 @@ bool is_replacement(const DimensionDescription& given, const DimensionDescriptio
 }  // namespace
 
 void replace_twins(std::vector<DimensionDescription>& automatic, std::span<DimensionDescription* const> given,
-                   const world::World& world, std::span<const NamedProjection> views) {
+                   const world::World& world, const design::DesignFeatures& features,
+                   std::span<const NamedProjection> views) {
   if (automatic.empty() || given.empty()) return;
   std::vector<DimensionDescription> copies;
   for (const DimensionDescription* one : given) copies.push_back(*one);
@@ -95,7 +108,7 @@ void replace_twins(std::vector<DimensionDescription>& automatic, std::span<Dimen
   std::vector<char> replaced(automatic.size(), 0);
   for (std::size_t i = 0; i < automatic.size(); ++i)
     for (std::size_t j = 0; j < given.size() && replaced[i] == 0; ++j) {
-      if (!of_automatic[i] || !of_given[j] || !are_one(*of_automatic[i], *of_given[j], slack)) continue;
+      if (!of_automatic[i] || !of_given[j] || !are_one(*of_automatic[i], *of_given[j], features, slack)) continue;
       if (!is_replacement(*given[j], automatic[i])) continue;
       // A length across a circle has another value than its radius, and no text of the circle.
       const bool is_text_right = of_automatic[i]->circle.has_value() == of_given[j]->circle.has_value();

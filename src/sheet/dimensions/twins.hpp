@@ -6,17 +6,19 @@
 #include <span>
 #include <vector>
 
+#include "design/design_features.hpp"
+#include "scene/description.hpp"
 #include "sheet/dimensions/named_projection.hpp"
 #include "world/world.hpp"
 
 namespace epura::sheet {
 
 /// Removes automatic dimensions whose size others give: a length between the same places, a diameter or radius of the
-/// same circle, or a diameter as a length across it. One without a text takes over that of the automatic one, as
-/// "4× <> ↧12"; a text that counts other features than the automatic one is no replacement. Rows stay. All name their
-/// views.
+/// circle of the same feature or of an equal hole, or a diameter as a length across it. One without a text takes over
+/// that of the automatic one, as "4× <> ↧12"; a text that counts other features than the automatic one is no
+/// replacement. Rows stay. All name their views.
 void replace_twins(std::vector<scene::DimensionDescription>& automatic,
                    std::span<scene::DimensionDescription* const> given, const world::World& world,
-                   std::span<const NamedProjection> views);
+                   const design::DesignFeatures& features, std::span<const NamedProjection> views);
 
 }  // namespace epura::sheet

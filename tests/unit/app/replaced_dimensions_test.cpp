@@ -18,11 +18,12 @@ class ReplacedDimensions : public testing::Test {
   Folder folder;
 };
 
-// A dimension of the scene takes the place of the automatic one: on the circle, as a length across a shaft, between the
-// same places. The text of the automatic one stays.
+// A dimension of the scene takes the place of the automatic one: on the circle, on one of several equal holes, as a
+// length across a shaft, between the same places. The text of the automatic one stays.
 TEST_F(ReplacedDimensions, AreThereOnce) {
   const auto hole = [](double r, double depth) { return stepped_hole({{r, 20}, {r, 20 - depth}}); };
   folder.file("one.obj", plate({50, 30}, 1, 1, 20, hole(5, 12)));
+  folder.file("four.obj", plate({40, 30}, 2, 2, 20, hole(4, 20)));
   folder.file("shaft.obj", shaft({{0, 1e-9}, {0, 20}, {10, 20}, {10, 14}, {50, 14}, {50, 1e-9}}));
   struct Case {
     std::string model, given;
@@ -51,6 +52,9 @@ TEST_F(ReplacedDimensions, AreThereOnce) {
        "type = \"linear\"\ndirection = \"vertical\"\ntext = \"(<>)\"\n" + front + at("from", "0, 0, 0") +
            at("to", "0, 0, 20"),
        {"50", "30", "20", "(20)", "25", "15", "⌀10 ↧12"}},
+      {"four",
+       "type = \"diameter\"\ntolerance = \"H7\"\n" + top + at("at", "24, 15, 20"),
+       {"80", "60", "20", "4× ⌀8 H7", "20", "60", "15", "45"}},
       {"shaft",
        "type = \"linear\"\ndirection = \"vertical\"\ntext = \"⌀<>\"\ntolerance = \"h6\"\n" + front +
            at("from", "50, 0, -14") + at("to", "50, 0, 14"),
