@@ -11,6 +11,7 @@
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "design/tolerances.hpp"
+#include "sheet/dimensions/equal_features.hpp"
 
 namespace epura::sheet {
 
@@ -124,6 +125,11 @@ std::vector<std::size_t> HoleDirections::needed() const {
                             [&](std::size_t a, std::size_t b) { return off(a) < off(b) - parallel; })};
 }
 
+bool HoleDirections::are_alike(std::size_t a, std::size_t b) const {
+  const auto along = [this](std::size_t i) { return glm::dot(nearest_axis(directions[i], axis), directions[i]); };
+  return std::abs(along(a) - along(b)) <= parallel;
+}
+
 HoleDirections directions_of(const RadialPattern& pattern) {
   const DesignHole& first = *pattern.holes.front();
   const Vec3 off = first.mouth;
@@ -162,8 +168,17 @@ void add_angles(Planning& plan, const HoleDirections& around, bool with_step) {
     plan.add(DimensionType::angular, *view, text).anchors = {around.centre, around.centre + around.reach * from,
                                                              around.centre + around.reach * to};
   };
-  for (const std::size_t i : needed)
-    between(nearest_axis(around.directions[i], around.axis), around.directions[i], "<>");
+  std::vector<char> done(around.directions.size(), 0);
+  for (const std::size_t i : needed) {
+    if (done[i] != 0) continue;
+    std::size_t count = 0;
+    for (const std::size_t other : needed)
+      if (around.are_alike(i, other)) {
+        done[other] = 1;
+        ++count;
+      }
+    between(nearest_axis(around.directions[i], around.axis), around.directions[i], times(count) + "<>");
+  }
   if (!with_step || !around.are_even() || around.directions.size() < 3) return;
   const Vec3& first = around.directions[needed.front()];
   const auto next =
@@ -176,15 +191,25 @@ void add_angles(Planning& plan, const HoleDirections& around, bool with_step) {
   between(first, *next, std::to_string(around.directions.size()) + "× <>");
 }
 
-bool gives_direction(const AnchoredDimension& dimension, const HoleDirections& around, const Vec3& direction) {
+bool gives_direction(const AnchoredDimension& dimension, const HoleDirections& around, std::size_t number) {
   if (dimension.type != DimensionType::angular) return false;
   check(dimension.points.size() == 3, "an angle has a corner and two legs");
   const Vec3& corner = dimension.points[0];
   if (distance_from_line(corner, around.centre, around.axis) > 10 * same_size * around.reach) return false;
-  return std::any_of(dimension.points.begin() + 1, dimension.points.end(), [&](const Vec3& end) {
-    const Vec3 leg = end - corner, flat = leg - glm::dot(leg, around.axis) * around.axis;
-    return glm::length(flat) > 0 && glm::distance(glm::normalize(flat), direction) <= 10 * same_size;
-  });
+  const auto leg = [&](std::size_t end) {
+    const Vec3 to = dimension.points[end] - corner, flat = to - glm::dot(to, around.axis) * around.axis;
+    return glm::length(flat) > 0 ? glm::normalize(flat) : Vec3(0);
+  };
+  const auto is_at = [&](std::size_t end, std::size_t hole) {
+    return glm::distance(leg(end), around.directions[hole]) <= 10 * same_size;
+  };
+  const bool many = repeats_of(dimension.text) > 1;
+  for (const std::size_t end : {1U, 2U}) {
+    if (is_at(end, number)) return true;
+    for (std::size_t hole = 0; many && is_on_axis(leg(3 - end)) && hole < around.directions.size(); ++hole)
+      if (is_at(end, hole) && around.are_alike(hole, number)) return true;
+  }
+  return false;
 }
 
 }  // namespace epura::sheet

@@ -33,6 +33,8 @@ struct HoleDirections {
   /// Those that need an angle from an axis of the world, as numbers: of evenly spaced ones at most one, any of which
   /// may have it; none if a hole, or the middle between two, is on such an axis.
   [[nodiscard]] std::vector<std::size_t> needed() const;
+  /// Whether two of them are at one angle from the nearest axis of the world, which one dimension gives: "8× 30°".
+  [[nodiscard]] bool are_alike(std::size_t a, std::size_t b) const;
 };
 
 HoleDirections directions_of(const RadialPattern& pattern);
@@ -42,7 +44,8 @@ HoleDirections directions_of(const design::DesignFeatures& features, int number)
 /// Adds the angles that are needed, between axes of the world and holes, and the step of evenly spaced radial ones.
 void add_angles(Planning& plan, const HoleDirections& around, bool with_step);
 
-/// Whether an angle about the same axis has a leg in a direction.
-bool gives_direction(const AnchoredDimension& dimension, const HoleDirections& around, const Vec3& direction);
+/// Whether an angle about the same axis has a leg in the direction of a hole, or of one that is alike if it counts
+/// several.
+bool gives_direction(const AnchoredDimension& dimension, const HoleDirections& around, std::size_t number);
 
 }  // namespace epura::sheet

@@ -89,13 +89,13 @@ class TurnedFinder {
 
   // Of evenly spaced ones, any may have the angle; those in a table have coordinates.
   void add_angles(const HoleDirections& around) {
-    const auto is_given = [&](const Vec3& direction) {
-      return any_dimension(views_,
-                           [&](const AnchoredDimension& one) { return gives_direction(one, around, direction); });
+    const auto is_given = [&](std::size_t number) {
+      return any_dimension(views_, [&](const AnchoredDimension& one) { return gives_direction(one, around, number); });
     };
-    const bool any = around.are_even() && std::any_of(around.directions.begin(), around.directions.end(), is_given);
+    bool any = false;
+    for (std::size_t i = 0; around.are_even() && i < around.directions.size(); ++i) any = any || is_given(i);
     for (const std::size_t i : around.needed())
-      if (!any && !is_given(around.directions[i]) && !has_label(views_, *around.holes[i])) {
+      if (!any && !is_given(i) && !has_label(views_, *around.holes[i])) {
         found_.holes[number_of(around.holes[i])] = false;
         found_.missing.push_back(name_of(*around.holes[i]) + ": angle");
       }
