@@ -73,6 +73,7 @@ void ChildProcess::connect(const Start& start) {
   ::close(ends[1]);
   child_ = child;
   socket_ = ends[0];
+  lacked_memory_ = false;
   incoming_ = {};
 }
 
@@ -120,6 +121,8 @@ std::string ChildProcess::ending() {
     if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   if (ended == 0) kill_and_wait(child);
+  lacked_memory_ = ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == no_memory_status;
+  if (lacked_memory_) return "has not enough memory";
   if (ended > 0 && WIFSIGNALED(status)) return std::string("crashes (") + ::strsignal(WTERMSIG(status)) + ")";
   return "exits";
 }

@@ -19,6 +19,9 @@
 
 namespace epura::foreign {
 
+/// The status with which a process ends for lack of memory.
+inline constexpr int no_memory_status = 77;
+
 class ChildProcess {
  public:
   /// Without a process as yet.
@@ -46,6 +49,8 @@ class ChildProcess {
   /// and ends the process if that fails.
   template <class Unpack>
   auto receive_loaded(double seconds, std::size_t most_bytes, const Unpack& unpack);
+  /// Whether it ended with `no_memory_status`.
+  [[nodiscard]] bool lacked_memory() const { return lacked_memory_; }
   /// Kills the process.
   void end();
 
@@ -56,6 +61,7 @@ class ChildProcess {
 
   pid_t child_ = 0;  ///< 0: there is no process
   int socket_ = -1;
+  bool lacked_memory_ = false;
   Incoming incoming_;
 };
 

@@ -123,6 +123,7 @@ class Checker {
          .values = values_,
          .relative_tolerance = 1e-4,
          .is_confined = 1,
+         .bounds = bounds_for(fs::file_size(file)),
          .readable = readable_for(file, false)},
         [](double) {}, progress);
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "foreign/parameters.hpp"
+#include "importer/bounds.hpp"
 #include "importer/document.hpp"
 
 namespace epura::importer {
@@ -26,12 +27,13 @@ struct ImporterTable {
 /// A file to read; the fields correspond to epura_source.
 struct Reading {
   std::filesystem::path path;
-  std::string name;  ///< by which errors call it
-  std::vector<double> values;
+  std::string name;                              ///< by which errors call it
+  std::vector<double> values;                    ///< those of `parameters_of_bounds` are the last
   double tolerance = 0, relative_tolerance = 0;  ///< 0: no bound
   int threads = 1;
   int may_leave = 0;    ///< the file may refer to files outside its folder
   int is_confined = 0;  ///< the process opens no other files any more
+  Bounds bounds{};      ///< of the process
   /// What it opens if it is confined; nothing if the path leads to a file in memory.
   std::vector<std::filesystem::path> readable{};
 };

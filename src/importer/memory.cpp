@@ -10,17 +10,9 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdlib>
-#include <string_view>
 
-// Sanitizers have allocators of their own.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define EPURA_FOREIGN_MEMORY
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define EPURA_FOREIGN_MEMORY
-#endif
+#include "foreign/child_process.hpp"
+#include "importer/own_memory.hpp"
 
 #ifndef EPURA_FOREIGN_MEMORY
 namespace {
@@ -41,11 +33,7 @@ using OfSize = void*(std::size_t);
 using OfTwo = void*(std::size_t, std::size_t);
 std::atomic<void*> next_malloc, next_calloc, next_realloc, next_aligned_alloc, next_memalign, next_posix_memalign;
 
-[[noreturn]] void end() {
-  constexpr std::string_view sentence = "epura: not enough memory for this model\n";
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, sentence.data(), sentence.size());
-  ::_exit(1);
-}
+[[noreturn]] void end() { ::_exit(epura::foreign::no_memory_status); }
 
 void* or_end(void* memory, std::size_t size) {
   if (memory == nullptr && size > 0) end();

@@ -2,7 +2,9 @@
 #include "importer/process.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <mutex>
@@ -12,9 +14,12 @@
 
 #include "base/error.hpp"
 #include "base/shared_library.hpp"
+#include "base/text.hpp"
 #include "foreign/child_process.hpp"
 #include "foreign/messages.hpp"
 #include "foreign/sandbox.hpp"
+#include "importer/bounds.hpp"
+#include "importer/own_memory.hpp"
 
 namespace epura::importer {
 
@@ -42,6 +47,7 @@ template <class Pack, class Value>
 void pack_reading(Pack& pack, Value& reading) {
   pack(reading.path), pack(reading.values), pack(reading.tolerance), pack(reading.relative_tolerance);
   pack(reading.threads), pack(reading.may_leave), pack(reading.is_confined), pack(reading.readable);
+  pack(reading.bounds.memory);
 }
 
 void pack_tables(Packer& pack, const std::vector<LoadedImporter>& importers) {
@@ -61,6 +67,18 @@ std::vector<ImporterTable> unpack_tables(Unpacker& unpack) {
     for (foreign::Parameter& parameter : table.parameters) foreign::pack_parameter(unpack, parameter);
   }
   return tables;
+}
+
+// That this process may take, and the processes that it starts; the most if there is no limit.
+rlim_t memory_limit() {
+  rlimit limit{};
+  return ::getrlimit(RLIMIT_DATA, &limit) == 0 ? limit.rlim_cur : RLIM_INFINITY;
+}
+
+// The smaller of what a file may take and what this process may.
+rlim_t memory_for(const Reading& reading) {
+  return reading.bounds.memory > 0 ? std::min(memory_limit(), static_cast<rlim_t>(reading.bounds.memory))
+                                   : memory_limit();
 }
 
 // The following code runs in the process of the library.
@@ -111,6 +129,7 @@ class Server {
     Packer answer;
     try {
       if (reading.is_confined != 0) confine(reading);
+      if (has_own_memory) limit_memory(reading);
       const Document document = read_by(importer, reading, tell);
       answer(Answer::document);
       pack_document(answer, document);
@@ -130,8 +149,19 @@ class Server {
     foreign::enter_sandbox(permissions);
   }
 
+  // Only the soft limit, since the next file may be larger.
+  void limit_memory(const Reading& reading) {
+    rlimit limit{};
+    ::getrlimit(RLIMIT_DATA, &limit);
+    limit.rlim_cur = first_limit_;
+    ::setrlimit(RLIMIT_DATA, &limit);
+    limit.rlim_cur = memory_for(reading);
+    ::setrlimit(RLIMIT_DATA, &limit);
+  }
+
   const std::filesystem::path library_;
   const int socket_;
+  const rlim_t first_limit_ = memory_limit();
   std::vector<LoadedImporter> importers_;
   bool is_confined_ = false;
 };
@@ -146,6 +176,12 @@ void serve(const std::filesystem::path& library, int socket) {
 }
 
 // The following code runs in the main program.
+
+// What to do about a file that takes too much; `key` is the parameter that allows more.
+std::string cures(const Reading& reading, const std::string& key) {
+  return "is the file whole? export it again, or its parts in files of their own, or ask for coarser facets; " +
+         reading.name + ":" + key + " allows more";
+}
 
 class Process {
  public:
@@ -163,7 +199,7 @@ class Process {
     question(Question::recognise), question(name);
     question(std::vector<unsigned char>(first_bytes.begin(), first_bytes.end()));
     process_.send(question);
-    const std::string message = next({}, {});
+    const std::string message = process_.receive_within(seconds_, most_bytes);
     Unpacker unpack(message);
     foreign::expect_no_reason(unpack);
     int answer = 0;
@@ -178,8 +214,9 @@ class Process {
     Packer question;
     question(Question::read), question(name), pack_reading(question, reading);
     process_.send(question);
+    Patience patience(reading, progress);
     while (true) {
-      const std::string message = next(progress, [this] { process_.end(); });
+      const std::string message = next(reading, progress, patience);
       Unpacker unpack(message);
       Answer answer{};
       unpack(answer);
@@ -187,6 +224,7 @@ class Process {
         double done = 0;
         unpack(done);
         tell(done);
+        patience.see(done);
         continue;
       }
       if (answer == Answer::document) return checked(unpack_document(unpack));
@@ -198,6 +236,25 @@ class Process {
   }
 
  private:
+  /// Ends when nothing has been done for a while. With a time limit, that is what the user wants to wait for.
+  class Patience {
+   public:
+    Patience(const Reading& reading, const Progress& progress)
+        : seconds_(progress.is_limited() ? 0 : reading.bounds.patience), since_(Clock::now()) {}
+    void see(double done) {
+      if (!(done >= done_ + least_progress)) return;
+      done_ = done;
+      since_ = Clock::now();
+    }
+    [[nodiscard]] bool is_at_its_end() const {
+      return seconds_ > 0 && std::chrono::duration<double>(Clock::now() - since_).count() > seconds_;
+    }
+
+   private:
+    double seconds_, done_ = 0;
+    Clock::time_point since_;
+  };
+
   std::vector<ImporterTable> start() {
     process_.run(own_folder() / "epura-importer", {library_.string()});
     return process_.receive_loaded(seconds_, most_bytes, unpack_tables);
@@ -214,14 +271,36 @@ class Process {
     return document;
   }
 
-  /// Waits for the next message, and checks the time limit meanwhile. Throws OutOfTime after calling `end`, and
-  /// Stopped.
-  std::string next(const Progress& progress, const std::function<void()>& end) {
+  /// Waits for the next message, and checks time limits meanwhile. Throws OutOfTime and Stopped after ending the
+  /// process, and Error{input} without a place if the file takes too much.
+  std::string next(const Reading& reading, const Progress& progress, const Patience& patience) {
     constexpr auto look = std::chrono::milliseconds(50);
     while (true) {
-      if (auto message = process_.receive(Clock::now() + look, most_bytes)) return *std::move(message);
-      if (end && progress.is_out_of_time()) end();
+      // Also between messages without a pause.
+      const bool has_patience = !patience.is_at_its_end();
+      if (progress.is_out_of_time() || !has_patience) process_.end();
       progress.expect_time();
+      if (!has_patience)
+        throw Error(ErrorKind::input, "",
+                    "reading it makes no progress for " + format_rounded(reading.bounds.patience, 3) + " s",
+                    cures(reading, "patience=SECONDS"));
+      if (auto message = received(Clock::now() + look, reading)) return *std::move(message);
+    }
+  }
+
+  static std::string allowance_of(const Reading& reading) {
+    const rlim_t allowed = memory_for(reading);
+    if (allowed == RLIM_INFINITY) return "";
+    return ": it may take " + format_rounded(static_cast<double>(allowed) / 1e9, 3) + " GB";
+  }
+
+  std::optional<std::string> received(Clock::time_point until, const Reading& reading) {
+    try {
+      return process_.receive(until, most_bytes);
+    } catch (const Error&) {
+      if (!process_.lacked_memory()) throw;
+      throw Error(ErrorKind::input, "", "reading it runs out of memory" + allowance_of(reading),
+                  cures(reading, "memory=GB"));
     }
   }
 
@@ -250,15 +329,26 @@ Document ImporterEntry::read(const Reading& reading, const std::function<void(do
   try {
     return process->read(table.name, reading, tell, progress);
   } catch (const Error& error) {
-    if (error.kind() == ErrorKind::input) throw Error(ErrorKind::input, reading.name, error.what());
+    if (error.kind() == ErrorKind::input) throw Error(ErrorKind::input, reading.name, error.what(), error.hint());
     throw Error(ErrorKind::plugin, library.string(), "'" + table.name + "' " + error.what() + " at " + reading.name);
+  }
+}
+
+static void add_bounds(std::vector<foreign::Parameter>& parameters) {
+  for (foreign::Parameter& row : parameters_of_bounds()) {
+    for (const foreign::Parameter& own : parameters)
+      foreign::require(own.name != row.name, "has a parameter '" + row.name + "', a name that epura uses itself");
+    parameters.push_back(std::move(row));
   }
 }
 
 std::vector<ImporterEntry> importers_of(const std::filesystem::path& library, double seconds) {
   const auto process = std::make_shared<Process>(library);
   std::vector<ImporterEntry> entries;
-  for (ImporterTable& table : process->start(seconds)) entries.push_back({std::move(table), library, process});
+  for (ImporterTable& table : process->start(seconds)) {
+    add_bounds(table.parameters);
+    entries.push_back({std::move(table), library, process});
+  }
   return entries;
 }
 

@@ -130,24 +130,44 @@ std::vector<BodyPart> parts_of_bodies(const mesh::Mesh& mesh, const std::vector<
   return of_bodies;
 }
 
+// Of glTF, most of the model is in files of this extension beside it.
+constexpr std::string_view buffers = ".bin";
+
+std::uintmax_t bytes_of(const fs::path& path) {
+  std::error_code unknown;
+  const std::uintmax_t bytes = fs::file_size(path, unknown);
+  return unknown ? 0 : bytes;
+}
+
+std::uintmax_t bytes_of_buffers_beside(const fs::path& path) {
+  std::uintmax_t bytes = 0;
+  std::error_code unknown;
+  for (fs::directory_iterator at(fs::absolute(path).parent_path(), unknown), end; !unknown && at != end;
+       at.increment(unknown))
+    if (at->path().extension() == buffers) bytes += bytes_of(at->path());
+  return bytes;
+}
+
 ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, const foreign::Assignments& parameters,
                            const ReadOptions& options, const Progress& progress) {
   std::optional<NamelessFile> file;
   if (source.bytes != nullptr) file.emplace(*source.bytes);
+  const fs::path path = file ? fs::path(file->path()) : source.path;
+  const std::uintmax_t bytes = bytes_of(path), all_bytes = bytes + (file ? 0 : bytes_of_buffers_beside(path));
+  const foreign::ParameterValues values =
+      foreign::values_of(importer.table.parameters, parameters, importer.table.name, "importer");
   const Reading reading{
-      .path = file ? fs::path(file->path()) : source.path,
+      .path = path,
       .name = source.name,
-      .values = foreign::flattened(
-          foreign::values_of(importer.table.parameters, parameters, importer.table.name, "importer")),
+      .values = foreign::flattened(values),
       .tolerance = options.tolerance,
       .relative_tolerance = options.relative_tolerance,
       .threads = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency()),
       .may_leave = options.allow_outside ? 1 : 0,
       .is_confined = options.is_confined ? 1 : 0,
+      .bounds = given_bounds(values, bounds_for(all_bytes)),
       .readable = file ? std::vector<fs::path>() : readable_for(source.path, options.allow_outside)};
-  std::error_code unknown;
-  const std::uintmax_t bytes = fs::file_size(reading.path, unknown);
-  Advance advance(progress, unknown ? 0 : bytes);
+  Advance advance(progress, bytes);
   const Document document = importer.read(
       reading, [&](double done) { advance.to(done); }, progress);
   advance.to(1);

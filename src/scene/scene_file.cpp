@@ -9,6 +9,8 @@
 #include "base/error.hpp"
 #include "base/folder.hpp"
 #include "base/text.hpp"
+#include "importer/bounds.hpp"
+#include "importer/read_model.hpp"
 #include "scene/arrow_views.hpp"
 #include "scene/body_styles.hpp"
 #include "scene/details.hpp"
@@ -241,6 +243,14 @@ void visit_files(Scene& scene, const Visit& visit) {
   }
 }
 
+// Whoever writes a file may not say how much memory and time reading another one takes.
+void expect_usual_bounds(const LocatedText& model) {
+  for (const auto& [key, value] : importer::parse_model_request(*model).parameters)
+    if (importer::is_bound(key))
+      refuse_input(model.where, "'" + key + "' changes what reading the file may take",
+                   "--allow-outside allows it, if you trust the scene file");
+}
+
 // Resolves paths relative to the folder of the scene file.
 void find_files(SceneDescription& scene, const fs::path& folder, FilesOutside outside) {
   visit_files(scene, [&](LocatedText& file) {
@@ -250,6 +260,8 @@ void find_files(SceneDescription& scene, const fs::path& folder, FilesOutside ou
                    "--allow-outside allows it, if you trust the scene file");
     file.value = path.string();
   });
+  if (outside == FilesOutside::refused)
+    for (const ModelDescription& model : scene.models) expect_usual_bounds(model.file);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "base/folder.hpp"
 #include "base/text.hpp"
+#include "importer/bounds.hpp"
 #include "importer/read_model.hpp"
 #include "scene/choices.hpp"
 
@@ -113,7 +114,14 @@ void expect_files_below(const Job& job, const TableRow& row, const std::set<std:
       throw Error(ErrorKind::input, row.where, "'" + file + "' lies outside the folder of the table",
                   "--allow-outside allows it, if you trust the table");
   };
-  for (const std::string& model : job.models) expect(importer::parse_model_request(model).path);
+  for (const std::string& model : job.models) {
+    const importer::ModelRequest request = importer::parse_model_request(model);
+    expect(request.path);
+    for (const auto& [key, value] : request.parameters)
+      if (importer::is_bound(key))
+        throw Error(ErrorKind::input, row.where, "'" + key + "' changes what reading the file may take",
+                    "--allow-outside allows it, if you trust the table");
+  }
   if (flags.count(output_flag) > 0)
     for (const std::string& output : job.outputs) expect(output);
   for (const LaterOption& setting : job.settings)

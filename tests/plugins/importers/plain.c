@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 #ifndef ENTRY
@@ -31,6 +32,9 @@
 #endif
 #ifndef EXTENSIONS
 #define EXTENSIONS "plain|pln"
+#endif
+#ifndef PARAMETER
+#define PARAMETER "size"
 #endif
 #ifndef FUNCTION
 #define FUNCTION read_plain
@@ -70,7 +74,7 @@
 #endif
 
 static const epura_parameter parameters[] = {
-    {sizeof(epura_parameter), EPURA_NUMBER, 1, "size", "1", "length of a side", NULL, {1}, 0.5, 2},
+    {sizeof(epura_parameter), EPURA_NUMBER, 1, PARAMETER, "1", "length of a side", NULL, {1}, 0.5, 2},
 };
 
 static int recognises(const unsigned char* bytes, uint64_t count) {

@@ -171,6 +171,7 @@ TEST(BatchTableOfAStranger, NamesOnlyWhatLiesBelowItsFolder) {
       {"file,output", "m.obj," + (parts.folder / "x.svg").string(), "x.svg' lies outside"},
       {"file,output", "m.obj,link.svg", "link.svg' lies outside"},
       {"file,output", "m.obj,../{name}.svg", "m.svg' lies outside"},
+      {"file,output", "m.obj:memory=9,x.svg", "'memory' changes what reading the file may take"},
       {"file,output", "../m.obj,x.svg", "m.obj' lies outside"},
       {"file,output", "link.obj,x.svg", "link.obj' lies outside"},
       {"file,output,style", "m.obj,x.svg,../style.toml", "style.toml' lies outside"},

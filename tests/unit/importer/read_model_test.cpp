@@ -5,7 +5,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "importer/bounds.hpp"
 #include "importer/catalogue.hpp"
+#include "importer/own_memory.hpp"
 #include "support.hpp"
 
 namespace epura::test {
@@ -148,6 +150,55 @@ TEST(ImporterProcess, OneThatHangsEndsWithTheTime) {
                                     Progress(board, 0.5)),
                OutOfTime);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+}
+
+// The place and the reason.
+std::string refusal_within(const foreign::Assignments& bounds, const std::string& importer, const std::string& file) {
+  const Error error = error_of([&] { read_by(importer, file, bounds); });
+  EXPECT_EQ(error.kind(), ErrorKind::input) << error.what();
+  EXPECT_TRUE(contains(error.hint(), "is the file whole?")) << error.hint();
+  EXPECT_TRUE(contains(error.hint(), file + ":" + bounds.front().first + "=")) << error.hint();
+  return error.what();
+}
+
+TEST(ImporterProcess, OneThatHangsOrCreepsEndsWithThePatienceForItsFile) {
+  const Folder folder;
+  const std::string file = folder.file("a.plain", "plain");
+  for (const char* importer : {"hangs", "creeps"}) {
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(refusal_within({{"patience", "0.4"}}, importer, file), file + ": reading it makes no progress for 0.4 s");
+    EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(400));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  }
+}
+
+// 2^28 bytes, where 0.1e9 are allowed.
+TEST(ImporterProcess, OneThatTakesMoreMemoryThanItsFileMayIsEnded) {
+  if (!importer::has_own_memory) GTEST_SKIP();
+  const Folder folder;
+  const std::string file = folder.file("a.plain", "plain");
+  EXPECT_EQ(refusal_within({{"memory", "0.1"}}, "hungry", file),
+            file + ": reading it runs out of memory: it may take 0.1 GB");
+  EXPECT_EQ(read_by("hungry", file).mesh.report.triangles, 2);
+}
+
+TEST(ImporterProcess, MayTakeByItselfWhatItsFileIsLarge) {
+  EXPECT_EQ(importer::bounds_for(0).memory, 2e9);
+  EXPECT_EQ(importer::bounds_for(0).patience, 120);
+  EXPECT_EQ(importer::bounds_for(10'000'000).memory, 5e9);
+  EXPECT_EQ(importer::bounds_for(10'000'000).patience, 140);
+}
+
+TEST(ImporterProcess, ParametersOfBoundsAreThoseOfEpura) {
+  const Folder folder;
+  const std::string file = folder.file("a.plain", "plain");
+  EXPECT_STREQ(error_of([&] {
+                 read_by("good", file, {{"memory", "0"}});
+               }).what(),
+               "plain:memory: is 0, allowed is 0.1 to 1000 GB");
+  const importer::Catalogue catalogue = importer::load_catalogue({folder_of("own-memory")});
+  ASSERT_EQ(catalogue.bad.size(), 1U);
+  EXPECT_EQ(catalogue.bad.front().reason, "has a parameter 'memory', a name that epura uses itself");
 }
 
 TEST(ImporterProcess, WhatItPrintsGoesToStandardError) {

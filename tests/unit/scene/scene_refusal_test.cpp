@@ -251,6 +251,16 @@ TEST(SceneFile, DotsThatNestNothingAreFine) {
   EXPECT_EQ(models(model + "name = \"\"\"\\\n" + dots + "\"\"\""), 1U);
 }
 
+TEST(SceneRefusal, ModelsThatMayTakeMoreThanOthers) {
+  const Folder folder;
+  const std::string path = folder.file("scene.toml", "model = [{file = 'a.step:deflection=1:memory=100'}]");
+  const Error error = error_of([&] { scene::read_scene_file(path); });
+  EXPECT_STREQ(error.what(), (path + ":1: 'memory' changes what reading the file may take").c_str());
+  EXPECT_EQ(error.hint(), "--allow-outside allows it, if you trust the scene file");
+  EXPECT_NO_THROW(scene::read_scene_file(path, scene::FilesOutside::allowed));
+  EXPECT_NO_THROW(scene::read_scene_file(folder.file("b.toml", "model = [{file = 'a.step:deflection=1'}]")));
+}
+
 TEST(SceneRefusal, FilesThatAreNone) {
   const Folder folder;
   const std::string missing = folder / "missing.toml";
