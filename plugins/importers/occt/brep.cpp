@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <fstream>
+#include <stdexcept>
 
 #include "readers.hpp"
 #include "session.hpp"
@@ -8,15 +10,30 @@
 
 namespace occt {
 
+namespace {
+
+TopoDS_Shape shape_in(const std::string& path, const Message_ProgressRange& progress) {
+  const std::string damaged = "the file is cut off or damaged: no shape could be read";
+  std::ifstream file(path);
+  // Open CASCADE looks for the next word for ever where there is none.
+  file.exceptions(std::ios::failbit | std::ios::badbit);
+  TopoDS_Shape shape;
+  try {
+    guarded(damaged, [&] { BRepTools::Read(shape, file, BRep_Builder(), progress); });
+  } catch (const std::ios::failure&) {
+    throw std::runtime_error(damaged);
+  }
+  if (shape.IsNull()) throw std::runtime_error(damaged);
+  return shape;
+}
+
+}  // namespace
+
 Model read_brep(const std::string& path, Construction construction, epura::plugin::Sink& sink) {
   expect_kind(path, is_brep, "a BREP file of Open CASCADE");
   const Handle(Stage) stage = new Stage(sink, 0, share_of_reading);
-  TopoDS_Shape shape;
-  const std::string damaged = "the file is cut off or damaged: no shape could be read";
-  const bool is_read =
-      guarded(damaged, [&] { return BRepTools::Read(shape, path.c_str(), BRep_Builder(), stage->Start()); });
+  const TopoDS_Shape shape = shape_in(path, stage->Start());
   stage->finish();
-  if (!is_read || shape.IsNull()) throw std::runtime_error(damaged);
   Model model;
   const Attributes attributes;
   TreeBuilder tree(model, attributes, construction);
