@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "base/vec.hpp"
+#include "importer/bounds.hpp"
 #include "mesh/resolution.hpp"
 
 namespace epura::importer {
@@ -138,8 +140,25 @@ class Assembler {
     result_.tree.push_back(std::move(part));
   }
 
+  // Of polygons that need not be convex, as they are triangulated.
+  static std::size_t triangles_of(const Shape& shape) {
+    return shape.corners.size() - std::min(shape.corners.size(), 2 * shape.polygon_ends.size());
+  }
+
+  [[nodiscard]] std::size_t most_triangles() const {
+    std::size_t most = most_copied_triangles;
+    for (const Shape& shape : document_.shapes) most += triangles_of(shape);
+    return most;
+  }
+
   // `colour` takes precedence over those of the shape.
   void place(const Shape& shape, const Mat4& to_file, const Occurrence& occurrence, int colour) {
+    placed_triangles_ += triangles_of(shape);
+    if (placed_triangles_ > most_triangles_)
+      throw Error(
+          ErrorKind::input, "",
+          "has more than " + format_number(most_copied_triangles / 1e6) + " million triangles in copies of its parts",
+          "leave copies out, or export them with coarser facets");
     expect_room(result_.soup.corners.size() + shape.corners.size());
     expect_room(result_.soup.points.size() + shape.points.size());
     expect_room(result_.soup.wires.size() + shape.wire_vertices.size());
@@ -236,6 +255,8 @@ class Assembler {
 
   const Document& document_;
   std::vector<double> steps_;  ///< of the coordinates of each shape
+  const std::size_t most_triangles_ = most_triangles();
+  std::size_t placed_triangles_ = 0;
   Assembled result_;
 };
 

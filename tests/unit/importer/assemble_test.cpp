@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/portable_math.hpp"
+#include "errors.hpp"
 #include "mesh/read.hpp"
 
 namespace epura::test {
@@ -283,6 +284,20 @@ TEST(Assembly, WithPolygonsOfNoFaceLeavesFacesToBeRecognised) {
   const importer::Assembled assembled = importer::assemble({.shapes = {shape}}, "test");
   EXPECT_TRUE(assembled.part.faces.empty());
   EXPECT_EQ(assembled.soup.face_ends.size(), shape.polygon_ends.size());
+}
+
+// 4 triangles for a square of 6 corners, 2000 of which are a shape; copies add 20 million at most.
+TEST(Assemble, CopiesAreBounded) {
+  importer::Document document;
+  importer::Shape& shape = document.shapes.emplace_back();
+  for (int i = 0; i < 6; ++i) shape.points.push_back({std::cos(i), std::sin(i), 0});
+  for (int i = 0; i < 2000; ++i) add_polygon(shape, {0, 1, 2, 3, 4, 5}, -1);
+  document.nodes.assign(2502, {-1, 0, "", as_it_is});
+  const Error error = error_of([&] { importer::assemble(document, "test"); });
+  EXPECT_EQ(error.kind(), ErrorKind::input);
+  EXPECT_STREQ(error.what(), "has more than 20 million triangles in copies of its parts");
+  document.nodes.resize(100);
+  EXPECT_EQ(importer::assemble(document, "test").soup.face_ends.size(), 200'000U);
 }
 
 }  // namespace
