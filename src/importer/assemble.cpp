@@ -66,11 +66,22 @@ class Assembler {
       if (document_.is_printed != 0) all.insert(all.end(), shape.points.begin(), shape.points.end());
     const double of_all = mesh::resolution_of(all, false);
     for (const Shape& shape : document_.shapes) {
-      const bool is_known = shape.step > 0 || document_.is_printed != 0 || !shape.faces.empty();
-      steps_.push_back(!is_known        ? mesh::resolution_of(shape.points, document_.is_single_precision != 0)
-                       : shape.step > 0 ? shape.step
-                                        : of_all);
+      const double told = is_fine(shape) ? shape.step : 0;
+      const bool is_known = told > 0 || document_.is_printed != 0 || !shape.faces.empty();
+      steps_.push_back(!is_known  ? mesh::resolution_of(shape.points, document_.is_single_precision != 0)
+                       : told > 0 ? told
+                                  : of_all);
     }
+  }
+
+  // Few steps are chosen ones, such as voxels; the coarsest grids of compressed meshes have a byte.
+  static bool is_fine(const Shape& shape) {
+    constexpr double fewest_steps = 100;
+    Box box;
+    for (const auto& [x, y, z] : shape.points) box.add(Vec3(x, y, z));
+    if (box.empty()) return false;
+    const Vec3 size = box.size();
+    return std::max({size.x, size.y, size.z}) >= fewest_steps * shape.step;
   }
 
   void place_nodes() {

@@ -146,15 +146,22 @@ double digits_of(const Points& points, const std::vector<double>& sizes) {
   return rounded ? last : 0;
 }
 
-// A step of three digits, such as 0.05 or 25.4, or a binary fraction.
+// A step of three digits, such as 0.05 or 25.4, or a binary fraction, in the unit of the file, or in another one before
+// it was converted.
 bool is_chosen(const LatticeStep& step) {
-  const auto is_whole = [&](double unit) {
-    const double count = step.length / unit;
-    return std::abs(count - std::nearbyint(count)) <= step.doubt / unit + 0x1p-40;
-  };
   constexpr int bits = 8;
-  return is_whole(power_of_ten(first_place(step.length) - 2)) ||
-         is_whole(std::ldexp(1, std::ilogb(step.length) - bits));
+  constexpr double inch = 25.4, foot = 12;  // mm, inches
+  // Millimetres in inches and feet, inches in feet, millimetres, centimetres and metres.
+  constexpr std::array factors{1.0, inch, inch * foot, foot, 1 / inch, 10 / inch, 1000 / inch};
+  const auto is_round = [&](double factor) {
+    const double length = step.length * factor;
+    const auto is_whole = [&](double unit) {
+      const double count = length / unit;
+      return std::abs(count - std::nearbyint(count)) <= step.doubt * factor / unit + 0x1p-40;
+    };
+    return is_whole(power_of_ten(first_place(length) - 2)) || is_whole(std::ldexp(1, std::ilogb(length) - bits));
+  };
+  return std::any_of(factors.begin(), factors.end(), is_round);
 }
 
 }  // namespace

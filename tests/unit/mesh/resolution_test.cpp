@@ -113,6 +113,11 @@ TEST(Resolution, IsNothingForFullDoublesOrChosenNumbers) {
   mesh::Points inches;  // in millimetres, of sixteenths
   for (int i = 0; i < 200; ++i) inches.push_back({i * 1.5875, (i * i % 97) * 1.5875, 25.4});
   EXPECT_EQ(resolved(inches), 0);
+  for (const double unit : {1.5875, 3.175e-3, 1 / 25.4, 1 / 304.8}) {  // houses, and furniture in whole millimetres
+    mesh::Points converted;
+    for (int i = 0; i < 200; ++i) converted.push_back({i * i % 3001 * unit, i * i * i % 1999 * unit, 7 * i * unit});
+    EXPECT_EQ(resolved(converted), 0) << unit;
+  }
   mesh::Points voxels;
   for (int i = 0; i < 200; ++i) voxels.push_back({i * 1.0, i * i % 47 * 1.0, i * i % 31 * 1.0});
   EXPECT_EQ(resolved(voxels), 0);
