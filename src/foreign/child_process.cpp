@@ -22,10 +22,13 @@ namespace epura::foreign {
 
 namespace {
 
-void kill_and_wait(pid_t child) {
+// Returns the status of the process.
+int kill_and_wait(pid_t child) {
   ::kill(child, SIGKILL);
-  while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+  return status;
 }
 
 pid_t spawn(const std::filesystem::path& program, const std::vector<std::string>& arguments, int socket) {
@@ -120,7 +123,10 @@ std::string ChildProcess::ending() {
     ended = ::waitpid(child, &status, WNOHANG);
     if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  if (ended == 0) kill_and_wait(child);
+  if (ended == 0) {
+    status = kill_and_wait(child);
+    if (WIFEXITED(status)) ended = child;
+  }
   lacked_memory_ = ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == no_memory_status;
   if (lacked_memory_) return "has not enough memory";
   if (ended > 0 && WIFSIGNALED(status)) return std::string("crashes (") + ::strsignal(WTERMSIG(status)) + ")";

@@ -151,9 +151,15 @@ class Assembler {
     result_.tree.push_back(std::move(part));
   }
 
-  // Of polygons that need not be convex, as they are triangulated.
+  // Of polygons that need not be convex, as they are triangulated; lines and points count, too.
   static std::size_t triangles_of(const Shape& shape) {
-    return shape.corners.size() - std::min(shape.corners.size(), 2 * shape.polygon_ends.size());
+    std::size_t count = shape.wire_vertices.size(), begin = 0;
+    for (const int polygon_end : shape.polygon_ends) {
+      const auto end = static_cast<std::size_t>(polygon_end);
+      count += std::max<std::size_t>(end - begin, 3) - 2;
+      begin = end;
+    }
+    return std::max(count, shape.points.size() / 3);
   }
 
   [[nodiscard]] std::size_t most_triangles() const {

@@ -77,8 +77,9 @@ rlim_t memory_limit() {
 
 // The smaller of what a file may take and what this process may.
 rlim_t memory_for(const Reading& reading) {
-  return reading.bounds.memory > 0 ? std::min(memory_limit(), static_cast<rlim_t>(reading.bounds.memory))
-                                   : memory_limit();
+  return reading.bounds.memory > 0
+             ? std::min(memory_limit(), static_cast<rlim_t>(std::min(reading.bounds.memory, 1e15)))
+             : memory_limit();
 }
 
 // The following code runs in the process of the library.

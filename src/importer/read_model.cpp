@@ -153,7 +153,9 @@ ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, 
   std::optional<NamelessFile> file;
   if (source.bytes != nullptr) file.emplace(*source.bytes);
   const fs::path path = file ? fs::path(file->path()) : source.path;
-  const std::uintmax_t bytes = bytes_of(path), all_bytes = bytes + (file ? 0 : bytes_of_buffers_beside(path));
+  const std::uintmax_t bytes = bytes_of(path),
+                       all_bytes =
+                           bytes + (file || extension_of(source.name) != "gltf" ? 0 : bytes_of_buffers_beside(path));
   const foreign::ParameterValues values =
       foreign::values_of(importer.table.parameters, parameters, importer.table.name, "importer");
   const Reading reading{

@@ -16,9 +16,9 @@ TopoDS_Shape shape_in(const std::string& path, const Message_ProgressRange& prog
   const std::string damaged = "the file is cut off or damaged: no shape could be read";
   std::ifstream file(path);
   // Open CASCADE looks for the next word for ever where there is none.
-  file.exceptions(std::ios::failbit | std::ios::badbit);
   TopoDS_Shape shape;
   try {
+    file.exceptions(std::ios::failbit | std::ios::badbit);
     guarded(damaged, [&] { BRepTools::Read(shape, file, BRep_Builder(), progress); });
   } catch (const std::ios::failure&) {
     throw std::runtime_error(damaged);
