@@ -225,8 +225,10 @@ void doubt_unit(const Messages& messages, const scene::SceneDescription& scene, 
   if (without_unit < 0) return;
   const world::Placed& model = world.models[static_cast<std::size_t>(without_unit)];
   const std::string& name = model.mesh->report.name;
-  const auto guess =
-      model.part == nullptr ? std::nullopt : design::guess_unit(design::box_of(model.mesh->whole()), *model.part);
+  const bool is_scaled = std::abs(std::abs(glm::determinant(Mat3(model.to_world))) - 1) > 1e-6;
+  const auto guess = is_scaled || model.part == nullptr
+                         ? std::nullopt
+                         : design::guess_unit(design::box_of(model.mesh->whole()), *model.part);
   if (guess && *guess != Unit::mm) {
     const std::string word(scene::word_of(*guess));
     return messages.warn(name + " has no unit and is drawn in millimetres, but its sizes are round in " + word +
