@@ -83,6 +83,7 @@ DesignFeatures assembly_features(const world::World& world, const DesignFeatures
                      [&](const DesignCylinder& shaft) { return is_filled_by(hole, shaft); }))
       features.holes.push_back(hole);
   features.pitch_circles = all.pitch_circles;
+  features.inclined = all.inclined;
   const std::map<std::array<int, 2>, Box> boxes = boxes_of_bodies(world);
   Box whole;
   for (const auto& [number, box] : boxes) whole = {glm::min(whole.min, box.min), glm::max(whole.max, box.max)};

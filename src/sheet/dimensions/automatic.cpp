@@ -288,10 +288,14 @@ class Planner {
     const std::vector<RoundEnd> ends = find_round_ends(plan_.subject.features);
     for (DimensionDescription& overall : plan_.dimensions) {
       const int axis = axis_of(*overall.direction);
-      for (const int side : {0, 1})
-        if (const RoundEnd* end = end_along(ends, axis, side, plan_.subject.extents[static_cast<std::size_t>(axis)]);
-            end != nullptr && plan_.views.along(end->axis) != nullptr)
-          overall.text = {"(<>)", plan_.wanted.where};
+      const design::Extent& extent = plan_.subject.extents[static_cast<std::size_t>(axis)];
+      // It bulges beyond the faces beside it, or is as wide as the models.
+      const auto gives = [&](const RoundEnd& end) {
+        const bool low = end.ends_models(axis, 0, extent), high = end.ends_models(axis, 1, extent);
+        return plan_.views.along(end.axis) != nullptr &&
+               ((low && high) || (low && end.bulges(axis, 0)) || (high && end.bulges(axis, 1)));
+      };
+      if (std::any_of(ends.begin(), ends.end(), gives)) overall.text = {"(<>)", plan_.wanted.where};
     }
     // Its radius is half of the width of a bar.
     for (const RoundEnd& end : ends)

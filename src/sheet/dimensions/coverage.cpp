@@ -55,10 +55,13 @@ class CoverageFinder {
         if (!is_auxiliary(dimension.text)) join(dimension, view);
     join_round_ends();
     for (int axis = 0; axis < 3; ++axis) chains_[axis].list_open(axis, notation_, coverage_.undimensioned);
+    std::vector<int> places(sizes_.size(), 0);  // of each list of equal ones
     for (const CircleSize& size : sizes_) {
-      check(size.dimensions >= 0 && places_of(size) > 0, "a size is of one place or more");
+      int& of_list = places[static_cast<std::size_t>(size.equal)];
+      if (of_list == 0) of_list = places_of(size);
+      check(size.dimensions >= 0 && of_list > 0, "a size is of one place or more");
       if (!is_given(size)) add_undimensioned(size.name, remedy_for(outward_axis(size), is_only_along(size), views));
-      if (size.dimensions > places_of(size)) coverage_.repeated.push_back(size.name);
+      if (size.dimensions > of_list) coverage_.repeated.push_back(size.name);
     }
     for (std::size_t i = 0; i < widths_.size(); ++i) {
       const std::string name = "hexagon " + length(subject_.features.hexagons[i].across_flats) + " across flats";

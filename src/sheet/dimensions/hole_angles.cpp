@@ -57,7 +57,11 @@ Vec3 nearest_axis(const Vec3& direction, const Vec3& axis) {
   return nearest;
 }
 
-bool is_on_axis(const Vec3& direction) { return design::axis_along(direction) >= 0; }
+// As exactly as holes are even: the cosine of 10 same_size.
+bool is_on_axis(const Vec3& direction) {
+  return std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}) >=
+         1 - 50 * same_size * same_size;
+}
 
 // Whether a hole, or the middle between two neighbours, is on an axis of the world: centre lines show that.
 bool has_axis(const HoleDirections& even) {
@@ -102,7 +106,7 @@ std::vector<RadialPattern> find_radial_patterns(const design::DesignFeatures& fe
 }
 
 bool HoleDirections::are_even() const {
-  if (directions.size() < 2) return false;
+  if (directions.size() < 2 || design::axis_along(axis) < 0) return false;
   std::vector<double> angles;
   for (const Vec3& direction : directions) angles.push_back(angle_of(direction, axis));
   std::sort(angles.begin(), angles.end());
@@ -126,8 +130,11 @@ std::vector<std::size_t> HoleDirections::needed() const {
 }
 
 bool HoleDirections::are_alike(std::size_t a, std::size_t b) const {
-  const auto along = [this](std::size_t i) { return glm::dot(nearest_axis(directions[i], axis), directions[i]); };
-  return std::abs(along(a) - along(b)) <= parallel;
+  const auto angle = [this](std::size_t i) {
+    const Vec3 near = nearest_axis(directions[i], axis);
+    return portable_atan2(glm::length(glm::cross(near, directions[i])), glm::dot(near, directions[i]));
+  };
+  return std::abs(angle(a) - angle(b)) <= 10 * same_size;
 }
 
 HoleDirections directions_of(const RadialPattern& pattern) {
@@ -205,7 +212,8 @@ bool gives_direction(const AnchoredDimension& dimension, const HoleDirections& a
   };
   const bool many = repeats_of(dimension.text) > 1;
   for (const std::size_t end : {1U, 2U}) {
-    if (is_at(end, number)) return true;
+    // The step between two of them is no angle from an axis.
+    if (is_at(end, number) && (!around.are_even() || is_on_axis(leg(3 - end)))) return true;
     for (std::size_t hole = 0; many && is_on_axis(leg(3 - end)) && hole < around.directions.size(); ++hole)
       if (is_at(end, hole) && around.are_alike(hole, number)) return true;
   }

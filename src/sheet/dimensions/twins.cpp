@@ -23,6 +23,7 @@ struct Measure {
   std::optional<WorldCircle> circle{};
   Vec3 along{0};
   double from = 0, to = 0;
+  bool across = false;  ///< whether a diameter and a length across its circle may be one
 };
 
 std::optional<Vec3> direction_of(const DimensionDescription& description, const AnchoredDimension& dimension,
@@ -39,11 +40,12 @@ std::optional<Measure> measure_of(const DimensionDescription& description, const
                                   std::span<const NamedProjection> views) {
   if (dimension.is_label || dimension.arrangement) return std::nullopt;
   if (dimension.type == DimensionType::diameter || dimension.type == DimensionType::radius)
-    return Measure{dimension.circles.front()};
+    return Measure{dimension.circles.front(), Vec3(0), 0, 0, dimension.type == DimensionType::diameter};
   if (dimension.type == DimensionType::angular || dimension.type == DimensionType::arc) return std::nullopt;
   const std::optional<Vec3> along = direction_of(description, dimension, views);
   if (!along) return std::nullopt;
-  return Measure{{}, *along, glm::dot(dimension.points[0], *along), glm::dot(dimension.points[1], *along)};
+  const bool across = dimension.type != DimensionType::overall || dimension.form == design::ExtentForm::diameter;
+  return Measure{{}, *along, glm::dot(dimension.points[0], *along), glm::dot(dimension.points[1], *along), across};
 }
 
 std::vector<std::optional<Measure>> measures_of(const std::vector<DimensionDescription>& descriptions,
@@ -81,17 +83,17 @@ bool is_across(const Measure& length, const WorldCircle& circle) {
 bool are_one(const Measure& a, const Measure& b, const design::DesignFeatures& features, double slack) {
   if (a.circle && b.circle)
     return are_one_circle(*a.circle, *b.circle) || are_of_equal_holes(*a.circle, *b.circle, features);
-  if (a.circle) return is_across(b, *a.circle);
-  if (b.circle) return is_across(a, *b.circle);
+  if (a.circle) return a.across && b.across && is_across(b, *a.circle);
+  if (b.circle) return a.across && b.across && is_across(a, *b.circle);
   if (!are_parallel(a.along, b.along)) return false;
   const double way = glm::dot(a.along, b.along) < 0 ? -1 : 1;
   const auto near = [&](double x, double y) { return std::abs(x - way * y) <= slack; };
   return (near(a.from, b.from) && near(a.to, b.to)) || (near(a.from, b.to) && near(a.to, b.from));
 }
 
-// A text in brackets is auxiliary (ISO 129-1).
-bool is_replacement(const DimensionDescription& given, const DimensionDescription& automatic) {
-  if (!given.text.given()) return true;
+// A text in brackets is auxiliary (ISO 129-1). A length across a circle has no text of the circle: number, depth.
+bool is_replacement(const DimensionDescription& given, const DimensionDescription& automatic, bool same_kind) {
+  if (!given.text.given()) return same_kind || !automatic.text.given();
   return given.text->rfind('(', 0) != 0 && repeats_of(*given.text) == repeats_of(automatic.text.value_or(""));
 }
 
@@ -109,10 +111,12 @@ void replace_twins(std::vector<DimensionDescription>& automatic, std::span<Dimen
   for (std::size_t i = 0; i < automatic.size(); ++i)
     for (std::size_t j = 0; j < given.size() && replaced[i] == 0; ++j) {
       if (!of_automatic[i] || !of_given[j] || !are_one(*of_automatic[i], *of_given[j], features, slack)) continue;
-      if (!is_replacement(*given[j], automatic[i])) continue;
-      // A length across a circle has another value than its radius, and no text of the circle.
-      const bool is_text_right = of_automatic[i]->circle.has_value() == of_given[j]->circle.has_value();
-      if (!given[j]->text.given() && automatic[i].text.given() && is_text_right) given[j]->text = automatic[i].text;
+      const bool same_kind = of_automatic[i]->circle.has_value() == of_given[j]->circle.has_value();
+      if (!is_replacement(*given[j], automatic[i], same_kind)) continue;
+      // A size with a tolerance is not auxiliary.
+      const bool is_auxiliary = automatic[i].text.value_or("").rfind('(', 0) == 0 && given[j]->tolerance.given();
+      if (!given[j]->text.given() && automatic[i].text.given() && same_kind && !is_auxiliary)
+        given[j]->text = automatic[i].text;
       replaced[i] = 1;
     }
   std::size_t number = 0;
