@@ -79,6 +79,7 @@ class Judge {
     struct Leg {
       int from;
       Vec2 along;
+      double facet;  ///< longest side beside it
     };
     std::vector<Leg> legs;
     for (const edges::FeatureEdge& edge : judged_.edges.edges) {
@@ -89,18 +90,20 @@ class Judge {
       const int first = judged_.world.first_triangle[static_cast<std::size_t>(edge.model)];
       if (beside.size() != 2 || !judged_.is_whole) continue;
       if (!is_inside(placed, edge.mesh_edge, {first + beside[0], first + beside[1]})) continue;
-      if (std::none_of(beside.begin(), beside.end(), [&](int triangle) { return is_saddle(edge.model, triangle); }))
-        continue;
+      double facet = 0;
+      for (const int triangle : beside)
+        if (is_saddle(edge.model, triangle)) facet = std::max(facet, longest_side(first + triangle));
+      if (!(facet > 0)) continue;
       const Vec2 along = place_of(edge.vertex[1]) - place_of(edge.vertex[0]);
-      legs.push_back({edge.vertex[0], along});
-      legs.push_back({edge.vertex[1], -along});
+      facet *= std::max(stretch_at(edge.vertex[0]), stretch_at(edge.vertex[1]));
+      legs.push_back({edge.vertex[0], along, facet});
+      legs.push_back({edge.vertex[1], -along, facet});
     }
     std::stable_sort(legs.begin(), legs.end(), [](const Leg& a, const Leg& b) { return a.from < b.from; });
     double& largest = error[ErrorTerm::contours];
     for (std::size_t i = 0; i < legs.size(); ++i)
       for (std::size_t j = i + 1; j < legs.size() && legs[j].from == legs[i].from; ++j)
-        if (glm::dot(legs[i].along, legs[j].along) > 0)
-          largest = std::max({largest, glm::length(legs[i].along), glm::length(legs[j].along)});
+        if (glm::dot(legs[i].along, legs[j].along) > 0) largest = std::max({largest, legs[i].facet, legs[j].facet});
   }
 
  private:
