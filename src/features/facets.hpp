@@ -32,7 +32,7 @@ struct Facets {
   double scale;      ///< power of two: `points` are those of the file, less the origin, times this; they extend over
                      ///< about 1
   double tolerance;  ///< greatest distance at which a point counts as lying on a surface
-  double slack;      ///< tolerances by which vertices of a face may lie off it if its facets allow for them
+  double slack;      ///< residuals that a face rises at least over its facets
   std::vector<Vec3> points;
   std::vector<std::array<int, 3>> corners;  ///< of triangles
   std::vector<std::array<Side, 3>> sides;   ///< of triangles; side i from corner i to the next

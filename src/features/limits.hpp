@@ -51,11 +51,9 @@ inline constexpr double most_of_sweep = 0.6;                       ///< part of 
 
 /// Precision to which CAD kernels keep the positions of vertices, as a fraction of the size of the model.
 inline constexpr double least_tolerance = 3e-7;
-/// Of a grid to whose points vertices were moved, in steps: sqrt(3) / 2.
-inline constexpr double half_diagonal = 0.866;
-/// Tolerances by which vertices of a face may lie off it where its facets allow for them: CAD kernels leave them
-/// farther off than rounding does; on a grid, its step is all there is.
-inline constexpr double usual_slack = 4, grid_slack = 2;
+inline constexpr double usual_slack = 4;  ///< tolerances by which vertices may lie off a face whose facets allow for it
+/// Tolerances that a face rises at least over its facets on a grid, where the step is all that vertices are off.
+inline constexpr double grid_slack = 2;
 inline constexpr double most_allowance = 16;  ///< tolerances: in files of low precision; heights of one circle
 inline constexpr double looseness = 4;  ///< tolerances, of cylinders of which no facet has all its vertices on them
 /// Tolerances. CAD kernels trim faces along inexact curves: vertices there may lie off both surfaces, by less than the

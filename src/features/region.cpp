@@ -24,7 +24,7 @@ double angle_of_cosine(double cosine) { return std::sqrt(std::max(0.0, 2 * (1 - 
 }  // namespace
 
 double allowance_of(const Facets& facets, double sagitta) {
-  return std::clamp(sagitta / 64, facets.slack * facets.tolerance, most_allowance * facets.tolerance);
+  return std::clamp(sagitta / 64, usual_slack * facets.tolerance, most_allowance * facets.tolerance);
 }
 
 namespace {

@@ -308,7 +308,9 @@ Mesh build_mesh(Soup soup, std::string name, const Progress& progress, std::opti
   weld(soup, report);
   report.vertices = static_cast<int>(soup.points.size());
   report.non_finite_vertices = count_non_finite(soup.points);
-  report.resolution = step ? *step : resolution_of(soup.points, soup.single_precision && !soup.printed);
+  // Doubles in memory are what their program computed.
+  const bool is_written = soup.printed || soup.single_precision;
+  report.resolution = step ? *step : is_written ? resolution_of(soup.points, !soup.printed) : 0;
   auto [triangles, table, twins] = usable_triangles(soup, report, progress);
 
   progress.expect_time();

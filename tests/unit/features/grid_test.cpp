@@ -16,6 +16,7 @@ namespace {
 // A disc with a bore, not at the origin of the grid, whose step is `step` in every axis.
 Part disc_on_grid(int segments, double step) {
   Part disc = revolved({{5, 0}, {20, 0}, {20, 6}, {5, 6}, {5, 0}}, segments).triangulate();
+  disc.is_printed = true;
   return disc.move([step](const Vec3& p) {
     const Vec3 from(3.7, -2.3, 0);
     return from + step * glm::round((p - from) / step);
@@ -44,6 +45,7 @@ TEST(Grid, HasSlantedPlanes) {
              v = glm::cross(axis, u);
   for (const double step : {0.01, 0.001, 0.0001}) {
     Part disc = revolved({{5, 0}, {20, 0}, {20, 6}, {5, 6}, {5, 0}}, 32).triangulate();
+    disc.is_printed = true;
     disc.move([&](const Vec3& p) { return step * glm::round((p.x * u + p.y * v + p.z * axis) / step); });
     EXPECT_EQ(features::recognise_faces(disc.mesh()).faces.size(), 4u) << step;
   }

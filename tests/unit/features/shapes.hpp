@@ -60,10 +60,11 @@ struct Part {
       soup.end_face();
     }
     soup.single_precision = is_float;
+    soup.printed = is_printed;
     return mesh::make_mesh(soup, "part");
   }
 
-  bool is_float = false;
+  bool is_float = false, is_printed = false;
 };
 
 /// A turn of (radius, height) about z; points of radius 0 are poles. Outside is right of the profile.
