@@ -80,12 +80,18 @@ std::unique_ptr<draco::Mesh> mesh_in(Bytes bytes, Counts expected, const std::st
             what + " claims to have " + text_of(counts) + " in " + std::to_string(bytes.size()) + " bytes");
   // Seams of other attributes make more points of those that are announced.
   expect({std::max(counts.points, expected.points), counts.triangles});
-  draco::DecoderBuffer buffer = buffer_of(bytes);
-  draco::Decoder decoder;
-  decoder.SetSkipAttributeTransform(draco::GeometryAttribute::POSITION);  // see Grid
-  draco::StatusOr<std::unique_ptr<draco::Mesh>> decoded = decoder.DecodeMeshFromBuffer(&buffer);
-  refuse_if(!decoded.ok(), what + " is damaged");
-  std::unique_ptr<draco::Mesh> mesh = std::move(decoded).value();
+  const auto decode = [&](bool keeps_grid) {
+    draco::DecoderBuffer buffer = buffer_of(bytes);
+    draco::Decoder decoder;
+    if (keeps_grid) decoder.SetSkipAttributeTransform(draco::GeometryAttribute::POSITION);  // see Grid
+    draco::StatusOr<std::unique_ptr<draco::Mesh>> decoded = decoder.DecodeMeshFromBuffer(&buffer);
+    refuse_if(!decoded.ok(), what + " is damaged");
+    return std::move(decoded).value();
+  };
+  std::unique_ptr<draco::Mesh> mesh = decode(true);
+  // Without a grid, numbers have the type of their accessor only if they are transformed.
+  const draco::PointAttribute* positions = mesh->GetNamedAttribute(draco::GeometryAttribute::POSITION);
+  if (positions != nullptr && positions->GetAttributeTransformData() == nullptr) mesh = decode(false);
   expect({mesh->num_points(), mesh->num_faces()});
   return mesh;
 }
