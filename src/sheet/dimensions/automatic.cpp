@@ -190,6 +190,7 @@ class Planner {
     for (const RadialPattern& pattern : radial_) {
       ++plan_.groups;
       const auto mouth = [](const design::DesignHole& hole) { return hole.mouth; };
+      check(pattern.holes.size() >= 2, "holes of a radial pattern have several directions");
       const design::DesignHole* shown = pattern.holes.front();
       const NamedProjection* view = nullptr;
       for (const design::DesignHole* hole : pattern.holes)

@@ -63,6 +63,7 @@ void add_slanted_row(Planning& plan, const NamedProjection& view, const Vec3& al
     if (std::abs(to.at - from) <= slack) return;
     plan.add(DimensionType::aligned, view, text).anchors = {to.centre + (from - to.at) * along, to.centre};
   };
+  check(!places.empty(), "a row has a place");
   const double pitch = places.size() < 2 ? 0 : places[1].at - places[0].at;
   bool is_row = places.size() > 2;
   for (std::size_t i = 1; i < places.size(); ++i)
@@ -86,6 +87,7 @@ void add_slanted(Planning& plan, std::span<const Vec3> centres, const Vec3& axis
     if (face == nullptr || view == nullptr) continue;
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.first == face; });
     const SlantedPlace place{glm::dot(centre, along), centre};
+    check(std::isfinite(place.at), "holes are at places");
     if (row == rows.end())
       rows.push_back({face, {place}});
     else

@@ -51,6 +51,7 @@ class SizeLister {
       add({"slot R" + length(one.radius), "slot", {one.radius}, one.model, one.centres[1], one.axis, one.radius, true});
     for (const design::DesignArc& one : features_.arcs)
       add({"radius R" + length(one.radius), "radius", {one.radius}, one.model, one.centre, one.axis, one.radius, true});
+    check(sizes_.size() >= features_.holes.size(), "each hole has a size");
     return std::move(sizes_);
   }
 

@@ -392,6 +392,7 @@ class CoverageFinder {
   // By its angle, or by the places of its ends.
   std::vector<bool> slopes_given(std::span<const DimensionsInView> views) {
     std::vector<bool> given;
+    check(subject_.features.bevels.empty() || !views.empty(), "slopes are seen in views");
     for (const design::DesignBevel& bevel : subject_.features.bevels) {
       bool is_known = true;
       if (has_angle(bevel, subject_)) {

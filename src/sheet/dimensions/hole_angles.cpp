@@ -95,6 +95,7 @@ std::vector<RadialPattern> find_radial_patterns(const design::DesignFeatures& fe
           equal.push_back(i);
       const auto is_turned = [&](std::size_t i) { return !are_parallel(features.holes[i].axis, hole.axis); };
       if (std::none_of(equal.begin(), equal.end(), is_turned)) continue;
+      check(equal.size() >= 2, "of several directions, there are several holes");
       RadialPattern& pattern = patterns.emplace_back();
       pattern.axis = cylinder.axis;
       for (const std::size_t i : equal) {
@@ -177,6 +178,7 @@ void add_angles(Planning& plan, const HoleDirections& around, bool with_step) {
   };
   std::vector<char> done(around.directions.size(), 0);
   for (const std::size_t i : needed) {
+    check(i < done.size(), "angles are those of holes");
     if (done[i] != 0) continue;
     std::size_t count = 0;
     for (const std::size_t other : needed)

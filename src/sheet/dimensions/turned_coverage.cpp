@@ -76,6 +76,7 @@ class TurnedFinder {
     for (const design::DesignSlot& slot : features_.slots)
       if (!has_place(slot.centres[0], slot.axis))
         found_.missing.push_back("slot R" + length_text(slot.radius, notation_) + ": position along its slope");
+    check(found_.holes.size() == features_.holes.size(), "each hole is given or missing");
     return std::move(found_);
   }
 

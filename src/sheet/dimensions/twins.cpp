@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "base/error.hpp"
 #include "design/tolerances.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/equal_features.hpp"
@@ -106,6 +107,7 @@ void replace_twins(std::vector<DimensionDescription>& automatic, std::span<Dimen
   std::vector<DimensionDescription> copies;
   for (const DimensionDescription* one : given) copies.push_back(*one);
   const auto of_given = measures_of(copies, world, views), of_automatic = measures_of(automatic, world, views);
+  check(of_given.size() == given.size() && of_automatic.size() == automatic.size(), "each dimension has a measure");
   const double slack = same_size * glm::length(world.box.size());
   std::vector<char> replaced(automatic.size(), 0);
   for (std::size_t i = 0; i < automatic.size(); ++i)
