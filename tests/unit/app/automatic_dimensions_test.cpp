@@ -340,10 +340,10 @@ TEST_F(AutomaticDimensions, ChooseTheLargestScaleAtWhichTheyFit) {
 TEST_F(AutomaticDimensions, TellWhatIsWrongOnAnySheet) {
   for (const char* size : {"auto", "A3"}) {
     const Outcome run = epura({"draw", sample("elbow.obj"), "--views", "front,top,left", "--dimensions", "auto",
-                               "--sheet", size, "--max-error", "0.0001", "-o", "x.svg"},
+                               "--sheet", size, "--max-error", "0.01", "-o", "x.svg"},
                               folder / "");
     EXPECT_EQ(run.code, 2) << run.err;
-    EXPECT_TRUE(contains(run.err, "--max-error: is 1e-04 mm, but lines of view")) << run.err;
+    EXPECT_TRUE(contains(run.err, "--max-error: is 0.01 mm, but lines of view")) << run.err;
   }
 }
 

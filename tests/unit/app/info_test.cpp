@@ -24,7 +24,7 @@ TEST(InfoCommand, TellsWhatAPartIs) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   for (const char* words :
-       {"bracket.obj\n", "OBJ, 584 vertices, 896 faces, 1184 triangles\n",
+       {"bracket.obj\n", "OBJ, rounded to 1e-06, 584 vertices, 896 faces, 1184 triangles\n",
         "80 x 70 x 75, from (0, 0, 0) to (80, 70, 75)\n", "not in the file; probably mm\n", "1, closed\n",
         "20; 100 % of the area is recognised\n", "12 planes\n", "8 cylinders: R 3.5 (2), R 5.5 (4), R 12, R 13\n",
         "\u00d826, through, 10 long, along y, from (40, 60, 48)\n",

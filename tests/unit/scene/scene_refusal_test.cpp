@@ -255,7 +255,7 @@ TEST(SceneRefusal, ModelsThatMayTakeMoreThanOthers) {
   const Folder folder;
   const std::string path = folder.file("scene.toml", "model = [{file = 'a.step:deflection=1:memory=100'}]");
   const Error error = error_of([&] { scene::read_scene_file(path); });
-  EXPECT_STREQ(error.what(), (path + ":1: 'memory' changes what reading the file may take").c_str());
+  EXPECT_STREQ(error.what(), (path + ":1:18: 'memory' changes what reading the file may take").c_str());
   EXPECT_EQ(error.hint(), "--allow-outside allows it, if you trust the scene file");
   EXPECT_NO_THROW(scene::read_scene_file(path, scene::FilesOutside::allowed));
   EXPECT_NO_THROW(scene::read_scene_file(folder.file("b.toml", "model = [{file = 'a.step:deflection=1'}]")));

@@ -374,7 +374,8 @@ TEST(OverallDimensions, EachOnceInTheClearestView) {
   const scene::DimensionDescription open = dimension("overall", {});
   const auto chosen = [&](const std::vector<sheet::NamedProjection>& views,
                           const scene::DimensionDescription& options) {
-    return format_dimensions(sheet::overall_dimensions(options, views, {}));
+    const design::Extent length{0, 30};
+    return format_dimensions(sheet::overall_dimensions(options, views, {length, length, length}));
   };
   EXPECT_EQ(chosen({corner, top, left, front}, open), "width front height front depth left ");
   EXPECT_EQ(chosen({front, top}, open), "width front height front depth top ");
