@@ -83,7 +83,7 @@ void find_files(scene::SheetDescription& sheet) {
   if (sheet.font.given() && scene::names_font_file(*sheet.font)) refuse("a font of its own");
 }
 
-scene::SceneDescription scene_of(const std::string& text) {
+scene::SceneDescription sheet_scene_of(const std::string& text) {
   constexpr std::size_t most_models = 6, most_views = 10, most_sheets = 4;
   const OwnFile file(text);
   scene::SceneDescription scene = scene::scene_of(scene::read_toml(file.path()));
@@ -193,7 +193,7 @@ void expect_readable(const pipeline::DrawnScene& drawn, std::string_view format,
 void draw_sheets(const std::string& bytes) {
   const std::size_t end = std::min(bytes.find('\n'), bytes.size());
   const Wishes wishes{bytes.substr(0, end)};
-  const scene::SceneDescription scene = scene_of(bytes.substr(end));
+  const scene::SceneDescription scene = sheet_scene_of(bytes.substr(end));
   const pipeline::RunOptions run = wishes.run();
   const output::VectorOptions vector = wishes.vector();
   const pipeline::DrawnScene drawn = draw(scene, run);

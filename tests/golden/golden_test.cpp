@@ -13,7 +13,7 @@
 #include "program.hpp"
 #include "projection/catalogue.hpp"
 
-namespace epura::test {
+namespace epura::test::golden_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,4 +135,4 @@ TEST(GoldenDifference, IsTheFirstLineThatDiffers) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::golden_test

@@ -6,7 +6,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::alignment_test {
 namespace {
 
 const double r = std::sqrt(2.0 / 3.0);
@@ -159,4 +159,4 @@ TEST(Alignment, LongEdgesCrossingAtASmallAngle) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::alignment_test

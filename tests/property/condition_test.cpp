@@ -11,7 +11,7 @@
 #include "laboratory/lab.hpp"
 #include "verify/numbers.hpp"
 
-namespace epura {
+namespace epura::condition_test {
 namespace {
 
 using laboratory::orthographic;
@@ -198,4 +198,4 @@ TEST(Condition, KnowsThePrecisionOfTheFiles) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::condition_test

@@ -11,7 +11,7 @@
 #include "edges/intersections.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::crossing_candidates_test {
 namespace {
 
 class Bodies {
@@ -117,4 +117,4 @@ TEST(Candidates, AreTwoOfAllCopies) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::crossing_candidates_test

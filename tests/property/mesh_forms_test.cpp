@@ -8,7 +8,7 @@
 #include "measured.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::mesh_forms_test {
 namespace {
 
 using namespace stability;
@@ -247,4 +247,4 @@ TEST(Meshes, PrismAtTheCreaseThreshold) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::mesh_forms_test

@@ -13,7 +13,7 @@
 #include "mesh/read.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::metamorphic_test {
 namespace {
 
 using Random = std::mt19937;
@@ -377,4 +377,4 @@ TEST(Metamorphic, ThreadsDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::metamorphic_test

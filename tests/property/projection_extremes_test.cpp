@@ -8,7 +8,7 @@
 #include "shapes.hpp"
 #include "study/stability/case.hpp"
 
-namespace epura::test {
+namespace epura::test::projection_extremes_test {
 namespace {
 
 TEST(ProjectionExtremes, AreDrawnRight) {
@@ -46,4 +46,4 @@ TEST(ProjectionExtremes, EyeOnAVertexOrInAFace) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::projection_extremes_test

@@ -12,7 +12,7 @@
 #include "shapes.hpp"
 #include "visibility/spans.hpp"
 
-namespace epura::test {
+namespace epura::test::search_test {
 namespace {
 
 visibility::Spans by_brute_force(const Result& r, const edges::FeatureEdge& edge) {
@@ -283,4 +283,4 @@ TEST_P(ThinTriangles, AreFoundAsByBruteForce) {
 INSTANTIATE_TEST_SUITE_P(Search, ThinTriangles, testing::Values(Thin::burst, Thin::line, Thin::across, Thin::layers));
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::search_test

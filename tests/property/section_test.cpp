@@ -13,7 +13,7 @@
 #include "drawing/cut_faces.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::section_test {
 namespace {
 
 scene::CuttingPlane plane_at(const Vec3& point, const Vec3& normal) {
@@ -254,4 +254,4 @@ TEST(Section, BesideAVertexChangesSteadilyAndKnowsNoOrderOfFaces) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::section_test

@@ -10,7 +10,7 @@
 #include "shapes.hpp"
 #include "wrong_span.hpp"
 
-namespace epura::test {
+namespace epura::test::truth_test {
 namespace {
 
 using Random = std::mt19937;
@@ -115,4 +115,4 @@ TEST(Truth, MissesATriangleThatTheViewHasLost) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::truth_test

@@ -4,7 +4,7 @@
 
 #include "measured.hpp"
 
-namespace epura::test {
+namespace epura::test::full_size_test {
 namespace {
 
 using namespace stability;
@@ -39,4 +39,4 @@ TEST(FullSize, SphereInAStadium) { expect_right(sphere_in_a_stadium(lab, 1000, 5
 TEST(FullSize, Needles) { expect_right(needles(lab, 3000), 1); }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::full_size_test

@@ -147,7 +147,7 @@ class Plate {
 };
 
 // With twelve sides; beginning like a square.
-inline Loop cross(const Vec2& centre, double reach, double half_width) {
+inline Loop cross_outline(const Vec2& centre, double reach, double half_width) {
   Loop loop;
   for (int quarter = 0; quarter < 4; ++quarter) {
     const Vec2 along(cosine(90.0 * quarter), sine(90.0 * quarter)), left(-along.y, along.x);
@@ -292,7 +292,7 @@ inline Loop angle() {
 }
 
 inline std::string letters(int count) {
-  return plate({60, 60}, count, 1, 20, [](const Vec2& c) { return Hole{{cross(c, 8, 2), 20}, {cross(c, 8, 2), 18}}; });
+  return plate({60, 60}, count, 1, 20, [](const Vec2& c) { return Hole{{cross_outline(c, 8, 2), 20}, {cross_outline(c, 8, 2), 18}}; });
 }
 
 // A cylinder with a rounded edge.

@@ -22,17 +22,17 @@ namespace epura::study {
 
 namespace {
 
-enum class ReportFormat { html, json, csv, svg, pdf };
+enum class StabilityFormat { html, json, csv, svg, pdf };
 
-using Targets = std::vector<ReportTarget<ReportFormat>>;
+using Targets = std::vector<ReportTarget<StabilityFormat>>;
 
 Targets targets_of(const StabilityOptions& options) {
-  return report_targets<ReportFormat>(options.outputs, options.format,
-                                      {{"html", ReportFormat::html},
-                                       {"json", ReportFormat::json},
-                                       {"csv", ReportFormat::csv},
-                                       {"svg", ReportFormat::svg},
-                                       {"pdf", ReportFormat::pdf}});
+  return report_targets<StabilityFormat>(options.outputs, options.format,
+                                         {{"html", StabilityFormat::html},
+                                          {"json", StabilityFormat::json},
+                                          {"csv", StabilityFormat::csv},
+                                          {"svg", StabilityFormat::svg},
+                                          {"pdf", StabilityFormat::pdf}});
 }
 
 std::vector<stability::Case> chosen_cases(const std::string& ids) {
@@ -46,17 +46,17 @@ std::vector<stability::Case> chosen_cases(const std::string& ids) {
   return chosen;
 }
 
-std::string encode(const stability::Report& report, ReportFormat format, bool timings) {
+std::string encode(const stability::Report& report, StabilityFormat format, bool timings) {
   switch (format) {
-    case ReportFormat::html:
+    case StabilityFormat::html:
       return to_html(report);
-    case ReportFormat::json:
+    case StabilityFormat::json:
       return to_json(report, timings);
-    case ReportFormat::csv:
+    case StabilityFormat::csv:
       return to_csv(report);
-    case ReportFormat::svg:
+    case StabilityFormat::svg:
       return output::to_svg(to_sheet(report), {});
-    case ReportFormat::pdf:
+    case StabilityFormat::pdf:
       break;
   }
   const sheet::Sheet sheet = to_sheet(report);
@@ -97,7 +97,7 @@ int study_stability(const StabilityOptions& options) {
   const stability::Report report = stability::run(cases, options.size, progress);
 
   bool to_stdout = false;
-  for (const ReportTarget<ReportFormat>& target : targets) {
+  for (const ReportTarget<StabilityFormat>& target : targets) {
     pipeline::write({target.path, encode(report, target.format, options.timings)}, progress);
     to_stdout = to_stdout || target.path == "-";
   }

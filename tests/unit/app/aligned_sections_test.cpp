@@ -11,7 +11,7 @@
 #include "drawn_scenes.hpp"
 #include "errors.hpp"
 
-namespace epura::test {
+namespace epura::test::aligned_sections_test {
 namespace {
 
 class AlignedSections : public DrawnScenes {
@@ -254,4 +254,4 @@ TEST_F(RevolvedSections, ThatMakeNoSenseAreRefused) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::aligned_sections_test

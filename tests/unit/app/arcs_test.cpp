@@ -6,7 +6,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::arcs_test {
 namespace {
 
 TEST(DrawArcs, RimsOfAFlangeAreCircles) {
@@ -59,4 +59,4 @@ TEST(DrawCentreLines, AreALayerOfTheirView) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::arcs_test

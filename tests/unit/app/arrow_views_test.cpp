@@ -12,7 +12,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::arrow_views_test {
 namespace {
 
 class ArrowViews : public testing::Test {
@@ -121,4 +121,4 @@ TEST_F(ArrowViews, PlanesAreMarkedInSectionsWhereNoOtherViewCan) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::arrow_views_test

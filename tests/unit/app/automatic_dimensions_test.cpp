@@ -16,7 +16,7 @@
 #include "known_parts.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::automatic_dimensions_test {
 namespace {
 
 class AutomaticDimensions : public testing::Test {
@@ -557,4 +557,4 @@ TEST_F(AutomaticDimensions, LintFindsCrossingsAndTheEndOfTheSheet) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::automatic_dimensions_test

@@ -17,7 +17,7 @@
 #include "program.hpp"
 #include "variable.hpp"
 
-namespace epura::test {
+namespace epura::test::batch_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -484,4 +484,4 @@ TEST(Batch, RefusesASecondBatchInOneFolder) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::batch_test

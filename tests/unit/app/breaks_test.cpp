@@ -12,7 +12,7 @@
 #include "drawn_scenes.hpp"
 #include "errors.hpp"
 
-namespace epura::test {
+namespace epura::test::breaks_test {
 namespace {
 
 class Breaks : public DrawnScenes {
@@ -265,4 +265,4 @@ TEST_F(Breaks, ExplainWhatTheyLeaveOut) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::breaks_test

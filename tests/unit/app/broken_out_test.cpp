@@ -13,7 +13,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::broken_out_test {
 namespace {
 
 using Ring = std::vector<Vec2>;
@@ -276,4 +276,4 @@ TEST_F(BrokenOut, AreRefusedWithPlaceAndHint) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::broken_out_test

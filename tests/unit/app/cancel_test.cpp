@@ -12,7 +12,7 @@
 #include "program.hpp"
 #include "reading.hpp"
 
-namespace epura::test {
+namespace epura::test::cancel_test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -88,4 +88,4 @@ TEST(Cancel, SignalsThatTheParentIgnoresStayIgnored) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::cancel_test

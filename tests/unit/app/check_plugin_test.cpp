@@ -10,7 +10,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::check_plugin_test {
 namespace {
 
 std::string built(const std::string& name) { return EPURA_TEST_PLUGINS "/" + name + ".so"; }
@@ -161,4 +161,4 @@ TEST(NewProjection, RefusesNamesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::check_plugin_test

@@ -12,7 +12,7 @@
 #include "known_parts.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::coarse_meshes_test {
 namespace {
 
 // A pebble, which is no surface of a part, of rings x 2 rings quadrangles.
@@ -105,4 +105,4 @@ TEST_F(CoarseMeshes, AreToldOnceForViewsThatDiffer) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::coarse_meshes_test

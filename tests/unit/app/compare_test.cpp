@@ -7,7 +7,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::compare_test {
 namespace {
 
 // The bracket with and without its hidden lines.
@@ -117,4 +117,4 @@ TEST(CompareCommand, RefusesWhatItCannotCompare) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::compare_test

@@ -9,7 +9,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::completion_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -139,4 +139,4 @@ TEST(Completion, OfAShellThatHasNoScriptIsRefused) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::completion_test

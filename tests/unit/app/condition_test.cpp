@@ -7,7 +7,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::condition_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -53,4 +53,4 @@ TEST(ConditionOfViews, IsAWarningWhereEightDigitsAreLost) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::condition_test

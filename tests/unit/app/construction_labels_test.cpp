@@ -22,7 +22,7 @@
 #include "sheet/lettering.hpp"
 #include "sheet/rectangle.hpp"
 
-namespace epura::test {
+namespace epura::test::construction_labels_test {
 namespace {
 
 using sheet::Rectangle;
@@ -202,4 +202,4 @@ INSTANTIATE_TEST_SUITE_P(Projections, ConstructionLabels, testing::ValuesIn(buil
                          });
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::construction_labels_test

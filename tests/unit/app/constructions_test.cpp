@@ -11,7 +11,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::constructions_test {
 namespace {
 
 Vec2 pair(const Json& json) { return {json.items.at(0).number(), json.items.at(1).number()}; }
@@ -203,4 +203,4 @@ TEST_F(Constructions, ListsAreForAllViewsThatSuit) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::constructions_test

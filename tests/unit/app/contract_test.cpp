@@ -12,7 +12,7 @@
 #include "mesh/read.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::contract_test {
 namespace {
 
 constexpr double tolerance_mm = 1e-9;
@@ -275,4 +275,4 @@ TEST(Contract, HoldsForSheetsScalesAndEdges) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::contract_test

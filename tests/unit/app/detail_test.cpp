@@ -12,7 +12,7 @@
 #include "drawn_scenes.hpp"
 #include "errors.hpp"
 
-namespace epura::test {
+namespace epura::test::detail_test {
 namespace {
 
 class Details : public DrawnScenes {};
@@ -264,4 +264,4 @@ TEST_F(Details, HaveTrueDimensions) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::detail_test

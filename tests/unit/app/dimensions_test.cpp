@@ -8,7 +8,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::dimensions_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -156,4 +156,4 @@ TEST_F(DimensionsOfProgram, BeyondThePaperAreReported) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::dimensions_test

@@ -9,7 +9,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::draw_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -292,4 +292,4 @@ TEST(Draw, AnOldFileIsReplacedAndKeepsItsMode) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::draw_test

@@ -10,7 +10,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::exploded_test {
 namespace {
 
 class Exploded : public testing::Test {
@@ -165,4 +165,4 @@ TEST_F(Exploded, BodiesAreKnownByTheNamesOfThePartsList) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::exploded_test

@@ -10,7 +10,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::forms_test {
 namespace {
 
 const std::string frames = std::string(EPURA_TEST_SAMPLES) + "/frames/";
@@ -137,4 +137,4 @@ TEST(Laser, SectionsHaveClosedLoopsOnly) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::forms_test

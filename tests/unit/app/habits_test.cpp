@@ -6,7 +6,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::habits_test {
 namespace {
 
 class Habits : public testing::Test {
@@ -84,4 +84,4 @@ TEST_F(Habits, UnknownOptionsNameTheNearest) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::habits_test

@@ -9,7 +9,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::help_test {
 namespace {
 
 Outcome answer(const std::vector<std::string>& arguments) {
@@ -101,4 +101,4 @@ TEST(Plugins, AFolderOfBadOnesIsToldAndTheRestIsListed) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::help_test

@@ -13,7 +13,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::hostile_files_test {
 namespace {
 
 struct Repeated {
@@ -173,4 +173,4 @@ TEST_P(OnATerminal, NamesOfFilesBodiesAndKeysAreShownNotObeyed) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::hostile_files_test

@@ -6,7 +6,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::importers_test {
 namespace {
 
 Outcome importers(std::vector<std::string> options) {
@@ -30,4 +30,4 @@ TEST(ImportersCommand, ShowsOneByNameOrExtension) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::importers_test

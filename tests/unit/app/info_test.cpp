@@ -9,7 +9,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::info_test {
 namespace {
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\nf 1 3 4\nf 1 1 2\n";
@@ -148,4 +148,4 @@ TEST(InfoCommand, RefusesWhatItCannotRead) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::info_test

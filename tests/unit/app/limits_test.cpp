@@ -6,7 +6,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::limits_test {
 namespace {
 
 /// A sentence of the program, or a drawing; nothing that ends it from within, and no mistake of its own.
@@ -63,4 +63,4 @@ TEST(Limits, OfTheSizeOfFilesLeaveTheOldOne) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::limits_test

@@ -10,7 +10,7 @@
 #include "program.hpp"
 #include "projection/catalogue.hpp"
 
-namespace epura::test {
+namespace epura::test::manual_test {
 namespace {
 
 std::string manual() {
@@ -83,4 +83,4 @@ TEST(Manual, TextIsNeverTakenForAMacro) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::manual_test

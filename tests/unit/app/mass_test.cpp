@@ -10,7 +10,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::mass_test {
 namespace {
 
 // A block of 40 x 30 x 20, of 24 cm³.
@@ -80,4 +80,4 @@ TEST_F(Masses, OfOpenBodiesAndWithoutADensityAreRefused) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::mass_test

@@ -9,7 +9,7 @@
 #include "program.hpp"
 #include "sloped_parts.hpp"
 
-namespace epura::test {
+namespace epura::test::missing_sizes_test {
 namespace {
 
 class MissingSizes : public testing::Test {
@@ -51,4 +51,4 @@ TEST_F(MissingSizes, OfRadialHoles) { expect_known(tubes_with_radial_holes()); }
 TEST_F(MissingSizes, OfHolesInSlopes) { expect_known(wedges_with_holes()); }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::missing_sizes_test

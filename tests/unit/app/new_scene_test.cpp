@@ -8,7 +8,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::new_scene_test {
 namespace {
 
 /// A scene file without the marks before its proposals.
@@ -52,4 +52,4 @@ TEST(NewScene, NeverOverwritesNorNamesWhatASceneMayNot) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::new_scene_test

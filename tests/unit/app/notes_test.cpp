@@ -10,7 +10,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::notes_test {
 namespace {
 
 // A block of 40 x 30 x 20.
@@ -132,4 +132,4 @@ TEST_F(Notes, DatumsStandInLineWithDimensions) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::notes_test

@@ -6,7 +6,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::overwriting_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,4 +97,4 @@ TEST(Studying, OverwritesNoInput) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::overwriting_test

@@ -12,7 +12,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::parts_list_test {
 namespace {
 
 // An object with vertices of its own: a box.
@@ -113,4 +113,4 @@ TEST_F(PartsList, RefusesWhatItCannotDraw) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::parts_list_test

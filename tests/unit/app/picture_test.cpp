@@ -22,7 +22,7 @@
 #include "program.hpp"
 #include "projection/matrices.hpp"
 
-namespace epura::test {
+namespace epura::test::picture_test {
 namespace {
 
 pipeline::PictureRequest request_for(const std::string& projection, const std::string& model) {
@@ -309,4 +309,4 @@ TEST(PicturesOfPlugins, HaveAFileForEachProjection) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::picture_test

@@ -6,7 +6,7 @@
 #include "errors.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::piped_model_test {
 namespace {
 
 struct PipedModel : ::testing::Test {
@@ -45,4 +45,4 @@ TEST_F(PipedModel, IsReadOnce) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::piped_model_test

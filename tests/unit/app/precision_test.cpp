@@ -10,7 +10,7 @@
 #include "errors.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::precision_test {
 namespace {
 
 constexpr int sides = 48;
@@ -101,4 +101,4 @@ TEST(Precision, AModelLostInRoundingIsRefused) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::precision_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace epura::test {
+namespace epura::test::progress_line_test {
 namespace {
 
 /// The first line of a run.
@@ -58,4 +58,4 @@ TEST(ProgressLine, ClocksRoundUp) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::progress_line_test

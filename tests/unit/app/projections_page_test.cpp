@@ -14,7 +14,7 @@
 #include "program.hpp"
 #include "projection/catalogue.hpp"
 
-namespace epura::test {
+namespace epura::test::projections_page_test {
 namespace {
 
 std::filesystem::path page_file() { return root() / "docs/projections.md"; }
@@ -74,4 +74,4 @@ TEST(ProjectionsPage, HasASectionWithAPictureOfEachProjection) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::projections_page_test

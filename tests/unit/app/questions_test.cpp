@@ -6,7 +6,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::questions_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -79,4 +79,4 @@ TEST_F(Plates, WrongQuestionsAreRefused) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::questions_test

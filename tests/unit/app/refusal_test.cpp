@@ -6,7 +6,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::refusal_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -289,4 +289,4 @@ TEST_F(Refusal, MoreViewsThanADrawingHas) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::refusal_test

@@ -10,7 +10,7 @@
 #include "known_parts.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::replaced_dimensions_test {
 namespace {
 
 class ReplacedDimensions : public testing::Test {
@@ -76,4 +76,4 @@ TEST_F(ReplacedDimensions, AreThereOnce) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::replaced_dimensions_test

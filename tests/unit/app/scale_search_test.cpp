@@ -14,7 +14,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::scale_search_test {
 namespace {
 
 class ScaleSearch : public testing::Test {
@@ -81,4 +81,4 @@ TEST_F(ScaleSearch, FindsTheLargestScaleThatFits) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::scale_search_test

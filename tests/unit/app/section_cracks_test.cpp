@@ -7,7 +7,7 @@
 
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::section_cracks_test {
 namespace {
 
 std::string vertex(double x, double y, double z) {
@@ -61,4 +61,4 @@ TEST_F(SectionCracks, ThoseElsewhereAreNothingToTheSection) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::section_cracks_test

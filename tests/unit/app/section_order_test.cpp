@@ -8,7 +8,7 @@
 
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::section_order_test {
 namespace {
 
 // Blocks that touch and one that does not, each a body of its own, numbered by `seed`.
@@ -58,4 +58,4 @@ TEST(SectionOrder, OfFacesDoesNotCount) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::section_order_test

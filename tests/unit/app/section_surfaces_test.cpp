@@ -8,7 +8,7 @@
 #include "base/text.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::section_surfaces_test {
 namespace {
 
 constexpr double radius = 45.83;
@@ -72,4 +72,4 @@ TEST_F(SectionSurfaces, AreFoundRight) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::section_surfaces_test

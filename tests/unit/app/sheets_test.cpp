@@ -11,7 +11,7 @@
 #include "program.hpp"
 #include "scene/line_roles.hpp"
 
-namespace epura::test {
+namespace epura::test::sheets_test {
 namespace {
 
 class Sheets : public testing::Test {
@@ -203,4 +203,4 @@ TEST(Scales, OtherThanThoseOfTheStandardAreSaid) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::sheets_test

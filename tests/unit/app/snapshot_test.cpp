@@ -9,7 +9,7 @@
 #include "program.hpp"
 #include "variable.hpp"
 
-namespace epura::test {
+namespace epura::test::snapshot_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -278,4 +278,4 @@ TEST(SnapshotCommand, DoesNotWaitForWhatIsNoRegularFile) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::snapshot_test

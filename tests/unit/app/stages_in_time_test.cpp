@@ -19,7 +19,7 @@
 #include "program.hpp"
 #include "words.hpp"
 
-namespace epura::test {
+namespace epura::test::stages_in_time_test {
 namespace {
 
 constexpr double limit = 1;  // seconds
@@ -258,4 +258,4 @@ TEST(StagesInTime, ReadingLooksAtTheClockAlongTheFile) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::stages_in_time_test

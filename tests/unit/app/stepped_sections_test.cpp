@@ -10,7 +10,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::stepped_sections_test {
 namespace {
 
 const std::string box_file =
@@ -100,4 +100,4 @@ TEST_F(SteppedSections, AreHatchedByStyle) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::stepped_sections_test

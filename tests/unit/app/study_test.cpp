@@ -7,7 +7,7 @@
 #include "errors.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::study_test {
 namespace {
 
 TEST(StudyProgram, IsNamedWhereItIsNotInstalled) {
@@ -131,4 +131,4 @@ TEST(ErrorBudget, StandsAboveTheTitleBlock) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::study_test

@@ -8,7 +8,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::styles_test {
 namespace {
 
 // Two plates of 2 x 2, the lower one at height 0.
@@ -114,4 +114,4 @@ TEST_F(Styles, LeaveBodiesWhole) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::styles_test

@@ -8,7 +8,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::tables_test {
 namespace {
 
 class Tables : public testing::Test {
@@ -60,4 +60,4 @@ TEST_F(Tables, NameTheirFaults) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::tables_test

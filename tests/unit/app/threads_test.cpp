@@ -15,7 +15,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::threads_test {
 namespace {
 
 /// A line of a thread in a drawing as JSON.
@@ -296,4 +296,4 @@ TEST_F(ThreadDrawings, ThatCannotBeAreRefusedWithTheLine) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::threads_test

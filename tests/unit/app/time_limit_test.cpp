@@ -12,7 +12,7 @@
 #include "program.hpp"
 #include "reading.hpp"
 
-namespace epura::test {
+namespace epura::test::time_limit_test {
 namespace {
 
 constexpr int partial = 5;  // exit code
@@ -119,4 +119,4 @@ TEST(ProgressLine, ShortRunsShowNone) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::time_limit_test

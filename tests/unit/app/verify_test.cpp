@@ -8,7 +8,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::verify_test {
 namespace {
 
 TEST(Verify, ARightDrawingIsToldOnStandardError) {
@@ -93,4 +93,4 @@ TEST_P(VerifySample, HasItsOutline) {
 INSTANTIATE_TEST_SUITE_P(Views, VerifySample, testing::Values("isometric", "top", "two-point", "cabinet"));
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::verify_test

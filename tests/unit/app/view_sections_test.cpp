@@ -7,7 +7,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::view_sections_test {
 namespace {
 
 class ViewSections : public testing::Test {
@@ -73,4 +73,4 @@ TEST_F(ViewSections, AreRefusedUnlessTheyAreSound) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::view_sections_test

@@ -11,7 +11,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::viewing_steps_test {
 namespace {
 
 Outcome answer(const std::vector<std::string>& arguments) { return epura(arguments, std::filesystem::current_path()); }
@@ -73,4 +73,4 @@ TEST(ViewingSteps, RefuseWhatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::viewing_steps_test

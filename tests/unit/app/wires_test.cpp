@@ -7,7 +7,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::wires_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -85,4 +85,4 @@ TEST_F(Wires, DoNotWidenWhatIsMeasured) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::wires_test

@@ -16,7 +16,7 @@
 #include "base/parallel.hpp"
 #include "base/vec.hpp"
 
-namespace epura::test {
+namespace epura::test::base_test {
 namespace {
 
 TEST(Errors, SayPlaceReasonAndRemedy) {
@@ -96,4 +96,4 @@ TEST(Parallel, AnErrorGetsOut) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::base_test

@@ -13,7 +13,7 @@
 
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::decimal_text_test {
 namespace {
 
 std::string written(long long scaled, int decimals, LeadingZero zero) {
@@ -85,4 +85,4 @@ TEST(DecimalText, ReadsWholeWords) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::decimal_text_test

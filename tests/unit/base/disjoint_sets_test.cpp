@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-namespace epura::test {
+namespace epura::test::disjoint_sets_test {
 namespace {
 
 TEST(DisjointSets, BeginsWithEachNumberAlone) {
@@ -61,4 +61,4 @@ TEST(DisjointSets, AgreesWithLabelsThatAreRewritten) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::disjoint_sets_test

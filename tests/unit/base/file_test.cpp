@@ -13,7 +13,7 @@
 #include "errors.hpp"
 #include "folder.hpp"
 
-namespace epura::test {
+namespace epura::test::file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -257,4 +257,4 @@ TEST(Files, AFullDiskLeavesTheOldFileAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::file_test

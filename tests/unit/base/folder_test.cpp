@@ -5,7 +5,7 @@
 
 #include "folder.hpp"
 
-namespace epura::test {
+namespace epura::test::folder_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -54,4 +54,4 @@ TEST(Folders, TellWhatLiesBelow) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::folder_test

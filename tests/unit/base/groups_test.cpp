@@ -7,7 +7,7 @@
 
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::groups_test {
 namespace {
 
 TEST(Groups, HoldEveryItemOnce) {
@@ -43,4 +43,4 @@ TEST(Groups, KeepWhatIsCounted) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::groups_test

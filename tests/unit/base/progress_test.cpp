@@ -10,7 +10,7 @@
 
 #include "base/parallel.hpp"
 
-namespace epura::test {
+namespace epura::test::progress_test {
 namespace {
 
 TEST(Progress, MadeFromNothingDoesNothing) {
@@ -169,4 +169,4 @@ TEST(Progress, TheRestTakesAsLongAsTheSpeedSoFarTells) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::progress_test

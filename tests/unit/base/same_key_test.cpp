@@ -7,7 +7,7 @@
 #include <mutex>
 #include <random>
 
-namespace epura::test {
+namespace epura::test::same_key_test {
 namespace {
 
 using Groups = std::vector<std::vector<int>>;
@@ -66,4 +66,4 @@ TEST(SameKeys, ThirdCopiesHaveTwoBeforeThem) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::same_key_test

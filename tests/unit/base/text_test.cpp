@@ -15,7 +15,7 @@
 
 #include "base/utf8.hpp"
 
-namespace epura::test {
+namespace epura::test::text_test {
 namespace {
 
 TEST(Numbers, AreReadWholeOrNotAtAll) {
@@ -216,4 +216,4 @@ TEST(Characters, ThatSteerTerminalsAreNotShown) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::text_test

@@ -11,7 +11,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::broken_test {
 namespace {
 
 // The program with the planted fault, in place of the usual one.
@@ -70,4 +70,4 @@ TEST(BrokenLibrary, ThrowsItsOneTypeOfException) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::broken_test

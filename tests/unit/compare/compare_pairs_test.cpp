@@ -8,7 +8,7 @@
 #include "plate.hpp"
 #include "sheet/lettering.hpp"
 
-namespace epura::test {
+namespace epura::test::compare_pairs_test {
 namespace {
 
 struct Case {
@@ -253,4 +253,4 @@ INSTANTIATE_TEST_SUITE_P(DifferentCurvesAndLooks, Pair, testing::ValuesIn(differ
 INSTANTIATE_TEST_SUITE_P(DifferentAreasAndTexts, Pair, testing::ValuesIn(different_areas_and_texts), name_of_case);
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::compare_pairs_test

@@ -17,7 +17,7 @@
 #include "sheet/paper.hpp"
 #include "sheet/view_lines.hpp"
 
-namespace epura::test {
+namespace epura::test::compare_test {
 namespace {
 
 TEST(Compare, SaysTheSameOfWaysToWriteAFile) {
@@ -351,4 +351,4 @@ TEST(Looks, OfVisibleAndHiddenLinesDiffer) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::compare_test

@@ -10,7 +10,7 @@
 #include "compare/read_pictures.hpp"
 #include "errors.hpp"
 
-namespace epura::test {
+namespace epura::test::picture_limits_test {
 namespace {
 
 std::string repeated(const std::string& text, int times) {
@@ -231,4 +231,4 @@ TEST(PictureLimits, PdfContent) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::picture_limits_test

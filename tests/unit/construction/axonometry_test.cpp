@@ -9,7 +9,7 @@
 
 #include "projection/matrices.hpp"
 
-namespace epura::construction {
+namespace epura::construction::axonometry_test {
 namespace {
 
 PicturePlane parallel(const Vec3& u, const Vec3& v, const Vec3& projector) {
@@ -133,4 +133,4 @@ TEST(Axonometry, TheOriginIsTheOrthocentreOfTheTraceTriangle) {
 }
 
 }  // namespace
-}  // namespace epura::construction
+}  // namespace epura::construction::axonometry_test

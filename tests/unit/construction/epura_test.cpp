@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace epura::construction {
+namespace epura::construction::epura_test {
 namespace {
 
 constexpr double scale = 2, ground = 100;
@@ -194,4 +194,4 @@ TEST(Epura, TooManyCornersAreRefused) {
 }
 
 }  // namespace
-}  // namespace epura::construction
+}  // namespace epura::construction::epura_test

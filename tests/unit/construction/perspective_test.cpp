@@ -11,7 +11,7 @@
 
 #include "projection/matrices.hpp"
 
-namespace epura::construction {
+namespace epura::construction::perspective_test {
 namespace {
 
 using projection::Projection;
@@ -246,4 +246,4 @@ TEST(Perspective, WhatLiesAtInfinityIsTold) {
 }
 
 }  // namespace
-}  // namespace epura::construction
+}  // namespace epura::construction::perspective_test

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace epura::test {
+namespace epura::test::cut_mesh_test {
 namespace {
 
 TEST(CuttingPlane, DirectionsAreThoseOfTheAxisClosestToThePlane) {
@@ -36,4 +36,4 @@ TEST(CutSegments, OfAnOddNumberHaveTheSenseOfMost) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::cut_mesh_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace epura::test {
+namespace epura::test::cut_region_test {
 namespace {
 
 // A square that runs counterclockwise, cut in halves: what is drawn of either runs as it did.
@@ -30,4 +30,4 @@ TEST(CutRegion, KeepsTheSenseOfOutlines) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::cut_region_test

@@ -8,7 +8,7 @@
 #include "errors.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::cut_wires_test {
 namespace {
 
 cut::CutWorld cut(const world::World& world, const Vec3& point, const Vec3& normal) {
@@ -47,4 +47,4 @@ TEST(CutWires, CutsModelsOfWiresOnly) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::cut_wires_test

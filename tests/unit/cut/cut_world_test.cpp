@@ -16,7 +16,7 @@
 #include "scene/transform.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::cut_world_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -597,4 +597,4 @@ TEST(CuttingPlane, IsParsedAndNormalised) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::cut_world_test

@@ -14,7 +14,7 @@
 #include "errors.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::stepped_cut_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -400,4 +400,4 @@ TEST(AlignedCut, RefusesPlanesThatMiss) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::stepped_cut_test

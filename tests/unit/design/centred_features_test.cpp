@@ -10,7 +10,7 @@
 #include "cut/cut_world.hpp"
 #include "recognised.hpp"
 
-namespace epura::test {
+namespace epura::test::centred_features_test {
 namespace {
 
 design::CentredFeatures features_of(const Part& part, const std::string& transform = "scale:1") {
@@ -213,4 +213,4 @@ TEST(CentredFeatures, WhereNoFacesAreRecognisedRimsCount) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::centred_features_test

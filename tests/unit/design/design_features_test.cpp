@@ -10,7 +10,7 @@
 
 #include "recognised.hpp"
 
-namespace epura::test {
+namespace epura::test::design_features_test {
 namespace {
 
 TEST(DesignRounds, ReachOnlyWhereSlotsLeftThem) {
@@ -85,4 +85,4 @@ TEST(RadiusDoubt, IsLargeForSmallCaps) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::design_features_test

@@ -10,7 +10,7 @@
 #include "features/declared_part.hpp"
 #include "recognised.hpp"
 
-namespace epura::test {
+namespace epura::test::helical_threads_test {
 namespace {
 
 constexpr double minor_radius = 4.188, major_radius = 5;  // M10: 8.376 and 10
@@ -206,4 +206,4 @@ TEST(HelicalThreads, BecomeCylindersOfClosedBodies) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::helical_threads_test

@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-namespace epura::test {
+namespace epura::test::hexagons_test {
 namespace {
 
 using Faces = std::vector<design::PlaneFace>;
@@ -99,4 +99,4 @@ TEST(Hexagons, InOnePlaceAreOne) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::hexagons_test

@@ -10,7 +10,7 @@
 #include "recognised.hpp"
 #include "world/facet_heights.hpp"
 
-namespace epura {
+namespace epura::true_extents_test {
 namespace {
 
 using namespace test;
@@ -170,4 +170,4 @@ TEST(TessellationError, IsTheHeightOfTheArcOverItsChord) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::true_extents_test

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace epura::test {
+namespace epura::test::unit_guess_test {
 namespace {
 
 std::optional<Unit> guessed(double size, const std::vector<double>& diameters) {
@@ -46,4 +46,4 @@ TEST(UnitGuess, WithoutRoundDiametersIsMillimetresForUsualSizes) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::unit_guess_test

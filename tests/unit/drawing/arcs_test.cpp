@@ -11,7 +11,7 @@
 #include "drawing/conic_fit.hpp"
 #include "drawing/curve_part.hpp"
 
-namespace epura::test {
+namespace epura::test::arcs_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -265,4 +265,4 @@ TEST(Arcs, PartsOfEllipsesAreFound) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::arcs_test

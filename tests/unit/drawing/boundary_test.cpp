@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace epura::test {
+namespace epura::test::boundary_test {
 namespace {
 
 using drawing::Boundary;
@@ -121,4 +121,4 @@ TEST(Boundary, CutsCircles) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::boundary_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace epura::test {
+namespace epura::test::chains_test {
 namespace {
 
 drawing::Segment segment(Vec2 from, Vec2 to, bool visible = true, EdgeKind kind = EdgeKind::crease) {
@@ -292,4 +292,4 @@ TEST(Chains, HoldEverySegmentOnceAndItsLength) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::chains_test

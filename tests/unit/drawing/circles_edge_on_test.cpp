@@ -13,7 +13,7 @@
 #include "mesh/mesh.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::circles_edge_on_test {
 namespace {
 
 constexpr int sides = 24;
@@ -88,4 +88,4 @@ TEST(CirclesEdgeOn, EdgesAlongTheAxisDoNotCount) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::circles_edge_on_test

@@ -11,7 +11,7 @@
 #include "drawing/freehand.hpp"
 #include "drawing/limits.hpp"
 
-namespace epura::test {
+namespace epura::test::closed_line_test {
 namespace {
 
 using drawing::ClosedLine;
@@ -159,4 +159,4 @@ TEST(Freehand, StaysBesideTheCircle) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::closed_line_test

@@ -11,7 +11,7 @@
 #include "drawing/polylines.hpp"
 #include "drawing/specks.hpp"
 
-namespace epura::test {
+namespace epura::test::continue_lines_test {
 namespace {
 
 using drawing::Piece;
@@ -282,4 +282,4 @@ TEST(Glints, TakeOnTheVisibilityOfTheLineAroundThem) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::continue_lines_test

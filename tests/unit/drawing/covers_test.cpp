@@ -11,7 +11,7 @@
 
 #include "visibility/spans.hpp"
 
-namespace epura::test {
+namespace epura::test::covers_test {
 namespace {
 
 constexpr double tolerance = 1e-6;
@@ -151,4 +151,4 @@ TEST(Covers, TheSameLineHalfATurnAway) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::covers_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace epura::test {
+namespace epura::test::curve_part_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -74,4 +74,4 @@ TEST(CurvePart, PartsKeepTheirPlaces) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::curve_part_test

@@ -12,7 +12,7 @@
 #include "drawing/curve_part.hpp"
 #include "laboratory/lab.hpp"
 
-namespace epura::test {
+namespace epura::test::exact_lines_test {
 namespace {
 
 using namespace laboratory;
@@ -221,4 +221,4 @@ TEST(ExactLines, OfPolygonsAreTheirEdges) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::exact_lines_test

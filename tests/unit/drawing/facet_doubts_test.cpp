@@ -8,7 +8,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::facet_doubts_test {
 namespace {
 
 using drawing::Piece;
@@ -88,4 +88,4 @@ TEST(FacetDoubts, AddNothingBesideOutlines) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::facet_doubts_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace epura::drawing {
+namespace epura::drawing::forwards_test {
 namespace {
 
 using Points = std::vector<Vec2>;
@@ -64,4 +64,4 @@ TEST(Forwards, TheEndsStay) {
 }
 
 }  // namespace
-}  // namespace epura::drawing
+}  // namespace epura::drawing::forwards_test

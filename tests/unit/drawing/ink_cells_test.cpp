@@ -11,7 +11,7 @@
 
 #include "drawing/kept_ink.hpp"
 
-namespace epura::test {
+namespace epura::test::ink_cells_test {
 namespace {
 
 using Line = std::array<Vec2, 2>;
@@ -67,4 +67,4 @@ TEST(InkCells, FindThoseOfSomeDirections) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::ink_cells_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace epura::test {
+namespace epura::test::ink_test {
 namespace {
 
 constexpr double tolerance = 1e-6;
@@ -194,4 +194,4 @@ TEST(Ink, IsTheUnionOfManyIntervalsOnALine) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::ink_test

@@ -12,7 +12,7 @@
 #include "drawing/exact_lines.hpp"
 #include "laboratory/lab.hpp"
 
-namespace epura::test {
+namespace epura::test::joined_lines_test {
 namespace {
 
 using namespace laboratory;
@@ -147,4 +147,4 @@ TEST(JoinedLines, StayJoinedWhereAnArcIsTooShortToMove) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::joined_lines_test

@@ -13,7 +13,7 @@
 #include "drawing/curve_part.hpp"
 #include "laboratory/lab.hpp"
 
-namespace epura::test {
+namespace epura::test::known_circles_test {
 namespace {
 
 using namespace laboratory;
@@ -127,4 +127,4 @@ TEST(KnownCircles, AreNoneOnPolygonsAndInCentralProjections) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::known_circles_test

@@ -11,7 +11,7 @@
 #include "drawing/thin.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::make_drawing_test {
 namespace {
 
 TEST(MakeDrawing, LinesCoincideWithinContactOrFourCellsOfThePage) {
@@ -103,4 +103,4 @@ TEST(Breaks, PartsAreMovedTogetherUpToAGap) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::make_drawing_test

@@ -5,7 +5,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::meet_contours_test {
 namespace {
 
 using drawing::Piece;
@@ -31,4 +31,4 @@ TEST(MeetContours, LetsTwoThatEndTogetherMeetHalfWay) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::meet_contours_test

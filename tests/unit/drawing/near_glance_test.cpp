@@ -9,7 +9,7 @@
 
 #include "drawing/near_parts.hpp"
 
-namespace epura::test {
+namespace epura::test::near_glance_test {
 namespace {
 
 constexpr drawing::AlongLimits limits{0.1, 1e-5};
@@ -125,4 +125,4 @@ TEST(NearAhead, FindsWhatTheSearchFinds) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::near_glance_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace epura::test {
+namespace epura::test::near_ink_test {
 namespace {
 
 using Pieces = std::vector<drawing::Piece>;
@@ -139,7 +139,7 @@ TEST(NearInk, VisibleInkTakesHiddenInkAndNeverTheOtherWay) {
   const Pieces left = joined(pieces);
   EXPECT_EQ(ink(left, true), 20);
   EXPECT_NEAR(ink(left, false), 80 + 2 * 0.06, 1e-12);  // both ends are linked
-  EXPECT_EQ(std::count_if(left.begin(), left.end(), drawing::is_link), 2);
+  EXPECT_EQ(std::ranges::count_if(left, [](const drawing::Piece& piece) { return drawing::is_link(piece); }), 2);
   EXPECT_EQ(loose_ends(left), 4);  // those that the lines have
   const auto end = std::ranges::find(left, Vec2(40, 0.06), &drawing::Piece::to);
   ASSERT_NE(end, left.end());
@@ -319,4 +319,4 @@ TEST(NearInk, VisibleInkDoesNotDependOnHiddenInk) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::near_ink_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace epura::test {
+namespace epura::test::page_curve_test {
 namespace {
 
 using namespace drawing;
@@ -57,4 +57,4 @@ TEST(PageCurve, TouchesTheNearerSide) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::page_curve_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-namespace epura::test {
+namespace epura::test::strands_test {
 namespace {
 
 constexpr double tolerance = 1e-6, spread = 0.06;
@@ -98,4 +98,4 @@ TEST(Strands, OnOneLineAreNotDivided) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::strands_test

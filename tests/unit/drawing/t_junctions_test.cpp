@@ -8,7 +8,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::t_junctions_test {
 namespace {
 
 using drawing::Piece;
@@ -220,4 +220,4 @@ TEST(TJunctions, ContoursAreMovedNoFartherThanFacets) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::t_junctions_test

@@ -8,7 +8,7 @@
 #include "features/recognise.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::contacts_test {
 namespace {
 
 using edges::Contact;
@@ -42,4 +42,4 @@ TEST(Contacts, FreeFormsTouchIfMostOfTheirCrossingsDo) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::contacts_test

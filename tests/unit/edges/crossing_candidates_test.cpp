@@ -9,7 +9,7 @@
 #include "edges/intersections.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::crossing_candidates_test {
 namespace {
 
 constexpr double contact = 0x1p-29;
@@ -140,4 +140,4 @@ TEST(Candidates, ConvexBodiesLieBehindTheirPlanes) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::crossing_candidates_test

@@ -9,7 +9,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::dihedral_test {
 namespace {
 
 // Two triangles at the edge (0, 1) along y; the second leaves at `degrees` from going on flatly.
@@ -71,4 +71,4 @@ TEST(Height, IsOverTheLongestSide) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::dihedral_test

@@ -11,7 +11,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::feature_edges_test {
 namespace {
 
 constexpr edges::EdgeOptions everything{.smooth = true};
@@ -291,4 +291,4 @@ TEST(FeatureEdges, BehindTheEyeSidesAreFoundWithoutDivision) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::feature_edges_test

@@ -9,7 +9,7 @@
 #include "cut/cut_world.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::find_edges_test {
 namespace {
 
 edges::FeatureEdges edges_of(const world::World& world, view::ProjectedScene& view,
@@ -94,4 +94,4 @@ TEST(FeatureEdges, HaveTheParametersOfTheWholeEdgeWhereTheyAreCutTwice) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::find_edges_test

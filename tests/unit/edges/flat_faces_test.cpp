@@ -11,7 +11,7 @@
 #include "edges/intersections.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::flat_faces_test {
 namespace {
 
 constexpr double contact = 1e-9;
@@ -80,4 +80,4 @@ TEST(FlatFaces, OfSomeOfTheTrianglesHaveTheirPlaces) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::flat_faces_test

@@ -15,7 +15,7 @@
 #include "edges/intersections.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::graph_patches_test {
 namespace {
 
 constexpr double contact = 1e-9;
@@ -195,4 +195,4 @@ TEST(FeatureEdges, AreTheSameWithKnownIntersections) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::graph_patches_test

@@ -10,7 +10,7 @@
 #include "edges/crossing_candidates.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::intersections_test {
 namespace {
 
 // An upright triangle, which crosses z = 0 from x = 0 to 0.5, and a level one that begins at x = `begin`.
@@ -69,4 +69,4 @@ TEST(Intersections, HaveNoTrianglesLowerThanContact) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::intersections_test

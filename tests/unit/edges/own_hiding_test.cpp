@@ -12,7 +12,7 @@
 
 #include "skewed_torus.hpp"
 
-namespace epura::test {
+namespace epura::test::own_hiding_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -118,4 +118,4 @@ TEST(OwnHiding, OfATorusIsWhereProjectorsMeetItAgain) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::own_hiding_test

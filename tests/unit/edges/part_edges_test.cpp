@@ -18,7 +18,7 @@
 #include "features/declared_part.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::part_edges_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -573,4 +573,4 @@ TEST(SmoothContours, OfCylindersAndMeshesStay) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::part_edges_test

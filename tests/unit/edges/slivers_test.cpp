@@ -13,7 +13,7 @@
 #include "edges/feature_edges.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::slivers_test {
 namespace {
 
 // Two halves of a roof with a ridge along y, and between them, in the ridge, a sliver 0, 1, 4.
@@ -229,4 +229,4 @@ INSTANTIATE_TEST_SUITE_P(Slivers, Poles, testing::ValuesIn([] {
                          });
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::slivers_test

@@ -13,7 +13,7 @@
 #include "edges/feature_edges.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::tangent_edges_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -115,4 +115,4 @@ TEST(TangentEdges, OfASphereAreNone) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::tangent_edges_test

@@ -13,7 +13,7 @@
 #include "edges/material_along.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::thread_lines_test {
 namespace {
 
 constexpr double crest = 10, length = 10;
@@ -153,4 +153,4 @@ TEST(MaterialAlong, EndsWhereASlotBegins) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::thread_lines_test

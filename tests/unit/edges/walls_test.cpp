@@ -16,7 +16,7 @@
 #include "features/declared_part.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::walls_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -93,4 +93,4 @@ TEST(PartEdges, AWallSeenEdgeOnHasItsWholeOutline) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::walls_test

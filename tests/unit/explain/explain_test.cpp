@@ -11,7 +11,7 @@
 #include "skewed_torus.hpp"
 #include "studied.hpp"
 
-namespace epura::test {
+namespace epura::test::explain_test {
 namespace {
 
 std::string story(const explain::ExplainInput& view, const explain::EdgeQuestion& question) {
@@ -79,4 +79,4 @@ TEST(Explain, SaysThatHiddenLinesAreNotWanted) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::explain_test

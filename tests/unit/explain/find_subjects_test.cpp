@@ -6,7 +6,7 @@
 #include "errors.hpp"
 #include "studied.hpp"
 
-namespace epura::test {
+namespace epura::test::find_subjects_test {
 namespace {
 
 TEST(EdgeQuestion, NamesVerticesFacesOrAPlace) {
@@ -58,4 +58,4 @@ TEST(Subjects, ThatDoNotExistAreAnErrorWithWhatThereIs) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::find_subjects_test

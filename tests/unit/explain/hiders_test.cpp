@@ -6,7 +6,7 @@
 #include "explain/find_subjects.hpp"
 #include "studied.hpp"
 
-namespace epura::test {
+namespace epura::test::hiders_test {
 namespace {
 
 std::vector<explain::Occlusion> hiders_of(const Studied& studied, const explain::ByVertices& edge) {
@@ -82,4 +82,4 @@ TEST(TriangleBoxes, FindAllTrianglesThatMeetABoxAndNoOthers) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::hiders_test

@@ -7,7 +7,7 @@
 #include "explain/find_subjects.hpp"
 #include "studied.hpp"
 
-namespace epura::test {
+namespace epura::test::reason_test {
 namespace {
 
 std::string reason(const Studied& studied, const explain::ByVertices& edge) {
@@ -69,4 +69,4 @@ TEST(Reason, OfAnIntersectionLineIsTheAngleOfThePlanes) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::reason_test

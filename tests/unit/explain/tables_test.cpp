@@ -6,7 +6,7 @@
 #include "base/text.hpp"
 #include "studied.hpp"
 
-namespace epura::test {
+namespace epura::test::tables_test {
 namespace {
 
 using Row = std::vector<std::string_view>;
@@ -63,4 +63,4 @@ TEST(SpanTable, CoversEveryEdgeFromEndToEnd) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::tables_test

@@ -9,7 +9,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::blends_test {
 namespace {
 
 constexpr double radius = 4.9568, minor = 0.225;
@@ -88,4 +88,4 @@ TEST(Blends, OtherRimsStayFreeForms) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::blends_test

@@ -11,7 +11,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::borders_test {
 namespace {
 
 /// A fillet in the corner between a wall and a floor whose radius grows along it, so that it is a free form. Its first
@@ -100,4 +100,4 @@ TEST(Borders, OfBodiesThatTouchAreThoseOfEach) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::borders_test

@@ -10,7 +10,7 @@
 #include "features/free_form.hpp"
 #include "shapes.hpp"
 
-namespace epura {
+namespace epura::chords_test {
 namespace {
 
 using namespace test;
@@ -159,4 +159,4 @@ TEST(FlatsOfTori, DoNotConnectTwoOfThem) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::chords_test

@@ -12,7 +12,7 @@
 #include "features/round_regions.hpp"
 #include "shapes.hpp"
 
-namespace epura {
+namespace epura::evidence_test {
 namespace {
 
 using namespace test;
@@ -126,4 +126,4 @@ TEST(Evidence, TrianglesManyTimesAsLargeAsThoseAroundThemAreNoFlats) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::evidence_test

@@ -9,7 +9,7 @@
 #include "features/recognise.hpp"
 #include "shapes.hpp"
 
-namespace epura {
+namespace epura::facets_test {
 namespace {
 
 using namespace test;
@@ -64,4 +64,4 @@ TEST(Facets, AreTheSameWhicheverCornerOfATriangleComesFirst) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::facets_test

@@ -9,7 +9,7 @@
 
 #include "shapes.hpp"
 
-namespace epura {
+namespace epura::free_normals_test {
 namespace {
 
 using namespace test;
@@ -55,4 +55,4 @@ TEST(FreeNormals, FewVerticesTellNone) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::free_normals_test

@@ -10,7 +10,7 @@
 #include "features/recognise.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::grid_test {
 namespace {
 
 // A disc with a bore, not at the origin of the grid, whose step is `step` in every axis.
@@ -52,4 +52,4 @@ TEST(Grid, HasSlantedPlanes) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::grid_test

@@ -6,7 +6,7 @@
 
 #include "shapes.hpp"
 
-namespace epura {
+namespace epura::holes_test {
 namespace {
 
 using namespace test;
@@ -86,4 +86,4 @@ TEST(Holes, ShaftsAndFilletsAreNone) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::holes_test

@@ -12,7 +12,7 @@
 #include "features/recognise.hpp"
 #include "shapes.hpp"
 
-namespace epura {
+namespace epura::order_test {
 namespace {
 
 using namespace test;
@@ -187,4 +187,4 @@ TEST(OrderOfAFile, NeitherDoNamesOfAxesAndTheUnit) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::order_test

@@ -12,7 +12,7 @@
 #include "features/estimates.hpp"
 #include "features/region.hpp"
 
-namespace epura {
+namespace epura::part_surface_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -217,4 +217,4 @@ TEST(Cones, GoAroundFromTheirApex) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::part_surface_test

@@ -12,7 +12,7 @@
 #include "base/parallel.hpp"
 #include "shapes.hpp"
 
-namespace epura {
+namespace epura::recognise_test {
 namespace {
 
 using namespace test;
@@ -585,4 +585,4 @@ TEST(RecogniseFaces, FoldsTellWhetherItIsWorthWhile) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::recognise_test

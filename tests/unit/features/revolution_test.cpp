@@ -8,7 +8,7 @@
 #include "features/recognise.hpp"
 #include "shapes.hpp"
 
-namespace epura {
+namespace epura::revolution_test {
 namespace {
 
 using namespace test;
@@ -75,4 +75,4 @@ TEST(SurfacesOfRevolution, AConeWithACrowdedApexIsOneFace) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::revolution_test

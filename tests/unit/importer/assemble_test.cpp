@@ -11,7 +11,7 @@
 #include "errors.hpp"
 #include "mesh/read.hpp"
 
-namespace epura::test {
+namespace epura::test::assemble_test {
 namespace {
 
 using features::SurfaceKind;
@@ -301,4 +301,4 @@ TEST(Assemble, CopiesAreBounded) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::assemble_test

@@ -6,7 +6,7 @@
 #include "base/file.hpp"
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::brep_test {
 namespace {
 
 // Wherever it ends, the next word is nowhere to be found; it was looked for again and again.
@@ -23,4 +23,4 @@ TEST(BrepImporter, RefusesFilesThatAreCutShortAtOnce) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::brep_test

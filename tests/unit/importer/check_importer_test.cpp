@@ -5,7 +5,7 @@
 #include "importer/catalogue.hpp"
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::check_importer_test {
 namespace {
 
 std::string fault_of(const std::vector<foreign::CheckResult>& results, const std::string& name) {
@@ -44,4 +44,4 @@ TEST(CheckImporter, ThoseThatAreBuiltPass) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::check_importer_test

@@ -5,7 +5,7 @@
 #include "foreign/sandbox.hpp"
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::confined_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,4 +75,4 @@ TEST_F(ConfinedImporter, ReadsSeveralFilesOneAfterTheOther) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::confined_test

@@ -11,7 +11,7 @@
 
 #include "gltf_file.hpp"
 
-namespace epura::test::gltf {
+namespace epura::test::gltf::gltf_draco_test {
 namespace {
 
 // A cube with places that no grid of 2^n - 1 steps has.
@@ -260,4 +260,4 @@ TEST(GltfDraco, HugeCountsAreRefusedBeforeThereIsRoomForThem) {
 }
 
 }  // namespace
-}  // namespace epura::test::gltf
+}  // namespace epura::test::gltf::gltf_draco_test

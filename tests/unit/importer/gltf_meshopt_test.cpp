@@ -4,7 +4,7 @@
 
 #include "gltf_file.hpp"
 
-namespace epura::test::gltf {
+namespace epura::test::gltf::gltf_meshopt_test {
 namespace {
 
 std::vector<unsigned char> packed_points() {
@@ -62,4 +62,4 @@ TEST(GltfMeshopt, WhatIsWrongIsTold) {
 }
 
 }  // namespace
-}  // namespace epura::test::gltf
+}  // namespace epura::test::gltf::gltf_meshopt_test

@@ -7,7 +7,7 @@
 
 #include "gltf_file.hpp"
 
-namespace epura::test::gltf {
+namespace epura::test::gltf::gltf_test {
 namespace {
 
 TEST(Gltf, AFileSaysThatItIsInMetresAndThatYPointsUp) {
@@ -422,4 +422,4 @@ TEST(Gltf, AnEmptyChunkOfBytesIsNoDamage) {
 }
 
 }  // namespace
-}  // namespace epura::test::gltf
+}  // namespace epura::test::gltf::gltf_test

@@ -11,7 +11,7 @@
 
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::om_test {
 namespace {
 
 struct Doubles : OpenMesh::DefaultTraits {
@@ -110,4 +110,4 @@ TEST(Om, DamagedFilesAreRefused) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::om_test

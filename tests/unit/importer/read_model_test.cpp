@@ -10,7 +10,7 @@
 #include "importer/own_memory.hpp"
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::read_model_test {
 namespace {
 
 TEST(ImporterProcess, HandsOverWhatTheImporterReads) {
@@ -254,4 +254,4 @@ TEST(ModelRequest, HasParametersBehindThePath) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::read_model_test

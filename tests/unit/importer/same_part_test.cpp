@@ -20,7 +20,7 @@
 #include "program.hpp"
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::same_part_test {
 namespace {
 
 using Triangles = std::vector<std::array<gp_Pnt, 3>>;
@@ -121,4 +121,4 @@ TEST(SamePart, IsDrawnAlikeFromStepStlAnd3mf) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::same_part_test

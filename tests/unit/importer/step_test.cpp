@@ -44,7 +44,7 @@
 #include "shapes.hpp"
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::step_test {
 namespace {
 
 using features::SurfaceKind;
@@ -587,4 +587,4 @@ TEST(StepImporter, ShapesOfTrianglesAreNamed) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::step_test

@@ -7,7 +7,7 @@
 #include "archive.hpp"
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::threemf_test {
 namespace {
 
 /// A cube from the origin, of this side; `more` stands in its mesh.
@@ -372,4 +372,4 @@ TEST(ThreeMf, PartsInOnePlaceAreDrawnOnce) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::threemf_test

@@ -15,7 +15,7 @@
 #include <sstream>
 #include <thread>
 
-namespace epura::test {
+namespace epura::test::library_test {
 namespace {
 
 const std::string samples = EPURA_TEST_SAMPLES "/models/";
@@ -548,4 +548,4 @@ TEST(Library, OverwritesNoInput) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::library_test

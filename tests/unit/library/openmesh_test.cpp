@@ -10,7 +10,7 @@
 #include <epura/openmesh.hpp>
 #include <vector>
 
-namespace epura::test {
+namespace epura::test::openmesh_test {
 namespace {
 
 struct DoubleTraits : OpenMesh::DefaultTraits {
@@ -79,4 +79,4 @@ TEST(OpenMesh, DeletedFacesAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::openmesh_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace epura::test {
+namespace epura::test::scene_value_test {
 namespace {
 
 Settings settings() { return {.plugin_path = {EPURA_TEST_PLUGINS}}; }
@@ -145,4 +145,4 @@ TEST(Comparisons, TellDifferences) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::scene_value_test

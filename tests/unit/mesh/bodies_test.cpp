@@ -16,7 +16,7 @@
 #include "shapes.hpp"
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::bodies_test {
 namespace {
 
 using Cell = std::array<int, 3>;
@@ -474,4 +474,4 @@ TEST(Bodies, OnAOneSidedSurfaceArePartsOfIt) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::bodies_test

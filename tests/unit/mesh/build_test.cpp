@@ -7,7 +7,7 @@
 #include "mesh/weld.hpp"
 #include "support.hpp"
 
-namespace epura {
+namespace epura::build_test {
 namespace {
 
 using test::expect_valid;
@@ -349,4 +349,4 @@ TEST(Build, NothingIsAMesh) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::build_test

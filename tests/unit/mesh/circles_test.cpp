@@ -9,7 +9,7 @@
 
 #include "support.hpp"
 
-namespace epura {
+namespace epura::circles_test {
 namespace {
 
 using test::mesh_of;
@@ -218,4 +218,4 @@ TEST_P(Samples, HaveTheirCircles) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::circles_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace epura::test {
+namespace epura::test::cracks_test {
 namespace {
 
 // Loose triangles: each begins at a given point, and its other corners are far away from all others.
@@ -93,4 +93,4 @@ TEST(Cracks, AreNotBetweenClosedBodies) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::cracks_test

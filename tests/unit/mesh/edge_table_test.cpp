@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace epura::test {
+namespace epura::test::edge_table_test {
 namespace {
 
 mesh::EdgeTable table_of(const std::vector<int>& corners, int vertices) {
@@ -72,4 +72,4 @@ TEST(EdgeTable, TellsOfEqualTriangles) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::edge_table_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace epura {
+namespace epura::even_odd_test {
 namespace {
 
 void add_ring(mesh::Outlines& outlines, const std::vector<Vec2>& ring) {
@@ -101,4 +101,4 @@ TEST(EvenOdd, TakesTimeInProportionToManyPlaces) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::even_odd_test

@@ -6,10 +6,10 @@
 #include "base/text.hpp"
 #include "support.hpp"
 
-namespace epura {
+namespace epura::obj_test {
 namespace {
 
-using test::error_of;
+using test::words_of_error;
 
 mesh::Soup soup_of(std::string_view text) { return mesh::read_obj(text, "m.obj"); }
 
@@ -87,7 +87,7 @@ TEST(Obj, LinesAreWires) {
 }
 
 TEST(Obj, ErrorsNameTheLine) {
-  const auto error = [](const std::string& text) { return error_of([&] { soup_of(text); }); };
+  const auto error = [](const std::string& text) { return words_of_error([&] { soup_of(text); }); };
   EXPECT_EQ(error("v 0 0 0\nv 1 2\n"), "m.obj:2 | m.obj:2: the z coordinate is missing | ");
   EXPECT_EQ(error("v 0 # 0 0\n"), "m.obj:1 | m.obj:1: the y coordinate is missing | ");
   EXPECT_EQ(error("v\n"), "m.obj:1 | m.obj:1: the x coordinate is missing | ");
@@ -165,7 +165,7 @@ TEST(Obj, ErrorsNameTheLineOfLongFiles) {
   const LongFile file = make_long_file();
   const std::string count = std::to_string(file.soup.points.size()), line = std::to_string(file.lines + 1),
                     next = std::to_string(file.lines + 2);
-  const auto error = [&](const std::string& end) { return error_of([&] { soup_of(file.text + end); }); };
+  const auto error = [&](const std::string& end) { return words_of_error([&] { soup_of(file.text + end); }); };
   EXPECT_EQ(error("v 1 2\n"), "m.obj:" + line + " | m.obj:" + line + ": the z coordinate is missing | ");
   EXPECT_EQ(error("f 1 2 9000000\nf 1 2 3\n"),
             "m.obj:" + line + " | m.obj:" + line + ": a face refers to vertex 9000000, but there are " + count + " | ");
@@ -193,4 +193,4 @@ TEST(Obj, LongFilesThatCannotBeCut) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::obj_test

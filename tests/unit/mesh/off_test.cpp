@@ -2,10 +2,10 @@
 // What would break if this were wrong: the legal forms that other readers drop without a word.
 #include "support.hpp"
 
-namespace epura {
+namespace epura::off_test {
 namespace {
 
-using test::error_of;
+using test::words_of_error;
 
 mesh::Soup soup_of(std::string_view text) { return mesh::read_off(text, "m.off"); }
 
@@ -37,7 +37,7 @@ TEST(Off, ColoursNormalsAndTexturesAreSkipped) {
 }
 
 TEST(Off, ErrorsNameTheLine) {
-  const auto error = [](const std::string& text) { return error_of([&] { soup_of(text); }); };
+  const auto error = [](const std::string& text) { return words_of_error([&] { soup_of(text); }); };
   EXPECT_EQ(error("OFF BINARY\n"), "m.off:1 | m.off:1: binary OFF is not supported | save it as text OFF or as PLY");
   EXPECT_EQ(error("4OFF\n1 0 0\n"), "m.off:1 | m.off:1: '4OFF' has vertices that are not three-dimensional | ");
   EXPECT_EQ(error("hello\n"), "m.off:1 | m.off:1: does not begin with 'OFF' | ");
@@ -59,4 +59,4 @@ TEST(Off, ErrorsNameTheLine) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::off_test

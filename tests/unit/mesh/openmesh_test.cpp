@@ -7,7 +7,7 @@
 
 #include "support.hpp"
 
-namespace epura {
+namespace epura::openmesh_test {
 namespace {
 
 using test::mesh_of;
@@ -125,4 +125,4 @@ TEST(OpenMesh, TakesWhateverFilesHold) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::openmesh_test

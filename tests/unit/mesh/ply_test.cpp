@@ -4,11 +4,11 @@
 
 #include "support.hpp"
 
-namespace epura {
+namespace epura::ply_test {
 namespace {
 
 using test::append;
-using test::error_of;
+using test::words_of_error;
 
 mesh::Soup soup_of(std::string_view bytes) { return mesh::read_ply(bytes, "m.ply"); }
 
@@ -38,7 +38,7 @@ TEST(Ply, EdgesAreWires) {
   EXPECT_EQ(soup.wires, (std::vector<std::array<int, 2>>{{0, 1}, {1, 2}}));
   EXPECT_TRUE(soup.corners.empty());
   EXPECT_TRUE(soup_of(head + "element edge 1\nproperty int crease\nend_header\n" + points + "7\n").wires.empty());
-  EXPECT_EQ(error_of([&] { soup_of(head + edges + "end_header\n" + points + "255 1 0\n255 2 3\n"); }),
+  EXPECT_EQ(words_of_error([&] { soup_of(head + edges + "end_header\n" + points + "255 1 0\n255 2 3\n"); }),
             "m.ply:16 | m.ply:16: an edge refers to vertex 3, but there are 3 | ");
 }
 
@@ -120,7 +120,7 @@ TEST(Ply, ElementsWithoutPropertiesTakeNoRoomHoweverMany) {
 }
 
 TEST(Ply, TextErrorsNameTheLine) {
-  const auto error = [](const std::string& text) { return error_of([&] { soup_of(text); }); };
+  const auto error = [](const std::string& text) { return words_of_error([&] { soup_of(text); }); };
   const std::string head = "ply\nformat ascii 1.0\n" + vertex_header + face_header + "end_header\n";  // 9 lines
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 x\n3 0 1 2\n"),
             "m.ply:12 | m.ply:12: 'x' is not a number, or too large | ");
@@ -138,7 +138,7 @@ TEST(Ply, TextErrorsNameTheLine) {
 
 TEST(Ply, AShortRowIsSaidWhereItStands) {
   const std::string head = "ply\nformat ascii 1.0\n" + vertex_header + "property list uchar int marks\n" + face_header;
-  const auto error = [&](const std::string& rows) { return error_of([&] { soup_of(head + "end_header\n" + rows); }); };
+  const auto error = [&](const std::string& rows) { return words_of_error([&] { soup_of(head + "end_header\n" + rows); }); };
   const auto short_row = [](int line, const std::string& property) {
     const std::string place = "m.ply:" + std::to_string(line);
     return place + " | " + place + ": the row ends too early: a number of '" + property + "' is missing | ";
@@ -152,7 +152,7 @@ TEST(Ply, AShortRowIsSaidWhereItStands) {
 }
 
 TEST(Ply, HeaderErrorsNameTheLine) {
-  const auto error = [](const std::string& text) { return error_of([&] { soup_of("ply\n" + text); }); };
+  const auto error = [](const std::string& text) { return words_of_error([&] { soup_of("ply\n" + text); }); };
   EXPECT_EQ(
       error("format ascii 1.0\nelement vertex 350000000000\nproperty float x\nproperty float y\nproperty float "
             "z\nend_header\n0 0 0\n"),
@@ -181,19 +181,19 @@ TEST(Ply, BinaryErrorsNameTheByte) {
   append(bytes, std::uint8_t{3});
   for (const int corner : {0, 1, 7}) append(bytes, corner);
   const std::string last = std::to_string(data + 85);
-  EXPECT_EQ(error_of([&] { soup_of(bytes); }),
+  EXPECT_EQ(words_of_error([&] { soup_of(bytes); }),
             "m.ply: byte " + last + " | m.ply: byte " + last + ": a face refers to vertex 7, but there are 3 | ");
   bytes.resize(data + 80);
-  EXPECT_NE(error_of([&] { soup_of(bytes); }).find("the file ends too early"), std::string::npos);
+  EXPECT_NE(words_of_error([&] { soup_of(bytes); }).find("the file ends too early"), std::string::npos);
   bytes.resize(data + 60);
-  EXPECT_NE(error_of([&] { soup_of(bytes); }).find("m.ply:3: the file is too short for the 3 elements 'vertex'"),
+  EXPECT_NE(words_of_error([&] { soup_of(bytes); }).find("m.ply:3: the file is too short for the 3 elements 'vertex'"),
             std::string::npos);
   bytes.resize(data + 72);
   bytes += '\xFF';
   const std::string list = std::to_string(data + 72);
-  EXPECT_EQ(error_of([&] { soup_of(bytes); }),
+  EXPECT_EQ(words_of_error([&] { soup_of(bytes); }),
             "m.ply: byte " + list + " | m.ply: byte " + list + ": a list has an invalid length | ");
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::ply_test

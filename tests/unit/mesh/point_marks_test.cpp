@@ -9,7 +9,7 @@
 #include "errors.hpp"
 #include "mesh/read.hpp"
 
-namespace epura::test {
+namespace epura::test::point_marks_test {
 namespace {
 
 mesh::Mesh read(const std::string& bytes, const std::string& name) { return mesh::read_mesh(bytes, name); }
@@ -68,4 +68,4 @@ TEST(PointMarks, RefuseNumbersOutOfRange) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::point_marks_test

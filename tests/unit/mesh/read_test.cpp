@@ -4,10 +4,10 @@
 
 #include "support.hpp"
 
-namespace epura {
+namespace epura::read_test {
 namespace {
 
-using test::error_of;
+using test::words_of_error;
 using test::Folder;
 
 const std::string triangle_obj = "v 0 0 0\nv 1.5 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -94,7 +94,7 @@ TEST(ReadMesh, ErrorsNameTheFileAndTheReason) {
   const Folder folder;
   const auto error = [&](const std::string& name, const std::string& bytes) {
     const std::string path = folder.file(name, bytes);
-    std::string text = error_of([&] { mesh::read_mesh(path); });
+    std::string text = words_of_error([&] { mesh::read_mesh(path); });
     for (std::size_t at; (at = text.find(path)) != std::string::npos;) text.replace(at, path.size(), "FILE");
     return text;
   };
@@ -116,7 +116,7 @@ TEST(ReadMesh, ErrorsNameTheFileAndTheReason) {
 }
 
 TEST(ReadMesh, MissingFileIsAnError) {
-  EXPECT_NE(error_of([] { mesh::read_mesh("no/such/file.obj"); }).find("no/such/file.obj"), std::string::npos);
+  EXPECT_NE(words_of_error([] { mesh::read_mesh("no/such/file.obj"); }).find("no/such/file.obj"), std::string::npos);
 }
 
 /// Numbers as German or Swiss programs print them.
@@ -138,4 +138,4 @@ TEST(ReadMesh, NoLocaleChangesANumber) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::read_test

@@ -13,7 +13,7 @@
 
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::resolution_test {
 namespace {
 
 double resolved(const mesh::Points& points) { return mesh::resolution_of(points, false); }
@@ -162,4 +162,4 @@ TEST(Resolution, IsTheCoarserOfTwo) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::resolution_test

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace epura {
+namespace epura::simple_rings_test {
 namespace {
 
 using Rings = std::vector<std::vector<int>>;
@@ -45,4 +45,4 @@ TEST(SimpleRings, RepeatCorners) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::simple_rings_test

@@ -6,11 +6,11 @@
 #include "base/text.hpp"
 #include "support.hpp"
 
-namespace epura {
+namespace epura::stl_test {
 namespace {
 
 using test::binary_stl;
-using test::error_of;
+using test::words_of_error;
 using test::expect_valid;
 using test::Triangle;
 
@@ -53,9 +53,9 @@ TEST(Stl, BytesBehindTheLastTriangleAreNoted) {
 
 TEST(Stl, TruncatedBinaryNamesTheByte) {
   const std::string bytes = binary_stl(cube());
-  EXPECT_EQ(error_of([&] { mesh::read_stl(std::string_view(bytes).substr(0, 200), "m.stl"); }),
+  EXPECT_EQ(words_of_error([&] { mesh::read_stl(std::string_view(bytes).substr(0, 200), "m.stl"); }),
             "m.stl: byte 200 | m.stl: byte 200: the file ends at triangle 3 of 12 | is the file complete?");
-  EXPECT_EQ(error_of([&] { mesh::read_stl(std::string_view(bytes).substr(0, 50), "m.stl"); }),
+  EXPECT_EQ(words_of_error([&] { mesh::read_stl(std::string_view(bytes).substr(0, 50), "m.stl"); }),
             "m.stl: byte 50 | m.stl: byte 50: the file ends inside the header of a binary STL | is the file complete?");
 }
 
@@ -135,7 +135,7 @@ TEST(Stl, TextInAnyCaseWithSeveralSolids) {
 
 TEST(Stl, TextErrorsNameTheLine) {
   const auto error = [](const std::string& body) {
-    return error_of([&] { mesh::read_stl("solid s\nfacet normal 0 0 1\n" + body, "m.stl"); });
+    return words_of_error([&] { mesh::read_stl("solid s\nfacet normal 0 0 1\n" + body, "m.stl"); });
   };
   EXPECT_EQ(error("vertex 0 0\n"), "m.stl:3 | m.stl:3: the z coordinate is missing | ");
   EXPECT_EQ(error("vertex 0 0 zero\n"), "m.stl:3 | m.stl:3: 'zero' is not a number, or too large | ");
@@ -146,4 +146,4 @@ TEST(Stl, TextErrorsNameTheLine) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::stl_test

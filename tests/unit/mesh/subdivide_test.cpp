@@ -8,7 +8,7 @@
 
 #include "mesh/build.hpp"
 
-namespace epura::test {
+namespace epura::test::subdivide_test {
 namespace {
 
 mesh::Mesh made_of(mesh::Points points, const std::vector<std::vector<int>>& faces) {
@@ -81,4 +81,4 @@ TEST(Subdivide, KeepsBodiesApart) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::subdivide_test

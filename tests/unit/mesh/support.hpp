@@ -33,7 +33,7 @@ inline mesh::Mesh mesh_of(mesh::Points points, const std::vector<std::vector<int
 }
 
 /// What `action` throws, as "where | sentence | hint"; empty if nothing.
-inline std::string error_of(const std::function<void()>& action) {
+inline std::string words_of_error(const std::function<void()>& action) {
   try {
     action();
   } catch (const Error& error) {

@@ -8,7 +8,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura::test {
+namespace epura::test::triangulate_test {
 namespace {
 
 using Polygon = std::vector<std::array<double, 2>>;
@@ -91,4 +91,4 @@ TEST(Triangulate, AnEarIsInsideAtBothEndsOfItsDiagonal) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::triangulate_test

@@ -16,7 +16,7 @@
 #include "support.hpp"
 #include "svg_reader.hpp"
 
-namespace epura {
+namespace epura::curves_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -187,4 +187,4 @@ TEST(Curves, AreCurvesInPdfAndPostScript) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::curves_test

@@ -11,7 +11,7 @@
 #include "rasters.hpp"
 #include "support.hpp"
 
-namespace epura {
+namespace epura::dxf_entities_test {
 namespace {
 
 // A square that is hatched by three lines, and a line that belongs to no hatch.
@@ -166,4 +166,4 @@ TEST_F(Ezdxf, FindsNoFaultInHatchesAndDimensions) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::dxf_entities_test

@@ -13,7 +13,7 @@
 #include "rasters.hpp"
 #include "support.hpp"
 
-namespace epura {
+namespace epura::dxf_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -426,4 +426,4 @@ TEST_F(Ezdxf, FindsNoFault) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::dxf_test

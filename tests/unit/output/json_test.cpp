@@ -9,7 +9,7 @@
 #include "output/format.hpp"
 #include "report/report.hpp"
 
-namespace epura {
+namespace epura::json_test {
 namespace {
 
 drawing::ViewDrawing example() {
@@ -165,4 +165,4 @@ TEST(Json, TellsWhatVerificationFoundWrong) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::json_test

@@ -8,7 +8,7 @@
 
 #include "base/text.hpp"
 
-namespace epura::test {
+namespace epura::test::json_text_test {
 namespace {
 
 using output::json_lines;
@@ -40,4 +40,4 @@ TEST(JsonText, LinesAreIndentedWhereThereAreAny) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::json_text_test

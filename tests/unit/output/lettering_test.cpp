@@ -7,7 +7,7 @@
 #include "output/write.hpp"
 #include "rasters.hpp"
 
-namespace epura {
+namespace epura::lettering_test {
 namespace {
 
 sheet::Sheet lettered() {
@@ -84,4 +84,4 @@ TEST(Lettered, SvgHasOutlinesOrText) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::lettering_test

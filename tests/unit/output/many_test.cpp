@@ -8,7 +8,7 @@
 #include "output/write.hpp"
 #include "support.hpp"
 
-namespace epura {
+namespace epura::many_test {
 namespace {
 
 // Short lines here and there: the area they cover is not a simple one.
@@ -44,4 +44,4 @@ TEST(ManyStrokes, TakeLinearTime) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::many_test

@@ -10,7 +10,7 @@
 #include "output/write.hpp"
 #include "support.hpp"
 
-namespace epura {
+namespace epura::page_test {
 namespace {
 
 std::string header_line(const std::string& postscript, const std::string& key) {
@@ -129,4 +129,4 @@ TEST(Formats, EncodeAsTheirWritersDo) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::page_test

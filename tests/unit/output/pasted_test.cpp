@@ -10,7 +10,7 @@
 #include "rasters.hpp"
 #include "support.hpp"
 
-namespace epura {
+namespace epura::pasted_test {
 namespace {
 
 constexpr int width = 800, height = 460, drawings_end = 300;  // pixels; below stands what the page has itself
@@ -121,4 +121,4 @@ TEST_F(Pasted, PagesKeepTheirLookBesideDrawings) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::pasted_test

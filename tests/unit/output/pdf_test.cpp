@@ -7,7 +7,7 @@
 #include "pdf_reader.hpp"
 #include "support.hpp"
 
-namespace epura {
+namespace epura::pdf_test {
 namespace {
 
 constexpr double millimetre = 72 / 25.4;
@@ -196,4 +196,4 @@ TEST(Pdf, TitleIsKeptAndNoDateIsWritten) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::pdf_test

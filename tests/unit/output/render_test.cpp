@@ -6,7 +6,7 @@
 #include "rasters.hpp"
 #include "support.hpp"
 
-namespace epura {
+namespace epura::render_test {
 namespace {
 
 constexpr double dpi = 150;
@@ -70,4 +70,4 @@ TEST_F(Rendered, PdfFilesAreSound) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::render_test

@@ -8,7 +8,7 @@
 #include "output/write.hpp"
 #include "support.hpp"
 
-namespace epura {
+namespace epura::size_test {
 namespace {
 
 // Lines as drawings of parts have them: half of them straight, the others around curves; some dashed.
@@ -51,4 +51,4 @@ TEST(SvgSize, IsNearThatOfTheCoordinates) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::size_test

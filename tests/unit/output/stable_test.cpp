@@ -14,7 +14,7 @@
 #include "output/write.hpp"
 #include "support.hpp"
 
-namespace epura {
+namespace epura::stable_test {
 namespace {
 
 std::vector<std::string> all_formats() {
@@ -82,4 +82,4 @@ TEST_F(Stable, UnderAnotherCLocale) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::stable_test

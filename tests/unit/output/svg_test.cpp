@@ -13,7 +13,7 @@
 #include "support.hpp"
 #include "svg_reader.hpp"
 
-namespace epura {
+namespace epura::svg_test {
 namespace {
 
 constexpr double tolerance = 1e-4;  // mm
@@ -299,4 +299,4 @@ TEST(Svg, AnEmptySheetIsADocument) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::svg_test

@@ -14,7 +14,7 @@
 #include "sheet/lettering.hpp"
 #include "svg_reader.hpp"
 
-namespace epura {
+namespace epura::texts_test {
 namespace {
 
 sheet::Sheet sheet_of(std::vector<sheet::Text> texts) {
@@ -166,4 +166,4 @@ TEST_F(TextFiles, LongOutlinesAreSeveralPathsOfWholeLetters) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::texts_test

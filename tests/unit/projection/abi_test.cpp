@@ -6,7 +6,7 @@
 #include "../../plugins/abi_layout.h"
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::abi_test {
 namespace {
 
 #define AT(structure, member, offset) EXPECT_EQ(offsetof(structure, member), std::size_t{offset}) << #member;
@@ -64,4 +64,4 @@ TEST(an_older_program, gets_no_more_of_the_view_than_it_knows) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::abi_test

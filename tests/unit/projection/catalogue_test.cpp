@@ -8,7 +8,7 @@
 #include "support.hpp"
 #include "variable.hpp"
 
-namespace epura::test {
+namespace epura::test::catalogue_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -290,4 +290,4 @@ TEST(wrong_key, comes_with_a_suggestion) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::catalogue_test

@@ -4,7 +4,7 @@
 
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::check_projection_test {
 namespace {
 
 std::filesystem::path bad(const std::string& folder) { return std::filesystem::path(EPURA_TEST_BAD_PLUGINS) / folder; }
@@ -66,4 +66,4 @@ TEST(good_plugins, pass_every_check) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::check_projection_test

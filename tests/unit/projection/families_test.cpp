@@ -2,7 +2,7 @@
 // What the built-in families promise, held against independent geometry.
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::families_test {
 namespace {
 
 const Vec3 ex{1, 0, 0}, ey{0, 1, 0}, ez{0, 0, 1};
@@ -313,4 +313,4 @@ TEST_F(vanishing_points_plugin, refuses_what_no_eye_can_see) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::families_test

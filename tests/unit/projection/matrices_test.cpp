@@ -4,7 +4,7 @@
 
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::matrices_test {
 namespace {
 
 const Vec3 r0{2, -1, 3}, n{2.0 / 7, 3.0 / 7, 6.0 / 7}, c{5, 4, 9}, x{0.3, -2.5, 1.75};
@@ -187,4 +187,4 @@ TEST(vanishing_points, are_missing_for_axes_parallel_to_the_plane_and_for_parall
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::matrices_test

@@ -21,7 +21,7 @@
 #include "projection/loader.hpp"
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::plugin_process_test {
 namespace {
 
 std::filesystem::path plain(const std::string& folder) {
@@ -188,4 +188,4 @@ TEST(packed_values, are_not_believed_to_be_more_than_there_are) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::plugin_process_test

@@ -12,7 +12,7 @@ inline void PrintTo(const projection::ProjectionEntry& entry, std::ostream* out)
 
 }  // namespace epura
 
-namespace epura::test {
+namespace epura::test::plugins_test {
 namespace {
 
 const projection::Catalogue& catalogue() {
@@ -62,4 +62,4 @@ TEST_P(every_plugin, passes_the_checks_for_strangers) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::plugins_test

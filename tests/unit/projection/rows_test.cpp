@@ -8,7 +8,7 @@
 #include "errors.hpp"
 #include "foreign/parameters.hpp"
 
-namespace epura::test {
+namespace epura::test::rows_test {
 namespace {
 
 /// A row as this program knows it.
@@ -43,4 +43,4 @@ TEST(Rows, ThatAreTooShortOrCrookedAreRefused) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::rows_test

@@ -2,7 +2,7 @@
 // The worked examples of the seed documents, recomputed without their rounding and misprints.
 #include "support.hpp"
 
-namespace epura::test {
+namespace epura::test::seeds_test {
 namespace {
 
 const double pi = std::acos(-1.0);
@@ -158,4 +158,4 @@ TEST(seed_004, look_at_of_a_cube_from_1_1_1_is_isometric) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::seeds_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace epura::test {
+namespace epura::test::body_styles_test {
 namespace {
 
 using Colours = std::vector<std::optional<Colour>>;
@@ -34,4 +34,4 @@ TEST(ColourOfBody, IsThatOfTheOnlyNameForAllParts) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::body_styles_test

@@ -6,7 +6,7 @@
 
 #include "errors.hpp"
 
-namespace epura::test {
+namespace epura::test::geometric_tolerances_test {
 namespace {
 
 using scene::DatumRule;
@@ -49,4 +49,4 @@ TEST(Datums, AreLettersWithModifiers) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::geometric_tolerances_test

@@ -7,7 +7,7 @@
 #include "base/file.hpp"
 #include "folder.hpp"
 
-namespace epura {
+namespace epura::role_styles_test {
 namespace {
 
 std::vector<scene::RoleStyle> read(const std::string& text) {
@@ -63,4 +63,4 @@ INSTANTIATE_TEST_SUITE_P(All, RoleStylesRefuse,
                                          Refused{"visible = 3\n", "s.toml:1", "visible"}));
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::role_styles_test

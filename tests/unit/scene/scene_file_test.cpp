@@ -8,7 +8,7 @@
 #include "scene/scene_keys.hpp"
 #include "scene/transform.hpp"
 
-namespace epura::test {
+namespace epura::test::scene_file_test {
 namespace {
 
 const std::string model = "[[model]]\nfile = \"a.obj\"\n";
@@ -230,4 +230,4 @@ TEST(SceneFile, SamplesFindTheirModels) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::scene_file_test

@@ -6,7 +6,7 @@
 #include "folder.hpp"
 #include "scene/scene_file.hpp"
 
-namespace epura::test {
+namespace epura::test::scene_refusal_test {
 namespace {
 
 struct Refusal {
@@ -271,4 +271,4 @@ TEST(SceneRefusal, FilesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::scene_refusal_test

@@ -8,7 +8,7 @@
 
 #include "errors.hpp"
 
-namespace epura::test {
+namespace epura::test::threads_test {
 namespace {
 
 // Minor diameters of ISO 724:1993, table 1.
@@ -48,4 +48,4 @@ TEST(Threads, OfOtherSizesAreRefused) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::threads_test

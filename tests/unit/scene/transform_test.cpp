@@ -7,7 +7,7 @@
 
 #include "errors.hpp"
 
-namespace epura::test {
+namespace epura::test::transform_test {
 namespace {
 
 Vec3 moved(const Mat4& matrix, const Vec3& p) { return Vec3(matrix * Vec4(p, 1)); }
@@ -97,4 +97,4 @@ TEST(Transform, YUpBecomesZUp) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::transform_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace epura::test {
+namespace epura::test::bounds_tree_test {
 namespace {
 
 using Tree = search::BoundsTree<1>;
@@ -44,4 +44,4 @@ TEST(BoundsTree, VisitsAllThatMeetTheBoundsInOrder) {
 TEST(BoundsTree, EndsWhenTold) { EXPECT_EQ(visited(intervals(100), 0, 1000, 20).size(), 20U); }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::bounds_tree_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace epura::test {
+namespace epura::test::choose_grid_test {
 namespace {
 
 search::Cuts things(std::size_t count, const Vec2& box, const Vec2& page) {
@@ -46,4 +46,4 @@ TEST(ChooseGrid, NothingAndAPointGetOneCell) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::choose_grid_test

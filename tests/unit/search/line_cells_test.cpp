@@ -6,7 +6,7 @@
 #include <map>
 #include <random>
 
-namespace epura::test {
+namespace epura::test::line_cells_test {
 namespace {
 
 double uniform(std::mt19937& random, double min, double max) {
@@ -63,4 +63,4 @@ TEST(LineCells, AShortLineVisitsFewCells) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::line_cells_test

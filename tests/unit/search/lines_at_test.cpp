@@ -9,7 +9,7 @@
 
 #include "base/nearest.hpp"
 
-namespace epura::test {
+namespace epura::test::lines_at_test {
 namespace {
 
 using search::LinesAt;
@@ -54,4 +54,4 @@ TEST(LinesAt, FindsAllThatPassWithinTheMargin) {
 TEST(LinesAt, FindsNothingAmongNoLines) { EXPECT_TRUE(LinesAt({}, 1)(Vec2(3, 4)).empty()); }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::lines_at_test

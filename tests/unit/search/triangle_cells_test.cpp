@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace epura::test {
+namespace epura::test::triangle_cells_test {
 namespace {
 
 double uniform(std::mt19937& random, double min, double max) {
@@ -105,4 +105,4 @@ TEST(TriangleCells, ATriangleBesideTheGridVisitsNothing) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::triangle_cells_test

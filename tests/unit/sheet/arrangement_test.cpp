@@ -15,7 +15,7 @@
 #include "base/error.hpp"
 #include "sheet/free_rectangles.hpp"
 
-namespace epura {
+namespace epura::arrangement_test {
 namespace {
 
 using enum sheet::ViewPlace;
@@ -360,4 +360,4 @@ TEST(Arrangement, LabelsHaveRoomInNarrowGaps) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::arrangement_test

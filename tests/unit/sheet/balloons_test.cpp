@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace epura::test {
+namespace epura::test::balloons_test {
 namespace {
 
 double side(const Vec2& a, const Vec2& b, const Vec2& p) {
@@ -60,4 +60,4 @@ TEST(Balloons, AreLeftOutWhereThereIsNoPlace) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::balloons_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace epura::test {
+namespace epura::test::box_index_test {
 namespace {
 
 // Small and long boxes and lines in all directions, on the paper and far off it, some of them again and again.
@@ -56,4 +56,4 @@ TEST(BoxIndex, ForgetsWhatIsTakenOut) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::box_index_test

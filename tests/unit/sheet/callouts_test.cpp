@@ -10,7 +10,7 @@
 #include "sheet/callout_symbols.hpp"
 #include "sheet/free_rectangles.hpp"
 
-namespace epura::test {
+namespace epura::test::callouts_test {
 namespace {
 
 // A rectangle with its outline as segments.
@@ -224,4 +224,4 @@ TEST(NearestFreePosition, IsTheOneTowardsAPoint) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::callouts_test

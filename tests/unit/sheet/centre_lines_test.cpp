@@ -13,7 +13,7 @@
 #include "drawing/drawing.hpp"
 #include "sheet/dash.hpp"
 
-namespace epura {
+namespace epura::centre_lines_test {
 namespace {
 
 constexpr sheet::LineWidths widths{0.5, 0.25};
@@ -319,4 +319,4 @@ TEST(CentreLines, OfHolesOnAPitchCircleAreThatAndMarksAlongRadii) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::centre_lines_test

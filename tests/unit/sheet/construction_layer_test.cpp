@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace epura::sheet {
+namespace epura::sheet::construction_layer_test {
 namespace {
 
 using construction::Extent;
@@ -96,4 +96,4 @@ TEST(ConstructionLayer, CirclesEndAtTheBorder) {
 }
 
 }  // namespace
-}  // namespace epura::sheet
+}  // namespace epura::sheet::construction_layer_test

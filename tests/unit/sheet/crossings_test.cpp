@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-namespace epura {
+namespace epura::crossings_test {
 namespace {
 
 drawing::Chain line(std::vector<Vec2> points, bool closed = false, bool visible = true) {
@@ -74,4 +74,4 @@ TEST(Crossings, AreThoseOfAllPairs) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::crossings_test

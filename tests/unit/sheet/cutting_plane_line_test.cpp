@@ -9,7 +9,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::cutting_plane_line_test {
 namespace {
 
 constexpr sheet::LineWidths widths{0.5, 0.25};
@@ -199,4 +199,4 @@ TEST(CuttingPlaneLine, LettersOfNeighboursAreApart) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::cutting_plane_line_test

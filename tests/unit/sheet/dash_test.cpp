@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-namespace epura {
+namespace epura::dash_test {
 namespace {
 
 TEST(Dash, OpenLinesBeginAndEndWithADash) {
@@ -175,4 +175,4 @@ TEST(Dash, ChainLinesAreFittedToo) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::dash_test

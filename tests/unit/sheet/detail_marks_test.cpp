@@ -7,7 +7,7 @@
 
 #include "sheet/furniture.hpp"
 
-namespace epura::test {
+namespace epura::test::detail_marks_test {
 namespace {
 
 constexpr sheet::LineWidths widths{0.5, 0.25};
@@ -74,4 +74,4 @@ TEST(DetailMarks, RectanglesAreOutlines) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::detail_marks_test

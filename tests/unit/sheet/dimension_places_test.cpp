@@ -13,7 +13,7 @@
 #include "sheet/dimensions/overall.hpp"
 #include "sheet/dimensions/surroundings.hpp"
 
-namespace epura::test {
+namespace epura::test::dimension_places_test {
 namespace {
 
 sheet::TurnedBox box_of(const sheet::Text& text) {
@@ -481,4 +481,4 @@ TEST(DimensionPlaces, LeadersGoThroughNoOtherHole) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::dimension_places_test

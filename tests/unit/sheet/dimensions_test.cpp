@@ -7,7 +7,7 @@
 #include "dimensions_support.hpp"
 #include "errors.hpp"
 
-namespace epura::test {
+namespace epura::test::dimensions_test {
 namespace {
 
 void expect_at(const Vec2& p, const Vec2& q) { EXPECT_LT(glm::length(p - q), 1e-6) << p.x << ' ' << p.y; }
@@ -284,4 +284,4 @@ TEST(Dimensions, CirclesSeenAsEllipses) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::dimensions_test

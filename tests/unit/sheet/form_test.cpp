@@ -7,7 +7,7 @@
 #include "base/file.hpp"
 #include "folder.hpp"
 
-namespace epura {
+namespace epura::form_test {
 namespace {
 
 // Two cells of 40 and 60 mm above each other's width, in the lower right corner of A4.
@@ -168,4 +168,4 @@ TEST_F(Forms, OtherFilesAreNoLogos) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::form_test

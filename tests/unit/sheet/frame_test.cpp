@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace epura {
+namespace epura::frame_test {
 namespace {
 
 sheet::Paper paper(const std::string& size, bool portrait = false) {
@@ -151,4 +151,4 @@ TEST(Frame, LongSheetsHaveLettersBeyondZ) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::frame_test

@@ -11,7 +11,7 @@
 
 #include "drawing/drawing.hpp"
 
-namespace epura {
+namespace epura::hatch_test {
 namespace {
 
 using Ring = std::vector<Vec2>;
@@ -302,4 +302,4 @@ TEST(Hatch, ThinSectionsAreBlack) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::hatch_test

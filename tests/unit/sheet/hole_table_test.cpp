@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace epura::test {
+namespace epura::test::hole_table_test {
 namespace {
 
 TEST(HoleTable, Letters) {
@@ -65,4 +65,4 @@ TEST(HoleTable, StandsInTheUpperRightOfTheFreeRoom) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::hole_table_test

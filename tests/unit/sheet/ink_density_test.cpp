@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace epura {
+namespace epura::ink_density_test {
 namespace {
 
 drawing::Chain line(std::vector<Vec2> points, bool closed = false) {
@@ -36,4 +36,4 @@ TEST(InkDensity, ClosedLinesAreClosed) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::ink_density_test

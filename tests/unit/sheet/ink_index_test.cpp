@@ -8,7 +8,7 @@
 
 #include "drawing/drawing.hpp"
 
-namespace epura {
+namespace epura::ink_index_test {
 namespace {
 
 // Lines of all lengths, among them points, and boxes at any angle, in and beside the drawing.
@@ -38,4 +38,4 @@ TEST(InkIndex, CountsWhatASearchOfAllLinesCounts) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::ink_index_test

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace epura::sheet {
+namespace epura::sheet::label_places_test {
 namespace {
 
 const Rectangle area{{0, 0}, {100, 80}};
@@ -88,4 +88,4 @@ TEST(LabelPlaces, AreClearOfLettering) {
 }
 
 }  // namespace
-}  // namespace epura::sheet
+}  // namespace epura::sheet::label_places_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace epura::test {
+namespace epura::test::label_positions_test {
 namespace {
 
 const sheet::Rectangle area{{0, 0}, {200, 150}};
@@ -53,4 +53,4 @@ TEST(LabelPositions, StayIfNothingIsFree) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::label_positions_test

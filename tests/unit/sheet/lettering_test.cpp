@@ -12,7 +12,7 @@
 #include "base/error.hpp"
 #include "folder.hpp"
 
-namespace epura {
+namespace epura::lettering_test {
 namespace {
 
 struct Extent {
@@ -255,4 +255,4 @@ TEST(Lettering, AMissingFontIsSaid) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::lettering_test

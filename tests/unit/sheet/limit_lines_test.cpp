@@ -9,7 +9,7 @@
 
 #include "base/nearest.hpp"
 
-namespace epura::test {
+namespace epura::test::limit_lines_test {
 namespace {
 
 double apart(const sheet::Stroke& one, const sheet::Stroke& other) {
@@ -60,4 +60,4 @@ TEST(LimitLines, OfRevolvedSectionsHaveAnAxisPastTheirOutlines) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::limit_lines_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace epura::test {
+namespace epura::test::notation_test {
 namespace {
 
 using sheet::Notation;
@@ -67,4 +67,4 @@ TEST(Notation, UsualDecimals) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::notation_test

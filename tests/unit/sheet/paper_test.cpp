@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 
-namespace epura {
+namespace epura::paper_test {
 namespace {
 
 TEST(Paper, ASizesLieOnTheirSideUnlessPortrait) {
@@ -133,4 +133,4 @@ TEST(Placement, PointsAndLinesHaveAPlace) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::paper_test

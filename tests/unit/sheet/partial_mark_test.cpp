@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace epura::test {
+namespace epura::test::partial_mark_test {
 namespace {
 
 // With half a line around every point.
@@ -42,4 +42,4 @@ TEST(PartialMark, ShrinksToNarrowPaper) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::partial_mark_test

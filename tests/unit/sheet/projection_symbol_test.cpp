@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace epura {
+namespace epura::projection_symbol_test {
 namespace {
 
 struct Parts {
@@ -52,4 +52,4 @@ TEST(ProjectionSymbol, SizesFollowTheLettering) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::projection_symbol_test

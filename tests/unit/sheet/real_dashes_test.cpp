@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace epura {
+namespace epura::real_dashes_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -102,4 +102,4 @@ TEST(RealDashes, GoAroundClosedLines) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::real_dashes_test

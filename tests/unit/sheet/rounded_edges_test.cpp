@@ -9,7 +9,7 @@
 
 #include "dimensions_support.hpp"
 
-namespace epura::test {
+namespace epura::test::rounded_edges_test {
 namespace {
 
 std::vector<sheet::NamedProjection> views_of(const std::vector<std::pair<std::string, Vec3>>& sights) {
@@ -46,4 +46,4 @@ TEST(RoundedEdges, BesideASlotAreMeasuredAtItsWall) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::rounded_edges_test

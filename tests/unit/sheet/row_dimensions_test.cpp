@@ -9,7 +9,7 @@
 #include "dimensions_support.hpp"
 #include "errors.hpp"
 
-namespace epura::test {
+namespace epura::test::row_dimensions_test {
 namespace {
 
 /// A box of 100 x 20 x 30 from the origin, in front view.
@@ -189,4 +189,4 @@ TEST(RowDimensions, FansStandOnTwoSides) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::row_dimensions_test

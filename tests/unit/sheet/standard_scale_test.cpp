@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace epura {
+namespace epura::standard_scale_test {
 namespace {
 
 TEST(StandardScale, IsTheLargestOfIso5455ThatFits) {
@@ -62,4 +62,4 @@ TEST(RatioText, OfSimpleRatiosOnly) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::standard_scale_test

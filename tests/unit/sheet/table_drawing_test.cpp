@@ -10,7 +10,7 @@
 #include "sheet/revision_list.hpp"
 #include "sheet/sheet_layers.hpp"
 
-namespace epura::test {
+namespace epura::test::table_drawing_test {
 namespace {
 
 // Texts keep off all lines of the table.
@@ -82,4 +82,4 @@ TEST(RevisionList, StandsOnTheListsBelow) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::table_drawing_test

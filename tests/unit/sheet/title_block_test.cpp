@@ -13,7 +13,7 @@
 #include "sheet/sheet_layers.hpp"
 #include "sheet/view_labels.hpp"
 
-namespace epura {
+namespace epura::title_block_test {
 namespace {
 
 const sheet::Lettering& lettering() {
@@ -307,4 +307,4 @@ TEST(SheetLayers, HaveNamesAndOneWidthEach) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::title_block_test

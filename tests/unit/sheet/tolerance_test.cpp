@@ -7,7 +7,7 @@
 #include "dimensions_support.hpp"
 #include "errors.hpp"
 
-namespace epura::test {
+namespace epura::test::tolerance_test {
 namespace {
 
 struct Printed {
@@ -119,4 +119,4 @@ TEST(Tolerances, Stacked) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::tolerance_test

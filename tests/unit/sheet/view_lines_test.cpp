@@ -14,7 +14,7 @@
 #include "drawing/drawing.hpp"
 #include "sheet/dash.hpp"
 
-namespace epura {
+namespace epura::view_lines_test {
 namespace {
 
 sheet::BodyStyles all_bodies(HiddenLines hidden) { return {{{{LineRole::visible, hidden, {}, {}}}}}; }
@@ -246,4 +246,4 @@ TEST(ViewLayers, OfBodiesWithAColourOrALayerOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::view_lines_test

@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::accuracy_command_test {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
@@ -109,4 +109,4 @@ TEST_F(Accuracy, ScenesWithSeveralViewsHaveARowForEach) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::accuracy_command_test

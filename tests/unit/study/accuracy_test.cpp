@@ -11,7 +11,7 @@
 #include "shapes.hpp"
 #include "study/accuracy/measure.hpp"
 
-namespace epura::test {
+namespace epura::test::accuracy_test {
 namespace {
 
 constexpr double mm = 40;  // of paper per view unit
@@ -235,4 +235,4 @@ TEST(Measure, Quartiles) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::accuracy_test

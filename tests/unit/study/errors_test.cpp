@@ -8,7 +8,7 @@
 #include "oracle/span_sets.hpp"
 #include "study/accuracy/ink_distance.hpp"
 
-namespace epura::test {
+namespace epura::test::errors_test {
 namespace {
 
 // 100 mm along x at a height.
@@ -88,4 +88,4 @@ TEST(InkDistance, InkOnInkEnds) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::errors_test

@@ -9,7 +9,7 @@
 
 #include "sheet/dimensions/boxes.hpp"
 
-namespace epura::study {
+namespace epura::study::log_plot_test {
 namespace {
 
 struct Labelled {
@@ -84,4 +84,4 @@ TEST(LogPlot, TheFrontDescends) {
 }
 
 }  // namespace
-}  // namespace epura::study
+}  // namespace epura::study::log_plot_test

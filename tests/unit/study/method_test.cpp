@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::method_test {
 namespace {
 
 study::Method method(const char* text) { return study::parse_method(text, "--visibility"); }
@@ -137,4 +137,4 @@ TEST(Method, NothingToDrawIsNothingHidden) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::method_test

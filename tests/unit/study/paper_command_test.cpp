@@ -6,7 +6,7 @@
 #include "base/text.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::paper_command_test {
 namespace {
 
 TEST(PaperCommand, FilesHaveTheSameNumbers) {
@@ -44,4 +44,4 @@ TEST(PaperCommand, AnUnknownBodyIsRefused) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::paper_command_test

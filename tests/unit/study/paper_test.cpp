@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "study/paper/convergence.hpp"
 
-namespace epura::study {
+namespace epura::study::paper_test {
 namespace {
 
 const PaperStudy laboratory{{EPURA_TEST_PLUGINS}, 2048};
@@ -82,4 +82,4 @@ TEST_P(Paper, ViolationsAreFound) {
 INSTANTIATE_TEST_SUITE_P(ClosedForms, Paper, testing::Range<std::size_t>(0, closed_forms().size()));
 
 }  // namespace
-}  // namespace epura::study
+}  // namespace epura::study::paper_test

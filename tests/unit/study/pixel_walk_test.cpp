@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace epura::test {
+namespace epura::test::pixel_walk_test {
 namespace {
 
 using Part = std::array<double, 2>;
@@ -39,4 +39,4 @@ TEST(PixelWalk, MeetsNoMiddleAndTakesOneStepAllTheSame) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::pixel_walk_test

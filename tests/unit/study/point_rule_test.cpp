@@ -9,7 +9,7 @@
 
 #include "oracle/truth.hpp"
 
-namespace epura::test {
+namespace epura::test::point_rule_test {
 namespace {
 
 // What is forgiven, of a drawing of size 1: as much as points beside a side are, and in depth from a common corner on.
@@ -80,4 +80,4 @@ TEST(PointRule, HoldsForNeedlesAtACorner) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::point_rule_test

@@ -7,7 +7,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 
-namespace epura::test {
+namespace epura::test::stability_command_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -116,4 +116,4 @@ TEST(StudyCompletion, IsAskedOfItThroughEpura) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::stability_command_test

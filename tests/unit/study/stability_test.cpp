@@ -12,7 +12,7 @@
 #include "study/stability/forms.hpp"
 #include "study/stability/write.hpp"
 
-namespace epura::stability {
+namespace epura::stability::stability_test {
 namespace {
 
 // The families of cases and how many each has.
@@ -199,4 +199,4 @@ TEST_F(Reports, ThePageNeedsNothingElse) {
 }
 
 }  // namespace
-}  // namespace epura::stability
+}  // namespace epura::stability::stability_test

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace epura {
+namespace epura::artwork_test {
 namespace {
 
 std::string document(const std::string& content, const std::string& size =
@@ -225,4 +225,4 @@ TEST(Artwork, DashesAreInMillimetres) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::artwork_test

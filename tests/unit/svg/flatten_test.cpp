@@ -7,7 +7,7 @@
 
 #include "base/nearest.hpp"
 
-namespace epura::test {
+namespace epura::test::flatten_test {
 namespace {
 
 Vec2 at(const svg::CubicCurve& curve, double t) {
@@ -35,4 +35,4 @@ TEST(Flatten, ChordsStayWithinATenthOfAMicrometreOfCurves) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::flatten_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace epura::test {
+namespace epura::test::confidence_test {
 namespace {
 
 // P(X <= 0) = (1 - p)^n and P(X <= n - 1) = 1 - p^n have closed forms.
@@ -29,4 +29,4 @@ TEST(Confidence, GrowsWithFailures) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::confidence_test

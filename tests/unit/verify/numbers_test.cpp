@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace epura::test {
+namespace epura::test::numbers_test {
 namespace {
 
 // The same formula in both kinds of numbers: the bound must hold, and be worth something.
@@ -40,4 +40,4 @@ TEST(Bounded, DividingByWhatMayBeZeroIsUnknown) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::numbers_test

@@ -14,7 +14,7 @@
 #include "shapes.hpp"
 #include "verify/verify.hpp"
 
-namespace epura::test {
+namespace epura::test::outline_test {
 namespace {
 
 constexpr int samples = 2000;
@@ -372,4 +372,4 @@ TEST(Outline, TheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::outline_test

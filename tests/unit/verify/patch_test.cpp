@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace epura::test {
+namespace epura::test::patch_test {
 namespace {
 
 const verify::ConvexPolygon lower{{-1, -1}, {1, -1}, {1, 1}};
@@ -37,4 +37,4 @@ TEST(Patch, CornersThatCoincideChangeNothing) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::patch_test

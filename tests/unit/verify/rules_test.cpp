@@ -10,7 +10,7 @@
 #include "verify/fold_rule.hpp"
 #include "verify/sample.hpp"
 
-namespace epura::test {
+namespace epura::test::rules_test {
 namespace {
 
 using verify::Need;
@@ -72,4 +72,4 @@ TEST(Samples, LieOnEdgesWhosePlacesCanBeTold) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::rules_test

@@ -10,7 +10,7 @@
 #include "drawing/make_drawing.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::stray_contours_test {
 namespace {
 
 using Profile = std::vector<std::array<double, 2>>;
@@ -77,4 +77,4 @@ TEST(StrayContours, AContourBeyondItsFaceIsFoundWithPlaceAndLength) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::stray_contours_test

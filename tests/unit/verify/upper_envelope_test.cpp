@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-namespace epura::test {
+namespace epura::test::upper_envelope_test {
 namespace {
 
 verify::Slice slice_of(const std::vector<std::array<double, 4>>& pieces) {
@@ -57,4 +57,4 @@ TEST(UpperEnvelope, IsTheHighestOfAll) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::upper_envelope_test

@@ -11,7 +11,7 @@
 #include "report/format.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::verify_test {
 namespace {
 
 verify::Tolerance tolerance_of(const Result& r) { return {r.view.extent, r.view.contact.touching}; }
@@ -227,4 +227,4 @@ TEST(Verify, TheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::verify_test

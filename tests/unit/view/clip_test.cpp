@@ -7,7 +7,7 @@
 #include "shapes.hpp"
 #include "view/projected_scene.hpp"
 
-namespace epura::test {
+namespace epura::test::clip_test {
 namespace {
 
 double area_of(const view::Clipper& clipper, const std::vector<std::array<int, 3>>& triangles) {
@@ -219,4 +219,4 @@ TEST(ProjectedScene, CrossIsExact) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::clip_test

@@ -6,7 +6,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::condition_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -59,4 +59,4 @@ TEST(Condition, OfFilesIsTheirRoundingByTheSizeOfTheDrawing) {
 TEST(Condition, OfAPointIsOne) { EXPECT_EQ(view::condition_of(from_above(), {Vec3(3), Vec3(3)}).number, 1); }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::condition_test

@@ -11,7 +11,7 @@
 #include "view/paper_map.hpp"
 #include "view/viewing_model.hpp"
 
-namespace epura::test {
+namespace epura::test::view_map_test {
 namespace {
 
 using Random = std::mt19937;
@@ -205,4 +205,4 @@ TEST(PaperMap, VanishingPointsAreImagesOfTheAxes) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::view_map_test

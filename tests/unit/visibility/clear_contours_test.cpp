@@ -10,7 +10,7 @@
 #include "base/nearest.hpp"
 #include "skewed_torus.hpp"
 
-namespace epura::test {
+namespace epura::test::clear_contours_test {
 namespace {
 
 // The places on the visible contour of the torus, of about 7000, that have no visible line within a distance.
@@ -90,4 +90,4 @@ TEST(ClearContours, AreFoundInWhateverCells) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::clear_contours_test

@@ -14,7 +14,7 @@
 #include "laboratory/lab.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::folds_test {
 namespace {
 
 const projection::Projection from_left = orthographic({-1, 0, 0});
@@ -174,4 +174,4 @@ TEST(DepthLimits, CutWallsEdgeOnHideNothing) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::folds_test

@@ -9,7 +9,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::height_field_test {
 namespace {
 
 // Squares of side 1 over 0 to `n`, as high as `height` says, without those that `hole` takes.
@@ -121,4 +121,4 @@ TEST(OneSheet, HidesNothingWhateverItsShape) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::height_field_test

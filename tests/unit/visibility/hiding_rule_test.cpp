@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace epura::test {
+namespace epura::test::hiding_rule_test {
 namespace {
 
 // Of a plane that rises by 3 upwards and by half to the right.
@@ -177,4 +177,4 @@ TEST(HiddenPart, AtACommonCornerIsDecidedByTheOtherEnd) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::hiding_rule_test

@@ -8,7 +8,7 @@
 #include "shapes.hpp"
 #include "visibility/visibility.hpp"
 
-namespace epura::test {
+namespace epura::test::occluder_patch_test {
 namespace {
 
 struct Sheets {
@@ -100,4 +100,4 @@ TEST(OccluderPatch, FoldsAndGapsLeaveItOpen) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::occluder_patch_test

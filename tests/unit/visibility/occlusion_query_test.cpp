@@ -9,7 +9,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::occlusion_query_test {
 namespace {
 
 // Unit plates, each a millionth to the right, behind and below the last.
@@ -131,4 +131,4 @@ TEST(OcclusionQuery, HasNoMoreCandidatesOfManyCopiesThanOfTwo) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::occlusion_query_test

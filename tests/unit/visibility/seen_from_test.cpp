@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-namespace epura::test {
+namespace epura::test::seen_from_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -70,4 +70,4 @@ TEST(SeenFrom, AnEdgeMeetsTheDirectionsOfAllTrianglesOverIt) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::seen_from_test

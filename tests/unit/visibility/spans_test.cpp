@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-namespace epura::test {
+namespace epura::test::spans_test {
 namespace {
 
 visibility::Spans sum(const std::vector<std::array<double, 2>>& parts) {
@@ -113,4 +113,4 @@ TEST(Slivers, AShortEdgeIsWhollyOneOrTheOther) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::spans_test

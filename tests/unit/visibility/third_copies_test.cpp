@@ -7,7 +7,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::third_copies_test {
 namespace {
 
 const Shape triangle{{{0, 0, 0}, {3, 0, 1}, {0, 2, 2}}, {{0, 1, 2}}, {}};
@@ -63,4 +63,4 @@ TEST(ThirdCopies, HideEdgesThatBeginAtTheirCorners) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::third_copies_test

@@ -9,7 +9,7 @@
 #include "edges/crossing_candidates.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::time_limit_test {
 namespace {
 
 // Boxes one behind another: many edges, most of them hidden in part.
@@ -125,4 +125,4 @@ TEST(TimeLimit, TheSearchForIntersectionsTellsHowFarItCame) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::time_limit_test

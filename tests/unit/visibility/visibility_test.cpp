@@ -9,7 +9,7 @@
 
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::visibility_test {
 namespace {
 
 // A wide ground far below, so that lines beside the plates lie inside the drawing.
@@ -299,4 +299,4 @@ TEST(Hidden, ShortLinesInALargeFaceAreNotHidden) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::visibility_test

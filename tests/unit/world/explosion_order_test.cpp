@@ -10,7 +10,7 @@
 #include "shapes.hpp"
 #include "world/exploded_world.hpp"
 
-namespace epura::test {
+namespace epura::test::explosion_order_test {
 namespace {
 
 /// Lowest and highest point of a body along z.
@@ -79,4 +79,4 @@ TEST(ExplosionOrder, RodsStayBetweenTheirNuts) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::explosion_order_test

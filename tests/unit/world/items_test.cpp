@@ -16,7 +16,7 @@
 #include "scene/transform.hpp"
 #include "world/congruent.hpp"
 
-namespace epura::test {
+namespace epura::test::items_test {
 namespace {
 
 // A box with a corner cut off unequally: it has no symmetry, and differs from its reflection.
@@ -133,4 +133,4 @@ TEST(Items, HaveTheVolumeOfTheirShape) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::items_test

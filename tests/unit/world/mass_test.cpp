@@ -13,7 +13,7 @@
 #include "scene/transform.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::mass_test {
 namespace {
 
 std::vector<world::Solid> solids(const Shape& shape, const std::string& steps = "scale:1") {
@@ -104,4 +104,4 @@ TEST(Mass, OfSeveralBodiesWeighsTheirDensities) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::mass_test

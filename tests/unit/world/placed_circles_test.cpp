@@ -11,7 +11,7 @@
 #include "mesh/read.hpp"
 #include "scene/transform.hpp"
 
-namespace epura {
+namespace epura::placed_circles_test {
 namespace {
 
 world::World world_of(const std::string& transform) {
@@ -52,4 +52,4 @@ TEST(PlacedCircles, ThoseWithCentreLinesAreHalfATurnAtLeast) {
 }
 
 }  // namespace
-}  // namespace epura
+}  // namespace epura::placed_circles_test

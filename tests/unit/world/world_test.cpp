@@ -9,7 +9,7 @@
 #include "scene/transform.hpp"
 #include "shapes.hpp"
 
-namespace epura::test {
+namespace epura::test::world_test {
 namespace {
 
 world::Placed placed(const Shape& shape, const char* steps = "") {
@@ -94,4 +94,4 @@ TEST(Scene, RoundingIsThatOfTheFileWhereverTheModelStands) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::world_test
