@@ -81,6 +81,33 @@ enum class HoleDimensions { notes, table };
 /// Linear dimensions: direction on paper. Overall dimensions: width, height and depth along x, z and y of the world.
 enum class DimensionDirection { horizontal, vertical, width, height, depth };
 
+/// How a leader ends: at the thing that it means. ISO 128-2.
+enum class LeaderEnd { automatic, arrow, dot, none };
+
+/// A corner of the drawing area of a sheet.
+enum class SheetCorner { top_left, top_right, bottom_left, bottom_right };
+
+/// What a geometrical tolerance is about. ISO 1101.
+enum class Characteristic {
+  straightness,
+  flatness,
+  roundness,
+  cylindricity,
+  line_profile,
+  surface_profile,
+  parallelism,
+  perpendicularity,
+  angularity,
+  position,
+  concentricity,
+  symmetry,
+  circular_run_out,
+  total_run_out
+};
+
+/// Whether material is removed to make a surface. ISO 21920-1.
+enum class MaterialRemoval { any, required, prohibited };
+
 /// Kind of edge that a line shows, in order of priority for coincident lines. `section` is the outline of a cut face,
 /// `thread` the root of a screw thread, `thread_end` the end of its useful length (ISO 6410-1).
 enum class EdgeKind : unsigned char {

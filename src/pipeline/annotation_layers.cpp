@@ -257,7 +257,7 @@ std::vector<sheet::Callout> attach(sheet::PlacedLayer& placed, std::span<const s
                   "dimension '" + *one.dimension + "' has no free end of a straight dimension line for " + name_of(one),
                   "refer to a length, or to a diameter in a view across its axis, to which nothing else is attached");
     const auto target = [](const sheet::DimensionEnd& end) {
-      return sheet::CalloutTarget{end.point, scene::LeaderEnd::arrow, end.outwards, true, true};
+      return sheet::CalloutTarget{end.point, LeaderEnd::arrow, end.outwards, true, true};
     };
     sheet::Callout& callout = callouts.emplace_back(drawn(one, style));
     callout.target = target(ends.front());
@@ -415,9 +415,9 @@ std::optional<sheet::Rectangle> add_near(sheet::CalloutLayers& layers, const she
   return sheet::box_at(callout, upper_left);
 }
 
-Vec2 position_of(scene::SheetCorner corner, const sheet::Rectangle& area) {
-  const bool left = corner == scene::SheetCorner::top_left || corner == scene::SheetCorner::bottom_left;
-  const bool top = corner == scene::SheetCorner::top_left || corner == scene::SheetCorner::top_right;
+Vec2 position_of(SheetCorner corner, const sheet::Rectangle& area) {
+  const bool left = corner == SheetCorner::top_left || corner == SheetCorner::bottom_left;
+  const bool top = corner == SheetCorner::top_left || corner == SheetCorner::top_right;
   return {left ? area.min.x : area.max.x, top ? area.max.y : area.min.y};
 }
 
@@ -439,7 +439,7 @@ void add_text_tables(AnnotationLayers& result, sheet::Neighbours& around, const 
   for (const scene::TableDescription& table : tables) {
     if (table.at.given()) continue;
     std::vector<sheet::Rectangle> taken = taken_by(around, views);
-    const Vec2 towards = position_of(table.corner.value_or(scene::SheetCorner::top_right), *around.paper);
+    const Vec2 towards = position_of(table.corner.value_or(SheetCorner::top_right), *around.paper);
     if (const auto at = sheet::nearest_free_position(*around.paper, taken, table_drawing(table, style).size(), towards))
       add(table, *at);
     else

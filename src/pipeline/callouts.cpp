@@ -149,10 +149,10 @@ bool is_enclosed(const drawing::ViewDrawing& drawing, const Vec2& at, const Vec2
   });
 }
 
-scene::LeaderEnd end_of(const scene::CalloutDescription& callout, bool on_a_line) {
-  const scene::LeaderEnd wanted = callout.end.value_or(scene::LeaderEnd::automatic);
-  if (wanted != scene::LeaderEnd::automatic) return wanted;
-  return on_a_line ? scene::LeaderEnd::arrow : scene::LeaderEnd::dot;
+LeaderEnd end_of(const scene::CalloutDescription& callout, bool on_a_line) {
+  const LeaderEnd wanted = callout.end.value_or(LeaderEnd::automatic);
+  if (wanted != LeaderEnd::automatic) return wanted;
+  return on_a_line ? LeaderEnd::arrow : LeaderEnd::dot;
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ bool has_free_forms(const scene::SceneDescription& scene, const world::World& wo
 bool is_surface_profile(const scene::CalloutDescription& callout) {
   const auto* frame = std::get_if<scene::ToleranceFrame>(&callout.content);
   const auto is_one = [](const scene::ToleranceFrame& one) {
-    return one.characteristic == scene::Characteristic::surface_profile;
+    return one.characteristic == Characteristic::surface_profile;
   };
   return frame != nullptr && (is_one(*frame) || std::any_of(frame->also.begin(), frame->also.end(), is_one));
 }

@@ -145,9 +145,6 @@ struct DimensionDescription {
   Located<bool> limits{};                       ///< whether limits of size are written; false by default
 };
 
-/// How a leader ends: at the thing that it means. ISO 128-2.
-enum class LeaderEnd { automatic, arrow, dot, none };
-
 template <>
 struct Words<LeaderEnd> {
   static constexpr std::array list{"auto", "arrow", "dot", "none"};
@@ -183,9 +180,6 @@ struct ThreadDescription {
   Located<bool> callout{};  ///< whether it has a dimension of its own; true by default
   LocatedText view{};       ///< name of the view with that; by default the one that shows it best
 };
-
-/// A corner of the drawing area.
-enum class SheetCorner { top_left, top_right, bottom_left, bottom_right };
 
 template <>
 struct Words<SheetCorner> {

@@ -12,23 +12,6 @@
 
 namespace epura::scene {
 
-enum class Characteristic {
-  straightness,
-  flatness,
-  roundness,
-  cylindricity,
-  line_profile,
-  surface_profile,
-  parallelism,
-  perpendicularity,
-  angularity,
-  position,
-  concentricity,
-  symmetry,
-  circular_run_out,
-  total_run_out
-};
-
 /// Whether a tolerance refers to datums.
 enum class DatumRule { none, optional, required };
 

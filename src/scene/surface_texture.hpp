@@ -10,9 +10,6 @@
 
 namespace epura::scene {
 
-/// Whether material is removed to make a surface.
-enum class MaterialRemoval { any, required, prohibited };
-
 template <>
 struct Words<MaterialRemoval> {
   static constexpr std::array list{"any", "required", "prohibited"};

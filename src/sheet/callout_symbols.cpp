@@ -202,9 +202,9 @@ Callout texture_symbol(const scene::SurfaceTexture& texture, const DimensionStyl
   Callout callout;
   callout.form = LeaderForm::reference;
   callout.strokes.emplace_back().points = {left, tip, top};
-  if (texture.removal == scene::MaterialRemoval::required) callout.strokes.push_back(line(left, right));
+  if (texture.removal == MaterialRemoval::required) callout.strokes.push_back(line(left, right));
   // A circle that touches both arms, and the height of the short one.
-  if (texture.removal == scene::MaterialRemoval::prohibited)
+  if (texture.removal == MaterialRemoval::prohibited)
     callout.strokes.push_back(circle_at({half, low * 2 / 3}, low / 3));
   double width = top.x;
   const double text_left = top.x + 0.2 * h;

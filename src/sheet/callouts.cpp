@@ -252,9 +252,9 @@ void draw_callout(CalloutLayers& layers, const Callout& callout, const Spot& spo
     if (leader.points.empty() || leader.points.back() != p) leader.points.push_back(p);
   if (callout.form == LeaderForm::datum)
     layers.notes.fills.push_back(datum_triangle(target, along, style));
-  else if (target.end == scene::LeaderEnd::arrow)
+  else if (target.end == LeaderEnd::arrow)
     layers.notes.fills.push_back(arrow_at(target.point, -along, style));
-  else if (target.end == scene::LeaderEnd::dot)
+  else if (target.end == LeaderEnd::dot)
     layers.notes.fills.push_back(dot_at(target.point));
   draw_at(layers, callout, {spot.box.min.x, spot.box.max.y});
 }

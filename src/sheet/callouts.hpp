@@ -18,11 +18,11 @@ namespace epura::sheet {
 
 /// Where a leader ends.
 struct CalloutTarget {
-  Vec2 point;                                   ///< on paper
-  scene::LeaderEnd end{scene::LeaderEnd::dot};  ///< not automatic
-  std::optional<Vec2> normal{};                 ///< of the line there; length 1
-  bool is_border = false;                       ///< leaders come from the side of the normal: from outside
-  bool in_line = false;                         ///< leaders run along the normal: in line with a dimension line
+  Vec2 point;                     ///< on paper
+  LeaderEnd end{LeaderEnd::dot};  ///< not automatic
+  std::optional<Vec2> normal{};   ///< of the line there; length 1
+  bool is_border = false;         ///< leaders come from the side of the normal: from outside
+  bool in_line = false;           ///< leaders run along the normal: in line with a dimension line
 };
 
 /// How a leader reaches a callout: as a reference line below it; by a short horizontal line beside it; or from the

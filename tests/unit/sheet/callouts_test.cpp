@@ -44,7 +44,7 @@ class Callouts : public testing::Test {
 
   sheet::Callout note(const std::string& text, const Vec2& point) const {
     sheet::Callout callout = sheet::note_callout({text}, true, style);
-    callout.target = {point, scene::LeaderEnd::dot};
+    callout.target = {point, LeaderEnd::dot};
     return callout;
   }
   sheet::Rectangle box_of(const sheet::Text& text) const { return sheet::around(sheet::box_of(text, lettering)); }
@@ -101,8 +101,8 @@ TEST_F(Callouts, StandWhereTheyAreToldAndTellWhatTheyCross) {
 
 TEST_F(Callouts, EndWithADotAnArrowOrNothing) {
   std::vector<sheet::Callout> notes{note("A", {140, 100}), note("B", {180, 100}), note("C", {150, 90})};
-  notes[1].target->end = scene::LeaderEnd::arrow;
-  notes[2].target->end = scene::LeaderEnd::none;
+  notes[1].target->end = LeaderEnd::arrow;
+  notes[2].target->end = LeaderEnd::none;
   sheet::place_callouts(layers, notes, view, style, around);
   ASSERT_EQ(layer.fills.size(), 2U);
   const auto radius = [&](const Vec2& p) { return glm::length(p - Vec2(140, 100)); };
@@ -111,10 +111,10 @@ TEST_F(Callouts, EndWithADotAnArrowOrNothing) {
 }
 
 // The border of the view at its right side, with nothing beyond it.
-sheet::CalloutTarget right_side(double y) { return {{180, y}, scene::LeaderEnd::arrow, Vec2(1, 0), true}; }
+sheet::CalloutTarget right_side(double y) { return {{180, y}, LeaderEnd::arrow, Vec2(1, 0), true}; }
 
 TEST_F(Callouts, ReachFramesPerpendicularToTheLine) {
-  scene::ToleranceFrame frame{scene::Characteristic::position, {{"⌀0.1"}, {"M", true}}, {{{"A"}}}};
+  scene::ToleranceFrame frame{Characteristic::position, {{"⌀0.1"}, {"M", true}}, {{{"A"}}}};
   std::vector<sheet::Callout> callouts{sheet::tolerance_frame(frame, style)};
   callouts[0].target = right_side(100);
   sheet::place_callouts(layers, callouts, view, style, around);
@@ -142,7 +142,7 @@ TEST_F(Callouts, StandDatumsOnTheirLines) {
   EXPECT_GT(triangle[2].x, 180) << "it is outside";
   EXPECT_NEAR(triangle[2].y, 100, 1e-9);
   callouts[0].at = Vec2(200, 170);
-  callouts[0].target = {{140, 130}, scene::LeaderEnd::arrow, Vec2(0, 1), true};
+  callouts[0].target = {{140, 130}, LeaderEnd::arrow, Vec2(0, 1), true};
   sheet::place_callouts(layers, callouts, view, style, around);
   triangle = layer.fills[1].rings[0];
   EXPECT_NEAR(triangle[2].x, 140, 1e-9) << "it stands upright, wherever its frame is";
@@ -165,10 +165,7 @@ TEST_F(Callouts, BendLeadersOfDatumsPastLettering) {
 
 // ISO 1302: arms at 60 degrees; a bar or a circle between them.
 TEST_F(Callouts, DrawSymbolsOfSurfaceTexture) {
-  const auto symbol = [&](scene::MaterialRemoval removal) {
-    return sheet::texture_symbol({removal, {"Ra 3.2"}}, style);
-  };
-  using scene::MaterialRemoval;
+  const auto symbol = [&](MaterialRemoval removal) { return sheet::texture_symbol({removal, {"Ra 3.2"}}, style); };
   EXPECT_EQ(symbol(MaterialRemoval::any).strokes.size(), 1U);
   const sheet::Callout required = symbol(MaterialRemoval::required), prohibited = symbol(MaterialRemoval::prohibited);
   ASSERT_EQ(required.strokes.size(), 2U);
