@@ -11,7 +11,8 @@ add_test(NAME gallery_page_is_fresh
 if(NOT EPURA_SANITIZE)
   add_test(NAME library_symbols COMMAND ${CMAKE_CURRENT_LIST_DIR}/symbols.sh $<TARGET_FILE:epura_library>
            libepura.so.${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  add_test(NAME cpp_page_runs COMMAND ${CMAKE_CURRENT_LIST_DIR}/cpp_page.sh $<TARGET_FILE:epura_library>)
+  add_test(NAME cpp_page_runs COMMAND ${CMAKE_CURRENT_LIST_DIR}/cpp_page.sh $<TARGET_FILE:epura_library>
+           ${PROJECT_BINARY_DIR}/include)
   add_test(NAME sdk_works COMMAND ${CMAKE_CURRENT_LIST_DIR}/sdk.sh ${CMAKE_BINARY_DIR})
 endif()
 add_test(NAME accuracy_page_is_fresh COMMAND ${CMAKE_CURRENT_LIST_DIR}/accuracy.sh $<TARGET_FILE:epura>)

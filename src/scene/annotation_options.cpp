@@ -14,7 +14,7 @@ namespace {
 Option<DimensionWords> anchor_option(const std::string& key, const std::string& help) {
   const ValueKind<AnchorWords> kind = anchor();
   // Apart: where memory ends, GCC 12 frees the members of an aggregate within an aggregate twice.
-  OptionInfo info{.key = key, .form = kind.form, .help = help};
+  OptionInfo info{.key = key, .form = kind.form, .help = help, .type = typeid(AnchorWords)};
   return {std::move(info), [key, read = kind.read](DimensionWords& words, const TomlValue& value) {
             words.anchors.emplace_back(key, read(value));
           }};
@@ -25,6 +25,7 @@ Option<DimensionWords> points_option() {
   OptionInfo info{.key = "points",
                   .help = "linear with an arrangement, instead of its two ends: two or more anchors, the origin first"};
   info.form = list_of_anchors().form;
+  info.type = typeid(std::vector<AnchorWords>);
   return {std::move(info), [read = list_of_anchors().read](DimensionWords& words, const TomlValue& value) {
             for (AnchorWords& one : read(value)) words.anchors.emplace_back("points", std::move(one));
           }};
@@ -155,7 +156,8 @@ Option<ToleranceFrame> further_frames() {
   return {{.key = "also",
            .form = {"list of tables"},
            .help = "further tolerances of the same feature, each with `characteristic`, `zone` and `datums`: "
-                   "`[{characteristic = \"flatness\", zone = \"0.05\"}]`"},
+                   "`[{characteristic = \"flatness\", zone = \"0.05\"}]`",
+           .type = typeid(std::vector<ToleranceFrame>)},
           [](ToleranceFrame& frame, const TomlValue& value) {
             for (const TomlValue* table : tables_of(value)) {
               ToleranceFrame& one = frame.also.emplace_back();

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <typeindex>
 #include <utility>
 #include <vector>
 
@@ -31,8 +32,9 @@ struct OptionInfo {
   std::string usual{};  ///< default value
   Nature nature = Nature::unsaid;
   bool required = false;
-  bool repeatable = false;         ///< each occurrence adds a value; otherwise the last one counts
-  std::vector<Switch> switches{};  ///< instead of a flag on the command line
+  bool repeatable = false;                     ///< each occurrence adds a value; otherwise the last one counts
+  std::vector<Switch> switches{};              ///< instead of a flag on the command line
+  std::type_index type = typeid(std::string);  ///< of the value that is read
 
   /// Returns the help, with the permitted words.
   [[nodiscard]] std::string meaning() const;
@@ -79,6 +81,7 @@ void take_over(auto&, const auto&) {}
 template <class Part, class Member, class Value>
 Option<Part> option(OptionInfo info, Member member, const ValueKind<Value>& kind) {
   info.form = kind.form;
+  info.type = typeid(Value);
   return {
       std::move(info),
       [member, read = kind.read](Part& part, const TomlValue& value) {

@@ -21,7 +21,7 @@ constexpr const char* table_kind = "table";
 template <class Part>
 Option<Part> table_option(const std::string& key, const std::string& help,
                           std::function<void(Part&, const TomlValue&)> read) {
-  return {{.key = key, .form = {table_kind}, .help = help}, std::move(read)};
+  return {{.key = key, .form = {table_kind}, .help = help, .type = typeid(TomlTable)}, std::move(read)};
 }
 
 void read_free_fields(TitleBlockFields& fields, const TomlValue& table) {
@@ -47,10 +47,13 @@ Options<TitleBlockFields> title_block_keys() {
 }
 
 Options<SheetDescription> own_sheet_keys() {
-  return {table_option<SheetDescription>(
-      "title_block", "like `[title_block]`, for this sheet only", [](SheetDescription& sheet, const TomlValue& value) {
-        read_entries(sheet.title_block, value, title_block_keys(), "[sheet.title_block]");
-      })};
+  OptionInfo info{.key = "title_block",
+                  .form = {table_kind},
+                  .help = "like `[title_block]`, for this sheet only",
+                  .type = typeid(TitleBlockFields)};
+  return {{std::move(info), [](SheetDescription& sheet, const TomlValue& value) {
+             read_entries(sheet.title_block, value, title_block_keys(), "[sheet.title_block]");
+           }}};
 }
 
 Options<SheetDescription> sheet_keys() {

@@ -282,7 +282,7 @@ TEST(Library, TypedValuesMeanWhatOptionsMean) {
                     .views = {{.projection = "cabinet",
                                .parameters = {{"angle", 30.0}},
                                .hidden = HiddenLines::solid,
-                               .edges = {.tangent = true},
+                               .edges = EdgeKinds{.tangent = true},
                                .crease_angle = 20,
                                .weak_crease_angle = 15,
                                .least_crease = 2,
@@ -318,7 +318,7 @@ TEST(Library, ThreadsAndArrangementsMeanWhatSceneFilesSay) {
       .views = {{.projection = "front"}},
       .dimensions = {{.type = DimensionType::linear,
                       .direction = DimensionDirection::horizontal,
-                      .anchors = {begin, std::array<double, 3>{40, 0, 0}, end},
+                      .points = {begin, std::array<double, 3>{40, 0, 0}, end},
                       .arrangement = DimensionArrangement::ordinate}},
       .threads = {{.thread = "M12x1.25", .at = begin, .depth = 30}, {.thread = "M10", .at = end, .callout = false}},
       .sheets = {{.size = "A3", .scale = 1.0}}};
@@ -346,7 +346,7 @@ Scene cube_with_lid() {
 
 TEST(Library, StylesAreForBodies) {
   Scene scene = cube_with_lid();
-  scene.styles = {{.match = "l?d", .colour = {{200, 0, 0}}}};
+  scene.styles = {{.match = "l?d", .colour = "#c80000"}};
   const Drawing drawing = draw(scene, settings());
   int wires = 0;
   for (const Line& line : drawing.views()[0].lines)
@@ -357,7 +357,7 @@ TEST(Library, StylesAreForBodies) {
   const Drawing lid = draw(scene, settings());
   for (const Line& line : lid.views()[0].lines) EXPECT_EQ(line.body, line.kind == EdgeKind::wire ? -1 : 1);
   EXPECT_EQ(lid.views()[0].lines.size(), 5U);
-  scene.styles[0] = {.match = "lid", .colour = {{256, 0, 0}}};
+  scene.styles[0] = {.match = "lid", .colour = "#c8000"};
   EXPECT_EQ(failure_of(scene).place(), "styles[0].colour");
   scene = cube_with_lid();
   scene.models[0].polygons.bodies[3] = 2;
@@ -385,8 +385,8 @@ TEST(Library, TwoThreadsDrawTwoScenes) {
 TEST(Library, DrawsDetails) {
   Scene scene = in_memory();
   scene.views = {{.projection = "front", .hidden = HiddenLines::none},
-                 {.hidden = HiddenLines::none, .scale = 20, .detail = "X"}};
-  scene.details = {{.name = "X", .centre = {9, 0, 9}, .radius = 3}};
+                 {.scale = 20.0, .detail = "X", .hidden = HiddenLines::none}};
+  scene.details = {{.name = "X", .centre = {{9, 0, 9}}, .radius = 3}};
   scene.sheets = {{.scale = 5.0}};
   const Drawing drawing = draw(scene, settings());
   ASSERT_EQ(drawing.views().size(), 2U);
@@ -421,25 +421,25 @@ TEST(Library, FailuresNameTheMember) {
   scene = in_memory();
   for (const double to : {2.0, 1.0}) {
     scene.views[0].breaks = {{.axis = 0, .from = 2, .to = to}};
-    expect(scene, "views[0].breaks", "'from' that is not below 'to'");
+    expect(scene, "views[0].breaks[0]", "the second place is not beyond the first");
   }
   scene = in_memory();
   scene.views[0].section = "A";
   expect(scene, "views[0].section", "there is no section 'A'");
   scene = in_memory();
-  scene.views[0].detail = "X";
+  scene.views[0] = {.scale = 2.0, .detail = "X"};
   expect(scene, "views[0].detail", "there is no detail 'X'");
   scene = in_memory();
-  scene.details = {{.name = "X", .radius = 0}};
-  expect(scene, "details[0].radius", "is not above 0");
+  scene.details = {{.name = "X", .centre = {{0, 0, 0}}, .radius = 0}};
+  expect(scene, "details[0].radius", "more than 0 is wanted");
   scene = in_memory();
   scene.threads = {{.thread = "M6.5"}};
   expect(scene, "threads[0].thread", "ISO 261 has no M6.5");
-  scene.threads = {{.thread = "M6", .depth = 0}};
-  expect(scene, "threads[0].depth", "must be above 0");
+  scene.threads = {{.thread = "M6", .at = std::array{0, 0}, .depth = 0}};
+  expect(scene, "threads[0].depth", "more than 0 is wanted");
   scene = in_memory();
   scene.dimensions = {{.type = DimensionType::overall, .arrangement = DimensionArrangement::chain}};
-  expect(scene, "dimensions[0].arrangement", "type 'overall' has no arrangement");
+  expect(scene, "dimensions[0].arrangement", "type 'overall' has no 'arrangement'");
   scene = in_memory();
   scene.views[0].parameters = {{"eye", 1.0}};
   expect(scene, "views[0].projection", "eye");
@@ -464,7 +464,7 @@ TEST(Library, RefusesWhatNoEnumeratorIs) {
   scene.dimensions = {{.type = static_cast<DimensionType>(-2147483648)}};
   expect(scene, "dimensions[0].type");
   scene = in_memory();
-  scene.dimensions = {{.direction = static_cast<DimensionDirection>(5)}};
+  scene.dimensions = {{.type = DimensionType::overall, .direction = static_cast<DimensionDirection>(5)}};
   expect(scene, "dimensions[0].direction");
   scene = in_memory();
   scene.views[0].hidden = static_cast<HiddenLines>(99);
@@ -487,9 +487,9 @@ TEST(Library, RefusesNumbersWhoseSquaresAreNone) {
   scene.explosions = {{.move = {{1e308, 0, 0}}}};
   EXPECT_EQ(failure_of(scene).place(), "explosions[0].move");
   scene = in_memory();
-  scene.dimensions = {{.type = DimensionType::aligned, .anchors = {std::array{0, 0}, std::array{1e100, 0.0, 0.0}}}};
-  EXPECT_EQ(failure_of(scene).place(), "dimensions[0].anchors");
-  scene.dimensions[0].anchors[1] = std::array{1e20, 0.0, 0.0};
+  scene.dimensions = {{.type = DimensionType::aligned, .from = std::array{0, 0}, .to = std::array{1e100, 0.0, 0.0}}};
+  EXPECT_EQ(failure_of(scene).place(), "dimensions[0].to");
+  scene.dimensions[0].to = std::array{1e20, 0.0, 0.0};
   EXPECT_EQ(failure_of(scene).kind(), Failure::Kind::input) << failure_of(scene).what();
 }
 
