@@ -13,7 +13,7 @@
 #include "output/format.hpp"
 #include "pipeline/draw_scene.hpp"
 #include "pipeline/tell.hpp"
-#include "pipeline/view_error.hpp"
+#include "pipeline/writing_error.hpp"
 #include "report/format.hpp"
 
 namespace epura {

@@ -300,11 +300,6 @@ std::vector<Annotations> annotate(const world::World& world, const scene::SceneD
   return annotations;
 }
 
-bool dimensions_features(const scene::SceneDescription& scene) {
-  return std::any_of(scene.dimensions.begin(), scene.dimensions.end(),
-                     [](const auto& dimension) { return dimension.type.value == DimensionType::automatic; });
-}
-
 sheet::Notation notation_of(const world::World& world, const scene::SheetDescription& sheet) {
   const Vec3 size = world.box.max - world.box.min;
   const Unit unit = sheet.dimension_unit.value_or(Unit::mm);

@@ -46,9 +46,6 @@ std::vector<Annotations> annotate(const world::World& world, const scene::SceneD
                                   const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
                                   const SectionSurfaces& sections);
 
-/// Whether features are to be dimensioned.
-bool dimensions_features(const scene::SceneDescription& scene);
-
 /// How dimensions of a sheet are written.
 sheet::Notation notation_of(const world::World& world, const scene::SheetDescription& sheet);
 

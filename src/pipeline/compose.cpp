@@ -14,6 +14,7 @@
 #include "drawing/thin.hpp"
 #include "pipeline/annotation_layers.hpp"
 #include "pipeline/constructions.hpp"
+#include "pipeline/detail_layers.hpp"
 #include "pipeline/details.hpp"
 #include "report/format.hpp"
 #include "sheet/captions.hpp"

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Details of the views on a sheet.
+// Details: what part of a view they show.
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "drawing/boundary.hpp"
-#include "pipeline/layout.hpp"
-#include "pipeline/messages.hpp"
+#include "pipeline/draw_view.hpp"
+#include "sheet/rectangle.hpp"
 
 namespace epura::pipeline {
 
@@ -21,13 +18,5 @@ sheet::Rectangle boundary_box(const scene::DetailDescription& detail, const view
 /// view::drawn_box. Throws Error{input} for details of perspectives, and for those outside what the view shows.
 projection::Window box_to_place(const ViewOptions& options, const view::ProjectedScene& view,
                                 const world::World& world);
-
-/// Warns of details that are not larger than in the view that they enlarge.
-void warn_about_details(const Messages& messages, const SheetOfViews& views, const SheetPlan& plan);
-
-/// Appends the boundaries of the details on a sheet, and their marks in the views that they enlarge, to the layers of
-/// all that is drawn there already.
-void add_details(std::vector<sheet::Layer>& layers, const SheetInput& input,
-                 std::span<const drawing::ViewDrawing> drawings);
 
 }  // namespace epura::pipeline

@@ -17,6 +17,7 @@
 #include "pipeline/coarse_meshes.hpp"
 #include "pipeline/compose.hpp"
 #include "pipeline/constructions.hpp"
+#include "pipeline/detail_layers.hpp"
 #include "pipeline/details.hpp"
 #include "pipeline/free_forms.hpp"
 #include "pipeline/line_facts.hpp"

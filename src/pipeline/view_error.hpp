@@ -9,10 +9,8 @@
 #include "drawing/arcs.hpp"
 #include "drawing/view_drawing.hpp"
 #include "edges/find_edges.hpp"
-#include "output/vector_options.hpp"
 #include "pipeline/messages.hpp"
 #include "pipeline/options.hpp"
-#include "pipeline/targets.hpp"
 #include "report/error_budget.hpp"
 #include "view/paper_map.hpp"
 #include "view/projected_scene.hpp"
@@ -43,11 +41,6 @@ inline constexpr double guaranteed_part = 1e-6;
 double part_for_facets(double max_error, bool has_arcs);
 /// Returns the distance within which lines are merged, mm.
 double join_within(double max_error, double usual);
-/// Chooses decimals and resolution, unless they are given, as low as the formats of the targets allow.
-void choose_writing(output::VectorOptions& options, std::span<const Target> targets, double max_error, bool has_arcs);
-/// Returns the largest error of the formats of the targets, mm.
-double error_of_writing(std::span<const Target> targets, const output::VectorOptions& options, bool has_arcs);
-
 /// Refuses a --max-error that is below what is certain of any drawing. `facets`: its part for facets, as a fraction of
 /// the largest drawing; 0: unknown. Throws Error{input}.
 void expect_certain(double max_error, double facets, bool has_arcs);
@@ -55,9 +48,6 @@ void expect_certain(double max_error, double facets, bool has_arcs);
 /// Refuses a view whose error exceeds --max-error. `declares_surfaces`: all files have the surfaces of their parts, of
 /// which finer facets have been asked for already. Throws Error{input}.
 void expect_within(double max_error, const report::ViewError& error, bool declares_surfaces);
-
-/// What is chosen for --max-error, for people.
-std::string sentence_of_choices(double max_error, bool has_arcs, const output::VectorOptions& options);
 
 /// "front: lines are within 0.021 mm of the part; most of it, 0.02 mm, by facets instead of their surface (measured)"
 std::string sentence_of(const report::ViewError& error);

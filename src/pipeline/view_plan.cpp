@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "pipeline/annotations.hpp"
 #include "pipeline/choose.hpp"
 #include "pipeline/view_error.hpp"
 #include "scene/body_styles.hpp"
@@ -72,6 +71,11 @@ ViewOptions view_options(const scene::ViewDescription& view, const RunOptions& r
 }
 
 }  // namespace
+
+bool dimensions_features(const scene::SceneDescription& scene) {
+  return std::any_of(scene.dimensions.begin(), scene.dimensions.end(),
+                     [](const auto& dimension) { return dimension.type.value == DimensionType::automatic; });
+}
 
 std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options) {
   const auto folders = projection::plugin_folders(options.plugin_path);

@@ -19,6 +19,9 @@ struct PlannedView {
   ViewOptions options;
 };
 
+/// Whether features are to be dimensioned.
+bool dimensions_features(const scene::SceneDescription& scene);
+
 /// Throws Error{input}, or Error{plugin} for projections that do not exist.
 std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options);
 
