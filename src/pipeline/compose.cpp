@@ -15,7 +15,6 @@
 #include "pipeline/annotation_layers.hpp"
 #include "pipeline/constructions.hpp"
 #include "pipeline/detail_layers.hpp"
-#include "pipeline/details.hpp"
 #include "report/format.hpp"
 #include "sheet/captions.hpp"
 #include "sheet/centre_lines.hpp"

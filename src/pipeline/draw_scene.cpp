@@ -18,7 +18,6 @@
 #include "pipeline/compose.hpp"
 #include "pipeline/constructions.hpp"
 #include "pipeline/detail_layers.hpp"
-#include "pipeline/details.hpp"
 #include "pipeline/free_forms.hpp"
 #include "pipeline/line_facts.hpp"
 #include "pipeline/lint.hpp"
