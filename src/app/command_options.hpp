@@ -7,9 +7,6 @@
 
 namespace epura {
 
-scene::Options<BatchOptions> batch_options();
-scene::Options<CompareOptions> compare_options();
-scene::Options<SnapshotOptions> snapshot_options();
 scene::Options<InfoOptions> info_options();
 scene::Options<PluginsOptions> plugins_options();
 scene::Options<PictureOptions> picture_options();

@@ -14,9 +14,6 @@ inline constexpr int partial_exit_code = 5;
 int draw(const DrawOptions& options);
 /// Draws, and reports faults of the dimensions.
 int lint(DrawOptions options);
-int batch(const BatchOptions& options);
-/// Ends by a signal only.
-int serve(const ServeOptions& options);
 int plugins(const PluginsOptions& options);
 int picture(const PictureOptions& options);
 int check_plugin(const CheckPluginOptions& options);
@@ -24,8 +21,6 @@ int importers(const ImportersOptions& options);
 int check_importer(const CheckImporterOptions& options);
 int new_projection(const NewProjectionOptions& options);
 int new_scene(const NewSceneOptions& options);
-int compare_files(const CompareOptions& options);
-int snapshot(const SnapshotOptions& options);
 int info(const InfoOptions& options);
 
 }  // namespace epura

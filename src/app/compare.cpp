@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// epura compare A B
+#include "app/snapshot/compare.hpp"
+
 #include <cstdio>
 #include <filesystem>
 #include <string>

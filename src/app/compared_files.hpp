@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "app/options.hpp"
+#include "app/snapshot/compare.hpp"
 #include "compare/read_pictures.hpp"
 
 namespace epura {

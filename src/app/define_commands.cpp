@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/define_commands.hpp"
 
+#include "app/batch/batch.hpp"
 #include "app/command_options.hpp"
 #include "app/commands.hpp"
 #include "app/define_answers.hpp"
 #include "app/draw_options.hpp"
-#include "app/serve/serve_options.hpp"
+#include "app/serve/serve.hpp"
+#include "app/snapshot/compare.hpp"
+#include "app/snapshot/snapshot.hpp"
 #include "base/broken.hpp"
 
 namespace epura {

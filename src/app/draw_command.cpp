@@ -7,7 +7,6 @@
 
 #include "app/batch/jobs.hpp"
 #include "app/batch/placeholders.hpp"
-#include "app/batch/worker.hpp"
 #include "app/commands.hpp"
 #include "app/confinement.hpp"
 #include "app/console.hpp"
@@ -38,11 +37,11 @@ int draw_once(const DrawOptions& options) {
 
 // One drawing for each model, since outputs are named after models.
 int draw_each(const DrawOptions& options) {
-  BatchOptions batch;
-  batch.draw = options;
+  JobSources sources;
+  sources.draw = options;
   for (const std::string& output : options.outputs)
-    batch.later.push_back({"-o,--output", scene::value_of_option("--output", output)});
-  const std::vector<Job> jobs = plan_jobs(batch);
+    sources.later.push_back({"-o,--output", scene::value_of_option("--output", output)});
+  const std::vector<Job> jobs = plan_jobs(sources);
   for (const Job& job : jobs) create_folders(job.outputs);
   confine_if_asked(options, files_of(jobs));
   int code = 0;

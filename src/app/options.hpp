@@ -14,7 +14,6 @@
 #include "projection/plugin_process.hpp"
 #include "scene/description.hpp"
 #include "scene/details.hpp"
-#include "scene/toml_tree.hpp"
 
 namespace epura {
 
@@ -59,37 +58,6 @@ struct DrawOptions {
   std::string lint_json;  ///< lint: file of its findings; empty: none
   bool lint_all = false;  ///< lint: print those that differ in numbers alone, too
   bool measure = false;   ///< measure the time saved by shortcuts, by runs without them
-};
-
-/// An option whose value is not read before the job is known.
-struct LaterOption {
-  std::string flag;  ///< as in the table of options
-  scene::TomlValue value;
-};
-
-struct BatchOptions {
-  DrawOptions draw;                  ///< what all jobs have in common, and in `models` the sources
-  std::vector<LaterOption> later;    ///< options with placeholders
-  std::vector<std::string> words;    ///< options that change drawings, as given
-  std::vector<std::string> tables;   ///< files with a job in each row
-  bool again = false;                ///< draw what has not changed, too
-  bool resume = false;               ///< only if there is a manifest
-  std::string manifest;              ///< empty: beside the outputs
-  std::string merge;                 ///< manifest whose parts are joined, instead of drawing; or its folder
-  std::string shard;                 ///< "2/8", or "auto" for the number that the scheduler gives
-  std::string report, junit;         ///< files to write; empty: none
-  int workers = 0;                   ///< number of jobs at the same time; 0: one for each core
-  std::optional<double> job_time;    ///< seconds
-  std::optional<double> job_memory;  ///< MB
-  ShowProgress progress = ShowProgress::automatic;
-};
-
-struct ServeOptions {
-  DrawOptions draw;                ///< of all drawings, but for the projection that the page chooses
-  std::vector<std::string> words;  ///< the same as given, for command lines
-  int port = 0;                    ///< 0: any that is free
-  double job_time = 60;            ///< seconds for a view or a drawing
-  double job_memory = 4000;        ///< MB for a drawing
 };
 
 struct PluginsOptions {
@@ -137,29 +105,11 @@ struct NewSceneOptions {
   std::vector<std::filesystem::path> plugin_path;
 };
 
-struct CompareOptions {
-  std::string before, after;                                    ///< drawings, models or scene files
-  std::vector<scene::Located<scene::ProjectionRequest>> views;  ///< views of models
-  std::vector<std::filesystem::path> plugin_path;
-  bool allow_outside = false;
-  double tolerance = 0.001;   ///< mm
-  std::string json, overlay;  ///< files to write; empty: none
-};
-
 struct InfoOptions {
   std::vector<std::string> models;
   std::vector<std::filesystem::path> plugin_path;
   std::string json;               ///< file to write; empty: none
   std::optional<double> density;  ///< kg/m³, of all bodies
-};
-
-struct SnapshotOptions {
-  std::vector<std::string> folders;  ///< folders that contain cases, or cases themselves
-  bool accept = false;               ///< make the current drawings the expected ones
-  double tolerance = 0.001;          ///< mm
-  std::string report, junit;         ///< files to write; empty: none
-  std::vector<std::filesystem::path> plugin_path;
-  int threads = 0;  ///< number of cases drawn concurrently
 };
 
 }  // namespace epura

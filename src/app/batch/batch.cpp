@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `epura batch`
+#include "app/batch/batch.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -31,7 +32,7 @@ constexpr const char* manifest_name = "epura-batch.jsonl";
 
 // Beside the outputs: in the part of the first output's folder that all jobs share.
 fs::path manifest_beside_outputs(const BatchOptions& options, const std::vector<Job>& jobs) {
-  for (const LaterOption& later : options.later) {
+  for (const LaterOption& later : options.sources.later) {
     if (!later.flag.ends_with("--output")) continue;
     const std::string& text = std::get<std::string>(later.value.content);
     fs::path folder;
@@ -140,7 +141,7 @@ int workers_of(const BatchOptions& options) {
 int batch(const BatchOptions& options) {
   if (!options.merge.empty()) return merge(options);
   const Shard shard = parse_shard(options.shard);
-  BatchPlan plan{options.draw, plan_jobs(options), {}, basis_of(options), options.job_memory, {}};
+  BatchPlan plan{options.sources.draw, plan_jobs(options.sources), {}, basis_of(options), options.job_memory, {}};
   plan.pictures = folder_of_pictures(options, plan.jobs);
   // Several jobs use the cores better than several threads in each.
   if (plan.common.run.threads == 0) plan.common.run.threads = 1;

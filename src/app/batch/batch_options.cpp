@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The options of `epura batch`: those of its jobs, and its own.
-#include "app/batch/jobs.hpp"
+#include "app/batch/batch.hpp"
 #include "app/batch/placeholders.hpp"
-#include "app/command_options.hpp"
 #include "app/draw_options.hpp"
 #include "base/text.hpp"
 
@@ -18,9 +17,9 @@ scene::Option<Batch> for_all_jobs(const scene::Option<DrawOptions>& row) {
     const std::string* text = std::get_if<std::string>(&value.content);
     const bool is_source = row.flag == "models", is_output = row.flag == "-o,--output";
     if (is_output || (!is_source && text != nullptr && has_placeholder(*text)))
-      batch.later.push_back({row.flag, value});
+      batch.sources.later.push_back({row.flag, value});
     else
-      row.read(batch.draw, value);
+      row.read(batch.sources.draw, value);
     if (!is_source && row.nature != scene::Nature::run && text != nullptr)
       batch.words.push_back(row.flag + "=" + *text);
   };
@@ -29,12 +28,13 @@ scene::Option<Batch> for_all_jobs(const scene::Option<DrawOptions>& row) {
 
 scene::Options<Batch> selection_options() {
   return {
-      scene::option<Batch>({.flag = "--table",
-                            .help = "file with a job in each row: CSV, whose first line names options of 'epura draw' "
-                                    "(file, output, title, views ...), or TOML with [[job]]",
-                            .nature = scene::Nature::file,
-                            .repeatable = true},
-                           &Batch::tables, file_name("FILE")),
+      scene::option<Batch>(
+          {.flag = "--table",
+           .help = "file with a job in each row: CSV, whose first line names options of 'epura draw' "
+                   "(file, output, title, views ...), or TOML with [[job]]",
+           .nature = scene::Nature::file,
+           .repeatable = true},
+          [](auto& batch) -> auto& { return batch.sources.tables; }, file_name("FILE")),
       scene::option<Batch>(
           {.flag = "--shard",
            .help = "do one part of several, e.g. 2/8; auto in an array of jobs of Slurm, Grid Engine or "

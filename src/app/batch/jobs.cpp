@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "app/batch/estimate.hpp"
@@ -129,7 +130,7 @@ void expect_files_below(const Job& job, const TableRow& row, const std::set<std:
 }
 
 void append_row(std::vector<Job>& jobs, const TableRow& row, const std::map<std::string, Column>& known,
-                const BatchOptions& options) {
+                const JobSources& sources) {
   std::vector<std::string> models;
   std::vector<LaterOption> later;
   std::set<std::string> flags_of_files;
@@ -148,11 +149,11 @@ void append_row(std::vector<Job>& jobs, const TableRow& row, const std::map<std:
   }
   if (models.empty()) throw Error(ErrorKind::input, row.where, "has no model", "add a column 'file'");
   std::vector<LaterOption> all;
-  for (const LaterOption& common : options.later)
+  for (const LaterOption& common : sources.later)
     if (!is_output(common) || flags_of_files.count(output_flag) == 0) all.push_back(common);
   all.insert(all.end(), later.begin(), later.end());
   jobs.push_back(finished(std::move(models), all, jobs.size() + 1));
-  if (!options.draw.run.allow_outside) expect_files_below(jobs.back(), row, flags_of_files);
+  if (!sources.draw.run.allow_outside) expect_files_below(jobs.back(), row, flags_of_files);
 }
 
 std::string normal(const std::string& path) { return fs::path(path).lexically_normal().string(); }
@@ -199,20 +200,29 @@ scene::Options<DrawOptions> job_options() {
   return options;
 }
 
-std::vector<Job> plan_jobs(const BatchOptions& options) {
-  for (const LaterOption& later : options.later)
+std::vector<Job> plan_jobs(const JobSources& sources) {
+  for (const LaterOption& later : sources.later)
     if (is_output(later)) expect_known_placeholders(text_of(later.value), "--output");
   std::vector<Job> jobs;
-  for (const std::string& model : models_of_sources(options.draw.models, options.draw.run.plugin_path))
-    jobs.push_back(finished({model}, options.later, jobs.size() + 1));
+  for (const std::string& model : models_of_sources(sources.draw.models, sources.draw.run.plugin_path))
+    jobs.push_back(finished({model}, sources.later, jobs.size() + 1));
   const std::map<std::string, Column> known = columns();
-  for (const std::string& table : options.tables)
-    for (const TableRow& row : read_job_table(table)) append_row(jobs, row, known, options);
+  for (const std::string& table : sources.tables)
+    for (const TableRow& row : read_job_table(table)) append_row(jobs, row, known, sources);
   if (jobs.empty())
     throw Error(ErrorKind::input, "command line", "there are no jobs", "name models, folders, patterns or a --table");
   refuse_equal_outputs(jobs);
   tell_apart(jobs);
   return jobs;
+}
+
+void create_folders(const std::vector<std::string>& outputs) {
+  for (const std::string& output : outputs) {
+    const fs::path folder = fs::path(output).parent_path();
+    std::error_code error;
+    if (!folder.empty()) fs::create_directories(folder, error);
+    if (error) throw Error(ErrorKind::output, folder.string(), "cannot be created: " + error.message());
+  }
 }
 
 DrawOptions options_of(const Job& job, const DrawOptions& common) {

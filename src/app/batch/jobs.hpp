@@ -8,8 +8,22 @@
 
 #include "app/options.hpp"
 #include "scene/option.hpp"
+#include "scene/toml_tree.hpp"
 
 namespace epura {
+
+/// An option whose value is not read before the job is known.
+struct LaterOption {
+  std::string flag;  ///< as in the table of options
+  scene::TomlValue value;
+};
+
+/// What jobs are planned from.
+struct JobSources {
+  DrawOptions draw;                 ///< what all jobs have in common, and in `models` the sources
+  std::vector<LaterOption> later;   ///< options with placeholders
+  std::vector<std::string> tables;  ///< files with a job in each row
+};
 
 /// One run of `epura draw`.
 struct Job {
@@ -25,7 +39,10 @@ scene::Options<DrawOptions> job_options();
 
 /// Returns all jobs in the order of the command line. Throws Error{input} for sources without models, unknown columns
 /// and placeholders, and for two jobs with one output.
-std::vector<Job> plan_jobs(const BatchOptions& options);
+std::vector<Job> plan_jobs(const JobSources& sources);
+
+/// Creates the folders of outputs. Throws Error{output}.
+void create_folders(const std::vector<std::string>& outputs);
 
 /// Returns the options of a job. Throws Error{input} for wrong values.
 DrawOptions options_of(const Job& job, const DrawOptions& common);

@@ -224,22 +224,13 @@ JobResult refused(const BatchPlan& plan, std::size_t number, const std::string& 
 
 }  // namespace
 
-void create_folders(const std::vector<std::string>& outputs) {
-  for (const std::string& output : outputs) {
-    const fs::path folder = fs::path(output).parent_path();
-    std::error_code error;
-    if (!folder.empty()) fs::create_directories(folder, error);
-    if (error) throw Error(ErrorKind::output, folder.string(), "cannot be created: " + error.message());
-  }
-}
-
 std::string basis_of(const BatchOptions& options) {
   std::string text = EPURA_VERSION;
   for (const std::string& word : options.words) text += '\0' + word;
-  add_libraries(text, projection::plugin_folders(options.draw.run.plugin_path));
-  add_libraries(text, importer::importer_folders(options.draw.run.plugin_path));
+  add_libraries(text, projection::plugin_folders(options.sources.draw.run.plugin_path));
+  add_libraries(text, importer::importer_folders(options.sources.draw.run.plugin_path));
   std::error_code missing;
-  const scene::LocatedText& font = options.draw.sheet.font;
+  const scene::LocatedText& font = options.sources.draw.sheet.font;
   const fs::path file = font.given() ? sheet::find_font(*font, font.where).file : sheet::Lettering::usual_font();
   if (fs::exists(file, missing)) text += '\0' + hash_of_file(file);
   return hash_of_bytes(text);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/batch/jobs.hpp"
+#include "app/batch/batch.hpp"
 #include "app/batch/manifest.hpp"
 
 namespace epura {
@@ -38,9 +38,6 @@ void serve_jobs(int socket, const BatchPlan& plan);
 
 /// The code of a job whose process ended before the job.
 inline constexpr int crashed_exit_code = 70;
-
-/// Creates the folders of outputs. Throws Error{output}.
-void create_folders(const std::vector<std::string>& outputs);
 
 /// Draws a job in this process.
 JobResult do_job(const BatchPlan& plan, std::size_t job);

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/options.hpp"
 #include "app/run_epura.hpp"
 #include "app/serve/http/library.hpp"
+#include "app/serve/serve.hpp"
 
 namespace epura {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/options.hpp"
+#include "app/serve/serve.hpp"
 #include "foreign/child_process.hpp"
 
 namespace epura {

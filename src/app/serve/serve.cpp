@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `epura serve`: a page on this computer, in which the parameters of projections can be tried.
+#include "app/serve/serve.hpp"
+
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <poll.h>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/serve/serve_options.hpp"
-
 #include <algorithm>
 #include <array>
 #include <string_view>
 #include <variant>
 
 #include "app/draw_options.hpp"
+#include "app/serve/serve.hpp"
 #include "base/text.hpp"
 
 namespace epura {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/options.hpp"
+#include "app/snapshot/snapshot.hpp"
 #include "compare/html_report.hpp"
 
 namespace epura {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// epura snapshot DIR
+#include "app/snapshot/snapshot.hpp"
+
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
