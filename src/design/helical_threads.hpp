@@ -39,11 +39,16 @@ struct HelicalForms {
 /// two turns. `unit` is the length of the file's unit in mm.
 HelicalForms find_helical_threads(const mesh::Mesh& mesh, const features::PartFaces& part, double unit);
 
+/// A mesh with a cylinder in the place of a thread.
+struct WithCylinder {
+  mesh::Mesh mesh;
+  std::vector<int> face_of_triangle;  ///< numbered as in the part, with the cylinder after the others
+};
+
 /// Puts the cylinder through its crests in the place of a thread: the faces at both ends are continued to its circles,
-/// or end there. Returns the faces of the triangles, numbered as in the part, with the cylinder after the others.
-/// Returns nothing, and leaves the mesh as it is, where they cannot be continued: the triangles of a thread have to end
-/// in two closed lines around its axis.
-std::optional<std::vector<int>> replace_by_cylinder(mesh::Mesh& mesh, const features::PartFaces& part,
-                                                    const HelicalThread& thread);
+/// or end there. Returns nothing where they cannot be continued: the triangles of a thread have to end in two closed
+/// lines around its axis.
+std::optional<WithCylinder> with_cylinder(const mesh::Mesh& mesh, const features::PartFaces& part,
+                                          const HelicalThread& thread);
 
 }  // namespace epura::design

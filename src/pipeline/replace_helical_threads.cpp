@@ -80,14 +80,12 @@ bool replace_one(Replaced& model, double unit, const Progress& progress) {
   design::HelicalForms forms = design::find_helical_threads(*model.mesh, *model.part, unit);
   model.others = std::move(forms.others);
   for (design::HelicalThread& thread : forms.threads) {
-    mesh::Mesh mesh = *model.mesh;
-    auto face_of_triangle = design::replace_by_cylinder(mesh, *model.part, thread);
-    if (!face_of_triangle) continue;
-    if (open_edges_of(mesh) > open_edges_of(*model.mesh)) continue;
-    auto part =
-        std::make_shared<features::PartFaces>(faces_with(thread, model, mesh, std::move(*face_of_triangle), progress));
+    auto made = design::with_cylinder(*model.mesh, *model.part, thread);
+    if (!made || open_edges_of(made->mesh) > open_edges_of(*model.mesh)) continue;
+    auto part = std::make_shared<features::PartFaces>(
+        faces_with(thread, model, made->mesh, std::move(made->face_of_triangle), progress));
     if (!has_cylinder(*part, thread)) continue;
-    model.mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
+    model.mesh = std::make_shared<const mesh::Mesh>(std::move(made->mesh));
     model.part = std::move(part);
     model.threads.push_back(std::move(thread));
     return true;

@@ -181,16 +181,16 @@ TEST(HelicalThreads, BecomeCylindersOfClosedBodies) {
   const double head = disc * 64 * 6, plate = 400 * 7.5;
   for (const bool internal : {false, true}) {
     const Part part = internal ? nut(1.5) : screw(1.5);
-    mesh::Mesh mesh = part.mesh();
-    const features::PartFaces faces = features::recognise_faces(mesh);
-    const auto threads = design::find_helical_threads(mesh, faces, 1).threads;
+    const mesh::Mesh before = part.mesh();
+    const features::PartFaces faces = features::recognise_faces(before);
+    const auto threads = design::find_helical_threads(before, faces, 1).threads;
     ASSERT_EQ(threads.size(), 1U);
     EXPECT_EQ(threads.front().internal, internal);
     const double radius = internal ? minor_radius : major_radius, height = internal ? 7.5 : 12;
-    const mesh::Mesh before = mesh;
-    const auto face_of_triangle = design::replace_by_cylinder(mesh, faces, threads.front());
-    ASSERT_TRUE(face_of_triangle);
-    expect_faces_kept(before, faces, mesh, *face_of_triangle, threads.front());
+    const auto made_mesh = design::with_cylinder(before, faces, threads.front());
+    ASSERT_TRUE(made_mesh);
+    const mesh::Mesh& mesh = made_mesh->mesh;
+    expect_faces_kept(before, faces, mesh, made_mesh->face_of_triangle, threads.front());
     for (const mesh::MeshEdge& edge : mesh.edges) EXPECT_EQ(edge.count, 2);
     const double core = pi * radius * radius * height;
     EXPECT_NEAR(volume_of(mesh), internal ? plate - core : head + core, 0.005 * core);
