@@ -24,7 +24,7 @@ constexpr double half_turn = 179.5;  // degrees
 constexpr double least_side = 90;    // degrees, of a groove
 
 double aside(const RoundFace& from, const Vec3& point) {
-  return glm::length(glm::cross(point - from.face.surface.origin, from.face.surface.axis));
+  return distance_from_line(point, from.face.surface.origin, from.face.surface.axis);
 }
 
 double slack_beside(const RoundPart& of, double reach) { return std::max(32 * of.part.tolerance, same_size * reach); }

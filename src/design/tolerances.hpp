@@ -22,4 +22,9 @@ inline int axis_along(const Vec3& direction) {
 }
 inline bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
 
+/// From the line through a point along a unit vector.
+inline double distance_from_line(const Vec3& point, const Vec3& on_line, const Vec3& axis) {
+  return glm::length(glm::cross(point - on_line, axis));
+}
+
 }  // namespace epura::design
