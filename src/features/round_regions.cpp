@@ -2,11 +2,9 @@
 #include "features/round_regions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <compare>
 #include <cstddef>
 #include <deque>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -14,36 +12,14 @@
 
 #include "base/parallel.hpp"
 #include "features/clusters.hpp"
-#include "features/estimates.hpp"
 #include "features/limits.hpp"
+#include "features/seeds.hpp"
 
 namespace epura::features {
 
 namespace {
 
-constexpr std::size_t most_beside = 4;
 constexpr int facets_at_once = 256;
-
-/// A surface on which some facets around a seed lie.
-struct Guess {
-  PartSurface surface;
-  std::vector<int> seeds;
-  std::size_t explained;  ///< number of facets nearby that lie on it
-};
-
-/// The first neighbours of a facet.
-struct Few {
-  std::array<int, most_beside> facets{};
-  std::size_t count = 0;
-
-  [[nodiscard]] bool empty() const { return count == 0; }
-  [[nodiscard]] std::span<const int> all() const { return std::span(facets).first(count); }
-};
-
-struct Neighbour {
-  double length;  ///< total length of common edges
-  int facet;
-};
 
 /// Counts attempts: the longer few of them succeed, as in free forms, the fewer facets are tried.
 struct Effort {
@@ -90,11 +66,9 @@ class Search {
   Search(const Facets& facets, const Progress& progress, Wanted wanted)
       : facets_(facets),
         progress_(progress),
-        wanted_(wanted),
         failures_(facets.facets.size(), 0),
-        stamp_(facets.facets.size(), 0),
-        vertex_stamp_(facets.points.size(), 0),
-        neighbours_at_(facets.facets.size(), -1),
+        neighbours_(facets, found_.region_of),
+        guesser_(facets, wanted),
         in_ring_(facets.facets.size(), 0),
         grower_(facets, found_.region_of, found_.regions) {
     found_.region_of.assign(facets.facets.size(), -1);
@@ -116,7 +90,7 @@ class Search {
       const Facet& facet = facets_.facets[f];
       if (region_of(f) >= 0 || failures_[f] >= most_failures || facet.is_plane || facets_.is_sliver(f)) continue;
       if (beside_regions && !is_beside_region(f)) continue;
-      const Few beside = beside_of(f);
+      const Few beside = neighbours_.beside(f);
       if (beside.empty()) continue;
       progress_.expect_time();
       tries.push_back({f, grow_from(f, beside)});
@@ -163,177 +137,6 @@ class Search {
     return found;
   }
 
-  // Returns neighbours without a region across smooth edges, those with the longest common edges first.
-  [[nodiscard]] Few beside_of(int facet) {
-    int& at = neighbours_at_[facet];
-    if (at < 0) {
-      at = static_cast<int>(neighbours_.size());
-      remember_neighbours(facet);
-    }
-    Few beside;
-    const auto first = static_cast<std::size_t>(at);
-    const auto count = static_cast<std::size_t>(neighbours_[first]);
-    for (const int other : std::span(neighbours_).subspan(first + 1, count))
-      if (region_of(other) < 0 && beside.count < beside.facets.size()) beside.facets[beside.count++] = other;
-    return beside;
-  }
-
-  // Stores the number of neighbours and the neighbours, with or without a region, since each list is needed often.
-  void remember_neighbours(int facet) {
-    around_facet_.clear();
-    facets_.for_sides(facet, [&](int t, int side, int other) {
-      if (facets_.facets[other].is_plane || facets_.is_sliver(other) || facets_.cosine_of_fold(t, side) < smooth_cosine)
-        return;
-      const double length = facets_.length_of(t, side);
-      const auto same =
-          std::find_if(around_facet_.begin(), around_facet_.end(), [&](const auto& n) { return n.facet == other; });
-      if (same == around_facet_.end())
-        around_facet_.push_back({length, other});
-      else
-        same->length += length;
-    });
-    std::sort(around_facet_.begin(), around_facet_.end(), [](const Neighbour& a, const Neighbour& b) {
-      return a.length != b.length ? a.length > b.length : a.facet < b.facet;
-    });
-    neighbours_.push_back(static_cast<int>(around_facet_.size()));
-    for (const Neighbour& n : around_facet_) neighbours_.push_back(n.facet);
-  }
-
-  // Returns the facet, its neighbours, and their neighbours.
-  [[nodiscard]] std::vector<int> around(int facet, const Few& beside) {
-    ++number_;
-    std::vector<int> nearby{facet};
-    stamp_[facet] = number_;
-    const auto take = [&](const Few& more) {
-      for (const int f : more.all())
-        if (stamp_[f] != number_ && nearby.size() < most_nearby) {
-          stamp_[f] = number_;
-          nearby.push_back(f);
-        }
-    };
-    take(beside);
-    for (std::size_t i = 1; i < nearby.size() && nearby.size() < most_nearby; ++i) take(beside_of(nearby[i]));
-    return nearby;
-  }
-
-  [[nodiscard]] std::vector<Vec3> points_of(std::span<const int> facets) {
-    ++vertex_number_;
-    std::vector<Vec3> points;
-    points.reserve(4 * facets.size());
-    for (const int f : facets)
-      for (const int v : facets_.supports_of(f))
-        if (std::exchange(vertex_stamp_[v], vertex_number_) != vertex_number_) points.push_back(facets_.points[v]);
-    return points;
-  }
-
-  [[nodiscard]] std::vector<Facing> facings_of(std::span<const int> facets) const {
-    std::vector<Facing> facings;
-    facings.reserve(facets.size());
-    for (const int f : facets) facings.push_back({facets_.facets[f].middle, facets_.facets[f].normal, 1});
-    // All normals point to one side, although triangles may have either orientation.
-    for (Facing& f : facings)
-      if (glm::dot(f.normal, facings.front().normal) < 0) f.normal = -f.normal;
-    return facings;
-  }
-
-  /// Some facets, the input of a fit to them, and the facets around them that decide whether it is right.
-  struct Patch {
-    std::span<const int> facets, nearby;
-    std::vector<Vec3> points;
-    std::vector<Facing> facings;
-  };
-
-  [[nodiscard]] Patch patch_of(std::span<const int> facets, std::span<const int> nearby) {
-    return {facets, nearby, points_of(facets), facings_of(facets)};
-  }
-
-  [[nodiscard]] double sagitta_of(const PartSurface& surface, std::span<const int> facets) const {
-    double sum = 0;
-    for (const int f : facets) sum += std::abs(signed_distance(surface, facets_.facets[f].middle));
-    return sum / static_cast<double>(facets.size());
-  }
-
-  // Keeps the surface if the patch lies on it and it explains more facets nearby than the last one of its kind. Returns
-  // whether the patch lies on it.
-  bool consider(std::vector<Guess>& guesses, std::optional<PartSurface> surface, const Patch& patch) const {
-    if (!surface) return false;
-    const double residual = refine(*surface, patch.points, 64 * facets_.tolerance);
-    const double sagitta = sagitta_of(*surface, patch.facets);
-    const double allowance = allowance_of(facets_, sagitta);
-    if (residual > allowance || sagitta < 4 * residual) return false;
-    const int seed = patch.facets.front();
-    std::size_t explained = 0;
-    for (const int f : patch.nearby) {
-      const bool fits = approximates(facets_, f, *surface, (f == seed ? 1 : 8) * allowance, sagitta);
-      if (f == seed && !fits) return false;
-      explained += fits ? 1 : 0;
-    }
-    // A surface through just as many points as determine it proves nothing unless it predicts other facets.
-    const auto spare = static_cast<int>(patch.points.size()) - unknowns_of(surface->kind);
-    if (explained < 2 || (explained <= patch.facets.size() && spare < 2)) return false;
-    const Guess guess{*surface, {patch.facets.begin(), patch.facets.end()}, explained};
-    const auto same =
-        std::find_if(guesses.begin(), guesses.end(), [&](const Guess& g) { return g.surface.kind == surface->kind; });
-    if (same == guesses.end())
-      guesses.push_back(guess);
-    else if (explained > same->explained)
-      *same = guess;
-    return true;
-  }
-
-  // Three facets of a strip along a surface give such a good estimate that little is left to refine.
-  void guess_strip(std::vector<Guess>& guesses, const Patch& patch) const {
-    const auto is_near = [&](const std::optional<PartSurface>& surface) {
-      return surface && residual_of(*surface, patch.points) < 0.25 * sagitta_of(*surface, patch.facets);
-    };
-    if (const auto cylinder = begin_cylinder(patch.facings, patch.points); is_near(cylinder))
-      consider(guesses, cylinder, patch);
-    if (wanted_ == Wanted::cylinders) return;
-    if (!guesses.empty() && guesses.front().explained == patch.nearby.size()) return;
-    if (const auto cone = begin_cone(patch.facings, patch.points); is_near(cone)) consider(guesses, cone, patch);
-    if (patch.points.size() < 5) return;
-    if (const auto sphere = begin_sphere(patch.points); is_near(sphere)) consider(guesses, sphere, patch);
-  }
-
-  void guess_patch(std::vector<Guess>& guesses, const Patch& patch) const {
-    consider(guesses, begin_cylinder(patch.facings, patch.points), patch);
-    if (wanted_ == Wanted::cylinders) return;
-    const auto curvatures = curvatures_of(patch.facings.front(), patch.points);
-    const auto by_curvatures = [&](const auto& begin) {
-      return curvatures ? begin(*curvatures, patch.points) : std::nullopt;
-    };
-    if (!consider(guesses, begin_cone(patch.facings, patch.points), patch))
-      consider(guesses, by_curvatures(begin_cone_by_curvatures), patch);
-    if (!consider(guesses, begin_torus_by_normals(patch.facings, patch.points), patch))
-      consider(guesses, by_curvatures(begin_torus_by_curvatures), patch);
-  }
-
-  [[nodiscard]] std::vector<Guess> guess(int facet, const Few& neighbours, const std::vector<int>& nearby) {
-    std::vector<Guess> guesses;
-    const auto try_strip = [&](std::initializer_list<int> seeds) {
-      guess_strip(guesses, patch_of(std::span(seeds.begin(), seeds.size()), nearby));
-    };
-    const std::span<const int> beside = neighbours.all();
-    if (beside.size() == 1) try_strip({facet, beside[0]});
-    // Most faces are isolated cylinders.
-    const auto explains_all = [&] {
-      return guesses.size() == 1 && guesses.front().surface.kind == SurfaceKind::cylinder && nearby.size() > 5 &&
-             guesses.front().explained == nearby.size();
-    };
-    // The longest edges of a strip are those along it; neighbours across these are most often on the same surface.
-    for (std::size_t i = 0; i + 1 < beside.size() && !explains_all(); ++i) try_strip({facet, beside[i], beside[i + 1]});
-    if (explains_all()) return guesses;
-    if (beside.size() > 2) try_strip({facet, beside[0], beside[2]});
-    std::size_t size = std::min<std::size_t>(9, nearby.size());
-    while (size < nearby.size() && size < 13 && points_of(std::span(nearby).first(size)).size() < 14) ++size;
-    if (size >= 7) guess_patch(guesses, patch_of(std::span(nearby).first(size), nearby));
-    // The guess that explains more comes first; of equals, the simpler one.
-    std::sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) {
-      return a.explained != b.explained ? a.explained > b.explained : a.surface.kind < b.surface.kind;
-    });
-    return guesses;
-  }
-
   void keep(Region region, int seed) {
     origins_.push_back({stage_, seed});
     for (const int f : region.facets) found_.region_of[f] = static_cast<int>(found_.regions.size());
@@ -349,7 +152,7 @@ class Search {
   }
 
   std::optional<Region> cone_along(std::span<const int> facets) {
-    const auto cone = begin_cone(facings_of(facets), points_of(facets));
+    const auto cone = guesser_.cone_through(facets);
     return cone ? grower_.grow(*cone, facets) : std::nullopt;
   }
 
@@ -365,8 +168,8 @@ class Search {
   }
 
   bool grow_from(int facet, const Few& beside) {
-    const std::vector<int> nearby = around(facet, beside);
-    const std::vector<Guess> guesses = guess(facet, beside, nearby);
+    const std::vector<int> nearby = neighbours_.around(facet, beside);
+    const std::vector<Guess> guesses = guesser_.guesses_at(facet, beside.all(), nearby);
     for (const Guess& g : guesses) {
       auto region = grower_.grow(g.surface, g.seeds);
       // No cone was tried where a cylinder explains all facets nearby.
@@ -389,17 +192,13 @@ class Search {
 
   const Facets& facets_;
   const Progress& progress_;
-  Wanted wanted_;
   RoundRegions found_;
   std::vector<Origin> origins_;  ///< of the regions
   int stage_ = 0;
   int next_ = 0;
   std::vector<char> failures_;  ///< by facet: failed seeds nearby
-  std::vector<int> stamp_, vertex_stamp_;
-  int number_ = 0, vertex_number_ = 0;
-  std::vector<Neighbour> around_facet_;
-  std::vector<int> neighbours_at_, neighbours_;  ///< for each facet, where its list begins: the number of neighbours,
-                                                 ///< then the neighbours
+  SmoothNeighbours neighbours_;
+  Guesser guesser_;
   std::vector<Ring> rings_;
   std::vector<char> in_ring_;  ///< whether a facet is in one of the rings
   RegionGrower grower_;
