@@ -12,14 +12,12 @@
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "svg/basic_shapes.hpp"
-#include "svg/gradients.hpp"
-#include "svg/style.hpp"
+#include "svg/element.hpp"
 
 namespace epura::svg {
 
 namespace {
 
-constexpr int deepest = 100;             // groups in groups
 constexpr double longest_side = 20'000;  // mm
 constexpr double least_text = 1e-6;      // mm
 constexpr double farthest = 1e6;         // mm; what lies there is not meant for a sheet
@@ -27,21 +25,6 @@ constexpr double farthest = 1e6;         // mm; what lies there is not meant for
 // Elements that show nothing.
 constexpr std::array<std::string_view, 7> silent = {
     "title", "desc", "metadata", "defs", "style", "sodipodi:namedview", "inkscape:path-effect"};
-
-// Properties that would change what is seen, and the values that do not.
-struct Effect {
-  std::string_view property;
-  std::array<std::string_view, 3> none;
-  const char* hint;
-};
-constexpr std::array<Effect, 6> effects = {{
-    {"clip-path", {"none", "none", "none"}, "in Inkscape: Object > Clip > Release, or Path > Intersection"},
-    {"mask", {"none", "none", "none"}, "in Inkscape: Object > Mask > Release"},
-    {"filter", {"none", "none", "none"}, "in Inkscape: Filters > Remove Filters"},
-    {"marker-start", {"none", "none", "none"}, "in Inkscape: Path > Stroke to Path"},
-    {"marker-end", {"none", "none", "none"}, "in Inkscape: Path > Stroke to Path"},
-    {"vector-effect", {"none", "none", "none"}, "widths of lines grow with their groups"},
-}};
 
 /// Elements with another hint than that they are not known.
 constexpr std::array<std::pair<std::string_view, const char*>, 7> hints = {{
@@ -62,14 +45,6 @@ std::string normal_name(std::string_view name) {
   return normal;
 }
 
-/// What a group passes on to its content.
-struct Context {
-  Style style{};
-  AffineMap map{};
-  double alpha = 1;  ///< of the group as a whole
-  int depth = 0;
-};
-
 /// Elements that are drawn otherwise than they are meant.
 struct Approximated {
   std::size_t count = 0;
@@ -83,28 +58,88 @@ struct Approximated {
   }
 };
 
+/// The size of the drawing in mm, and the map from user units, y down, to millimetres, y up.
+struct Page {
+  Vec2 size;
+  AffineMap map;
+};
+
+Page page_of(const pugi::xml_node& svg, const Source& source) {
+  constexpr double mm = 25.4 / 96;
+  const std::vector<double> box = numbers_in(svg.attribute("viewBox").value());
+  const bool has_box = box.size() == 4 && box[2] > 0 && box[3] > 0;
+  Vec2 units(source.length_in(svg, "width"), source.length_in(svg, "height"));
+  if (has_box && units == Vec2(0, 0)) units = {box[2], box[3]};
+  // FreeCAD takes numbers without a unit as millimetres.
+  const bool is_of_freecad = !svg.attribute("xmlns:freecad").empty();
+  const bool has_unit = !parse_number(svg.attribute("width").value()).has_value();
+  const Vec2 size = units * (is_of_freecad && !has_unit ? 1 : mm);
+  if (!(size.x > 0 && size.y > 0 && std::max(size.x, size.y) <= longest_side))
+    source.refuse(svg, "the drawing has no size", "give the <svg> a width and a height, such as 297mm and 210mm");
+  const Vec2 scale = has_box ? size / Vec2(box[2], box[3]) : Vec2(mm);
+  const Vec2 origin = has_box ? Vec2(box[0], box[1]) : Vec2(0);
+  return {size, {{scale.x, 0}, {0, -scale.y}, {-origin.x * scale.x, size.y + origin.y * scale.y}}};
+}
+
+std::string_view field_of_freecad(const pugi::xml_node& text) {
+  const pugi::xml_attribute filled = text.attribute("freecad:autofill");
+  return (filled ? filled : text.attribute("freecad:editable")).value();
+}
+
+std::string name_of(const pugi::xml_node& element) {
+  if (const std::string_view field = field_of_freecad(element); !field.empty()) return normal_name(field);
+  const pugi::xml_attribute label = element.attribute("inkscape:label");
+  return normal_name(label ? label.value() : element.attribute("id").value());
+}
+
+// Also false for NaN, as of an arc whose radius is beyond all numbers.
+bool is_near(const Vec2& p) { return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest; }
+
+Vec2 near_sheet(const Source& source, const pugi::xml_node& element, const Vec2& p) {
+  if (!is_near(p)) source.refuse(element, "reaches more than 1 km beyond the sheet", "remove what lies there");
+  return p;
+}
+
+// A shape with the width and dashes of its stroke.
+Shape with_stroke(Shape shape, const pugi::xml_node& element, const Context& context, const Source& source) {
+  const std::string_view width = context.style.of("stroke-width"), dashes = context.style.of("stroke-dasharray");
+  const auto units = width.empty() ? 1 : length_of(width);
+  if (!units) source.refuse(element, "has the line width '" + std::string(width) + "'", "give a length, such as 0.7");
+  shape.width = near_sheet(source, element, Vec2(*units * context.map.scale())).x;
+  if (shape.width == 0) shape.stroke.reset();
+  if (dashes.empty() || dashes == "none") return shape;
+  for (const std::string_view word : split_lengths(dashes)) {
+    const auto length = length_of(word);
+    if (!length)
+      source.refuse(element, "has the dashes '" + std::string(dashes) + "'", "give lengths, such as 3, 0.75");
+    shape.dashes.push_back(near_sheet(source, element, Vec2(*length * context.map.scale())).x);
+  }
+  if (shape.dashes.size() % 2 == 1) shape.dashes.insert(shape.dashes.end(), shape.dashes.begin(), shape.dashes.end());
+  return shape;
+}
+
+// The path data of an element. Throws Error{input} if it is none.
+std::string path_data_of(const pugi::xml_node& element, const Source& source) {
+  const auto data = path_of_shape(element, [&](const char* name) { return source.length_in(element, name); });
+  if (data) return *data;
+  const std::string name = element.name();
+  const auto* const hint = std::find_if(hints.begin(), hints.end(), [&](const auto& one) { return one.first == name; });
+  source.refuse(element, "has the element <" + name + ">, which is not drawn",
+                hint != hints.end() ? hint->second : "use paths, rectangles, lines, circles, polygons and texts");
+}
+
+/// Reads elements one after the other.
 class Reader {
  public:
-  Reader(std::string_view bytes, const std::string& where, std::span<const std::string_view> areas)
-      : bytes_(bytes), where_(where), wanted_(areas), room_(bytes.size(), where) {
-    for (std::size_t end = bytes.find('\n'); end != std::string_view::npos; end = bytes.find('\n', end + 1))
-      line_ends_.push_back(static_cast<std::ptrdiff_t>(end));
-  }
+  Reader(const Definitions& all, std::span<const std::string_view> areas, std::size_t bytes)
+      : all_(all), wanted_(areas), room_(bytes, all.source.where) {}
 
-  Artwork read() {
-    pugi::xml_document document;
-    const pugi::xml_parse_result result = document.load_buffer(
-        bytes_.data(), bytes_.size(), pugi::parse_default | pugi::parse_ws_pcdata_single | pugi::parse_comments);
-    if (!result)
-      throw Error(ErrorKind::input, line_at(result.offset), "is not valid XML: " + std::string(result.description()));
-    const pugi::xml_node svg = document.child("svg");
-    if (!svg) throw Error(ErrorKind::input, where_, "is not an SVG file");
-    Context all;
-    all.map = page_map(svg);
-    read_style_sheets(svg);
-    gradients_ = gradients_of(svg);
-    all.style = style_of(svg, {}, rules_);
-    for (const pugi::xml_node child : svg.children()) read_element(child, all);
+  Artwork read(const pugi::xml_node& svg, const Page& page) {
+    art_.size = page.size;
+    Context context;
+    context.map = page.map;
+    context.style = style_of(svg, {}, all_.rules);
+    for (const pugi::xml_node child : svg.children()) read_element(child, context);
     if (graded_.count > 0)
       art_.warnings.push_back(graded_.sentence("a gradient is drawn in its middle colour",
                                                "gradients are drawn in their middle colours, this is the first"));
@@ -121,55 +156,6 @@ class Reader {
   }
 
  private:
-  [[nodiscard]] std::string line_at(std::ptrdiff_t offset) const {
-    const auto line = std::lower_bound(line_ends_.begin(), line_ends_.end(), offset);
-    return where_ + ":" + std::to_string(1 + (line - line_ends_.begin()));
-  }
-
-  [[noreturn]] void refuse(const pugi::xml_node& at, const std::string& what, const std::string& hint = {}) const {
-    throw Error(ErrorKind::input, line_at(at.offset_debug()), what, hint);
-  }
-
-  [[nodiscard]] double length_in(const pugi::xml_node& node, const char* name, double usual = 0) const {
-    const pugi::xml_attribute attribute = node.attribute(name);
-    if (!attribute) return usual;
-    const auto length = length_of(attribute.value());
-    if (!length) refuse(node, "'" + std::string(name) + "' is no length: '" + attribute.value() + "'");
-    return *length;
-  }
-
-  [[nodiscard]] static bool is_of_freecad(const pugi::xml_node& svg) { return !svg.attribute("xmlns:freecad").empty(); }
-
-  // From user units, y down, to millimetres, y up.
-  AffineMap page_map(const pugi::xml_node& svg) {
-    constexpr double mm = 25.4 / 96;
-    const std::vector<double> box = numbers_in(svg.attribute("viewBox").value());
-    const bool has_box = box.size() == 4 && box[2] > 0 && box[3] > 0;
-    Vec2 units(length_in(svg, "width"), length_in(svg, "height"));
-    if (has_box && units == Vec2(0, 0)) units = {box[2], box[3]};
-    // FreeCAD takes numbers without a unit as millimetres.
-    const bool has_unit = !parse_number(svg.attribute("width").value()).has_value();
-    art_.size = units * (is_of_freecad(svg) && !has_unit ? 1 : mm);
-    if (!(art_.size.x > 0 && art_.size.y > 0 && std::max(art_.size.x, art_.size.y) <= longest_side))
-      refuse(svg, "the drawing has no size", "give the <svg> a width and a height, such as 297mm and 210mm");
-    const Vec2 scale = has_box ? art_.size / Vec2(box[2], box[3]) : Vec2(mm);
-    const Vec2 origin = has_box ? Vec2(box[0], box[1]) : Vec2(0);
-    return {{scale.x, 0}, {0, -scale.y}, {-origin.x * scale.x, art_.size.y + origin.y * scale.y}};
-  }
-
-  void read_style_sheets(const pugi::xml_node& node, int depth = 0) {
-    if (depth > deepest) refuse(node, "has too many groups in groups");
-    for (const pugi::xml_node child : node.children()) {
-      const std::string_view name = child.name();
-      if (name == "defs" || name == "g") read_style_sheets(child, depth + 1);
-      if (name != "style") continue;
-      rules_.merge(read_rules(child.text().get()));
-      if (!rules_.others.empty())
-        refuse(child, "the style sheet has the selector '" + rules_.others.front() + "'",
-               "use elements, classes and ids alone, or attributes");
-    }
-  }
-
   // FreeCAD's templates state areas in comments: "Working space 10 10 410 287", two corners.
   void read_comment(const pugi::xml_node& comment, const Context& parent) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 2> spaces{
@@ -190,7 +176,7 @@ class Reader {
     if (element.type() != pugi::node_element) return;
     const std::string_view name = element.name();
     if (std::find(silent.begin(), silent.end(), name) != silent.end()) return;
-    const Context context = inside(element, parent);
+    const Context context = inside(element, parent, all_);
     if (!context.style.is_shown()) return;
     const std::size_t first = art_.items.size();
     if (name == "g") {
@@ -203,116 +189,27 @@ class Reader {
     note_area(element, first);
   }
 
-  [[nodiscard]] Context inside(const pugi::xml_node& element, const Context& parent) const {
-    Context context = parent;
-    if (++context.depth > deepest) refuse(element, "has too many groups in groups");
-    // Not inherited.
-    for (const Effect& effect : effects)
-      if (const auto found = context.style.properties.find(effect.property); found != context.style.properties.end())
-        context.style.properties.erase(found);
-    context.style.properties.erase("opacity");
-    context.style = style_of(element, context.style, rules_);
-    context.alpha *= opacity(element, context.style, "opacity");
-    for (const Effect& effect : effects) expect_no_effect(element, context.style, effect);
-    for (const pugi::xml_attribute attribute : element.attributes())
-      if (std::string_view(attribute.name()).starts_with("on")) refuse(element, "has a script", "remove it");
-    if (const pugi::xml_attribute transform = element.attribute("transform")) {
-      const auto map = read_transform(transform.value());
-      if (!map) refuse(element, "has an unknown transform: '" + std::string(transform.value()) + "'");
-      context.map = parent.map.after(*map);
-    }
-    return context;
-  }
-
-  void expect_no_effect(const pugi::xml_node& element, const Style& style, const Effect& effect) const {
-    const std::string_view value = style.of(effect.property);
-    if (!value.empty() && std::find(effect.none.begin(), effect.none.end(), value) == effect.none.end())
-      refuse(element, "has '" + std::string(effect.property) + ": " + std::string(value) + "', which is not drawn",
-             effect.hint);
-  }
-
-  [[nodiscard]] double opacity(const pugi::xml_node& element, const Style& style, std::string_view property) const {
-    const std::string_view value = style.of(property);
-    if (value.empty() || value == "inherit") return 1;
-    const auto alpha = alpha_of(value);
-    if (!alpha)
-      refuse(element, "has '" + std::string(property) + ": " + std::string(value) + "'", "give a number from 0 to 1");
-    return *alpha;
-  }
-
-  std::optional<Colour> paint(const pugi::xml_node& element, const Context& context, const char* property,
+  std::optional<Colour> paint(const pugi::xml_node& element, const Context& context, const std::string& property,
                               std::string_view usual) {
-    constexpr double nothing = 1.0 / 512;  // of a colour that has 255 steps
-    std::string_view word = context.style.of(property);
-    if (word.empty()) word = usual;
-    if (word == "none") return std::nullopt;
-    const double alpha = context.alpha * opacity(element, context.style, std::string(property) + "-opacity");
-    const auto gradient = gradients_.find(referenced_id(word));
-    const auto colour = gradient == gradients_.end() ? named_colour(word) : gradient->second.colour;
-    if (!colour)
-      refuse(element, "has the " + std::string(property) + " '" + std::string(word) + "'",
-             "use a flat colour such as #003366");
-    const Paint seen{*colour, alpha * (gradient == gradients_.end() ? 1 : gradient->second.alpha)};
-    if (seen.alpha < nothing) return std::nullopt;
-    if (gradient != gradients_.end()) graded_.note(line_at(element.offset_debug()));
-    if (alpha < 1 - nothing && *colour != Colour{255, 255, 255}) transparent_.note(line_at(element.offset_debug()));
-    return on_white(seen);
+    const Painted painted = paint_of(element, context, all_, property, usual);
+    if (painted.graded) graded_.note(all_.source.line_of(element));
+    if (painted.transparent) transparent_.note(all_.source.line_of(element));
+    return painted.colour;
   }
 
   void read_shape(const pugi::xml_node& element, const Context& context) {
-    const auto data = path_of_shape(element, [&](const char* name) { return length_in(element, name); });
-    if (!data) {
-      const std::string name = element.name();
-      const auto* const hint =
-          std::find_if(hints.begin(), hints.end(), [&](const auto& one) { return one.first == name; });
-      refuse(element, "has the element <" + name + ">, which is not drawn",
-             hint != hints.end() ? hint->second : "use paths, rectangles, lines, circles, polygons and texts");
-    }
-    auto path = read_path(*data, room_);
+    const std::string data = path_data_of(element, all_.source);
+    auto path = read_path(data, room_);
     if (!path)
-      refuse(element, "has a path that cannot be read: '" + data->substr(0, 40) + "'",
-             "use the commands M L H V C Q A Z");
+      all_.source.refuse(element, "has a path that cannot be read: '" + data.substr(0, 40) + "'",
+                         "use the commands M L H V C Q A Z");
     Shape shape{std::move(path->lines)};
     for (Line& line : shape.lines)
-      for (Vec2& p : line.points) p = near_sheet(element, context.map(p));
+      for (Vec2& p : line.points) p = near_sheet(all_.source, element, context.map(p));
     shape.fill = paint(element, context, "fill", "#000");
     shape.stroke = paint(element, context, "stroke", "none");
-    read_stroke(element, context, shape);
+    shape = with_stroke(std::move(shape), element, context, all_.source);
     if (!shape.lines.empty()) art_.items.emplace_back(std::move(shape));
-  }
-
-  // Also false for NaN, as of an arc whose radius is beyond all numbers.
-  [[nodiscard]] static bool is_near(const Vec2& p) { return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest; }
-
-  [[nodiscard]] Vec2 near_sheet(const pugi::xml_node& element, const Vec2& p) const {
-    if (!is_near(p)) refuse(element, "reaches more than 1 km beyond the sheet", "remove what lies there");
-    return p;
-  }
-
-  void read_stroke(const pugi::xml_node& element, const Context& context, Shape& shape) const {
-    const std::string_view width = context.style.of("stroke-width"), dashes = context.style.of("stroke-dasharray");
-    const auto units = width.empty() ? 1 : length_of(width);
-    if (!units) refuse(element, "has the line width '" + std::string(width) + "'", "give a length, such as 0.7");
-    shape.width = near_sheet(element, Vec2(*units * context.map.scale())).x;
-    if (shape.width == 0) shape.stroke.reset();
-    if (dashes.empty() || dashes == "none") return;
-    for (const std::string_view word : split_lengths(dashes)) {
-      const auto length = length_of(word);
-      if (!length) refuse(element, "has the dashes '" + std::string(dashes) + "'", "give lengths, such as 3, 0.75");
-      shape.dashes.push_back(near_sheet(element, Vec2(*length * context.map.scale())).x);
-    }
-    if (shape.dashes.size() % 2 == 1) shape.dashes.insert(shape.dashes.end(), shape.dashes.begin(), shape.dashes.end());
-  }
-
-  [[nodiscard]] static std::string_view field_of_freecad(const pugi::xml_node& text) {
-    const pugi::xml_attribute filled = text.attribute("freecad:autofill");
-    return (filled ? filled : text.attribute("freecad:editable")).value();
-  }
-
-  [[nodiscard]] static std::string name_of(const pugi::xml_node& element) {
-    if (const std::string_view field = field_of_freecad(element); !field.empty()) return normal_name(field);
-    const pugi::xml_attribute label = element.attribute("inkscape:label");
-    return normal_name(label ? label.value() : element.attribute("id").value());
   }
 
   void note_area(const pugi::xml_node& element, std::size_t first) {
@@ -344,9 +241,9 @@ class Reader {
         if (!child.attribute("x") && !child.attribute("y") && !child.first_element_by_path("tspan"))
           words.text += child.text().get();
         else
-          read_words(child, inside(child, context), text, name);
+          read_words(child, inside(child, context, all_), text, name);
       } else if (child.type() == pugi::node_element && std::string_view(child.name()) != "title") {
-        refuse(child, "a text has the element <" + std::string(child.name()) + ">", "use plain texts");
+        all_.source.refuse(child, "a text has the element <" + std::string(child.name()) + ">", "use plain texts");
       }
     }
     const bool is_blank = words.text.find_first_not_of(" \t\r\n") == std::string::npos;
@@ -356,36 +253,34 @@ class Reader {
 
   void add_words(Words words, const pugi::xml_node& node, const Context& context, const pugi::xml_node& text,
                  const std::string& name) {
-    const auto place = [&](const char* axis) { return length_in(node.attribute(axis) ? node : text, axis); };
+    const auto place = [&](const char* axis) {
+      return all_.source.length_in(node.attribute(axis) ? node : text, axis);
+    };
     const AffineMap& map = context.map;
     const auto size = length_of(context.style.of("font-size"));
-    if (!size) refuse(node, "a text has no size in units", "give it a font-size, such as 3.5px");
+    if (!size) all_.source.refuse(node, "a text has no size in units", "give it a font-size, such as 3.5px");
     const double along = glm::length(map.along), across = glm::length(map.across);
     const double turned = map.along.x * map.across.y - map.along.y * map.across.x;
     if (std::abs(turned + along * across) > 1e-6 * along * across)
-      refuse(node, "a text is mirrored or slanted", "only scale and turn it");
-    if (std::abs(along - across) > 0.01 * along) stretched_.note(line_at(node.offset_debug()));
+      all_.source.refuse(node, "a text is mirrored or slanted", "only scale and turn it");
+    if (std::abs(along - across) > 0.01 * along) stretched_.note(all_.source.line_of(node));
     words.size = *size * across;
     if (!(words.size > least_text && words.size <= farthest))
-      refuse(node, "a text has no height", "give it a font-size and a transform that leave it one");
-    words.at = near_sheet(node, map({place("x"), place("y")}));
+      all_.source.refuse(node, "a text has no height", "give it a font-size and a transform that leave it one");
+    words.at = near_sheet(all_.source, node, map({place("x"), place("y")}));
     words.angle = portable_atan2(map.along.y, map.along.x) * 180 / std::numbers::pi;
     const std::string_view anchor = context.style.of("text-anchor");
     words.anchor = anchor == "middle" ? TextAnchor::middle : anchor == "end" ? TextAnchor::end : TextAnchor::start;
     words.colour = paint(node, context, "fill", "#000").value_or(Colour());
     words.is_field = !field_of_freecad(text).empty();
     words.name = name;
-    words.where = line_at(text.offset_debug());
+    words.where = all_.source.line_of(text);
     art_.items.emplace_back(std::move(words));
   }
 
-  std::string_view bytes_;
-  std::vector<std::ptrdiff_t> line_ends_{};
-  const std::string& where_;
+  const Definitions& all_;
   std::span<const std::string_view> wanted_;
-  Rules rules_{};
   PieceRoom room_;
-  Gradients gradients_{};
   Approximated graded_{}, transparent_{}, stretched_{};
   Artwork art_{};
 };
@@ -393,7 +288,19 @@ class Reader {
 }  // namespace
 
 Artwork read_artwork(std::string_view bytes, const std::string& where, std::span<const std::string_view> areas) {
-  return Reader(bytes, where, areas).read();
+  Definitions all{Source(bytes, where)};
+  pugi::xml_document document;
+  const pugi::xml_parse_result result = document.load_buffer(
+      bytes.data(), bytes.size(), pugi::parse_default | pugi::parse_ws_pcdata_single | pugi::parse_comments);
+  if (!result)
+    throw Error(ErrorKind::input, all.source.line_at(result.offset),
+                "is not valid XML: " + std::string(result.description()));
+  const pugi::xml_node svg = document.child("svg");
+  if (!svg) throw Error(ErrorKind::input, where, "is not an SVG file");
+  const Page page = page_of(svg, all.source);
+  all.rules = style_sheets_in(svg, all.source);
+  all.gradients = gradients_of(svg);
+  return Reader(all, areas, bytes.size()).read(svg, page);
 }
 
 }  // namespace epura::svg
