@@ -139,8 +139,9 @@ class BlendGrower {
 
 }  // namespace
 
-void grow_blends(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions) {
-  BlendGrower(facets, region_of, regions).grow();
+Regions grow_blends(const Facets& facets, Regions found) {
+  BlendGrower(facets, found.region_of, found.regions).grow();
+  return found;
 }
 
 }  // namespace epura::features

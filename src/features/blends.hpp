@@ -14,6 +14,6 @@ namespace epura::features {
 
 /// Adds tori that continue cylinders, cones and other tori beyond a circle around their axis, as far as their facets
 /// have no region yet. `region_of` is by facet, -1 for none.
-void grow_blends(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions);
+Regions grow_blends(const Facets& facets, Regions found);
 
 }  // namespace epura::features

@@ -44,13 +44,15 @@ int region_of_chord(const Facets& facets, int facet, const std::vector<int>& reg
   return best;
 }
 
-void add(const Facets& facets, int facet, Region& region) {
+Region with_facet(const Facets& facets, int facet, Region region) {
   region.facets.push_back(facet);
   for (const int v : facets.supports_of(facet))
     region.residual = std::max(region.residual, std::abs(signed_distance(region.surface, facets.points[v])));
+  return region;
 }
 
-void take_pieces(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions, IsPiece is_piece_of) {
+Regions take_pieces(const Facets& facets, Regions found, IsPiece is_piece_of) {
+  std::vector<int>& region_of = found.region_of;
   const auto is_free = [&](int f) { return region_of[f] < 0 && !facets.facets[f].is_plane; };
   std::vector<int> next;
   for (int f = 0; f < static_cast<int>(facets.facets.size()); ++f)
@@ -59,12 +61,12 @@ void take_pieces(const Facets& facets, std::vector<int>& region_of, std::vector<
   while (!next.empty()) {
     std::vector<std::pair<int, int>> taken;
     for (const int f : next)
-      if (const int region = region_of_chord(facets, f, region_of, regions, is_piece_of); region >= 0)
+      if (const int region = region_of_chord(facets, f, region_of, found.regions, is_piece_of); region >= 0)
         taken.emplace_back(f, region);
     next.clear();
     for (const auto& [facet, region] : taken) {
       region_of[facet] = region;
-      add(facets, facet, regions[region]);
+      found.regions[region] = with_facet(facets, facet, std::move(found.regions[region]));
     }
     for (const auto& [facet, region] : taken)
       facets.for_sides(facet, [&](int, int, int other) {
@@ -73,6 +75,7 @@ void take_pieces(const Facets& facets, std::vector<int>& region_of, std::vector<
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
   }
+  return found;
 }
 
 // Whether a facet faces as a surface does at its vertices, within an eighth of a turn.
@@ -133,32 +136,34 @@ class Island {
 
 // Meshers for computations leave single facets many times as large as those around them. A flat of the part is never
 // enclosed by a round face that has all its corners: its border would be a curve.
-void take_islands(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions) {
+Regions take_islands(const Facets& facets, Regions found) {
+  std::vector<int>& region_of = found.region_of;
   for (int f = 0; f < static_cast<int>(facets.facets.size()); ++f) {
     if (region_of[f] >= 0) continue;
     std::vector<int> beside;
     facets.for_sides(f, [&](int, int, int other) {
       const int number = region_of[other];
-      if (number >= 0 && is_round(regions[number])) beside.push_back(number);
+      if (number >= 0 && is_round(found.regions[number])) beside.push_back(number);
     });
     std::sort(beside.begin(), beside.end());
     beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
     if (beside.size() != 1) continue;
-    Region& region = regions[beside.front()];
+    Region& region = found.regions[beside.front()];
     for (const int one : Island(facets, region_of, region, beside.front()).from(f)) {
       region_of[one] = beside.front();
-      add(facets, one, region);
+      region = with_facet(facets, one, std::move(region));
     }
   }
+  return found;
 }
 
 }  // namespace
 
-void take_chords(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions) {
-  take_pieces(facets, region_of, regions, is_piece);
-  for (Region& region : regions) region.exact = region.facets.size();
-  take_pieces(facets, region_of, regions, is_trimmed_piece);
-  take_islands(facets, region_of, regions);
+Regions take_chords(const Facets& facets, Regions found) {
+  found = take_pieces(facets, std::move(found), is_piece);
+  for (Region& region : found.regions) region.exact = region.facets.size();
+  found = take_pieces(facets, std::move(found), is_trimmed_piece);
+  return take_islands(facets, std::move(found));
 }
 
 int region_around(const Facets& facets, int facet, const std::vector<int>& region_of,

@@ -12,7 +12,7 @@ namespace epura::features {
 /// Assigns facets without a region to the adjacent round region whose chords they are (is_chord): first those with
 /// vertices on its surface, then those with vertices beside it, where its border was trimmed along an inexact curve,
 /// and last those of any size that the region encloses.
-void take_chords(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions);
+Regions take_chords(const Facets& facets, Regions found);
 
 /// Where several round faces meet, vertices lie off each of them by a part of the sagitta, so that a facet between them
 /// may be left. Returns the one of these faces that it is nearest to; -1 if it may be a flat of the part: a flat with

@@ -485,25 +485,28 @@ class Rows {
 
 }  // namespace
 
-void complete_regions(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions) {
-  Completion(facets, region_of, regions).run();
+Regions complete_regions(const Facets& facets, Regions found) {
+  Completion(facets, found.region_of, found.regions).run();
+  return found;
 }
 
-void dissolve_rows(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions, std::size_t first) {
-  const std::vector<char> is_row = Rows(facets, region_of, regions).find();
-  std::vector<int> number(regions.size(), -1);
+Regions dissolve_rows(const Facets& facets, Regions found, std::size_t first) {
+  const std::vector<char> is_row = Rows(facets, found.region_of, found.regions).find();
+  std::vector<int> number(found.regions.size(), -1);
   std::vector<Region> kept;
-  for (std::size_t r = 0; r < regions.size(); ++r) {
+  for (std::size_t r = 0; r < found.regions.size(); ++r) {
     if (r >= first && is_row[r] != 0) continue;
     number[r] = static_cast<int>(kept.size());
-    kept.push_back(std::move(regions[r]));
+    kept.push_back(std::move(found.regions[r]));
   }
-  for (int& region : region_of)
+  for (int& region : found.region_of)
     if (region >= 0) region = number[region];
-  regions = std::move(kept);
+  return {std::move(kept), std::move(found.region_of)};
 }
 
-void merge_regions(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions) {
+Regions merge_regions(const Facets& facets, Regions found) {
+  std::vector<Region>& regions = found.regions;
+  std::vector<int>& region_of = found.region_of;
   std::vector<std::pair<int, int>> neighbours;
   for (std::size_t t = 0; t < facets.corners.size(); ++t)
     for (const Side& side : facets.sides[t]) {
@@ -550,7 +553,7 @@ void merge_regions(const Facets& facets, std::vector<int>& region_of, std::vecto
   }
   for (int& region : region_of)
     if (region >= 0) region = number[region];
-  regions = std::move(merged);
+  return {std::move(merged), std::move(region_of)};
 }
 
 }  // namespace epura::features

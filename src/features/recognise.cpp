@@ -151,8 +151,9 @@ bool is_scan(const Facets& facets, const std::vector<int>& region_of) {
 
 // Finds cylinders none of whose facets has all its vertices on the surface, to the precision of the file: CAD kernels
 // trim faces along inexact curves, and a fillet between two of these has no other vertices.
-void find_inexact_cylinders(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions,
-                            const Progress& progress) {
+Regions find_inexact_cylinders(const Facets& facets, Regions found, const Progress& progress) {
+  std::vector<Region>& regions = found.regions;
+  std::vector<int>& region_of = found.region_of;
   const auto is_left = [&](int f) { return region_of[f] < 0 && !facets.facets[f].is_plane; };
   std::vector<int> left;
   for (int f = 0; f < static_cast<int>(region_of.size()); ++f) {
@@ -163,7 +164,7 @@ void find_inexact_cylinders(const Facets& facets, std::vector<int>& region_of, s
       });
     if (goes_on) left.push_back(f);
   }
-  if (left.empty()) return;
+  if (left.empty()) return found;
   Facets loose = part_of(facets, left);
   loose.tolerance *= looseness;
   const std::size_t first = regions.size();
@@ -175,28 +176,27 @@ void find_inexact_cylinders(const Facets& facets, std::vector<int>& region_of, s
     }
     regions.push_back(std::move(region));
   }
-  dissolve_rows(facets, region_of, regions, first);
+  return dissolve_rows(facets, std::move(found), first);
 }
 
 }  // namespace
 
 PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& options, const Progress& progress) {
   const Facets facets = make_facets(mesh);
-  auto [regions, region_of] = find_round_regions(facets, progress);
-  grow_blends(facets, region_of, regions);
+  Regions found = grow_blends(facets, find_round_regions(facets, progress));
   // The few flat places of a scan or an artist's mesh do not belong to a part.
   PartFaces nothing{{}, std::vector<int>(mesh.polygon.size(), -1), {}, {}, facets.tolerance / facets.scale, 0};
-  if (is_scan(facets, region_of)) return nothing;
-  merge_regions(facets, region_of, regions);
-  dissolve_rows(facets, region_of, regions);
-  take_chords(facets, region_of, regions);
-  find_inexact_cylinders(facets, region_of, regions, progress);
-  complete_regions(facets, region_of, regions);
-  merge_regions(facets, region_of, regions);
-  PartFaces result = Result(mesh, facets, region_of, regions).faces();
+  if (is_scan(facets, found.region_of)) return nothing;
+  found = merge_regions(facets, std::move(found));
+  found = dissolve_rows(facets, std::move(found));
+  found = take_chords(facets, std::move(found));
+  found = find_inexact_cylinders(facets, std::move(found), progress);
+  found = complete_regions(facets, std::move(found));
+  found = merge_regions(facets, std::move(found));
+  PartFaces result = Result(mesh, facets, found.region_of, found.regions).faces();
   nothing.recognised = result.recognised;
   if (result.recognised < least_recognised) return nothing;
-  result.borders = find_borders(mesh, facets, region_of, regions, options.tangent_angle);
+  result.borders = find_borders(mesh, facets, found.region_of, found.regions, options.tangent_angle);
   result.border_of_edge.assign(mesh.edges.size(), -1);
   for (std::size_t b = 0; b < result.borders.size(); ++b)
     for (const int edge : result.borders[b].edges) result.border_of_edge[edge] = static_cast<int>(b);

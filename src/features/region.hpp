@@ -30,6 +30,12 @@ struct Region {
   }
 };
 
+/// The regions of a mesh.
+struct Regions {
+  std::vector<Region> regions;
+  std::vector<int> region_of;  ///< by facet; -1 for none
+};
+
 /// Returns how far vertices may lie from a surface whose facets have the given sagitta. Files of low precision are
 /// accepted as long as the residual of the fit is much smaller than the sagitta.
 double allowance_of(const Facets& facets, double sagitta);

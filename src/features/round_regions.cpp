@@ -126,7 +126,7 @@ class Search {
   }
 
   [[nodiscard]] const std::vector<Origin>& origins() const { return origins_; }
-  [[nodiscard]] RoundRegions& found() { return found_; }
+  [[nodiscard]] Regions& found() { return found_; }
 
  private:
   [[nodiscard]] int region_of(int facet) const { return found_.region_of[facet]; }
@@ -192,7 +192,7 @@ class Search {
 
   const Facets& facets_;
   const Progress& progress_;
-  RoundRegions found_;
+  Regions found_;
   std::vector<Origin> origins_;  ///< of the regions
   int stage_ = 0;
   int next_ = 0;
@@ -212,7 +212,7 @@ class SideBySide {
     for (const Cluster& cluster : clusters_) searches_.emplace_back(cluster.facets(all), progress, wanted);
   }
 
-  RoundRegions run() {
+  Regions run() {
     pass(false);
     if (!has_regions() && !grow_rings()) return joined();
     // With known neighbours, narrow regions turn out to be tangent to them.
@@ -288,7 +288,7 @@ class SideBySide {
     return std::find(grown.begin(), grown.end(), 1) != grown.end();
   }
 
-  RoundRegions joined() {
+  Regions joined() {
     if (searches_.size() == 1) return std::move(searches_.front().found());
     struct Number {
       Origin origin;
@@ -303,7 +303,7 @@ class SideBySide {
     std::sort(order.begin(), order.end(), [](const Number& a, const Number& b) {
       return std::tie(a.origin, a.region) < std::tie(b.origin, b.region);
     });
-    RoundRegions all{{}, std::vector<int>(all_.facets.size(), -1)};
+    Regions all{{}, std::vector<int>(all_.facets.size(), -1)};
     for (const Number& number : order) {
       Region region = std::move(searches_[number.cluster].found().regions[number.region]);
       for (int& f : region.facets) {
@@ -323,7 +323,7 @@ class SideBySide {
 
 }  // namespace
 
-RoundRegions find_round_regions(const Facets& facets, const Progress& progress, Wanted wanted) {
+Regions find_round_regions(const Facets& facets, const Progress& progress, Wanted wanted) {
   return SideBySide(facets, progress, wanted).run();
 }
 

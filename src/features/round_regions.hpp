@@ -11,15 +11,10 @@
 
 namespace epura::features {
 
-struct RoundRegions {
-  std::vector<Region> regions;
-  std::vector<int> region_of;  ///< by facet; -1 for none
-};
-
 /// What is searched for: among cylinders, there are cones where they fit better.
 enum class Wanted { all_kinds, cylinders };
 
 /// Starts with the first facets. Throws OutOfTime.
-RoundRegions find_round_regions(const Facets& facets, const Progress& progress, Wanted wanted = Wanted::all_kinds);
+Regions find_round_regions(const Facets& facets, const Progress& progress, Wanted wanted = Wanted::all_kinds);
 
 }  // namespace epura::features

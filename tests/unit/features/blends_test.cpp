@@ -62,13 +62,13 @@ TEST(Blends, RoundedRimsHaveTheAxisOfTheirCone) {
   std::vector<int> region_of(facets.facets.size(), -1);
   for (const int f : regions[0].facets) region_of[f] = 0;
   ASSERT_GE(regions[0].facets.size(), 30U);
-  features::grow_blends(facets, region_of, regions);
-  ASSERT_EQ(regions.size(), 2U);
-  EXPECT_EQ(regions[1].surface.kind, features::SurfaceKind::torus);
-  EXPECT_NEAR(regions[1].surface.radius / facets.scale, radius, 1e-5);
-  EXPECT_NEAR(regions[1].surface.minor / facets.scale, minor, 1e-5);
+  const auto [grown, region_of_facet] = features::grow_blends(facets, {regions, region_of});
+  ASSERT_EQ(grown.size(), 2U);
+  EXPECT_EQ(grown[1].surface.kind, features::SurfaceKind::torus);
+  EXPECT_NEAR(grown[1].surface.radius / facets.scale, radius, 1e-5);
+  EXPECT_NEAR(grown[1].surface.minor / facets.scale, minor, 1e-5);
   // Everything else is the two ends of the head.
-  EXPECT_EQ(std::count(region_of.begin(), region_of.end(), -1), 2);
+  EXPECT_EQ(std::count(region_of_facet.begin(), region_of_facet.end(), -1), 2);
 }
 
 // A rim that is no torus: an ellipse around the axis, tangent to the cone.
@@ -83,8 +83,7 @@ TEST(Blends, OtherRimsStayFreeForms) {
   std::vector<features::Region> regions{cone_of(facets)};
   std::vector<int> region_of(facets.facets.size(), -1);
   for (const int f : regions[0].facets) region_of[f] = 0;
-  features::grow_blends(facets, region_of, regions);
-  EXPECT_EQ(regions.size(), 1U);
+  EXPECT_EQ(features::grow_blends(facets, {regions, region_of}).regions.size(), 1U);
 }
 
 }  // namespace

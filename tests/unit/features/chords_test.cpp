@@ -137,12 +137,11 @@ struct FlatOnTorus {
 TEST(FlatsOfTori, ArePartsOfThemIfTheirCornersLieOnThem) {
   FlatOnTorus one(0);
   ASSERT_EQ(one.facets.facets.size(), 6U);
-  features::merge_regions(one.facets, one.region_of, one.regions);
-  ASSERT_EQ(one.regions.size(), 1U);
-  EXPECT_EQ(one.regions[0].surface.kind, SurfaceKind::torus);
+  const auto merged = features::merge_regions(one.facets, {one.regions, one.region_of}).regions;
+  ASSERT_EQ(merged.size(), 1U);
+  EXPECT_EQ(merged[0].surface.kind, SurfaceKind::torus);
   FlatOnTorus beside(0.05);
-  features::merge_regions(beside.facets, beside.region_of, beside.regions);
-  EXPECT_EQ(beside.regions.size(), 2U);
+  EXPECT_EQ(features::merge_regions(beside.facets, {beside.regions, beside.region_of}).regions.size(), 2U);
 }
 
 TEST(FlatsOfTori, DoNotConnectTwoOfThem) {
@@ -153,9 +152,9 @@ TEST(FlatsOfTori, DoNotConnectTwoOfThem) {
   // The corners lie on it, too, but it is another torus.
   both.regions[2].surface.axis = glm::normalize(Vec3(0, 1e-4, 1));
   for (const int f : both.regions[2].facets) both.region_of[f] = 2;
-  features::merge_regions(both.facets, both.region_of, both.regions);
-  ASSERT_EQ(both.regions.size(), 2U);
-  for (const features::Region& region : both.regions) EXPECT_EQ(region.surface.kind, SurfaceKind::torus);
+  const auto merged = features::merge_regions(both.facets, {both.regions, both.region_of}).regions;
+  ASSERT_EQ(merged.size(), 2U);
+  for (const features::Region& region : merged) EXPECT_EQ(region.surface.kind, SurfaceKind::torus);
 }
 
 }  // namespace
