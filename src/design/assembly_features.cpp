@@ -15,10 +15,6 @@ namespace epura::design {
 
 namespace {
 
-constexpr double least_part = 0.01;  // of the diagonal of the assembly
-constexpr double off_axis = 0.1;     // between the axes of a hole and what is in it, in radii of the hole
-constexpr double looks_into = 2;     // diameters of a hole without a certain depth
-
 // Whether a shaft, such as that of a bolt, is in a hole.
 bool is_filled_by(const DesignHole& hole, const DesignCylinder& shaft) {
   const double radius = hole.diameter / 2;

@@ -8,18 +8,14 @@
 
 namespace epura::design {
 
-namespace {
-
-constexpr double beside = 1.002;  // relative to the radius of a hole or slot: within it
-
-}  // namespace
+namespace {}  // namespace
 
 bool Cavity::holds(const Vec3& point) const {
   const auto flat = [this](const Vec3& d) { return d - glm::dot(d, axis) * axis; };
   const Vec3 d = flat(point - centres[0]), along = flat(centres[1] - centres[0]);
   const double square = glm::dot(along, along);
   const double t = square > 0 ? std::clamp(glm::dot(d, along) / square, 0.0, 1.0) : 0;
-  return glm::length(d - t * along) <= beside * radius;
+  return glm::length(d - t * along) <= within_cavity * radius;
 }
 
 bool Cavity::holds(const Vec3& normal, const std::vector<Vec3>& corners) const {

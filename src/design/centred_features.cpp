@@ -21,11 +21,8 @@ namespace {
 
 using features::SurfaceKind;
 
-constexpr double half_turn_slack = 2;
-constexpr double opposite_cosine = 0.99;
-
 bool is_half_cylinder(const RoundFace& round) {
-  return round.face.surface.kind == SurfaceKind::cylinder && std::abs(round.face.sweep - 180) <= half_turn_slack &&
+  return round.face.surface.kind == SurfaceKind::cylinder && std::abs(round.face.sweep - 180) <= half_slack &&
          round.has_its_axis();
 }
 
@@ -181,7 +178,7 @@ std::vector<RoundFeature> rims_of(const RoundPart& of) {
 // The features of one model, with a hexagon: its axis is that of round faces, which it continues, or its own.
 std::vector<RoundFeature> with_hexagon(const RoundPart& of, const DesignHexagon& hexagon,
                                        std::vector<RoundFeature> features) {
-  const double slack = std::max(32 * of.part.tolerance, same_size * hexagon.across_flats);
+  const double slack = slack_of(of.part.tolerance, hexagon.across_flats);
   const auto is_about = [&](const RoundFeature& feature) {
     return glm::length(glm::cross(feature.axis, hexagon.axis)) <= nearly_parallel &&
            glm::length(glm::cross(feature.rings.front().centre - hexagon.centre, hexagon.axis)) <= slack;

@@ -20,18 +20,14 @@ namespace {
 
 using features::SurfaceKind;
 
-constexpr double half_turn = 179.5;  // degrees
-constexpr double least_side = 90;    // degrees, of a groove
-
 double aside(const RoundFace& from, const Vec3& point) {
   return distance_from_line(point, from.face.surface.origin, from.face.surface.axis);
 }
 
-double slack_beside(const RoundPart& of, double reach) { return std::max(32 * of.part.tolerance, same_size * reach); }
-
 bool are_coaxial(const RoundPart& of, const RoundFace& a, const RoundFace& b) {
   if (glm::length(glm::cross(a.face.surface.axis, b.face.surface.axis)) > nearly_parallel) return false;
-  return std::min(aside(a, middle_of(b)), aside(b, middle_of(a))) <= slack_beside(of, std::max(a.reach, b.reach));
+  return std::min(aside(a, middle_of(b)), aside(b, middle_of(a))) <=
+         slack_of(of.part.tolerance, std::max(a.reach, b.reach));
 }
 
 // Whether the axis of a face may be drawn.
@@ -47,7 +43,7 @@ bool are_sides_of_groove(const RoundFace& outer, const RoundFace& inner) {
   if (!outer.face.inwards || inner.face.inwards ||
       glm::length(glm::cross(axis, inner.face.surface.axis)) > nearly_parallel)
     return false;
-  const double depth = outer.to - outer.from, slack = 0.01 * depth;
+  const double depth = outer.to - outer.from, slack = groove_slack * depth;
   const Vec3 apart = middle_of(inner) - middle_of(outer);
   return std::abs(inner.to - inner.from - depth) <= slack && std::abs(glm::dot(apart, axis)) <= slack &&
          aside(outer, middle_of(inner)) < outer.reach - inner.reach;
@@ -90,7 +86,7 @@ double sweep_with_others(const RoundPart& of, const RoundFace& round, const std:
 
 bool is_ball_on(const RoundPart& of, const RoundFace& ball, const RoundFace& shaft) {
   return ball.face.surface.kind == SurfaceKind::sphere &&
-         aside(shaft, ball.face.surface.origin) <= slack_beside(of, shaft.reach);
+         aside(shaft, ball.face.surface.origin) <= slack_of(of.part.tolerance, shaft.reach);
 }
 
 // Vertices of the uncut mesh: rims that a cut has shortened are still edges of the file.

@@ -25,8 +25,6 @@ struct RoundPart {
 
 RoundPart make_round_part(const world::World& world, int model, world::PlacedPart part);
 
-inline constexpr double nearly_parallel = 1e-3;  ///< sine
-
 inline Vec3 middle_of(const RoundFace& round) { return round.at(0.5 * (round.from + round.to)); }
 
 /// Groups of faces about one axis, each ascending, without those that are used (1, by round face). Only whole tori have

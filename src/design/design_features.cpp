@@ -128,7 +128,7 @@ std::vector<DesignLevel> levels_of(const PartInWorld& of, const std::vector<Cavi
 
 // One for each place along an axis, without those at the ends of the models.
 std::vector<DesignLevel> merged(std::vector<DesignLevel> levels, const world::World& world) {
-  const double slack = 1e-5 * glm::length(world.box.size());
+  const double slack = same_level * glm::length(world.box.size());
   const Box box = box_of_faces(world);
   std::vector<DesignLevel> places;
   for (DesignLevel& level : levels) {
@@ -290,11 +290,10 @@ std::vector<Vec3> DesignRound::section(const Vec3& out) const {
 // part of 1 - cos(a), by area / (2 pi r^2). Facets along a quarter of a tube leave it uncertain by 1 / (1 - cos(45
 // degrees)).
 double radius_doubt(const features::PartFace& face) {
-  constexpr double of_tubes = 3;
   const double radius = face.surface.radius;
   const double height = face.surface.kind == features::SurfaceKind::sphere && face.area > 0
                             ? face.area / (2 * std::numbers::pi * radius * radius)
-                            : 1 / of_tubes;
+                            : tube_height;
   return face.residual / std::min(height, 1.0);
 }
 

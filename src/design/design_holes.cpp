@@ -17,8 +17,6 @@ namespace {
 
 using features::SurfaceKind;
 
-constexpr double tip = 1e-3;  // radius of the end of a drill point, relative to its hole
-
 /// A face of a hole: heights are along the axis of the hole.
 struct Piece {
   SurfaceKind kind;
@@ -100,7 +98,7 @@ class HoleReader {
   static bool ends_in_tip(double radius, const std::vector<Piece>& pieces) {
     double largest = 0;
     for (const Piece& piece : pieces) largest = std::max(largest, piece.wide_begin);
-    return radius <= tip * largest;
+    return radius <= on_axis * largest;
   }
   static double end_of_bore(const std::vector<Piece>& pieces) {
     double end = -HUGE_VAL;
@@ -117,7 +115,9 @@ class HoleReader {
     return same_way ? hole.closed : std::array{hole.closed[1], hole.closed[0]};
   }
 
-  [[nodiscard]] double slack() const { return std::max(32 * part_.tolerance, 1e-7 * glm::length(world_.box.size())); }
+  [[nodiscard]] double slack() const {
+    return std::max(together * part_.tolerance, together_in_world * glm::length(world_.box.size()));
+  }
 
   // Whether there is a plane face perpendicular to the axis at this place along it.
   [[nodiscard]] bool has_plane(const Vec3& axis, double at) const {

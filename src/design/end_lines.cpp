@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "design/limits.hpp"
+
 namespace epura::design {
 
 namespace {
-
-constexpr double backwards = 0.02;  // turns by which a line may run back around the axis
 
 // For each vertex of edges between removed triangles and others, the ends of these edges; empty if some edge is no
 // border between two.

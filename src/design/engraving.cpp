@@ -18,11 +18,6 @@ namespace {
 using features::PartSurface;
 using features::SurfaceKind;
 
-constexpr double largest_letter = 0.2;     // relative to the size of the part
-constexpr double deepest_letter = 0.5;     // relative to its size
-constexpr std::size_t fewest_letters = 2;  // of one depth in a plane
-constexpr std::size_t usual_walls = 12;    // on average; a rectangle with rounded corners has eight
-
 /// Faces that only one other face connects with the rest of the part: `order[begin]` to `order[end - 1]`.
 struct Pocket {
   int around;

@@ -19,16 +19,6 @@ namespace {
 using features::PartFace;
 using features::SurfaceKind;
 
-constexpr double same_place = 1e-3;       // relative to a radius
-constexpr double flattest = 0.6;          // least ratio of the radii at roots and crests
-constexpr double most_to_one_side = 0.8;  // mean of the directions of vertices from the axis
-constexpr double least_depth = 0.005;     // relative to the radius
-constexpr double smallest_thread = 0.8;   // mm, as the next, with room for play
-constexpr double largest_thread = 110;    // mm, with room for play
-constexpr double crest_part = 0.1;        // of the depth of a thread, whose vertices tell the helix
-constexpr std::size_t most_directions = 8;
-constexpr double least_facing = 0.05;  // of the area of a thread, seen from its axis
-
 /// The ends of a face, seen from an axis.
 struct FaceReach {
   Range radius, height;
@@ -101,7 +91,7 @@ AroundAxis around_axis_of(const features::PartSurface& surface) { return {surfac
 // The cylinder around vertices: those farthest from its axis are on a circle.
 std::optional<features::PartSurface> cylinder_along(const Vec3& direction, const mesh::Mesh& mesh,
                                                     const std::vector<int>& vertices) {
-  if (vertices.size() < fewest_helix_vertices) return std::nullopt;
+  if (vertices.size() < fewest_helix_points) return std::nullopt;
   features::PartSurface cylinder{SurfaceKind::cylinder, Vec3(0), direction};
   for (const int v : vertices) cylinder.origin += mesh.point(v) / static_cast<double>(vertices.size());
   for (const double share : {0.3, 0.1, 0.03, 0.01, 0.01}) {
@@ -144,7 +134,7 @@ bool lies_in_band(const Threaded& in, const AroundAxis& around, int face) {
   const bool across = are_parallel(surface.axis, around.axis);
   if (surface.kind != SurfaceKind::free_form && (surface.kind != SurfaceKind::plane || across)) return false;
   const Range radius = reach_of(in, around, face).radius;
-  return radius.from >= flattest * radius.to;
+  return radius.from >= flattest_thread * radius.to;
 }
 
 // Whether a few vertices of a face are where those of a thread around an axis may be.
@@ -161,8 +151,8 @@ bool may_be_around(const Threaded& in, const AroundAxis& around, std::size_t fac
     if (glm::length(out) > 0) directions += glm::normalize(out) / static_cast<double>(samples);
   }
   const double diameter = 2 * radius.to * in.unit;
-  return radius.from >= flattest * radius.to && diameter >= smallest_thread && diameter <= largest_thread &&
-         radius.to - radius.from >= least_depth * radius.to && glm::length(directions) <= most_to_one_side;
+  return radius.from >= flattest_thread * radius.to && diameter >= smallest_thread && diameter <= largest_thread &&
+         radius.to - radius.from >= least_thread_depth * radius.to && glm::length(directions) <= most_to_one_side;
 }
 
 template <class Visit>
@@ -210,9 +200,9 @@ HelicalForms form_of(const Threaded& in, const AroundAxis& around, const std::ve
     reach.radius.add(around.radius(in.mesh.point(v)));
     reach.height.add(around.height(in.mesh.point(v)));
   }
-  if (!(reach.radius.from >= flattest * reach.radius.to)) return {};
+  if (!(reach.radius.from >= flattest_thread * reach.radius.to)) return {};
   const double faces = facing_of(in, around, triangles);
-  if (std::abs(faces) < least_facing) return {};
+  if (std::abs(faces) < least_thread_facing) return {};
   const bool internal = faces < 0;
   Crests crests{{}, internal ? reach.radius.from : reach.radius.to, internal, reach.height};
   const double near = crest_part * (reach.radius.to - reach.radius.from);
@@ -232,7 +222,7 @@ HelicalForms form_of(const Threaded& in, const AroundAxis& around, const std::ve
 // Whether a face is a cylinder around the axis.
 bool is_around(const features::PartSurface& surface, const AroundAxis& around) {
   return surface.kind == SurfaceKind::cylinder && are_parallel(surface.axis, around.axis) &&
-         around.radius(surface.origin) <= same_place * surface.radius;
+         around.radius(surface.origin) <= on_axis * surface.radius;
 }
 
 // Whether a face is part of a ring between roots and crests, across the axis.
@@ -242,7 +232,7 @@ bool is_ring(const Threaded& in, const AroundAxis& around, int face, const Range
   if (plane.surface.kind != SurfaceKind::plane || plane.area > ring || !are_parallel(plane.surface.axis, around.axis))
     return false;
   const FaceReach reach = reach_of(in, around, face);
-  return reach.radius.from >= band.from * (1 - same_place) && reach.radius.to <= band.to * (1 + same_place);
+  return reach.radius.from >= band.from * (1 - on_axis) && reach.radius.to <= band.to * (1 + on_axis);
 }
 
 // Strips of cylinders between the flanks and rings at their ends belong to a thread, and what is left of them beyond
@@ -348,7 +338,7 @@ Finds find_in(const Threaded& in, std::size_t face, Finds finds) {
 
 bool have_one_axis(const features::PartSurface& surface, const features::PartSurface& other) {
   return are_parallel(other.axis, surface.axis) &&
-         glm::length(glm::cross(surface.origin - other.origin, other.axis)) <= same_place * surface.radius;
+         glm::length(glm::cross(surface.origin - other.origin, other.axis)) <= on_axis * surface.radius;
 }
 
 }  // namespace
@@ -362,7 +352,7 @@ HelicalForms find_helical_threads(const mesh::Mesh& mesh, const features::PartFa
   std::vector<features::PartSurface> axes;  // around which has been looked
   for (const PartFace& face : part.faces) {
     const features::PartSurface& surface = face.surface;
-    if (!features::has_axis(surface.kind) || face.sweep < 180 ||
+    if (!features::has_axis(surface.kind) || face.sweep < thread_sweep ||
         std::any_of(axes.begin(), axes.end(), [&](const auto& known) { return have_one_axis(surface, known); }))
       continue;
     axes.push_back(surface);

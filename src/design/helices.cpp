@@ -6,15 +6,12 @@
 #include <numbers>
 
 #include "base/portable_math.hpp"
+#include "design/limits.hpp"
 #include "scene/standard_threads.hpp"
 
 namespace epura::design {
 
 namespace {
-
-constexpr double least_turns = 2;
-constexpr double least_order = 0.85;  // of crests along a helix: 1 for a line, 0 for vertices at random
-constexpr double widest_gap = 60;     // degrees
 
 // The resultant of the places of points along a right- or left-handed helix.
 double order_along(const TurnsAndHeights& points, double pitch, bool left) {
@@ -29,7 +26,6 @@ double order_along(const TurnsAndHeights& points, double pitch, bool left) {
 // Whether crests are a left-handed helix; nothing if they are none. Where a thread runs out into a shaft at one end or
 // both, within two turns, all is as far from the axis as the crests.
 std::optional<bool> is_left_handed(const Crests& crests, double pitch) {
-  constexpr double off = 0.15;  // turns
   for (const double cut : {0, 1, 2}) {
     const double from = crests.heights.from + cut * pitch, to = crests.heights.to - cut * pitch;
     if (to - from < least_turns * pitch) break;
@@ -44,7 +40,7 @@ std::optional<bool> is_left_handed(const Crests& crests, double pitch) {
       const auto suits_better = [&](double more) {
         return cut > 0 && order_along(some, (to - from) / (turns + more), left) > order;
       };
-      if (order >= least_order && !suits_better(off) && !suits_better(-off)) return left;
+      if (order >= least_order && !suits_better(turns_off) && !suits_better(-turns_off)) return left;
     }
   }
   return std::nullopt;
@@ -53,8 +49,7 @@ std::optional<bool> is_left_handed(const Crests& crests, double pitch) {
 }  // namespace
 
 std::size_t scattered(std::size_t i, std::size_t count) {
-  constexpr double golden = std::numbers::phi - 1;
-  const double turns = golden * static_cast<double>(i), place = turns - std::floor(turns);
+  const double turns = (std::numbers::phi - 1) * static_cast<double>(i), place = turns - std::floor(turns);
   return static_cast<std::size_t>(place * static_cast<double>(count));
 }
 
@@ -84,21 +79,20 @@ std::optional<scene::Thread> best_size(const Crests& crests, double unit) {
 }
 
 std::optional<double> pitch_of(const Crests& crests) {
-  constexpr double step = 0.1, vertices_of_turn = 8;
-  constexpr std::size_t most_samples = 512;
   const TurnsAndHeights& all = crests.points;
-  if (all.size() < fewest_helix_vertices) return std::nullopt;
+  if (all.size() < fewest_helix_points) return std::nullopt;
   TurnsAndHeights some;
-  for (std::size_t i = 0; i < std::min(most_samples, all.size()); ++i) some.push_back(all[scattered(i, all.size())]);
+  for (std::size_t i = 0; i < std::min(most_helix_samples, all.size()); ++i)
+    some.push_back(all[scattered(i, all.size())]);
   const double length = crests.heights.size();
   const auto order = [length](const TurnsAndHeights& points, double turns) {
     return std::max(order_along(points, length / turns, true), order_along(points, length / turns, false));
   };
-  const double most = static_cast<double>(some.size()) / vertices_of_turn;
-  for (double turns = step; turns <= most; turns += step) {
+  const double most = static_cast<double>(some.size()) / points_of_turn;
+  for (double turns = pitch_step; turns <= most; turns += pitch_step) {
     if (order(some, turns) < least_order) continue;
-    while (order(some, turns + step) > order(some, turns)) turns += step;
-    double from = turns - step, to = turns + step;
+    while (order(some, turns + pitch_step) > order(some, turns)) turns += pitch_step;
+    double from = turns - pitch_step, to = turns + pitch_step;
     while (to - from > 1e-6 * turns) {
       const double low = from + (to - from) / 3, high = to - (to - from) / 3;
       const bool is_above = order(all, low) < order(all, high);

@@ -23,9 +23,6 @@ struct Crests {
   Range heights{};  ///< of the whole thread
 };
 
-/// Of fewer vertices, no helix is found.
-inline constexpr std::size_t fewest_helix_vertices = 48;
-
 /// The `i`th of numbers below `count` that are spread over all of them. Even steps might meet the same column of a mesh
 /// again and again.
 std::size_t scattered(std::size_t i, std::size_t count);

@@ -14,9 +14,6 @@ namespace epura::design {
 
 namespace {
 
-constexpr double least_flat = 0.6;       // of a side: those of a regular polygon of twelve sides are shorter
-constexpr std::size_t most_flats = 256;  // of one body; more, as in honeycombs, take too long
-
 Range range_of(const std::vector<Vec3>& points, const Vec3& direction) {
   Range range;
   for (const Vec3& p : points) range.add(glm::dot(p, direction));

@@ -8,9 +8,6 @@
 
 namespace epura::design {
 
-/// The longest part of a circle, in degrees, that has a radius instead of a diameter.
-inline constexpr double longest_arc = 200;
-
 /// The parts of one cylinder or torus; none of them is a full turn, but together they leave no larger gap than 360
 /// degrees less `longest_arc`.
 struct InterruptedFace {

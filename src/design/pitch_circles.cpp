@@ -13,8 +13,6 @@ namespace epura::design {
 
 namespace {
 
-constexpr std::size_t least_holes = 3;
-
 bool are_equal(const HoleSize& a, const HoleSize& b) {
   return std::equal(a.radii.begin(), a.radii.end(), b.radii.begin(), b.radii.end(),
                     [](double r, double s) { return std::abs(r - s) <= same_size * std::max(r, s); });
@@ -45,7 +43,7 @@ std::vector<Pattern> patterns_of(std::span<const RoundFeature> features, std::sp
     }
     patterns[at].push_back(size.feature);
   }
-  std::erase_if(patterns, [](const Pattern& pattern) { return pattern.size() < least_holes; });
+  std::erase_if(patterns, [](const Pattern& pattern) { return pattern.size() < fewest_holes; });
   return patterns;
 }
 
@@ -78,7 +76,7 @@ void add_circles(std::vector<PitchCircle>& circles, std::span<const RoundFeature
       spokes.push_back(spoke_to(features[by_distance[end].second], hub));
     }
     std::sort(circle.holes.begin(), circle.holes.end());
-    if (spokes.size() >= least_holes && radius > 0 && !is_oblong(spokes)) circles.push_back(std::move(circle));
+    if (spokes.size() >= fewest_holes && radius > 0 && !is_oblong(spokes)) circles.push_back(std::move(circle));
   }
 }
 

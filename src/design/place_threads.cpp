@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "design/design_holes.hpp"
 #include "design/tolerances.hpp"
+#include "features/limits.hpp"
 #include "scene/standard_threads.hpp"
 
 namespace epura::design {
@@ -17,8 +18,6 @@ namespace {
 
 using features::PartFace;
 using features::SurfaceKind;
-
-constexpr double near_by = 0.02;  // relative to the radius of a cylinder: positions are written with few decimals
 
 /// A cylinder of a part.
 struct Cylinder {
@@ -37,7 +36,7 @@ struct Cylinder {
   }
   /// Whether its axis leads through a point.
   [[nodiscard]] bool is_around(const Vec3& point) const {
-    return glm::length(glm::cross(point - surface().origin, surface().axis)) <= near_by * surface().radius;
+    return glm::length(glm::cross(point - surface().origin, surface().axis)) <= near_cylinder * surface().radius;
   }
   [[nodiscard]] std::string name() const {
     const Vec3 middle = surface().origin + (part_face->from + part_face->to) / 2 * surface().axis;
@@ -57,7 +56,7 @@ class ThreadPlacer {
       part = world::place_part(placed);
       for (int f = 0; part && f < static_cast<int>(part->faces.size()); ++f)
         if (const PartFace& face = part->faces[static_cast<std::size_t>(f)];
-            face.surface.kind == SurfaceKind::cylinder && face.sweep >= 359)
+            face.surface.kind == SurfaceKind::cylinder && face.sweep >= features::whole_turn)
           cylinders_.push_back({model, f, &face, end_of(*part, f, false), end_of(*part, f, true)});
     }
   }
@@ -104,7 +103,7 @@ class ThreadPlacer {
     for (const Cylinder& one : cylinders_) {
       const double distance = one.distance_to(position);
       if (nearest == nullptr || distance < nearest->distance_to(position)) nearest = &one;
-      if (distance > near_by * one.surface().radius) continue;
+      if (distance > near_cylinder * one.surface().radius) continue;
       const auto off = [&](const Cylinder& c) {
         return std::abs(2 * c.surface().radius - (c.part_face->inwards ? thread.minor() : thread.diameter));
       };
@@ -182,10 +181,11 @@ std::optional<Continuation> continuation_of(const world::PlacedPart& part, int c
   const features::PartSurface& surface = face.surface;
   const Vec3 end = surface.origin + (at_high_end ? face.to : face.from) * surface.axis;
   const Vec3 out = (at_high_end ? 1.0 : -1.0) * surface.axis;
-  const double slack = std::max(32 * part.tolerance, same_size * surface.radius);
+  const double slack = slack_of(part.tolerance, surface.radius);
   for (int f = 0; f < static_cast<int>(part.faces.size()); ++f) {
     const PartFace& cone = part.faces[static_cast<std::size_t>(f)];
-    if (cone.surface.kind != SurfaceKind::cone || cone.inwards != face.inwards || cone.sweep < 359) continue;
+    if (cone.surface.kind != SurfaceKind::cone || cone.inwards != face.inwards || cone.sweep < features::whole_turn)
+      continue;
     if (!are_parallel(cone.surface.axis, surface.axis)) continue;
     if (glm::length(glm::cross(cone.surface.origin - end, surface.axis)) > slack) continue;
     const double way = glm::dot(cone.surface.axis, out) > 0 ? 1 : -1;

@@ -10,6 +10,7 @@
 
 #include "base/angle.hpp"
 #include "base/portable_math.hpp"
+#include "design/limits.hpp"
 
 namespace epura::design {
 
@@ -84,8 +85,8 @@ double sweep_in_copies(const world::World& world, int model, const RoundFace& ro
     if (!part) continue;
     const features::PartSurface &here = round.face.surface, &there = part->faces[round.number].surface;
     const Vec3 apart = glm::cross(there.origin - here.origin, here.axis);
-    constexpr double same = 1e-6;
-    if (glm::length(apart) > same * round.reach || glm::length(glm::cross(here.axis, there.axis)) > same) continue;
+    if (glm::length(apart) > same_point * round.reach || glm::length(glm::cross(here.axis, there.axis)) > same_point)
+      continue;
     std::vector<Vec3> points;
     const std::vector<Remains> remains = remains_of_faces(world, other, *part);
     for (const int v : remains[round.number].vertices) points.push_back(world.points[v]);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "features/limits.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::design {
@@ -21,7 +22,7 @@ struct RoundFace {
 
   [[nodiscard]] Vec3 at(double height) const { return face.surface.origin + height * face.surface.axis; }
   [[nodiscard]] double radius_at(double height) const;
-  [[nodiscard]] bool is_whole() const { return face.sweep >= 359; }
+  [[nodiscard]] bool is_whole() const { return face.sweep >= features::whole_turn; }
   /// Whether the axis is still meaningful: at least half of the face remains.
   [[nodiscard]] bool has_its_axis() const { return sweep_left >= face.sweep / 2 - 1; }
 };

@@ -18,10 +18,6 @@ namespace {
 
 using features::SurfaceKind;
 
-constexpr double shortest_arc = 20;      // degrees
-constexpr double least_round = 180;      // degrees of a turn that slots may leave of a rounded edge
-constexpr double longest_chamfer = 0.5;  // relative to the radius
-
 // Axes of short arcs are less accurate than the axis of the world to which they are parallel.
 Vec3 snapped(const Vec3& direction) {
   const int axis = axis_along(direction);
@@ -98,7 +94,7 @@ std::array<bool, 2> rounded_ends(const RoundFaces& of, const RoundFace& round, c
 bool is_chamfer(const RoundFaces& of, const RoundFace& round, const DesignCone& cone) {
   if (glm::distance(cone.ends[0], cone.ends[1]) > longest_chamfer * cone.radii[1] || !(cone.radii[0] > 0)) return false;
   bool plane = false, cylinder = false;
-  const double slack = std::max(32 * of.part.tolerance, same_size * cone.radii[1]);
+  const double slack = slack_of(of.part.tolerance, cone.radii[1]);
   for (const features::PartBorder& border : of.placed().part->borders)
     for (const int side : {0, 1}) {
       if (border.faces[side] != round.number || border.faces[1 - side] < 0) continue;

@@ -24,10 +24,6 @@ namespace {
 
 using features::SurfaceKind;
 
-constexpr double same_radius = 1e-6;      // relative to the radius
-constexpr double clear_of_crests = 0.05;  // of the depth of a thread
-constexpr std::size_t fewest_circle_points = 48;
-
 /// A thread, and the part that has it.
 struct ThreadOfPart {
   const mesh::Mesh& mesh;
@@ -104,7 +100,7 @@ ThreadEnd end_at(const ThreadOfPart& of, const std::vector<char>& removed, const
     if (of.face_of(t) != end.face) continue;
     for (const int v : of.mesh.triangle(t)) farthest = std::max(farthest, of.around.radius(of.mesh.point(v)));
   }
-  const bool surrounds = farthest > end.outermost * (1 + same_radius);
+  const bool surrounds = farthest > end.outermost * (1 + same_point);
   if (surrounds && (of.is_across(surface) || of.is_cone_around(surface))) end.ending = Ending::clipped;
   if (!surrounds && of.is_cone_around(surface)) end.ending = Ending::remade;
   return end;
@@ -166,7 +162,7 @@ std::optional<Ended> clipped(const ThreadOfPart& of, const ThreadEnd& end, Witho
   const double at = height_at(of, end.face, limit);
   std::map<std::array<int, 2>, int> crossings;  // of edges with the circle
   std::map<int, int> next;
-  const auto is_out = [&](int v) { return of.around.radius(remains.point(v)) > limit * (1 + same_radius); };
+  const auto is_out = [&](int v) { return of.around.radius(remains.point(v)) > limit * (1 + same_point); };
   const auto crossing = [&](int a, int b) {
     const auto [known, is_new] = crossings.try_emplace({std::min(a, b), std::max(a, b)}, -1);
     if (is_new)
@@ -213,7 +209,7 @@ std::optional<mesh::Points> moved_to_crests(const ThreadOfPart& of, const Withou
     const Vec3 first = point_at(points, a);
     return glm::cross(point_at(points, b) - first, point_at(points, c) - first);
   };
-  const double least = same_radius * of.thread.crest * of.thread.crest;
+  const double least = same_point * of.thread.crest * of.thread.crest;
   for (int t = 0; t < of.mesh.triangle_count(); ++t) {
     const std::array<int, 3> corners = of.mesh.triangle(t);
     if (remains.removed[static_cast<std::size_t>(t)] != 0 || std::none_of(corners.begin(), corners.end(), [&](int v) {
@@ -244,7 +240,7 @@ std::optional<Ended> ended_at(const ThreadOfPart& of, const ThreadEnd& end, Ende
 
 // With a circle of the cylinder, which has at least as many points as a line.
 Ended with_circle(const ThreadOfPart& of, WithoutThread remains, const EndLine& line, double at) {
-  const std::size_t points = std::max(line.vertices.size(), fewest_circle_points);
+  const std::size_t points = std::max(line.vertices.size(), fewest_helix_points);
   EndLine circle = circle_line(at, line.angles.front(), points, static_cast<int>(remains.points.size()));
   for (const double turn : circle.angles) {
     const double angle = turn * full_turn;
@@ -286,7 +282,7 @@ std::optional<CylinderLines> lines_of_cylinder(const ThreadOfPart& of) {
     const EndLine& line = (*lines)[i];
     const double radius = of.around.radius(all.remains.point(line.vertices.front()));
     const bool is_there =
-        ends[i].ending == Ending::moved || std::abs(radius - of.thread.crest) <= same_radius * of.thread.crest;
+        ends[i].ending == Ending::moved || std::abs(radius - of.thread.crest) <= same_point * of.thread.crest;
     if (!is_there) {
       const double at = height_at(of, ends[i].face, of.thread.crest);
       Ended circle = with_circle(of, std::move(all.remains), line, at);
@@ -304,7 +300,7 @@ std::optional<CylinderLines> lines_of_cylinder(const ThreadOfPart& of) {
 WithCylinder rebuilt(const ThreadOfPart& of, CylinderLines cylinder) {
   const WithoutThread& remains = cylinder.remains;
   // Vertices that have come to lie in one place are one.
-  const std::map<int, int> same = coinciding(cylinder.lines, remains.points, same_radius * of.thread.crest);
+  const std::map<int, int> same = coinciding(cylinder.lines, remains.points, same_point * of.thread.crest);
   const auto one = [&](int v) {
     const auto at = same.find(v);
     return at == same.end() ? v : at->second;

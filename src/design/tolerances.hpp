@@ -6,11 +6,9 @@
 #include <cmath>
 
 #include "base/vec.hpp"
+#include "design/limits.hpp"
 
 namespace epura::design {
-
-constexpr double parallel = 1e-4;   // sine of the angle between directions
-constexpr double same_size = 1e-4;  // relative
 
 /// Of unit vectors; opposite ones are parallel too.
 inline bool are_parallel(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)) <= parallel; }
@@ -22,6 +20,8 @@ inline int axis_along(const Vec3& direction) {
 }
 inline bool are_same(double a, double b) { return std::abs(a - b) <= same_size * std::max(std::abs(a), std::abs(b)); }
 
+/// How far apart round faces of a size may be that belong together, given the tolerance of their part.
+inline double slack_of(double tolerance, double size) { return std::max(together * tolerance, same_size * size); }
 /// From the line through a point along a unit vector.
 inline double distance_from_line(const Vec3& point, const Vec3& on_line, const Vec3& axis) {
   return glm::length(glm::cross(point - on_line, axis));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "design/interrupted_faces.hpp"
+#include "design/limits.hpp"
 #include "features/limits.hpp"
 #include "world/placed_part.hpp"
 
@@ -18,10 +19,6 @@ namespace {
 using features::PartFace;
 using features::PartSurface;
 using features::SurfaceKind;
-
-constexpr double surely_parallel = 1e-9;  // sine
-constexpr double across = 1e-4;           // cosine; a diameter is perpendicular to its axis
-constexpr double same = 1e-6;             // as a fraction of the world's size
 
 using Triangle = std::array<Vec3, 3>;
 
@@ -189,7 +186,7 @@ class ExtentFinder {
   }
 
   static bool is_across(const Vec3& axis, const Vec3& direction) {
-    return std::abs(glm::dot(axis, direction)) <= across;
+    return std::abs(glm::dot(axis, direction)) <= parallel;
   }
 
   // Marks the vertices of faces that go all around, and of interrupted ones. A torus counts if its greatest circle is
@@ -204,7 +201,7 @@ class ExtentFinder {
     }
     for (const SurfaceKind kind : {SurfaceKind::cylinder, SurfaceKind::torus})
       for (const InterruptedFace& face : find_interrupted(round, kind))
-        if (kind == SurfaceKind::cylinder || (face.from <= same * size_ && face.to >= -same * size_))
+        if (kind == SurfaceKind::cylinder || (face.from <= same_point * size_ && face.to >= -same_point * size_))
           mark_interrupted(part, round, face, turned);
   }
 
@@ -249,7 +246,8 @@ class ExtentFinder {
     const Vec3 direction = direction_of(end);
     const Triangle corners = corners_of(world_, triangle);
     const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    const bool is_flat = glm::length(normal - glm::dot(normal, direction) * direction) <= across * glm::length(normal);
+    const bool is_flat =
+        glm::length(normal - glm::dot(normal, direction) * direction) <= parallel * glm::length(normal);
     for (int k = 0; k < 3; ++k) {
       const int mark = of_round_[world_.triangles[triangle][k]];
       if (mark == whole) continue;
@@ -257,7 +255,7 @@ class ExtentFinder {
       if (mark >= first_interrupted) {
         Interrupted& face = interrupted_[mark - first_interrupted];
         if (is_across(face.face->surface.axis, direction) && !is_flat) continue;
-        if (value >= face.farthest[end] - same * size_) face.ends_flat[end] = 1;
+        if (value >= face.farthest[end] - same_point * size_) face.ends_flat[end] = 1;
       }
       add(end, {value, nullptr});
     }
@@ -270,13 +268,13 @@ class ExtentFinder {
       const Vec3 direction = direction_of(end);
       if (interrupted.ends_flat[end] != 0 || !is_across(surface.axis, direction)) continue;
       const double reach = glm::dot(direction, surface.origin) + surface.radius + surface.minor;
-      if (reach > farthest_[end] + same * size_) is_interrupted_[end] = true;
+      if (reach > farthest_[end] + same_point * size_) is_interrupted_[end] = true;
       add(end, {reach, interrupted.face, true});
     }
   }
 
   void add_facet(const PartFace& face, bool turned, const Triangle& corners) {
-    const double rise = features::most_sagittas * face.sagitta + face.residual + same * size_;
+    const double rise = features::most_sagittas * face.sagitta + face.residual + same_point * size_;
     for (int end = 0; end < 6; ++end) {
       const Vec3 direction = direction_of(end);
       double top = -HUGE_VAL;
@@ -287,7 +285,7 @@ class ExtentFinder {
   }
 
   void add(int end, const Reach& reach) {
-    if (reach.value < farthest_[end] - same * size_) return;
+    if (reach.value < farthest_[end] - same_point * size_) return;
     farthest_[end] = std::max(farthest_[end], reach.value);
     std::vector<Reach>& list = reaches_[end];
     const auto known = std::find_if(list.begin(), list.end(), [&](const Reach& r) { return r.face == reach.face; });
@@ -299,7 +297,7 @@ class ExtentFinder {
 
   // The size is a diameter if only round faces about one axis reach this far, equally on both sides.
   void set_form(Extent& extent, int axis) const {
-    const double slack = same * size_;
+    const double slack = same_point * size_;
     const PartFace* turned = nullptr;
     bool balls = true;
     std::vector<const PartFace*> all;
@@ -316,7 +314,7 @@ class ExtentFinder {
       if (all.size() == before) return;
     }
     const PartSurface& first = (balls ? all.front() : turned)->surface;
-    if (!balls && std::abs(first.axis[axis]) > across) return;
+    if (!balls && std::abs(first.axis[axis]) > parallel) return;
     for (const PartFace* face : all)
       if (!is_about(face->surface, first, slack)) return;
     if (std::abs(0.5 * (extent.from + extent.to) - first.origin[axis]) > slack) return;
@@ -329,7 +327,7 @@ class ExtentFinder {
     const Vec3 d = surface.origin - first.origin;
     if (first.kind == SurfaceKind::sphere) return glm::length(d) <= slack;
     const bool ball = surface.kind == SurfaceKind::sphere;
-    return (ball || glm::length(glm::cross(surface.axis, first.axis)) <= across) &&
+    return (ball || glm::length(glm::cross(surface.axis, first.axis)) <= parallel) &&
            glm::length(glm::cross(d, first.axis)) <= slack;
   }
 
@@ -347,9 +345,9 @@ class ExtentFinder {
 
 bool Extent::is_same_as(const Extent& other) const {
   if (form == ExtentForm::length || form != other.form) return false;
-  const double slack = same * std::max(size(), other.size());
+  const double slack = same_point * std::max(size(), other.size());
   return std::abs(size() - other.size()) <= slack && glm::length(centre - other.centre) <= slack &&
-         glm::length(glm::cross(axis, other.axis)) <= across;
+         glm::length(glm::cross(axis, other.axis)) <= parallel;
 }
 
 std::vector<Vec3> points_of_faces(const world::World& world) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "features/limits.hpp"
+
 namespace epura::design {
 
 namespace {
@@ -50,7 +52,7 @@ std::optional<Unit> guess_unit(const Box& box, const features::PartFaces& part) 
   const double largest = std::max({size.x, size.y, size.z});
   std::vector<double> diameters;
   for (const features::PartFace& face : part.faces)
-    if (face.surface.kind == features::SurfaceKind::cylinder && face.sweep > 359)
+    if (face.surface.kind == features::SurfaceKind::cylinder && face.sweep >= features::whole_turn)
       diameters.push_back(2 * face.surface.radius);
   std::optional<Unit> best;
   double best_share = 0.5;

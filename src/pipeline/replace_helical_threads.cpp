@@ -16,6 +16,7 @@
 #include "design/place_threads.hpp"
 #include "design/tolerances.hpp"
 #include "features/declared_part.hpp"
+#include "features/limits.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "world/placed_part.hpp"
 
@@ -46,7 +47,8 @@ std::optional<std::array<Vec3, 2>> full_part_of(const design::HelicalThread& thr
 bool has_cylinder(const features::PartFaces& part, const design::HelicalThread& thread) {
   return std::any_of(part.faces.begin(), part.faces.end(), [&](const features::PartFace& face) {
     const features::PartSurface& surface = face.surface;
-    return surface.kind == features::SurfaceKind::cylinder && face.sweep >= 359 && face.inwards == thread.internal &&
+    return surface.kind == features::SurfaceKind::cylinder && face.sweep >= features::whole_turn &&
+           face.inwards == thread.internal &&
            std::abs(surface.radius - thread.crest) <= design::same_size * thread.crest &&
            design::are_parallel(surface.axis, thread.axis) &&
            glm::length(glm::cross(surface.origin - thread.origin, thread.axis)) <= design::same_size * thread.crest;
