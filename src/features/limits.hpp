@@ -51,11 +51,12 @@ inline constexpr double most_of_sweep = 0.6;                       ///< part of 
 
 /// Precision to which CAD kernels keep the positions of vertices, as a fraction of the size of the model.
 inline constexpr double least_tolerance = 3e-7;
-inline constexpr double usual_slack = 4;  ///< tolerances by which vertices may lie off a face whose facets allow for it
+/// Tolerances by which vertices may lie off a face whose facets allow for it; tolerance of cylinders of which no facet
+/// has all its vertices on them.
+inline constexpr double usual_slack = 4;
 /// Tolerances that a face rises at least over its facets on a grid, where the step is all that vertices are off.
 inline constexpr double grid_slack = 2;
 inline constexpr double most_allowance = 16;  ///< tolerances: in files of low precision; heights of one circle
-inline constexpr double looseness = 4;  ///< tolerances, of cylinders of which no facet has all its vertices on them
 /// Tolerances. CAD kernels trim faces along inexact curves: vertices there may lie off both surfaces, by less than the
 /// sagitta of the tessellation.
 inline constexpr double most_trimmed = 64;
@@ -66,8 +67,8 @@ inline constexpr double still_open = 8;  ///< allowances from the axis of a cone
 inline constexpr double parallel_cosine = 1 - 1e-6;  ///< of 0.08 degrees
 inline constexpr double same_surface = 1e-6;         ///< sine of the angle of axes; lengths as a part of the radius
 inline constexpr double least_stretch = 1e-9;  ///< relative: surfaces of a model that is stretched by less are kept
-inline constexpr double least_slope = 0.01;    ///< tangent of 0.6 degrees: a steeper cone is no inexact cylinder
-inline constexpr double least_sine = 0.01;     ///< of 0.6 degrees: three points at a smaller angle have no plane
+/// Of 0.6 degrees: a steeper cone is no inexact cylinder, and three points at a smaller angle have no plane.
+inline constexpr double least_sine = 0.01;
 /// Damping below which a step of the fit (Levenberg, Marquardt) is a whole one.
 inline constexpr double whole_step = 1e-3;
 

@@ -166,7 +166,7 @@ Regions find_inexact_cylinders(const Facets& facets, Regions found, const Progre
   }
   if (left.empty()) return found;
   Facets loose = part_of(facets, left);
-  loose.tolerance *= looseness;
+  loose.tolerance *= usual_slack;
   const std::size_t first = regions.size();
   for (Region& region : find_round_regions(loose, progress, Wanted::cylinders).regions) {
     if (region.surface.kind != SurfaceKind::cylinder) continue;  // a patch of a free form is nearly a cone

@@ -249,7 +249,7 @@ bool RegionGrower::spread(Region& region) {
 // A cone with a very small slope is a cylinder with inexact vertices, unless vertices lie on the cone much more
 // exactly.
 void RegionGrower::prefer_cylinder(Region& region) {
-  if (std::abs(region.surface.slope) > least_slope) return;
+  if (std::abs(region.surface.slope) > least_sine) return;
   PartSurface cylinder = region.surface;
   cylinder.kind = SurfaceKind::cylinder;
   cylinder.slope = 0;

@@ -189,7 +189,7 @@ std::vector<Guess> Guesser::guesses_at(int facet, std::span<const int> beside, s
   if (explains_all()) return guesses;
   if (beside.size() > 2) try_strip({facet, beside[0], beside[2]});
   std::size_t size = std::min<std::size_t>(9, nearby.size());
-  while (size < nearby.size() && size < 13 && points_of(nearby.first(size)).size() < 14) ++size;
+  while (size < nearby.size() && size < 13 && points_of(nearby.first(size)).size() < enough_vertices) ++size;
   if (size >= 7) guesses = with_patch(std::move(guesses), facets_, wanted_, patch_of(nearby.first(size)));
   std::sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) {
     return a.explained != b.explained ? a.explained > b.explained : a.surface.kind < b.surface.kind;
