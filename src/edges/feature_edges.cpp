@@ -71,6 +71,7 @@ struct EdgeJudge {
   const features::PartFaces* part;  ///< null if no faces are recognised
   const std::vector<char>& walls;   ///< by face of the part
   double edge_on;                   ///< distance in cells up to which a corner counts as lying on the line of an edge
+  double edge_on_grid;              ///< the same for vertices that files do not round
   const std::vector<char>& moved;   ///< moved_vertices
 
   [[nodiscard]] const mesh::Mesh& mesh() const { return around.mesh(); }
@@ -92,11 +93,20 @@ struct EdgeJudge {
     return part != nullptr && walls[static_cast<std::size_t>(part->face_of_triangle[triangle])] != 0;
   }
 
+  // Whether two triangles are of one face that curves both ways, and whose surface is known: its contour is moved to
+  // the surface, wherever files round the vertices.
+  [[nodiscard]] bool are_of_smooth_face(int one, int other) const {
+    if (part == nullptr || part->face_of_triangle[one] != part->face_of_triangle[other]) return false;
+    const auto face = static_cast<std::size_t>(part->face_of_triangle[one]);
+    const features::SurfaceKind kind = part->faces[face].surface.kind;
+    return kind == features::SurfaceKind::sphere || kind == features::SurfaceKind::torus;
+  }
+
   // Whether every corner of a triangle lies on the line of the opposite side.
-  [[nodiscard]] bool is_edge_on(int triangle) const {
+  [[nodiscard]] bool is_edge_on(int triangle, double reach) const {
     const std::array<int, 3> c = around.corners(triangle);
     for (int i = 0; i < 3; ++i)
-      if (side({c[i], c[(i + 1) % 3]}, triangle, edge_on) != 0) return false;
+      if (side({c[i], c[(i + 1) % 3]}, triangle, reach) != 0) return false;
     return true;
   }
 
@@ -104,12 +114,14 @@ struct EdgeJudge {
   // whose third corner is on the line of this edge may still face the viewer at its other sides, so between two such
   // triangles the sign decides, however small; otherwise the contour would have a gap there.
   [[nodiscard]] bool is_contour(const std::array<int, 2>& edge, const Pair& pair) const {
+    const double reach = are_of_smooth_face(pair.first, pair.second) ? edge_on_grid : edge_on;
     const bool wall_one = is_of_wall(pair.first), wall_two = is_of_wall(pair.second);
-    const int side_one = wall_one ? 0 : side_of(edge, pair.apexes[0], edge_on);
-    const int side_two = wall_two ? 0 : side_of(edge, pair.apexes[1], edge_on);
+    const int side_one = wall_one ? 0 : side_of(edge, pair.apexes[0], reach);
+    const int side_two = wall_two ? 0 : side_of(edge, pair.apexes[1], reach);
     if (side_one != side_two) return side_one == 0 || side_two == 0;
     if (side_one != 0) return true;
-    const bool first_edge_on = wall_one || is_edge_on(pair.first), second_edge_on = wall_two || is_edge_on(pair.second);
+    const bool first_edge_on = wall_one || is_edge_on(pair.first, reach);
+    const bool second_edge_on = wall_two || is_edge_on(pair.second, reach);
     if (first_edge_on || second_edge_on) return first_edge_on != second_edge_on;
     const int sign = side_of(edge, pair.apexes[0], 0);
     return sign != 0 && sign == side_of(edge, pair.apexes[1], 0);
@@ -368,6 +380,7 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
                         part,
                         seen_edge_on,
                         view::page_resolution(around.world, view) / view.cell,
+                        view::grid_resolution(view) / view.cell,
                         moved};
   const auto& edges = around.world.models[around.model].mesh->edges;
   check(is_tangent.empty() || is_tangent.size() == around.mesh().edges.size(), "every edge is tangent or not");

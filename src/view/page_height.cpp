@@ -8,10 +8,14 @@
 
 namespace epura::view {
 
-double page_resolution(const world::World& world, const ProjectedScene& view) {
+double grid_resolution(const ProjectedScene& view) {
   // Both ends of a line and the point compared with it were rounded to the grid.
-  constexpr double grid = 2;
-  const double resolution = std::max(grid * view.cell, world.rounding * view.map.normalisation * view.map.unit);
+  constexpr double cells = 2;
+  return cells * view.cell;
+}
+
+double page_resolution(const world::World& world, const ProjectedScene& view) {
+  const double resolution = std::max(grid_resolution(view), world.rounding * view.map.normalisation * view.map.unit);
   check(resolution > 0, "a page has a resolution");
   return resolution;
 }

@@ -8,8 +8,11 @@
 
 namespace epura::view {
 
-/// Returns the distance on the page (view units) below which the side of a line on which a point lies is uncertain: the
-/// resolution of the page grid or, if larger, the effect of rounding in the files.
+/// Returns the distance on the page (view units) below which the side of a line on which a point lies is uncertain
+/// because of the page grid.
+double grid_resolution(const ProjectedScene& view);
+
+/// Returns the same distance because of the page grid or, if larger, the effect of rounding in the files.
 double page_resolution(const world::World& world, const ProjectedScene& view);
 
 /// Returns the height of a triangle above its longest side on the page (view units); NaN if it extends behind the

@@ -303,6 +303,24 @@ TEST(SmoothContours, OfASphereIsACircle) {
   EXPECT_GT(shown.moved, 0);
 }
 
+// Rounded to five digits, facets across the contour are seen edge-on: it goes past them once, not on both sides.
+TEST(SmoothContours, OfABallOfRoundedVerticesGoAroundItOnce) {
+  for (const int sides : {96, 128, 256}) {
+    Profile profile = arc(1, sides / 2);
+    profile.front()[0] = profile.back()[0] = 0;
+    const auto mesh = std::make_shared<const mesh::Mesh>(mesh_of(revolved(profile, sides), 5));
+    const world::World world = recognised(world::make_world({{mesh, Mat4(1.0)}}));
+    ASSERT_NE(world.models[0].part, nullptr);
+    ASSERT_EQ(world.models[0].part->faces.size(), 1U);
+    view::ProjectedScene view = view::project_scene(world, orthographic({0.3, -0.8, 0.5}), {});
+    std::map<int, int> contours_at;
+    for (const edges::FeatureEdge& edge : edges::find_feature_edges(world, view, {}).edges)
+      for (const int v : edge.vertex) ++contours_at[v];
+    EXPECT_GE(static_cast<int>(contours_at.size()), sides);
+    for (const auto& [vertex, count] : contours_at) EXPECT_EQ(count, 2) << sides << ' ' << vertex;
+  }
+}
+
 // A shaft with a ball for its end, which meet in no crease: from any side, an end of a contour is drawn in one place,
 // that of the straight contour at the border.
 TEST(SmoothContours, OfABallBeginWhereThoseOfItsShaftEnd) {

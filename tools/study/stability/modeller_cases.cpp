@@ -133,7 +133,7 @@ std::vector<Case> modeller_cases() {
        {0, 0.1, 1.0 / 3, 10, 1e2, 1e3, 1e4, 1e5, 1e6},
        mirrored_half},
       {"M35", "cube with T-junctions around one face", "parts of an edge", {2, 3, 5, 7, 10, 11, 23, 100}, t_junctions},
-      {"M36", "sphere written with five digits", "meridians", {16, 20, 24, 32, 48, 64, 80, 96}, five_digits},
+      {"M36", "sphere written with five digits", "meridians", {16, 20, 24, 32, 48, 64, 96, 128}, five_digits},
   };
 }
 
