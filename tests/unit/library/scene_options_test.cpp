@@ -15,7 +15,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace epura::test {
+namespace epura::test::scene_options_test {
 namespace {
 
 const std::string bracket = EPURA_TEST_SAMPLES "/models/bracket.obj";
@@ -314,4 +314,4 @@ TEST(SceneOptions, DrawWhatSceneFilesDraw) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::scene_options_test
