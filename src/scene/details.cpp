@@ -8,6 +8,7 @@
 #include "base/largest_number.hpp"
 #include "base/text.hpp"
 #include "scene/cutting_plane.hpp"
+#include "scene/part_options.hpp"
 
 namespace epura::scene {
 
@@ -57,24 +58,18 @@ void expect_detail_view(const ViewDescription& view) {
                  "write one larger than its parent's, such as 5:1");
 }
 
-template <class Value>
-void inherit(Located<Value>& value, const Located<Value>& parents) {
-  if (!value.given()) value = parents;
-}
-
+// What the view does not say itself of its lines is as in its parent, which alone shows constructions.
 void inherit_from(const ViewDescription& parent, ViewDescription& view) {
+  const Options<ViewDescription> options = line_options();
+  ViewDescription lines;
+  overrule(lines, parent, options);
+  lines.construction = {};
+  lines.centre_of_gravity = {};
+  overrule(lines, view, options);
+  overrule(view, lines, options);
   view.projection = parent.projection;
   view.section = parent.section;
-  inherit(view.hidden, parent.hidden);
-  inherit(view.edges, parent.edges);
-  inherit(view.crease_angle, parent.crease_angle);
-  inherit(view.weak_crease_angle, parent.weak_crease_angle);
-  inherit(view.least_crease, parent.least_crease);
-  inherit(view.join_within, parent.join_within);
-  inherit(view.layers, parent.layers);
-  inherit(view.near, parent.near);
-  inherit(view.far, parent.far);
-  inherit(view.sheet, parent.sheet);
+  if (!view.sheet.given()) view.sheet = parent.sheet;
 }
 
 }  // namespace

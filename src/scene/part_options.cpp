@@ -196,9 +196,6 @@ Options<ExplodeDescription> explode_options() {
   };
 }
 
-namespace {
-
-// What is drawn of a view, and how.
 Options<ViewDescription> line_options() {
   using View = ViewDescription;
   return {
@@ -257,8 +254,6 @@ Options<ViewDescription> line_options() {
                    &View::far, any_number("")),
   };
 }
-
-}  // namespace
 
 Options<ViewDescription> view_options() {
   using View = ViewDescription;

@@ -42,6 +42,7 @@ Options<BrokenOutDescription> broken_out_options();
 Options<RevolvedDescription> revolved_options();
 Options<ExplodeDescription> explode_options();
 Options<ViewDescription> view_options();
+Options<ViewDescription> line_options();  ///< of views: what is drawn, and how
 Options<DimensionWords> dimension_options();
 Options<ThreadWords> thread_options();
 Options<CalloutWords> note_options();
