@@ -12,6 +12,7 @@
 #include "edges/find_edges.hpp"
 #include "features/recognise.hpp"
 #include "pipeline/annotations.hpp"
+#include "pipeline/view_plan.hpp"
 #include "world/facet_heights.hpp"
 
 namespace epura::pipeline {
@@ -50,7 +51,8 @@ double least_fold(const world::World& world, const scene::SceneDescription& scen
   }
   // Outlines of cut faces are those of surfaces, and so are arcs.
   const bool cut = !scene.sections.empty() || !scene.broken_outs.empty() || !scene.revolved.empty();
-  return cut || options.centre_lines || options.arcs || !scene.dimensions.empty() ? flat : std::max(least, flat);
+  return cut || has_centre_lines(scene, options) || options.arcs || !scene.dimensions.empty() ? flat
+                                                                                              : std::max(least, flat);
 }
 
 std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, std::optional<double> least,

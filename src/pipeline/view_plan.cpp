@@ -77,6 +77,10 @@ bool dimensions_features(const scene::SceneDescription& scene) {
                      [](const auto& dimension) { return dimension.type.value == DimensionType::automatic; });
 }
 
+bool has_centre_lines(const scene::SceneDescription& scene, const RunOptions& options) {
+  return options.centre_lines || dimensions_features(scene);
+}
+
 std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options) {
   const auto folders = projection::plugin_folders(options.plugin_path);
   std::map<std::string, projection::ProjectionEntry> found;  // views with the same projection share a process

@@ -25,6 +25,9 @@ bool dimensions_features(const scene::SceneDescription& scene);
 /// Throws Error{input}, or Error{plugin} for projections that do not exist.
 std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options);
 
+/// Whether a view has centre lines.
+bool has_centre_lines(const scene::SceneDescription& scene, const RunOptions& options);
+
 /// The views that are the plan and the elevation of an épura, by their numbers on the sheet.
 struct EpuraViews {
   std::size_t elevation, plan;
