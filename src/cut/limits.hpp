@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every tolerance, angle and ratio that decides something in this stage. Numbers have no unit unless said otherwise;
-// angles are told in degrees, those of constants by their sines and tangents, too.
+// angles are told in degrees, those of constants by their sines and tangents, too. What is parallel stands in
+// base/directions.hpp.
 #pragma once
 
 #include <cstddef>
+
+#include "base/directions.hpp"
 
 namespace epura::cut {
 
@@ -15,7 +18,6 @@ inline constexpr double rounding_of_path = 1e-9;  ///< of a path's corners, as a
 
 // Outlines on surfaces
 
-inline constexpr double tangent_sine = 1e-3;  ///< 0.06 degrees; outlines at a smaller angle do not cross clearly
 /// Tangent surfaces halve the distance with each step, others square it.
 inline constexpr int newton_steps = 40;
 

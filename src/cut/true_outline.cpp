@@ -100,7 +100,7 @@ class OutlineMover {
       const double apart = std::max(std::abs(a.distance), std::abs(b.distance));
       if (apart <= precise_) return point;
       const double turn = cross(a.gradient, b.gradient);
-      const bool touch = std::abs(turn) <= tangent_sine * glm::length(a.gradient) * glm::length(b.gradient);
+      const bool touch = std::abs(turn) <= told_apart_sine * glm::length(a.gradient) * glm::length(b.gradient);
       if (touch && apart <= part_.tolerance) return point;
       if (turn == 0) return std::nullopt;
       const Vec2 by = Vec2(b.distance * a.gradient.y - a.distance * b.gradient.y,

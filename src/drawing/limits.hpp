@@ -2,11 +2,13 @@
 // Every tolerance, angle and ratio that decides something in this stage. Lengths are millimetres on paper, other
 // numbers have no unit, unless said otherwise. *The distance* is that at which lines are one to a person
 // (NearLines::distance). Angles are told in degrees, those of constants in radians and by their sines and cosines, too.
+// What is parallel stands in base/directions.hpp.
 #pragma once
 
 #include <cstddef>
 
 #include "base/angle.hpp"
+#include "base/directions.hpp"
 
 namespace epura::drawing {
 
@@ -44,9 +46,6 @@ inline constexpr double on_one_line = 0.5;   ///< within it, a line goes back an
 
 // Directions
 
-inline constexpr double parallel_sine = 1e-6;  ///< 0.00006 degrees; but for rounding, a direction is the same
-/// 0.06 degrees; facets, and generators and lines that files round, do not tell closer directions apart.
-inline constexpr double told_apart_sine = 1e-3;
 inline constexpr double crossing_sine = 0.02;  ///< 1.1 degrees; at less, contours run along each other
 /// 25 degrees; at less, lines run along each other, as do facets of rims with eight or more corners.
 inline constexpr double along_cosine = 0.9063;

@@ -150,7 +150,7 @@ class ConvexityTest {
     if (over <= 0) return;
     const double areas = glm::length(glm::cross(along, left)) * glm::length(glm::cross(along, right));
     const double fold = over * glm::length(along) / areas;  // slightly more than its sine
-    if (!(fold <= most_fold)) return refute(body);
+    if (!(fold <= parallel_sine)) return refute(body);
     std::atomic_ref<std::uint64_t>(body.folds)
         .fetch_add(static_cast<std::uint64_t>(fold / fold_unit) + 1, std::memory_order_relaxed);
   }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What counts as flat, low, near and rounding where edges are found: the limits of this stage, by what they decide.
-// Angles are in degrees, beside the limit where inner loops compare a sine or a cosine. "World" is the size of the
+// Angles are in degrees, beside the limit where inner loops compare a sine or a cosine; what is parallel stands in
+// base/directions.hpp. "World" is the size of the
 // scene, about 1; "cells" are those of the page grid, "contacts" the distance at which bodies touch.
 #pragma once
 
 #include <cstddef>
+
+#include "base/directions.hpp"
 
 namespace epura::edges {
 
@@ -27,13 +30,11 @@ inline constexpr double least_contact = 1e-12;      ///< world: beside smaller c
 
 inline constexpr double flat_fold = 0.05;     ///< degrees: tolerates rounded coordinates
 inline constexpr double flatness = 0x1p-29;   ///< world: a triangle that deviates less lies in its neighbour's plane
-inline constexpr double most_fold = 1e-6;     ///< radians (6e-5 degrees): a greater inward fold is no rounding
 inline constexpr double fold_unit = 0x1p-60;  ///< radians: folds are summed as integers, in any order
 inline constexpr double step_angle = 30;      ///< degrees, between two walls that are faces of a step
 inline constexpr double nearly_parallel = 0.996;  ///< cosine of 5 degrees: sides across which a facet extends
 inline constexpr double least_crossing = 1e-9;    ///< radians (6e-8 degrees): nearer planes have no reliable line
 inline constexpr double along_projector = 1e-5;   ///< cosine of 90 - 6e-4 degrees: a face is seen edge-on
-inline constexpr double along_axis = 1e-6;        ///< sine of 6e-5 degrees: a thread is seen along its axis, or across
 inline constexpr double straight = 1e-9;          ///< bends (curvatures times a factor) this small are 0
 inline constexpr double join_contacts = 4;        ///< contacts: neighbours of one flat face are no farther off a plane
 inline constexpr double on_both = 1e-6;           ///< of the length of facets: a nearer point lies on both surfaces

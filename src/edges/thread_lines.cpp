@@ -43,8 +43,8 @@ class ThreadLines {
 
   void add(const SeenThread& thread) {
     const Vec3& n = view_.projection.n;
-    const bool is_along = glm::length(glm::cross(n, thread.axis())) <= along_axis;
-    if (!is_along && std::abs(glm::dot(n, thread.axis())) > along_axis) return;
+    const bool is_along = glm::length(glm::cross(n, thread.axis())) <= parallel_sine;
+    if (!is_along && std::abs(glm::dot(n, thread.axis())) > parallel_sine) return;
     const BodyAxis axis{thread.round.at(0), thread.axis()};
     const MaterialAlong material(world_, thread.model, thread.triangle, axis, std::min(thread.root, thread.crest()));
     if (is_along)
@@ -228,7 +228,7 @@ bool is_orthographic(const projection::Projection& projection) {
 }
 
 bool is_along(const projection::Projection& projection, const SeenThread& thread) {
-  return glm::length(glm::cross(projection.n, thread.axis())) <= along_axis;
+  return glm::length(glm::cross(projection.n, thread.axis())) <= parallel_sine;
 }
 
 // Calls `visit(model, part, thread)` for the threads of a world, and `done(model, part)` after those of each model.
