@@ -123,7 +123,7 @@ std::optional<Fit> Line::along(const Ellipse& ellipse, const std::vector<Vec2>& 
   // Corners of a curve are evenly spaced, in angle or by their chords' deviation. An ellipse also passes through the
   // corners of a small fillet and the far ends of the straight lines beside it.
   if (!is_known && fit.rise > tolerance && !is_even(steps) && !is_even(rises)) return std::nullopt;
-  return std::abs(fit.sweep) <= 2 * std::numbers::pi + rounding_of_turn ? std::optional(fit) : std::nullopt;
+  return std::abs(fit.sweep) <= 2 * std::numbers::pi + on_line_part ? std::optional(fit) : std::nullopt;
 }
 
 std::optional<Fit> Line::fit_known(int first, int last) const {
@@ -151,7 +151,7 @@ std::optional<Fit> Line::fit(int first, int last) const {
   std::optional<Fit> found = fit_known(first, last);
   if (!found) found = fit_any(first, last);
   const bool whole = chain.closed && last - first == size();
-  const bool round = found && std::abs(std::abs(found->sweep) - 2 * std::numbers::pi) < rounding_of_turn;
+  const bool round = found && std::abs(std::abs(found->sweep) - 2 * std::numbers::pi) < on_line_part;
   return found && round == whole ? found : std::nullopt;
 }
 

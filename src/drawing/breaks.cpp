@@ -219,7 +219,7 @@ bool LeftOut::is_between() const { return !std::isinf(from) && !std::isinf(to); 
 bool Breaks::keeps(const Vec2& p) const {
   for (const int axis : {0, 1})
     for (const LeftOut& strip : along[axis])
-      if (p[axis] > strip.from + beside_break && p[axis] < strip.to - beside_break) return false;
+      if (p[axis] > strip.from + on_line_mm && p[axis] < strip.to - on_line_mm) return false;
   return true;
 }
 

@@ -171,7 +171,7 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
 }
 
 void chain_lines(ViewDrawing& drawing, const Progress& progress) {
-  drawing.chains = chain_segments(drawing.segments, straight_mm, {drawing.coincident, drawing.unseen}, progress);
+  drawing.chains = chain_segments(drawing.segments, on_line_mm, {drawing.coincident, drawing.unseen}, progress);
   if (!(drawing.unseen > drawing.coincident)) return;
   // Ink that crosses a gap has other ink within the gap.
   const double gap = widest_gap(drawing);
@@ -183,7 +183,7 @@ bool drop_short_creases(ViewDrawing& drawing, double least) {
     return chain.kind == EdgeKind::crease && !chain.closed && length_of(chain) < least;
   };
   if (std::none_of(drawing.chains.begin(), drawing.chains.end(), is_short)) return false;
-  const LinesThere lines(drawing, std::max({drawing.coincident, drawing.unseen, straight_mm}));
+  const LinesThere lines(drawing, std::max({drawing.coincident, drawing.unseen, on_line_mm}));
   std::vector<char> dropped(drawing.segments.size(), 0);
   for (std::size_t c = 0; c < drawing.chains.size(); ++c) {
     const Chain& chain = drawing.chains[c];

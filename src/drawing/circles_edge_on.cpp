@@ -44,7 +44,7 @@ struct CircleEdgeOn {
   }
   [[nodiscard]] double size() const { return std::max(glm::length(u), glm::length(v)); }
   [[nodiscard]] bool is_one_with(const CircleEdgeOn& other) const {
-    const double most = same_circle * size();
+    const double most = on_line_part * size();
     return glm::distance(centre, other.centre) <= most && std::abs(glm::length(u) - glm::length(other.u)) <= most &&
            std::abs(glm::length(v) - glm::length(other.v)) <= most;
   }

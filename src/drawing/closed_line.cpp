@@ -130,14 +130,14 @@ std::optional<std::array<double, 2>> part_in(const std::array<Vec2, 3>& triangle
   return part[0] < part[1] ? std::optional(part) : std::nullopt;
 }
 
-// The union of intervals between 0 and 1. Rounding separates neighbouring triangles by less than `between_triangles`.
+// The union of intervals between 0 and 1. Rounding separates neighbouring triangles by less than `on_line_part`.
 std::vector<std::array<double, 2>> joined(std::vector<std::array<double, 2>> parts) {
   std::sort(parts.begin(), parts.end());
   std::vector<std::array<double, 2>> all;
   for (const std::array<double, 2>& part : parts) {
-    if (all.empty() || part[0] > all.back()[1] + between_triangles)
-      all.push_back({part[0] <= between_triangles ? 0 : part[0], part[1]});
-    all.back()[1] = std::max(all.back()[1], part[1] >= 1 - between_triangles ? 1 : part[1]);
+    if (all.empty() || part[0] > all.back()[1] + on_line_part)
+      all.push_back({part[0] <= on_line_part ? 0 : part[0], part[1]});
+    all.back()[1] = std::max(all.back()[1], part[1] >= 1 - on_line_part ? 1 : part[1]);
   }
   return all;
 }

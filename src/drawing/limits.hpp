@@ -16,20 +16,18 @@ namespace epura::drawing {
 
 inline constexpr double rounding_mm = 1e-9;    ///< about what the rounding of positions on a sheet amounts to
 inline constexpr double rounding_part = 1e-9;  ///< the same of lengths, parameters and sines, relative
-inline constexpr double on_line_mm = 1e-6;     ///< between a line and itself, computed in another way
-inline constexpr double straight_mm = 1e-6;  ///< corners of chains that are no farther off a straight line are left out
-/// Points this close to a limit of a broken view are drawn. mm, or the unit of the world before there is a scale.
-inline constexpr double beside_break = 1e-6;
-/// Parts of a line in neighbouring triangles are no farther apart by rounding, as a part of the line.
-inline constexpr double between_triangles = 1e-6;
+/// Between a line and itself, computed in another way. Corners of chains that are no farther off a straight line are
+/// left out, and points as close to a limit of a broken view are drawn (there, the unit of the world if there is no
+/// scale yet).
+inline constexpr double on_line_mm = 1e-6;
+/// The same of lengths and turns, relative: of circles that are one, of parts of a line in neighbouring triangles, of a
+/// search for lines that are parts of others.
+inline constexpr double on_line_part = 1e-6;
 /// A displacement that separates corners of areas: far below what a drawing shows, and above rounding_mm.
 inline constexpr double aside_mm = 1e-8;
 inline constexpr double settled_mm = 1e-11;        ///< last step towards a crossing of curves
-inline constexpr double same_circle = 1e-6;        ///< between circles that are one, relative to their size
 inline constexpr double on_rim = 1e-12;            ///< radians, 6e-11 degrees; or the part of a chord
 inline constexpr double places_on_a_circle = 1e9;  ///< chords that end in the same ones are one, seen edge-on
-/// A glance reaches so much farther than the search, whose lines are parts of pieces, and rounded.
-inline constexpr double glance_margin = 1e-6;
 /// The part of what counts as touching to which a node lies on its surfaces.
 inline constexpr double node_precision = 0.01;
 /// Ends at a node differ by a few times what counts as touching: what hides the rest of a contour is in front of it by
@@ -102,7 +100,6 @@ inline constexpr double least_turn_of_arc = 30 * degree;    ///< of the shortest
 inline constexpr double most_step = 30.001 * degree;        ///< between corners of an arc
 inline constexpr double most_known_step = 90.001 * degree;  ///< between corners of a known circle
 inline constexpr double most_turn_of_chord = 90 * degree;   ///< a piece that turns farther is no chord of a rim
-inline constexpr double rounding_of_turn = 1e-6;            ///< radians, 0.00006 degrees: an arc turns once
 inline constexpr double most_uneven = 3;                    ///< largest step of an arc over the usual one
 inline constexpr double much_better = 5;                    ///< how much closer an ellipse than a circle must be
 inline constexpr double part_if_exact = 0.1;                ///< of the tolerance: lines on crossings of surfaces

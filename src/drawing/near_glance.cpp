@@ -77,7 +77,7 @@ void NearGlance::find_last_along(const AlongLimits& limits, const Progress& prog
       seen[line_of(members_[turn].end)] = {{static_cast<float>(d.x), static_cast<float>(d.y)}, static_cast<int>(turn)};
     }
   });
-  const double distance = limits.distance * (1 + glance_margin), least = limits.touching * (1 - glance_margin);
+  const double distance = limits.distance * (1 + on_line_part), least = limits.touching * (1 - on_line_part);
   const search::CellGrid grid = search::grid_over_lines(
       pieces, {cells_a_piece * static_cast<double>(pieces.size()) + 1, 4 * distance, cuts_a_piece, HUGE_VAL});
   // In the order of pieces, since neighbours in that order mostly lie side by side.
@@ -101,9 +101,9 @@ void NearGlance::find_last_along(const AlongLimits& limits, const Progress& prog
   });
   const auto run_along = [&](const Piece& piece, const Vec2& direction, int other) {
     const Vec2 facing(seen[other].direction[0], seen[other].direction[1]), step = piece.to - piece.from;
-    if (std::abs(glm::dot(direction, facing)) < along_cosine - glance_margin) return false;
+    if (std::abs(glm::dot(direction, facing)) < along_cosine - on_line_part) return false;
     const std::array line{pieces[other].from - piece.from, pieces[other].to - piece.from};
-    const Range range = Beside(direction, step, line, distance, steepest_along + glance_margin).range;
+    const Range range = Beside(direction, step, line, distance, steepest_along + on_line_part).range;
     return (range[1] - range[0]) * glm::length(step) > least;
   };
   visit_pieces([&](int piece) {

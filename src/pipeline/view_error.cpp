@@ -279,7 +279,7 @@ report::ViewError error_of_view(const ViewToJudge& judged, const drawing::CurveR
   judge.add_cusps(error);
   error[ErrorTerm::file] = condition.moved_by_files * size;
   error[ErrorTerm::map] = condition.number * rounding * size;
-  error[ErrorTerm::grid] = judged.drawing.coincident + drawing::straight_mm;
+  error[ErrorTerm::grid] = judged.drawing.coincident + drawing::on_line_mm;
   error[ErrorTerm::hiding] = hides ? guaranteed_part * size : 0;
   error[ErrorTerm::merging] = judged.drawing.joined_within;
   error[ErrorTerm::curves] = curves.deviation + curves.bulge;
