@@ -99,7 +99,7 @@ FeatureEdges edges_of_meshes(const world::World& world, view::ProjectedScene& vi
 void check_sound(const FeatureEdges& drawn, const view::ProjectedScene& view) {
   const auto vertices = static_cast<int>(view.vertices.size()), crossings = static_cast<int>(drawn.crossings.size());
   const auto is_vertex = [&](int v) { return v >= 0 && v < vertices; };
-  const auto is_part = [](double t) { return t >= -parameter_rounding && t <= 1 + parameter_rounding; };
+  const auto is_part = [](double t) { return t >= -rounding_part && t <= 1 + rounding_part; };
   int model = 0;
   for (const FeatureEdge& edge : drawn.edges) {
     check(is_vertex(edge.vertex[0]) && is_vertex(edge.vertex[1]), "an edge ends at vertices of the view");

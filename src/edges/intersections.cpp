@@ -85,7 +85,7 @@ class Crossings {
     if (stays_apart(second, planes_[first]) || stays_apart(first, planes_[second])) return std::nullopt;
     if (!boxes_overlap(box(first), box(second))) return std::nullopt;
     Vec3 along = glm::cross(planes_[first].normal, planes_[second].normal);
-    if (glm::length(along) < least_crossing) return std::nullopt;
+    if (glm::length(along) < rounding_part) return std::nullopt;
     if (glm::dot(along, usual_way) < 0) along = -along;
     const auto one = cut(first, planes_[second]);
     if (!one) return std::nullopt;

@@ -22,9 +22,11 @@ inline constexpr double normal_rounding = 0x1p-49;  ///< of a unit normal, times
 /// Of the distance between a plane and a point of about unit size.
 inline constexpr double distance_rounding = 0x1p-50;
 inline constexpr double angle_rounding = 1e-6;  ///< degrees: of an N-sided prism, all or no edges are creases at 360/N
-inline constexpr double place_rounding = 0x1p-40;   ///< relative: a vertex of a cut farther off its edge was moved
-inline constexpr double parameter_rounding = 1e-9;  ///< of 0 to 1 along an edge
-inline constexpr double least_contact = 1e-12;      ///< world: beside smaller contacts, rounding of points matters
+inline constexpr double place_rounding = 0x1p-40;  ///< relative: a vertex of a cut farther off its edge was moved
+/// Of parameters from 0 to 1 along an edge, of bends (curvatures times a factor), and of sines of the angle between
+/// planes, which have no reliable line in common at less (6e-8 degrees).
+inline constexpr double rounding_part = 1e-9;
+inline constexpr double least_contact = 1e-12;  ///< world: beside smaller contacts, rounding of points matters
 
 // Which folds are flat, which directions parallel or edge-on.
 
@@ -33,9 +35,7 @@ inline constexpr double flatness = 0x1p-29;   ///< world: a triangle that deviat
 inline constexpr double fold_unit = 0x1p-60;  ///< radians: folds are summed as integers, in any order
 inline constexpr double step_angle = 30;      ///< degrees, between two walls that are faces of a step
 inline constexpr double nearly_parallel = 0.996;  ///< cosine of 5 degrees: sides across which a facet extends
-inline constexpr double least_crossing = 1e-9;    ///< radians (6e-8 degrees): nearer planes have no reliable line
 inline constexpr double along_projector = 1e-5;   ///< cosine of 90 - 6e-4 degrees: a face is seen edge-on
-inline constexpr double straight = 1e-9;          ///< bends (curvatures times a factor) this small are 0
 inline constexpr double join_contacts = 4;        ///< contacts: neighbours of one flat face are no farther off a plane
 inline constexpr double on_both = 1e-6;           ///< of the length of facets: a nearer point lies on both surfaces
 

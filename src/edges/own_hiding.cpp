@@ -71,7 +71,7 @@ void judge_own_hiding(const features::PartFace& face, const std::array<Vec3, 2>&
   const double from = outwards * bend_of(face.surface, ends[0], views[0]);
   const double to = outwards * bend_of(face.surface, ends[1], views[1]);
   const bool is_torus = is_ring_torus(face.surface);
-  if (!contour.by_chance && std::min(from, to) > -straight && std::max(from, to) > straight)
+  if (!contour.by_chance && std::min(from, to) > -rounding_part && std::max(from, to) > rounding_part)
     // Facets are nearer to this contour than to where the projector meets the surface again.
     contour.clear = is_torus ? static_cast<float>(way_to_torus(face.surface, ends, views) / 2) : HUGE_VALF;
   if (!is_torus || (from >= 0 && to >= 0)) return;
