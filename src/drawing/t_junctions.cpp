@@ -106,36 +106,17 @@ search::Bounds<2> box_around(const Vec2& a, const Vec2& b, double margin) {
   return {{{low.x, high.x}, {low.y, high.y}}};
 }
 
-class TJunctions {
+const Vec2& end_of(const Piece& piece, std::size_t end) { return end == 0 ? piece.from : piece.to; }
+
+/// The pieces of contours, as they follow each other.
+class ContourPieces {
  public:
-  TJunctions(const visibility::ResolvedView& lines, const view::PaperMap& paper, std::vector<Piece>& pieces)
-      : lines_(lines),
-        paper_(paper),
-        pieces_(pieces),
-        ways_(lines, pieces),
-        settled_(pieces.size(), {false, false}),
-        changed_(pieces.size(), 0) {}
+  ContourPieces(const visibility::ResolvedView& lines, const view::PaperMap& paper, const std::vector<Piece>& pieces)
+      : lines_(lines), paper_(paper), pieces_(pieces), ways_(lines, pieces) {}
 
-  std::vector<SettledEnds> move() {
-    const std::vector<Step> ends = hidden_ends();
-    if (ends.empty()) return settled_;
-    find_lines_near(ends);
-    std::vector<std::optional<Change>> changes(ends.size());
-    parallel_for(ends.size(), 64, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) changes[i] = change_at(ends[i]);
-    });
-    for (const auto& change : changes)
-      if (change) apply(*change);
-    insert_added();
-    return std::move(settled_);
-  }
+  [[nodiscard]] const Piece& piece(const Step& step) const { return pieces_[step.piece]; }
 
- private:
-  [[nodiscard]] static const Vec2& end_of(const Piece& piece, std::size_t end) {
-    return end == 0 ? piece.from : piece.to;
-  }
-
-  // The visible pieces that end where something hides the rest of their edge, with that end ahead.
+  /// The visible pieces that end where something hides the rest of their edge, with that end ahead.
   [[nodiscard]] std::vector<Step> hidden_ends() const {
     std::vector<Step> ends;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
@@ -144,26 +125,7 @@ class TJunctions {
     return ends;
   }
 
-  // How far a change is moved at most.
-  [[nodiscard]] double reach(const Step& visible) const { return crossing_within * moved(pieces_[visible.piece]); }
-
-  void find_lines_near(const std::vector<Step>& ends) {
-    const search::BoundsTree<2> wanted(ends.size(), [&](std::size_t i) {
-      const Vec2& end = end_of(pieces_[ends[i].piece], ends[i].ahead);
-      return box_around(end, end, reach(ends[i]));
-    });
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (!pieces_[i].visible) continue;
-      wanted.visit(box_around(pieces_[i].from, pieces_[i].to, 0), [&](std::size_t) {
-        near_.push_back(i);
-        return false;
-      });
-    }
-    near_tree_ = search::BoundsTree<2>(
-        near_.size(), [&](std::size_t i) { return box_around(pieces_[near_[i]].from, pieces_[near_[i]].to, 0); });
-  }
-
-  // The piece after a step; nothing where the contour ends or branches, or has pieces that are left out.
+  /// The piece after a step; nothing where the contour ends or branches, or has pieces that are left out.
   [[nodiscard]] std::optional<Step> after(const Step& step) const {
     const Piece& piece = pieces_[step.piece];
     const double s = piece.s[step.ahead];
@@ -180,17 +142,7 @@ class TJunctions {
     return begins == (way->ahead == 1 ? 0 : 1) ? std::optional(Step{next, way->ahead}) : std::nullopt;
   }
 
-  [[nodiscard]] Vec2 along(const Step& step) const {
-    const Piece& piece = pieces_[step.piece];
-    return end_of(piece, step.ahead) - end_of(piece, 1 - step.ahead);
-  }
-
-  // Contours of facets go back and forth where those of the surface do not.
-  [[nodiscard]] bool turns_back(const Step& step, const Step& next) const {
-    return glm::dot(along(step), along(next)) < 0;
-  }
-
-  // The steps from one on, as long as they are as visible as that, and go on.
+  /// The steps from one on, as long as they are as visible as that, and go on.
   [[nodiscard]] std::vector<Step> walk(const Step& from) const {
     std::vector<Step> steps{from};
     while (steps.size() < most_walked) {
@@ -204,6 +156,20 @@ class TJunctions {
     return steps;
   }
 
+  /// How far a change is moved at most.
+  [[nodiscard]] double reach(const Step& visible) const { return crossing_within * moved(pieces_[visible.piece]); }
+
+ private:
+  [[nodiscard]] Vec2 along(const Step& step) const {
+    const Piece& piece = pieces_[step.piece];
+    return end_of(piece, step.ahead) - end_of(piece, 1 - step.ahead);
+  }
+
+  // Contours of facets go back and forth where those of the surface do not.
+  [[nodiscard]] bool turns_back(const Step& step, const Step& next) const {
+    return glm::dot(along(step), along(next)) < 0;
+  }
+
   // Whether a visible piece of a moved contour goes on as a hidden one; not at a cusp, where the surface itself hides
   // it.
   [[nodiscard]] bool is_hidden_beyond(const Step& visible) const {
@@ -213,6 +179,69 @@ class TJunctions {
     return next && !pieces_[next->piece].visible && edge_of(lines_, pieces_[next->piece]).hollow == 0;
   }
 
+  // By how much the ends of an edge are drawn beside those in the mesh.
+  [[nodiscard]] double moved(const Piece& piece) const {
+    Piece edge = piece;
+    edge.s = {0, 1};
+    double most = 0;
+    for (const std::size_t end : {0, 1}) {
+      const Vec2 drawn = position_on_paper(lines_.view, paper_, edge_of(lines_, piece), edge.s[end]);
+      most = std::max(most, glm::distance(drawn, in_mesh(lines_, paper_, edge, end)));
+    }
+    return most;
+  }
+
+  const visibility::ResolvedView& lines_;
+  const view::PaperMap& paper_;
+  const std::vector<Piece>& pieces_;
+  ContourWays ways_;
+};
+
+/// Visible lines near changes between visible and hidden, which may cross the contours there in front of them.
+class LinesInFront {
+ public:
+  LinesInFront(const visibility::ResolvedView& lines, const view::PaperMap& paper, const std::vector<Piece>& pieces)
+      : lines_(lines), paper_(paper), pieces_(pieces) {}
+
+  /// Takes note of the lines that are near the ends of visible pieces.
+  void find_near(const std::vector<Step>& ends, const ContourPieces& contours) {
+    const search::BoundsTree<2> wanted(ends.size(), [&](std::size_t i) {
+      const Vec2& end = end_of(pieces_[ends[i].piece], ends[i].ahead);
+      return box_around(end, end, contours.reach(ends[i]));
+    });
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (!pieces_[i].visible) continue;
+      wanted.visit(box_around(pieces_[i].from, pieces_[i].to, 0), [&](std::size_t) {
+        near_.push_back(i);
+        return false;
+      });
+    }
+    near_tree_ = search::BoundsTree<2>(
+        near_.size(), [&](std::size_t i) { return box_around(pieces_[near_[i]].from, pieces_[near_[i]].to, 0); });
+  }
+
+  /// Returns where along a piece visible lines in front of it first cross it as drawn.
+  [[nodiscard]] std::optional<Crossing> crossing_of(const Step& step) const {
+    const Piece& own = pieces_[step.piece];
+    const Vec2 from = end_of(own, 1 - step.ahead), along = end_of(own, step.ahead) - from;
+    Crossing first;
+    near_tree_.visit(box_around(own.from, own.to, 0), [&](std::size_t number) {
+      const Piece& other = pieces_[near_[number]];
+      if (are_joined(own, other)) return true;
+      const Vec2 across = other.to - other.from, way = other.from - from;
+      const double area = cross(along, across);
+      if (!(std::abs(area) > crossing_sine * glm::length(along) * glm::length(across))) return true;
+      const double t = cross(way, across) / area, u = cross(way, along) / area;
+      if (!(t >= 0 && t < first.t && t <= 1 && u >= 0 && u <= 1)) return true;
+      if (depth_at(other, u) > depth_at(own, step.ahead == 1 ? t : 1 - t))
+        first = {t, other.kind == EdgeKind::contour || other.kind == EdgeKind::boundary,
+                 surface_side(other) * (area < 0 ? 1 : -1)};
+      return true;
+    });
+    return first.t <= 1 ? std::optional(first) : std::nullopt;
+  }
+
+ private:
   // Whether two pieces are of one edge, or their edges meet in a vertex.
   [[nodiscard]] bool are_joined(const Piece& a, const Piece& b) const {
     const auto &p = edge_of(lines_, a).vertex, &q = edge_of(lines_, b).vertex;
@@ -249,34 +278,42 @@ class TJunctions {
     return !is_seen ? 0 : side > 0 ? 1 : side < 0 ? -1 : 0;
   }
 
-  // Returns where along a piece visible lines in front of it first cross it as drawn.
-  [[nodiscard]] std::optional<Crossing> crossing_of(const Step& step) const {
-    const Piece& own = pieces_[step.piece];
-    const Vec2 from = end_of(own, 1 - step.ahead), along = end_of(own, step.ahead) - from;
-    Crossing first;
-    near_tree_.visit(box_around(own.from, own.to, 0), [&](std::size_t number) {
-      const Piece& other = pieces_[near_[number]];
-      if (are_joined(own, other)) return true;
-      const Vec2 across = other.to - other.from, way = other.from - from;
-      const double area = cross(along, across);
-      if (!(std::abs(area) > crossing_sine * glm::length(along) * glm::length(across))) return true;
-      const double t = cross(way, across) / area, u = cross(way, along) / area;
-      if (!(t >= 0 && t < first.t && t <= 1 && u >= 0 && u <= 1)) return true;
-      if (depth_at(other, u) > depth_at(own, step.ahead == 1 ? t : 1 - t))
-        first = {t, other.kind == EdgeKind::contour || other.kind == EdgeKind::boundary,
-                 surface_side(other) * (area < 0 ? 1 : -1)};
-      return true;
-    });
-    return first.t <= 1 ? std::optional(first) : std::nullopt;
+  const visibility::ResolvedView& lines_;
+  const view::PaperMap& paper_;
+  const std::vector<Piece>& pieces_;
+  std::vector<std::size_t> near_;  ///< visible pieces near the ends, and a tree over them
+  search::BoundsTree<2> near_tree_;
+};
+
+/// Looks for the place of a change between visible and hidden, along a contour as it is drawn.
+class ChangeSearch {
+ public:
+  ChangeSearch(const ContourPieces& contours, const LinesInFront& in_front)
+      : contours_(contours), in_front_(in_front) {}
+
+  /// Returns how a change at the end of a visible piece moves; nothing if it stays.
+  [[nodiscard]] std::optional<Change> change_at(const Step& visible) const {
+    const auto hidden = contours_.after(visible);
+    const auto onwards = crossing_along(*hidden, contours_.reach(visible));
+    const auto back = crossing_along({visible.piece, 1 - visible.ahead}, contours_.reach(visible));
+    const bool goes_on = onwards && (!back || onwards->distance <= back->distance);
+    std::optional<Change> change = goes_on ? onwards : back;
+    if (!change) change = covered_along(visible, *hidden, contours_.reach(visible));
+    if (change) {
+      change->visible = visible;
+      change->hidden = *hidden;
+    }
+    return change;
   }
 
+ private:
   // The pieces from a step on that nothing crosses, all as visible as that, and what crosses the one after them;
   // nothing if they are longer than `farthest`.
   [[nodiscard]] std::optional<Search> search_along(const Step& from, double farthest) const {
     Search search;
-    for (const Step& step : walk(from)) {
-      const double length = length_of(pieces_[step.piece]);
-      search.crossing = crossing_of(step);
+    for (const Step& step : contours_.walk(from)) {
+      const double length = length_of(contours_.piece(step));
+      search.crossing = in_front_.crossing_of(step);
       search.distance += search.crossing ? search.crossing->t * length : length;
       if (search.distance > farthest) return std::nullopt;
       if (search.crossing) {
@@ -291,8 +328,8 @@ class TJunctions {
 
   // Whether a search ended at a piece that is as visible as wanted.
   [[nodiscard]] bool ends_at(const Search& search, bool visible) const {
-    const auto next = search.crossing ? std::nullopt : after(search.passed.back());
-    return next && pieces_[next->piece].visible == visible;
+    const auto next = search.crossing ? std::nullopt : contours_.after(search.passed.back());
+    return next && contours_.piece(*next).visible == visible;
   }
 
   // Looks for the first outline that crosses the contour from a step on: a hidden way leads into the surface that hides
@@ -300,13 +337,13 @@ class TJunctions {
   // alone.
   [[nodiscard]] std::optional<Change> crossing_along(const Step& from, double farthest) const {
     const auto search = search_along(from, farthest);
-    const bool visible = pieces_[from.piece].visible;
+    const bool visible = contours_.piece(from).visible;
     if (!search) return std::nullopt;
     Change change{.turned = search->passed, .distance = search->distance};
     if (!search->crossing) return !visible && ends_at(*search, true) ? std::optional(change) : std::nullopt;
     const int inwards = visible ? -1 : 1;
     if (!search->crossing->is_outline || search->crossing->covered == -inwards) return std::nullopt;
-    const Piece& piece = pieces_[search->crossed.piece];
+    const Piece& piece = contours_.piece(search->crossed);
     const std::size_t ahead = search->crossed.ahead;
     change.last = search->crossed;
     change.s = piece.s[1 - ahead] + search->crossing->t * (piece.s[ahead] - piece.s[1 - ahead]);
@@ -324,38 +361,23 @@ class TJunctions {
     return Change{.turned = back->passed, .distance = back->distance};
   }
 
-  // By how much the ends of an edge are drawn beside those in the mesh.
-  [[nodiscard]] double moved(const Piece& piece) const {
-    Piece edge = piece;
-    edge.s = {0, 1};
-    double most = 0;
-    for (const std::size_t end : {0, 1}) {
-      const Vec2 drawn = position_on_paper(lines_.view, paper_, edge_of(lines_, piece), edge.s[end]);
-      most = std::max(most, glm::distance(drawn, in_mesh(lines_, paper_, edge, end)));
-    }
-    return most;
-  }
+  const ContourPieces& contours_;
+  const LinesInFront& in_front_;
+};
 
-  [[nodiscard]] std::optional<Change> change_at(const Step& visible) const {
-    const auto hidden = after(visible);
-    const auto onwards = crossing_along(*hidden, reach(visible));
-    const auto back = crossing_along({visible.piece, 1 - visible.ahead}, reach(visible));
-    const bool goes_on = onwards && (!back || onwards->distance <= back->distance);
-    std::optional<Change> change = goes_on ? onwards : back;
-    if (!change) change = covered_along(visible, *hidden, reach(visible));
-    if (change) {
-      change->visible = visible;
-      change->hidden = *hidden;
-    }
-    return change;
-  }
+/// Turns pieces where changes move, and divides them there.
+class TurnedPieces {
+ public:
+  TurnedPieces(const visibility::ResolvedView& lines, const view::PaperMap& paper, std::vector<Piece>& pieces,
+               const ContourPieces& contours)
+      : lines_(lines),
+        paper_(paper),
+        pieces_(pieces),
+        contours_(contours),
+        settled_(pieces.size(), {false, false}),
+        changed_(pieces.size(), 0) {}
 
-  void settle(std::size_t piece, std::size_t end) {
-    check(piece < settled_.size() && end < 2, "a piece has two ends");
-    settled_[piece][end] = true;
-  }
-
-  // What was turned before, from the other side, stays.
+  /// What was turned before, from the other side, stays.
   void apply(const Change& change) {
     const auto is_changed = [&](const Step& step) { return changed_[step.piece] != 0; };
     if (std::any_of(change.turned.begin(), change.turned.end(), is_changed)) return;
@@ -365,13 +387,25 @@ class TJunctions {
     settle(change.hidden.piece, 1 - change.hidden.ahead);
     if (change.last)
       divide(*change.last, change.s);
-    else if (const auto beyond = after(change.turned.back()))
+    else if (const auto beyond = contours_.after(change.turned.back()))
       settle(beyond->piece, 1 - beyond->ahead);
     for (const Step& step : change.turned) {
       changed_[step.piece] = 1;
       pieces_[step.piece].visible = !pieces_[step.piece].visible;
       for (const std::size_t end : {0, 1}) settle(step.piece, end);
     }
+  }
+
+  /// Puts what was divided off in its place, and returns which ends are settled.
+  std::vector<SettledEnds> finish() {
+    insert_added();
+    return std::move(settled_);
+  }
+
+ private:
+  void settle(std::size_t piece, std::size_t end) {
+    check(piece < settled_.size() && end < 2, "a piece has two ends");
+    settled_[piece][end] = true;
   }
 
   // The part of a piece up to a place on its edge turns.
@@ -420,9 +454,7 @@ class TJunctions {
   const visibility::ResolvedView& lines_;
   const view::PaperMap& paper_;
   std::vector<Piece>& pieces_;
-  ContourWays ways_;
-  std::vector<std::size_t> near_;  ///< visible pieces near the ends, and a tree over them
-  search::BoundsTree<2> near_tree_;
+  const ContourPieces& contours_;
   std::vector<SettledEnds> settled_;
   std::vector<char> changed_;  ///< by piece
   std::vector<Added> added_;
@@ -434,7 +466,20 @@ std::vector<SettledEnds> move_t_junctions(const visibility::ResolvedView& lines,
                                           std::vector<Piece>& pieces) {
   const auto& edges = lines.drawn.edges;
   if (std::none_of(edges.begin(), edges.end(), is_moved)) return std::vector<SettledEnds>(pieces.size());
-  return TJunctions(lines, paper, pieces).move();
+  const ContourPieces contours(lines, paper, pieces);
+  const std::vector<Step> ends = contours.hidden_ends();
+  if (ends.empty()) return std::vector<SettledEnds>(pieces.size());
+  LinesInFront in_front(lines, paper, pieces);
+  in_front.find_near(ends, contours);
+  const ChangeSearch search(contours, in_front);
+  std::vector<std::optional<Change>> changes(ends.size());
+  parallel_for(ends.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) changes[i] = search.change_at(ends[i]);
+  });
+  TurnedPieces turned(lines, paper, pieces, contours);
+  for (const auto& change : changes)
+    if (change) turned.apply(*change);
+  return turned.finish();
 }
 
 }  // namespace epura::drawing
