@@ -9,6 +9,7 @@
 
 #include "base/vec.hpp"
 #include "mesh/simple_rings.hpp"
+#include "search/line_cells.hpp"
 
 namespace epura::mesh {
 
@@ -50,17 +51,8 @@ bool is_fan(const std::vector<Vec2>& p) {
 /// The remaining corners of a polygon, by square cell.
 class CornerGrid {
  public:
-  explicit CornerGrid(const std::vector<Vec2>& places) : p_(places), least_(places.front()) {
-    Vec2 max = least_;
-    for (const Vec2& p : places) {
-      least_ = glm::min(least_, p);
-      max = glm::max(max, p);
-    }
-    const Vec2 size = max - least_;
-    const double count = static_cast<double>(places.size());
-    side_ = std::max({std::sqrt(size.x * size.y / count), size.x / count, size.y / count});
-    columns_ = column(max.x) + 1;
-    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(row(max.y) + 1));
+  explicit CornerGrid(const std::vector<Vec2>& places) : p_(places), grid_(grid_over(places)) {
+    cells_.resize(static_cast<std::size_t>(grid_.count()));
     for (int i = 0; i < static_cast<int>(places.size()); ++i) cell_of(i).push_back(i);
   }
 
@@ -69,26 +61,34 @@ class CornerGrid {
   /// Whether `is(corner)` holds for a corner in a box; corners near the box may be tested as well.
   template <class Is>
   [[nodiscard]] bool any_in(const Vec2& min, const Vec2& max, const Is& is) const {
-    for (int y = row(min.y); y <= row(max.y); ++y)
-      for (int x = column(min.x); x <= column(max.x); ++x) {
-        const std::vector<int>& corners = cells_[cell(x, y)];
+    for (int y = grid_.row(min.y); y <= grid_.row(max.y); ++y)
+      for (int x = grid_.column(min.x); x <= grid_.column(max.x); ++x) {
+        const std::vector<int>& corners = cells_[grid_.cell(x, y)];
         if (std::any_of(corners.begin(), corners.end(), is)) return true;
       }
     return false;
   }
 
  private:
-  [[nodiscard]] int column(double x) const { return side_ > 0 ? static_cast<int>((x - least_.x) / side_) : 0; }
-  [[nodiscard]] int row(double y) const { return side_ > 0 ? static_cast<int>((y - least_.y) / side_) : 0; }
-  [[nodiscard]] std::size_t cell(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
+  // About as many cells as places.
+  static search::CellGrid grid_over(const std::vector<Vec2>& places) {
+    Vec2 min = places.front(), max = min;
+    for (const Vec2& p : places) {
+      min = glm::min(min, p);
+      max = glm::max(max, p);
+    }
+    const Vec2 size = max - min;
+    const double count = static_cast<double>(places.size());
+    const double side = std::max({std::sqrt(size.x * size.y / count), size.x / count, size.y / count});
+    if (!(side > 0)) return {min, Vec2(1), 1, 1};
+    return {min, Vec2(side), static_cast<int>(size.x / side) + 1, static_cast<int>(size.y / side) + 1};
   }
-  std::vector<int>& cell_of(int corner) { return cells_[cell(column(p_[corner].x), row(p_[corner].y))]; }
+  std::vector<int>& cell_of(int corner) {
+    return cells_[grid_.cell(grid_.column(p_[corner].x), grid_.row(p_[corner].y))];
+  }
 
   const std::vector<Vec2>& p_;
-  Vec2 least_;
-  double side_ = 0;
-  int columns_ = 1;
+  search::CellGrid grid_;
   std::vector<std::vector<int>> cells_;
 };
 
