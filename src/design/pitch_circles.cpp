@@ -61,9 +61,10 @@ bool is_oblong(const std::vector<Vec3>& spokes) {
   return opposite == 1 && glm::length(sum) <= 8 * same_size * radius && square < 2;
 }
 
-// Adds the circles about one hub on which holes of a pattern lie.
-void add_circles(std::vector<PitchCircle>& circles, std::span<const RoundFeature> features, const Pattern& pattern,
-                 const RoundFeature& hub) {
+// The circles about one hub on which holes of a pattern lie.
+std::vector<PitchCircle> circles_about(std::span<const RoundFeature> features, const Pattern& pattern,
+                                       const RoundFeature& hub) {
+  std::vector<PitchCircle> circles;
   std::vector<std::pair<double, int>> by_distance;
   for (const int hole : pattern) by_distance.emplace_back(glm::length(spoke_to(features[hole], hub)), hole);
   std::sort(by_distance.begin(), by_distance.end());
@@ -78,6 +79,7 @@ void add_circles(std::vector<PitchCircle>& circles, std::span<const RoundFeature
     std::sort(circle.holes.begin(), circle.holes.end());
     if (spokes.size() >= fewest_holes && radius > 0 && !is_oblong(spokes)) circles.push_back(std::move(circle));
   }
+  return circles;
 }
 
 }  // namespace
@@ -92,7 +94,7 @@ std::vector<PitchCircle> find_pitch_circles(std::span<const RoundFeature> featur
       if (features[hub].model != hole.model || std::binary_search(pattern.begin(), pattern.end(), hub) ||
           !are_parallel(features[hub].axis, hole.axis))
         continue;
-      add_circles(circles, features, pattern, features[hub]);
+      for (PitchCircle& circle : circles_about(features, pattern, features[hub])) circles.push_back(std::move(circle));
     }
   }
   std::stable_sort(circles.begin(), circles.end(), [](const PitchCircle& a, const PitchCircle& b) {
