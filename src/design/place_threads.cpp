@@ -48,9 +48,10 @@ struct Cylinder {
 
 class ThreadPlacer {
  public:
-  explicit ThreadPlacer(world::World& world) : world_(world), parts_(world.models.size()) {
+  explicit ThreadPlacer(const world::World& world)
+      : world_(world), parts_(world.models.size()), threads_(world.models.size()) {
     for (int model = 0; model < static_cast<int>(parts_.size()); ++model) {
-      world::Placed& placed = world.models[static_cast<std::size_t>(model)];
+      const world::Placed& placed = world.models[static_cast<std::size_t>(model)];
       if (placed.part == nullptr) continue;
       std::optional<world::PlacedPart>& part = parts_[static_cast<std::size_t>(model)];
       part = world::place_part(placed);
@@ -70,6 +71,9 @@ class ThreadPlacer {
     }
     return std::nullopt;
   }
+
+  /// Those of a model that were placed.
+  [[nodiscard]] const std::vector<scene::ThreadedFace>& threads_of(std::size_t model) const { return threads_[model]; }
 
   void place(const scene::ThreadDescription& description, int number, const Vec3& position) {
     const scene::Thread thread = scene::parse_thread(*description.thread, description.thread.where);
@@ -149,7 +153,7 @@ class ThreadPlacer {
 
   void add(const scene::ThreadDescription& description, int number, const scene::Thread& thread,
            const Cylinder& cylinder, bool from_high) {
-    std::vector<scene::ThreadedFace>& threads = world_.models[static_cast<std::size_t>(cylinder.model)].threads;
+    std::vector<scene::ThreadedFace>& threads = threads_[static_cast<std::size_t>(cylinder.model)];
     for (const scene::ThreadedFace& other : threads)
       if (other.face == cylinder.face)
         throw Error(ErrorKind::input, description.where,
@@ -169,8 +173,9 @@ class ThreadPlacer {
                        number, thread});
   }
 
-  world::World& world_;
-  std::vector<std::optional<world::PlacedPart>> parts_;  // by model
+  const world::World& world_;
+  std::vector<std::optional<world::PlacedPart>> parts_;    // by model
+  std::vector<std::vector<scene::ThreadedFace>> threads_;  // by model
   std::vector<Cylinder> cylinders_;
 };
 
@@ -204,9 +209,11 @@ void place_threads(world::World& world, std::span<const scene::ThreadDescription
   if (threads.empty()) return;
   ThreadPlacer placer(world);
   for (std::size_t i = 0; i < threads.size(); ++i) placer.place(threads[i], static_cast<int>(i), positions[i]);
+  for (std::size_t model = 0; model < world.models.size(); ++model)
+    world.models[model].threads = placer.threads_of(model);
 }
 
-std::optional<double> depth_of_thread(world::World& world, double radius, const Vec3& begin, const Vec3& end) {
+std::optional<double> depth_of_thread(const world::World& world, double radius, const Vec3& begin, const Vec3& end) {
   return ThreadPlacer(world).depth_between(radius, begin, end);
 }
 

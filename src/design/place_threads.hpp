@@ -32,6 +32,6 @@ void place_threads(world::World& world, std::span<const scene::ThreadDescription
 
 /// The depth of a thread that begins at the end of its cylinder which is nearer to one point on its axis, and ends at
 /// another; nothing if no cylinder with this radius is around that.
-std::optional<double> depth_of_thread(world::World& world, double radius, const Vec3& begin, const Vec3& end);
+std::optional<double> depth_of_thread(const world::World& world, double radius, const Vec3& begin, const Vec3& end);
 
 }  // namespace epura::design
