@@ -31,6 +31,11 @@ inline constexpr double most_turn_of_arc = 0.4143;
 inline constexpr double least_outline = 50;  ///< length of the outline at each end, as a multiple of the gap
 inline constexpr double least_room = 3;      ///< distance to the next end, as a multiple of the gap
 
+// Paths of sections
+
+/// Each plane of a path cuts all models, split at all steps: time and memory grow with the square.
+inline constexpr std::size_t most_points_of_path = 400;
+
 // What open outlines bound
 
 inline constexpr std::size_t most_ends = 1024;  ///< per body; with more, the area that they bound is unknown

@@ -264,6 +264,9 @@ TEST_F(BrokenOut, AreRefusedWithPlaceAndHint) {
   refused(front + out, "has no line");
   refused(front + out + "radius = 3\noutline = [[0,0,0],[1,0,0],[0,0,1]]\n", "both a radius and an outline");
   refused(front + out + "outline = [[0,0,0],[1,0,0]]\n", "fewer than three points");
+  std::string many;
+  for (int i = 0; i <= 1000; ++i) many += "[" + std::to_string(i) + ",0,0],";
+  refused(front + out + "outline = [" + many + "]\n", "the outline has 1001 points, allowed are 1000");
   refused(front + out + "outline = [[0,0,0],[10,0,0],[20,30,0]]\n", "has no area in view 'front'");
   refused(front + "[[broken_out]]\nradius = 3\n", "lacks 'point'");
   refused(front + out + "radius = 3\nview = 'fornt'\n", "there is no view 'fornt'");

@@ -208,6 +208,12 @@ TEST(SteppedCut, RefusesPathsThatAreNone) {
   refused({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}}, "ends with a step against the normal");
   refused({{0, 0, 0}, {4, 0, 0}, {4, 0, 0}}, "point 3 of the path is the same");
   refused({{0, 0, 0}, {NAN, 0, 0}}, "not finite");
+  std::vector<Vec3> staircase{{0, 0, 0}};
+  while (staircase.size() < 400)
+    staircase.push_back(staircase.back() + (staircase.size() % 2 == 0 ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
+  EXPECT_EQ(surface(staircase).regions.size(), 200U);
+  staircase.emplace_back(200, 200, 0);
+  refused(staircase, "the path has 401 points, allowed are 400");
 }
 
 TEST(SteppedCut, RefusesSurfacesThatMiss) {
