@@ -57,7 +57,7 @@ ViewOptions view_options(const scene::ViewDescription& view, const RunOptions& r
   options.join_within = view.join_within.value_or(options.join_within);
   options.least_crease = view.least_crease.value_or(options.least_crease);
   options.arcs = run.arcs;
-  options.centre_lines = run.centre_lines;
+  options.centre_lines = view.centre_lines.value_or(run.centre_lines);
   options.leave_out = run.plan;
   if (run.verify && options.wireframe)
     throw Error(ErrorKind::input, "--verify", "cannot test a wireframe", "omit --visibility none");
@@ -78,7 +78,9 @@ bool dimensions_features(const scene::SceneDescription& scene) {
 }
 
 bool has_centre_lines(const scene::SceneDescription& scene, const RunOptions& options) {
-  return options.centre_lines || dimensions_features(scene);
+  const auto asks = [](const scene::ViewDescription& view) { return view.centre_lines.value_or(false); };
+  return options.centre_lines || dimensions_features(scene) ||
+         std::any_of(scene.views.begin(), scene.views.end(), asks);
 }
 
 std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options) {

@@ -65,6 +65,7 @@ struct ViewDescription {
   Located<Vec2> at;                          ///< centre of its ink, mm from the lower left corner of the sheet
   Located<int> sheet;                        ///< number of its sheet, from 1; by default the first
   Located<bool> centre_of_gravity{};         ///< whether its symbol is drawn; false by default
+  Located<bool> centre_lines{};              ///< by default as for the run
 };
 
 /// A plane that cuts the models; or parallel planes with steps between them; or planes that meet in axes, which are

@@ -313,5 +313,28 @@ TEST(SceneOptions, DrawWhatSceneFilesDraw) {
     }
 }
 
+std::set<std::string> layers_of(const Drawing& drawing) {
+  std::set<std::string> names;
+  for (const SheetLayer& layer : drawing.layers())
+    if (!layer.strokes.empty()) names.insert(layer.name);
+  return names;
+}
+
+// A flange has a bore and a pitch circle of holes.
+TEST(SceneOptions, CentreLinesAreOfAView) {
+  Scene scene{
+      .models = {{.file = EPURA_TEST_SAMPLES "/models/flange.obj"}},
+      .views = {{.projection = "front", .name = "f"}, {.projection = "top", .name = "t", .centre_lines = true}}};
+  const std::set<std::string> of_one = layers_of(draw(scene, settings()));
+  EXPECT_FALSE(of_one.contains("f/centre"));
+  EXPECT_TRUE(of_one.contains("t/centre"));
+  scene.views[1].centre_lines = false;
+  Settings how = settings();
+  how.centre_lines = true;
+  const std::set<std::string> of_other = layers_of(draw(scene, how));
+  EXPECT_TRUE(of_other.contains("f/centre"));
+  EXPECT_FALSE(of_other.contains("t/centre"));
+}
+
 }  // namespace
 }  // namespace epura::test::scene_options_test

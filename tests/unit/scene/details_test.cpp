@@ -34,6 +34,7 @@ ViewDescription with_all_lines() {
   view.layers = {LayersBy::body, ""};
   view.construction = {ConstructionChoice(), ""};
   view.centre_of_gravity = {true, ""};
+  view.centre_lines = {true, ""};
   view.near = {-5, ""};
   view.far = {5, ""};
   return view;
@@ -42,7 +43,7 @@ ViewDescription with_all_lines() {
 TEST(Details, HaveTheLinesOfTheirParents) {
   // All of them, also the next one that is added.
   const ViewDescription parent = with_all_lines();
-  ASSERT_EQ(line_options().size(), 12U) << "give the new option a value here";
+  ASSERT_EQ(line_options().size(), 13U) << "give the new option a value here";
   SceneDescription scene = view_and_detail(parent);
   scene.views[1].least_crease = {1, "its own"};
   complete_details(scene);
@@ -55,6 +56,7 @@ TEST(Details, HaveTheLinesOfTheirParents) {
   EXPECT_EQ(detail.least_crease.value, 1);
   EXPECT_EQ(detail.join_within.value, 0.5);
   EXPECT_EQ(detail.layers.value, LayersBy::body);
+  EXPECT_EQ(detail.centre_lines.value, true);
   EXPECT_EQ(detail.near.value, -5);
   EXPECT_EQ(detail.far.value, 5);
   EXPECT_EQ(detail.projection->name, "front");
