@@ -78,8 +78,8 @@ void NearGlance::find_last_along(const AlongLimits& limits, const Progress& prog
     }
   });
   const double distance = limits.distance * (1 + on_line_part), least = limits.touching * (1 - on_line_part);
-  const search::CellGrid grid = search::grid_over_lines(
-      pieces, {cells_a_piece * static_cast<double>(pieces.size()) + 1, 4 * distance, cuts_a_piece, HUGE_VAL});
+  const search::CellGrid grid =
+      search::grid_over_lines(pieces, {static_cast<double>(pieces.size()) + 1, 4 * distance, cuts_a_piece, HUGE_VAL});
   // In the order of pieces, since neighbours in that order mostly lie side by side.
   const auto visit_pieces = [&](const auto& visit) {
     parallel_for(pieces.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
