@@ -221,24 +221,28 @@ inline std::vector<KnownPart> tubes_with_radial_holes() {
   return parts;
 }
 
-/// A wedge with blind holes in a row along its slope, perpendicular to it.
-inline std::string wedge_with_holes(double length, double degrees, int count, double depth) {
-  constexpr double width = 24, low = 18, radius = 3;
+/// A wedge with blind holes in rows along its slope, perpendicular to it; one row for each radius.
+inline std::string wedge_with_holes(double length, double degrees, int count, double depth,
+                                    const std::vector<double>& radii = {3}) {
+  constexpr double row = 24, low = 18;
+  const double width = row * static_cast<double>(radii.size());
+  const int across = k * static_cast<int>(radii.size());
   Model model;
   const Vec3 along(cosine(degrees), 0, sine(degrees)), up(-along.z, 0, along.x);
   const auto at = [&](const Vec2& p, double below) {
     return Vec3(0, 0, low) + p.x * along + Vec3(0, p.y, 0) - below * up;
   };
-  for (int c = 0; c < count; ++c) {
-    const Vec2 size(length / count, width), corner(c * size.x, 0);
-    const Loop border = square(corner, size), rim = circle(corner + size / 2.0, radius, -135);
-    for (std::size_t i = 0; i < border.size(); ++i) {
-      const std::size_t j = (i + 1) % border.size();
-      model.face({at(border[i], 0), at(border[j], 0), at(rim[j], 0), at(rim[i], 0)});
-      model.face({at(rim[i], 0), at(rim[j], 0), at(rim[j], depth), at(rim[i], depth)});
-      model.face({at(corner + size / 2.0, depth), at(rim[i], depth), at(rim[j], depth)});
+  for (int c = 0; c < count; ++c)
+    for (std::size_t r = 0; r < radii.size(); ++r) {
+      const Vec2 size(length / count, row), corner(c * size.x, row * static_cast<double>(r));
+      const Loop border = square(corner, size), rim = circle(corner + size / 2.0, radii[r], -135);
+      for (std::size_t i = 0; i < border.size(); ++i) {
+        const std::size_t j = (i + 1) % border.size();
+        model.face({at(border[i], 0), at(border[j], 0), at(rim[j], 0), at(rim[i], 0)});
+        model.face({at(rim[i], 0), at(rim[j], 0), at(rim[j], depth), at(rim[i], depth)});
+        model.face({at(corner + size / 2.0, depth), at(rim[i], depth), at(rim[j], depth)});
+      }
     }
-  }
   const double end = length * along.x;
   std::vector<Vec3> front{{0, 0, 0}, {end, 0, 0}}, back{{end, width, 0}, {0, width, 0}};
   for (int i = 0; i <= count * k; ++i) {
@@ -246,9 +250,9 @@ inline std::string wedge_with_holes(double length, double degrees, int count, do
     back.push_back(at({length * double(i) / (count * k), width}, 0));
   }
   std::vector<Vec3> left{{0, width, 0}, {0, 0, 0}}, right{{end, 0, 0}, {end, width, 0}};
-  for (int i = 0; i <= k; ++i) {
-    left.push_back(at({0, width * i / k}, 0));
-    right.push_back(at({length, width * (1 - double(i) / k)}, 0));
+  for (int i = 0; i <= across; ++i) {
+    left.push_back(at({0, width * i / across}, 0));
+    right.push_back(at({length, width * (1 - double(i) / across)}, 0));
   }
   for (const auto& face : {front, back, left, right}) model.face(face);
   model.face({{0, 0, 0}, {0, width, 0}, {end, width, 0}, {end, 0, 0}});

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
 #include "design/tolerances.hpp"
-#include "sheet/dimensions/equal_features.hpp"
+#include "sheet/dimensions/hole_directions.hpp"
 
 namespace epura::sheet {
 
@@ -45,23 +47,47 @@ const design::DesignPlane* face_around(const Planning& plan, const Vec3& centre,
   return nullptr;
 }
 
-/// A place along a slope.
-struct SlantedPlace {
+/// A place of a row along a slope.
+struct RowPlace {
   double at;
   Vec3 centre;
 };
 
-void add_slanted_row(Planning& plan, const NamedProjection& view, const Vec3& along, std::vector<SlantedPlace> places,
-                     double base) {
-  std::sort(places.begin(), places.end(), [&](const SlantedPlace& a, const SlantedPlace& b) {
-    return std::abs(a.at - base) < std::abs(b.at - base);
-  });
-  const double slack = design::same_size * glm::length(plan.box.size());
-  const auto is_same = [&](const SlantedPlace& a, const SlantedPlace& b) { return std::abs(a.at - b.at) <= slack; };
-  places.erase(std::unique(places.begin(), places.end(), is_same), places.end());
-  const auto measure = [&](double from, const SlantedPlace& to, const std::string& text) {
+// Of one group on one face, without those at `known` places.
+std::vector<RowPlace> row_of(const SlantedPlace& first, std::span<const SlantedPlace> places,
+                             std::span<const double> known, double slack) {
+  std::vector<RowPlace> row;
+  for (const SlantedPlace& place : places) {
+    if (place.face != first.face || place.group != first.group || place.view != first.view) continue;
+    const double at = glm::dot(place.centre, place.along);
+    check(std::isfinite(at), "features are at places");
+    const auto is_there = [&](double other) { return std::abs(other - at) <= slack; };
+    if (std::none_of(known.begin(), known.end(), is_there) &&
+        std::none_of(row.begin(), row.end(), [&](const RowPlace& other) { return is_there(other.at); }))
+      row.push_back({at, place.centre});
+  }
+  return row;
+}
+
+// From the end of the face that is on the left or below in the view.
+double base_of_slope(const SlantedPlace& place) {
+  const projection::Projection& projection = place.view->projection;
+  const double way = glm::dot(place.along, projection.u + 1e-3 * projection.v) < 0 ? -1 : 1;
+  double base = HUGE_VAL;
+  for (const Vec3& corner : place.face->corners) base = std::min(base, way * glm::dot(corner, place.along));
+  return way * base;
+}
+
+std::vector<scene::DimensionDescription> row_dimensions(const Planning& plan, const SlantedPlace& of,
+                                                        std::vector<RowPlace> places, double slack) {
+  const double base = base_of_slope(of);
+  std::stable_sort(places.begin(), places.end(),
+                   [&](const RowPlace& a, const RowPlace& b) { return std::abs(a.at - base) < std::abs(b.at - base); });
+  std::vector<scene::DimensionDescription> dimensions;
+  const auto measure = [&](double from, const RowPlace& to, const std::string& text) {
     if (std::abs(to.at - from) <= slack) return;
-    plan.add(DimensionType::aligned, view, text).anchors = {to.centre + (from - to.at) * along, to.centre};
+    dimensions.push_back(plan.dimension(DimensionType::aligned, *of.view, text));
+    dimensions.back().anchors = {to.centre + (from - to.at) * of.along, to.centre};
   };
   check(!places.empty(), "a row has a place");
   const double pitch = places.size() < 2 ? 0 : places[1].at - places[0].at;
@@ -72,51 +98,47 @@ void add_slanted_row(Planning& plan, const NamedProjection& view, const Vec3& al
   if (is_row) {
     const std::string steps = std::to_string(places.size() - 1) + "× " + plan.length(std::abs(pitch)) + " (=<>)";
     measure(places.front().at, places.back(), steps);
-    return;
+    return dimensions;
   }
   for (std::size_t i = 1; i < places.size(); ++i) measure(base, places[i], "<>");
-}
-
-// From the end of the face that is on the left or below in the view.
-void add_slanted(Planning& plan, std::span<const Vec3> centres, const Vec3& axis, const Vec3& along) {
-  const NamedProjection* view = plan.views.along(axis);
-  if (view == nullptr) view = plan.views.beside(along, centres.front());
-  std::vector<std::pair<const design::DesignPlane*, std::vector<SlantedPlace>>> rows;
-  for (const Vec3& centre : centres) {
-    const design::DesignPlane* face = face_around(plan, centre, axis);
-    if (face == nullptr || view == nullptr) continue;
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.first == face; });
-    const SlantedPlace place{glm::dot(centre, along), centre};
-    check(std::isfinite(place.at), "holes are at places");
-    if (row == rows.end())
-      rows.push_back({face, {place}});
-    else
-      row->second.push_back(place);
-  }
-  for (auto& [face, places] : rows) {
-    const double way = glm::dot(along, view->projection.u + 1e-3 * view->projection.v) < 0 ? -1 : 1;
-    double base = HUGE_VAL;
-    for (const Vec3& corner : face->corners) base = std::min(base, way * glm::dot(corner, along));
-    add_slanted_row(plan, *view, along, std::move(places), way * base);
-  }
+  return dimensions;
 }
 
 }  // namespace
 
-std::optional<Vec3> slanted_across(const Vec3& axis) {
-  if (design::axis_along(axis) >= 0) return std::nullopt;
-  for (int world = 0; world < 3; ++world)
-    if (std::abs(axis[world]) <= parallel) return glm::normalize(glm::cross(Mat3(1)[world], axis));
-  return std::nullopt;
-}
-
-void add_positions(Planning& plan, std::span<const Vec3> centres, const Vec3& axis, const NamedProjection* along) {
+Planned positions_of(const Planning& plan, std::span<const Vec3> centres, const Vec3& axis,
+                     const NamedProjection* along, int group) {
   check(!centres.empty(), "a group of features has one");
+  Planned planned;
   for (int world = 0; world < 3; ++world)
     if (std::abs(axis[world]) <= parallel)
       if (const NamedProjection* view = view_along(plan, world, axis, along))
-        for (const Vec3& centre : centres) plan.stations.add({view, world, centre[world], centre, plan.groups, centre});
-  if (const auto slanted = slanted_across(axis)) add_slanted(plan, centres, axis, *slanted);
+        for (const Vec3& centre : centres)
+          planned.places.emplace_back(Station{view, world, centre[world], centre, group, centre});
+  const std::optional<Vec3> slanted = slanted_across(axis);
+  if (!slanted) return planned;
+  const NamedProjection* view = plan.views.along(axis);
+  if (view == nullptr) view = plan.views.beside(*slanted, centres.front());
+  for (const Vec3& centre : centres)
+    if (const design::DesignPlane* face = face_around(plan, centre, axis); face != nullptr && view != nullptr)
+      planned.places.emplace_back(SlantedPlace{view, face, *slanted, centre, group});
+  return planned;
+}
+
+std::vector<scene::DimensionDescription> slanted_dimensions(const Planning& plan,
+                                                            std::span<const SlantedPlace> places) {
+  const double slack = design::same_size * glm::length(plan.box.size());
+  std::map<const design::DesignPlane*, std::vector<double>> known;
+  std::vector<scene::DimensionDescription> dimensions;
+  for (const SlantedPlace& place : places) {
+    std::vector<double>& of_face = known[place.face];
+    std::vector<RowPlace> row = row_of(place, places, of_face, slack);
+    if (row.empty()) continue;
+    for (const RowPlace& one : row) of_face.push_back(one.at);
+    for (scene::DimensionDescription& dimension : row_dimensions(plan, place, std::move(row), slack))
+      dimensions.push_back(std::move(dimension));
+  }
+  return dimensions;
 }
 
 }  // namespace epura::sheet

@@ -2,19 +2,19 @@
 // Positions of axes: along the axes of the world across them, and along slopes.
 #pragma once
 
-#include <optional>
 #include <span>
+#include <vector>
 
 #include "sheet/dimensions/planning.hpp"
 
 namespace epura::sheet {
 
-/// The direction across an axis, along the face on which a feature begins, that is no axis of the world; nothing if the
-/// axis is along one of the world, or perpendicular to none.
-std::optional<Vec3> slanted_across(const Vec3& axis);
+/// The positions of equal features with parallel axes across these: along axes of the world in the view that sees them
+/// come towards it, `along` if it shows the direction; along a slope on the face on which they begin.
+Planned positions_of(const Planning& plan, std::span<const Vec3> centres, const Vec3& axis,
+                     const NamedProjection* along, int group);
 
-/// Adds the positions of equal features with parallel axes across these: along axes of the world in the view that sees
-/// them come towards it, `along` if it shows the direction; along a slope from the end of the face on which they begin.
-void add_positions(Planning& plan, std::span<const Vec3> centres, const Vec3& axis, const NamedProjection* along);
+/// Each place along a slope once, from the end of its face.
+std::vector<scene::DimensionDescription> slanted_dimensions(const Planning& plan, std::span<const SlantedPlace> places);
 
 }  // namespace epura::sheet

@@ -2,6 +2,8 @@
 #include "sheet/dimensions/cone_dimensions.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
@@ -24,23 +26,56 @@ bool are_equal_ends(const DesignCylinder& a, const DesignCylinder& b) {
   return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
 }
 
-void add_ends_of_cones(Planning& plan, const std::vector<DesignCylinder>& ends) {
+Planned ends_of_cones(const Planning& plan, const std::vector<DesignCylinder>& ends) {
+  Planned planned;
   for (const auto& group : groups_of<DesignCylinder>(ends, are_equal_ends)) {
     const DesignCylinder& shown = *group.front();
     const NamedProjection* view = plan.views.across(shown.axis, shown.from);
     check(view != nullptr, "an end of a cone is measured across its axis");
-    plan.add(DimensionType::diameter, *view, times(group.size()) + "<>").circle = {
-        shown.from, shown.axis, shown.radius, {}};
+    planned.dimensions.push_back(plan.dimension(DimensionType::diameter, *view, times(group.size()) + "<>",
+                                                {shown.from, shown.axis, shown.radius, {}}));
   }
+  return planned;
+}
+
+/// What is planned of one cone, and the ends that need a diameter.
+struct PlannedCone {
+  Planned angle_and_places{};
+  std::vector<DesignCylinder> ends{};
+};
+
+PlannedCone dimensions_of_cone(const Planning& plan, const DesignCone& cone, const NamedProjection& view) {
+  PlannedCone planned;
+  const bool horizontal = are_parallel(view.projection.u, cone.axis);
+  const Vec3 out = horizontal ? -view.projection.v : view.projection.u;
+  const bool by_angle = has_angle(cone, glm::length(plan.box.size()));
+  if (by_angle) {
+    const NamedProjection* shown = view_of_angle(cone, plan.subject.features, plan.views);
+    DimensionDescription angle = plan.dimension(DimensionType::angular, *shown, "<>");
+    for (const Vec3& anchor : anchors_of_angle(cone, shown->projection)) angle.anchors.emplace_back(anchor);
+    planned.angle_and_places.dimensions.push_back(std::move(angle));
+  }
+  for (const int end : {0, 1}) {
+    if (by_angle && end == rounded_end(cone)) continue;
+    const DesignCylinder circle{cone.model, cone.ends[end], cone.ends[end], cone.axis, cone.radii[end], false};
+    if (!(circle.radius > 0)) continue;
+    if (!is_overall(plan.subject, circle) && !design::has_coaxial_outline(plan.subject.features, circle))
+      planned.ends.push_back(circle);
+    if (const int axis = world_axis(cone.axis); axis >= 0)
+      planned.angle_and_places.places.emplace_back(Station{
+          &view, axis, circle.from[axis], circle.from + circle.radius * out, -1, circle.from - circle.radius * out});
+  }
+  return planned;
 }
 
 }  // namespace
 
-void add_chamfers(Planning& plan) {
+Planned chamfer_dimensions(const Planning& plan) {
   const auto equal = [](const DesignCone& a, const DesignCone& b) {
     return a.model == b.model && are_same(glm::length(a.ends[1] - a.ends[0]), glm::length(b.ends[1] - b.ends[0])) &&
            are_same(a.angle, b.angle) && are_parallel(a.axis, b.axis);
   };
+  Planned planned;
   for (const auto& group : groups_of<DesignCone>(plan.subject.features.chamfers, equal)) {
     const DesignCone& chamfer = *group.front();
     check(chamfer.angle > 0 && chamfer.angle < 90, "a chamfer is neither a cylinder nor a plane");
@@ -49,46 +84,33 @@ void add_chamfers(Planning& plan) {
     const projection::Projection& projection = view->projection;
     const bool horizontal = are_parallel(projection.u, chamfer.axis);
     const Vec3 out = horizontal ? -projection.v : projection.u;
-    DimensionDescription& dimension =
-        plan.add(DimensionType::linear, *view, times(group.size()) + "<>×" + format_fixed(chamfer.angle, 1) + "°");
+    DimensionDescription dimension = plan.dimension(DimensionType::linear, *view,
+                                                    times(group.size()) + "<>×" + format_fixed(chamfer.angle, 1) + "°");
     dimension.direction = {horizontal ? DimensionDirection::horizontal : DimensionDirection::vertical,
                            plan.wanted.where};
     for (const int end : {0, 1}) dimension.anchors.emplace_back(chamfer.ends[end] + chamfer.radii[end] * out);
+    planned.dimensions.push_back(std::move(dimension));
   }
+  return planned;
 }
 
-void add_cones(Planning& plan) {
+Planned cone_dimensions(const Planning& plan) {
+  Planned planned;
   std::vector<DesignCylinder> ends;
   for (const DesignCone& cone : plan.subject.features.cones) {
     check(cone.radii[0] >= 0 && cone.radii[0] <= cone.radii[1], "a cone begins at its smaller end");
-    ++plan.groups;
     const NamedProjection* view = plan.views.across(cone.axis, cone.ends[0]);
     if (view == nullptr) continue;
-    const projection::Projection& projection = view->projection;
-    const bool horizontal = are_parallel(projection.u, cone.axis);
-    const Vec3 out = horizontal ? -projection.v : projection.u;
-    const bool by_angle = has_angle(cone, glm::length(plan.box.size()));
-    if (by_angle) {
-      const NamedProjection* shown = view_of_angle(cone, plan.subject.features, plan.views);
-      DimensionDescription& angle = plan.add(DimensionType::angular, *shown, "<>");
-      for (const Vec3& anchor : anchors_of_angle(cone, shown->projection)) angle.anchors.emplace_back(anchor);
-    }
-    for (const int end : {0, 1}) {
-      if (by_angle && end == rounded_end(cone)) continue;
-      const DesignCylinder circle{cone.model, cone.ends[end], cone.ends[end], cone.axis, cone.radii[end], false};
-      if (!(circle.radius > 0)) continue;
-      const auto is_same = [&](const DesignCylinder& other) {
-        return are_equal_ends(other, circle) && glm::distance(other.from, circle.from) <= same_size * circle.radius;
-      };
-      if (!is_overall(plan.subject, circle) && !design::has_coaxial_outline(plan.subject.features, circle) &&
-          std::none_of(ends.begin(), ends.end(), is_same))
-        ends.push_back(circle);
-      if (const int axis = world_axis(cone.axis); axis >= 0)
-        plan.stations.add(
-            {view, axis, circle.from[axis], circle.from + circle.radius * out, -1, circle.from - circle.radius * out});
-    }
+    PlannedCone one = dimensions_of_cone(plan, cone, *view);
+    planned.append(std::move(one.angle_and_places));
+    for (const DesignCylinder& end : one.ends)
+      if (std::none_of(ends.begin(), ends.end(), [&](const DesignCylinder& other) {
+            return are_equal_ends(other, end) && glm::distance(other.from, end.from) <= same_size * end.radius;
+          }))
+        ends.push_back(end);
   }
-  add_ends_of_cones(plan, ends);
+  planned.append(ends_of_cones(plan, ends));
+  return planned;
 }
 
 }  // namespace epura::sheet

@@ -7,10 +7,10 @@
 namespace epura::sheet {
 
 /// One note for equal chamfers at the ends of shafts.
-void add_chamfers(Planning& plan);
+Planned chamfer_dimensions(const Planning& plan);
 
 /// The angle of a cone with a rounded end; diameters and positions of other ends, as far as no cylinder and no step has
 /// them.
-void add_cones(Planning& plan);
+Planned cone_dimensions(const Planning& plan);
 
 }  // namespace epura::sheet

@@ -11,7 +11,6 @@
 #include "design/face_owners.hpp"
 #include "design/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
-#include "sheet/dimensions/round_ends.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "world/placed_part.hpp"
 
@@ -30,8 +29,9 @@ constexpr std::array<const char*, 6> kind_names = {
 
 class FaceCounter {
  public:
-  FaceCounter(const DimensionSubject& subject, const GivenSizes& given, const Notation& notation)
-      : subject_(subject), given_(given), notation_(notation), ends_(find_round_ends(subject.features)) {}
+  FaceCounter(const DimensionSubject& subject, std::span<const RoundEnd> ends, const GivenSizes& given,
+              const Notation& notation)
+      : subject_(subject), given_(given), notation_(notation), ends_(ends) {}
 
   FaceCoverage count() {
     const world::World& world = subject_.world;
@@ -72,6 +72,10 @@ class FaceCounter {
     const features::PartSurface& plane = face.surface;
     if (const int axis = world_axis(plane.axis); axis >= 0) return given_.has_place(axis, plane.origin[axis]);
     if (is_between_round_ends(face)) return true;
+    for (const HexagonChamfer& one : given_.hexagon_chamfers)
+      if (one.is_face(plane.origin, plane.axis)) return given_.bevels[static_cast<std::size_t>(one.bevel)];
+    for (const KnownPrism& one : given_.prisms)
+      if (one.prism.has_side(plane.origin, plane.axis)) return one.is_given;
     miss("inclined plane face", face, "place and angle");
     return false;
   }
@@ -115,9 +119,9 @@ class FaceCounter {
   }
 
   [[nodiscard]] bool is_on(const features::PartFace& face, double radius, const SizedCircle& circle) const {
-    const Vec3 off = glm::cross(circle.centre - face.surface.origin, face.surface.axis);
     return are_one(face, radius, circle.radius) && design::are_parallel(circle.axis, face.surface.axis) &&
-           glm::length(off) <= 10 * design::same_size * radius;
+           design::distance_from_line(circle.centre, face.surface.origin, face.surface.axis) <=
+               10 * design::same_size * radius;
   }
 
   void miss(const std::string& kind, const features::PartFace& face, const std::string& what) {
@@ -130,16 +134,17 @@ class FaceCounter {
   const DimensionSubject& subject_;
   const GivenSizes& given_;
   const Notation& notation_;
-  std::vector<RoundEnd> ends_;
+  std::span<const RoundEnd> ends_;
   std::array<int, kind_names.size()> all_{}, with_{};  // by kind
   FaceCoverage found_;
 };
 
 }  // namespace
 
-FaceCoverage cover_faces(const DimensionSubject& subject, const GivenSizes& given, const Notation& notation) {
+FaceCoverage cover_faces(const DimensionSubject& subject, std::span<const RoundEnd> ends, const GivenSizes& given,
+                         const Notation& notation) {
   if (design::is_assembly(subject.world)) return {};
-  return FaceCounter(subject, given, notation).count();
+  return FaceCounter(subject, ends, given, notation).count();
 }
 
 }  // namespace epura::sheet

@@ -3,10 +3,14 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "sheet/dimensions/coverage.hpp"
+#include "sheet/dimensions/hexagon_chamfers.hpp"
+#include "sheet/dimensions/round_ends.hpp"
+#include "sheet/dimensions/turned_prisms.hpp"
 
 namespace epura::sheet {
 
@@ -17,13 +21,21 @@ struct SizedCircle {
   bool is_given;
 };
 
+/// A turned prism, and whether its sides and their angle are given.
+struct KnownPrism {
+  TurnedPrism prism;
+  bool is_given;
+};
+
 /// What dimensions give.
 struct GivenSizes {
   std::function<bool(int, double)> has_place;                        ///< along an axis of the world
   std::function<bool(const features::PartFace&)> has_doubly_curved;  ///< a sphere or torus
   std::vector<SizedCircle> circles{};                                ///< of all features that have any
   std::vector<double> radii{};                                       ///< that are given somewhere
-  std::vector<bool> holes{}, slots{}, hexagons{}, bevels{};          ///< in the order of the DesignFeatures
+  std::vector<KnownPrism> prisms{};
+  std::vector<HexagonChamfer> hexagon_chamfers{};            ///< given where their bevel is
+  std::vector<bool> holes{}, slots{}, hexagons{}, bevels{};  ///< in the order of the DesignFeatures
 };
 
 /// What is known of all faces but free forms and walls of letters.
@@ -33,6 +45,7 @@ struct FaceCoverage {
 };
 
 /// None for an assembly, whose drawing gives the places of its parts alone.
-FaceCoverage cover_faces(const DimensionSubject& subject, const GivenSizes& given, const Notation& notation);
+FaceCoverage cover_faces(const DimensionSubject& subject, std::span<const RoundEnd> ends, const GivenSizes& given,
+                         const Notation& notation);
 
 }  // namespace epura::sheet

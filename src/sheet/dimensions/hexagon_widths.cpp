@@ -2,13 +2,16 @@
 #include "sheet/dimensions/hexagon_widths.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "design/tolerances.hpp"
+#include "sheet/dimensions/axis_positions.hpp"
+#include "sheet/dimensions/equal_features.hpp"
 
 namespace epura::sheet {
 
@@ -52,6 +55,32 @@ std::optional<WidthView> view_of(const DesignHexagon& hexagon, const ViewChoice&
   return std::nullopt;
 }
 
+// Of its axis if it is as large as the models, and of its flats.
+std::vector<KnownPlace> known_places(const DesignHexagon& hexagon, const DimensionSubject& subject) {
+  std::vector<KnownPlace> places;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (is_extent(hexagon, axis, subject, false)) places.push_back({axis, hexagon.centre[axis]});
+    for (const Vec3& normal : hexagon.normals)
+      if (world_axis(normal) == axis)
+        for (const double side : {-0.5, 0.5})
+          places.push_back({axis, hexagon.centre[axis] + side * hexagon.across_flats});
+  }
+  return places;
+}
+
+scene::DimensionDescription width_of(const Planning& plan, const DesignHexagon& hexagon, const WidthView& shown,
+                                     std::size_t count) {
+  scene::DimensionDescription dimension = plan.dimension(
+      shown.direction ? DimensionType::linear : DimensionType::aligned, *shown.view, times(count) + "<>");
+  if (shown.direction) dimension.direction = {*shown.direction, plan.wanted.where};
+  for (const double side : {-0.5, 0.5}) {
+    const Vec3 flat = hexagon.centre + side * hexagon.across_flats * shown.normal;
+    dimension.anchors.emplace_back(flat + shown.end);
+    if (shown.direction) dimension.opposite.push_back(flat - shown.end);
+  }
+  return dimension;
+}
+
 bool is_extent_across_flats(const DesignHexagon& hexagon, const DimensionSubject& subject) {
   for (int axis = 0; axis < 3; ++axis)
     if (is_extent(hexagon, axis, subject, true)) return true;
@@ -88,32 +117,31 @@ bool are_equal(const DesignHexagon& a, const DesignHexagon& b) {
          });
 }
 
-bool has_width(const DesignHexagon& hexagon, const ViewChoice& views) { return view_of(hexagon, views).has_value(); }
+bool is_across_corners(const Planning& plan, int axis) {
+  const std::vector<DesignHexagon>& hexagons = plan.subject.features.hexagons;
+  return std::any_of(hexagons.begin(), hexagons.end(), [&](const DesignHexagon& hexagon) {
+    return view_of(hexagon, plan.views) && is_extent(hexagon, axis, plan.subject, false) &&
+           !is_extent(hexagon, axis, plan.subject, true);
+  });
+}
 
-std::vector<scene::DimensionDescription> hexagon_widths(const scene::DimensionDescription& wanted,
-                                                        const ViewChoice& views, const DimensionSubject& subject) {
-  const std::vector<DesignHexagon>& hexagons = subject.features.hexagons;
-  std::vector<scene::DimensionDescription> dimensions;
-  for (auto hexagon = hexagons.begin(); hexagon != hexagons.end(); ++hexagon) {
-    const auto equal = [&](const DesignHexagon& other) { return are_equal(other, *hexagon); };
-    if (std::any_of(hexagons.begin(), hexagon, equal)) continue;
-    const auto count = std::count_if(hexagon, hexagons.end(), equal);
-    check(count >= 1 && hexagon->across_flats > 0, "a hexagon equals itself, and has a width");
-    const auto shown = view_of(*hexagon, views);
-    if (!shown || (count == 1 && is_extent_across_flats(*hexagon, subject))) continue;
-    scene::DimensionDescription& dimension = dimensions.emplace_back();
-    dimension.where = wanted.where;
-    dimension.view = {shown->view->name, wanted.where};
-    dimension.type = {shown->direction ? DimensionType::linear : DimensionType::aligned, wanted.where};
-    if (shown->direction) dimension.direction = {*shown->direction, wanted.where};
-    if (count > 1) dimension.text = {std::to_string(count) + "× <>", wanted.where};
-    for (const double side : {-0.5, 0.5}) {
-      const Vec3 flat = hexagon->centre + side * hexagon->across_flats * shown->normal;
-      dimension.anchors.emplace_back(flat + shown->end);
-      if (shown->direction) dimension.opposite.push_back(flat - shown->end);
-    }
+Planned hexagon_dimensions(const Planning& plan) {
+  const std::vector<DesignHexagon>& hexagons = plan.subject.features.hexagons;
+  Planned planned;
+  for (const DesignHexagon& hexagon : hexagons) {
+    check(hexagon.across_flats > 0, "a hexagon has a width");
+    if (!view_of(hexagon, plan.views)) continue;
+    for (const KnownPlace& place : known_places(hexagon, plan.subject)) planned.places.emplace_back(place);
+    if (const NamedProjection* view = plan.views.along(hexagon.axis))
+      planned.append(positions_of(plan, std::array{hexagon.centre}, hexagon.axis, view,
+                                  plan.group_of(SizeKind::hexagon, hexagons, &hexagon)));
   }
-  return dimensions;
+  for (const auto& group : equal_features(plan.table, SizeKind::hexagon, hexagons)) {
+    const auto shown = view_of(*group.front(), plan.views);
+    if (shown && (group.size() > 1 || !is_extent_across_flats(*group.front(), plan.subject)))
+      planned.dimensions.push_back(width_of(plan, *group.front(), *shown, group.size()));
+  }
+  return planned;
 }
 
 }  // namespace epura::sheet

@@ -2,10 +2,7 @@
 // Widths across flats of nuts, heads of screws and sockets.
 #pragma once
 
-#include <vector>
-
-#include "sheet/dimensions/automatic.hpp"
-#include "sheet/dimensions/view_choice.hpp"
+#include "sheet/dimensions/planning.hpp"
 
 namespace epura::sheet {
 
@@ -18,11 +15,11 @@ bool is_across_flats(const design::DesignHexagon& hexagon, const Vec3& along, co
 /// Whether one note can describe both.
 bool are_equal(const design::DesignHexagon& a, const design::DesignHexagon& b);
 
-/// Whether a dimension of the width can stand in one of the views.
-bool has_width(const design::DesignHexagon& hexagon, const ViewChoice& views);
+/// Whether the size of the models along an axis is that across the corners of a hexagon whose width a view shows.
+bool is_across_corners(const Planning& plan, int axis);
 
-/// The width of each hexagon, of equal ones once; without those that are the size of the models.
-std::vector<scene::DimensionDescription> hexagon_widths(const scene::DimensionDescription& wanted,
-                                                        const ViewChoice& views, const DimensionSubject& subject);
+/// The width of each hexagon, of equal ones once, without those that are the size of the models; and positions. On the
+/// axis of a hexagon that is as large as the models, nothing needs one.
+Planned hexagon_dimensions(const Planning& plan);
 
 }  // namespace epura::sheet

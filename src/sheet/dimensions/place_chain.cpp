@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sheet/dimensions/place_chain.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <cstddef>
+
+#include "base/error.hpp"
 
 namespace epura::sheet {
 
-PlaceChain::PlaceChain(const design::Extent& extent, double slack) : slack_(slack), extent_(extent) {
+PlaceChain::PlaceChain(int axis, const design::Extent& extent, std::span<const FeaturePlace> places, double slack)
+    : axis_(axis), slack_(slack), extent_(extent) {
   add(extent.from, "");
   add(extent.to, "");
+  for (const FeaturePlace& place : places)
+    if (place.axis == axis) add(place.at, place.name);
+  sets_ = lengths_ = DisjointSets(places_.size());
 }
 
 void PlaceChain::add(double at, const std::string& name) {
@@ -20,11 +26,15 @@ void PlaceChain::add(double at, const std::string& name) {
   places_.emplace_back(at, name);
 }
 
-void PlaceChain::begin() { sets_ = lengths_ = DisjointSets(places_.size()); }
-
-void PlaceChain::join(double a, double b) {
-  const int i = index_of(a), j = index_of(b);
-  if (i >= 0 && j >= 0) sets_.join(i, j);
+bool PlaceChain::join(const PlaceJoin& join) {
+  check(join.axis == axis_, "a chain is along one axis");
+  const double step = (join.to - join.from) / std::max(join.parts, 1);
+  bool is_new = true;
+  for (int i = 0; i < join.parts; ++i)
+    is_new = join_by_length(join.from + i * step, join.from + (i + 1) * step) && is_new;
+  const int i = index_of(join.from), j = index_of(join.to);
+  if (join.parts == 0 && i >= 0 && j >= 0) sets_.join(i, j);
+  return is_new;
 }
 
 bool PlaceChain::join_by_length(double a, double b) {
@@ -36,24 +46,25 @@ bool PlaceChain::join_by_length(double a, double b) {
   return true;
 }
 
-void PlaceChain::join_row(double from, double to, int parts) {
-  for (int i = 0; i < parts; ++i) join_by_length(from + (to - from) * i / parts, from + (to - from) * (i + 1) / parts);
-}
-
-bool PlaceChain::is_joined(double at) {
-  const int i = index_of(at);
-  return i >= 0 && sets_.root(i) == sets_.root(index_of(extent_.from)) &&
-         sets_.root(i) == sets_.root(index_of(extent_.to));
-}
-
-void PlaceChain::list_open(int axis, const Notation& notation, std::vector<std::string>& open) {
+std::vector<double> PlaceChain::joined() {
+  std::vector<double> joined;
   const int root = sets_.root(index_of(extent_.from));
-  const std::string along = axis_names[static_cast<std::size_t>(axis)];
+  if (sets_.root(index_of(extent_.to)) != root) return joined;
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (sets_.root(static_cast<int>(i)) == root) joined.push_back(places_[i].first);
+  return joined;
+}
+
+std::vector<std::string> PlaceChain::open(const Notation& notation) {
+  std::vector<std::string> open;
+  const int root = sets_.root(index_of(extent_.from));
+  const std::string along = axis_names[static_cast<std::size_t>(axis_)];
   if (sets_.root(index_of(extent_.to)) != root) open.push_back("overall size along " + along);
   for (std::size_t i = 0; i < places_.size(); ++i)
     if (!places_[i].second.empty() && sets_.root(static_cast<int>(i)) != root)
       open.push_back(places_[i].second + ": position along " + along + " (" + length_text(places_[i].first, notation) +
                      ")");
+  return open;
 }
 
 int PlaceChain::index_of(double at) const {

@@ -3,13 +3,16 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
 #include "design/true_extents.hpp"
-#include "sheet/notation.hpp"
+#include "sheet/dimensions/feature_places.hpp"
+#include "sheet/dimensions/place_joins.hpp"
 
 namespace epura::sheet {
 
@@ -18,30 +21,24 @@ inline constexpr std::array axis_names{"x", "y", "z"};
 /// Places along one axis, from one end of the models to the other.
 class PlaceChain {
  public:
-  /// Places that are closer to one another than `slack` are one.
-  PlaceChain(const design::Extent& extent, double slack);
+  /// Those of the features along this axis; places that are closer to one another than `slack` are one.
+  PlaceChain(int axis, const design::Extent& extent, std::span<const FeaturePlace> places, double slack);
 
-  /// `name` is empty for places that need no dimension.
-  void add(double at, const std::string& name);
-  /// After all places, before what joins them.
-  void begin();
+  /// What is no place is ignored. Returns false if other lengths join both ends of a length already.
+  bool join(const PlaceJoin& join);
 
-  /// What is no place is ignored.
-  void join(double a, double b);
-  /// The same by a length; returns false if other lengths join both already.
-  bool join_by_length(double a, double b);
-  /// Joins the places that divide a length equally.
-  void join_row(double from, double to, int parts);
+  /// The places that dimensions join to both ends of the models.
+  [[nodiscard]] std::vector<double> joined();
 
-  /// Whether dimensions join a place to both ends of the models.
-  [[nodiscard]] bool is_joined(double at);
-
-  /// Adds the places that nothing joins to the ends of the models.
-  void list_open(int axis, const Notation& notation, std::vector<std::string>& open);
+  /// The places that nothing joins to the ends of the models.
+  [[nodiscard]] std::vector<std::string> open(const Notation& notation);
 
  private:
+  void add(double at, const std::string& name);
   [[nodiscard]] int index_of(double at) const;
+  bool join_by_length(double a, double b);
 
+  int axis_;
   double slack_;
   design::Extent extent_;
   std::vector<std::pair<double, std::string>> places_;

@@ -2,21 +2,12 @@
 #include "sheet/dimensions/planning.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "design/tolerances.hpp"
 
 namespace epura::sheet {
-
-namespace {
-
-// Aligned sections count where no other view does.
-std::vector<const NamedProjection*> in_order(const ViewChoice& views) {
-  std::vector<const NamedProjection*> all = views.all();
-  all.insert(all.end(), views.aligned().begin(), views.aligned().end());
-  return all;
-}
-
-}  // namespace
 
 Planning::Planning(const scene::DimensionDescription& of, std::span<const NamedProjection> projections,
                    const DimensionSubject& parts, const Notation& written)
@@ -25,10 +16,11 @@ Planning::Planning(const scene::DimensionDescription& of, std::span<const NamedP
       subject(parts),
       notation(written),
       box(design::box_of_faces(parts.world)),
-      stations(parts, in_order(views)) {}
+      table(feature_table(parts, written)) {}
 
-scene::DimensionDescription& Planning::add(DimensionType type, const NamedProjection& view, const std::string& text) {
-  scene::DimensionDescription& dimension = dimensions.emplace_back();
+scene::DimensionDescription Planning::dimension(DimensionType type, const NamedProjection& view,
+                                                const std::string& text) const {
+  scene::DimensionDescription dimension;
   dimension.where = wanted.where;
   dimension.view = {view.name, wanted.where};
   dimension.type = {type, wanted.where};
@@ -36,15 +28,24 @@ scene::DimensionDescription& Planning::add(DimensionType type, const NamedProjec
   return dimension;
 }
 
-bool are_coaxial(const Vec3& point, const Vec3& axis, const Vec3& other, double size) {
-  return glm::length(glm::cross(other - point, axis)) <= design::same_size * size;
+scene::DimensionDescription Planning::dimension(DimensionType type, const NamedProjection& view,
+                                                const std::string& text, scene::FeatureCircle circle) const {
+  scene::DimensionDescription of_circle = dimension(type, view, text);
+  of_circle.circle = std::move(circle);
+  return of_circle;
+}
+
+void Planned::append(Planned other) {
+  std::move(other.dimensions.begin(), other.dimensions.end(), std::back_inserter(dimensions));
+  std::move(other.places.begin(), other.places.end(), std::back_inserter(places));
+  std::move(other.tables.begin(), other.tables.end(), std::back_inserter(tables));
 }
 
 bool is_overall(const DimensionSubject& subject, const design::DesignCylinder& cylinder) {
   return std::any_of(subject.extents.begin(), subject.extents.end(), [&](const design::Extent& extent) {
     return extent.form == design::ExtentForm::diameter && design::are_same(extent.size(), 2 * cylinder.radius) &&
            design::are_parallel(extent.axis, cylinder.axis) &&
-           are_coaxial(extent.centre, extent.axis, cylinder.from, cylinder.radius);
+           design::distance_from_line(cylinder.from, extent.centre, extent.axis) <= design::same_size * cylinder.radius;
   });
 }
 

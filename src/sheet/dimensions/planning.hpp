@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What automatic dimensions are chosen from, and what is chosen so far.
+// What automatic dimensions are chosen from, and what is chosen for some of the features.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "sheet/dimensions/automatic.hpp"
+#include "sheet/dimensions/feature_table.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "sheet/dimensions/view_choice.hpp"
 #include "sheet/notation.hpp"
@@ -24,16 +26,47 @@ struct Planning {
   const DimensionSubject& subject;
   Notation notation;
   Box box;  ///< of the faces of the models
-  Stations stations;
-  int groups = 0;  ///< of equal features, so far
-  std::vector<scene::DimensionDescription> dimensions{};
+  FeatureTable table;
 
   Planning(const scene::DimensionDescription& of, std::span<const NamedProjection> projections,
            const DimensionSubject& parts, const Notation& written);
 
-  /// Adds a dimension without its places; "<>" is the usual text.
-  scene::DimensionDescription& add(DimensionType type, const NamedProjection& view, const std::string& text);
+  /// A dimension without its places; "<>" is the usual text.
+  [[nodiscard]] scene::DimensionDescription dimension(DimensionType type, const NamedProjection& view,
+                                                      const std::string& text) const;
+  /// The same of a circle.
+  [[nodiscard]] scene::DimensionDescription dimension(DimensionType type, const NamedProjection& view,
+                                                      const std::string& text, scene::FeatureCircle circle) const;
   [[nodiscard]] std::string length(double value) const { return length_text(value, notation); }
+  /// The number of a group of equal features, for stations: that of the size of its first one.
+  template <class Feature>
+  [[nodiscard]] int group_of(SizeKind kind, const std::vector<Feature>& features, const Feature* first) const {
+    return static_cast<int>(table.first(kind)) + static_cast<int>(first - features.data());
+  }
+  [[nodiscard]] const design::Extent& extent(int axis) const { return subject.extents[static_cast<std::size_t>(axis)]; }
+};
+
+/// A place along an axis of the world that follows from dimensions.
+struct KnownPlace {
+  int axis;
+  double at;
+};
+
+/// A place along a slope: that of a feature which begins on a face.
+struct SlantedPlace {
+  const NamedProjection* view;
+  const design::DesignPlane* face;
+  Vec3 along, centre;
+  int group;  ///< as of stations
+};
+
+/// What is planned for some features.
+struct Planned {
+  std::vector<scene::DimensionDescription> dimensions{};
+  std::vector<std::variant<Station, KnownPlace, SlantedPlace>> places{};  ///< one after the other
+  std::vector<HoleTable> tables{};
+
+  void append(Planned other);
 };
 
 /// How many notes, horizontal or vertical dimensions a view has at most; and slopes that all views dimension.
@@ -51,8 +84,15 @@ const Feature* uppermost(const std::vector<const Feature*>& group, const NamedPr
                            [&](const Feature* a, const Feature* b) { return height(a) < height(b); });
 }
 
-/// Whether a point is on a line, for something of this size.
-bool are_coaxial(const Vec3& point, const Vec3& axis, const Vec3& other, double size);
+/// A view that shows one of several equal features from the side; null if there is none.
+template <class Feature>
+const NamedProjection* view_beside(const ViewChoice& views, const std::vector<const Feature*>& group,
+                                   const std::function<Vec3(const Feature&)>& centre) {
+  const NamedProjection* view = nullptr;
+  for (std::size_t i = 0; i < group.size() && view == nullptr; ++i)
+    view = views.beside(group[i]->axis, centre(*group[i]));
+  return view;
+}
 
 /// Whether an overall dimension is the diameter of a cylinder.
 bool is_overall(const DimensionSubject& subject, const design::DesignCylinder& cylinder);

@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "design/face_borders.hpp"
 #include "design/tolerances.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::sheet {
 
@@ -24,12 +28,19 @@ bool is_half_turn(double half) { return half >= 90 - slack_degrees; }
 bool has_hole(const design::DesignFeatures& features, const RoundEnd& end) {
   const auto is_around = [&end](const Vec3& point, const Vec3& axis) {
     return design::are_parallel(axis, end.axis) &&
-           glm::length(glm::cross(point - end.centre, end.axis)) <= 10 * design::same_size * end.radius;
+           design::distance_from_line(point, end.centre, end.axis) <= 10 * design::same_size * end.radius;
   };
   return std::any_of(features.holes.begin(), features.holes.end(),
                      [&](const design::DesignHole& hole) { return is_around(hole.mouth, hole.axis); }) ||
          std::any_of(features.cylinders.begin(), features.cylinders.end(),
                      [&](const design::DesignCylinder& one) { return one.inwards && is_around(one.from, one.axis); });
+}
+
+bool is_face_of(const features::PartFace& face, const design::DesignArc& arc) {
+  return face.surface.kind == features::SurfaceKind::cylinder && face.inwards &&
+         design::are_same(face.surface.radius, arc.radius) && design::are_parallel(face.surface.axis, arc.axis) &&
+         design::distance_from_line(arc.centre, face.surface.origin, face.surface.axis) <=
+             10 * design::same_size * arc.radius;
 }
 
 }  // namespace
@@ -50,15 +61,41 @@ bool RoundEnd::ends_models(int along, int side, const design::Extent& extent) co
 
 std::vector<RoundEnd> find_round_ends(const design::DesignFeatures& features) {
   std::vector<RoundEnd> ends;
-  for (const design::DesignArc& arc : features.arcs) {
+  for (std::size_t i = 0; i < features.arcs.size(); ++i) {
+    const design::DesignArc& arc = features.arcs[i];
     if (arc.inwards) continue;
     check(arc.points.size() == 9, "an arc has its ends and its middle");
     const Vec3 middle = (arc.points[4] - arc.centre) / arc.radius;
-    const RoundEnd end{arc.centre, arc.axis, arc.radius, middle,
-                       degrees_between(middle, (arc.points[0] - arc.centre) / arc.radius)};
+    const RoundEnd end{arc.centre,
+                       arc.axis,
+                       arc.radius,
+                       middle,
+                       degrees_between(middle, (arc.points[0] - arc.centre) / arc.radius),
+                       static_cast<int>(i)};
     if (is_half_turn(end.half) || has_hole(features, end)) ends.push_back(end);
   }
   return ends;
+}
+
+std::vector<int> find_channels(const DimensionSubject& subject) {
+  const std::vector<design::DesignArc>& arcs = subject.features.arcs;
+  std::vector<int> channels;
+  for (std::size_t model = 0; model < subject.world.models.size() && !arcs.empty(); ++model) {
+    const world::Placed& placed = subject.world.models[model];
+    const auto part = placed.part == nullptr ? std::nullopt : world::place_part(placed);
+    if (!part) continue;
+    const auto borders = design::borders_of_faces(placed);
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      if (!arcs[i].inwards || arcs[i].model != static_cast<int>(model)) continue;
+      const auto face = std::find_if(part->faces.begin(), part->faces.end(),
+                                     [&](const features::PartFace& one) { return is_face_of(one, arcs[i]); });
+      if (face == part->faces.end()) continue;
+      const auto& beside = borders[static_cast<std::size_t>(face - part->faces.begin())];
+      if (std::none_of(beside.begin(), beside.end(), [](const design::FaceBorder& one) { return one.tangent; }))
+        channels.push_back(static_cast<int>(i));
+    }
+  }
+  return channels;
 }
 
 const RoundEnd* end_along(std::span<const RoundEnd> ends, int axis, int side, const design::Extent& extent) {

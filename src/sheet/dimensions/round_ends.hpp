@@ -15,6 +15,7 @@ struct RoundEnd {
   double radius;
   Vec3 middle;  ///< direction from the centre to the middle of the arc
   double half;  ///< of its sweep, degrees
+  int arc;      ///< its number among the arcs of the features
 
   /// Whether it reaches farther in that direction than its own ends, and thus than the faces beside it.
   [[nodiscard]] bool bulges(int along, int side) const;
@@ -24,6 +25,10 @@ struct RoundEnd {
 
 /// Those of half a turn or more, and others around the axis of a hole.
 std::vector<RoundEnd> find_round_ends(const design::DesignFeatures& features);
+
+/// Numbers of the arcs that are open channels or notches: cut into the material, and no face beside them goes on
+/// tangentially, so that nothing but a position tells where their axes are.
+std::vector<int> find_channels(const DimensionSubject& subject);
 
 /// The one at an end of the models along an axis of the world; null if there is none.
 const RoundEnd* end_along(std::span<const RoundEnd> ends, int axis, int side, const design::Extent& extent);

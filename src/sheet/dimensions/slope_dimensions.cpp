@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -45,7 +46,19 @@ std::array<Vec3, 3> anchors_of_angle(const DesignBevel& slope, const DimensionSu
   return {corner, corner + way * glm::length(side) * Mat3(1)[axis], corner + side};
 }
 
-void add_chamfers(Planning& plan, const std::vector<DesignBevel>& chamfers) {
+// With those at the flats of a hexagon that lean against the axes of the world.
+std::size_t count_chamfers(const Planning& plan, const std::vector<const DesignBevel*>& group) {
+  std::size_t count = group.size();
+  for (const HexagonChamfer& one : plan.table.hexagon_chamfers) {
+    const DesignBevel& like = plan.subject.features.bevels[static_cast<std::size_t>(one.bevel)];
+    for (const DesignBevel* bevel : group)
+      if (bevel->model == like.model && bevel->face == like.face) ++count;
+  }
+  return count;
+}
+
+Planned dimensions_of_chamfers(const Planning& plan, const std::vector<DesignBevel>& chamfers) {
+  Planned planned;
   const Vec3 size = plan.box.size();
   const double least = least_radius * std::max({size.x, size.y, size.z});
   for (const auto& group : groups_of<DesignBevel>(chamfers, are_equal_chamfers)) {
@@ -53,14 +66,17 @@ void add_chamfers(Planning& plan, const std::vector<DesignBevel>& chamfers) {
     if (view == nullptr || group.front()->leg() < least) continue;
     const auto* shown =
         uppermost<DesignBevel>(group, *view, [](const DesignBevel& one) { return (one.ends[0] + one.ends[1]) / 2.0; });
-    DimensionDescription& dimension = plan.add(DimensionType::linear, *view, times(group.size()) + "<>×45°");
+    DimensionDescription dimension =
+        plan.dimension(DimensionType::linear, *view, times(count_chamfers(plan, group)) + "<>×45°");
     dimension.direction = {DimensionDirection::horizontal, plan.wanted.where};
     for (const Vec3& end : shown->ends) dimension.anchors.emplace_back(end);
+    planned.dimensions.push_back(std::move(dimension));
     // The other ends are on the faces at the corner.
     for (const DesignBevel* chamfer : group)
       for (const int end : {0, 1})
-        plan.stations.know(chamfer->across[end], chamfer->ends[1 - end][chamfer->across[end]]);
+        planned.places.emplace_back(KnownPlace{chamfer->across[end], chamfer->ends[1 - end][chamfer->across[end]]});
   }
+  return planned;
 }
 
 }  // namespace
@@ -82,26 +98,28 @@ bool is_angle_of(const AnchoredDimension& dimension, const DesignBevel& slope) {
   return false;
 }
 
-void add_slopes(Planning& plan) {
+Planned slope_dimensions(const Planning& plan) {
   std::vector<DesignBevel> chamfers, slopes;
   for (const DesignBevel& bevel : plan.subject.features.bevels) {
     check(bevel.along >= 0 && bevel.along < 3 && bevel.area > 0, "a slope has an axis and an area");
     (bevel.is_chamfer ? chamfers : slopes).push_back(bevel);
   }
-  add_chamfers(plan, chamfers);
+  Planned planned = dimensions_of_chamfers(plan, chamfers);
   std::stable_sort(slopes.begin(), slopes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
   for (std::size_t i = 0; i < std::min(slopes.size(), most_of_a_kind); ++i) {
     const NamedProjection* view = plan.views.along(Mat3(1)[slopes[i].along]);
     if (view == nullptr || slopes[i].area < least_area(plan.box)) continue;
     if (has_angle(slopes[i], plan.subject)) {
-      DimensionDescription& angle = plan.add(DimensionType::angular, *view, "<>");
-      for (const Vec3& anchor : anchors_of_angle(slopes[i], plan.subject)) angle.anchors.emplace_back(anchor);
+      planned.dimensions.push_back(plan.dimension(DimensionType::angular, *view, "<>"));
+      for (const Vec3& anchor : anchors_of_angle(slopes[i], plan.subject))
+        planned.dimensions.back().anchors.emplace_back(anchor);
       continue;
     }
     for (int axis = 0; axis < 3; ++axis)
       for (const Vec3& end : slopes[i].ends)
-        if (axis != slopes[i].along) plan.stations.add({view, axis, end[axis], end, -1, end});
+        if (axis != slopes[i].along) planned.places.emplace_back(Station{view, axis, end[axis], end, -1, end});
   }
+  return planned;
 }
 
 }  // namespace epura::sheet

@@ -16,6 +16,6 @@ bool is_angle_of(const AnchoredDimension& dimension, const design::DesignBevel& 
 
 /// Chamfered corners have a note; other slopes have an angle or the positions of their ends, those of the largest ones
 /// first.
-void add_slopes(Planning& plan);
+Planned slope_dimensions(const Planning& plan);
 
 }  // namespace epura::sheet

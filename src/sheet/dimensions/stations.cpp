@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "sheet/dimensions/round_ends.hpp"
+#include "design/tolerances.hpp"
 
 namespace epura::sheet {
 
@@ -50,15 +50,25 @@ bool are_a_row(std::span<const Station> stations, double slack) {
   return true;
 }
 
-Datum datum_along(int axis, const DimensionSubject& subject, std::span<const NamedProjection* const> views) {
+// The ends whose radius a view can give.
+std::vector<RoundEnd> seen_ends(std::span<const RoundEnd> ends, std::span<const NamedProjection* const> views) {
+  std::vector<RoundEnd> seen;
+  std::copy_if(ends.begin(), ends.end(), std::back_inserter(seen), [&](const RoundEnd& end) {
+    return std::any_of(views.begin(), views.end(), [&](const NamedProjection* view) {
+      return !view->aligned() && design::are_parallel(view->projection.n, end.axis);
+    });
+  });
+  return seen;
+}
+
+Datum datum_along(int axis, const design::Extent& extent, std::span<const RoundEnd> ends,
+                  std::span<const NamedProjection* const> views) {
   bool low = true;
   for (const NamedProjection* view : views)
     if (const Vec3& u = view->projection.u, &v = view->projection.v; world_axis(u) == axis || world_axis(v) == axis) {
       low = (world_axis(u) == axis ? u : v)[axis] > 0;
       break;
     }
-  const design::Extent& extent = subject.extents[static_cast<std::size_t>(axis)];
-  const std::vector<RoundEnd> ends = find_round_ends(subject.features);
   const RoundEnd* end = end_along(ends, axis, low ? 0 : 1, extent);
   if (end != nullptr && end->bulges(axis, low ? 0 : 1)) return {end->centre[axis], end->centre};
   return {low ? extent.from : extent.to, std::nullopt};
@@ -77,13 +87,15 @@ bool is_plain(const projection::Projection& projection) {
          glm::length(glm::cross(projection.projector, projection.n)) <= 1e-9 * glm::length(projection.projector);
 }
 
-Stations::Stations(const DimensionSubject& subject, std::span<const NamedProjection* const> views)
+Stations::Stations(const DimensionSubject& subject, std::span<const RoundEnd> ends,
+                   std::span<const NamedProjection* const> views)
     : subject_(subject),
-      datums_{datum_along(0, subject, views), datum_along(1, subject, views), datum_along(2, subject, views)},
       points_(design::points_of_faces(subject.world)),
       slack_(same_station * glm::length(subject.world.box.size())) {
+  const std::vector<RoundEnd> seen = seen_ends(ends, views);
   for (int axis = 0; axis < 3; ++axis) {
     const design::Extent& extent = subject.extents[axis];
+    datums_[axis] = datum_along(axis, extent, seen, views);
     known_[axis] = {extent.from, extent.to, datums_[axis].at};
     // The middle of a shaft needs no dimension, even where a flat is.
     if (extent.form == design::ExtentForm::length) continue;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sheet/dimensions/automatic.hpp"
+#include "sheet/dimensions/round_ends.hpp"
 #include "sheet/notation.hpp"
 
 namespace epura::sheet {
@@ -19,7 +20,7 @@ struct Station {
   int axis;
   double at;
   Vec3 point;                    ///< where its extension line begins, as the view shows it
-  int group = -1;                ///< of equal holes, which may be equally spaced; -1 for steps
+  int group = -1;                ///< of equal holes, which may be equally spaced: its first size; -1 for steps
   Vec3 opposite{point};          ///< where it begins if the dimension line is above or on the left
   std::optional<double> from{};  ///< place that it is measured from, beside it, instead of the end of the models
 };
@@ -43,8 +44,9 @@ struct Datum {
 class Stations {
  public:
   /// Along each axis, all views measure from one end of the models: the left or lower one in the first view that shows
-  /// the axis. Where that end is round, they measure from its centre.
-  Stations(const DimensionSubject& subject, std::span<const NamedProjection* const> views);
+  /// the axis. Where that end is round, and a view shows it so, they measure from its centre.
+  Stations(const DimensionSubject& subject, std::span<const RoundEnd> ends,
+           std::span<const NamedProjection* const> views);
 
   /// Notes that a place follows from other dimensions.
   void know(int axis, double at);
@@ -70,7 +72,7 @@ class Stations {
                std::vector<scene::DimensionDescription>& dimensions) const;
 
   const DimensionSubject& subject_;
-  std::array<Datum, 3> datums_;
+  std::array<Datum, 3> datums_{};
   std::vector<Vec3> points_;
   double slack_;
   std::array<std::vector<double>, 3> known_;

@@ -11,7 +11,6 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "design/tolerances.hpp"
-#include "sheet/dimensions/axis_positions.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/hole_angles.hpp"
 
@@ -53,16 +52,18 @@ bool measures(const AnchoredDimension& dimension, const Vec3& along, const Vec3&
 
 class TurnedFinder {
  public:
-  TurnedFinder(std::span<const DimensionsInView> views, const DimensionSubject& subject, const Notation& notation)
+  TurnedFinder(std::span<const DimensionsInView> views, const DimensionSubject& subject, const FeatureTable& table,
+               const Notation& notation)
       : views_(views),
         features_(subject.features),
+        table_(table),
         notation_(notation),
         slack_(same_size * glm::length(subject.world.box.size())) {}
 
   TurnedCoverage find() {
     found_.holes.assign(features_.holes.size(), true);
     std::vector<char> is_radial(features_.holes.size(), 0);
-    for (const RadialPattern& pattern : find_radial_patterns(features_)) {
+    for (const RadialPattern& pattern : table_.radial) {
       for (const design::DesignHole* hole : pattern.holes) is_radial[number_of(hole)] = 1;
       add_angles(directions_of(pattern));
     }
@@ -74,7 +75,7 @@ class TurnedFinder {
         found_.missing.push_back(name_of(hole) + ": position along its slope");
       }
     for (const design::DesignSlot& slot : features_.slots)
-      if (!has_place(slot.centres[0], slot.axis))
+      if (!has_place(slot.centres[0], slot.axis) || !has_place(slot.centres[1], slot.axis))
         found_.missing.push_back("slot R" + length_text(slot.radius, notation_) + ": position along its slope");
     check(found_.holes.size() == features_.holes.size(), "each hole is given or missing");
     return std::move(found_);
@@ -112,6 +113,7 @@ class TurnedFinder {
 
   std::span<const DimensionsInView> views_;
   const design::DesignFeatures& features_;
+  const FeatureTable& table_;
   const Notation& notation_;
   double slack_;
   TurnedCoverage found_;
@@ -120,8 +122,8 @@ class TurnedFinder {
 }  // namespace
 
 TurnedCoverage cover_turned(std::span<const DimensionsInView> views, const DimensionSubject& subject,
-                            const Notation& notation) {
-  return TurnedFinder(views, subject, notation).find();
+                            const FeatureTable& table, const Notation& notation) {
+  return TurnedFinder(views, subject, table, notation).find();
 }
 
 }  // namespace epura::sheet

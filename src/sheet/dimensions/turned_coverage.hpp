@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sheet/dimensions/coverage.hpp"
+#include "sheet/dimensions/feature_table.hpp"
 
 namespace epura::sheet {
 
@@ -18,6 +19,6 @@ struct TurnedCoverage {
 
 /// Angles of holes about an axis that their note does not give, and positions along the slopes on which features begin.
 TurnedCoverage cover_turned(std::span<const DimensionsInView> views, const DimensionSubject& subject,
-                            const Notation& notation);
+                            const FeatureTable& table, const Notation& notation);
 
 }  // namespace epura::sheet

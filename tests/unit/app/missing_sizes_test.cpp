@@ -8,6 +8,7 @@
 #include "folder.hpp"
 #include "program.hpp"
 #include "sloped_parts.hpp"
+#include "turned_parts.hpp"
 
 namespace epura::test::missing_sizes_test {
 namespace {
@@ -49,6 +50,17 @@ TEST_F(MissingSizes, OfTongues) { expect_known(tongues()); }
 TEST_F(MissingSizes, OfLinks) { expect_known(links()); }
 TEST_F(MissingSizes, OfRadialHoles) { expect_known(tubes_with_radial_holes()); }
 TEST_F(MissingSizes, OfHolesInSlopes) { expect_known(wedges_with_holes()); }
+TEST_F(MissingSizes, OfPairsInSlopes) { expect_known(wedges_with_pairs()); }
+TEST_F(MissingSizes, OfUnevenPitchCircles) { expect_known(uneven_pitch_circles()); }
+TEST_F(MissingSizes, OfChannels) { expect_known(channels()); }
+TEST_F(MissingSizes, OfTurnedHoles) {
+  std::vector<KnownPart> parts = plates_with_turned_holes();
+  parts.push_back(plate_with_two_turned_holes());
+  expect_known(parts);
+}
+TEST_F(MissingSizes, OfChamferedHexagons) { expect_known(chamfered_hexagons()); }
+TEST_F(MissingSizes, OfDimples) { expect_known(plates_with_dimples()); }
+TEST_F(MissingSizes, OfTurnedBlocks) { expect_known(turned_blocks()); }
 
 }  // namespace
 }  // namespace epura::test::missing_sizes_test

@@ -55,6 +55,13 @@ TEST_F(ReplacedDimensions, AreThereOnce) {
       {"four",
        "type = \"diameter\"\ntolerance = \"H7\"\n" + top + at("at", "24, 15, 20"),
        {"80", "60", "20", "4× ⌀8 H7", "20", "60", "15", "45"}},
+      // A text that speaks of one hole says nothing of the other three.
+      {"four",
+       "type = \"diameter\"\ntext = \"<> reamed\"\n" + top + at("at", "24, 15, 20"),
+       {"80", "60", "20", "4× ⌀8", "⌀8 reamed", "20", "60", "15", "45"}},
+      {"four",
+       "type = \"diameter\"\ntext = \"4× <> reamed\"\n" + top + at("at", "24, 15, 20"),
+       {"80", "60", "20", "4× ⌀8 reamed", "20", "60", "15", "45"}},
       {"shaft",
        "type = \"linear\"\ndirection = \"vertical\"\ntext = \"⌀<>\"\ntolerance = \"h6\"\n" + front +
            at("from", "50, 0, -14") + at("to", "50, 0, 14"),

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/cylinder_dimensions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "design/tolerances.hpp"
+#include "sheet/dimensions/axis_positions.hpp"
+#include "sheet/dimensions/equal_features.hpp"
+#include "sheet/dimensions/thread_notes.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using design::are_parallel;
+using design::are_same;
+using design::DesignCylinder;
+using design::DesignSlot;
+using CylinderGroup = std::vector<const DesignCylinder*>;
+
+// The end of a cylinder from which extension lines to the outside are short.
+Vec3 outer_end(const DesignCylinder& cylinder, const Vec3& middle) {
+  const auto off = [&](const Vec3& p) { return std::abs(glm::dot(p - middle, cylinder.axis)); };
+  return off(cylinder.from) > off(cylinder.to) ? cylinder.from : cylinder.to;
+}
+
+// Useful lengths of threads, as positions of their ends.
+Planned ends_of_threads(const CylinderGroup& group, const NamedProjection& view) {
+  Planned planned;
+  for (const DesignCylinder* cylinder : group) {
+    const int axis = world_axis(cylinder->axis);
+    if (axis < 0 || !cylinder->thread || !cylinder->thread->length) continue;
+    const bool horizontal = std::abs(view.projection.u[axis]) > 0.5;
+    const Vec3 towards = cylinder->called() * (horizontal ? -view.projection.v : view.projection.u);
+    const Vec3& end = cylinder->thread->end;
+    planned.places.emplace_back(Station{&view, axis, end[axis], end + towards, -1, end - towards});
+  }
+  return planned;
+}
+
+Planned dimensions_of_equal(const Planning& plan, const CylinderGroup& group) {
+  Planned planned;
+  const Vec3& axis = group.front()->axis;
+  const NamedProjection* along = plan.views.along(axis);
+  const auto end = [&](const DesignCylinder& cylinder) { return outer_end(cylinder, plan.box.centre()); };
+  const NamedProjection* across = group.front()->inwards ? nullptr : plan.views.across(axis, end(*group.front()));
+  // Across an interrupted one, its outline may not be seen.
+  const bool is_clear = across != nullptr && (group.front()->whole || along == nullptr);
+  const NamedProjection* view = is_clear ? across : along;
+  if (view == nullptr && group.front()->whole) view = view_beside<DesignCylinder>(plan.views, group, end);
+  if (view == nullptr) return planned;
+  const DesignCylinder& shown = *uppermost<DesignCylinder>(group, *view, end);
+  check(shown.called() > 0, "a cylinder has a radius");
+  planned.dimensions.push_back(plan.dimension(DimensionType::diameter, *view,
+                                              times(group.size()) + name_in_note(shown.thread),
+                                              {end(shown), axis, shown.called(), {}}));
+  if (across != nullptr) planned.append(ends_of_threads(group, *across));
+  std::vector<Vec3> centres;
+  for (const DesignCylinder* cylinder : group) centres.push_back(cylinder->from);
+  planned.append(positions_of(plan, centres, axis, along,
+                              plan.group_of(SizeKind::cylinder, plan.subject.features.cylinders, group.front())));
+  return planned;
+}
+
+Vec3 span_of(const DesignSlot& slot) { return slot.centres[1] - slot.centres[0]; }
+
+// Half of the end of a slot.
+scene::FeatureCircle end_of(const DesignSlot& slot) {
+  const Vec3 along = glm::normalize(span_of(slot)), out = glm::cross(slot.axis, along);
+  std::vector<Vec3> arc;
+  for (const double turn : {-1.0, 0.0, 1.0})
+    arc.push_back(slot.centres[1] + slot.radius * (turn * out + (1 - std::abs(turn)) * along));
+  return {slot.centres[1], slot.axis, slot.radius, std::move(arc)};
+}
+
+}  // namespace
+
+Planned cylinder_dimensions(const Planning& plan) {
+  Planned planned;
+  for (CylinderGroup& group : equal_features(plan.table, SizeKind::cylinder, plan.subject.features.cylinders)) {
+    std::erase_if(group, [&](const DesignCylinder* one) { return !one->inwards && is_overall(plan.subject, *one); });
+    if (!group.empty()) planned.append(dimensions_of_equal(plan, group));
+  }
+  return planned;
+}
+
+Planned slot_dimensions(const Planning& plan) {
+  const std::vector<DesignSlot>& slots = plan.subject.features.slots;
+  const auto size_of = [&](const DesignSlot& slot) -> const FeatureSize& {
+    return plan.table.size_of(SizeKind::slot, static_cast<std::size_t>(&slot - slots.data()));
+  };
+  const auto equal = [&](const DesignSlot& a, const DesignSlot& b) {
+    return size_of(a).equal_to == size_of(b).equal_to && are_same(glm::length(span_of(a)), glm::length(span_of(b))) &&
+           are_parallel(glm::normalize(span_of(a)), glm::normalize(span_of(b)));
+  };
+  Planned planned;
+  for (const auto& group : groups_of<DesignSlot>(slots, equal)) {
+    const DesignSlot& slot = *group.front();
+    check(slot.radius > 0 && slot.centres[0] != slot.centres[1], "a slot has a width and a length");
+    const NamedProjection* view = plan.views.along(slot.axis);
+    if (view == nullptr) continue;
+    planned.dimensions.push_back(
+        plan.dimension(DimensionType::radius, *view, times(2 * group.size()) + "<>", end_of(slot)));
+    const int axis = world_axis(glm::normalize(span_of(slot)));
+    if (axis >= 0) {
+      planned.dimensions.push_back(plan.dimension(DimensionType::aligned, *view, times(group.size()) + "<>"));
+      planned.dimensions.back().anchors = {slot.centres[0], slot.centres[1]};
+    }
+    const int number = plan.group_of(SizeKind::slot, slots, group.front());
+    for (const DesignSlot* one : group) {
+      const double way = glm::dot(span_of(*one), view->projection.u + view->projection.v);
+      const auto& [low, high] = std::pair(one->centres[way > 0 ? 0 : 1], one->centres[way > 0 ? 1 : 0]);
+      planned.append(positions_of(plan, std::array{low}, slot.axis, view, number));
+      if (axis >= 0)
+        planned.places.emplace_back(KnownPlace{axis, high[axis]});
+      else
+        planned.append(positions_of(plan, std::array{high}, slot.axis, view, number));
+    }
+  }
+  return planned;
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/radius_dimensions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/error.hpp"
+#include "design/tolerances.hpp"
+#include "sheet/dimensions/axis_positions.hpp"
+#include "sheet/dimensions/equal_features.hpp"
+#include "sheet/dimensions/placed_balls.hpp"
+#include "sheet/dimensions/rounded_edges.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using design::are_parallel;
+using design::are_same;
+using design::DesignArc;
+using design::DesignBall;
+using design::DesignRound;
+using scene::DimensionDescription;
+
+// The view along most of some arcs, and these.
+std::pair<const NamedProjection*, std::vector<const DesignArc*>> most_seen(const ViewChoice& views,
+                                                                           const std::vector<const DesignArc*>& arcs) {
+  std::pair<const NamedProjection*, std::vector<const DesignArc*>> best{};
+  for (const NamedProjection* view : views.all()) {
+    std::vector<const DesignArc*> seen;
+    std::copy_if(arcs.begin(), arcs.end(), std::back_inserter(seen),
+                 [&](const DesignArc* arc) { return views.along(arc->axis) == view; });
+    if (seen.size() > best.second.size()) best = {view, std::move(seen)};
+  }
+  return best;
+}
+
+bool has_radius(std::span<const DimensionDescription> dimensions, double radius, double doubt,
+                const Notation& notation) {
+  return std::any_of(dimensions.begin(), dimensions.end(), [&](const DimensionDescription& dimension) {
+    return *dimension.type == DimensionType::radius && (are_written_alike(dimension.circle->radius, radius, notation) ||
+                                                        std::abs(dimension.circle->radius - radius) <= doubt);
+  });
+}
+
+// Whether an overall dimension is the diameter of a ball.
+bool is_overall_ball(const DimensionSubject& subject, const DesignBall& ball) {
+  return std::any_of(subject.extents.begin(), subject.extents.end(), [&](const design::Extent& extent) {
+    return extent.form == design::ExtentForm::sphere && are_same(extent.size(), 2 * ball.radius);
+  });
+}
+
+// A short arc of the outline of a ball in a view.
+scene::FeatureCircle outline_of(const DesignBall& ball, const projection::Projection& projection) {
+  const Vec3 flat = ball.middle - glm::dot(ball.middle, projection.n) * projection.n;
+  const Vec3 out = glm::normalize(glm::length(flat) > 0.1 ? flat : projection.u + projection.v);
+  const Vec3 aside = glm::cross(projection.n, out);
+  std::vector<Vec3> arc;
+  for (const double turn : {-0.1, 0.0, 0.1})
+    arc.push_back(ball.centre + ball.radius * glm::normalize(out + turn * aside));
+  return {ball.centre, projection.n, ball.radius, std::move(arc)};
+}
+
+}  // namespace
+
+Planned arc_positions(const Planning& plan) {
+  Planned planned;
+  for (const RoundEnd& end : plan.table.round_ends)
+    planned.append(positions_of(plan, std::array{end.centre}, end.axis, plan.views.along(end.axis),
+                                static_cast<int>(plan.table.first(SizeKind::arc)) + end.arc));
+  for (const int number : plan.table.channels) {
+    const DesignArc& channel = plan.subject.features.arcs[static_cast<std::size_t>(number)];
+    planned.append(positions_of(plan, std::array{channel.centre}, channel.axis, plan.views.along(channel.axis),
+                                static_cast<int>(plan.table.first(SizeKind::arc)) + number));
+  }
+  return planned;
+}
+
+Planned ball_positions(const Planning& plan) {
+  Planned planned;
+  for (const int number : plan.table.balls) {
+    const DesignBall& ball = plan.subject.features.balls[static_cast<std::size_t>(number)];
+    const int group = static_cast<int>(plan.table.sizes.size()) + number;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (ends_models(ball, axis, plan.extent(axis))) continue;
+      // In a view across this axis that looks at most of the sphere.
+      const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+      const Vec3 sight = Mat3(1)[std::abs(ball.middle[next]) > std::abs(ball.middle[last]) ? next : last];
+      const Planned positions = positions_of(plan, std::array{ball.centre}, sight, plan.views.along(sight), group);
+      for (const auto& place : positions.places)
+        if (const auto* station = std::get_if<Station>(&place); station != nullptr && station->axis == axis)
+          planned.places.emplace_back(*station);
+    }
+  }
+  return planned;
+}
+
+Planned arc_dimensions(const Planning& plan) {
+  auto groups = equal_features(plan.table, SizeKind::arc, plan.subject.features.arcs);
+  std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
+    return double(a.size()) * a.front()->radius > double(b.size()) * b.front()->radius;
+  });
+  const Vec3 size = plan.box.size();
+  const double largest = std::max({size.x, size.y, size.z});
+  std::map<std::string, std::size_t> in_view;
+  Planned planned;
+  for (const auto& group : groups) {
+    const auto [view, seen] = most_seen(plan.views, group);
+    if (view == nullptr || double(group.size()) * group.front()->radius < least_radius * largest ||
+        in_view[view->name]++ >= most_radii)
+      continue;
+    const auto* shown = uppermost<DesignArc>(seen, *view, [](const DesignArc& arc) { return arc.points[4]; });
+    check(shown->radius > 0 && shown->points.size() > 4, "an arc has a radius and a middle");
+    planned.dimensions.push_back(plan.dimension(DimensionType::radius, *view, times(group.size()) + "<>",
+                                                {shown->centre, shown->axis, shown->radius, shown->points}));
+  }
+  return planned;
+}
+
+Planned round_dimensions(const Planning& plan, std::span<const DimensionDescription> so_far) {
+  const auto equal = [](const DesignRound& a, const DesignRound& b) {
+    return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
+  };
+  Planned planned;
+  for (const auto& group : groups_of<DesignRound>(plan.subject.features.rounds, equal)) {
+    const DesignRound& round = *group.front();
+    std::optional<SeenSection> seen = seen_section(round, plan.views);
+    if (!seen || has_radius(so_far, round.radius, 0, plan.notation) ||
+        has_radius(planned.dimensions, round.radius, 0, plan.notation))
+      continue;
+    planned.dimensions.push_back(
+        plan.dimension(DimensionType::radius, *seen->view, times(group.size()) + "<>", std::move(seen->circle)));
+  }
+  return planned;
+}
+
+Planned ball_dimensions(const Planning& plan, std::span<const DimensionDescription> so_far) {
+  const auto equal = [&](const DesignBall& a, const DesignBall& b) {
+    return a.model == b.model && are_written_alike(a.radius, b.radius, plan.notation);
+  };
+  Planned planned;
+  for (const auto& group : groups_of<DesignBall>(plan.subject.features.balls, equal)) {
+    const DesignBall& ball = *group.front();
+    check(ball.radius > 0, "a ball has a radius");
+    if (has_radius(so_far, ball.radius, ball.doubt, plan.notation) ||
+        has_radius(planned.dimensions, ball.radius, ball.doubt, plan.notation) || is_overall_ball(plan.subject, ball))
+      continue;
+    const auto& views = plan.views.all();
+    const auto view = std::find_if(views.begin(), views.end(), [&](const NamedProjection* one) {
+      return std::abs(glm::dot(ball.middle, one->projection.n)) < 0.5;
+    });
+    if (view == views.end()) continue;
+    planned.dimensions.push_back(plan.dimension(DimensionType::radius, **view, times(group.size()) + "S<>",
+                                                outline_of(ball, (*view)->projection)));
+  }
+  return planned;
+}
+
+}  // namespace epura::sheet

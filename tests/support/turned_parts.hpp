@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts with rectangles turned against the world, open channels, and holes at angles, of known sizes, in
+// families.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "sloped_parts.hpp"
+
+namespace epura::test {
+
+inline Loop turned(Loop loop, const Vec2& about, double degrees) {
+  for (Vec2& p : loop) {
+    const Vec2 off = p - about;
+    p = about + Vec2(cosine(degrees) * off.x - sine(degrees) * off.y, sine(degrees) * off.x + cosine(degrees) * off.y);
+  }
+  return loop;
+}
+
+/// A plate with a rectangular hole in its middle that is turned.
+inline std::vector<KnownPart> plates_with_turned_holes() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double degrees = i == 0 ? 45 : 10 + 4 * i, w = 12, h = 7 + 0.5 * i;
+    const Vec2 size(60 + 2 * i, 44), middle = size / 2.0;
+    const Loop hole = turned(square(middle - Vec2(w, h) / 2.0, {w, h}), middle, degrees);
+    Plate plate(10);
+    plate.cell(square({0, 0}, size), {{hole, 10}, {hole, 0}});
+    parts.push_back({"a hole turned by " + number(degrees),
+                     plate.obj(),
+                     {number(size.x), "44", "10", "12", number(h), number(degrees) + "°", number(middle.x), "22"}});
+  }
+  return parts;
+}
+
+/// Two equal ones: one note for each width, and one angle.
+inline KnownPart plate_with_two_turned_holes() {
+  Plate plate(10);
+  for (const double x : {0.0, 50.0}) {
+    const Loop hole = turned(square({x + 20, 18}, {10, 8}), {x + 25, 22}, 30);
+    plate.cell(square({x, 0}, {50, 44}), {{hole, 10}, {hole, 0}});
+  }
+  return {"two turned holes", plate.obj(), {"100", "44", "10", "2× 10", "2× 8", "2× 30°", "25", "75", "22"}};
+}
+
+/// A block that is turned as a whole: its sides and their angle; the sizes over all follow.
+inline std::vector<KnownPart> turned_blocks() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double degrees = 8 + 3 * i, w = 50 + i, h = 30;
+    parts.push_back(
+        {"a block turned by " + number(degrees),
+         block(turned({{0, 0}, {w, 0}, {w, h}, {0, h}}, {0, 0}, degrees), 20),
+         {"(" + number(w * cosine(degrees) + h * sine(degrees)) + ")",
+          "(" + number(w * sine(degrees) + h * cosine(degrees)) + ")", "20", number(w), "30", number(degrees) + "°"}});
+  }
+  return parts;
+}
+
+/// A block with an open round channel in its top, whose axis is in the top or above it.
+inline std::vector<KnownPart> channels() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double m = 25 + i, r = 7 + 0.5 * i, above = i % 2 == 0 ? 0 : 0.4 * r;
+    Loop outline{{0, 0}, {70, 0}, {70, 20}};
+    const double end = std::asin(above / r) * 180 / std::numbers::pi;
+    for (int step = 0; step <= 2 * k; ++step) {
+      const double angle = -end - (180 - 2 * end) * step / (2 * k);
+      outline.push_back(Vec2(m, 20 + above) + r * Vec2(cosine(angle), sine(angle)));
+    }
+    outline.emplace_back(0, 20);
+    KnownPart part{
+        "a channel " + std::to_string(i), block(outline, 30), {"70", "20", "30", number(m), "R" + number(r)}};
+    if (above > 0) part.texts.push_back(number(20 + above));
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+/// A ring about z with a hole at each angle.
+inline std::string ring_with_holes(const std::vector<double>& angles, double pitch, double radius) {
+  constexpr double inner = 15, outer = 50, thickness = 8;
+  Plate plate(thickness);
+  const std::size_t count = angles.size();
+  const auto at = [](double r, double angle) { return r * Vec2(cosine(angle), sine(angle)); };
+  for (std::size_t s = 0; s < count; ++s) {
+    const double middle = angles[s];
+    const double from = (middle + angles[(s + count - 1) % count] - (s == 0 ? 360 : 0)) / 2,
+                 to = (middle + angles[(s + 1) % count] + (s + 1 == count ? 360 : 0)) / 2;
+    Loop outline;
+    for (int i = 0; i < k; ++i) outline.push_back(at(outer, from + (to - from) * i / k));
+    for (int i = 0; i < k; ++i) outline.push_back(at(outer + (inner - outer) * i / k, to));
+    for (int i = 0; i < k; ++i) outline.push_back(at(inner, to + (from - to) * i / k));
+    for (int i = 0; i < k; ++i) outline.push_back(at(inner + (outer - inner) * i / k, from));
+    const Loop hole = circle(at(pitch, middle), radius, middle - 45);
+    plate.cell(outline, {{hole, thickness}, {hole, 0}});
+  }
+  return plate.obj();
+}
+
+/// Unevenly spaced holes on a pitch circle: those at one angle from the axes have one dimension.
+inline std::vector<KnownPart> uneven_pitch_circles() {
+  std::vector<KnownPart> parts;
+  const auto add = [&](const std::vector<double>& angles, const Words& texts) {
+    Words all{"⌀100", "⌀30", "8", std::to_string(angles.size()) + "× ⌀8", "⌀70"};
+    all.insert(all.end(), texts.begin(), texts.end());
+    parts.push_back({"holes at " + number(angles.front()), ring_with_holes(angles, 35, 4), all});
+  };
+  for (int i = 0; i < variants - 2; ++i) {
+    const double a = 18 + 2 * i;
+    add({a, 180 - a, 270}, {"2× " + number(a) + "°"});
+  }
+  add({30, 60, 120, 150, 210, 240, 300, 330}, {"8× 30°"});
+  add({10, 90, 200}, {"10°", "20°"});
+  return parts;
+}
+
+/// A plate with half a sphere cut into its top.
+inline std::vector<KnownPart> plates_with_dimples() {
+  std::vector<KnownPart> parts;
+  constexpr int rings = 12;
+  for (int i = 0; i < variants; ++i) {
+    const Vec2 size(60 + 2 * i, 40), centre(22 + i, 18);
+    const double height = 15, radius = 5 + 0.5 * i;
+    const Loop border = square({0, 0}, size), round = circle({0, 0}, radius, -135);
+    const auto at = [&](int ring, std::size_t point) {
+      const double angle = 90.0 * ring / rings;
+      return Vec3(centre + cosine(angle) * round[point], height - radius * sine(angle));
+    };
+    Model model;
+    std::vector<Vec3> bottom;
+    for (std::size_t p = 0; p < border.size(); ++p) {
+      const std::size_t q = (p + 1) % border.size();
+      model.face({Vec3(border[p], height), Vec3(border[q], height), at(0, q), at(0, p)});
+      for (int ring = 0; ring < rings; ++ring) model.face({at(ring, p), at(ring, q), at(ring + 1, q), at(ring + 1, p)});
+      model.face({Vec3(border[q], height), Vec3(border[p], height), Vec3(border[p], 0), Vec3(border[q], 0)});
+      bottom.insert(bottom.begin(), Vec3(border[p], 0));
+    }
+    model.face(bottom);
+    parts.push_back({"a dimple " + std::to_string(i),
+                     model.obj(),
+                     {number(size.x), "40", "15", "SR" + number(radius), number(centre.x), "18"}});
+  }
+  return parts;
+}
+
+/// Hexagonal bars with a chamfer at all six edges of one end.
+inline std::vector<KnownPart> chamfered_hexagons() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double flats = 30 + i, height = 25, leg = 2 + 0.25 * i;
+    const auto outline = [](double across) {
+      Loop loop;
+      for (int corner = 0; corner < 6; ++corner)
+        loop.push_back(across / std::sqrt(3) * Vec2(cosine(60 * corner), sine(60 * corner)));
+      return loop;
+    };
+    Model model;
+    const Loop outer = outline(flats), inner = outline(flats - 2 * leg);
+    const auto wall = [&](const Loop& above, double z, const Loop& below, double low) {
+      model.strip({above.rbegin(), above.rend()}, z, {below.rbegin(), below.rend()}, low);
+    };
+    wall(inner, height, outer, height - leg);
+    wall(outer, height - leg, outer, 0);
+    std::vector<Vec3> top, bottom;
+    for (const Vec2& p : inner) top.emplace_back(p, height);
+    for (const Vec2& p : outer) bottom.insert(bottom.begin(), Vec3(p, 0));
+    model.face(top);
+    model.face(bottom);
+    parts.push_back(
+        {"a chamfered hexagon " + std::to_string(i),
+         model.obj(),
+         {"(" + number(2 * flats / std::sqrt(3)) + ")", number(flats), "25", "6× " + number(leg) + "×45°"}});
+  }
+  return parts;
+}
+
+/// A wedge with holes of two sizes side by side: their places along the slope once.
+inline std::vector<KnownPart> wedges_with_pairs() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double length = 60 + 3 * i, degrees = 12 + i;
+    const int count = 1 + i % 2;
+    KnownPart part{"pairs in a slope of " + number(degrees), wedge_with_holes(length, degrees, count, 8, {3, 2.5}), {}};
+    const std::string many = count > 1 ? number(count) + "× " : "";
+    part.texts = {number(length * cosine(degrees)),
+                  "48",
+                  number(18 + length * sine(degrees)),
+                  "18",
+                  "12",
+                  "36",
+                  many + "⌀6 ↧8",
+                  many + "⌀5 ↧8",
+                  number(length / count / 2)};
+    if (count == 2) part.texts.push_back(number(length * 0.75));
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+}  // namespace epura::test
