@@ -5,7 +5,7 @@
 
 #include "scene/part_options.hpp"
 
-namespace epura::scene {
+namespace epura::scene::details_test {
 namespace {
 
 /// A view and an enlarged part of it.
@@ -75,4 +75,4 @@ TEST(Details, WithoutOptionsLeaveThemOpen) {
 }
 
 }  // namespace
-}  // namespace epura::scene
+}  // namespace epura::scene::details_test

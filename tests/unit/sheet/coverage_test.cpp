@@ -15,7 +15,7 @@
 #include "sheet/dimensions/place_chain.hpp"
 #include "sheet/dimensions/turned_prisms.hpp"
 
-namespace epura::test {
+namespace epura::test::coverage_test {
 namespace {
 
 // A slope in a box of 20: without a view, all places of its ends are missing, and nothing ends the run.
@@ -83,4 +83,4 @@ TEST(Coverage, TurnedPrismsAreTwoPairsOfFacesAboutOneMiddle) {
 }
 
 }  // namespace
-}  // namespace epura::test
+}  // namespace epura::test::coverage_test
