@@ -42,12 +42,16 @@ function(epura_compile_together target)
   endif()
 endfunction()
 
-# epura_stage(NAME sources... [LINK libraries...]): one folder of src/ as one static library.
+# Headers are named by their folders: "base/text.hpp" is in src/ground.
+set(EPURA_DISTRICTS ground input model view sheet run)
+list(TRANSFORM EPURA_DISTRICTS PREPEND ${PROJECT_SOURCE_DIR}/src/)
+
+# epura_stage(NAME sources... [LINK libraries...]): one folder of a district of src/ as one static library.
 function(epura_stage name)
   cmake_parse_arguments(STAGE "" "" "LINK" ${ARGN})
   add_library(epura_${name} STATIC ${STAGE_UNPARSED_ARGUMENTS})
   epura_compile_together(epura_${name})
-  target_include_directories(epura_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
+  target_include_directories(epura_${name} PUBLIC ${EPURA_DISTRICTS} ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(epura_${name} PUBLIC ${STAGE_LINK})
   if(EPURA_COVERAGE STREQUAL "all" OR name IN_LIST EPURA_COVERAGE)
     # Optimized as far as lines keep code of their own.

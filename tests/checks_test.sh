@@ -17,49 +17,54 @@ expect() {  # passes|fails title command...
 licence='// SPDX-License-Identifier: Apache-2.0\n'
 tree() {  # file text [first line]: a sound tree plus one file
   rm -rf "$scratch/tree"
-  mkdir -p "$scratch/tree/src/mesh" "$scratch/tree/src/output" "$scratch/tree/src/app"
+  mkdir -p "$scratch/tree/src/input/mesh" "$scratch/tree/src/sheet/output" "$scratch/tree/src/run/app"
   cp "$tests/../.clang-format" "$scratch/tree"
-  printf '// SPDX-License-Identifier: Apache-2.0\n#include <OpenMesh/Core/IO/MeshIO.hh>\n\n#include "base/text.hpp"\n' >"$scratch/tree/src/mesh/read.cpp"
+  printf '// SPDX-License-Identifier: Apache-2.0\n#include <OpenMesh/Core/IO/MeshIO.hh>\n\n#include "base/text.hpp"\n' >"$scratch/tree/src/input/mesh/read.cpp"
+  mkdir -p "$(dirname "$scratch/tree/src/$1")"
   printf '%b' "${3-$licence}$2" >"$scratch/tree/src/$1"
 }
 
 layers() { cmake -DROOT="$scratch/tree" -P "$tests/layers.cmake"; }
 style() { "$tests/style.sh" "$scratch/tree"; }
 
-tree output/a.cpp '#include "mesh/read.hpp"\n'
+tree sheet/output/a.cpp '#include "mesh/read.hpp"\n'
 expect passes "a folder to the left" layers
 expect passes "nothing wrong" style
-tree mesh/a.cpp '#include "output/write.hpp"\n'
+tree input/mesh/a.cpp '#include "output/write.hpp"\n'
 expect fails "a folder to the right" layers
-tree mesh/a.cpp '#include "elsewhere/write.hpp"\n'
+tree input/mesh/a.cpp '#include "elsewhere/write.hpp"\n'
 expect fails "an unknown folder" layers
-tree output/a.cpp '#include <OpenMesh/Core/IO/MeshIO.hh>\n'
+tree run/mesh/a.cpp '#include "base/text.hpp"\n'
+expect fails "a folder in another district" layers
+tree mesh/a.cpp '#include "base/text.hpp"\n'
+expect fails "a folder outside of the districts" layers
+tree sheet/output/a.cpp '#include <OpenMesh/Core/IO/MeshIO.hh>\n'
 expect fails "a library out of its place" layers
 
-tree app/a.cpp '#include "study/commands.hpp"\n'
+tree run/app/a.cpp '#include "study/commands.hpp"\n'
 expect fails "a tool in src" layers
 
-tree mesh/a.cpp 'int x;\n' ''
+tree input/mesh/a.cpp 'int x;\n' ''
 expect fails "a file without a licence" style
-tree mesh/a.cpp 'int   x;\n'
+tree input/mesh/a.cpp 'int   x;\n'
 expect fails "not formatted" style
-tree mesh/a.cpp "$(printf 'int x;\\n%.0s' {1..600})"
+tree input/mesh/a.cpp "$(printf 'int x;\\n%.0s' {1..600})"
 expect fails "a long file" style
-tree mesh/a.cpp "int f(int a) {\\n$(printf '  ++a;\\n%.0s' {1..70})  return a;\\n}\\n"
+tree input/mesh/a.cpp "int f(int a) {\\n$(printf '  ++a;\\n%.0s' {1..70})  return a;\\n}\\n"
 expect fails "a long function" style
-tree mesh/a.cpp 'namespace epura {\nint x;\n}  // namespace epura\n'
+tree input/mesh/a.cpp 'namespace epura {\nint x;\n}  // namespace epura\n'
 expect fails "a file outside the namespace of its folder" style
-tree mesh/a.cpp 'namespace epura::mesh {\nint x;\n}  // namespace epura::mesh\n'
+tree input/mesh/a.cpp 'namespace epura::mesh {\nint x;\n}  // namespace epura::mesh\n'
 expect passes "a file in the namespace of its folder" style
-tree mesh/a.cpp 'constexpr double near = 4;\n'
+tree input/mesh/a.cpp 'constexpr double near = 4;\n'
 expect passes "a limit in a folder without a header of limits" style
-printf '%b#pragma once\n\ninline constexpr double far = 8;\n' "$licence" >"$scratch/tree/src/mesh/limits.hpp"
+printf '%b#pragma once\n\ninline constexpr double far = 8;\n' "$licence" >"$scratch/tree/src/input/mesh/limits.hpp"
 expect fails "a limit beside the header of limits" style
-printf '%bconstexpr int near = 4;\n' "$licence" >"$scratch/tree/src/mesh/a.cpp"
+printf '%bconstexpr int near = 4;\n' "$licence" >"$scratch/tree/src/input/mesh/a.cpp"
 expect passes "a count beside the header of limits" style
-tree mesh/a.hpp 'int f();\n'
+tree input/mesh/a.hpp 'int f();\n'
 expect fails "a header without a guard" style
-tree mesh/a.cpp "// see /ho""me/me\\n"
+tree input/mesh/a.cpp "// see /ho""me/me\\n"
 expect fails "a path of a machine" style
 
 # What plants faults removes files: never those of others.

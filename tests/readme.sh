@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # README, CONTRIBUTING, recipes, docs/office.md and docs/scale.md must not lie:  [ACCEPT=1] tests/readme.sh EPURA
 # Every ```sh block is run, in a scratch copy, with EPURA first in PATH; docs/office has the pictures that its blocks draw,
-# or, with ACCEPT=1, gets them; the folders are those of src/CMakeLists.txt.
+# or, with ACCEPT=1, gets them; the folders are those of src/CMakeLists.txt and below.
 set -uo pipefail
 root=$(realpath "$(dirname "$(realpath "$0")")/..")
 PATH=$(dirname "$(realpath "$1")"):$PATH
@@ -45,8 +45,9 @@ done
 sed -n '/^```cpp$/,/^```$/p' "$root/README.md" | sed '1d;$d' | diff - <(sed 1,2d "$root/samples/plugin/shadow.cpp") ||
   complain "its plugin is not samples/plugin/shadow.cpp"
 while IFS= read -r line; do
-  grep -qxF -- "$line" "$root/CONTRIBUTING.md" || complain "lacks the line of src/CMakeLists.txt: $line"
-done < <(sed -nE 's/^add_subdirectory\((.*)\) *# (.*)$/- `\1`: \2/p' "$root/src/CMakeLists.txt")
+  grep -qxF -- "$line" "$root/CONTRIBUTING.md" || complain "lacks the line of a CMakeLists.txt of src: $line"
+done < <(sed -nE 's/^add_subdirectory\((.*)\) *# (.*)$/- `\1`: \2/p' "$root"/src/*/CMakeLists.txt
+         sed -nE 's/^add_subdirectory\((.*)\) *# (.*)$/**`\1`**: \2/p' "$root/src/CMakeLists.txt")
 grep -oE '\]\([^)#:]+\)' "$root/README.md" | tr -d '()]' | while read -r link; do
   [ -e "$root/$link" ] || echo "$link"
 done >broken

@@ -36,18 +36,20 @@ repeated_types() {
          seen[name] = FILENAME }' "$@"
 }
 
-# Every folder of src/ has its namespace; base, app and library are epura itself.
+# Every folder of src/ has its namespace; base, app and library are epura itself, and what runs the stages is one.
 foreign_namespaces() {
-  local folder
-  for folder in $(cd src 2>/dev/null && ls -d -- */ | grep -vxE '(base|app|library)/'); do
-    grep -rlE '^namespace epura' "src/$folder" --include='*.[ch]pp' | xargs -r grep -L "^namespace epura::${folder%/} {"
+  local folder name
+  for folder in $(find src -mindepth 2 -maxdepth 2 -type d | grep -vE '/(base|app|library)$'); do
+    name=${folder##*/}
+    case $name in views | composition) name=pipeline ;; esac
+    grep -rlE '^namespace epura' "$folder" --include='*.[ch]pp' | xargs -r grep -L "^namespace epura::$name {"
   done
 }
 
 # A stage that has a header of limits tells all of them there: no floating-point constant has a name elsewhere.
 scattered_limits() {
   local header
-  for header in src/*/limits.hpp; do
+  for header in src/*/*/limits.hpp; do
     [ -e "$header" ] || continue
     grep -nE '(^|[^a-z_])constexpr (double|float) [a-z_0-9]+( =|\{)' "${header%/*}"/*.[ch]pp | grep -v "^$header:"
   done

@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/batch/job_table.hpp"
-#include "app/batch/manifest.hpp"
-#include "app/batch/placeholders.hpp"
-#include "app/batch/shards.hpp"
 #include "app/command_line_options.hpp"
 #include "app/draw_options.hpp"
+#include "app/jobs/job_table.hpp"
+#include "app/jobs/placeholders.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "batch/manifest.hpp"
+#include "batch/shards.hpp"
 #include "compare/comparison.hpp"
 #include "compare/read_pictures.hpp"
 #include "features/declared_part.hpp"
@@ -22,7 +22,6 @@
 #include "importer/read_model.hpp"
 #include "mesh/read.hpp"
 #include "own_file.hpp"
-#include "pipeline/shortcuts.hpp"
 #include "scene/choices.hpp"
 #include "scene/cutting_plane.hpp"
 #include "scene/details.hpp"
@@ -32,6 +31,7 @@
 #include "shapes.hpp"
 #include "sheet/form.hpp"
 #include "targets.hpp"
+#include "views/shortcuts.hpp"
 
 namespace epura::fuzz {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// base/parallel.hpp for tests: linked in place of the one of src/base, with a schedule that is drawn by lot.
+// base/parallel.hpp for tests: linked in place of the one of src/ground/base, with a schedule that is drawn by lot.
 //
 // The number of threads given to ThreadLimit is the seed; 0 is one piece after the other in order. Ranges are cut at
 // random places, also into pieces shorter than `grain`, so that small scenes are cut, too. The pieces run in random

@@ -10,15 +10,15 @@
 #include "base/file.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "pipeline/annotations.hpp"
-#include "pipeline/draw_view.hpp"
-#include "pipeline/layout.hpp"
+#include "composition/annotations.hpp"
+#include "composition/layout.hpp"
 #include "pipeline/read_models.hpp"
-#include "pipeline/sections.hpp"
 #include "pipeline/targets.hpp"
-#include "pipeline/view_plan.hpp"
 #include "study/accuracy/report.hpp"
 #include "study/commands.hpp"
+#include "views/draw_view.hpp"
+#include "views/sections.hpp"
+#include "views/view_plan.hpp"
 
 namespace epura::study {
 

@@ -5,9 +5,9 @@
 
 #include "app/console.hpp"
 #include "base/parallel.hpp"
-#include "pipeline/choose.hpp"
 #include "study/commands.hpp"
 #include "study/paper/report.hpp"
+#include "views/choose.hpp"
 
 namespace epura::study {
 

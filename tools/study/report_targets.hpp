@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/text.hpp"
-#include "pipeline/choose.hpp"
+#include "views/choose.hpp"
 
 namespace epura::study {
 

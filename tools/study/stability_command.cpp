@@ -11,12 +11,12 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "output/write.hpp"
-#include "pipeline/choose.hpp"
 #include "pipeline/targets.hpp"
 #include "report/report.hpp"
 #include "study/commands.hpp"
 #include "study/report_targets.hpp"
 #include "study/stability/write.hpp"
+#include "views/choose.hpp"
 
 namespace epura::study {
 

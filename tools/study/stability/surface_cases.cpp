@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Meshes: one-sided, round and wavy surfaces. If no closed form is known, the drawing is verified point by point in
-// rational numbers (src/verify).
+// rational numbers (src/run/verify).
 #include <algorithm>
 #include <cmath>
 #include <utility>

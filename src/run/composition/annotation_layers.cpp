@@ -1,0 +1,580 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "composition/annotation_layers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "composition/construction_layers.hpp"
+#include "composition/occupied_room.hpp"
+#include "drawing/drawing.hpp"
+#include "sheet/balloons.hpp"
+#include "sheet/captions.hpp"
+#include "sheet/cutting_plane_line.hpp"
+#include "sheet/detail_marks.hpp"
+#include "sheet/dimensions/dimensions.hpp"
+#include "sheet/frame.hpp"
+#include "sheet/free_rectangles.hpp"
+#include "sheet/gravity_symbol.hpp"
+#include "sheet/sight_arrows.hpp"
+#include "views/details.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+// A drawing that lacks lines may lack its ends, so its overall dimensions are omitted.
+struct WantedDimensions {
+  std::vector<scene::DimensionDescription> dimensions;
+  std::vector<std::size_t> numbers;  ///< in the annotations
+  std::size_t found = 0;             ///< how many of them, the first ones, nobody asked for
+};
+WantedDimensions dimensions_of(const Annotations& annotations, const ViewResult& view) {
+  WantedDimensions wanted;
+  for (std::size_t i = 0; i < annotations.dimensions.size(); ++i) {
+    const scene::DimensionDescription& one = annotations.dimensions[i];
+    if (!view.partial.stages.empty() && one.type.value == DimensionType::overall) continue;
+    wanted.dimensions.push_back(one);
+    wanted.numbers.push_back(i);
+    if (i < annotations.found) ++wanted.found;
+  }
+  return wanted;
+}
+
+// Unless the view leaves this place out.
+void add_gravity(std::vector<sheet::Layer>& marks, const drawing::ViewDrawing& drawing, const Vec3& centre,
+                 const sheet::LineWidths& widths) {
+  constexpr double radius = 2;  // mm
+  const Vec4 mapped = drawing.world_to_page * Vec4(centre, 1);
+  const Vec2 whole = Vec2(mapped) / mapped.w;
+  if (!(mapped.w > 0) || !drawing.breaks.keeps(whole)) return;
+  if (drawing.detail) {
+    const auto& [middle, half, round] = drawing.detail->boundary;
+    const Vec2 off = glm::abs(whole - middle);
+    if (round ? glm::length(off) > half.x : off.x > half.x || off.y > half.y) return;
+  }
+  sheet::Layer layer = sheet::empty_layer(drawing.name, scene::SheetLine::symbol, widths);
+  sheet::add_gravity_symbol(layer, drawing.breaks.moved(whole), radius);
+  marks.push_back(std::move(layer));
+}
+
+// Sorted by the names of their sections.
+std::vector<sheet::Layer> marks_of(std::span<const Annotations> annotations, std::span<const ViewResult> views,
+                                   const sheet::LineWidths& widths) {
+  std::map<std::string, sheet::Layer> by_name;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const std::vector<cut::CuttingSurface>& planes = annotations[i].planes;
+    std::vector<std::optional<sheet::Layer>> lines = sheet::cutting_plane_lines(views[i].drawing, planes, widths);
+    for (std::size_t plane = 0; plane < planes.size(); ++plane)
+      if (lines[plane]) by_name.emplace(planes[plane].plane.name, std::move(*lines[plane]));
+  }
+  std::vector<sheet::Layer> marks;
+  for (auto& [name, mark] : by_name) marks.push_back(std::move(mark));
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const drawing::ViewDrawing& drawing = views[i].drawing;
+    std::vector<sheet::SightArrow> arrows;
+    for (const ViewArrow& arrow : annotations[i].arrows)
+      arrows.push_back({arrow.letter, arrow.sight, (drawing.min + drawing.max) / 2.0});
+    if (!arrows.empty()) marks.push_back(sheet::sight_arrows(drawing, arrows, widths));
+    if (annotations[i].centre_of_gravity) add_gravity(marks, drawing, *annotations[i].centre_of_gravity, widths);
+  }
+  return marks;
+}
+
+// The lines around details in the views that they enlarge.
+sheet::Layer boundaries_of(std::span<const Annotations> annotations, std::span<const ViewResult> views) {
+  sheet::Layer layer;
+  for (std::size_t i = 0; i < views.size(); ++i)
+    for (const scene::DetailDescription& detail : annotations[i].details)
+      layer.strokes.push_back(sheet::boundary_line(boundary_on_page(detail, views[i].drawing)));
+  return layer;
+}
+
+// Faults of the dimensions of one view on paper. ISO 3098-1: lettering is at least 2.5 mm high.
+void note_faults(std::vector<report::Finding>& findings, const std::string& view, const sheet::PlacedLayer& placed,
+                 const sheet::Paper& paper) {
+  constexpr double least_height = 2.5;
+  for (const std::string& crossing : placed.crossings)
+    findings.push_back({report::FindingKind::crossing, view, crossing});
+  for (const sheet::Text& text : placed.layer.texts)
+    if (text.height < least_height) findings.push_back({report::FindingKind::small_text, view, "'" + text.text + "'"});
+  if (!sheet::on_paper(placed.layer, {paper.width, paper.height}))
+    findings.push_back({report::FindingKind::off_sheet, view, "dimensions extend beyond the sheet"});
+}
+
+std::vector<std::string> captions_of(const SheetInput& input) {
+  const std::string language = input.sheet().field("language");
+  return {std::string(sheet::caption("hole", language)), "X", "Y", std::string(sheet::caption("hole_size", language))};
+}
+
+void append(sheet::Layer& layer, sheet::Layer more) {
+  std::move(more.strokes.begin(), more.strokes.end(), std::back_inserter(layer.strokes));
+  std::move(more.fills.begin(), more.fills.end(), std::back_inserter(layer.fills));
+  std::move(more.texts.begin(), more.texts.end(), std::back_inserter(layer.texts));
+}
+
+// Adds a table of holes where the sheet is free, in as few blocks of rows as fit; returns false if there is no room.
+bool add_table(sheet::Layer& layer, const sheet::HoleTable& table, const std::vector<std::string>& captions,
+               const sheet::Rectangle& room, const std::vector<sheet::Rectangle>& taken,
+               const sheet::DimensionStyle& style) {
+  constexpr int most_blocks = 6;
+  for (int blocks = 1; blocks <= most_blocks; ++blocks) {
+    const sheet::TableDrawing drawing(sheet::text_table(table, captions), blocks, style);
+    const auto corner = sheet::free_corner(room, taken, drawing.size());
+    if (corner) drawing.draw(layer, *corner, "dimension");
+    if (corner) return true;
+  }
+  return false;
+}
+
+void tell_left_out(AnnotationLayers& result, const sheet::HoleTable& table) {
+  result.warnings.push_back("the sheet has no room for the table of the holes in the view '" + table.view +
+                            "'\n  hint: use a larger sheet or a smaller scale");
+  result.without_room += table.rows.size();
+  for (const sheet::HoleRow& row : table.rows)
+    result.findings.push_back({report::FindingKind::undimensioned, table.view,
+                               "there is no room for the table with '" + row.label + "', " + row.size});
+}
+
+// In the layers of the dimensions, when everything else is in place.
+void add_tables(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  const auto captions = captions_of(input);
+  std::vector<sheet::Layer> of_views(views.size());
+  const auto for_all = [&](const auto& act) {
+    for (std::size_t i = 0; i < views.size(); ++i)
+      for (const sheet::HoleTable& table : input.annotations[i].tables) act(i, table);
+  };
+  for_all([&](std::size_t i, const sheet::HoleTable& table) {
+    sheet::draw_origin(of_views[i], table, views[i].drawing, style);
+    add_boxes(around.boxes, of_views[i], style.lettering);
+  });
+  for_all([&](std::size_t i, const sheet::HoleTable& table) {
+    sheet::Layer own;
+    if (!add_table(own, table, captions, *around.paper, taken_by(around, views), style)) tell_left_out(result, table);
+    add_boxes(around.boxes, own, style.lettering);
+    append(of_views[i], std::move(own));
+  });
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const std::string& name = views[i].drawing.name;
+    const auto layer = std::find_if(result.layers.begin(), result.layers.end(),
+                                    [&name](const sheet::Layer& one) { return one.name.starts_with(name + "/"); });
+    if (layer != result.layers.end()) append(*layer, std::move(of_views[i]));
+  }
+}
+
+// Notes and symbols on this sheet without leaders.
+std::vector<scene::CalloutDescription> callouts_of_sheet(const SheetInput& input) {
+  const auto is_texture = [](const ViewCallout& callout) {
+    return std::holds_alternative<scene::SurfaceTexture>(callout.description.content);
+  };
+  const bool has_textures =
+      std::any_of(input.annotations.begin(), input.annotations.end(), [&is_texture](const Annotations& view) {
+        return std::any_of(view.callouts.begin(), view.callouts.end(), is_texture);
+      });
+  std::vector<scene::CalloutDescription> callouts;
+  for (const scene::CalloutDescription& one : input.scene.callouts) {
+    if (one.to.given() || one.dimension.given() || one.sheet.value_or(1) != input.views.sheet + 1) continue;
+    callouts.push_back(one);
+    if (auto* texture = std::get_if<scene::SurfaceTexture>(&callouts.back().content)) texture->others = has_textures;
+  }
+  return callouts;
+}
+
+void tell_left_out(AnnotationLayers& result, const std::string& what, const std::string& hint) {
+  result.warnings.push_back("the sheet has no room for " + what + "\n  hint: " + hint);
+  result.findings.push_back({report::FindingKind::off_sheet, "", "there is no room for " + what});
+  ++result.without_room;
+}
+
+std::string table_name(const scene::TableDescription& table) {
+  return table.title.given() ? "the table '" + *table.title + "'" : std::string("the table");
+}
+
+std::vector<scene::TableDescription> tables_of_sheet(const SheetInput& input) {
+  std::vector<scene::TableDescription> tables = input.scene.tables;
+  std::erase_if(tables, [&](const auto& table) { return table.sheet.value_or(1) != input.views.sheet + 1; });
+  return tables;
+}
+
+sheet::TableDrawing table_drawing(const scene::TableDescription& table, const sheet::DimensionStyle& style) {
+  return {{table.title.value_or(""), table.header, table.rows}, 1, style};
+}
+
+// Boxes of what has a given position on the sheet. Throws Error{input} for positions beyond it.
+std::vector<sheet::TurnedBox> reserved_for(const SheetInput& input, const sheet::DimensionStyle& style) {
+  const sheet::Paper& paper = input.plan.furniture.paper;
+  const sheet::Rectangle whole{{0, 0}, {paper.width, paper.height}};
+  std::vector<sheet::TurnedBox> boxes;
+  const auto reserve = [&](const sheet::Rectangle& box, const std::string& name, const std::string& where) {
+    if (!whole.holds(box))
+      throw Error(ErrorKind::input, where, name + " does not fit on the sheet at this position",
+                  "it is " + format_rounded(box.size().x, 4) + " by " + format_rounded(box.size().y, 4) +
+                      " mm large, below and on the right of its position; the sheet has " +
+                      format_rounded(paper.width, 4) + " by " + format_rounded(paper.height, 4) + " mm");
+    boxes.push_back(sheet::turned_box(box));
+  };
+  const auto add = [&](const scene::CalloutDescription& callout) {
+    if (callout.at.given())
+      reserve(sheet::box_at(drawn(callout, style), *callout.at), name_of(callout), callout.at.where);
+  };
+  for (const Annotations& one : input.annotations)
+    for (const ViewCallout& callout : one.callouts) add(callout.description);
+  for (const scene::CalloutDescription& callout : callouts_of_sheet(input)) add(callout);
+  for (const scene::TableDescription& table : tables_of_sheet(input)) {
+    if (!table.at.given()) continue;
+    const Vec2 size = table_drawing(table, style).size();
+    reserve({*table.at - Vec2(0, size.y), *table.at + Vec2(size.x, 0)}, table_name(table), table.at.where);
+  }
+  return boxes;
+}
+
+// Those that have ink.
+void add_layers(AnnotationLayers& result, sheet::Neighbours& around, sheet::CalloutLayers layers,
+                const sheet::Lettering& lettering) {
+  add_boxes(around.boxes, layers.notes, lettering);
+  add_outlines(around.boxes, layers.symbols);
+  for (sheet::Layer* layer : {&layers.notes, &layers.symbols})
+    if (!layer->strokes.empty() || !layer->texts.empty()) result.layers.push_back(std::move(*layer));
+}
+
+// Datums and frames in line with dimension lines, which show that they mean an axis or median plane (ISO 5459). Where
+// arrows are outside, one makes room.
+std::vector<sheet::Callout> attach(sheet::PlacedLayer& placed, std::span<const scene::CalloutDescription> attached,
+                                   const sheet::DimensionStyle& style) {
+  std::vector<sheet::Callout> callouts;
+  std::vector<int> replaced;
+  for (const scene::CalloutDescription& one : attached) {
+    std::vector<sheet::DimensionEnd>& ends = placed.ends[*one.dimension];
+    std::stable_sort(ends.begin(), ends.end(),
+                     [](const auto& a, const auto& b) { return !a.arrow.has_value() && b.arrow.has_value(); });
+    if (ends.empty())
+      throw Error(ErrorKind::input, one.dimension.where,
+                  "dimension '" + *one.dimension + "' has no free end of a straight dimension line for " + name_of(one),
+                  "refer to a length, or to a diameter in a view across its axis, to which nothing else is attached");
+    const auto target = [](const sheet::DimensionEnd& end) {
+      return sheet::CalloutTarget{end.point, LeaderEnd::arrow, end.outwards, true, true};
+    };
+    sheet::Callout& callout = callouts.emplace_back(drawn(one, style));
+    callout.target = target(ends.front());
+    if (ends.front().arrow) replaced.push_back(*ends.front().arrow);
+    if (ends.size() > 1 && !ends[1].arrow && attached.size() == 1) callout.other = target(ends[1]);
+    ends.erase(ends.begin());
+  }
+  std::sort(replaced.rbegin(), replaced.rend());
+  for (const int arrow : replaced) placed.layer.fills.erase(placed.layer.fills.begin() + arrow);
+  return callouts;
+}
+
+// Everything that is in the way of dimensions of a view.
+sheet::Neighbours in_the_way(sheet::Neighbours around, const SheetInput& input, std::span<const ViewResult> views,
+                             std::size_t view, const sheet::DimensionStyle& style) {
+  sheet::Neighbours neighbours = with_other_views(std::move(around), views, view);
+  if (dimensions_features(input.scene)) add_centre_lines(neighbours.boxes, views[view]);
+  for (const sheet::HoleTable& table : input.annotations[view].tables) {
+    sheet::Layer origin;
+    sheet::draw_origin(origin, table, views[view].drawing, style);
+    add_boxes(neighbours.boxes, origin, style.lettering);
+  }
+  return neighbours;
+}
+
+std::string and_others(std::size_t count) {
+  return " and " + std::to_string(count) + (count == 1 ? " other" : " others");
+}
+
+// The first ones of the many lengths of a row: "0, 12, 20 and 30 others".
+std::string shortened(const std::string& text) {
+  constexpr std::size_t longest = 40;
+  std::size_t end = text.find(", ", longest), more = 0;
+  if (end == std::string::npos) return text;
+  for (std::size_t at = end; at != std::string::npos; at = text.find(", ", at + 1)) ++more;
+  return text.substr(0, end) + and_others(more);
+}
+
+// "'⌀8', '20', '30' and 3 others (epura lint lists all)"
+std::string first_of(const std::vector<std::string>& texts) {
+  constexpr std::size_t most = 3;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, texts.size()); ++i)
+    list += (i > 0 ? ", '" : "'") + shortened(texts[i]) + "'";
+  const std::size_t more = texts.size() - std::min(most, texts.size());
+  if (more > 0) list += and_others(more) + " (epura lint lists all)";
+  return list;
+}
+
+void tell_left_out(AnnotationLayers& result, const sheet::PlacedLayer& placed, std::size_t count,
+                   const std::string& view) {
+  if (placed.left_out.empty()) return;
+  result.warnings.push_back("the sheet has no room for " + std::to_string(placed.left_out.size()) + " of the " +
+                            std::to_string(count) + " dimensions of the view '" + view +
+                            "', which are left out: " + first_of(placed.texts_left_out) +
+                            "\n  hint: use a larger sheet or a larger scale, more views, or --dimensions hole-table");
+  for (const std::string& text : placed.texts_left_out)
+    result.findings.push_back({report::FindingKind::undimensioned, view, "there is no room for '" + text + "'"});
+}
+
+void tell_unseen(AnnotationLayers& result, const sheet::PlacedLayer& placed, const std::string& view) {
+  if (placed.unseen.empty()) return;
+  result.unseen_warnings.push_back(
+      "the view '" + view + "' does not show what " + std::to_string(placed.unseen.size()) +
+      " of its dimensions would measure, which are left out: " + first_of(placed.texts_unseen) +
+      "\n  hint: add a view along the axis, or a section through it");
+  for (const std::string& text : placed.texts_unseen)
+    result.findings.push_back({report::FindingKind::undimensioned, view, "it does not show '" + text + "'"});
+}
+
+/// A view whose dimensions are placed.
+struct ViewToDimension {
+  const SheetInput& input;
+  std::span<const ViewResult> views;
+  std::size_t view;
+  std::span<const sheet::TurnedBox> reserved;  ///< for what has a given position
+};
+
+// Returns the callouts that are in line with dimensions.
+std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neighbours& around,
+                                           const ViewToDimension& of, const sheet::DimensionStyle& style,
+                                           const Budget& budget) {
+  const Annotations& annotations = of.input.annotations[of.view];
+  const drawing::ViewDrawing& drawing = of.views[of.view].drawing;
+  const sheet::Paper& paper = of.input.plan.furniture.paper;
+  const WantedDimensions wanted = dimensions_of(annotations, of.views[of.view]);
+  if (wanted.dimensions.empty()) return {};
+  sheet::Neighbours neighbours = in_the_way(around, of.input, of.views, of.view, style);
+  neighbours.boxes.insert(neighbours.boxes.end(), of.reserved.begin(), of.reserved.end());
+  const bool lacks_lines = !of.views[of.view].partial.stages.empty();
+  sheet::PlacedLayer placed =
+      sheet::place_dimensions({of.input.world, drawing, wanted.dimensions, wanted.found, lacks_lines}, style,
+                              neighbours, budget.run.with_part_of_the_time(0.5));
+  note_faults(result.findings, drawing.name, placed, paper);
+  tell_left_out(result, placed, wanted.dimensions.size(), drawing.name);
+  tell_unseen(result, placed, drawing.name);
+  result.fans += placed.fans;
+  for (const std::size_t number : placed.left_out) result.left_out[of.view].push_back(wanted.numbers[number]);
+  for (const std::size_t number : placed.unseen) result.unseen[of.view].push_back(wanted.numbers[number]);
+  const std::size_t undrawn = wanted.dimensions.size() - placed.count;
+  if (undrawn > 0) {
+    budget.partial.add_stage("placing dimensions");
+    budget.partial.undrawn += static_cast<long long>(undrawn);
+  }
+  if (!sheet::on_paper(placed.layer, {paper.width, paper.height}))
+    result.warnings.push_back("dimensions of the view '" + drawing.name +
+                              "' extend beyond the sheet\n  hint: use a smaller scale or a larger sheet");
+  std::vector<sheet::Callout> attached;
+  if (undrawn == 0) attached = attach(placed, annotations.attached, style);
+  add_boxes(around.boxes, placed.layer, style.lettering);
+  for (const sheet::Text& text : placed.layer.texts) around.texts.push_back(sheet::box_of(text, style.lettering));
+  result.layers.push_back(std::move(placed.layer));
+  return attached;
+}
+
+/// Callouts by view.
+using CalloutsOfViews = std::vector<std::vector<sheet::Callout>>;
+
+// Notes and symbols with leaders, in layers of their own; first those that are attached to dimensions.
+void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                  std::span<const ViewResult> views, const sheet::DimensionStyle& style, CalloutsOfViews attached) {
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    std::vector<sheet::Callout> callouts = std::move(attached[i]);
+    const std::size_t before = callouts.size();
+    for (const ViewCallout& callout : input.annotations[i].callouts) {
+      callouts.push_back(drawn(callout.description, style));
+      callouts.back().target = input.targets[i][callouts.size() - before - 1];
+    }
+    if (callouts.empty()) continue;
+    const drawing::ViewDrawing& drawing = views[i].drawing;
+    sheet::Neighbours neighbours = with_other_views(around, views, i);
+    add_centre_lines(neighbours.boxes, views[i]);
+    sheet::CalloutLayers layers = sheet::callout_layers(drawing.name, style);
+    const sheet::CalloutFaults faults = sheet::place_callouts(layers, callouts, drawing, style, neighbours);
+    for (const std::string& name : faults.without_place) {
+      result.warnings.push_back("there is no place for " + name + " around the view '" + drawing.name +
+                                "'\n  hint: use a larger sheet or a smaller scale, or give its position, 'at'");
+      result.findings.push_back({report::FindingKind::off_sheet, drawing.name, "there is no place for " + name});
+      ++result.without_room;
+    }
+    for (const std::string& name : faults.crossings)
+      result.findings.push_back({report::FindingKind::crossing, drawing.name, name + " and something else"});
+    add_layers(result, around, std::move(layers), style.lettering);
+  }
+}
+
+// Adds a callout in the free room nearest to a point; returns its box, or nothing if there is no room.
+std::optional<sheet::Rectangle> add_near(sheet::CalloutLayers& layers, const sheet::Callout& callout,
+                                         const sheet::Rectangle& room, std::span<const sheet::Rectangle> taken,
+                                         const Vec2& towards) {
+  const auto corner = sheet::nearest_free_position(room, taken, callout.size, towards);
+  if (!corner) return std::nullopt;
+  const Vec2 upper_left = *corner + Vec2(0, callout.size.y);
+  sheet::draw_at(layers, callout, upper_left);
+  return sheet::box_at(callout, upper_left);
+}
+
+Vec2 position_of(SheetCorner corner, const sheet::Rectangle& area) {
+  const bool left = corner == SheetCorner::top_left || corner == SheetCorner::bottom_left;
+  const bool top = corner == SheetCorner::top_left || corner == SheetCorner::top_right;
+  return {left ? area.min.x : area.max.x, top ? area.max.y : area.min.y};
+}
+
+// Tables of texts: where they are told, or in the free room nearest to a corner.
+void add_text_tables(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                     std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  sheet::Layer layer = sheet::empty_layer("sheet", scene::SheetLine::table,
+                                          sheet::line_widths(input.plan.furniture.paper, input.plan.furniture.styles));
+  const std::vector<scene::TableDescription> tables = tables_of_sheet(input);
+  const auto add = [&](const scene::TableDescription& table, const Vec2& lower_left) {
+    sheet::Layer own;
+    const sheet::TableDrawing drawing = table_drawing(table, style);
+    drawing.draw(own, lower_left + drawing.size(), "table");
+    around.boxes.push_back(sheet::turned_box({lower_left, lower_left + drawing.size()}));
+    append(layer, std::move(own));
+  };
+  for (const scene::TableDescription& table : tables)
+    if (table.at.given()) add(table, *table.at - Vec2(0, table_drawing(table, style).size().y));
+  for (const scene::TableDescription& table : tables) {
+    if (table.at.given()) continue;
+    std::vector<sheet::Rectangle> taken = taken_by(around, views);
+    const Vec2 towards = position_of(table.corner.value_or(SheetCorner::top_right), *around.paper);
+    if (const auto at = sheet::nearest_free_position(*around.paper, taken, table_drawing(table, style).size(), towards))
+      add(table, *at);
+    else
+      tell_left_out(result, table_name(table), "use a larger sheet or a smaller scale");
+  }
+  if (!tables.empty()) result.layers.push_back(std::move(layer));
+}
+
+// Notes that belong to the whole sheet, numbered, in the free room nearest to its lower left corner.
+bool add_general_notes(sheet::CalloutLayers& layers, const std::vector<std::vector<std::string>>& notes,
+                       const std::string& heading, const sheet::Rectangle& room,
+                       std::span<const sheet::Rectangle> taken, const sheet::DimensionStyle& style) {
+  constexpr std::array<double, 4> widths{120, 90, 65, 180};  // mm, preferred first
+  return std::any_of(widths.begin(), widths.end(), [&](double width) {
+    return add_near(layers, sheet::general_notes(heading, notes, width, style), room, taken, room.min).has_value();
+  });
+}
+
+// What stands on the sheet without a leader: where it is told, notes in a list, symbols beside the title block.
+void add_free_callouts(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                       std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  sheet::CalloutLayers layers = sheet::callout_layers("sheet", style);
+  std::vector<std::vector<std::string>> notes;
+  std::vector<scene::CalloutDescription> symbols;
+  for (const scene::CalloutDescription& callout : callouts_of_sheet(input)) {
+    const auto* note = std::get_if<scene::NoteText>(&callout.content);
+    if (callout.at.given())
+      sheet::draw_at(layers, drawn(callout, style), *callout.at);
+    else if (note != nullptr)
+      notes.push_back(note->lines);
+    else
+      symbols.push_back(callout);
+  }
+  add_boxes(around.boxes, layers.notes, style.lettering);
+  add_outlines(around.boxes, layers.symbols);
+  std::vector<sheet::Rectangle> taken = taken_by(around, views);
+  const auto warn = [&result](const std::string& what) {
+    tell_left_out(result, what, "use a larger sheet or a smaller scale, or give its position, 'at'");
+  };
+  const sheet::Rectangle& room = *around.paper;
+  for (const scene::CalloutDescription& symbol : symbols) {
+    if (const auto box = add_near(layers, drawn(symbol, style), room, taken, {room.max.x, room.min.y}))
+      taken.push_back(*box);
+    else
+      warn(name_of(symbol));
+  }
+  const std::string heading(sheet::caption("notes", input.sheet().field("language")));
+  if (!notes.empty() && !add_general_notes(layers, notes, heading, room, taken, style)) warn("the general notes");
+  add_layers(result, around, std::move(layers), style.lettering);
+}
+
+// The space that arrows, marks of sections and dimensions leave around the views.
+void add_balloons(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
+                  std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
+  const sheet::LineWidths widths = sheet::line_widths(input.plan.furniture.paper, input.plan.furniture.styles);
+  for (std::size_t i = 0; i < input.balloons.size(); ++i) {
+    if (input.balloons[i].empty()) continue;
+    const drawing::ViewDrawing& drawing = views[i].drawing;
+    sheet::Layer layer = sheet::empty_layer(drawing.name, scene::SheetLine::balloon, widths);
+    const sheet::Neighbours neighbours = with_other_views(around, views, i);
+    for (const std::string& number :
+         sheet::place_balloons(layer, input.balloons[i], {drawing.min, drawing.max}, style, neighbours)) {
+      result.warnings.push_back("there is no place for the balloon of item " + number + " around the view '" +
+                                drawing.name + "'\n  hint: use a larger sheet or a smaller scale");
+      result.findings.push_back(
+          {report::FindingKind::off_sheet, drawing.name, "there is no place for the balloon of item " + number});
+      ++result.without_room;
+    }
+    add_boxes(around.boxes, layer, style.lettering);
+    result.layers.push_back(std::move(layer));
+  }
+}
+
+// Besides dimensions.
+bool has_lettering(const SheetInput& input, std::span<const ViewResult> views) {
+  if (std::any_of(views.begin(), views.end(), [](const auto& view) { return view.drawing.construction != nullptr; }))
+    return true;
+  const auto is_given = [](const auto& view) { return !view.empty(); };
+  return std::any_of(input.balloons.begin(), input.balloons.end(), is_given) ||
+         std::any_of(input.targets.begin(), input.targets.end(), is_given) || !callouts_of_sheet(input).empty() ||
+         !tables_of_sheet(input).empty();
+}
+
+}  // namespace
+
+bool AnnotationLayers::leaves_out_more_than(const std::optional<std::size_t>& most) const {
+  std::size_t count = 0;
+  for (const std::vector<std::size_t>& of_view : left_out) count += of_view.size();
+  return most && count > *most;
+}
+
+AnnotationLayers annotation_layers(const SheetInput& input, std::span<const ViewResult> views,
+                                   const std::vector<sheet::Text>& labels, const Budget& budget) {
+  const sheet::SheetFurniture& furniture = input.plan.furniture;
+  const sheet::Paper& paper = furniture.paper;
+  const sheet::LineWidths widths = sheet::line_widths(paper, furniture.styles);
+  const sheet::Notation notation =
+      notation_of(input.world, input.scene.sheets[static_cast<std::size_t>(input.views.sheet)]);
+  AnnotationLayers result;
+  std::vector<sheet::Layer> marks = marks_of(input.annotations, views, widths);
+  std::optional<sheet::Lettering> lettering;
+  sheet::Neighbours around;
+  std::vector<sheet::TurnedBox> reserved;
+  CalloutsOfViews attached(views.size());
+  const auto style = [&] {
+    return sheet::DimensionStyle{*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation};
+  };
+  const auto open_font = [&] {
+    if (lettering) return;
+    around = neighbours_of(furniture, labels, marks, lettering.emplace(furniture.font));
+    add_boxes(around.boxes, boundaries_of(input.annotations, views), *lettering);
+    reserved = reserved_for(input, style());
+  };
+  result.constructions.resize(views.size());
+  if (has_lettering(input, views)) {
+    open_font();
+    add_constructions(result, around, input, views, style());
+  }
+  result.left_out.resize(views.size());
+  result.unseen.resize(views.size());
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (input.annotations[i].dimensions.empty()) continue;
+    open_font();
+    attached[i] = add_dimensions(result, around, {input, views, i, reserved}, style(), budget);
+    if (result.leaves_out_more_than(input.most_left_out)) return result;
+  }
+  if (lettering) {
+    add_callouts(result, around, input, views, style(), std::move(attached));
+    add_balloons(result, around, input, views, style());
+    add_tables(result, around, input, views, style());
+    add_text_tables(result, around, input, views, style());
+    add_free_callouts(result, around, input, views, style());
+  }
+  std::move(marks.begin(), marks.end(), std::back_inserter(result.layers));
+  return result;
+}
+
+}  // namespace epura::pipeline

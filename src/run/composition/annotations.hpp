@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dimensions and sections of a scene -> annotations of each view on a sheet.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "composition/callouts.hpp"
+#include "scene/description.hpp"
+#include "sheet/dimensions/hole_table.hpp"
+#include "sheet/notation.hpp"
+#include "view/projected_scene.hpp"
+#include "views/sections.hpp"
+#include "views/view_plan.hpp"
+
+namespace epura::pipeline {
+
+/// The letter of an auxiliary view, and the image of the direction in which it is seen; length 1.
+struct ViewArrow {
+  std::string letter;
+  Vec2 sight;
+};
+
+struct Annotations {
+  std::vector<scene::DimensionDescription> dimensions;
+  std::size_t found = 0;  ///< how many of them, the first ones, the scene does not ask for one by one
+  std::vector<scene::DimensionDescription> unturned{};  ///< of an aligned section: the same on the models themselves
+  std::vector<cut::CuttingSurface> planes;              ///< of sections marked in this view
+  std::vector<sheet::HoleTable> tables{};               ///< of holes in this view
+  std::vector<scene::DetailDescription> details{};      ///< of this view, shown by other views of the scene
+  std::vector<ViewArrow> arrows{};                      ///< of auxiliary views beside this one
+  std::vector<ViewCallout> callouts{};                  ///< with leaders into this view
+  std::vector<scene::CalloutDescription> attached{};    ///< in line with dimensions of this view
+  bool balloons = false;                                ///< the view may have balloons
+  std::optional<Vec3> centre_of_gravity{};              ///< of the models, if its symbol is wanted
+};
+
+/// By view of the sheet; `seen` has the projected views in the same order. A dimension without a view belongs to the
+/// first view of the scene; overall dimensions without view and direction are on the first sheet. A section shown by
+/// some view of the sheet is marked in the first uncut view that sees its plane edge-on. Throws Error{input} for
+/// overall dimensions that no view shows, and for dimensions and leaders to points of the models in exploded views,
+/// where positions differ from `world`.
+std::vector<Annotations> annotate(const world::World& world, const scene::SceneDescription& scene,
+                                  const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
+                                  const SectionSurfaces& sections);
+
+/// How dimensions of a sheet are written.
+sheet::Notation notation_of(const world::World& world, const scene::SheetDescription& sheet);
+
+/// Throws Error{input} for dimensions, leaders and balloons in views that do not exist, and for lists and notes on such
+/// sheets.
+void expect_views_of_annotations(const scene::SceneDescription& scene);
+
+}  // namespace epura::pipeline

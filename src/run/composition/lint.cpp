@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "composition/lint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "composition/free_forms.hpp"
+#include "design/assembly_features.hpp"
+#include "design/true_extents.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+// Whether a point lies outside the boundary of a detail, seen along the normal of its view.
+bool is_outside(const scene::DetailDescription& detail, const projection::Projection& projection, const Vec3& point) {
+  constexpr double slack = 1e-6;  // relative
+  const Vec3 off = point - detail.centre.value_or(Vec3(0));
+  const Vec2 at(glm::dot(off, projection.u), glm::dot(off, projection.v));
+  if (detail.radius.given()) return glm::length(at) > *detail.radius * (1 + slack);
+  if (!detail.size.given()) return false;
+  const Vec2 half = *detail.size / 2.0 * (1 + slack);
+  return std::abs(at.x) > half.x || std::abs(at.y) > half.y;
+}
+
+// The places at which a dimension is attached: of a circle, the point nearest to the middle of the detail.
+std::vector<Vec3> places_of(const sheet::AnchoredDimension& dimension, const scene::DetailDescription& detail) {
+  std::vector<Vec3> places = dimension.points;
+  for (const sheet::WorldCircle& circle : dimension.circles) {
+    const Vec3 off = detail.centre.value_or(Vec3(0)) - circle.centre;
+    const Vec3 across = off - glm::dot(off, circle.axis) * circle.axis;
+    if (const double length = glm::length(across); length > circle.radius)
+      places.push_back(circle.centre + circle.radius / length * across);
+  }
+  return places;
+}
+
+// Dimensions of details whose ends are beyond the boundary, where nothing is drawn.
+void find_cut_off(std::vector<report::Finding>& findings, const scene::SceneDescription& scene,
+                  const sheet::DimensionsInView& view) {
+  const auto shown = std::find_if(scene.views.begin(), scene.views.end(),
+                                  [&](const scene::ViewDescription& one) { return one.name.value == view.view; });
+  if (shown == scene.views.end() || !shown->detail.given()) return;
+  const auto detail =
+      std::find_if(scene.details.begin(), scene.details.end(),
+                   [&](const scene::DetailDescription& one) { return one.name.value == shown->detail.value; });
+  if (detail == scene.details.end()) return;
+  for (const sheet::AnchoredDimension& dimension : view.dimensions) {
+    const std::vector<Vec3> places = places_of(dimension, *detail);
+    if (std::any_of(places.begin(), places.end(),
+                    [&](const Vec3& place) { return is_outside(*detail, view.projection, place); }))
+      findings.push_back(
+          {report::FindingKind::off_sheet, view.view,
+           "the dimension of " + dimension.where + " ends outside the boundary of detail " + *detail->name});
+  }
+}
+
+}  // namespace
+
+std::vector<sheet::DimensionsInView> anchored_dimensions(const world::World& world, const SheetOfViews& sheet,
+                                                         std::span<const view::ProjectedScene> seen,
+                                                         std::span<const Annotations> annotations) {
+  std::vector<sheet::DimensionsInView> views;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const std::optional<cut::CuttingSurface>& turned = sheet.plans[i].options.turned;
+    views.push_back({*sheet.descriptions[i].name, seen[i].projection,
+                     sheet::find_anchors(world, turned ? annotations[i].unturned : annotations[i].dimensions)});
+    if (turned) views.back().turned_about = turned->axis();
+  }
+  return views;
+}
+
+void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::vector<std::size_t>> numbers) {
+  for (std::size_t i = 0; i < views.size(); ++i)
+    for (auto number = numbers[i].rbegin(); number != numbers[i].rend(); ++number)
+      views[i].dimensions.erase(views[i].dimensions.begin() + static_cast<std::ptrdiff_t>(*number));
+}
+
+void add_uncovered_sizes(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
+                         std::span<const sheet::DimensionsInView> views, const Progress& progress) {
+  const design::DesignFeatures features = design::features_to_dimension(world, progress);
+  const auto extents = design::true_extents(world);
+  sheet::Coverage coverage =
+      sheet::find_coverage(views, {world, features, extents}, notation_of(world, scene.sheets.front()));
+  std::vector<report::Finding>& findings = report.findings;
+  for (const std::string& what : coverage.undimensioned)
+    findings.push_back({report::FindingKind::undimensioned, "", what});
+  for (const sheet::DimensionsInView& view : views) find_cut_off(findings, scene, view);
+  for (const std::string& what : coverage.repeated) findings.push_back({report::FindingKind::repeated, "", what});
+  report.sizes = std::move(coverage.counts);
+  report.views_to_add = std::move(coverage.views_to_add);
+}
+
+std::vector<report::Finding> undefined_free_forms(const world::World& world, const scene::SceneDescription& scene,
+                                                  bool noted) {
+  std::vector<report::Finding> findings;
+  for (const std::string& what : free_forms_without_tolerance(scene, world, noted))
+    findings.push_back({report::FindingKind::undimensioned, "", what});
+  return findings;
+}
+
+}  // namespace epura::pipeline

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks the dimensions of a whole drawing against the features of its models.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "composition/annotations.hpp"
+#include "report/report.hpp"
+#include "sheet/dimensions/coverage.hpp"
+#include "view/projected_scene.hpp"
+#include "views/view_plan.hpp"
+
+namespace epura::pipeline {
+
+/// The dimensions of a sheet by view; `seen` and `annotations` are in the order of the views. Throws Error{input}: see
+/// sheet/dimensions/anchors.hpp.
+std::vector<sheet::DimensionsInView> anchored_dimensions(const world::World& world, const SheetOfViews& sheet,
+                                                         std::span<const view::ProjectedScene> seen,
+                                                         std::span<const Annotations> annotations);
+
+/// Takes out dimensions by their numbers in each view.
+void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::vector<std::size_t>> numbers);
+
+/// Adds the sizes of features that have no dimension, or several, to a report. Throws OutOfTime.
+void add_uncovered_sizes(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
+                         std::span<const sheet::DimensionsInView> views, const Progress& progress);
+
+/// Models whose faces are not recognised, and faces of free form, that neither a tolerance nor a note gives.
+std::vector<report::Finding> undefined_free_forms(const world::World& world, const scene::SceneDescription& scene,
+                                                  bool noted);
+
+}  // namespace epura::pipeline

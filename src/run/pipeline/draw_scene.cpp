@@ -1,0 +1,600 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/draw_scene.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "composition/annotations.hpp"
+#include "composition/compose.hpp"
+#include "composition/detail_layers.hpp"
+#include "composition/free_forms.hpp"
+#include "composition/line_facts.hpp"
+#include "composition/lint.hpp"
+#include "composition/seen_items.hpp"
+#include "composition/tell.hpp"
+#include "design/place_threads.hpp"
+#include "drawing/drawing.hpp"
+#include "mesh/read.hpp"
+#include "pipeline/read_models.hpp"
+#include "pipeline/recognise_parts.hpp"
+#include "pipeline/replace_helical_threads.hpp"
+#include "sheet/dimensions/anchors.hpp"
+#include "sheet/line_styles.hpp"
+#include "verify/verify.hpp"
+#include "view/condition.hpp"
+#include "views/arrow_views.hpp"
+#include "views/breaks.hpp"
+#include "views/coarse_meshes.hpp"
+#include "views/constructions.hpp"
+#include "views/mass.hpp"
+#include "views/plan_steps.hpp"
+#include "views/questions.hpp"
+#include "views/sections.hpp"
+#include "views/shown_worlds.hpp"
+#include "views/view_error.hpp"
+#include "views/view_plan.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+template <class Item>
+void add_all(std::vector<Item>& list, const std::vector<Item>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+// Between the lines of crests and roots, mm; also at least two wide lines. ISO 6410-1.
+constexpr double least_thread = 0.7;
+
+// Triangles: drawing more once again, only to arrange the views better, takes too long.
+constexpr std::size_t most_drawn_again = 200'000;
+
+using WorldOfView = std::function<const world::World&(std::size_t)>;
+
+/// What the sheets of a run add to its result.
+struct Gathered {
+  std::size_t views_left;  ///< not drawn yet
+  report::Report report{};
+  bool has_lines = false;
+  std::string answers{};
+  std::vector<sheet::DimensionsInView> dimensioned{};  ///< for lint
+};
+
+/// A sheet before its views are positioned.
+struct PreparedSheet {
+  SheetOfViews views;
+  std::vector<view::ProjectedScene> seen;  ///< empty once it is drawn
+  std::vector<Annotations> annotations;
+  std::vector<sheet::DimensionsInView> anchored;  ///< for lint
+};
+
+struct Attempt;
+using DrawSheet = std::function<FinishedSheet()>;
+
+/// The state of a run.
+struct Run {
+  scene::SceneDescription scene;
+  const RunOptions& options;
+  Messages messages;
+  Progress progress;
+  Stopwatch& watch;
+  Gathered gathered;
+  std::vector<std::vector<importer::BodyPart>> parts{};  ///< of the bodies of each model
+  bool refers_to_models = false;                         ///< for free forms
+  std::map<const world::World*, std::optional<KnownIntersections>> intersections{};
+  PartsByModel known_parts{};
+
+  double fineness = 1;  ///< of imported surfaces, as a multiple of what --max-error usually needs
+  std::optional<world::FacetHeights> heights{};
+  bool declares_surfaces = false;   ///< all files have those of their parts
+  std::string cut_before_sheets{};  ///< the first stage on the models that the time limit cut short
+
+  void note(const ViewResult& result);
+  void note(const FinishedSheet& sheet);
+  void judge(const ViewResult& result);
+  [[nodiscard]] bool may_be_finer(double factor) const;
+  void find_heights(const world::World& world);
+  std::vector<std::vector<sheet::BalloonTarget>> balloons_of(
+      const SheetOfViews& views, const std::vector<std::vector<std::optional<SeenPoint>>>& seen) const;
+  [[nodiscard]] std::vector<world::Item> items_of(const world::World& world, const SheetOfViews& views) const;
+  ViewTime time_of_next_view();
+  std::vector<view::ProjectedScene> map_views(const WorldOfView& world, const SheetOfViews& views);
+  void choose_by_world(SheetOfViews& views, const ShownWorlds& worlds,
+                       const std::vector<view::ProjectedScene>& seen) const;
+  PreparedSheet prepare_sheet(const ShownWorlds& worlds, SheetOfViews views);
+  [[nodiscard]] SheetPlan usual_plan(const ShownWorlds& worlds, PreparedSheet& sheet) const;
+  SheetPlan plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const LayoutWish& layout) const;
+  FinishedSheet draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared, const SheetPlan& plan,
+                           const std::optional<std::size_t>& most_left_out);
+  void finish(FinishedSheet& sheet, const SheetPlan& plan, std::vector<sheet::DimensionsInView> anchored);
+  Attempt attempt(const DrawSheet& draw);
+  std::optional<Attempt> attempt_if(const DrawSheet& draw, const std::function<bool(const FinishedSheet&)>& is_better);
+  std::optional<Attempt> attempt_better(const ShownWorlds& worlds, PreparedSheet& sheet, const SheetPlan& usual);
+  Attempt draw_in_best_layout(const ShownWorlds& worlds, PreparedSheet& sheet);
+  PreparedSheet with_holes(const ShownWorlds& worlds, PreparedSheet sheet, HoleDimensions holes) const;
+  FinishedSheet draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views);
+  std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
+};
+
+/// An attempt whose facets are too coarse for --max-error, by this factor.
+struct TooCoarse {
+  double factor;
+};
+
+void Run::find_heights(const world::World& world) {
+  if (!options.judges && !options.max_error && !options.error_note) return;
+  declares_surfaces = std::all_of(world.models.begin(), world.models.end(), [](const world::Placed& placed) {
+    return placed.part != nullptr && placed.part->declared;
+  });
+  constexpr double part = 0.1;  // of the time left
+  progress.begin("judging facets");
+  try {
+    heights = world::facet_heights(world, progress.with_part_of_the_time(part));
+  } catch (const OutOfTime& cut) {
+    gathered.report.partial.add_stage(cut.stage);
+  }
+}
+
+// Whether a model comes from an importer, which chooses facets, and facets finer by a factor may be asked of it.
+bool Run::may_be_finer(double factor) const {
+  constexpr double finest = 20, most = 160;  // beyond, with the last step, meshes become hundreds of times as large
+  const auto is_imported = [](const mesh::MeshReport& mesh) {
+    return !mesh.format.empty() && mesh::format_named(mesh.format) == nullptr;
+  };
+  return fineness < finest && fineness * factor <= most &&
+         std::any_of(gathered.report.meshes.begin(), gathered.report.meshes.end(), is_imported);
+}
+
+void Run::judge(const ViewResult& result) {
+  if (!result.error) return;
+  using report::ErrorTerm;
+  report::ViewError error = *result.error;
+  error[ErrorTerm::writing] = options.writing_error;
+  gathered.report.errors.push_back(error);
+  if (!options.max_error) return;
+  const double by_facets = error[ErrorTerm::surface] + error[ErrorTerm::intersections] + error[ErrorTerm::contours];
+  const double part = std::min(part_for_facets(*options.max_error, options.arcs.has_value()),
+                               *options.max_error - (error.total() - by_facets));
+  // Heights over facets are as the squares of their lengths; ends of contours are off by lengths, or gone: tried once.
+  const double ratio = by_facets / part;
+  const double factor = error[ErrorTerm::contours] > by_facets / 2 ? ratio * ratio : ratio;
+  if (error.total() > *options.max_error && ratio > 1 && may_be_finer(factor > ratio && fineness == 1 ? 1 : factor))
+    throw TooCoarse{factor};
+  expect_within(*options.max_error, error, declares_surfaces);
+  messages.print(sentence_of(error));
+}
+
+// For several views, the report has everything omitted for lack of time, and the verification that found most errors.
+void Run::note(const ViewResult& result) {
+  warn_about(messages, result);
+  gathered.report.plan.insert(gathered.report.plan.end(), result.plan.begin(), result.plan.end());
+  gathered.has_lines = gathered.has_lines || !result.drawing.segments.empty();
+  if (gathered.report.tessellation && !result.drawing.projection.central)
+    gathered.report.tessellation->on_paper =
+        std::max(gathered.report.tessellation->on_paper, gathered.report.tessellation->error * result.drawing.scale);
+  judge(result);
+  if (!result.verification) return;
+  if (!gathered.report.verification || gathered.report.verification->errors() < result.verification->errors())
+    gathered.report.verification = result.verification;
+}
+
+void Run::note(const FinishedSheet& sheet) {
+  for (const std::string& warning : sheet.warnings) messages.warn(warning);
+  if (options.lint) add_all(gathered.report.findings, sheet.findings);
+  warn_about(messages, sheet.sheet);
+}
+
+// The sheet and the files use the time that views leave.
+ViewTime Run::time_of_next_view() {
+  constexpr double views_for_the_rest = 0.25;
+  return {progress,
+          progress.with_part_of_the_time(1 / (static_cast<double>(gathered.views_left--) + views_for_the_rest))};
+}
+
+void Run::choose_by_world(SheetOfViews& views, const ShownWorlds& worlds,
+                          const std::vector<view::ProjectedScene>& seen) const {
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const scene::ViewDescription& view = views.descriptions[i];
+    const ShownWorld& shown = worlds.of(view);
+    const CutSection* section = section_of(shown.sections, view);
+    ViewOptions& chosen = views.plans[i].options;
+    if (section != nullptr) expect_steps_edge_on(*section, seen[i], view);
+    if (section != nullptr && section->surface.aligned) chosen.turned = section->surface;
+    chosen.exploded = !worlds.is_main(view);
+    chosen.revolved = cut_revolved(shown.world, scene, view, seen[i].projection);
+    chosen.styles = styles_of(scene, view, section == nullptr ? shown.world : section->cut.world, seen[i].projection);
+  }
+}
+
+std::vector<view::ProjectedScene> Run::map_views(const WorldOfView& world, const SheetOfViews& views) {
+  progress.begin("mapping", views.plans.size());
+  std::vector<view::ProjectedScene> seen;
+  for (std::size_t i = 0; i < views.plans.size(); ++i) {
+    progress.expect_time();
+    seen.push_back(project_scene(world(i), views.plans[i], views.descriptions[i]));
+    const view::Condition map = view::condition_of(seen.back().projection, world(i).box, world(i).one_rounding);
+    const report::ViewCondition condition{views.plans[i].options.name, map};
+    warn_about(messages, condition);
+    if (options.explain) gathered.report.conditions.push_back(condition);
+    progress.advance(1);
+  }
+  watch.lap("view");
+  return seen;
+}
+
+std::vector<std::vector<sheet::BalloonTarget>> Run::balloons_of(
+    const SheetOfViews& views, const std::vector<std::vector<std::optional<SeenPoint>>>& seen) const {
+  if (!scene.parts_list || !scene.parts_list->balloons.value_or(true)) return {};
+  std::optional<std::size_t> main;
+  for (std::size_t i = 0; i < views.descriptions.size(); ++i)
+    if (views.descriptions[i].name.value == scene.parts_list->view.value) main = i;
+  std::vector<std::size_t> missing;
+  auto balloons = balloons_by_view(seen, main, missing);
+  for (const std::size_t item : views.items.empty() ? std::vector<std::size_t>() : missing)
+    messages.warn("no view shows item " + std::to_string(item) + ", '" + views.items[item - 1].name +
+                  "', and it has no balloon\n  hint: add a view that shows it, such as a section");
+  return balloons;
+}
+
+// Of the parts list, if it is on this sheet.
+std::vector<world::Item> Run::items_of(const world::World& world, const SheetOfViews& views) const {
+  if (!scene.parts_list || scene.parts_list->sheet.value_or(1) != views.sheet + 1) return {};
+  world::ItemList list = world::find_items(world, scene.models, parts);
+  for (const std::string& name : list.surfaces)
+    messages.warn("a surface of '" + name +
+                  "' is not in the parts list: it is open, beside solids of the same part\n"
+                  "  hint: remove it from the file if it is no part of the model");
+  return std::move(list.items);
+}
+
+// However small the scale, the two lines of a thread are apart on paper.
+void set_least_threads(SheetOfViews& views, const SheetPlan& plan) {
+  const double wide = sheet::line_widths(plan.furniture.paper).wide;
+  for (PlannedView& view : views.plans) view.options.least_thread = std::max(least_thread, 2 * wide);
+}
+
+// All that does not depend on where the views are on the sheet.
+PreparedSheet Run::prepare_sheet(const ShownWorlds& worlds, SheetOfViews views) {
+  const world::World& whole = worlds.main();
+  const auto world = [&](std::size_t view) -> const world::World& { return worlds.seen_in(views.descriptions[view]); };
+  orient_arrow_views(views, world);
+  std::vector<view::ProjectedScene> seen = map_views(world, views);
+  choose_by_world(views, worlds, seen);
+  find_breaks(views, seen, world);
+  views.epura = epura_views(scene.sheets[static_cast<std::size_t>(views.sheet)], views, seen);
+  expect_constructions(views, seen);
+  views.items = items_of(whole, views);
+  std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
+  std::vector<sheet::DimensionsInView> anchored;
+  if (options.lint) anchored = anchored_dimensions(whole, views, seen, annotations);
+  return {std::move(views), std::move(seen), std::move(annotations), std::move(anchored)};
+}
+
+// Projecting takes less time than keeping a copy takes memory.
+void project_again(PreparedSheet& sheet, const ShownWorlds& worlds) {
+  if (!sheet.seen.empty()) return;
+  for (std::size_t i = 0; i < sheet.views.plans.size(); ++i) {
+    const scene::ViewDescription& view = sheet.views.descriptions[i];
+    sheet.seen.push_back(project_scene(worlds.seen_in(view), sheet.views.plans[i], view));
+  }
+}
+
+SheetPlan Run::plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const LayoutWish& layout) const {
+  project_again(sheet, worlds);
+  sheet.views.layout = layout;
+  return plan_sheet(worlds.main(), scene, sheet.views, sheet.seen, sheet.annotations);
+}
+
+FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared, const SheetPlan& plan,
+                              const std::optional<std::size_t>& most_left_out) {
+  project_again(prepared, worlds);
+  std::vector<view::ProjectedScene> seen = std::exchange(prepared.seen, {});
+  SheetOfViews views = prepared.views;
+  const std::vector<Annotations>& annotations = prepared.annotations;
+  const auto shown = [&](std::size_t view) -> const ShownWorld& { return worlds.of(views.descriptions[view]); };
+  const auto world = [&](std::size_t view) -> const world::World& { return worlds.seen_in(views.descriptions[view]); };
+  set_least_threads(views, plan);
+  tell_of_scales(messages, plan, scene.sheets[static_cast<std::size_t>(views.sheet)], views);
+  warn_about_details(messages, views, plan);
+  std::vector<ViewResult> results;
+  std::string answers_of_sheet;
+  CoarseMeshes coarse(scene, known_parts);
+  std::vector<std::vector<std::optional<SeenPoint>>> items_seen(seen.size());
+  std::vector<std::vector<sheet::CalloutTarget>> targets;
+  report::Partial partial;
+  const Budget budget{progress, progress, partial};
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const std::vector<BrokenOutSection> broken_out =
+        cut_broken_outs(world(i), scene, views.descriptions[i], seen[i].projection, messages);
+    const CutSection* section = section_of(shown(i).sections, views.descriptions[i]);
+    ViewInput input{world(i), section, views.plans[i].options, plan.places[i], shown(i).traces, broken_out};
+    input.known = scene.views.size() > 1 ? &intersections[&world(i)] : nullptr;
+    input.heights = heights ? &*heights : nullptr;
+    // Of a detail, this is said of the view that it enlarges.
+    if (section != nullptr && !input.options.detail)
+      warn_if_unseen(messages, *section, seen[i], views.plans[i].options.name);
+    results.push_back(draw_view(input, std::move(seen[i]), time_of_next_view(), watch));
+    warn_if_empty(messages, results.back(), input);
+    coarse.look(input, results.back().drawing, progress);
+    note(results.back());
+    CalloutTargets found =
+        find_targets(world(i), results.back().drawing, annotations[i].callouts, !results.back().partial.stages.empty());
+    for (const std::string& warning : found.warnings) messages.warn(warning);
+    targets.push_back(std::move(found.targets));
+    if (annotations[i].balloons) items_seen[i] = seen_items(world(i), results.back().drawing, views.items);
+    partial.add(results.back().partial);
+    answers_of_sheet +=
+        budget.or_nothing([&](const Progress& until) { return answer(options, input, results.back(), until); });
+    results.back().work = {};  // frees memory for what follows
+  }
+  for (const std::string& warning : coarse.warnings()) messages.warn(warning);
+  if (options.arcs) tell_of_curves(messages, results);
+  if (!plan.inside || plan.crowded) warn_about(messages, plan);
+  gathered.report.cut_off = gathered.report.cut_off || !plan.on_paper;
+  FinishedSheet sheet = compose({worlds.main(), scene, views, plan, annotations, std::move(targets),
+                                 balloons_of(views, items_seen), most_left_out},
+                                results, budget);
+  finish(sheet, plan, prepared.anchored);
+  gathered.answers += sheet.answers = std::move(answers_of_sheet);
+  if (options.line_facts)
+    for (std::size_t i = 0; i < sheet.drawings.size(); ++i) add_line_facts(sheet.sheet, sheet.drawings[i], world(i));
+  if (const std::string cut = partial.stages.empty() ? cut_before_sheets : partial.stages.front(); !cut.empty())
+    mark_partial(sheet, cut);
+  gathered.report.partial.add(partial);
+  if (!options.keeps_drawings) sheet.drawings = {};
+  note(sheet);
+  gathered.report.plan.push_back(text_step(sheet.sheet, options.plan.text));
+  watch.lap("sheet");
+  return sheet;
+}
+
+void Run::finish(FinishedSheet& sheet, const SheetPlan& plan, std::vector<sheet::DimensionsInView> anchored) {
+  sheet.next_size = plan.next_size;
+  std::vector<std::vector<std::size_t>> undrawn = sheet.left_out;
+  for (std::size_t view = 0; view < sheet.unseen.size(); ++view) add_all(undrawn[view], sheet.unseen[view]);
+  for (std::vector<std::size_t>& numbers : undrawn) std::sort(numbers.begin(), numbers.end());
+  leave_out(anchored, undrawn);
+  add_all(gathered.dimensioned, std::move(anchored));
+}
+
+/// A sheet that is drawn, but not noted as a result yet.
+struct Attempt {
+  FinishedSheet sheet;
+  HeldMessages told;
+  Gathered gathered;
+};
+
+// Leaves `gathered` as it was. If the sheet cannot be drawn, the messages are told.
+Attempt Run::attempt(const DrawSheet& draw) {
+  const Messages outside = messages;
+  const Gathered before = gathered;
+  HeldMessages held;
+  messages = held.messages();
+  try {
+    FinishedSheet sheet = draw();
+    messages = outside;
+    return {std::move(sheet), std::move(held), std::exchange(gathered, before)};
+  } catch (...) {
+    messages = outside;
+    gathered = before;
+    held.tell(messages);
+    throw;
+  }
+}
+
+// Nothing unless it is complete and `is_better`; another sheet is drawn then.
+std::optional<Attempt> Run::attempt_if(const DrawSheet& draw,
+                                       const std::function<bool(const FinishedSheet&)>& is_better) {
+  constexpr double part = 0.4;  // of the time left
+  const Messages outside = std::exchange(messages, silent_messages());
+  const Progress whole = std::exchange(progress, progress.with_part_of_the_time(part));
+  std::optional<Attempt> result;
+  const auto restore = [&] {
+    messages = outside;
+    progress = whole;
+  };
+  try {
+    result = attempt(draw);
+  } catch (const OutOfTime&) {
+  } catch (const Error&) {
+    // Something is not on this paper. What is wrong on any paper is told of the other sheet.
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
+  if (result && !(is_better(result->sheet) && result->gathered.report.partial.stages.empty())) return std::nullopt;
+  return result;
+}
+
+// The room for dimensions in the usual layout is an estimate: short ones share lines, and most are on one side of their
+// view. So a better layout, which has a part of it, counts if everything has a place; then one that is better still
+// may.
+std::optional<Attempt> Run::attempt_better(const ShownWorlds& worlds, PreparedSheet& sheet, const SheetPlan& usual) {
+  if (!usual.inside || !dimensions_features(scene) || worlds.main().triangles.size() > most_drawn_again)
+    return std::nullopt;
+  const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)];
+  std::optional<SheetPlan> tried;
+  for (const LayoutWish& wish : better_layouts(description, usual)) {
+    const SheetPlan better = plan_of(worlds, sheet, wish);
+    if (!better.inside || better.crowded || !is_better(better, tried.value_or(usual))) continue;
+    if (auto found = attempt_if([&] { return draw_sheet(worlds, sheet, better, 0); }, is_complete)) {
+      auto larger = better.chosen ? attempt_better(worlds, sheet, better) : std::nullopt;
+      return larger ? std::move(larger) : std::move(found);
+    }
+    tried = better;
+  }
+  return std::nullopt;
+}
+
+// With less room for dimensions than usual, which is told, if the views have no place on the sheet otherwise, at any or
+// the given scale.
+SheetPlan Run::usual_plan(const ShownWorlds& worlds, PreparedSheet& sheet) const {
+  SheetPlan usual = plan_of(worlds, sheet, {});
+  if (usual.inside) return usual;
+  for (const double share : smaller_rooms) {
+    SheetPlan closer = plan_of(worlds, sheet, {0, std::nullopt, share});
+    if (!closer.inside) continue;
+    closer.crowded = true;
+    closer.fitting = usual.fitting;
+    return closer;
+  }
+  return usual;
+}
+
+Attempt Run::draw_in_best_layout(const ShownWorlds& worlds, PreparedSheet& sheet) {
+  const SheetPlan usual = usual_plan(worlds, sheet);
+  std::optional<Attempt> best = attempt_better(worlds, sheet, usual);
+  if (!best) best = attempt([&] { return draw_sheet(worlds, sheet, usual, std::nullopt); });
+  const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)];
+  for (const LayoutWish& wish : roomier_layouts(description, usual)) {
+    const auto faults = faults_of(best->sheet);
+    const bool is_sized = is_sized_by_scale(description);
+    // A smaller scale does not make rows shorter.
+    if (faults.first == 0 && (faults.second == 0 || !is_sized)) break;
+    if (progress.is_out_of_time() || (!is_sized && worlds.main().triangles.size() > most_drawn_again)) break;
+    const SheetPlan plan = plan_of(worlds, sheet, wish);
+    if (!plan.inside) continue;
+    auto other = attempt_if([&] { return draw_sheet(worlds, sheet, plan, faults.first); },
+                            [&](const FinishedSheet& drawn) { return faults_of(drawn) < faults; });
+    if (other) best = std::move(other);
+  }
+  return std::move(*best);
+}
+
+// The same sheet with another way to dimension holes.
+PreparedSheet Run::with_holes(const ShownWorlds& worlds, PreparedSheet sheet, HoleDimensions holes) const {
+  scene::SceneDescription other = scene;
+  for (scene::DimensionDescription& dimension : other.dimensions) dimension.holes.value = holes;
+  project_again(sheet, worlds);
+  sheet.annotations = annotate(worlds.main(), other, sheet.views, sheet.seen, worlds.surfaces());
+  if (options.lint) sheet.anchored = anchored_dimensions(worlds.main(), sheet.views, sheet.seen, sheet.annotations);
+  return sheet;
+}
+
+// Holes in a table instead of a fan of positions, or dimensioned where the sheet has no room for a table.
+std::optional<HoleDimensions> other_holes(const FinishedSheet& drawn, const PreparedSheet& sheet) {
+  const bool has_table = std::any_of(sheet.annotations.begin(), sheet.annotations.end(),
+                                     [](const Annotations& view) { return !view.tables.empty(); });
+  if (has_table && drawn.without_room > 0) return HoleDimensions::notes;
+  if (!has_table && drawn.fans > 0) return HoleDimensions::table;
+  return std::nullopt;
+}
+
+FinishedSheet Run::draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views) {
+  PreparedSheet sheet = prepare_sheet(worlds, std::move(views));
+  Attempt best = draw_in_best_layout(worlds, sheet);
+  if (const auto holes = other_holes(best.sheet, sheet); holes && !progress.is_out_of_time()) {
+    const auto faults = faults_of(best.sheet);
+    std::optional<Attempt> other;
+    const auto draw = [&] {
+      PreparedSheet changed = with_holes(worlds, sheet, *holes);
+      other = draw_in_best_layout(worlds, changed);
+      return FinishedSheet{};
+    };
+    if (attempt_if(draw, [&](const FinishedSheet&) { return faults_of(other->sheet) < faults; })) {
+      best = std::move(*other);
+      if (*holes == HoleDimensions::notes)
+        best.told.messages().warn(
+            "the sheet has no room for the table of the holes, which have dimensions instead\n"
+            "  hint: use a larger sheet or a smaller scale");
+    }
+  }
+  best.told.tell(messages);
+  gathered = std::move(best.gathered);
+  return std::move(best.sheet);
+}
+
+void place_threads(world::World& world, const scene::SceneDescription& scene) {
+  std::vector<Vec3> positions;
+  for (const scene::ThreadDescription& thread : scene.threads)
+    positions.push_back(sheet::position_of(world, *thread.at, thread.at.where));
+  design::place_threads(world, scene.threads, positions);
+}
+
+// Whether a sheet has more than pictures: these show helical threads as they are.
+bool shows_parts(const SheetOfViews& views) {
+  return std::any_of(views.plans.begin(), views.plans.end(),
+                     [](const PlannedView& plan) { return plan.entry.family == "orthographic"; });
+}
+
+std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
+  ReadWorld read = read_models(scene, reading_of(scene, options, fineness), gathered.report.meshes, messages, progress);
+  parts = std::move(read.parts);
+  scene.explosions = std::move(read.explosions);
+  world::World world = std::move(read.world);
+  watch.lap("read");
+  recognise_parts(world, scene, options, gathered.report, progress);
+  doubt_unit(messages, scene, world, read.without_unit);
+  if (std::any_of(sheets.begin(), sheets.end(), shows_parts))
+    world = replace_helical_threads(std::move(world), scene, messages, progress);
+  place_threads(world, scene);
+  complete_mass(scene, world, messages);
+  refers_to_models = refer_to_models(scene, world);
+  if (refers_to_models) warn_of_unrecognised(messages, scene, world);
+  find_heights(world);
+  if (!gathered.report.partial.stages.empty()) cut_before_sheets = gathered.report.partial.stages.front();
+  watch.lap("features");
+  const ShownWorlds worlds(std::move(world), scene, messages, progress);
+  if (!scene.explosions.empty() || !worlds.surfaces().empty()) watch.lap("section");
+  std::vector<FinishedSheet> finished;
+  for (SheetOfViews sheet : sheets) {
+    sheet.states_error = options.error_note;
+    finished.push_back(draw_best_sheet(worlds, std::move(sheet)));
+  }
+  if (options.lint) {
+    add_uncovered_sizes(gathered.report, worlds.main(), scene, gathered.dimensioned, progress);
+    add_all(gathered.report.findings, undefined_free_forms(worlds.main(), scene, refers_to_models));
+  }
+  return finished;
+}
+
+DrawnScene draw_once(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context,
+                     const std::vector<SheetOfViews>& sheets, double fineness) {
+  Run run{scene, options, context.messages, context.progress, context.watch, {scene.views.size()}};
+  run.fineness = fineness;
+  run.gathered.report.plan.push_back(plugins_step(sheets));
+  std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
+  context.progress.expect_not_stopped();
+  // An empty sheet is not a drawing.
+  if (!run.gathered.report.partial.stages.empty() && !run.gathered.has_lines)
+    throw OutOfTime{run.gathered.report.partial.stages.front()};
+  return {std::move(finished), std::move(run.gathered.report), std::move(run.gathered.answers)};
+}
+
+// Reads surfaces again, with finer facets, while these alone prevent --max-error.
+DrawnScene draw_within_error(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context,
+                             const std::vector<SheetOfViews>& sheets) {
+  constexpr double reserve = 1.5, most_at_once = 8;
+  expect_certain(*options.max_error, reading_of(scene, options).options.relative_tolerance, options.arcs.has_value());
+  for (double fineness = 1;;) {
+    HeldMessages held;
+    const Messages messages = held.messages();
+    try {
+      DrawnScene drawn = draw_once(scene, options, {messages, context.progress, context.watch}, sheets, fineness);
+      held.tell(context.messages);
+      return drawn;
+    } catch (const TooCoarse& attempt) {
+      fineness *= std::min(most_at_once, reserve * attempt.factor);
+    } catch (...) {
+      held.tell(context.messages);
+      throw;
+    }
+  }
+}
+
+}  // namespace
+
+DrawnScene draw_scene(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context) {
+  const ThreadLimit threads(options.threads);
+  const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, options));
+  context.watch.lap("prepare");
+  return options.max_error ? draw_within_error(scene, options, context, sheets)
+                           : draw_once(scene, options, context, sheets, 1);
+}
+
+}  // namespace epura::pipeline

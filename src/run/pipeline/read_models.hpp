@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Model files -> one world.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "importer/read_model.hpp"
+#include "mesh/mesh.hpp"
+#include "scene/description.hpp"
+#include "views/messages.hpp"
+#include "views/options.hpp"
+#include "world/world.hpp"
+
+namespace epura::pipeline {
+
+/// How models are read.
+struct Reading {
+  importer::ReadOptions options{};
+  std::shared_ptr<KeptModels> kept{};  ///< null: every file is read, once
+};
+
+/// The precision that the drawings need so that no ink is off by more than RunOptions::max_error: from the given
+/// scales, otherwise from the paper on which the drawings must fit.
+Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double fineness = 1);
+
+struct ReadWorld {
+  world::World world;
+  std::vector<std::vector<importer::BodyPart>> parts{};  ///< of the bodies of each model
+  std::vector<scene::ExplodeDescription> explosions{};   ///< of the scene, for bodies by their own names
+  int without_unit = -1;  ///< the first model whose unit neither its file nor the user states; -1: none
+};
+
+/// Reads and positions the models; appends a report for each to `reports`. Reports repairs. Faces of parts are those
+/// that the files declare.
+ReadWorld read_models(const scene::SceneDescription& scene, const Reading& reading,
+                      std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress);
+
+/// Reports if the sizes of that model, whose faces are recognised by now, are rather those of another unit than
+/// millimetres.
+void doubt_unit(const Messages& messages, const scene::SceneDescription& scene, const world::World& world,
+                int without_unit);
+
+}  // namespace epura::pipeline

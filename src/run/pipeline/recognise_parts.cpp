@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/recognise_parts.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "composition/annotations.hpp"
+#include "edges/find_edges.hpp"
+#include "features/recognise.hpp"
+#include "views/view_plan.hpp"
+#include "world/facet_heights.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+// Fraction of the time left after reading. What comes later shows the longest lines if there is little time, but
+// without its faces a part is drawn as a mesh.
+constexpr double part_for_faces = 0.6;
+
+// Degrees.
+constexpr double flat = 0.005;
+
+// If no lines inside surfaces are drawn, there is nothing to distinguish.
+bool is_asked(const scene::ViewDescription& view) {
+  const EdgeKinds kinds = view.edges.value_or({});
+  return kinds.crease || kinds.tangent || kinds.smooth || kinds.intersection;
+}
+
+// Round faces of bodies that fit into each other cross wherever their facets differ.
+bool may_fit(const world::World& world) {
+  int bodies = 0;
+  for (const world::Placed& placed : world.models) bodies += placed.mesh->report.bodies;
+  return bodies > 1;
+}
+
+// Degrees: edges with a smaller fold angle are not distinguished from those inside faces. If only creases are
+// requested, fine tessellations have none.
+double least_fold(const world::World& world, const scene::SceneDescription& scene, const RunOptions& options) {
+  double least = edges::EdgeOptions().part_angle;
+  const bool fit = may_fit(world);
+  for (const scene::ViewDescription& view : scene.views) {
+    const EdgeKinds kinds = view.edges.value_or({});
+    if (kinds.tangent || (kinds.intersection && fit)) return flat;
+    least = std::min(least, view.crease_angle.value_or(least));
+  }
+  // Outlines of cut faces are those of surfaces, and so are arcs.
+  const bool cut = !scene.sections.empty() || !scene.broken_outs.empty() || !scene.revolved.empty();
+  return cut || has_centre_lines(scene, options) || options.arcs || !scene.dimensions.empty() ? flat
+                                                                                              : std::max(least, flat);
+}
+
+std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, std::optional<double> least,
+                                                   const Progress& progress) {
+  // Contours of coarse facets are moved to the surface; those of very fine ones are on it.
+  constexpr int fine = 50000;
+  if (least && !features::has_shallow_folds(mesh, mesh.triangle_count() < fine ? flat : *least)) return nullptr;
+  auto part = std::make_shared<features::PartFaces>(features::recognise_faces(mesh, {}, progress));
+  return part->faces.empty() ? nullptr : part;
+}
+
+}  // namespace
+
+void recognise_parts(world::World& world, const scene::SceneDescription& scene, const RunOptions& options,
+                     report::Report& report, Progress progress) {
+  // Dimensions of features need faces even where folds alone identify all edges.
+  std::optional<double> least;
+  if (!dimensions_features(scene) && !options.lint && scene.threads.empty()) least = least_fold(world, scene, options);
+  std::vector<std::vector<int>> wanted;  // models of one mesh
+  std::map<const mesh::Mesh*, std::size_t> number;
+  const bool asked = dimensions_features(scene) || std::any_of(scene.views.begin(), scene.views.end(), is_asked);
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
+    const world::Placed& placed = world.models[model];
+    if (!asked || scene.models[model].surfaces.value_or(Surfaces::automatic) != Surfaces::automatic ||
+        placed.part != nullptr || placed.mesh->triangle_count() == 0)
+      continue;
+    const auto [known, is_new] = number.emplace(placed.mesh.get(), wanted.size());
+    if (is_new) wanted.emplace_back();
+    wanted[known->second].push_back(model);
+  }
+  progress.begin(recognising_faces, wanted.size());
+  const Progress limited = progress.with_part_of_the_time(part_for_faces);
+  try {
+    parallel_for(wanted.size(), 1, limited, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto part = part_of(*world.models[wanted[i].front()].mesh, least, limited);
+        for (const int model : wanted[i]) world.models[model].part = part;
+        progress.advance(1);
+      }
+    });
+    if (const double error = world::tessellation_error(world, limited); error > 0) report.tessellation = {error, 0};
+  } catch (const OutOfTime& cut) {
+    report.partial.add_stage(cut.stage);
+  }
+  const bool any = std::any_of(world.models.begin(), world.models.end(),
+                               [](const world::Placed& placed) { return placed.part != nullptr; });
+  if (wanted.empty() && !any) return;
+  long long triangles = 0, faces = 0, models = 0;
+  for (const world::Placed& placed : world.models) {
+    triangles += placed.mesh->triangle_count();
+    if (placed.part == nullptr) continue;
+    faces += static_cast<long long>(placed.part->faces.size());
+    ++models;
+  }
+  report.plan.push_back({"features", models > 0,
+                         models == 0 ? "no model has faces of a part that its folds do not tell"
+                                     : "edges are those of faces in " + std::to_string(models) + " of " +
+                                           std::to_string(world.models.size()) + " models",
+                         triangles, faces});
+}
+
+}  // namespace epura::pipeline

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recognises the faces of the parts in a scene.
+#pragma once
+
+#include "base/progress.hpp"
+#include "report/report.hpp"
+#include "scene/description.hpp"
+#include "views/options.hpp"
+#include "world/world.hpp"
+
+namespace epura::pipeline {
+
+/// The name of the stage.
+inline constexpr const char* recognising_faces = "recognising faces";
+
+/// Recognises faces that the file does not declare, if requested and useful, and adds a step to the plan of the report.
+/// Models for which there is no time are drawn as meshes, and reported. The report also has the error of tessellation.
+void recognise_parts(world::World& world, const scene::SceneDescription& scene, const RunOptions& options,
+                     report::Report& report, Progress progress);
+
+}  // namespace epura::pipeline

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options for drawing a scene, apart from those of its parts.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "explain/edge_question.hpp"
+#include "projection/catalogue.hpp"
+#include "scene/choices.hpp"
+#include "views/shortcuts.hpp"
+
+namespace epura::pipeline {
+
+enum class DumpTable { edges, spans };
+/// Which lines count as hidden: `none` is a wireframe.
+enum class Visibility { exact, none };
+/// Which processes open nothing but what they were given: those of importers and workers, if the kernel can confine
+/// them (foreign/sandbox.hpp); `on`: this process, too.
+enum class Sandbox { automatic, on, off };
+
+}  // namespace epura::pipeline
+
+template <>
+struct epura::scene::Words<epura::pipeline::DumpTable> {
+  static constexpr std::array list{"edges", "spans"};
+};
+template <>
+struct epura::scene::Words<epura::pipeline::Visibility> {
+  static constexpr std::array list{"exact", "none"};
+};
+template <>
+struct epura::scene::Words<epura::pipeline::Sandbox> {
+  static constexpr std::array list{"auto", "on", "off"};
+};
+
+namespace epura::pipeline {
+
+struct KeptModels;
+
+struct RunOptions {
+  std::vector<std::filesystem::path> plugin_path;        ///< more folders with projection plugins
+  std::vector<projection::ProjectionEntry> projections;  ///< of the calling program, by name before those of plugins
+  Sandbox sandbox = Sandbox::automatic;
+  bool allow_outside = false;  ///< scene files and models may name files outside their folders
+  Visibility visibility = Visibility::exact;
+  std::optional<double> max_error;  ///< mm; no line of a view may be farther from the part
+  double writing_error = 0;         ///< mm; of the files that will be written
+  std::optional<double> contact;    ///< world length
+  std::optional<double> arcs;       ///< tolerance, mm; nothing: lines stay straight
+  bool centre_lines = false;
+  std::vector<explain::EdgeQuestion> why;  ///< edges to explain
+  std::optional<DumpTable> dump;
+  int threads = 0;                   ///< 0: all cores
+  std::optional<double> time_limit;  ///< seconds
+  bool verify = false;
+  int verify_samples = 2000;
+  Shortcuts plan;               ///< shortcuts in use
+  bool explain = false;         ///< print the steps
+  bool lint = false;            ///< report faults of the dimensions
+  bool error_note = false;      ///< sheets state above the title block how far lines may be from those of the part
+  bool judges = false;          ///< finds the error budgets of the views
+  bool keeps_drawings = false;  ///< in addition to the sheets
+  std::shared_ptr<KeptModels> kept_models{};  ///< shared with other runs, which read the same files
+  bool line_facts = false;                    ///< the sheets tell what the model knows of their lines
+};
+
+}  // namespace epura::pipeline

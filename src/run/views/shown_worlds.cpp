@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "views/shown_worlds.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "scene/body_styles.hpp"
+#include "scene/details.hpp"
+#include "world/expect_usable.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+using Numbers = std::vector<std::size_t>;
+
+// The moves in a view, by number. A detail shows what the view shows that it enlarges.
+Numbers moves_in(const scene::ViewDescription& view, const scene::SceneDescription& scene) {
+  std::string name = *view.name;
+  if (view.detail.given()) name = *scene::find_detail(scene, *view.detail)->view;
+  Numbers numbers;
+  for (std::size_t i = 0; i < scene.explosions.size(); ++i)
+    if (scene.explosions[i].view.value_or(name) == name) numbers.push_back(i);
+  return numbers;
+}
+
+}  // namespace
+
+ShownWorlds::ShownWorlds(world::World world, const scene::SceneDescription& scene, const Messages& messages,
+                         const Progress& progress) {
+  std::vector<std::string> names;
+  for (const scene::ModelDescription& model : scene.models) names.push_back(scene::name_of(model));
+  std::map<Numbers, std::vector<scene::ViewDescription>> views;  // without moves first
+  for (const scene::ViewDescription& view : scene.views) views[moves_in(view, scene)].push_back(view);
+  if (views.size() > 1) views.try_emplace(Numbers());
+  for (const auto& [numbers, of_world] : views) {
+    for (const scene::ViewDescription& view : of_world) world_of_view_[*view.name] = worlds_.size();
+    std::vector<scene::ExplodeDescription> moves;
+    for (const std::size_t i : numbers) moves.push_back(scene.explosions[i]);
+    ShownWorld shown;
+    if (!moves.empty()) {
+      world::ExplodedWorld exploded = world::explode_world(world, moves, names);
+      world::expect_usable(exploded.world);
+      shown.world = std::move(exploded.world);
+      shown.traces = std::move(exploded.traces);
+    } else if (views.size() == 1) {
+      shown.world = std::move(world);
+    } else {
+      shown.world = world;
+    }
+    scene::SceneDescription cut;
+    cut.views = of_world;
+    cut.sections = scene.sections;
+    shown.sections = cut_sections(shown.world, cut, messages, progress);
+    worlds_.push_back(std::move(shown));
+  }
+}
+
+SectionSurfaces ShownWorlds::surfaces() const {
+  SectionSurfaces surfaces;
+  for (const ShownWorld& shown : worlds_) add_surfaces(surfaces, shown.sections);
+  return surfaces;
+}
+
+}  // namespace epura::pipeline

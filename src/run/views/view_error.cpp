@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "views/view_error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "base/error.hpp"
+#include "base/portable_math.hpp"
+#include "base/text.hpp"
+#include "drawing/drawing.hpp"
+#include "drawing/limits.hpp"
+#include "drawing/near_lines.hpp"
+#include "report/format.hpp"
+#include "view/condition.hpp"
+#include "views/draw_view.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+using report::ErrorTerm;
+
+// The error of a few rounded operations, relative to their results: 2^-50.
+constexpr double rounding = 8.8817841970012523e-16;
+// Below the sine of a ten-thousandth of a degree, facets do not tell where two surfaces cross.
+constexpr double least_sine = 2e-6;
+
+/// What distances become on paper.
+class Judge {
+ public:
+  explicit Judge(const ViewToJudge& judged) : judged_(judged) {}
+
+  /// The longest image on paper of a unit length at a vertex of the view, mm: the larger singular value of the map's
+  /// derivative.
+  [[nodiscard]] double stretch_at(int vertex) const {
+    const view::ViewMap& map = judged_.view.map;
+    const view::PageVertex& at = judged_.view.vertices[vertex];
+    const Vec2 page = Vec2(at.x, at.y) + judged_.view.middle;
+    const Vec3 a = (map.u - page.x * map.w) / at.w, b = (map.v - page.y * map.w) / at.w;
+    const double aa = glm::dot(a, a), bb = glm::dot(b, b), ab = glm::dot(a, b), half = (aa - bb) / 2;
+    return std::sqrt((aa + bb) / 2 + std::sqrt(half * half + ab * ab)) * map.normalisation * judged_.paper.scale;
+  }
+
+  [[nodiscard]] double height_of(int triangle) const {
+    return judged_.is_whole ? judged_.heights.of_triangle[static_cast<std::size_t>(triangle)]
+                            : height_of_model(judged_.world.model_of_triangle(triangle));
+  }
+
+  void add_surface(report::ViewError& error) const {
+    for (const view::ViewTriangle& triangle : judged_.view.triangles) {
+      const double height = height_of(triangle.source);
+      if (!(height > 0)) continue;
+      double stretch = 0;
+      for (const int vertex : triangle.vertex) stretch = std::max(stretch, stretch_at(vertex));
+      if (!(height * stretch > error[ErrorTerm::surface])) continue;
+      error[ErrorTerm::surface] = height * stretch;
+      error.estimated = is_estimated(triangle.source);
+    }
+  }
+
+  /// Faces that are off by h and k meet farther from where their facets meet, the smaller the angle between them.
+  void add_intersections(report::ViewError& error) const {
+    const ChordHeights chords = heights_of_chords();
+    double largest = 0;
+    for (const edges::FeatureEdge& edge : judged_.edges.edges) {
+      const double off = off_edge(edge, chords);
+      if (!(off > 0)) continue;
+      largest = std::max(largest, off * std::max(stretch_at(edge.vertex[0]), stretch_at(edge.vertex[1])));
+    }
+    error[ErrorTerm::intersections] = std::max(0.0, largest - error[ErrorTerm::surface]);
+  }
+
+  /// Where a surface curves both ways, its contour may end in a cusp, which facets do not have: theirs turns back
+  /// there, up to a facet before. Contours drawn on the surface have their own measure.
+  void add_cusps(report::ViewError& error) const {
+    struct Leg {
+      int from;
+      Vec2 along;
+      double facet;  ///< longest side beside it
+    };
+    std::vector<Leg> legs;
+    for (const edges::FeatureEdge& edge : judged_.edges.edges) {
+      if (edge.kind != EdgeKind::contour || edge.mesh_edge < 0 || edge.shown[0] >= 0 || edge.shown[1] >= 0) continue;
+      const world::Placed& placed = judged_.world.models[static_cast<std::size_t>(edge.model)];
+      const std::span<const int> beside =
+          placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]);
+      const int first = judged_.world.first_triangle[static_cast<std::size_t>(edge.model)];
+      if (beside.size() != 2 || !judged_.is_whole) continue;
+      if (!is_inside(placed, edge.mesh_edge, {first + beside[0], first + beside[1]})) continue;
+      double facet = 0;
+      for (const int triangle : beside)
+        if (is_saddle(edge.model, triangle)) facet = std::max(facet, longest_side(first + triangle));
+      if (!(facet > 0)) continue;
+      const Vec2 along = place_of(edge.vertex[1]) - place_of(edge.vertex[0]);
+      facet *= std::max(stretch_at(edge.vertex[0]), stretch_at(edge.vertex[1]));
+      legs.push_back({edge.vertex[0], along, facet});
+      legs.push_back({edge.vertex[1], -along, facet});
+    }
+    std::stable_sort(legs.begin(), legs.end(), [](const Leg& a, const Leg& b) { return a.from < b.from; });
+    double& largest = error[ErrorTerm::contours];
+    for (std::size_t i = 0; i < legs.size(); ++i)
+      for (std::size_t j = i + 1; j < legs.size() && legs[j].from == legs[i].from; ++j)
+        if (glm::dot(legs[i].along, legs[j].along) > 0) largest = std::max({largest, legs[i].facet, legs[j].facet});
+  }
+
+ private:
+  /// On paper, mm, from the middle of the view.
+  [[nodiscard]] Vec2 place_of(int vertex) const {
+    const view::PageVertex& at = judged_.view.vertices[vertex];
+    return judged_.paper.scale * Vec2(at.x, at.y);
+  }
+
+  // Planes, cylinders, cones and spheres curve one way.
+  static bool may_be_saddle(const features::PartFaces& part, int triangle) {
+    const int face = part.face_of_triangle[static_cast<std::size_t>(triangle)];
+    if (face < 0) return true;
+    const features::SurfaceKind kind = part.faces[static_cast<std::size_t>(face)].surface.kind;
+    return kind == features::SurfaceKind::torus || kind == features::SurfaceKind::free_form;
+  }
+
+  // Whether the neighbours of a triangle on the same surface are folded to both of its sides.
+  [[nodiscard]] bool is_saddle(int model, int triangle) const {
+    const world::Placed& placed = judged_.world.models[static_cast<std::size_t>(model)];
+    const mesh::Mesh& mesh = *placed.mesh;
+    if (placed.part != nullptr && !may_be_saddle(*placed.part, triangle)) return false;
+    const int first = judged_.world.first_triangle[static_cast<std::size_t>(model)];
+    const int before = judged_.world.first_vertex[static_cast<std::size_t>(model)];
+    const std::array<int, 3> corners = mesh.triangle(triangle);
+    const Vec3 normal = normal_of(first + triangle);
+    constexpr double flat = 1e-9;  // sine
+    bool above = false, below = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 3]);
+      const std::array<int, 2> ends{low, high};
+      const mesh::MeshEdge* side = mesh.edge_between(ends);
+      if (side == nullptr || side->count != 2) continue;
+      for (const int other : mesh.triangles_of(*side)) {
+        if (other == triangle || !is_inside(placed, side - mesh.edges.data(), {first + triangle, first + other}))
+          continue;
+        for (const int corner : mesh.triangle(other)) {
+          const Vec3 to = judged_.world.points[before + corner] - judged_.world.points[before + ends[0]];
+          const double rise = glm::dot(normal, to), slack = flat * glm::length(normal) * glm::length(to);
+          above = above || rise > slack;
+          below = below || rise < -slack;
+        }
+      }
+    }
+    return above && below;
+  }
+
+  [[nodiscard]] double longest_side(int triangle) const {
+    const auto& [a, b, c] = judged_.world.triangles[triangle];
+    const auto& points = judged_.world.points;
+    return std::max({glm::distance(points[a], points[b]), glm::distance(points[b], points[c]),
+                     glm::distance(points[c], points[a])});
+  }
+
+  [[nodiscard]] double height_of_model(int model) const {
+    return judged_.heights.of_model[static_cast<std::size_t>(judged_.world.number_in_scene(model))];
+  }
+
+  [[nodiscard]] bool is_estimated(int triangle) const {
+    if (judged_.is_whole) return judged_.heights.is_estimated[static_cast<std::size_t>(triangle)] != 0;
+    const int model = judged_.world.number_in_scene(judged_.world.model_of_triangle(triangle));
+    return judged_.heights.model_is_estimated[static_cast<std::size_t>(model)] != 0;
+  }
+
+  // Twice its area long.
+  [[nodiscard]] Vec3 normal_of(int triangle) const {
+    const auto& [a, b, c] = judged_.world.triangles[triangle];
+    const auto& points = judged_.world.points;
+    return glm::cross(points[b] - points[a], points[c] - points[a]);
+  }
+
+  /// How far the chords of borders are from these, in world units, by model and mesh edge; empty for models without
+  /// recognised faces.
+  using ChordHeights = std::vector<std::vector<double>>;
+
+  // Vertices of the border between two faces lie on both, so its edges are chords of the true one, however small the
+  // angle between the faces: with a turn t from one to the next, a chord of length s is off by s t / 8. Twice that, as
+  // vertices are not evenly distributed.
+  [[nodiscard]] ChordHeights heights_of_chords() const {
+    ChordHeights heights(judged_.world.models.size());
+    for (std::size_t m = 0; m < heights.size(); ++m) {
+      const world::Placed& placed = judged_.world.models[m];
+      if (placed.part == nullptr || !judged_.is_whole) continue;
+      heights[m].assign(placed.mesh->edges.size(), 0);
+      const auto along = [&](int edge) {
+        const auto& [a, b] = placed.mesh->edges[static_cast<std::size_t>(edge)].vertex;
+        const int first = judged_.world.first_vertex[m];
+        return judged_.world.points[first + b] - judged_.world.points[first + a];
+      };
+      for (const features::PartBorder& border : placed.part->borders) {
+        const std::size_t count = border.edges.size();
+        for (std::size_t i = border.closed ? 0 : 1; i < count; ++i) {
+          const std::array both{border.edges[(i + count - 1) % count], border.edges[i]};
+          const Vec3 one = along(both[0]), two = along(both[1]);
+          const auto& ends = placed.mesh->edges[static_cast<std::size_t>(both[0])].vertex;
+          const auto& others = placed.mesh->edges[static_cast<std::size_t>(both[1])].vertex;
+          const bool is_against = ends[0] == others[0] || ends[1] == others[1];
+          const double turn =
+              portable_atan2(glm::length(glm::cross(one, two)), (is_against ? -1 : 1) * glm::dot(one, two));
+          for (const int edge : both) {
+            double& height = heights[m][static_cast<std::size_t>(edge)];
+            height = std::max(height, glm::length(along(edge)) * turn / 4);
+          }
+        }
+      }
+    }
+    return heights;
+  }
+
+  // Two planes that are off by h and k cross within sqrt(h^2 + k^2 + 2 h k |cosine|) / sine.
+  [[nodiscard]] double off_between(int one, int other, double h, double k) const {
+    const Vec3 a = normal_of(one), b = normal_of(other);
+    const double lengths = glm::length(a) * glm::length(b);
+    if (!(lengths > 0) || (h == 0 && k == 0)) return 0;
+    const double sine = std::max(least_sine, glm::length(glm::cross(a, b)) / lengths);
+    return std::sqrt(h * h + k * k + 2 * h * k * std::abs(glm::dot(a, b)) / lengths) / sine;
+  }
+
+  // The lines of a thread have one triangle twice.
+  [[nodiscard]] double off_edge(const edges::FeatureEdge& edge, const ChordHeights& chords) const {
+    if (edge.crossing < 0) return edge.mesh_edge < 0 ? 0 : off_border(edge, chords);
+    const auto [one, other] = judged_.edges.crossings[static_cast<std::size_t>(edge.crossing)].triangles;
+    if (one == other) return 0;
+    // Farther away, other facets meet.
+    return std::min(off_between(one, other, height_of(one), height_of(other)),
+                    std::max(longest_side(one), longest_side(other)));
+  }
+
+  // Where two faces of the part meet; or at the outline of a section, what is left of a face, and the cut face.
+  [[nodiscard]] double off_border(const edges::FeatureEdge& edge, const ChordHeights& chords) const {
+    const world::Placed& placed = judged_.world.models[static_cast<std::size_t>(edge.model)];
+    const std::span<const int> beside =
+        placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]);
+    if (beside.size() != 2) return 0;
+    const int first = judged_.world.first_triangle[static_cast<std::size_t>(edge.model)];
+    const std::array both{first + beside[0], first + beside[1]};
+    if (edge.kind == EdgeKind::section) return off_between(both[0], both[1], height_of_model(edge.model), 0);
+    if (!judged_.is_whole || is_inside(placed, edge.mesh_edge, both)) return 0;
+    const double h = height_of(both[0]), k = height_of(both[1]);
+    const double off = off_between(both[0], both[1], h, k);
+    if (placed.part == nullptr || placed.part->border_at(edge.mesh_edge) == nullptr) return off;
+    const double chord = chords[static_cast<std::size_t>(edge.model)][static_cast<std::size_t>(edge.mesh_edge)];
+    return std::min(off, std::max(h, k) + chord);
+  }
+
+  // Whether facets on both sides are of one surface.
+  [[nodiscard]] bool is_inside(const world::Placed& placed, std::ptrdiff_t mesh_edge,
+                               const std::array<int, 2>& both) const {
+    if (placed.part != nullptr) {
+      const features::PartBorder* border = placed.part->border_at(mesh_edge);
+      return border == nullptr || border->kind != features::BorderKind::sharp;
+    }
+    constexpr double sharp = 0.5;  // sine of 30 degrees, the least angle of a crease
+    const Vec3 a = normal_of(both[0]), b = normal_of(both[1]);
+    return !(glm::length(glm::cross(a, b)) >= sharp * glm::length(a) * glm::length(b));
+  }
+
+  const ViewToJudge& judged_;
+};
+
+std::string millimetres(double length) { return report::rounded_up(length) + " mm"; }
+
+}  // namespace
+
+report::ViewError error_of_view(const ViewToJudge& judged, const drawing::CurveReport& curves, bool hides) {
+  report::ViewError error{judged.drawing.name};
+  const Judge judge(judged);
+  judge.add_surface(error);
+  judge.add_intersections(error);
+  const double size = judged.view.extent * judged.paper.scale;
+  const view::Condition condition =
+      view::condition_of(judged.view.projection, judged.world.box, judged.world.one_rounding);
+  error[ErrorTerm::contours] = judged.drawing.contours_moved;
+  judge.add_cusps(error);
+  error[ErrorTerm::file] = condition.moved_by_files * size;
+  error[ErrorTerm::map] = condition.number * rounding * size;
+  error[ErrorTerm::grid] = judged.drawing.coincident + drawing::on_line_mm;
+  error[ErrorTerm::hiding] = hides ? guaranteed_part * size : 0;
+  error[ErrorTerm::merging] = judged.drawing.joined_within;
+  error[ErrorTerm::curves] = curves.deviation + curves.bulge;
+  return error;
+}
+
+double part_for_facets(double max_error, bool has_arcs) {
+  return max_error * (row_of(ErrorTerm::surface).share + (has_arcs ? 0 : row_of(ErrorTerm::curves).share));
+}
+
+double join_within(double max_error, double usual) {
+  return std::min(usual, row_of(ErrorTerm::merging).share * max_error / drawing::NearLines{1}.reach_in_all());
+}
+
+void expect_certain(double max_error, double facets, bool has_arcs) {
+  const double part = facets * max_error / part_for_facets(max_error, has_arcs);
+  if (part <= 0 || part >= guaranteed_part) return;
+  constexpr double above_rounding = 1.5;  // to one digit
+  throw Error(
+      ErrorKind::input, "--max-error",
+      "is " + format_number(max_error) +
+          " mm, but no part of a line shorter than a millionth of the drawing is certain to be visible or hidden",
+      "raise --max-error to " + format_rounded(above_rounding * max_error * guaranteed_part / part, 1) + " mm or more");
+}
+
+void expect_within(double max_error, const report::ViewError& error, bool declares_surfaces) {
+  if (error.total() <= max_error) return;
+  const ErrorTerm most = error.dominant();
+  const bool by_facets = most == ErrorTerm::surface || most == ErrorTerm::intersections || most == ErrorTerm::contours;
+  throw Error(ErrorKind::input, "--max-error",
+              "is " + format_number(max_error) + " mm, but lines of view '" + error.view + "' may be off by " +
+                  millimetres(error.total()) + "; " + millimetres(error[most]) + " of it by " + row_of(most).cause,
+              by_facets && declares_surfaces
+                  ? "raise --max-error, or draw at a smaller scale: facets are not made finer"
+                  : row_of(most).remedy);
+}
+
+std::string sentence_of(const report::ViewError& error) {
+  const ErrorTerm most = error.dominant();
+  return error.view + ": lines are within " + millimetres(error.total()) + " of the part; most of it, " +
+         millimetres(error[most]) + ", by " + row_of(most).cause + " (" +
+         report::evidence_names[static_cast<std::size_t>(error.evidence(most))] + ")\n";
+}
+
+}  // namespace epura::pipeline
