@@ -16,7 +16,6 @@
 #include "batch/shards.hpp"
 #include "compare/comparison.hpp"
 #include "compare/read_pictures.hpp"
-#include "features/declared_part.hpp"
 #include "importer/assemble.hpp"
 #include "importer/loader.hpp"
 #include "importer/read_model.hpp"
@@ -30,6 +29,7 @@
 #include "scene/transform.hpp"
 #include "shapes.hpp"
 #include "sheet/form.hpp"
+#include "surfaces/declared_part.hpp"
 #include "targets.hpp"
 #include "views/shortcuts.hpp"
 
@@ -55,7 +55,7 @@ void read_stl(const std::string& bytes) { read_mesh_format(bytes, "stl"); }
 void read_ply(const std::string& bytes) { read_mesh_format(bytes, "ply"); }
 void read_off(const std::string& bytes) { read_mesh_format(bytes, "off"); }
 
-void expect_sound(const features::PartFaces& part, const mesh::Mesh& mesh) {
+void expect_sound(const surfaces::PartFaces& part, const mesh::Mesh& mesh) {
   check(part.face_of_triangle.size() == mesh.polygon.size() && part.border_of_edge.size() == mesh.edges.size(),
         "a part has not as many triangles and edges as its mesh");
   for (const int face : part.face_of_triangle)
@@ -63,12 +63,12 @@ void expect_sound(const features::PartFaces& part, const mesh::Mesh& mesh) {
 }
 
 // Surfaces that a file declares need not be those of its facets: they are drawn all the same.
-void draw_part(mesh::Mesh mesh, features::PartFaces part) {
+void draw_part(mesh::Mesh mesh, surfaces::PartFaces part) {
   constexpr int most_triangles = 100;
   if (mesh.triangle_count() == 0 || mesh.triangle_count() > most_triangles) return;
   std::vector<world::Placed> models(1);
   models.front().mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
-  models.front().part = std::make_shared<const features::PartFaces>(std::move(part));
+  models.front().part = std::make_shared<const surfaces::PartFaces>(std::move(part));
   const test::Result drawn = test::draw(world::make_world(std::move(models)), test::orthographic({1, 2, 3}));
   for (const drawing::Segment& segment : drawn.drawing.segments)
     check(std::isfinite(segment.from.x + segment.from.y + segment.to.x + segment.to.y),
@@ -81,7 +81,7 @@ void build(const importer::Document& document) {
   mesh::Mesh mesh = mesh::make_mesh(std::move(assembled.soup), "model");
   expect_sound(mesh);
   if (assembled.part.faces.empty()) return;
-  features::PartFaces part = features::part_of(mesh, assembled.part, features::RecogniseOptions().tangent_angle);
+  surfaces::PartFaces part = surfaces::part_of(mesh, assembled.part, surfaces::RecogniseOptions().tangent_angle);
   expect_sound(part, mesh);
   draw_part(std::move(mesh), std::move(part));
 }

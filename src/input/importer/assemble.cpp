@@ -17,8 +17,8 @@ namespace epura::importer {
 
 namespace {
 
-using features::DeclaredEdge;
-using features::PartSurface;
+using surfaces::DeclaredEdge;
+using surfaces::PartSurface;
 
 Mat4 matrix_of(const std::array<double, 12>& t) {
   return rows({t[0], t[1], t[2], t[3]}, {t[4], t[5], t[6], t[7]}, {t[8], t[9], t[10], t[11]}, {0, 0, 0, 1});
@@ -258,11 +258,11 @@ class Assembler {
   }
 
   void add_part(const Shape& shape, const Mat4& to_file, int first_point) {
-    features::DeclaredPart& part = result_.part;
+    surfaces::DeclaredPart& part = result_.part;
     const auto first_face = static_cast<int>(part.faces.size());
-    const std::optional<double> scale = features::similarity_scale(to_file);
+    const std::optional<double> scale = surfaces::similarity_scale(to_file);
     for (const PartSurface& surface : shape.faces)
-      part.faces.push_back(scale ? features::moved(surface, to_file, *scale) : PartSurface{});
+      part.faces.push_back(scale ? surfaces::moved(surface, to_file, *scale) : PartSurface{});
     for (const int face : shape.face_of_polygon) part.face_of_polygon.push_back(face < 0 ? -1 : first_face + face);
     const auto first_vertex = static_cast<int>(part.edge_vertices.size());
     for (const int vertex : shape.edge_vertices) part.edge_vertices.push_back(first_point + vertex);

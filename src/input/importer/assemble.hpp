@@ -29,7 +29,7 @@ struct Assembled {
   std::vector<BodyPart> body_parts;  ///< by body name of the soup
   std::vector<TreePart> tree;
   /// Empty if some polygon belongs to no face: faces must then be recognised.
-  features::DeclaredPart part;
+  surfaces::DeclaredPart part;
 };
 
 /// Lengths are in the unit of the file. Names of bodies combine the name of the node or its shape with that of the

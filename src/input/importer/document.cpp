@@ -24,13 +24,13 @@ bool are_ends(const std::vector<int>& ends, std::size_t count) {
 
 bool is_colour(int colour) { return no_colour <= colour && colour <= 0xffffff; }
 
-bool is_kind(const features::PartSurface& face) {
-  return static_cast<std::size_t>(face.kind) < features::surface_kind_names.size();
+bool is_kind(const surfaces::PartSurface& face) {
+  return static_cast<std::size_t>(face.kind) < surfaces::surface_kind_names.size();
 }
 
 bool is_sound(const Shape& shape) {
   std::vector<int> edge_ends;
-  for (const features::DeclaredEdge& edge : shape.edges) edge_ends.push_back(edge.end);
+  for (const surfaces::DeclaredEdge& edge : shape.edges) edge_ends.push_back(edge.end);
   return std::isfinite(shape.step) && shape.step >= 0 && are_within(shape.corners, 0, shape.points.size()) &&
          are_ends(shape.polygon_ends, shape.corners.size()) &&
          shape.face_of_polygon.size() == shape.polygon_ends.size() &&

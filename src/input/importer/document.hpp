@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "features/declared_part.hpp"
-#include "features/part_surface.hpp"
 #include "foreign/packing.hpp"
 #include "mesh/soup.hpp"
+#include "surfaces/declared_part.hpp"
+#include "surfaces/part_surface.hpp"
 
 namespace epura::importer {
 
@@ -30,8 +30,8 @@ struct Shape {
   std::vector<std::string> body_names{};
   std::vector<int> body_colours{};  ///< by body
   int colour = no_colour;           ///< of bodies without one
-  std::vector<features::PartSurface> faces{};
-  std::vector<features::DeclaredEdge> edges{};
+  std::vector<surfaces::PartSurface> faces{};
+  std::vector<surfaces::DeclaredEdge> edges{};
   std::vector<int> edge_vertices{};
   std::vector<int> wire_vertices{};  ///< indices of points, of all wires one after the other
   std::vector<int> wire_ends{};      ///< end of each wire in `wire_vertices`

@@ -179,8 +179,8 @@ ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, 
     ReadModel model{mesh::make_mesh(std::move(assembled.soup), source.name, progress, assembled.step)};
     model.body_parts = parts_of_bodies(model.mesh, name_of_polygon, assembled.body_parts);
     if (!assembled.part.faces.empty())
-      model.part = std::make_shared<features::PartFaces>(
-          features::part_of(model.mesh, assembled.part, features::RecogniseOptions().tangent_angle));
+      model.part = std::make_shared<surfaces::PartFaces>(
+          surfaces::part_of(model.mesh, assembled.part, surfaces::RecogniseOptions().tangent_angle));
     if (document.unit > 0) model.unit = document.unit;
     model.is_y_up = document.is_y_up != 0;
     model.tree = std::move(assembled.tree);

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "features/recognise.hpp"
 #include "foreign/parameters.hpp"
 #include "importer/assemble.hpp"
 #include "mesh/mesh.hpp"
+#include "surfaces/recognise.hpp"
 
 namespace epura::importer {
 
@@ -27,7 +27,7 @@ struct ReadOptions {
 
 struct ReadModel {
   mesh::Mesh mesh;
-  std::shared_ptr<const features::PartFaces> part{};  ///< faces declared by the file; null if there are none
+  std::shared_ptr<const surfaces::PartFaces> part{};  ///< faces declared by the file; null if there are none
   std::optional<double> unit{};                       ///< millimetres; nothing if the file does not state it
   bool is_y_up = false;                               ///< if the file states it
   std::vector<BodyPart> body_parts{};                 ///< by body of the mesh; empty for formats without parts

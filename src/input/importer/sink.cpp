@@ -15,9 +15,9 @@ namespace epura::importer {
 
 namespace {
 
-using features::PartSurface;
-using features::SurfaceKind;
 using foreign::require;
+using surfaces::PartSurface;
+using surfaces::SurfaceKind;
 
 constexpr std::size_t most_notes = 100;
 

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "cut/limits.hpp"
-#include "features/limits.hpp"
+#include "surfaces/limits.hpp"
 
 namespace epura::cut {
 
 namespace {
 
-using features::PartFace;
-using features::SurfaceKind;
+using surfaces::PartFace;
+using surfaces::SurfaceKind;
 
 /// The two triangles that meet at a vertex of the cut.
 struct Meeting {
@@ -44,7 +44,7 @@ class OutlineMover {
     const auto round = [](const PartFace* face) { return world::is_round(face->surface.kind); };
     if (std::none_of(surfaces.begin(), surfaces.end(), round)) return std::nullopt;
     for (const PartFace* face : surfaces)
-      if (!(std::abs(features::signed_distance(face->surface, start)) <= reach_of(*face))) return std::nullopt;
+      if (!(std::abs(surfaces::signed_distance(face->surface, start)) <= reach_of(*face))) return std::nullopt;
     const std::optional<Vec3> place =
         surfaces.size() == 1 ? onto(*surfaces[0], start) : between(*surfaces[0], *surfaces[1], start);
     const double most = std::max(size_of(meeting.triangles[0]), size_of(meeting.triangles[1]));
@@ -61,7 +61,7 @@ class OutlineMover {
   [[nodiscard]] int face_of(int triangle) const { return part_.face_of_triangle[triangle]; }
 
   [[nodiscard]] double reach_of(const PartFace& face) const {
-    return features::most_sagittas * face.sagitta + face.residual + part_.tolerance;
+    return surfaces::most_sagittas * face.sagitta + face.residual + part_.tolerance;
   }
 
   // The length of the longest side: no point of a surface is farther from where its facets meet the plane.
@@ -72,8 +72,8 @@ class OutlineMover {
   }
 
   [[nodiscard]] Slope slope_at(const PartFace& face, const Vec3& point) const {
-    const Vec3 normal = features::normal_near(face.surface, point);
-    return {features::signed_distance(face.surface, point),
+    const Vec3 normal = surfaces::normal_near(face.surface, point);
+    return {surfaces::signed_distance(face.surface, point),
             {glm::dot(normal, plane_.right), glm::dot(normal, plane_.up)}};
   }
 

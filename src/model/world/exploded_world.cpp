@@ -36,9 +36,9 @@ Bodies bodies_of(const World& world) {
         here[static_cast<std::size_t>(mesh.body[t])].box.add(world.points[static_cast<std::size_t>(vertex)]);
     const std::optional<PlacedPart> part = place_part(world.models[m]);
     if (!part) continue;
-    for (const features::PartFace& face : part->faces) {
+    for (const surfaces::PartFace& face : part->faces) {
       MovedBody& body = here[static_cast<std::size_t>(face.body)];
-      if (face.surface.kind != features::SurfaceKind::cylinder || face.surface.radius <= body.radius) continue;
+      if (face.surface.kind != surfaces::SurfaceKind::cylinder || face.surface.radius <= body.radius) continue;
       body.axis = face.surface.axis;
       body.on_axis = face.surface.origin;
       body.radius = face.surface.radius;
@@ -138,8 +138,8 @@ ApartMesh apart_mesh(const mesh::Mesh& whole, const std::vector<MovedBody>& bodi
 }
 
 // Faces and borders with the edges of the mesh apart. An edge that bodies shared has become several, of one border.
-features::PartFaces apart_part(const features::PartFaces& whole, const mesh::Mesh& before, const ApartMesh& apart) {
-  features::PartFaces part = whole;
+surfaces::PartFaces apart_part(const surfaces::PartFaces& whole, const mesh::Mesh& before, const ApartMesh& apart) {
+  surfaces::PartFaces part = whole;
   part.border_of_edge.clear();
   std::vector<int> successors(before.edges.size(), -1);
   for (const mesh::MeshEdge& edge : apart.mesh.edges) {
@@ -150,7 +150,7 @@ features::PartFaces apart_part(const features::PartFaces& whole, const mesh::Mes
     if (successors[number] < 0) successors[number] = static_cast<int>(part.border_of_edge.size());
     part.border_of_edge.push_back(whole.border_of_edge[number]);
   }
-  for (features::PartBorder& border : part.borders)
+  for (surfaces::PartBorder& border : part.borders)
     for (int& edge : border.edges) edge = successors[static_cast<std::size_t>(edge)];
   return part;
 }
@@ -166,8 +166,8 @@ void move_bodies(Placed& placed, const std::vector<MovedBody>& bodies) {
     for (int axis = 0; axis < 3; ++axis) apart.mesh.points[v][static_cast<std::size_t>(axis)] += move[axis];
   }
   if (placed.part != nullptr) {
-    auto part = std::make_shared<features::PartFaces>(apart_part(*placed.part, *placed.mesh, apart));
-    for (features::PartFace& face : part->faces) face.surface.origin += move_of(face.body);
+    auto part = std::make_shared<surfaces::PartFaces>(apart_part(*placed.part, *placed.mesh, apart));
+    for (surfaces::PartFace& face : part->faces) face.surface.origin += move_of(face.body);
     placed.part = std::move(part);
   }
   placed.mesh = std::make_shared<const mesh::Mesh>(std::move(apart.mesh));

@@ -26,7 +26,7 @@ using Number = std::array<int, 2>;  // of a model, and of a body in it
 /// A cylinder of a body, outside or of a hole.
 struct Cylinder {
   Number body;
-  features::PartFace face;
+  surfaces::PartFace face;
 
   [[nodiscard]] Vec3 at(double height) const { return face.surface.origin + height * face.surface.axis; }
 };
@@ -60,8 +60,8 @@ std::vector<Cylinder> cylinders_of(const World& world) {
   for (std::size_t m = 0; m < world.models.size(); ++m) {
     const std::optional<PlacedPart> part = place_part(world.models[m]);
     if (!part) continue;
-    for (const features::PartFace& face : part->faces)
-      if (face.surface.kind == features::SurfaceKind::cylinder)
+    for (const surfaces::PartFace& face : part->faces)
+      if (face.surface.kind == surfaces::SurfaceKind::cylinder)
         cylinders.push_back({{static_cast<int>(m), face.body}, face});
   }
   return cylinders;
@@ -69,7 +69,7 @@ std::vector<Cylinder> cylinders_of(const World& world) {
 
 // The part of a hole that a pin is in, as heights along the pin.
 std::optional<Interval> hole_around(const Cylinder& pin, const Cylinder& hole) {
-  const features::PartSurface &inner = pin.face.surface, &outer = hole.face.surface;
+  const surfaces::PartSurface &inner = pin.face.surface, &outer = hole.face.surface;
   if (!may_be_in(inner.radius, outer.radius)) return std::nullopt;
   if (glm::length(glm::cross(inner.axis, outer.axis)) > parallel_axes) return std::nullopt;
   if (glm::length(glm::cross(outer.origin - inner.origin, inner.axis)) > off_axis * inner.radius) return std::nullopt;
@@ -85,7 +85,7 @@ std::map<Number, Pin> pins_of(const std::vector<Cylinder>& cylinders) {
   std::map<Number, Pin> pins;
   for (const Cylinder& one : cylinders) {
     if (one.face.inwards) continue;
-    const features::PartSurface& surface = one.face.surface;
+    const surfaces::PartSurface& surface = one.face.surface;
     Pin pin{one.body, surface.origin, surface.axis, surface.radius, {}};
     for (const Cylinder& other : cylinders) {
       if (!other.face.inwards || other.body == one.body) continue;

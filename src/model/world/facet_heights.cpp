@@ -15,7 +15,7 @@ namespace epura::world {
 
 namespace {
 
-using features::SurfaceKind;
+using surfaces::SurfaceKind;
 using Triangle = std::array<Vec3, 3>;
 
 constexpr std::size_t triangles_a_piece = 4096;
@@ -28,10 +28,10 @@ Triangle corners_of(const World& world, int triangle) {
 }
 
 // The height of the surface above a facet, sampled where facets are farthest from the surface through their corners.
-double height_over(const features::PartSurface& surface, const Triangle& p) {
+double height_over(const surfaces::PartSurface& surface, const Triangle& p) {
   double height = 0;
   for (const Vec3& place : {0.5 * (p[0] + p[1]), 0.5 * (p[1] + p[2]), 0.5 * (p[2] + p[0]), (p[0] + p[1] + p[2]) / 3.0})
-    height = std::max(height, std::abs(features::signed_distance(surface, place)));
+    height = std::max(height, std::abs(surfaces::signed_distance(surface, place)));
   return height;
 }
 
@@ -48,10 +48,10 @@ struct FacetsOfModel {
   [[nodiscard]] int count() const { return world.first_triangle[model + 1] - first(); }
   [[nodiscard]] const mesh::Mesh& mesh() const { return *world.models[static_cast<std::size_t>(model)].mesh; }
   // The face of a triangle of the model, if its surface is known.
-  [[nodiscard]] const features::PartFace* known(int triangle) const {
+  [[nodiscard]] const surfaces::PartFace* known(int triangle) const {
     const int face = part ? part->face_of_triangle[triangle] : -1;
     if (face < 0) return nullptr;
-    const features::PartFace& found = part->faces[static_cast<std::size_t>(face)];
+    const surfaces::PartFace& found = part->faces[static_cast<std::size_t>(face)];
     return found.surface.kind == SurfaceKind::free_form ? nullptr : &found;
   }
 };
@@ -76,7 +76,7 @@ void add_known(const FacetsOfModel& facets, double residuals, std::span<double> 
   parallel_for(heights.size(), triangles_a_piece, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const auto triangle = static_cast<int>(t);
-      const features::PartFace* face = facets.known(triangle);
+      const surfaces::PartFace* face = facets.known(triangle);
       if (face == nullptr) continue;
       if (is_round(face->surface.kind))
         heights[t] = height_over(face->surface, corners_of(facets.world, facets.first() + triangle));
@@ -95,9 +95,9 @@ void add_estimates(const FacetsOfModel& facets, std::span<double> heights, std::
     const std::span<const int> both = mesh.triangles_of(edge);
     const std::array unknown{facets.known(both[0]) == nullptr, facets.known(both[1]) == nullptr};
     if (!unknown[0] && !unknown[1]) continue;
-    const features::PartBorder* border =
+    const surfaces::PartBorder* border =
         placed.part == nullptr ? nullptr : placed.part->border_at(static_cast<std::ptrdiff_t>(e));
-    if (border != nullptr && border->kind == features::BorderKind::sharp) continue;
+    if (border != nullptr && border->kind == surfaces::BorderKind::sharp) continue;
     const std::array sides{across(facets, edge, both[0]), across(facets, edge, both[1])};
     const std::array lengths{glm::length(sides[0]), glm::length(sides[1])};
     if (!(lengths[0] > 0 && lengths[1] > 0)) continue;

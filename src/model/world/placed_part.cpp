@@ -7,8 +7,8 @@ namespace epura::world {
 
 namespace {
 
-features::PartFace placed_face(features::PartFace face, const Mat4& to_world, double scale) {
-  face.surface = features::moved(face.surface, to_world, scale);
+surfaces::PartFace placed_face(surfaces::PartFace face, const Mat4& to_world, double scale) {
+  face.surface = surfaces::moved(face.surface, to_world, scale);
   face.residual *= scale;
   face.sagitta *= scale;
   face.area *= scale * scale;
@@ -46,7 +46,7 @@ std::optional<PlacedPart> place_part(const Placed& placed) {
   const std::optional<double> scale = similarity_scale(placed.to_world);
   if (!scale) return std::nullopt;
   PlacedPart part{{}, faces_of_triangles(placed), placed.part->tolerance * *scale};
-  for (const features::PartFace& face : placed.part->faces)
+  for (const surfaces::PartFace& face : placed.part->faces)
     part.faces.push_back(placed_face(face, placed.to_world, *scale));
   return part;
 }

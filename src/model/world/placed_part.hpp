@@ -9,10 +9,10 @@
 
 namespace epura::world {
 
-using features::similarity_scale;
+using surfaces::similarity_scale;
 
 struct PlacedPart {
-  std::vector<features::PartFace> faces;  ///< lengths and positions in the world
+  std::vector<surfaces::PartFace> faces;  ///< lengths and positions in the world
   std::vector<int> face_of_triangle;      ///< face of each of the model's triangles in the world; -1: none
   double tolerance;                       ///< as in PartFaces, in units of the world
 };
@@ -27,8 +27,8 @@ std::vector<int> faces_of_polygons(const Placed& placed);
 /// Returns for each triangle of a model, which may be cut, its face of the part; -1 if it has none.
 std::vector<int> faces_of_triangles(const Placed& placed);
 
-inline bool is_round(features::SurfaceKind kind) {
-  return kind != features::SurfaceKind::plane && kind != features::SurfaceKind::free_form;
+inline bool is_round(surfaces::SurfaceKind kind) {
+  return kind != surfaces::SurfaceKind::plane && kind != surfaces::SurfaceKind::free_form;
 }
 
 }  // namespace epura::world

@@ -9,10 +9,10 @@
 
 #include "base/unset_vector.hpp"
 #include "base/vec.hpp"
-#include "features/recognise.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/style.hpp"
 #include "scene/threads.hpp"
+#include "surfaces/recognise.hpp"
 
 namespace epura::world {
 
@@ -20,7 +20,7 @@ namespace epura::world {
 struct Placed {
   std::shared_ptr<const mesh::Mesh> mesh;  ///< shared by worlds cut from each other
   Mat4 to_world{1.0};
-  std::shared_ptr<const features::PartFaces> part{};  ///< of the uncut mesh; null if no faces are recognised
+  std::shared_ptr<const surfaces::PartFaces> part{};  ///< of the uncut mesh; null if no faces are recognised
   std::vector<scene::StyleDescription> styles{};      ///< by body of the mesh; empty if none matches a body
   std::vector<scene::ThreadedFace> threads{};         ///< of the part, in the order of the scene
   int copy_of = -1;  ///< the model of the scene of which this is a turned part, in aligned sections; -1: itself

@@ -16,14 +16,14 @@
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
-#include "design/unit_guess.hpp"
-#include "features/holes.hpp"
-#include "features/recognise.hpp"
+#include "features/unit_guess.hpp"
 #include "importer/read_model.hpp"
 #include "output/json_text.hpp"
 #include "pipeline/targets.hpp"
 #include "scene/choices.hpp"
 #include "sheet/notation.hpp"
+#include "surfaces/holes.hpp"
+#include "surfaces/recognise.hpp"
 #include "world/mass.hpp"
 
 namespace epura {
@@ -44,10 +44,10 @@ struct ModelInfo {
   Box box;
   std::optional<double> unit;        ///< millimetres, as stated by the file
   std::optional<Unit> guessed_unit;  ///< most likely unit if the file does not state it
-  features::PartFaces part;
+  surfaces::PartFaces part;
   int shared_borders = 0;    ///< edges of the part along which three or more faces of a body meet
   bool is_declared = false;  ///< faces are declared by the file; otherwise recognised
-  std::vector<features::Hole> holes;
+  std::vector<surfaces::Hole> holes;
   std::vector<importer::TreePart> tree;
   std::vector<world::Solid> solids;             ///< in millimetres if the unit is known, or else in that of the file
   std::optional<world::MassProperties> mass{};  ///< of all bodies, if they are closed
@@ -67,15 +67,15 @@ void measure(ModelInfo& info, const mesh::Mesh& mesh, std::optional<double> dens
   info.mass = world::sum_of(info.solids, std::vector<double>(info.solids.size(), density.value_or(0)));
 }
 
-int count_borders(const features::PartFaces& part, features::BorderKind kind) {
+int count_borders(const surfaces::PartFaces& part, surfaces::BorderKind kind) {
   return static_cast<int>(std::count_if(part.borders.begin(), part.borders.end(),
-                                        [&](const features::PartBorder& b) { return b.kind == kind; }));
+                                        [&](const surfaces::PartBorder& b) { return b.kind == kind; }));
 }
 
 // Where three or more faces of a body meet, their border is none of two faces, but ends nothing.
-int count_shared(const mesh::Mesh& mesh, const features::PartFaces& part) {
-  const auto is_shared = [&](const features::PartBorder& border) {
-    return border.kind == features::BorderKind::open &&
+int count_shared(const mesh::Mesh& mesh, const surfaces::PartFaces& part) {
+  const auto is_shared = [&](const surfaces::PartBorder& border) {
+    return border.kind == surfaces::BorderKind::open &&
            std::all_of(border.edges.begin(), border.edges.end(),
                        [&](int e) { return mesh.edges[static_cast<std::size_t>(e)].count > 2; });
   };
@@ -87,13 +87,13 @@ ModelInfo info_of(const std::string& path, const InfoOptions& options) {
   const importer::ReadModel read =
       importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path});
   const mesh::Mesh& mesh = read.mesh;
-  ModelInfo info{mesh.report, design::box_of(mesh), read.unit, std::nullopt, {}, 0, false, {}, read.tree, {}};
-  info.part = read.part != nullptr ? *read.part : features::recognise_faces(mesh);
+  ModelInfo info{mesh.report, features::box_of(mesh), read.unit, std::nullopt, {}, 0, false, {}, read.tree, {}};
+  info.part = read.part != nullptr ? *read.part : surfaces::recognise_faces(mesh);
   info.shared_borders = count_shared(mesh, info.part);
   info.is_declared = read.part != nullptr;
   info.report.name = request.path;
-  info.holes = features::find_holes(mesh, info.part);
-  if (!read.unit) info.guessed_unit = design::guess_unit(info.box, info.part);
+  info.holes = surfaces::find_holes(mesh, info.part);
+  if (!read.unit) info.guessed_unit = features::guess_unit(info.box, info.part);
   measure(info, mesh, options.density);
   return info;
 }
@@ -152,15 +152,15 @@ std::string bodies_text(const ModelInfo& info) {
 }
 
 // "R 3.5 (6), R 18": the characteristic sizes of a kind of surface, and how often each occurs.
-std::string radii_text(const features::PartFaces& part, features::SurfaceKind kind, const Rounded& rounded) {
+std::string radii_text(const surfaces::PartFaces& part, surfaces::SurfaceKind kind, const Rounded& rounded) {
   std::map<std::pair<double, double>, std::pair<std::string, int>> radii;
-  for (const features::PartFace& face : part.faces) {
+  for (const surfaces::PartFace& face : part.faces) {
     if (face.surface.kind != kind) continue;
-    const features::PartSurface& s = face.surface;
+    const surfaces::PartSurface& s = face.surface;
     std::string text = "R " + rounded(s.radius);
     std::pair key{s.radius, s.minor};
-    if (kind == features::SurfaceKind::torus) text += " r " + rounded(s.minor);
-    if (kind == features::SurfaceKind::cone) {
+    if (kind == surfaces::SurfaceKind::torus) text += " r " + rounded(s.minor);
+    if (kind == surfaces::SurfaceKind::cone) {
       const double angle = portable_atan2(std::abs(s.slope), 1) * (360 / std::numbers::pi);
       text = format_fixed(angle, 2) + "\u00b0";
       key = {angle, 0};
@@ -204,21 +204,21 @@ std::string mass_lines(const ModelInfo& info, const Rounded& rounded) {
 
 std::string faces_text(const ModelInfo& info, const Rounded& rounded) {
   if (info.part.faces.empty()) return line_of("faces", "no surfaces of a part recognised");
-  constexpr std::array kinds{features::SurfaceKind::plane, features::SurfaceKind::cylinder,
-                             features::SurfaceKind::cone,  features::SurfaceKind::sphere,
-                             features::SurfaceKind::torus, features::SurfaceKind::free_form};
+  constexpr std::array kinds{surfaces::SurfaceKind::plane, surfaces::SurfaceKind::cylinder,
+                             surfaces::SurfaceKind::cone,  surfaces::SurfaceKind::sphere,
+                             surfaces::SurfaceKind::torus, surfaces::SurfaceKind::free_form};
   constexpr std::array one{"plane", "cylinder", "cone", "sphere", "torus", "free form"};
   constexpr std::array many{"planes", "cylinders", "cones", "spheres", "tori", "free forms"};
   std::string text = line_of("faces", std::to_string(info.part.faces.size()) + "; " + percent(info.part.recognised) +
                                           (info.is_declared ? " of the area is plane or round, as the file says"
                                                             : " of the area is recognised"));
-  for (const features::SurfaceKind kind : kinds) {
+  for (const surfaces::SurfaceKind kind : kinds) {
     const auto k = static_cast<std::size_t>(kind);
     const auto count = static_cast<int>(std::count_if(info.part.faces.begin(), info.part.faces.end(),
                                                       [&](const auto& f) { return f.surface.kind == kind; }));
     if (count == 0) continue;
     std::string what = counted(count, one[k], many[k]);
-    if (kind != features::SurfaceKind::plane && kind != features::SurfaceKind::free_form)
+    if (kind != surfaces::SurfaceKind::plane && kind != surfaces::SurfaceKind::free_form)
       what += ": " + radii_text(info.part, kind, rounded);
     text += line_of("", what);
   }
@@ -226,18 +226,18 @@ std::string faces_text(const ModelInfo& info, const Rounded& rounded) {
 }
 
 int count_open(const ModelInfo& info) {
-  return count_borders(info.part, features::BorderKind::open) - info.shared_borders;
+  return count_borders(info.part, surfaces::BorderKind::open) - info.shared_borders;
 }
 
 std::string edges_text(const ModelInfo& info) {
-  std::string text = std::to_string(count_borders(info.part, features::BorderKind::sharp)) + " sharp, " +
-                     std::to_string(count_borders(info.part, features::BorderKind::tangent)) + " tangent";
+  std::string text = std::to_string(count_borders(info.part, surfaces::BorderKind::sharp)) + " sharp, " +
+                     std::to_string(count_borders(info.part, surfaces::BorderKind::tangent)) + " tangent";
   if (const int open = count_open(info); open > 0) text += ", " + std::to_string(open) + " open";
   if (info.shared_borders > 0) text += ", " + std::to_string(info.shared_borders) + " of three or more faces";
   return text;
 }
 
-std::string hole_text(const features::Hole& hole, const Rounded& rounded) {
+std::string hole_text(const surfaces::Hole& hole, const Rounded& rounded) {
   std::string text;
   for (const double diameter : hole.diameters) text += (text.empty() ? "\u00d8" : ", \u00d8") + rounded(diameter);
   const double length = glm::distance(hole.from, hole.to);
@@ -246,10 +246,10 @@ std::string hole_text(const features::Hole& hole, const Rounded& rounded) {
 }
 
 // Equal holes share a line.
-std::string holes_text(const std::vector<features::Hole>& holes, const Rounded& rounded) {
+std::string holes_text(const std::vector<surfaces::Hole>& holes, const Rounded& rounded) {
   if (holes.empty()) return line_of("holes", "none");
   std::vector<std::pair<std::string, std::vector<Vec3>>> groups;
-  for (const features::Hole& hole : holes) {
+  for (const surfaces::Hole& hole : holes) {
     const std::string text = hole_text(hole, rounded);
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == text; });
     if (same == groups.end())
@@ -333,26 +333,26 @@ std::string text_of(const ModelInfo& info) {
 
 // JSON. Areas of huge models may exceed the range of doubles: null.
 
-std::string json_of(const features::PartFace& face) {
-  const features::PartSurface& s = face.surface;
-  std::string text = "{\"kind\": " + json_string(features::surface_kind_names[static_cast<std::size_t>(s.kind)]) +
+std::string json_of(const surfaces::PartFace& face) {
+  const surfaces::PartSurface& s = face.surface;
+  std::string text = "{\"kind\": " + json_string(surfaces::surface_kind_names[static_cast<std::size_t>(s.kind)]) +
                      ", \"body\": " + std::to_string(face.body) + ", \"triangles\": " + std::to_string(face.triangles) +
                      ", \"area\": " + json_number(face.area);
-  if (s.kind == features::SurfaceKind::free_form) return text + "}";
+  if (s.kind == surfaces::SurfaceKind::free_form) return text + "}";
   text += ", \"origin\": " + json_vector(s.origin);
-  if (s.kind != features::SurfaceKind::sphere) text += ", \"axis\": " + json_vector(s.axis);
-  if (s.kind != features::SurfaceKind::plane) text += ", \"radius\": " + json_number(s.radius);
-  if (s.kind == features::SurfaceKind::torus) text += ", \"tube_radius\": " + json_number(s.minor);
-  if (s.kind == features::SurfaceKind::cone) text += ", \"slope\": " + json_number(s.slope);
+  if (s.kind != surfaces::SurfaceKind::sphere) text += ", \"axis\": " + json_vector(s.axis);
+  if (s.kind != surfaces::SurfaceKind::plane) text += ", \"radius\": " + json_number(s.radius);
+  if (s.kind == surfaces::SurfaceKind::torus) text += ", \"tube_radius\": " + json_number(s.minor);
+  if (s.kind == surfaces::SurfaceKind::cone) text += ", \"slope\": " + json_number(s.slope);
   if (face.sweep > 0)
     text += ", \"along\": [" + json_number(face.from) + ", " + json_number(face.to) +
             "], \"sweep\": " + json_number(face.sweep);
-  if (s.kind != features::SurfaceKind::plane)
+  if (s.kind != surfaces::SurfaceKind::plane)
     text += std::string(", \"inwards\": ") + (face.inwards ? "true" : "false");
   return text + ", \"residual\": " + json_number(face.residual) + ", \"sagitta\": " + json_number(face.sagitta) + "}";
 }
 
-std::string json_of(const features::Hole& hole) {
+std::string json_of(const surfaces::Hole& hole) {
   return "{\"diameters\": " + json_list(hole.diameters, json_number) + ", \"from\": " + json_vector(hole.from) +
          ", \"to\": " + json_vector(hole.to) + ", \"through\": " + (hole.through ? "true" : "false") +
          ", \"faces\": " + json_list(hole.faces, [](int f) { return std::to_string(f); }) + "}";
@@ -391,8 +391,8 @@ std::string json_of(const ModelInfo& info) {
           ", \"recognised\": " + json_number(info.part.recognised);
   text += ",\n   \"part_faces\": " + json_list(
                                          info.part.faces, [](const auto& f) { return json_of(f); }, ",\n    ");
-  text += ",\n   \"part_edges\": {\"sharp\": " + std::to_string(count_borders(info.part, features::BorderKind::sharp)) +
-          number("tangent", count_borders(info.part, features::BorderKind::tangent)) +
+  text += ",\n   \"part_edges\": {\"sharp\": " + std::to_string(count_borders(info.part, surfaces::BorderKind::sharp)) +
+          number("tangent", count_borders(info.part, surfaces::BorderKind::tangent)) +
           number("open", count_open(info)) + number("shared", info.shared_borders) + "}";
   text += ",\n   \"holes\": " + json_list(
                                     info.holes, [](const auto& h) { return json_of(h); }, ",\n    ");

@@ -17,10 +17,10 @@
 #include "base/folder.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
-#include "features/holes.hpp"
 #include "importer/read_model.hpp"
 #include "pipeline/complete_scene.hpp"
 #include "pipeline/read_models.hpp"
+#include "surfaces/holes.hpp"
 
 namespace epura {
 
@@ -34,7 +34,7 @@ constexpr double position_step = 1e-6;                    // mm; what is below i
 
 /// A hole in the world, in mm, and the others like it.
 struct EqualHoles {
-  features::Hole first;
+  surfaces::Hole first;
   int count = 0;
 };
 
@@ -55,7 +55,7 @@ std::string triple(const Vec3& p) {
   return "[" + text_of(p.x) + ", " + text_of(p.y) + ", " + text_of(p.z) + "]";
 }
 
-std::string axis_of(const features::Hole& hole) {
+std::string axis_of(const surfaces::Hole& hole) {
   const Vec3 axis = glm::abs(glm::normalize(hole.to - hole.from));
   constexpr double along = 1 - 1e-9;
   for (int i = 0; i < 3; ++i)
@@ -63,12 +63,12 @@ std::string axis_of(const features::Hole& hole) {
   return "along an axis that is none of the world";
 }
 
-std::vector<features::Hole> holes_in_world(const world::Placed& placed) {
-  const auto scale = features::similarity_scale(placed.to_world);
+std::vector<surfaces::Hole> holes_in_world(const world::Placed& placed) {
+  const auto scale = surfaces::similarity_scale(placed.to_world);
   if (!scale) return {};
-  const features::PartFaces part = placed.part != nullptr ? *placed.part : features::recognise_faces(*placed.mesh);
-  std::vector<features::Hole> holes = features::find_holes(*placed.mesh, part);
-  for (features::Hole& hole : holes) {
+  const surfaces::PartFaces part = placed.part != nullptr ? *placed.part : surfaces::recognise_faces(*placed.mesh);
+  std::vector<surfaces::Hole> holes = surfaces::find_holes(*placed.mesh, part);
+  for (surfaces::Hole& hole : holes) {
     for (double& diameter : hole.diameters) diameter *= *scale;
     for (Vec3* end : {&hole.from, &hole.to}) *end = Vec3(placed.to_world * Vec4(*end, 1));
   }
@@ -76,14 +76,14 @@ std::vector<features::Hole> holes_in_world(const world::Placed& placed) {
 }
 
 // The most frequent ones first, then the largest.
-std::vector<EqualHoles> groups_of(const std::vector<features::Hole>& holes) {
-  const auto text_of = [](const features::Hole& hole) {
+std::vector<EqualHoles> groups_of(const std::vector<surfaces::Hole>& holes) {
+  const auto text_of = [](const surfaces::Hole& hole) {
     std::string text = axis_of(hole) + (hole.through ? "t" : format_rounded(glm::distance(hole.from, hole.to), 4));
     for (const double diameter : hole.diameters) text += " " + format_rounded(diameter, 4);
     return text;
   };
   std::vector<std::pair<std::string, EqualHoles>> groups;
-  for (const features::Hole& hole : holes) {
+  for (const surfaces::Hole& hole : holes) {
     const std::string text = text_of(hole);
     auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == text; });
     if (same == groups.end()) same = groups.insert(groups.end(), {text, {hole}});
@@ -99,14 +99,14 @@ std::vector<EqualHoles> groups_of(const std::vector<features::Hole>& holes) {
 }
 
 // On the rim where the hole begins.
-Vec3 rim_of(const features::Hole& hole) {
+Vec3 rim_of(const surfaces::Hole& hole) {
   const Vec3 axis = glm::normalize(hole.to - hole.from);
   const Vec3 across = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
   return hole.from + hole.diameters.back() / 2 * across;
 }
 
 std::string hole_text(const EqualHoles& group) {
-  const features::Hole& hole = group.first;
+  const surfaces::Hole& hole = group.first;
   std::string text = "# ";
   if (group.count > 1) text += std::to_string(group.count) + " x ";
   for (std::size_t i = 0; i < hole.diameters.size(); ++i)

@@ -10,8 +10,8 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "design/assembly_features.hpp"
-#include "design/true_extents.hpp"
+#include "features/assembly_features.hpp"
+#include "features/true_extents.hpp"
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/automatic.hpp"
@@ -123,7 +123,7 @@ void replace_found(std::vector<std::vector<scene::DimensionDescription>>& found,
   for (Annotations& of_view : annotations)
     for (scene::DimensionDescription& one : of_view.dimensions) given.push_back(&one);
   if (given.empty() || std::all_of(found.begin(), found.end(), [](const auto& one) { return one.empty(); })) return;
-  const design::DesignFeatures features = design::features_to_dimension(world);
+  const features::PartFeatures features = features::features_to_dimension(world);
   for (std::vector<scene::DimensionDescription>& of_view : found)
     sheet::replace_twins(of_view, given, world, features, projections);
 }
@@ -132,7 +132,7 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
                     const scene::SceneDescription& scene, const SheetOfViews& sheet,
                     std::span<const view::ProjectedScene> seen, const SectionSurfaces& sections) {
   const std::vector<scene::ViewDescription>& views = sheet.descriptions;
-  std::optional<std::array<design::Extent, 3>> extents;
+  std::optional<std::array<features::Extent, 3>> extents;
   const std::vector<sheet::NamedProjection> projections = views_to_measure(world, views, sheet.plans, seen, sections);
   const auto here = [&views](const std::string& name) {
     return std::find_if(views.begin(), views.end(), [&](const scene::ViewDescription& v) { return *v.name == name; });
@@ -154,23 +154,23 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
   if (!scene.threads.empty() && sheet.sheet == 0 && !dimensions_features(scene)) {
     const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
     for (const scene::DimensionDescription& one :
-         sheet::thread_dimensions(scene.threads, projections, design::find_design_features(world), notation))
+         sheet::thread_dimensions(scene.threads, projections, features::find_part_features(world), notation))
       if (!is_outside(one)) add(one);
   }
   for (const scene::DimensionDescription& dimension : scene.dimensions) {
     if (!is_open(dimension)) {
       add(dimension);
     } else if (dimension.view.given() ? here(*dimension.view) != views.end() : sheet.sheet == 0) {
-      if (!extents) extents = design::true_extents(world);
+      if (!extents) extents = features::true_extents(world);
       const auto expanded = [&] {
         if (const auto* view = sheet::only_pictorial(projections, dimension.view.value_or(""))) {
-          const design::DesignFeatures features = design::features_to_dimension(world);
+          const features::PartFeatures features = features::features_to_dimension(world);
           const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
           return sheet::pictorial_dimensions(dimension, *view, {world, features, *extents}, notation);
         }
         if (*dimension.type == DimensionType::overall)
           return sheet::overall_dimensions(dimension, projections, *extents);
-        const design::DesignFeatures features = design::features_to_dimension(world);
+        const features::PartFeatures features = features::features_to_dimension(world);
         const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
         sheet::AutomaticPlan plan =
             sheet::automatic_dimensions(dimension, projections, {world, features, *extents}, notation);

@@ -66,8 +66,8 @@ class FreeForms {
       return;
     }
     face_of_triangle_ = world::faces_of_triangles(placed);
-    for (const features::PartFace& face : placed.part->faces) {
-      open_.push_back(face.surface.kind == features::SurfaceKind::free_form);
+    for (const surfaces::PartFace& face : placed.part->faces) {
+      open_.push_back(face.surface.kind == surfaces::SurfaceKind::free_form);
       areas_.push_back(face.area);
     }
   }

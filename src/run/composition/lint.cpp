@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "composition/free_forms.hpp"
-#include "design/assembly_features.hpp"
-#include "design/true_extents.hpp"
+#include "features/assembly_features.hpp"
+#include "features/true_extents.hpp"
 
 namespace epura::pipeline {
 
@@ -81,8 +81,8 @@ void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::ve
 
 void add_uncovered_sizes(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
                          std::span<const sheet::DimensionsInView> views, const Progress& progress) {
-  const design::DesignFeatures features = design::features_to_dimension(world, progress);
-  const auto extents = design::true_extents(world);
+  const features::PartFeatures features = features::features_to_dimension(world, progress);
+  const auto extents = features::true_extents(world);
   sheet::Coverage coverage =
       sheet::find_coverage(views, {world, features, extents}, notation_of(world, scene.sheets.front()));
   std::vector<report::Finding>& findings = report.findings;

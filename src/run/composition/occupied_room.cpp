@@ -119,10 +119,10 @@ void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const ViewResult& vi
   constexpr double past = 3;  // mm
   const drawing::ViewDrawing& drawing = view.drawing;
   const auto page = [&drawing](const Vec3& p) { return drawing::position_on_page(drawing, p); };
-  const auto add = [&](const design::RoundFeature& round) {
+  const auto add = [&](const features::CentredRound& round) {
     const Vec2 from = page(round.rings.front().centre), to = page(round.rings.back().centre);
     double radius = 0;
-    for (const design::Ring& ring : round.rings) radius = std::max(radius, ring.radius);
+    for (const features::Ring& ring : round.rings) radius = std::max(radius, ring.radius);
     const double reach = radius * drawing.scale + past, length = glm::length(to - from);
     if (length > past) {
       const Vec2 along = (to - from) / length;
@@ -132,7 +132,7 @@ void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const ViewResult& vi
       boxes.push_back(sheet::line_box(from - Vec2(0, reach), from + Vec2(0, reach)));
     }
   };
-  const auto add_circle = [&](const design::PitchCircle& circle) {
+  const auto add_circle = [&](const features::PitchCircle& circle) {
     constexpr int parts = 48;
     const Vec2 centre = page(circle.centre);
     const auto at = [&](int i) {
@@ -141,10 +141,10 @@ void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const ViewResult& vi
     const double tilt = glm::length(glm::cross(circle.axis, drawing.projection.n));
     for (int i = 0; i < parts && tilt <= 1e-6; ++i) boxes.push_back(sheet::line_box(at(i), at(i + 1)));
   };
-  for (const design::RoundFeature& round : view.features.round) add(round);
-  for (const design::PitchCircle& circle : view.features.pitch_circles) add_circle(circle);
-  for (const design::SlotFeature& slot : view.features.slots)
-    for (const design::RoundFeature& end : slot.ends) add(end);
+  for (const features::CentredRound& round : view.features.round) add(round);
+  for (const features::PitchCircle& circle : view.features.pitch_circles) add_circle(circle);
+  for (const features::CentredSlot& slot : view.features.slots)
+    for (const features::CentredRound& end : slot.ends) add(end);
 }
 
 std::vector<sheet::Rectangle> taken_by(const sheet::Neighbours& around, std::span<const ViewResult> views) {

@@ -18,8 +18,8 @@ std::optional<EdgeKind> kind_under(const ExplainInput& drawn_view, const Subject
   return edges::feature_edges(drawn_view.world, drawn_view.view, subject.model, options)[subject.mesh_edge];
 }
 
-std::string words_of(const features::PartSurface& surface) {
-  using features::SurfaceKind;
+std::string words_of(const surfaces::PartSurface& surface) {
+  using surfaces::SurfaceKind;
   const std::string radius = " of radius " + format_value(surface.radius);
   switch (surface.kind) {
     case SurfaceKind::plane:
@@ -39,10 +39,10 @@ std::string words_of(const features::PartSurface& surface) {
 }
 
 // For a mesh edge whose part is known.
-std::string border_of(const ExplainInput& drawn_view, const Subject& subject, const features::PartFaces& part) {
+std::string border_of(const ExplainInput& drawn_view, const Subject& subject, const surfaces::PartFaces& part) {
   const std::string faces = names_of(faces_at(drawn_view, subject));
   const mesh::Mesh& mesh = mesh_of(drawn_view, subject);
-  const features::PartBorder* border = part.border_at(subject.mesh_edge);
+  const surfaces::PartBorder* border = part.border_at(subject.mesh_edge);
   const auto surface = [&](int face) { return words_of(part.faces[static_cast<std::size_t>(face)].surface); };
   if (border == nullptr)
     return faces + " are on " +

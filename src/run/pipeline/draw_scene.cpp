@@ -16,8 +16,8 @@
 #include "composition/lint.hpp"
 #include "composition/seen_items.hpp"
 #include "composition/tell.hpp"
-#include "design/place_threads.hpp"
 #include "drawing/drawing.hpp"
+#include "features/place_threads.hpp"
 #include "mesh/read.hpp"
 #include "pipeline/read_models.hpp"
 #include "pipeline/recognise_parts.hpp"
@@ -513,7 +513,7 @@ void place_threads(world::World& world, const scene::SceneDescription& scene) {
   std::vector<Vec3> positions;
   for (const scene::ThreadDescription& thread : scene.threads)
     positions.push_back(sheet::position_of(world, *thread.at, thread.at.where));
-  design::place_threads(world, scene.threads, positions);
+  features::place_threads(world, scene.threads, positions);
 }
 
 // Whether a sheet has more than pictures: these show helical threads as they are.

@@ -34,7 +34,7 @@ void omit_bodies(importer::ReadModel& model, const std::vector<bool>& omitted) {
     if (!omitted[static_cast<std::size_t>(whole.body[t])]) kept.push_back(t);
   model.mesh = with_triangles(whole, kept);
   if (model.part == nullptr) return;
-  auto part = std::make_shared<features::PartFaces>(*model.part);
+  auto part = std::make_shared<surfaces::PartFaces>(*model.part);
   part->face_of_triangle.clear();
   part->border_of_edge.clear();
   for (const int t : kept) part->face_of_triangle.push_back(model.part->face_of_triangle[t]);

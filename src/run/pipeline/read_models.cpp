@@ -12,7 +12,7 @@
 
 #include "base/text.hpp"
 #include "composition/layout.hpp"
-#include "design/unit_guess.hpp"
+#include "features/unit_guess.hpp"
 #include "mesh/read.hpp"
 #include "pipeline/item_names.hpp"
 #include "pipeline/kept_models.hpp"
@@ -228,7 +228,7 @@ void doubt_unit(const Messages& messages, const scene::SceneDescription& scene, 
   const bool is_scaled = std::abs(std::abs(glm::determinant(Mat3(model.to_world))) - 1) > 1e-6;
   const auto guess = is_scaled || model.part == nullptr
                          ? std::nullopt
-                         : design::guess_unit(design::box_of(model.mesh->whole()), *model.part);
+                         : features::guess_unit(features::box_of(model.mesh->whole()), *model.part);
   if (guess && *guess != Unit::mm) {
     const std::string word(scene::word_of(*guess));
     return messages.warn(name + " has no unit and is drawn in millimetres, but its sizes are round in " + word +

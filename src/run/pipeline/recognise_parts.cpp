@@ -11,7 +11,7 @@
 #include "base/parallel.hpp"
 #include "composition/annotations.hpp"
 #include "edges/find_edges.hpp"
-#include "features/recognise.hpp"
+#include "surfaces/recognise.hpp"
 #include "views/view_plan.hpp"
 #include "world/facet_heights.hpp"
 
@@ -55,12 +55,12 @@ double least_fold(const world::World& world, const scene::SceneDescription& scen
                                                                                               : std::max(least, flat);
 }
 
-std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, std::optional<double> least,
+std::shared_ptr<const surfaces::PartFaces> part_of(const mesh::Mesh& mesh, std::optional<double> least,
                                                    const Progress& progress) {
   // Contours of coarse facets are moved to the surface; those of very fine ones are on it.
   constexpr int fine = 50000;
-  if (least && !features::has_shallow_folds(mesh, mesh.triangle_count() < fine ? flat : *least)) return nullptr;
-  auto part = std::make_shared<features::PartFaces>(features::recognise_faces(mesh, {}, progress));
+  if (least && !surfaces::has_shallow_folds(mesh, mesh.triangle_count() < fine ? flat : *least)) return nullptr;
+  auto part = std::make_shared<surfaces::PartFaces>(surfaces::recognise_faces(mesh, {}, progress));
   return part->faces.empty() ? nullptr : part;
 }
 

@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "base/text.hpp"
-#include "design/helical_threads.hpp"
-#include "design/place_threads.hpp"
-#include "design/tolerances.hpp"
-#include "features/declared_part.hpp"
-#include "features/limits.hpp"
+#include "features/helical_threads.hpp"
+#include "features/place_threads.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/anchors.hpp"
+#include "surfaces/declared_part.hpp"
+#include "surfaces/limits.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::pipeline {
@@ -33,7 +33,7 @@ struct FoundThread {
 };
 
 // A helix ends within a pitch of its full depth, unless its roots rise to a shaft.
-std::optional<std::array<Vec3, 2>> full_part_of(const design::HelicalThread& thread, const Mat4& to_world,
+std::optional<std::array<Vec3, 2>> full_part_of(const features::HelicalThread& thread, const Mat4& to_world,
                                                 double pitch) {
   constexpr double least = 0.6;  // of a pitch
   const bool below = thread.full.from - thread.low > least * pitch,
@@ -44,32 +44,32 @@ std::optional<std::array<Vec3, 2>> full_part_of(const design::HelicalThread& thr
 }
 
 // Whether the cylinder of a thread is a face of a part, all around.
-bool has_cylinder(const features::PartFaces& part, const design::HelicalThread& thread) {
-  return std::any_of(part.faces.begin(), part.faces.end(), [&](const features::PartFace& face) {
-    const features::PartSurface& surface = face.surface;
-    return surface.kind == features::SurfaceKind::cylinder && face.sweep >= features::whole_turn &&
+bool has_cylinder(const surfaces::PartFaces& part, const features::HelicalThread& thread) {
+  return std::any_of(part.faces.begin(), part.faces.end(), [&](const surfaces::PartFace& face) {
+    const surfaces::PartSurface& surface = face.surface;
+    return surface.kind == surfaces::SurfaceKind::cylinder && face.sweep >= surfaces::whole_turn &&
            face.inwards == thread.internal &&
-           std::abs(surface.radius - thread.crest) <= design::same_size * thread.crest &&
-           design::are_parallel(surface.axis, thread.axis) &&
-           glm::length(glm::cross(surface.origin - thread.origin, thread.axis)) <= design::same_size * thread.crest;
+           std::abs(surface.radius - thread.crest) <= features::same_size * thread.crest &&
+           features::are_parallel(surface.axis, thread.axis) &&
+           glm::length(glm::cross(surface.origin - thread.origin, thread.axis)) <= features::same_size * thread.crest;
   });
 }
 
 /// A mesh and its part without helical threads.
 struct Replaced {
   std::shared_ptr<const mesh::Mesh> mesh;
-  std::shared_ptr<const features::PartFaces> part;
-  std::vector<design::HelicalThread> threads{};
-  std::vector<design::OtherHelix> others{};  ///< that are no threads
+  std::shared_ptr<const surfaces::PartFaces> part;
+  std::vector<features::HelicalThread> threads{};
+  std::vector<features::OtherHelix> others{};  ///< that are no threads
 };
 
 // The faces of a part whose thread is a cylinder now. What the file declares about others remains.
-features::PartFaces faces_with(const design::HelicalThread& thread, const Replaced& before, const mesh::Mesh& mesh,
+surfaces::PartFaces faces_with(const features::HelicalThread& thread, const Replaced& before, const mesh::Mesh& mesh,
                                std::vector<int> face_of_triangle, const Progress& progress) {
-  if (!before.part->declared) return features::recognise_faces(mesh, {}, progress);
-  const features::PartSurface cylinder{features::SurfaceKind::cylinder, thread.origin, thread.axis, thread.crest};
-  return features::part_with_face(*before.part, *before.mesh, {mesh, std::move(face_of_triangle), cylinder},
-                                  features::RecogniseOptions().tangent_angle);
+  if (!before.part->declared) return surfaces::recognise_faces(mesh, {}, progress);
+  const surfaces::PartSurface cylinder{surfaces::SurfaceKind::cylinder, thread.origin, thread.axis, thread.crest};
+  return surfaces::part_with_face(*before.part, *before.mesh, {mesh, std::move(face_of_triangle), cylinder},
+                                  surfaces::RecogniseOptions().tangent_angle);
 }
 
 std::ptrdiff_t open_edges_of(const mesh::Mesh& mesh) {
@@ -79,12 +79,12 @@ std::ptrdiff_t open_edges_of(const mesh::Mesh& mesh) {
 
 // Replaces one of the threads; false if none can be.
 bool replace_one(Replaced& model, double unit, const Progress& progress) {
-  design::HelicalForms forms = design::find_helical_threads(*model.mesh, *model.part, unit);
+  features::HelicalForms forms = features::find_helical_threads(*model.mesh, *model.part, unit);
   model.others = std::move(forms.others);
-  for (design::HelicalThread& thread : forms.threads) {
-    auto made = design::with_cylinder(*model.mesh, *model.part, thread);
+  for (features::HelicalThread& thread : forms.threads) {
+    auto made = features::with_cylinder(*model.mesh, *model.part, thread);
     if (!made || open_edges_of(made->mesh) > open_edges_of(*model.mesh)) continue;
-    auto part = std::make_shared<features::PartFaces>(
+    auto part = std::make_shared<surfaces::PartFaces>(
         faces_with(thread, model, made->mesh, std::move(made->face_of_triangle), progress));
     if (!has_cylinder(*part, thread)) continue;
     model.mesh = std::make_shared<const mesh::Mesh>(std::move(made->mesh));
@@ -106,7 +106,7 @@ bool is_described(const FoundThread& found, const world::World& world, const sce
   return std::any_of(scene.threads.begin(), scene.threads.end(), [&](const scene::ThreadDescription& thread) {
     const Vec3 off = sheet::position_of(world, *thread.at, thread.at.where) - found.middle;
     const double along = glm::dot(off, found.axis);
-    return std::abs(along) <= found.half * (1 + design::same_size) &&
+    return std::abs(along) <= found.half * (1 + features::same_size) &&
            glm::length(off - along * found.axis) <= 1.5 * found.radius;
   });
 }
@@ -122,9 +122,9 @@ void tell(const Messages& messages, const std::vector<FoundThread>& found) {
 }
 
 // Each diameter and pitch once.
-void tell(const Messages& messages, const std::vector<design::OtherHelix>& others) {
+void tell(const Messages& messages, const std::vector<features::OtherHelix>& others) {
   std::map<std::string, int> counts;
-  for (const design::OtherHelix& one : others)
+  for (const features::OtherHelix& one : others)
     ++counts["⌀" + format_rounded(one.diameter, 4) + " with a pitch of " + format_rounded(one.pitch, 4)];
   std::string list;
   for (const auto& [text, count] : counts)
@@ -138,7 +138,7 @@ void tell(const Messages& messages, const std::vector<design::OtherHelix>& other
 world::World replace_helical_threads(world::World world, scene::SceneDescription& scene, const Messages& messages,
                                      const Progress& progress) {
   std::vector<FoundThread> found;
-  std::vector<design::OtherHelix> others;
+  std::vector<features::OtherHelix> others;
   std::map<std::pair<const mesh::Mesh*, double>, Replaced> known;  // several models may show one mesh
   for (world::Placed& placed : world.models) {
     const auto unit = world::similarity_scale(placed.to_world);
@@ -149,7 +149,7 @@ world::World replace_helical_threads(world::World world, scene::SceneDescription
     const Replaced& model = same->second;
     placed.mesh = model.mesh;
     placed.part = model.part;
-    for (const design::HelicalThread& thread : model.threads) {
+    for (const features::HelicalThread& thread : model.threads) {
       const Vec3 middle = thread.origin + (thread.low + thread.high) / 2 * thread.axis;
       found.push_back({thread.thread, Vec3(placed.to_world * Vec4(middle, 1)),
                        glm::normalize(Vec3(placed.to_world * Vec4(thread.axis, 0))), *unit * thread.crest,
@@ -170,7 +170,7 @@ world::World replace_helical_threads(world::World world, scene::SceneDescription
     thread.callout = {false, where};
     if (one.full) {
       thread.at = {scene::Anchor((*one.full)[0]), where};
-      if (const auto depth = design::depth_of_thread(world, one.radius, (*one.full)[0], (*one.full)[1]))
+      if (const auto depth = features::depth_of_thread(world, one.radius, (*one.full)[0], (*one.full)[1]))
         thread.depth = {*depth, where};
     }
     added.push_back(std::move(thread));

@@ -40,7 +40,7 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 // Returns the border of the part that an edge belongs to, or null. An edge of a cut mesh has the border of its edge in
 // the whole mesh.
-const features::PartBorder* border_at(const world::Placed& placed, const mesh::MeshEdge* edge) {
+const surfaces::PartBorder* border_at(const world::Placed& placed, const mesh::MeshEdge* edge) {
   const mesh::Mesh& whole = placed.mesh->whole();
   if (edge != nullptr && &whole != placed.mesh.get()) edge = whole.edge_between(placed.mesh->origin_of(*edge).vertex);
   return edge != nullptr ? placed.part->border_at(edge - whole.edges.data()) : nullptr;
@@ -148,7 +148,7 @@ std::optional<Need> FoldRule::between_faces(const std::array<int, 2>& edge, int 
   const int model = world_.model_of_triangle(first);
   const world::Placed& placed = world_.models[model];
   if (placed.part == nullptr || world_.model_of_triangle(second) != model) return std::nullopt;
-  if (const features::PartBorder* border = border_at(placed, sheets_at(edge).edge)) {
+  if (const surfaces::PartBorder* border = border_at(placed, sheets_at(edge).edge)) {
     if (border->angle > options_.part_angle) return Need::asked;
     return options_.tangent ? Need::possible : Need::none;
   }
@@ -214,7 +214,7 @@ bool FoldRule::is_of_torus(int triangle) const {
   const world::Placed& placed = world_.models[model];
   if (placed.part == nullptr || placed.mesh->uncut != nullptr) return false;
   const int face = placed.part->face_of_triangle[triangle - world_.first_triangle[model]];
-  return placed.part->faces[face].surface.kind == features::SurfaceKind::torus;
+  return placed.part->faces[face].surface.kind == surfaces::SurfaceKind::torus;
 }
 
 Need FoldRule::outline(const std::array<int, 2>& edge) const {

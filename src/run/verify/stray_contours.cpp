@@ -51,8 +51,8 @@ class Facets {
           for (std::size_t i = 0; i < mesh_.corners.size(); ++i)
             visit(static_cast<std::size_t>(mesh_.corners[i]), static_cast<int>(i / 3));
         }) {
-    for (const features::PartBorder& border : part_.borders)
-      if (border.kind == features::BorderKind::tangent) tangent_.insert(border.faces);
+    for (const surfaces::PartBorder& border : part_.borders)
+      if (border.kind == surfaces::BorderKind::tangent) tangent_.insert(border.faces);
   }
 
   /// Where on the page a contour of an edge may be.
@@ -152,7 +152,7 @@ class Facets {
   const VerifyInput& input_;
   int model_;
   const mesh::Mesh& mesh_;
-  const features::PartFaces& part_;
+  const surfaces::PartFaces& part_;
   Groups<int> at_vertex_;
   std::set<std::array<int, 2>> tangent_;  ///< faces that continue each other
 };

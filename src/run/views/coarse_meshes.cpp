@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "drawing/drawing.hpp"
 #include "edges/dihedral.hpp"
-#include "features/recognise.hpp"
+#include "surfaces/recognise.hpp"
 
 namespace epura::pipeline {
 
@@ -86,7 +86,7 @@ bool CoarseMeshes::is_part(int model, const mesh::Mesh& mesh, const Progress& pr
   bool is_part = true;
   try {
     const Progress limited = progress.with_part_of_the_time(part_of_the_time);
-    is_part = features::recognise_faces(mesh, {}, limited).recognised >= least_recognised;
+    is_part = surfaces::recognise_faces(mesh, {}, limited).recognised >= least_recognised;
   } catch (const OutOfTime&) {
     // Nothing is said without knowing.
   }

@@ -157,8 +157,9 @@ class ViewRun {
     add_revolved(lines.drawing, options_.revolved);
     if (error) (*error)[report::ErrorTerm::curves] = lines.curves.deviation + lines.curves.bulge;
     auto features = budget_.or_nothing([&](const Progress& progress) {
-      return options_.centre_lines ? design::find_centred_features(input_.world, options_.edges.crease_angle, progress)
-                                   : design::CentredFeatures();
+      return options_.centre_lines
+                 ? features::find_centred_features(input_.world, options_.edges.crease_angle, progress)
+                 : features::CentredFeatures();
     });
     return {{std::move(view_), std::move(drawn_), std::move(hidden_), paper},
             std::move(lines.drawing),

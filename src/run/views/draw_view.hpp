@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "design/centred_features.hpp"
 #include "drawing/arcs.hpp"
 #include "drawing/breaks.hpp"
 #include "drawing/drawing.hpp"
 #include "edges/find_edges.hpp"
+#include "features/centred_features.hpp"
 #include "report/report.hpp"
 #include "scene/description.hpp"
 #include "sheet/view_lines.hpp"
@@ -72,7 +72,7 @@ struct ViewResult {
   std::optional<report::Verification> verification;
   std::optional<cut::CuttingSurface> section;  ///< shown by the view
   drawing::CurveReport curves{};
-  design::CentredFeatures features{};        ///< for centre lines, if requested
+  features::CentredFeatures features{};      ///< for centre lines, if requested
   std::optional<report::ViewError> error{};  ///< if its input has heights of facets
   double unsymmetric = 0;                    ///< mm of lines that a half view leaves out and does not show mirrored
 };

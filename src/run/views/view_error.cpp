@@ -113,11 +113,11 @@ class Judge {
   }
 
   // Planes, cylinders, cones and spheres curve one way.
-  static bool may_be_saddle(const features::PartFaces& part, int triangle) {
+  static bool may_be_saddle(const surfaces::PartFaces& part, int triangle) {
     const int face = part.face_of_triangle[static_cast<std::size_t>(triangle)];
     if (face < 0) return true;
-    const features::SurfaceKind kind = part.faces[static_cast<std::size_t>(face)].surface.kind;
-    return kind == features::SurfaceKind::torus || kind == features::SurfaceKind::free_form;
+    const surfaces::SurfaceKind kind = part.faces[static_cast<std::size_t>(face)].surface.kind;
+    return kind == surfaces::SurfaceKind::torus || kind == surfaces::SurfaceKind::free_form;
   }
 
   // Whether the neighbours of a triangle on the same surface are folded to both of its sides.
@@ -192,7 +192,7 @@ class Judge {
         const int first = judged_.world.first_vertex[m];
         return judged_.world.points[first + b] - judged_.world.points[first + a];
       };
-      for (const features::PartBorder& border : placed.part->borders) {
+      for (const surfaces::PartBorder& border : placed.part->borders) {
         const std::size_t count = border.edges.size();
         for (std::size_t i = border.closed ? 0 : 1; i < count; ++i) {
           const std::array both{border.edges[(i + count - 1) % count], border.edges[i]};
@@ -252,8 +252,8 @@ class Judge {
   [[nodiscard]] bool is_inside(const world::Placed& placed, std::ptrdiff_t mesh_edge,
                                const std::array<int, 2>& both) const {
     if (placed.part != nullptr) {
-      const features::PartBorder* border = placed.part->border_at(mesh_edge);
-      return border == nullptr || border->kind != features::BorderKind::sharp;
+      const surfaces::PartBorder* border = placed.part->border_at(mesh_edge);
+      return border == nullptr || border->kind != surfaces::BorderKind::sharp;
     }
     constexpr double sharp = 0.5;  // sine of 30 degrees, the least angle of a crease
     const Vec3 a = normal_of(both[0]), b = normal_of(both[1]);

@@ -297,11 +297,11 @@ visibility::Spans seen_about(const std::vector<SeenCircle>& rings, const std::ar
 
 // The axis of a feature, or of the parts of one, where it is seen.
 void add_where_seen(Marks& marks, const std::vector<SeenCircle>& rings, const SeenFeatures& seen,
-                    std::span<const design::RoundFeature> parts) {
+                    std::span<const features::CentredRound> parts) {
   const auto axis = axis_through(rings);
   if (!axis) return;
   std::array<visibility::Spans, 2> sides;
-  for (const design::RoundFeature& part : parts)
+  for (const features::CentredRound& part : parts)
     seen.add_beside(part, {axis->at(0), axis->direction(), past_rim}, sides);
   for (const auto& [from, to] : seen_about(rings, sides)) {
     Piece piece = *axis;
@@ -313,7 +313,7 @@ void add_where_seen(Marks& marks, const std::vector<SeenCircle>& rings, const Se
 }
 
 // The rings of the second end of a slot may be in the opposite order. Each of them has half a rim.
-std::vector<SeenRim> rims_of(const SeenFeatures& seen, const design::SlotFeature& slot) {
+std::vector<SeenRim> rims_of(const SeenFeatures& seen, const features::CentredSlot& slot) {
   const auto& [one, other] = slot.ends;
   std::vector<SeenRim> rims = seen.rims(one), there = seen.rims(other);
   if (glm::dot(one.axis, other.axis) < 0) std::reverse(there.begin(), there.end());
@@ -326,7 +326,7 @@ std::vector<SeenRim> rims_of(const SeenFeatures& seen, const design::SlotFeature
 
 // If seen in true shape: a line through both ends and another across each end; otherwise one axis in the middle.
 void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const SeenFeatures& seen,
-              const design::SlotFeature& slot) {
+              const features::CentredSlot& slot) {
   const auto [one, other] = slot.ends;
   check(!one.rings.empty() && !other.rings.empty(), "an end of a slot has a rim");
   const SeenCircle a = see(drawing, one.axis, one.rings.front()), b = see(drawing, other.axis, other.rings.front());
@@ -340,8 +340,8 @@ void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const SeenFeatu
   }
   const Vec3 apart = other.rings.front().centre - one.rings.front().centre;
   const Vec3 half = 0.5 * (apart - glm::dot(apart, one.axis) * one.axis);
-  design::RoundFeature middle = one;
-  for (design::Ring& ring : middle.rings) ring.centre += half;
+  features::CentredRound middle = one;
+  for (features::Ring& ring : middle.rings) ring.centre += half;
   const std::vector<SeenCircle> rings = see(drawing, middle);
   if (seen.is_inside(one)) {
     add_in_openings(marks, rings, rims_of(seen, slot));
@@ -356,7 +356,7 @@ bool is_small(std::span<const SeenCircle> rings) { return 2 * largest_of(rings).
 
 Marks marks_of(const CentredView& view) {
   const SeenFeatures seen(view.drawing, view.styles);
-  const design::CentredFeatures& features = view.features;
+  const features::CentredFeatures& features = view.features;
   std::vector<int> circle_of(features.round.size(), -1);
   for (std::size_t c = 0; c < features.pitch_circles.size(); ++c)
     for (const int hole : features.pitch_circles[c].holes) {
@@ -382,11 +382,11 @@ Marks marks_of(const CentredView& view) {
     else
       marks.features.push_back(std::move(rings));
   }
-  for (const design::SlotFeature& slot : features.slots)
+  for (const features::CentredSlot& slot : features.slots)
     if (!is_small(see(view.drawing, slot.ends[0])) && (seen.shows(slot.ends[0]) || seen.shows(slot.ends[1])))
       add_slot(marks, view.drawing, seen, slot);
   for (const int c : circles) {
-    const design::PitchCircle& pitch = features.pitch_circles[c];
+    const features::PitchCircle& pitch = features.pitch_circles[c];
     marks.rounds.push_back(see(view.drawing, pitch.axis, {pitch.centre, pitch.radius}));
   }
   return marks;

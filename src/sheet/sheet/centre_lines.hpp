@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "design/centred_features.hpp"
 #include "drawing/view_drawing.hpp"
+#include "features/centred_features.hpp"
 #include "sheet/sheet.hpp"
 #include "sheet/view_lines.hpp"
 
@@ -16,7 +16,7 @@ namespace epura::sheet {
 /// A drawing in its final position, and the round features of its models.
 struct CentredView {
   const drawing::ViewDrawing& drawing;
-  const design::CentredFeatures& features;
+  const features::CentredFeatures& features;
   const BodyStyles& styles;
 };
 

@@ -47,15 +47,15 @@ Vec2 image_of(const drawing::ViewDrawing& drawing, const Vec3& p, double w) {
   return Vec2(image.x, image.y) / drawing.world_to_page[3][3];
 }
 
-SeenCircle see(const drawing::ViewDrawing& drawing, const Vec3& axis, const design::Ring& ring) {
+SeenCircle see(const drawing::ViewDrawing& drawing, const Vec3& axis, const features::Ring& ring) {
   const Vec3 u = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
   return {image_of(drawing, ring.centre, 1), image_of(drawing, ring.radius * u, 0),
           image_of(drawing, ring.radius * glm::cross(axis, u), 0), image_of(drawing, ring.radius * axis, 0)};
 }
 
-std::vector<SeenCircle> see(const drawing::ViewDrawing& drawing, const design::RoundFeature& feature) {
+std::vector<SeenCircle> see(const drawing::ViewDrawing& drawing, const features::CentredRound& feature) {
   std::vector<SeenCircle> circles;
-  for (const design::Ring& ring : feature.rings) circles.push_back(see(drawing, feature.axis, ring));
+  for (const features::Ring& ring : feature.rings) circles.push_back(see(drawing, feature.axis, ring));
   return circles;
 }
 

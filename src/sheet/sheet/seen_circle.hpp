@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "design/centred_features.hpp"
 #include "drawing/drawing.hpp"
+#include "features/centred_features.hpp"
 
 namespace epura::sheet {
 
@@ -39,8 +39,8 @@ struct SeenCircle {
 /// The image of a point (`w` 1) or a vector (0) of the world.
 Vec2 image_of(const drawing::ViewDrawing& drawing, const Vec3& p, double w);
 
-SeenCircle see(const drawing::ViewDrawing& drawing, const Vec3& axis, const design::Ring& ring);
-std::vector<SeenCircle> see(const drawing::ViewDrawing& drawing, const design::RoundFeature& feature);
+SeenCircle see(const drawing::ViewDrawing& drawing, const Vec3& axis, const features::Ring& ring);
+std::vector<SeenCircle> see(const drawing::ViewDrawing& drawing, const features::CentredRound& feature);
 
 /// The apex of a cone has a radius of 0 and looks the same from everywhere: the largest circle tells how a feature is
 /// seen.

@@ -38,7 +38,7 @@ SeenFeatures::SeenFeatures(const drawing::ViewDrawing& drawing, const BodyStyles
 
 // Calls visit(segment) for visible lines between vertices of a feature, while it returns true.
 template <class Visit>
-void SeenFeatures::visit_edges(const design::RoundFeature& feature, const Visit& visit) const {
+void SeenFeatures::visit_edges(const features::CentredRound& feature, const Visit& visit) const {
   const std::vector<int>& vertices = feature.vertices;
   for (const int low : vertices) {
     auto edge = std::lower_bound(edges_.begin(), edges_.end(), Edge{feature.model, low, 0, 0});
@@ -57,7 +57,7 @@ drawing::Segment SeenFeatures::in_whole_view(drawing::Segment segment) const {
 }
 
 // The named body that has lines at its vertices.
-int SeenFeatures::body_of(const design::RoundFeature& feature) const {
+int SeenFeatures::body_of(const features::CentredRound& feature) const {
   for (const int vertex : feature.vertices) {
     const auto found = std::lower_bound(bodies_.begin(), bodies_.end(), std::array{feature.model, vertex, 0});
     if (found != bodies_.end() && (*found)[0] == feature.model && (*found)[1] == vertex) return (*found)[2];
@@ -65,11 +65,11 @@ int SeenFeatures::body_of(const design::RoundFeature& feature) const {
   return -1;
 }
 
-bool SeenFeatures::has_hidden_lines(const design::RoundFeature& feature) const {
+bool SeenFeatures::has_hidden_lines(const features::CentredRound& feature) const {
   return styles_(feature.model, body_of(feature)).hidden != HiddenLines::none;
 }
 
-bool SeenFeatures::shows(const design::RoundFeature& feature) const {
+bool SeenFeatures::shows(const features::CentredRound& feature) const {
   if (has_hidden_lines(feature)) return true;
   // The rims of a hole seen from the side are part of the outline, and do not show the hole.
   if (feature.enclosed && largest_of(see(drawing_, feature)).is_edge_on()) return false;
@@ -78,16 +78,16 @@ bool SeenFeatures::shows(const design::RoundFeature& feature) const {
   return found;
 }
 
-bool SeenFeatures::is_inside(const design::RoundFeature& feature) const {
+bool SeenFeatures::is_inside(const features::CentredRound& feature) const {
   return feature.enclosed && !has_hidden_lines(feature) && largest_of(see(drawing_, feature)).is_slanted();
 }
 
-bool SeenFeatures::is_in_parts(const design::RoundFeature& feature) const {
+bool SeenFeatures::is_in_parts(const features::CentredRound& feature) const {
   return !feature.enclosed && !feature.cut && feature.rings.size() > 1 && !has_hidden_lines(feature) &&
          largest_of(see(drawing_, feature)).is_slanted();
 }
 
-std::vector<SeenRim> SeenFeatures::rims(const design::RoundFeature& feature) const {
+std::vector<SeenRim> SeenFeatures::rims(const features::CentredRound& feature) const {
   const std::vector<SeenCircle> rings = see(drawing_, feature);
   std::vector<SeenRim> seen(rings.size());
   visit_edges(feature, [&](const drawing::Segment& s) {
@@ -101,7 +101,7 @@ std::vector<SeenRim> SeenFeatures::rims(const design::RoundFeature& feature) con
   return seen;
 }
 
-void SeenFeatures::add_beside(const design::RoundFeature& feature, const PageAxis& axis,
+void SeenFeatures::add_beside(const features::CentredRound& feature, const PageAxis& axis,
                               std::array<visibility::Spans, 2>& sides) const {
   check(std::abs(glm::length(axis.along) - 1) < 1e-9, "the direction of an axis is a unit vector");
   const auto offset = [&](const Vec2& p) {

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "design/centred_features.hpp"
 #include "drawing/drawing.hpp"
+#include "features/centred_features.hpp"
 #include "sheet/seen_circle.hpp"
 #include "sheet/view_lines.hpp"
 #include "visibility/spans.hpp"
@@ -32,26 +32,26 @@ class SeenFeatures {
   SeenFeatures(const drawing::ViewDrawing& drawing, const BodyStyles& styles);
 
   /// Whether a feature is seen, or has hidden lines.
-  [[nodiscard]] bool shows(const design::RoundFeature& feature) const;
+  [[nodiscard]] bool shows(const features::CentredRound& feature) const;
   /// Whether a feature is seen only through its ends, obliquely: its axis is behind the material around it.
-  [[nodiscard]] bool is_inside(const design::RoundFeature& feature) const;
+  [[nodiscard]] bool is_inside(const features::CentredRound& feature) const;
   /// Whether parts of a feature are seen from outside: other material may lie in front of the rest.
-  [[nodiscard]] bool is_in_parts(const design::RoundFeature& feature) const;
+  [[nodiscard]] bool is_in_parts(const features::CentredRound& feature) const;
 
   /// What is seen of the rims of a feature, by ring.
-  [[nodiscard]] std::vector<SeenRim> rims(const design::RoundFeature& feature) const;
+  [[nodiscard]] std::vector<SeenRim> rims(const features::CentredRound& feature) const;
   /// Adds the places along an axis at which lines of a feature are seen on either side of it.
-  void add_beside(const design::RoundFeature& feature, const PageAxis& axis,
+  void add_beside(const features::CentredRound& feature, const PageAxis& axis,
                   std::array<visibility::Spans, 2>& sides) const;
 
  private:
   using Edge = std::array<int, 4>;  // model, vertices, segment
 
-  [[nodiscard]] bool has_hidden_lines(const design::RoundFeature& feature) const;
+  [[nodiscard]] bool has_hidden_lines(const features::CentredRound& feature) const;
   template <class Visit>
-  void visit_edges(const design::RoundFeature& feature, const Visit& visit) const;
+  void visit_edges(const features::CentredRound& feature, const Visit& visit) const;
   [[nodiscard]] drawing::Segment in_whole_view(drawing::Segment segment) const;
-  [[nodiscard]] int body_of(const design::RoundFeature& feature) const;
+  [[nodiscard]] int body_of(const features::CentredRound& feature) const;
 
   const drawing::ViewDrawing& drawing_;
   const BodyStyles& styles_;

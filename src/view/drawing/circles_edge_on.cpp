@@ -62,7 +62,7 @@ class Circles {
   Circles(const world::Placed& placed, const Vec3& viewer, const Mat4& map) : placed_(&placed) {
     const auto part = world::place_part(placed);
     if (!part) return;
-    for (const features::PartFace& face : part->faces) {
+    for (const surfaces::PartFace& face : part->faces) {
       const auto circle = circle_of(face.surface, viewer, map);
       const auto same = std::find_if(circles_.begin(), circles_.end(),
                                      [&](const CircleEdgeOn& other) { return circle && circle->is_one_with(other); });
@@ -89,9 +89,9 @@ class Circles {
   }
 
  private:
-  static std::optional<CircleEdgeOn> circle_of(const features::PartSurface& surface, const Vec3& viewer,
+  static std::optional<CircleEdgeOn> circle_of(const surfaces::PartSurface& surface, const Vec3& viewer,
                                                const Mat4& map) {
-    if (surface.kind != features::SurfaceKind::cylinder) return std::nullopt;
+    if (surface.kind != surfaces::SurfaceKind::cylinder) return std::nullopt;
     if (glm::length(glm::cross(surface.axis, viewer)) > parallel_sine) return std::nullopt;
     const Vec3 any = std::abs(surface.axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 u = glm::normalize(glm::cross(surface.axis, any)), v = glm::cross(surface.axis, u);

@@ -21,8 +21,8 @@ namespace epura::drawing {
 
 namespace {
 
-using features::PartSurface;
-using features::SurfaceKind;
+using surfaces::PartSurface;
+using surfaces::SurfaceKind;
 
 /// The generators of a cylinder or cone at which it turns away from the viewer: directions away from its axis.
 std::optional<std::array<Vec3, 2>> generators_of(const PartSurface& surface, const Vec3& towards_viewer) {
@@ -109,7 +109,7 @@ class Mover {
 
   // The surface of the cylinder or cone inside which an edge lies along a generator.
   [[nodiscard]] const PartSurface* surface_of(const Segment& segment) const {
-    const features::PartFace* face = edges_.face_around(segment);
+    const surfaces::PartFace* face = edges_.face_around(segment);
     if (face == nullptr) return nullptr;
     const PartSurface& surface = face->surface;
     if (surface.kind != SurfaceKind::cylinder && surface.kind != SurfaceKind::cone) return nullptr;

@@ -8,15 +8,15 @@
 
 #include "base/error.hpp"
 #include "drawing/limits.hpp"
-#include "features/least_squares.hpp"
+#include "surfaces/least_squares.hpp"
 
 namespace epura::drawing {
 
 namespace {
 
-using features::PartFace;
-using features::PartSurface;
-using features::SurfaceKind;
+using surfaces::PartFace;
+using surfaces::PartSurface;
+using surfaces::SurfaceKind;
 
 /// A number that vanishes on a surface, or on its contour, near which it is a length.
 struct Condition {
@@ -33,7 +33,7 @@ class Conditions {
   [[nodiscard]] std::optional<Vec3> solve(const Vec3& start, double precise) const {
     Vec3 at = start;
     for (int step = 0; step < newton_steps; ++step) {
-      features::NormalEquations<3> equations;
+      surfaces::NormalEquations<3> equations;
       double off = 0;
       for (const Condition& one : all_) {
         const double value = value_at(one, at);

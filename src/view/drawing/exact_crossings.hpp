@@ -31,7 +31,7 @@ class ExactCrossings {
   bool refine(Chain& chain, double tolerance) const;
 
  private:
-  using Pair = std::array<const features::PartFace*, 2>;
+  using Pair = std::array<const surfaces::PartFace*, 2>;
   /// A line of crossing from a node.
   struct Way {
     Vec2 to;
@@ -41,8 +41,8 @@ class ExactCrossings {
     Vec3 in_mesh;
     bool is_cut = true;  ///< no line of crossing ends there: something hides the rest of it
     std::vector<Way> ways{};
-    std::vector<const features::PartFace*> faces{};     ///< those that meet there; null for one that is not recognised
-    std::vector<const features::PartFace*> contours{};  ///< of these, whose contours end there
+    std::vector<const surfaces::PartFace*> faces{};     ///< those that meet there; null for one that is not recognised
+    std::vector<const surfaces::PartFace*> contours{};  ///< of these, whose contours end there
     std::optional<Vec3> exact{};
   };
 

@@ -14,14 +14,14 @@
 #include "construction/figure.hpp"
 #include "drawing/limits.hpp"
 #include "drawing/places.hpp"
-#include "features/least_squares.hpp"
+#include "surfaces/least_squares.hpp"
 
 namespace epura::drawing {
 
 namespace {
 
-using features::PartSurface;
-using features::SurfaceKind;
+using surfaces::PartSurface;
+using surfaces::SurfaceKind;
 
 struct Circle {
   Vec3 centre, axis;
@@ -54,7 +54,7 @@ std::optional<Circle> circle_about(const Axis& axis, std::span<const Vec3> point
 std::optional<Circle> circle_of_border(const PartEdges& edges, int model, int number) {
   const world::Placed& placed = edges.placed(model);
   const world::PlacedPart& part = *edges.part(model);
-  const features::PartBorder& border = placed.part->borders[static_cast<std::size_t>(number)];
+  const surfaces::PartBorder& border = placed.part->borders[static_cast<std::size_t>(number)];
   if (border.faces[0] < 0 || border.faces[0] == border.faces[1] || border.edges.size() < least_edges_of_rim)
     return std::nullopt;
   const mesh::Mesh& mesh = placed.mesh->whole();
@@ -79,7 +79,7 @@ std::optional<Circle> circle_of_border(const PartEdges& edges, int model, int nu
 
 // Nothing for circles seen edge-on.
 std::optional<Ellipse> image_of(const Circle& circle, const Mat4& map) {
-  const auto [p, q] = features::square_to(circle.axis);
+  const auto [p, q] = surfaces::square_to(circle.axis);
   const auto radius = [&](const Vec3& direction) { return Vec2(map * Vec4(circle.radius * direction, 0)); };
   const Vec2 centre(map * Vec4(circle.centre, 1));
   const construction::Curve image = construction::ellipse_of(centre, radius(p), radius(q));

@@ -28,7 +28,7 @@ int PartEdges::border_of(const Segment& segment) const {
   return model.part->border_of_edge[static_cast<std::size_t>(edge - model.mesh->whole().edges.data())];
 }
 
-const features::PartFace* PartEdges::face_around(const Segment& segment) const {
+const surfaces::PartFace* PartEdges::face_around(const Segment& segment) const {
   const mesh::MeshEdge* edge = edge_of(segment);
   if (edge == nullptr) return nullptr;
   const world::Placed& model = placed(segment.model);
@@ -38,7 +38,7 @@ const features::PartFace* PartEdges::face_around(const Segment& segment) const {
   return &part(segment.model)->faces[static_cast<std::size_t>(face(0))];
 }
 
-const features::PartFace* PartEdges::face_of(const std::array<int, 2>& in_file) const {
+const surfaces::PartFace* PartEdges::face_of(const std::array<int, 2>& in_file) const {
   const auto [model, polygon] = in_file;
   if (model < 0 || polygon < 0 || !part(model)) return nullptr;
   const std::vector<int>& faces = face_of_polygon_[static_cast<std::size_t>(model)];

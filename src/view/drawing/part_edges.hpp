@@ -24,9 +24,9 @@ class PartEdges {
   /// The border of the part on which a line lies; -1 if it lies on none.
   [[nodiscard]] int border_of(const Segment& segment) const;
   /// The recognised face, placed in the world, inside which an edge of the file lies; null if it lies in none.
-  [[nodiscard]] const features::PartFace* face_around(const Segment& segment) const;
+  [[nodiscard]] const surfaces::PartFace* face_around(const Segment& segment) const;
   /// The same for a face of the file, given by model and number; null if it belongs to none.
-  [[nodiscard]] const features::PartFace* face_of(const std::array<int, 2>& in_file) const;
+  [[nodiscard]] const surfaces::PartFace* face_of(const std::array<int, 2>& in_file) const;
   /// The point in the world of an edge of the file at a parameter, 0 to 1.
   [[nodiscard]] Vec3 place_on(const Segment& segment, double t) const;
 

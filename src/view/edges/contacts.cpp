@@ -43,21 +43,21 @@ class PlacedFaces {
   }
 
   [[nodiscard]] bool has_form(const FaceOfModel& face) const {
-    return surface(face).kind != features::SurfaceKind::free_form;
+    return surface(face).kind != surfaces::SurfaceKind::free_form;
   }
 
   /// Whether two surfaces touch near a place: no farther away than `reach`, they meet nowhere at more than
   /// `part_angle` degrees.
   [[nodiscard]] bool touch(const std::array<FaceOfModel, 2>& faces, const Vec3& place, double reach,
                            double part_angle) const {
-    const features::PartSurface &one = surface(faces[0]), &two = surface(faces[1]);
-    const auto is_plane = [](const features::PartSurface& s) { return s.kind == features::SurfaceKind::plane; };
+    const surfaces::PartSurface &one = surface(faces[0]), &two = surface(faces[1]);
+    const auto is_plane = [](const surfaces::PartSurface& s) { return s.kind == surfaces::SurfaceKind::plane; };
     if (is_plane(one) && is_plane(two)) return false;  // facets of planes cross where the planes do, at any angle
     check(reach > 0, "facets that cross have a length");
     Vec3 p = place;
     for (int step = 0; step < most_steps; ++step) {
-      const double from_one = features::signed_distance(one, p), from_two = features::signed_distance(two, p);
-      const Vec3 n1 = features::normal_near(one, p), n2 = features::normal_near(two, p);
+      const double from_one = surfaces::signed_distance(one, p), from_two = surfaces::signed_distance(two, p);
+      const Vec3 n1 = surfaces::normal_near(one, p), n2 = surfaces::normal_near(two, p);
       const double cosine = glm::dot(n1, n2), sine = glm::length(glm::cross(n1, n2));
       if (std::abs(from_one) + std::abs(from_two) <= on_both * reach)
         return portable_atan2(sine, std::abs(cosine)) * degrees <= part_angle;
@@ -72,18 +72,18 @@ class PlacedFaces {
  private:
   struct Model {
     std::vector<int> face_of_triangle;  ///< empty if no faces are recognised, or if the model is scaled non-uniformly
-    std::vector<features::PartSurface> surfaces;  ///< of the faces, in the world
+    std::vector<surfaces::PartSurface> surfaces;  ///< of the faces, in the world
   };
 
   static void place(const world::Placed& placed, Model& model) {
     const std::optional<double> scale = world::similarity_scale(placed.to_world);
     if (placed.part == nullptr || !scale) return;
     model.face_of_triangle = world::faces_of_triangles(placed);
-    for (const features::PartFace& face : placed.part->faces)
-      model.surfaces.push_back(features::moved(face.surface, placed.to_world, *scale));
+    for (const surfaces::PartFace& face : placed.part->faces)
+      model.surfaces.push_back(surfaces::moved(face.surface, placed.to_world, *scale));
   }
 
-  [[nodiscard]] const features::PartSurface& surface(const FaceOfModel& face) const {
+  [[nodiscard]] const surfaces::PartSurface& surface(const FaceOfModel& face) const {
     return models_[static_cast<std::size_t>(face[0])].surfaces[static_cast<std::size_t>(face[1])];
   }
 

@@ -68,7 +68,7 @@ struct EdgeJudge {
   const std::vector<char>& is_tangent;       ///< by edge; empty if not needed
   const std::vector<Vec3>& polygon_normals;  ///< by polygon number
   FoldLimit crease;
-  const features::PartFaces* part;  ///< null if no faces are recognised
+  const surfaces::PartFaces* part;  ///< null if no faces are recognised
   const std::vector<char>& walls;   ///< by face of the part
   double edge_on;                   ///< distance in cells up to which a corner counts as lying on the line of an edge
   double edge_on_grid;              ///< the same for vertices that files do not round
@@ -98,8 +98,8 @@ struct EdgeJudge {
   [[nodiscard]] bool are_of_smooth_face(int one, int other) const {
     if (part == nullptr || part->face_of_triangle[one] != part->face_of_triangle[other]) return false;
     const auto face = static_cast<std::size_t>(part->face_of_triangle[one]);
-    const features::SurfaceKind kind = part->faces[face].surface.kind;
-    return kind == features::SurfaceKind::sphere || kind == features::SurfaceKind::torus;
+    const surfaces::SurfaceKind kind = part->faces[face].surface.kind;
+    return kind == surfaces::SurfaceKind::sphere || kind == surfaces::SurfaceKind::torus;
   }
 
   // Whether every corner of a triangle lies on the line of the opposite side.
@@ -236,7 +236,7 @@ struct EdgeJudge {
   // The kind of an edge between faces of the part; nothing inside a face.
   [[nodiscard]] std::optional<EdgeKind> kind_of_border(const mesh::MeshEdge& edge) const {
     if (part == nullptr) return std::nullopt;
-    const features::PartBorder* border = part->border_at(&edge - mesh().edges.data());
+    const surfaces::PartBorder* border = part->border_at(&edge - mesh().edges.data());
     if (border == nullptr) return std::nullopt;
     return border->angle > options.part_angle ? EdgeKind::crease : EdgeKind::tangent;
   }
@@ -364,7 +364,7 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
                                                    const EdgeSurroundings& around, const Slivers& slivers,
                                                    const Progress& progress) {
   const double crease_angle = options.crease_angle - angle_rounding;
-  const features::PartFaces* part = around.world.models[around.model].part.get();
+  const surfaces::PartFaces* part = around.world.models[around.model].part.get();
   const std::vector<char> is_tangent =
       options.tangent && part == nullptr ? tangent_edges(around, crease_angle) : std::vector<char>();
   const std::vector<Vec3> polygon_normals = mean_normals(around);

@@ -50,7 +50,7 @@ inline constexpr double known_height = 16;   ///< roundings: a higher triangle h
 inline constexpr int longest_row = 256;      ///< adjacent slivers; a longer row is not a surface any more
 
 // Where smooth contours and edges lie. How far a contour is moved at most on cylinders and cones is
-// features::most_sagittas.
+// surfaces::most_sagittas.
 
 inline constexpr double most_moved = 1;  ///< sizes of a triangle: a surface's contour is no farther from its facets'
 inline constexpr double most_facets_away = 2;  ///< facets from which the contour of a sphere is no farther

@@ -11,8 +11,8 @@ namespace epura::edges {
 
 namespace {
 
-using features::PartSurface;
-using features::SurfaceKind;
+using surfaces::PartSurface;
+using surfaces::SurfaceKind;
 
 // Returns the curvature of a torus along the projector through a point, times a positive factor: positive where it
 // bends like a ball. By Euler, the curvatures around the tube, 1 / minor, and around the axis, which changes its sign
@@ -21,7 +21,7 @@ double bend_of_torus(const PartSurface& torus, const Vec3& point, const Vec3& vi
   const Vec3 from = point - torus.origin, out = from - glm::dot(from, torus.axis) * torus.axis;
   const double away = glm::length(out);
   if (!(away > 0)) return 0;
-  const Vec3 normal = features::normal_near(torus, point), around_axis = glm::cross(torus.axis, out) / away;
+  const Vec3 normal = surfaces::normal_near(torus, point), around_axis = glm::cross(torus.axis, out) / away;
   const double along_axis = glm::dot(view, around_axis), along_tube = glm::dot(view, glm::cross(normal, around_axis));
   return along_tube * along_tube + along_axis * along_axis * (away - torus.radius) / away;
 }
@@ -65,7 +65,7 @@ bool is_ring_torus(const PartSurface& surface) {
   return surface.kind == SurfaceKind::torus && surface.minor < surface.radius;
 }
 
-void judge_own_hiding(const features::PartFace& face, const std::array<Vec3, 2>& ends, const std::array<Vec3, 2>& views,
+void judge_own_hiding(const surfaces::PartFace& face, const std::array<Vec3, 2>& ends, const std::array<Vec3, 2>& views,
                       FeatureEdge& contour) {
   const double outwards = face.inwards ? -1 : 1;
   const double from = outwards * bend_of(face.surface, ends[0], views[0]);

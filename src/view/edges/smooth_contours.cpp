@@ -14,13 +14,13 @@
 #include "base/parallel.hpp"
 #include "edges/limits.hpp"
 #include "edges/own_hiding.hpp"
-#include "features/limits.hpp"
+#include "surfaces/limits.hpp"
 
 namespace epura::edges {
 
 namespace {
 
-using features::SurfaceKind;
+using surfaces::SurfaceKind;
 
 SurfaceKind kind_at(const world::Placed& placed, int triangle) {
   const int face = placed.part->face_of_triangle[triangle];
@@ -81,7 +81,7 @@ class ModelContours {
     // The largest angle between faces of the part at each vertex.
     angle_at_.assign(mesh_.points.size(), 0);
     for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
-      const features::PartBorder* border = part_.border_at(static_cast<std::ptrdiff_t>(e));
+      const surfaces::PartBorder* border = part_.border_at(static_cast<std::ptrdiff_t>(e));
       if (mesh_.edges[e].count == 0) continue;
       const bool open = mesh_.edges[e].count != 2;
       if (border == nullptr && !open) continue;
@@ -103,7 +103,7 @@ class ModelContours {
       if (!line) continue;
       const Vec3 place = nearest_on_segment(from, (*line)[0], (*line)[1]);
       if (glm::distance(place, from) > most_moved * size_of(t)) continue;
-      if (is_straight(placed_, t) && seen_across(place, from, t) > features::most_sagittas * rise_at(t)) continue;
+      if (is_straight(placed_, t) && seen_across(place, from, t) > surfaces::most_sagittas * rise_at(t)) continue;
       if (nearest && glm::distance(place, from) >= glm::distance(*nearest, from)) continue;
       nearest = place;
       on_triangle = t;
@@ -140,11 +140,11 @@ class ModelContours {
   // Moves a place on a facet onto the surface of the face; nothing if that is farther away than the facet is long: then
   // the facets do not represent this surface.
   [[nodiscard]] std::optional<Vec3> on_surface(const Vec3& place, const Vec3& vertex, int triangle) const {
-    const features::PartSurface& surface = surface_of(triangle);
+    const surfaces::PartSurface& surface = surface_of(triangle);
     if (surface.kind == SurfaceKind::free_form) return place;
-    const double distance = features::signed_distance(surface, place), longest = longest_side(mesh_, triangle);
+    const double distance = surfaces::signed_distance(surface, place), longest = longest_side(mesh_, triangle);
     if (!(std::abs(distance) <= longest)) return std::nullopt;
-    const Vec3 moved = place - distance * features::normal_near(surface, place);
+    const Vec3 moved = place - distance * surfaces::normal_near(surface, place);
     check(glm::distance(moved, vertex) <= (most_moved + 1.001) * longest, "a contour stays beside its facets");
     return moved;
   }
@@ -153,7 +153,7 @@ class ModelContours {
   // facets away, or on the page farther than the sphere falls over so many: four times its sagitta over one.
   [[nodiscard]] std::optional<Vec3> on_sphere(int vertex, int triangle) const {
     constexpr int rounds = 4;  // projectors through a centre depend on the place
-    const features::PartSurface& sphere = surface_of(triangle);
+    const surfaces::PartSurface& sphere = surface_of(triangle);
     const Vec3 from = mesh_.point(vertex), out = glm::normalize(from - sphere.origin);
     Vec3 place = from, view(0);
     for (int round = 0; round < (central_ ? rounds : 1); ++round) {
@@ -166,7 +166,7 @@ class ModelContours {
     for (const int t : sorted_triangles_at(vertex))
       for (const int corner : mesh_.triangle(t)) {
         side = std::max(side, glm::distance(mesh_.point(corner), from));
-        sagitta = std::max(sagitta, -features::signed_distance(sphere, (mesh_.point(corner) + from) / 2.0));
+        sagitta = std::max(sagitta, -surfaces::signed_distance(sphere, (mesh_.point(corner) + from) / 2.0));
       }
     const Vec3 moved = place - from;
     const double on_page = glm::length(moved - glm::dot(moved, view) * view);
@@ -175,7 +175,7 @@ class ModelContours {
     return is_near ? std::optional(place) : std::nullopt;
   }
 
-  [[nodiscard]] const features::PartSurface& surface_of(int triangle) const {
+  [[nodiscard]] const surfaces::PartSurface& surface_of(int triangle) const {
     return part_.faces[static_cast<std::size_t>(part_.face_of_triangle[triangle])].surface;
   }
 
@@ -195,7 +195,7 @@ class ModelContours {
   // How far the viewer sees a point from the contour of a face, given the nearest place on it. At the contour the
   // surface is seen edge-on, so of the way to that place, only the part along the normal leads away from its image.
   [[nodiscard]] double seen_across(const Vec3& place, const Vec3& point, int triangle) const {
-    return std::abs(glm::dot(point - place, features::normal_near(surface_of(triangle), place)));
+    return std::abs(glm::dot(point - place, surfaces::normal_near(surface_of(triangle), place)));
   }
 
   [[nodiscard]] Vec3 towards_viewer(const Vec3& point) const { return central_ ? projector_ - point : projector_; }
@@ -222,8 +222,8 @@ class ModelContours {
   // The normal of the face to which a triangle belongs, at one of its corners; for a free form the mean of its facets
   // there.
   [[nodiscard]] Vec3 normal_at(int vertex, int triangle) const {
-    const features::PartSurface& surface = surface_of(triangle);
-    if (surface.kind != SurfaceKind::free_form) return features::normal_near(surface, mesh_.point(vertex));
+    const surfaces::PartSurface& surface = surface_of(triangle);
+    if (surface.kind != SurfaceKind::free_form) return surfaces::normal_near(surface, mesh_.point(vertex));
     Vec3 sum(0);
     for (const int t : sorted_triangles_at(vertex))
       if (part_.face_of_triangle[t] == part_.face_of_triangle[triangle]) sum += normal_of(t);
@@ -251,7 +251,7 @@ class ModelContours {
 
   const world::Placed& placed_;
   const mesh::Mesh& mesh_;
-  const features::PartFaces& part_;
+  const surfaces::PartFaces& part_;
   bool central_;
   double part_angle_;
   const std::vector<char>& on_border_;
@@ -328,7 +328,7 @@ class MovedEnds {
     for (int e = first; e < last; ++e) {
       const FeatureEdge& edge = drawn_.edges[e];
       if (edge.kind != EdgeKind::contour || edge.t != std::array<double, 2>{0, 1}) continue;
-      const features::PartBorder* border = placed.part->border_at(edge.mesh_edge);
+      const surfaces::PartBorder* border = placed.part->border_at(edge.mesh_edge);
       if (border != nullptr && border->angle > part_angle) continue;
       const std::span<const int> triangles = triangles_at(edge);
       if (triangles.size() != 2) continue;
@@ -350,7 +350,7 @@ class MovedEnds {
       const FeatureEdge& edge = drawn_.edges[e];
       if (edge.kind != EdgeKind::contour || edge.t != std::array<double, 2>{0, 1}) continue;
       for (const int v : edge.vertex) ++contours_at[v - first_vertex];
-      const features::PartBorder* border = placed.part->border_at(edge.mesh_edge);
+      const surfaces::PartBorder* border = placed.part->border_at(edge.mesh_edge);
       const std::span<const int> triangles = triangles_at(edge);
       if (triangles.size() != 2 || (border != nullptr && border->angle > part_angle)) continue;
       for (const int t : triangles) check(++sides[t] <= 3, "a triangle has three sides");

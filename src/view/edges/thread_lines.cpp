@@ -11,10 +11,10 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
-#include "design/place_threads.hpp"
-#include "design/round_faces.hpp"
 #include "edges/limits.hpp"
 #include "edges/material_along.hpp"
+#include "features/place_threads.hpp"
+#include "features/round_faces.hpp"
 
 namespace epura::edges {
 
@@ -25,7 +25,7 @@ constexpr int halvings = 20;  // with which the end of an arc is found
 
 /// A threaded cylinder, as far as a cut leaves it. Heights are along its axis.
 struct SeenThread {
-  const design::RoundFace& round;
+  const features::RoundFace& round;
   const scene::ThreadedFace& thread;
   int model, triangle;  ///< one of its triangles in the world
   double root;          ///< radius on paper
@@ -147,7 +147,7 @@ int first_triangle_of(const world::World& world, int model, const world::PlacedP
 }
 
 // Whether a cone that continues a threaded cylinder is the chamfer with which the thread begins or ends.
-bool is_chamfer_of(const SeenThread& thread, const design::Continuation& cone) {
+bool is_chamfer_of(const SeenThread& thread, const features::Continuation& cone) {
   const double far = thread.crest() + cone.widening * cone.height;
   return thread.thread.internal ? cone.widening > 0 && far <= widest_countersink * thread.root
                                 : cone.widening < 0 && far >= least_chamfer * thread.root;
@@ -158,7 +158,8 @@ using Chamfers = std::map<int, int>;
 
 void add_chamfers(const world::PlacedPart& part, const SeenThread& thread, Chamfers& chamfers) {
   for (const bool high : {false, true})
-    if (const auto cone = design::continuation_of(part, thread.thread.face, high); cone && is_chamfer_of(thread, *cone))
+    if (const auto cone = features::continuation_of(part, thread.thread.face, high);
+        cone && is_chamfer_of(thread, *cone))
       chamfers.emplace(cone->face, thread.thread.face);
 }
 
@@ -187,18 +188,18 @@ void add_circles(const world::World& world, int model, const world::PlacedPart& 
 // How far the root reaches into a chamfer at one end of the cylinder, if the thread and what a cut leaves reach that
 // end.
 double reach_into(const world::PlacedPart& part, const SeenThread& thread, bool high) {
-  const design::RoundFace& round = thread.round;
+  const features::RoundFace& round = thread.round;
   const double end = high ? round.face.to : round.face.from;
   const double slack = 1e-6 * (round.face.to - round.face.from);
   if (std::abs((high ? thread.high : thread.low) - end) > slack) return 0;
-  const auto chamfer = design::continuation_of(part, thread.thread.face, high);
+  const auto chamfer = features::continuation_of(part, thread.thread.face, high);
   const double outwards = thread.thread.internal ? 1 : -1;  // how the radius changes from crest to root
   if (!chamfer || !(outwards * chamfer->widening > 0)) return 0;
   return std::min(chamfer->height, std::abs(thread.root - thread.crest()) / std::abs(chamfer->widening));
 }
 
 std::optional<SeenThread> seen_thread(const world::World& world, int model, const world::PlacedPart& part,
-                                      const design::RoundFace& round, const scene::ThreadedFace& threaded,
+                                      const features::RoundFace& round, const scene::ThreadedFace& threaded,
                                       double depth) {
   if (!round.has_its_axis()) return std::nullopt;
   const double crest = round.face.surface.radius;
@@ -239,10 +240,10 @@ void for_each_thread(const world::World& world, double depth, Visit&& visit, Don
     if (placed.threads.empty()) continue;
     const auto part = world::place_part(placed);
     if (!part) continue;
-    const std::vector<design::RoundFace> rounds = design::find_round_faces(world, model, *part);
+    const std::vector<features::RoundFace> rounds = features::find_round_faces(world, model, *part);
     for (const scene::ThreadedFace& thread : placed.threads) {
       const auto round = std::find_if(rounds.begin(), rounds.end(),
-                                      [&](const design::RoundFace& one) { return one.number == thread.face; });
+                                      [&](const features::RoundFace& one) { return one.number == thread.face; });
       if (round == rounds.end()) continue;
       if (const auto seen = seen_thread(world, model, *part, *round, thread, depth)) visit(*part, *seen);
     }

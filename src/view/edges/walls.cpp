@@ -13,7 +13,7 @@ namespace epura::edges {
 std::vector<char> walls(const EdgeSurroundings& around, const view::ProjectedScene& view) {
   const world::Placed& placed = around.world.models[static_cast<std::size_t>(around.model)];
   if (placed.part == nullptr) return {};
-  const features::PartFaces& part = *placed.part;
+  const surfaces::PartFaces& part = *placed.part;
   // Scaled differently in different directions, a surface is not at a known distance.
   const double scale = world::similarity_scale(placed.to_world).value_or(0);
   const double page_per_length = scale * view.map.normalisation * view.map.unit;

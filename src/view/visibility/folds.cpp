@@ -192,7 +192,7 @@ bool is_drawn_on_torus(const world::World& world, const edges::FeatureEdge& edge
   const auto triangles = placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]);
   return std::all_of(triangles.begin(), triangles.end(), [&](int t) {
     const int face = placed.part->face_of_triangle[static_cast<std::size_t>(t)];
-    return placed.part->faces[static_cast<std::size_t>(face)].surface.kind == features::SurfaceKind::torus;
+    return placed.part->faces[static_cast<std::size_t>(face)].surface.kind == surfaces::SurfaceKind::torus;
   });
 }
 

@@ -283,7 +283,7 @@ world::World world_of(const std::vector<Shape>& shapes) {
 
 world::World recognised(world::World world) {
   for (world::Placed& placed : world.models) {
-    auto part = std::make_shared<const features::PartFaces>(features::recognise_faces(*placed.mesh));
+    auto part = std::make_shared<const surfaces::PartFaces>(surfaces::recognise_faces(*placed.mesh));
     if (!part->faces.empty()) placed.part = std::move(part);
   }
   return world;

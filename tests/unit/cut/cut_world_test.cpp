@@ -12,9 +12,9 @@
 #include <tuple>
 
 #include "errors.hpp"
-#include "features/recognise.hpp"
 #include "scene/transform.hpp"
 #include "shapes.hpp"
+#include "surfaces/recognise.hpp"
 
 namespace epura::test::cut_world_test {
 namespace {
@@ -498,8 +498,8 @@ TEST(CutWorld, GapsThatTessellationLeavesAreBridged) {
     const double whole = with_part ? corners * (100 - 25) : polygon_area(around, 10) - polygon_area(around, 5);
     const auto half_of = [&](double gap) {
       const auto mesh = std::make_shared<const mesh::Mesh>(mesh_of(slit_tube(around, 10, gap)));
-      std::shared_ptr<const features::PartFaces> part;
-      if (with_part) part = std::make_shared<const features::PartFaces>(features::recognise_faces(*mesh));
+      std::shared_ptr<const surfaces::PartFaces> part;
+      if (with_part) part = std::make_shared<const surfaces::PartFaces>(surfaces::recognise_faces(*mesh));
       const world::World world = world::make_world({{mesh, Mat4(1), part}});
       const cut::CutWorld half = cut(world, {0, 0, 2}, {0, 0, 1});
       return std::tuple(half.open.size(), half.bridged, cut_area(world, half));

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "../design/recognised.hpp"
+#include "../features/recognised.hpp"
 #include "cut/cut_world.hpp"
 
 namespace epura::test::true_outline_test {
@@ -157,7 +157,8 @@ TEST(TrueOutline, OfAnObliquelyCutShaftIsAnEllipse) {
 
 TEST(TrueOutline, OfAConeIsAConicSection) {
   for (const int steps : {12, 80}) {
-    const world::World world = world_of(revolved(std::vector<Vec2>{{0, 0}, {30, 0}, {10, 40}, {0, 40}}, steps).triangulate());
+    const world::World world =
+        world_of(revolved(std::vector<Vec2>{{0, 0}, {30, 0}, {10, 40}, {0, 40}}, steps).triangulate());
     const std::vector<Distance> surfaces{cone(30, -0.5), level(0), level(40)};
     expect_on(world, {{0, 0, 20}, {0, 0, 1}}, surfaces);       // a circle
     expect_on(world, {{0, 0, 20}, {0.2, 0.1, 1}}, surfaces);   // an ellipse

@@ -5,8 +5,8 @@
 
 #include <memory>
 
-#include "features/recognise.hpp"
 #include "shapes.hpp"
+#include "surfaces/recognise.hpp"
 
 namespace epura::test::contacts_test {
 namespace {
@@ -17,9 +17,9 @@ using edges::Contact;
 world::World free_forms() {
   world::World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.5, 0.5}, {2, 2, 2})});
   for (world::Placed& placed : world.models) {
-    auto part = std::make_shared<features::PartFaces>();
+    auto part = std::make_shared<surfaces::PartFaces>();
     part->faces.resize(1);
-    part->faces.front().surface.kind = features::SurfaceKind::free_form;
+    part->faces.front().surface.kind = surfaces::SurfaceKind::free_form;
     part->face_of_triangle.assign(static_cast<std::size_t>(placed.mesh->triangle_count()), 0);
     placed.part = std::move(part);
   }

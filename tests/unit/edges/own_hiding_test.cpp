@@ -54,8 +54,8 @@ TEST(OwnHiding, IsNotKnownOfOpenSurfaces) {
   }
 }
 
-features::PartFace face_of(features::SurfaceKind kind) {
-  features::PartFace face;
+surfaces::PartFace face_of(surfaces::SurfaceKind kind) {
+  surfaces::PartFace face;
   face.surface.kind = kind;
   face.surface.axis = {0, 0, 1};
   face.surface.radius = 20;
@@ -63,16 +63,16 @@ features::PartFace face_of(features::SurfaceKind kind) {
   return face;
 }
 
-edges::FeatureEdge judged(const features::PartFace& face, const Vec3& at, const Vec3& view) {
+edges::FeatureEdge judged(const surfaces::PartFace& face, const Vec3& at, const Vec3& view) {
   edges::FeatureEdge contour{};
   edges::judge_own_hiding(face, {at, at}, {view, view}, contour);
   return contour;
 }
 
 TEST(OwnHiding, NeverByBallsShaftsAndConesFromOutside) {
-  using enum features::SurfaceKind;
+  using enum surfaces::SurfaceKind;
   for (const auto kind : {sphere, cylinder, cone}) {
-    features::PartFace face = face_of(kind);
+    surfaces::PartFace face = face_of(kind);
     EXPECT_EQ(judged(face, {20, 0, 0}, {0, 1, 0}).clear, HUGE_VALF);
     face.inwards = true;
     EXPECT_EQ(judged(face, {20, 0, 0}, {0, 1, 0}).clear, 0);
@@ -83,7 +83,7 @@ TEST(OwnHiding, NeverByBallsShaftsAndConesFromOutside) {
 
 // Projectors that touch the torus, from outside or in a fillet, meet it again at twice `clear`, or not at all.
 TEST(OwnHiding, OfATorusIsWhereProjectorsMeetItAgain) {
-  features::PartFace face = face_of(features::SurfaceKind::torus);
+  surfaces::PartFace face = face_of(surfaces::SurfaceKind::torus);
   const auto distance = [&](const Vec3& p) {
     return (std::hypot(std::hypot(p.x, p.y) - 20, p.z) - 8) * (face.inwards ? -1 : 1);
   };

@@ -15,8 +15,8 @@
 #include "cut/cut_world.hpp"
 #include "edges/crossing_candidates.hpp"
 #include "edges/find_edges.hpp"
-#include "features/declared_part.hpp"
 #include "shapes.hpp"
+#include "surfaces/declared_part.hpp"
 
 namespace epura::test::part_edges_test {
 namespace {
@@ -553,24 +553,24 @@ TEST(SmoothContours, StayBesideFacetsOnTheOtherSheetOfASurface) {
   lens.push_back({0, 6});
   struct Case {
     Profile profile;
-    features::PartSurface surface;
+    surfaces::PartSurface surface;
   };
   for (const auto& [profile, surface] :
-       {Case{head, {features::SurfaceKind::cone, {0, 0, -11.5}, {0, 0, -1}, 7.5, 0, 1}},
-        Case{lens, {features::SurfaceKind::torus, Vec3(0), {0, 0, 1}, 2, 12, 0}}}) {
+       {Case{head, {surfaces::SurfaceKind::cone, {0, 0, -11.5}, {0, 0, -1}, 7.5, 0, 1}},
+        Case{lens, {surfaces::SurfaceKind::torus, Vec3(0), {0, 0, 1}, 2, 12, 0}}}) {
     world::World world = world_of(revolved(profile, 24));
     const mesh::Mesh& mesh = *world.models[0].mesh;
-    features::DeclaredPart declared;
+    surfaces::DeclaredPart declared;
     declared.faces = {surface,
-                      {features::SurfaceKind::plane, {0, 0, profile[0][1]}, {0, 0, -1}},
-                      {features::SurfaceKind::plane, {0, 0, profile.back()[1]}, {0, 0, 1}}};
+                      {surfaces::SurfaceKind::plane, {0, 0, profile[0][1]}, {0, 0, -1}},
+                      {surfaces::SurfaceKind::plane, {0, 0, profile.back()[1]}, {0, 0, 1}}};
     declared.face_of_polygon.assign(mesh.polygon.size(), 0);
     for (int t = 0; t < mesh.triangle_count(); ++t)
       for (const int end : {1, 2})
         if (std::ranges::all_of(mesh.triangle(t),
                                 [&](int v) { return mesh.point(v).z == declared.faces[end].origin.z; }))
           declared.face_of_polygon[mesh.polygon[t]] = end;
-    world.models[0].part = std::make_shared<features::PartFaces>(features::part_of(mesh, declared, 5));
+    world.models[0].part = std::make_shared<surfaces::PartFaces>(surfaces::part_of(mesh, declared, 5));
     EXPECT_LT(world.models[0].part->tolerance, 1e-12);
     const double from = profile[0][1], to = profile.back()[1];
     for (const Vec3& towards : {Vec3(0, -1, 0), Vec3(0.1, -1, 0)}) {

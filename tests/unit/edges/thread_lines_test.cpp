@@ -27,8 +27,8 @@ struct Shaft {
       : world(recognised(world_of(revolved(profile, 48)))) {
     world::Placed& placed = world.models[0];
     for (int face = 0; face < static_cast<int>(placed.part->faces.size()); ++face) {
-      const features::PartSurface& surface = placed.part->faces[static_cast<std::size_t>(face)].surface;
-      if (surface.kind != features::SurfaceKind::cylinder) continue;
+      const surfaces::PartSurface& surface = placed.part->faces[static_cast<std::size_t>(face)].surface;
+      if (surface.kind != surfaces::SurfaceKind::cylinder) continue;
       up = surface.axis.z > 0;
       placed.threads.push_back({face, false, !up, length, true, 0, scene::parse_thread("M20", "")});
     }

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "edges/find_edges.hpp"
-#include "features/declared_part.hpp"
 #include "shapes.hpp"
+#include "surfaces/declared_part.hpp"
 
 namespace epura::test::walls_test {
 namespace {
@@ -25,11 +25,11 @@ constexpr double pi = std::numbers::pi;
 // that begins there. The ends of its walls are off them by as much as modellers allow.
 struct Rib {
   Shape shape;
-  features::DeclaredPart declared;
+  surfaces::DeclaredPart declared;
 };
 
 Rib rib(double off) {
-  using features::SurfaceKind;
+  using surfaces::SurfaceKind;
   constexpr int steps = 8, rows = 12;
   std::vector<std::pair<std::array<double, 2>, int>> outline{{{20, 0}, 0}};
   const auto at = [](double turn) { return turn * pi / 2 / steps; };
@@ -56,10 +56,10 @@ Rib rib(double off) {
       rib.declared.face_of_polygon.push_back(outline[static_cast<std::size_t>(i)].second);
     }
   const auto plane = [](double x, double z, const Vec3& axis) {
-    return features::PartSurface{SurfaceKind::plane, {x, 0, z}, axis};
+    return surfaces::PartSurface{SurfaceKind::plane, {x, 0, z}, axis};
   };
   const auto fillet = [](double x, double z, double radius) {
-    return features::PartSurface{SurfaceKind::cylinder, {x, 0, z}, {0, 1, 0}, radius};
+    return surfaces::PartSurface{SurfaceKind::cylinder, {x, 0, z}, {0, 1, 0}, radius};
   };
   rib.declared.faces = {plane(0, 0, {0, 0, 1}),   fillet(8, 3, 3),         plane(5, 0, {1, 0, 0}),
                         fillet(3, 10, 2),         plane(0, 12, {0, 0, 1}), fillet(-3, 10, 2),
@@ -73,7 +73,7 @@ TEST(PartEdges, AWallSeenEdgeOnHasItsWholeOutline) {
     const Rib part = rib(off);
     world::World world = world_of(part.shape);
     const mesh::Mesh& mesh = *world.models[0].mesh;
-    world.models[0].part = std::make_shared<features::PartFaces>(features::part_of(mesh, part.declared, 5));
+    world.models[0].part = std::make_shared<surfaces::PartFaces>(surfaces::part_of(mesh, part.declared, 5));
     view::ProjectedScene view = view::project_scene(world, from_above(), {});
     std::map<std::pair<bool, double>, int> contours;
     int others = 0;

@@ -14,7 +14,7 @@
 namespace epura::test::assemble_test {
 namespace {
 
-using features::SurfaceKind;
+using surfaces::SurfaceKind;
 
 constexpr std::array<double, 12> as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
@@ -83,20 +83,20 @@ void halve(importer::Shape& shape, int steps, double angle, bool is_tangent) {
 
 struct Read {
   mesh::Mesh mesh;
-  features::PartFaces part;
+  surfaces::PartFaces part;
 };
 
 Read read(const importer::Document& document) {
   importer::Assembled assembled = importer::assemble(document, "test");
   mesh::Mesh mesh = mesh::make_mesh(std::move(assembled.soup), "test");
-  features::PartFaces part = features::part_of(mesh, assembled.part, 5);
+  surfaces::PartFaces part = surfaces::part_of(mesh, assembled.part, 5);
   return {std::move(mesh), std::move(part)};
 }
 
 TEST(DeclaredPart, HasFacesAndEdgesAsDeclared) {
   const Read r = read({.shapes = {cylinder(5, 20, 48)}});
   ASSERT_EQ(r.part.faces.size(), 3U);
-  const features::PartFace& side = r.part.faces[0];
+  const surfaces::PartFace& side = r.part.faces[0];
   EXPECT_EQ(side.surface.kind, SurfaceKind::cylinder);
   EXPECT_FALSE(side.inwards);
   EXPECT_EQ(side.sweep, 360);
@@ -111,8 +111,8 @@ TEST(DeclaredPart, HasFacesAndEdgesAsDeclared) {
   EXPECT_EQ(r.part.faces[1].surface.axis, Vec3(0, 0, -1));
   EXPECT_EQ(r.part.faces[2].surface.axis, Vec3(0, 0, 1));
   ASSERT_EQ(r.part.borders.size(), 2U);
-  for (const features::PartBorder& border : r.part.borders) {
-    EXPECT_EQ(border.kind, features::BorderKind::sharp);
+  for (const surfaces::PartBorder& border : r.part.borders) {
+    EXPECT_EQ(border.kind, surfaces::BorderKind::sharp);
     EXPECT_EQ(border.angle, 90);
     EXPECT_EQ(border.edges.size(), 48U);
     EXPECT_EQ(border.faces[0], 0);
@@ -123,7 +123,7 @@ TEST(DeclaredPart, HasFacesAndEdgesAsDeclared) {
 TEST(DeclaredPart, HalvesOfARoundFaceAreOne) {
   importer::Shape shape = cylinder(5, 20, 48);
   const int side = shape.face_of_polygon.front();
-  const features::PartSurface turned{SurfaceKind::cylinder, Vec3(0, 0, 7), {0, 0, -1}, 5, 0, 0};
+  const surfaces::PartSurface turned{SurfaceKind::cylinder, Vec3(0, 0, 7), {0, 0, -1}, 5, 0, 0};
   for (const double radius : {5.0, 5.001}) {
     shape.faces.resize(3);
     shape.faces.push_back(turned);
@@ -154,7 +154,7 @@ TEST(DeclaredPart, TangentEdgesAreWithinTheLimitOrDeclared) {
   shape.edges[1].angle = 20;
   shape.edges[1].is_tangent = 1;
   const Read r = read({.shapes = {shape}});
-  for (const features::PartBorder& border : r.part.borders) EXPECT_EQ(border.kind, features::BorderKind::tangent);
+  for (const surfaces::PartBorder& border : r.part.borders) EXPECT_EQ(border.kind, surfaces::BorderKind::tangent);
 }
 
 // Four triangles meet at each edge of the face at which two bodies touch.
@@ -163,8 +163,8 @@ TEST(DeclaredPart, BodiesThatTouchHaveNoBordersInsideTheirFaces) {
   EXPECT_EQ(r.mesh.report.dropped_duplicates, 0);
   ASSERT_EQ(r.part.faces.size(), 7U);
   ASSERT_EQ(r.part.borders.size(), 4U) << "two rims of the cylinder and of the bore alike, two outside";
-  for (const features::PartBorder& border : r.part.borders) {
-    EXPECT_EQ(border.kind, features::BorderKind::sharp);
+  for (const surfaces::PartBorder& border : r.part.borders) {
+    EXPECT_EQ(border.kind, surfaces::BorderKind::sharp);
     EXPECT_NEAR(border.angle, 90, 1e-9);
     EXPECT_EQ(border.edges.size(), 48U);
   }
@@ -175,14 +175,14 @@ TEST(DeclaredPart, TheSharpestBorderOfBodiesThatTouchCounts) {
   const auto border_inside = [](const importer::Shape& one, const importer::Shape& other) {
     const Read r = read({.shapes = {one, other}});
     EXPECT_EQ(r.part.borders.size(), 6U);
-    std::vector<features::PartBorder> inside;
-    for (const features::PartBorder& border : r.part.borders)
+    std::vector<surfaces::PartBorder> inside;
+    for (const surfaces::PartBorder& border : r.part.borders)
       if (border.edges.size() == 1) inside.push_back(border);
     EXPECT_EQ(inside.size(), 2U);
-    for (const features::PartBorder& border : inside) EXPECT_EQ(border.angle, inside.front().angle);
+    for (const surfaces::PartBorder& border : inside) EXPECT_EQ(border.angle, inside.front().angle);
     return std::pair(inside.front().kind, inside.front().angle);
   };
-  using features::BorderKind;
+  using surfaces::BorderKind;
   importer::Shape tangent = cylinder(5, 20, 48), sharp = ring(5, 20, 48);
   halve(tangent, 48, 0, true);
   EXPECT_EQ(border_inside(tangent, sharp), std::pair(BorderKind::tangent, 0.0));

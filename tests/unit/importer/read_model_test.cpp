@@ -22,7 +22,7 @@ TEST(ImporterProcess, HandsOverWhatTheImporterReads) {
   EXPECT_EQ(model.unit, 1);
   EXPECT_FALSE(model.is_y_up);
   ASSERT_NE(model.part, nullptr);
-  EXPECT_EQ(model.part->faces.at(0).surface.kind, features::SurfaceKind::sphere);
+  EXPECT_EQ(model.part->faces.at(0).surface.kind, surfaces::SurfaceKind::sphere);
 }
 
 TEST(ImporterProcess, HandsOverWires) {

@@ -47,7 +47,7 @@
 namespace epura::test::step_test {
 namespace {
 
-using features::SurfaceKind;
+using surfaces::SurfaceKind;
 
 void be_quiet() { Message::DefaultMessenger()->ChangePrinters().Clear(); }
 
@@ -63,15 +63,15 @@ std::string step_file(const Folder& folder, const TopoDS_Shape& shape, const cha
   return path;
 }
 
-std::map<SurfaceKind, int> kinds_of(const features::PartFaces& part) {
+std::map<SurfaceKind, int> kinds_of(const surfaces::PartFaces& part) {
   std::map<SurfaceKind, int> kinds;
-  for (const features::PartFace& face : part.faces) ++kinds[face.surface.kind];
+  for (const surfaces::PartFace& face : part.faces) ++kinds[face.surface.kind];
   return kinds;
 }
 
-int count(const features::PartFaces& part, features::BorderKind kind) {
+int count(const surfaces::PartFaces& part, surfaces::BorderKind kind) {
   return static_cast<int>(std::count_if(part.borders.begin(), part.borders.end(),
-                                        [&](const features::PartBorder& b) { return b.kind == kind; }));
+                                        [&](const surfaces::PartBorder& b) { return b.kind == kind; }));
 }
 
 importer::ReadModel read(const std::string& path, const foreign::Assignments& parameters = {}) {
@@ -92,16 +92,16 @@ TEST(StepImporter, BringsFacesAndEdgesOfThePart) {
   EXPECT_EQ(model.mesh.report.misoriented_edges, 0);
   ASSERT_NE(model.part, nullptr);
   EXPECT_EQ(kinds_of(*model.part), (std::map<SurfaceKind, int>{{SurfaceKind::plane, 6}, {SurfaceKind::cylinder, 1}}));
-  EXPECT_EQ(count(*model.part, features::BorderKind::sharp), 14);  // 12 of the block, two rims
-  EXPECT_EQ(count(*model.part, features::BorderKind::tangent), 0);
-  for (const features::PartFace& face : model.part->faces) {
+  EXPECT_EQ(count(*model.part, surfaces::BorderKind::sharp), 14);  // 12 of the block, two rims
+  EXPECT_EQ(count(*model.part, surfaces::BorderKind::tangent), 0);
+  for (const surfaces::PartFace& face : model.part->faces) {
     if (face.surface.kind != SurfaceKind::cylinder) continue;
     EXPECT_TRUE(face.inwards);
     EXPECT_EQ(face.sweep, 360);
     EXPECT_NEAR(face.surface.radius, 5, 1e-12);
     EXPECT_NEAR(face.to - face.from, 20, 1e-9);
   }
-  for (const features::PartBorder& border : model.part->borders) EXPECT_NEAR(border.angle, 90, 1e-6);
+  for (const surfaces::PartBorder& border : model.part->borders) EXPECT_NEAR(border.angle, 90, 1e-6);
   // Chords of the bore lie inside of it: too much material, by no more than the tolerance all around.
   const double exact = 40 * 30 * 20 - std::numbers::pi * 25 * 20, tolerance = 1e-4 * std::sqrt(1600 + 900 + 400);
   EXPECT_GT(volume_of(model.mesh), exact);
@@ -152,7 +152,7 @@ TEST(StepImporter, BringsEdgesWithoutFaces) {
   const importer::ReadModel model = read(step_file(folder, compound_of({box, polygon.Wire(), circle(100, -7)})), drawn);
   ASSERT_NE(model.part, nullptr);
   EXPECT_EQ(model.part->faces.size(), 6U);
-  EXPECT_EQ(count(*model.part, features::BorderKind::sharp), 12);
+  EXPECT_EQ(count(*model.part, surfaces::BorderKind::sharp), 12);
   EXPECT_TRUE(model.mesh.report.notes.empty()) << model.mesh.report.notes[0];
   const Wires wires = wires_of(model.mesh);
   const double tolerance = 1e-4 * std::hypot(200, 200, 72), around = wires.length - 100;
@@ -345,7 +345,7 @@ TEST(StepImporter, DeflectionBoundsTheDistanceOfFacets) {
   for (const char* deflection : {"0.1", "0.01", "0.001"}) {
     const importer::ReadModel model = read(path, {{"deflection", deflection}, {"angle", "60"}});
     double largest = 0;  // of chords along the rims
-    for (const features::PartBorder& border : model.part->borders)
+    for (const surfaces::PartBorder& border : model.part->borders)
       for (const int e : border.edges) {
         const auto& [one, two] = model.mesh.edges[e].vertex;
         const Vec3 middle = 0.5 * (model.mesh.point(one) + model.mesh.point(two));
@@ -366,8 +366,8 @@ TEST(StepImporter, TellsTangentEdgesFromSharpOnes) {
   const importer::ReadModel model = read(step_file(folder, rounded.Shape()));
   ASSERT_NE(model.part, nullptr);
   EXPECT_EQ(kinds_of(*model.part), (std::map<SurfaceKind, int>{{SurfaceKind::plane, 6}, {SurfaceKind::cylinder, 1}}));
-  EXPECT_EQ(count(*model.part, features::BorderKind::tangent), 2);
-  EXPECT_EQ(count(*model.part, features::BorderKind::sharp), 13);
+  EXPECT_EQ(count(*model.part, surfaces::BorderKind::tangent), 2);
+  EXPECT_EQ(count(*model.part, surfaces::BorderKind::sharp), 13);
 }
 
 TEST(StepImporter, SeamsAndPolesAreNoEdges) {
@@ -382,11 +382,11 @@ TEST(StepImporter, SeamsAndPolesAreNoEdges) {
             {BRepPrimAPI_MakeCone(10, 0, 30).Shape(), SurfaceKind::cone, 1, 1000 * std::numbers::pi}};
   for (const auto& part : parts) {
     const importer::ReadModel model = read(step_file(folder, part.shape));
-    SCOPED_TRACE(features::surface_kind_names[static_cast<std::size_t>(part.kind)]);
+    SCOPED_TRACE(surfaces::surface_kind_names[static_cast<std::size_t>(part.kind)]);
     EXPECT_EQ(model.mesh.report.open_edges, 0);
     ASSERT_NE(model.part, nullptr);
     EXPECT_EQ(kinds_of(*model.part)[part.kind], 1);
-    EXPECT_EQ(count(*model.part, features::BorderKind::sharp), part.sharp);
+    EXPECT_EQ(count(*model.part, surfaces::BorderKind::sharp), part.sharp);
     EXPECT_NEAR(volume_of(model.mesh), part.volume, 0.005 * part.volume);
     EXPECT_LT(volume_of(model.mesh), part.volume);
   }
@@ -402,7 +402,7 @@ TEST(StepImporter, PatchesOfSplinesAreAsNearAsAskedFor) {
   const importer::ReadModel model = read(step_file(folder, patch), {{"deflection", "0.01"}});
   ASSERT_NE(model.part, nullptr);
   EXPECT_EQ(kinds_of(*model.part), (std::map<SurfaceKind, int>{{SurfaceKind::free_form, 1}}));
-  EXPECT_EQ(count(*model.part, features::BorderKind::open), 1);
+  EXPECT_EQ(count(*model.part, surfaces::BorderKind::open), 1);
   const auto height = [](const Vec3& p) { return (p.x * p.x + p.y * p.y) / 40; };
   for (int t = 0; t < model.mesh.report.triangles; ++t) {
     Vec3 middle(0);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr sheet::LineWidths widths{0.5, 0.25};
 
-using Round = design::RoundFeature;
+using Round = features::CentredRound;
 
 Round circle(Vec3 centre, Vec3 axis, double radius, std::vector<int> vertices = {}) {
   return {0, axis, {{centre, radius}}, std::move(vertices)};
@@ -65,7 +65,7 @@ void expect_spans(const sheet::Layer& layer, const std::vector<Span>& wanted) {
   }
 }
 
-sheet::Layer lines(const drawing::ViewDrawing& drawing, const design::CentredFeatures& features,
+sheet::Layer lines(const drawing::ViewDrawing& drawing, const features::CentredFeatures& features,
                    const std::vector<sheet::Layer>& drawn = {}, HiddenLines hidden = HiddenLines::dashed) {
   const sheet::BodyStyles styles{{{{LineRole::visible, hidden, {}, {}}}}};
   return sheet::centre_lines({drawing, features, styles}, widths, drawn);
@@ -73,7 +73,7 @@ sheet::Layer lines(const drawing::ViewDrawing& drawing, const design::CentredFea
 
 sheet::Layer lines(const drawing::ViewDrawing& drawing, const std::vector<Round>& round,
                    const std::vector<sheet::Layer>& drawn = {}) {
-  return lines(drawing, design::CentredFeatures{round, {}, {}}, drawn);
+  return lines(drawing, features::CentredFeatures{round, {}, {}}, drawn);
 }
 
 TEST(CentreLines, OfACircleAreACross) {
@@ -184,7 +184,7 @@ TEST(CentreLines, WithoutHiddenLinesOnlyWhatIsSeenHasThem) {
   drawing::ViewDrawing drawing = top;
   drawing.segments.push_back({{0, 0}, {1, 1}, true, EdgeKind::crease, 0, {7, 4}, -1, {0, 1}});
   drawing.segments.push_back({{0, 0}, {1, 1}, false, EdgeKind::crease, 0, {20, 21}, -1, {0, 1}});
-  const design::CentredFeatures features{
+  const features::CentredFeatures features{
       {circle({0, 0, 0}, {0, 0, 1}, 10, {4, 5, 6, 7}), circle({50, 0, 0}, {0, 0, 1}, 10, {20, 21, 22, 23})}, {}, {}};
   EXPECT_EQ(lines(drawing, features, {}, HiddenLines::none).strokes.size(), 2U);
   EXPECT_EQ(lines(drawing, features, {}, HiddenLines::dashed).strokes.size(), 4U);
@@ -195,17 +195,17 @@ TEST(CentreLines, WithoutHiddenLinesBoresAreNotSeenFromTheSide) {
   drawing::ViewDrawing drawing = front;
   drawing.segments.push_back({{0, 0}, {1, 0}, true, EdgeKind::crease, 0, {4, 5}, -1, {0, 1}});
   Round bore{0, {0, 0, 1}, {{{0, 0, 0}, 10}, {{0, 0, 8}, 10}}, {4, 5, 6, 7}, true};
-  EXPECT_TRUE(lines(drawing, design::CentredFeatures{{bore}, {}, {}}, {}, HiddenLines::none).strokes.empty());
-  EXPECT_EQ(lines(drawing, design::CentredFeatures{{bore}, {}, {}}).strokes.size(), 1U);
+  EXPECT_TRUE(lines(drawing, features::CentredFeatures{{bore}, {}, {}}, {}, HiddenLines::none).strokes.empty());
+  EXPECT_EQ(lines(drawing, features::CentredFeatures{{bore}, {}, {}}).strokes.size(), 1U);
   drawing.world_to_page = top.world_to_page;
-  EXPECT_EQ(lines(drawing, design::CentredFeatures{{bore}, {}, {}}, {}, HiddenLines::none).strokes.size(), 2U);
+  EXPECT_EQ(lines(drawing, features::CentredFeatures{{bore}, {}, {}}, {}, HiddenLines::none).strokes.size(), 2U);
   bore.enclosed = false;
   drawing.world_to_page = front.world_to_page;
-  EXPECT_EQ(lines(drawing, design::CentredFeatures{{bore}, {}, {}}, {}, HiddenLines::none).strokes.size(), 1U);
+  EXPECT_EQ(lines(drawing, features::CentredFeatures{{bore}, {}, {}}, {}, HiddenLines::none).strokes.size(), 1U);
 }
 
 // The part of a circle about the z axis that is seen, from `first` to `last` of 72 chords, and the rest hidden.
-void add_rim(drawing::ViewDrawing& drawing, const design::Ring& ring, int first_vertex, int first, int last) {
+void add_rim(drawing::ViewDrawing& drawing, const features::Ring& ring, int first_vertex, int first, int last) {
   const auto place = [&](int i) {
     const double angle = i * std::numbers::pi / 36;
     return Vec2(drawing.world_to_page * Vec4(ring.centre + ring.radius * Vec3(std::cos(angle), std::sin(angle), 0), 1));
@@ -229,7 +229,7 @@ TEST(CentreLines, WithoutHiddenLinesAxesOfBoresPassThroughVisibleRims) {
     drawing::ViewDrawing slanted = view({1, 0, 0}, {0, root, root});
     add_rim(slanted, bore.rings[0], 0, 0, below);
     add_rim(slanted, bore.rings[1], 72, 0, above);
-    return lines(slanted, design::CentredFeatures{{bore}, {}, {}}, {}, hidden);
+    return lines(slanted, features::CentredFeatures{{bore}, {}, {}}, {}, hidden);
   };
   const Vec2 top_centre(0, 40 * root), axis(0, reach);
   expect_spans(lines_of(0, 72, HiddenLines::none), {{top_centre - axis, top_centre + axis}});
@@ -252,7 +252,7 @@ TEST(CentreLines, WithoutHiddenLinesAxesOfShaftsLieWhereBothSidesAreSeen) {
     for (const auto& [x, ends, vertex] : {std::tuple(10.0, right, 0), std::tuple(-10.0, left, 36)})
       slanted.segments.push_back(
           {{x, ends[0]}, {x, ends[1]}, true, EdgeKind::contour, 0, {vertex, vertex + 72}, -1, {0, 1}});
-    return lines(slanted, design::CentredFeatures{{shaft}, {}, {}}, {}, hidden);
+    return lines(slanted, features::CentredFeatures{{shaft}, {}, {}}, {}, hidden);
   };
   const double upper = 100 * root;
   expect_spans(lines_of(true, {50, upper}, {40, upper}, HiddenLines::none), {{{0, 47}, {0, upper + reach}}});
@@ -272,7 +272,8 @@ TEST(CentreLines, WithoutHiddenLinesAShaftFromTheSideIsSeenByOneContour) {
   Round shaft{0, {0, 0, 1}, {{{0, 0, 0}, 10}, {{0, 0, 100}, 10}}, {1, 2}};
   drawing::ViewDrawing drawing = front;
   drawing.segments.push_back({{10, 30}, {10, 100}, true, EdgeKind::contour, 0, {1, 2}, -1, {0, 1}});
-  expect_spans(lines(drawing, design::CentredFeatures{{shaft}, {}, {}}, {}, HiddenLines::none), {{{0, 27}, {0, 103}}});
+  expect_spans(lines(drawing, features::CentredFeatures{{shaft}, {}, {}}, {}, HiddenLines::none),
+               {{{0, 27}, {0, 103}}});
 }
 
 TEST(CentreLines, SmallOnesAreLeftOut) {
@@ -283,13 +284,13 @@ TEST(CentreLines, SmallOnesAreLeftOut) {
 
 TEST(CentreLines, OfASlotAreOneAlongItAndOneAtEachEnd) {
   const auto end = [](double x, double y) { return Round{0, {0, 0, 1}, {{{x, y, 0}, 5}, {{x, y, 12}, 5}}, {}}; };
-  const design::CentredFeatures slot{{}, {{{end(10, 0), end(40, 0)}}}, {}};
+  const features::CentredFeatures slot{{}, {{{end(10, 0), end(40, 0)}}}, {}};
   expect_spans(lines(top, slot), {{{2, 0}, {48, 0}}, {{10, -8}, {10, 8}}, {{40, -8}, {40, 8}}});
   // From the side it has one axis, in its middle; across and along it.
   expect_spans(lines(front, slot), {{{25, -3}, {25, 15}}});
   expect_spans(lines(view({0, 1, 0}, {0, 0, 1}), slot), {{{0, -3}, {0, 15}}});
   // A slanted one: 30, 40, 50.
-  const design::CentredFeatures slanted{{}, {{{end(0, 0), end(30, 40)}}}, {}};
+  const features::CentredFeatures slanted{{}, {{{end(0, 0), end(30, 40)}}}, {}};
   expect_spans(lines(top, slanted),
                {{{-6.4, 4.8}, {6.4, -4.8}}, {{-4.8, -6.4}, {34.8, 46.4}}, {{23.6, 44.8}, {36.4, 35.2}}});
 }
@@ -297,7 +298,7 @@ TEST(CentreLines, OfASlotAreOneAlongItAndOneAtEachEnd) {
 TEST(CentreLines, OfHolesOnAPitchCircleAreThatAndMarksAlongRadii) {
   std::vector<Round> round{circle({0, 0, 0}, {0, 0, 1}, 10)};
   for (const Vec2& at : {Vec2(24, 32), Vec2(-32, 24), Vec2(-24, -32)}) round.push_back(circle({at, 0}, {0, 0, -1}, 4));
-  const design::CentredFeatures features{round, {}, {{{0, 0, -7}, {0, 0, 1}, 40, {1, 2, 3}}}};
+  const features::CentredFeatures features{round, {}, {{{0, 0, -7}, {0, 0, 1}, 40, {1, 2, 3}}}};
   sheet::Layer layer = lines(top, features);
   ASSERT_EQ(layer.strokes.size(), 6U);
   const sheet::Stroke circle = layer.strokes.back();

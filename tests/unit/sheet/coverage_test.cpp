@@ -21,10 +21,11 @@ namespace {
 // A slope in a box of 20: without a view, all places of its ends are missing, and nothing ends the run.
 TEST(Coverage, OfSlopesWithoutViews) {
   const world::World world = world_of({box({0, 0, 0}, {20, 20, 20})});
-  design::DesignFeatures features;
+  features::PartFeatures features;
   features.bevels.push_back(
       {0, 1, {Vec3(20, 0, 5), Vec3(15, 0, 20)}, {0, 2}, 300, false, {}, glm::normalize(Vec3(3, 0, 1))});
-  const std::array<design::Extent, 3> extents{design::Extent{0, 20}, design::Extent{0, 20}, design::Extent{0, 20}};
+  const std::array<features::Extent, 3> extents{features::Extent{0, 20}, features::Extent{0, 20},
+                                                features::Extent{0, 20}};
   const sheet::Coverage coverage = sheet::find_coverage({}, {world, features, extents}, {});
   const std::vector<std::string> missing{"overall size along x", "slope: position along x (15)", "overall size along y",
                                          "overall size along z", "slope: position along z (5)"};
@@ -58,7 +59,7 @@ TEST(Coverage, ARowJoinsThePlacesThatDivideIt) {
 // A rectangle of 12 and 8 about (5, 6), turned by 30 degrees about z; its material is outside.
 TEST(Coverage, TurnedPrismsAreTwoPairsOfFacesAboutOneMiddle) {
   const Vec3 u(std::sqrt(3) / 2, 0.5, 0), v(-0.5, std::sqrt(3) / 2, 0), middle(5, 6, 0), up(0, 0, 10);
-  design::DesignFeatures features;
+  features::PartFeatures features;
   const auto add = [&](const Vec3& normal, double off, const Vec3& across, double half, double inwards) {
     const Vec3 at = middle + off * normal;
     features.inclined.push_back(

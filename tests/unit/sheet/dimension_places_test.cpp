@@ -374,7 +374,7 @@ TEST(OverallDimensions, EachOnceInTheClearestView) {
   const scene::DimensionDescription open = dimension("overall", {});
   const auto chosen = [&](const std::vector<sheet::NamedProjection>& views,
                           const scene::DimensionDescription& options) {
-    const design::Extent length{0, 30};
+    const features::Extent length{0, 30};
     return format_dimensions(sheet::overall_dimensions(options, views, {length, length, length}));
   };
   EXPECT_EQ(chosen({corner, top, left, front}, open), "width front height front depth left ");
@@ -389,8 +389,8 @@ TEST(OverallDimensions, EachOnceInTheClearestView) {
 
 TEST(OverallDimensions, AShaftHasOneDiameter) {
   const std::vector<sheet::NamedProjection> views{view("front", from_front), view("top", {0, 0, 1}, {0, 1, 0})};
-  const design::Extent shaft{-40, 40, design::ExtentForm::diameter, {0, 0, 0}, {0, 0, 1}};
-  const design::Extent beside{-35, 45, design::ExtentForm::diameter, {0, 5, 0}, {0, 0, 1}};
+  const features::Extent shaft{-40, 40, features::ExtentForm::diameter, {0, 0, 0}, {0, 0, 1}};
+  const features::Extent beside{-35, 45, features::ExtentForm::diameter, {0, 5, 0}, {0, 0, 1}};
   const scene::DimensionDescription open = dimension("overall", {});
   EXPECT_EQ(format_dimensions(sheet::overall_dimensions(open, views, {shaft, shaft, {0, 80}})),
             "width front height front ");
@@ -401,8 +401,8 @@ TEST(OverallDimensions, AShaftHasOneDiameter) {
 // A slot along x leaves the outline of the front view narrower than the head.
 TEST(OverallDimensions, ADiameterStandsWhereItsEndsAre) {
   const std::vector<sheet::NamedProjection> views{view("front", from_front), view("top", {0, 0, 1}, {0, 1, 0})};
-  design::Extent across{-40, 40, design::ExtentForm::diameter, {0, 0, 0}, {0, 0, 1}};
-  const design::Extent along = across;
+  features::Extent across{-40, 40, features::ExtentForm::diameter, {0, 0, 0}, {0, 0, 1}};
+  const features::Extent along = across;
   across.interrupted = true;
   EXPECT_EQ(format_dimensions(sheet::overall_dimensions(dimension("overall", {}), views, {across, along, {0, 80}})),
             "height front depth top ");

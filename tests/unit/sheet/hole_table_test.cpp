@@ -15,12 +15,12 @@ TEST(HoleTable, Letters) {
 }
 
 TEST(HoleTable, Recesses) {
-  design::DesignHole hole{0, {0, 0, 0}, {0, 0, 1}, 8, false, 18.5};
-  hole.counterbore = design::Recess{14, 5};
+  features::HoleFeature hole{0, {0, 0, 0}, {0, 0, 1}, 8, false, 18.5};
+  hole.counterbore = features::Recess{14, 5};
   EXPECT_EQ(sheet::recesses_of(hole, {}), " ↧18.5 ⌴⌀14 ↧5");
   hole.depth.reset();
   hole.counterbore.reset();
-  hole.countersink = design::Recess{16, 90};
+  hole.countersink = features::Recess{16, 90};
   EXPECT_EQ(sheet::recesses_of(hole, {}), " ⌵⌀16×90°");
 }
 

@@ -19,7 +19,7 @@ std::vector<sheet::NamedProjection> views_of(const std::vector<std::pair<std::st
 }
 
 // Around the z axis: the middle of its section is 10 from the axis, and two parts face the ends of the y axis.
-design::DesignRound slotted(double half) {
+features::RoundFeature slotted(double half) {
   return {0, {0, 0, 5}, {0, 0, 1}, 10, 2, {0, 90}, {{{0, 1, 0}, half}, {{0, -1, 0}, half}}};
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "base/text.hpp"
-#include "features/least_squares.hpp"
+#include "surfaces/least_squares.hpp"
 
 namespace epura::study {
 
@@ -53,7 +53,7 @@ SpaceCurve contour_of_sphere(const RoundBody& body, const Viewer& viewer) {
   const Vec3 axis = glm::normalize(viewer.central ? viewer.eye : viewer.towards);
   const double height = body.radius * body.radius / distance;
   const double radius = std::sqrt(body.radius * body.radius - height * height);
-  const std::array<Vec3, 2> across = features::square_to(axis);
+  const std::array<Vec3, 2> across = surfaces::square_to(axis);
   return [body, axis, across, height, radius](double s) {
     const double a = 2 * pi * s;
     return body.to_world(height * axis + radius * (std::cos(a) * across[0] + std::sin(a) * across[1]));

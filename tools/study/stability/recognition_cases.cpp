@@ -5,18 +5,18 @@
 #include <cmath>
 
 #include "base/angle.hpp"
-#include "features/recognise.hpp"
 #include "laboratory/shapes.hpp"
 #include "study/stability/case.hpp"
+#include "surfaces/recognise.hpp"
 
 namespace epura::stability {
 
 namespace {
 
-using features::PartFace;
-using features::PartFaces;
-using features::PartSurface;
-using features::SurfaceKind;
+using surfaces::PartFace;
+using surfaces::PartFaces;
+using surfaces::PartSurface;
+using surfaces::SurfaceKind;
 
 struct Recognised {
   mesh::Mesh mesh;
@@ -25,7 +25,7 @@ struct Recognised {
 
 Recognised recognise(const Lab& lab, const Shape& shape) {
   Recognised found{lab.arithmetic == Arithmetic::single ? mesh_of_floats(shape) : mesh_of(shape), {}};
-  found.part = features::recognise_faces(found.mesh);
+  found.part = surfaces::recognise_faces(found.mesh);
   return found;
 }
 
@@ -94,7 +94,7 @@ Measured slender_cone(const Lab& lab, double half_angle) {
   for (const PartFace& face : found.part.faces)
     if (face.surface.kind != SurfaceKind::plane)
       for (const Vec3& end : {Vec3(r, 0, 0), Vec3(top, 0, height)})
-        measured.push_back(length("surface", 0, features::signed_distance(face.surface, end), height));
+        measured.push_back(length("surface", 0, surfaces::signed_distance(face.surface, end), height));
   return measured;
 }
 
@@ -109,7 +109,7 @@ Measured crowned_plate(const Lab& lab, double r) {
   const PartFace* face = face_of_arc(found, steps + 1, static_cast<int>(outline.size()));
   double off = face == nullptr ? NAN : 0;
   for (int i = 0; face != nullptr && i <= steps; ++i)
-    off = std::max(off, std::abs(features::signed_distance(face->surface, Vec3(outline[i].x, outline[i].y, 0.5))));
+    off = std::max(off, std::abs(surfaces::signed_distance(face->surface, Vec3(outline[i].x, outline[i].y, 0.5))));
   measured.push_back(length("surface", 0, off, 1));
   return measured;
 }
@@ -139,7 +139,7 @@ Measured thin_ring(const Lab& lab, double minor) {
 Measured ball_in_digits(const Lab& /*lab*/, double digits) {
   const Shape ball = uv_sphere(32, 16);
   const mesh::Mesh mesh = mesh_of(ball, static_cast<int>(digits));
-  const PartFaces part = features::recognise_faces(mesh);
+  const PartFaces part = surfaces::recognise_faces(mesh);
   Quantity r = radius(1, part.faces.empty() ? nullptr : &part.faces[0]);
   r.allowed = std::max(r.allowed, std::pow(10.0, -digits));
   return {count("faces", 1, static_cast<double>(part.faces.size())), r};

@@ -92,14 +92,14 @@ void expect_offset(const AnchoredDimension& dimension) {
 /// Data of the models that dimensions need, computed on first use.
 struct Asked {
   Rims rims;
-  std::optional<std::array<design::Extent, 3>> extents{};
+  std::optional<std::array<features::Extent, 3>> extents{};
 };
 
 void set_extent(AnchoredDimension& dimension, const world::World& world, Asked& asked) {
   const int axis = axis_of(*dimension.direction);
-  if (!asked.extents) asked.extents = design::true_extents(world);
-  const design::Extent& extent = (*asked.extents)[axis];
-  const Box box = design::box_of_faces(world);
+  if (!asked.extents) asked.extents = features::true_extents(world);
+  const features::Extent& extent = (*asked.extents)[axis];
+  const Box box = features::box_of_faces(world);
   dimension.points = {box.min, box.max};
   dimension.points[0][axis] = extent.from;
   dimension.points[1][axis] = extent.to;

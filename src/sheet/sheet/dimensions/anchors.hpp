@@ -9,7 +9,7 @@
 
 #include "base/progress.hpp"
 #include "base/vec.hpp"
-#include "design/true_extents.hpp"
+#include "features/true_extents.hpp"
 #include "scene/description.hpp"
 #include "sheet/dimensions/tolerance.hpp"
 #include "world/world.hpp"
@@ -40,11 +40,11 @@ struct AnchoredDimension {
   std::optional<double> offset;
   std::string text;  ///< "<>" stands for the measured value
   std::optional<Tolerance> tolerance{};
-  design::ExtentForm form = design::ExtentForm::length;  ///< of overall dimensions
-  bool is_label = false;                                 ///< diameter: of a hole whose position is in a table
-  double beyond_vertices = 0;                            ///< how much more they measure than the mesh, which is drawn
-  std::optional<DimensionArrangement> arrangement{};     ///< of a linear dimension between several places
-  std::string name{};                                    ///< by which datums and frames refer to it; may be empty
+  features::ExtentForm form = features::ExtentForm::length;  ///< of overall dimensions
+  bool is_label = false;                                     ///< diameter: of a hole whose position is in a table
+  double beyond_vertices = 0;                         ///< how much more they measure than the mesh, which is drawn
+  std::optional<DimensionArrangement> arrangement{};  ///< of a linear dimension between several places
+  std::string name{};                                 ///< by which datums and frames refer to it; may be empty
 };
 
 /// The position of an anchor. Throws Error{input} with `where` as the location for vertices that do not exist or that

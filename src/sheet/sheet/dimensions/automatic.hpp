@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "design/design_features.hpp"
-#include "design/true_extents.hpp"
+#include "features/part_features.hpp"
+#include "features/true_extents.hpp"
 #include "sheet/dimensions/hole_table.hpp"
 #include "sheet/dimensions/overall.hpp"
 #include "sheet/notation.hpp"
@@ -18,8 +18,8 @@ namespace epura::sheet {
 /// What is to be dimensioned.
 struct DimensionSubject {
   const world::World& world;
-  const design::DesignFeatures& features;
-  const std::array<design::Extent, 3>& extents;
+  const features::PartFeatures& features;
+  const std::array<features::Extent, 3>& extents;
 };
 
 /// How many steps a view dimensions along one axis, and how many radii; more would not be legible. The largest count,

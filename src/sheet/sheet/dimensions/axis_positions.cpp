@@ -11,15 +11,15 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/hole_directions.hpp"
 
 namespace epura::sheet {
 
 namespace {
 
-using design::are_parallel;
-using design::parallel;
+using features::are_parallel;
+using features::parallel;
 
 bool shows_length_along(const NamedProjection& view, const Vec3& direction) {
   return are_parallel(view.projection.u, direction) || are_parallel(view.projection.v, direction);
@@ -39,9 +39,9 @@ const NamedProjection* view_along(const Planning& plan, int world, const Vec3& a
 }
 
 // The plane face on which a feature begins.
-const design::DesignPlane* face_around(const Planning& plan, const Vec3& centre, const Vec3& axis) {
-  const double slack = design::same_size * glm::length(plan.box.size());
-  for (const design::DesignPlane& plane : plan.subject.features.inclined)
+const features::PlaneFeature* face_around(const Planning& plan, const Vec3& centre, const Vec3& axis) {
+  const double slack = features::same_size * glm::length(plan.box.size());
+  for (const features::PlaneFeature& plane : plan.subject.features.inclined)
     if (are_parallel(plane.normal, axis) && std::abs(glm::dot(plane.corners.front() - centre, axis)) <= slack)
       return &plane;
   return nullptr;
@@ -120,15 +120,15 @@ Planned positions_of(const Planning& plan, std::span<const Vec3> centres, const 
   const NamedProjection* view = plan.views.along(axis);
   if (view == nullptr) view = plan.views.beside(*slanted, centres.front());
   for (const Vec3& centre : centres)
-    if (const design::DesignPlane* face = face_around(plan, centre, axis); face != nullptr && view != nullptr)
+    if (const features::PlaneFeature* face = face_around(plan, centre, axis); face != nullptr && view != nullptr)
       planned.places.emplace_back(SlantedPlace{view, face, *slanted, centre, group});
   return planned;
 }
 
 std::vector<scene::DimensionDescription> slanted_dimensions(const Planning& plan,
                                                             std::span<const SlantedPlace> places) {
-  const double slack = design::same_size * glm::length(plan.box.size());
-  std::map<const design::DesignPlane*, std::vector<double>> known;
+  const double slack = features::same_size * glm::length(plan.box.size());
+  std::map<const features::PlaneFeature*, std::vector<double>> known;
   std::vector<scene::DimensionDescription> dimensions;
   for (const SlantedPlace& place : places) {
     std::vector<double>& of_face = known[place.face];

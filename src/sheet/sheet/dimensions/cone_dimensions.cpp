@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/cone_angles.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 
@@ -15,21 +15,21 @@ namespace epura::sheet {
 
 namespace {
 
-using design::are_parallel;
-using design::are_same;
-using design::DesignCone;
-using design::DesignCylinder;
-using design::same_size;
+using features::are_parallel;
+using features::are_same;
+using features::ConeFeature;
+using features::CylinderFeature;
+using features::same_size;
 using scene::DimensionDescription;
 
-bool are_equal_ends(const DesignCylinder& a, const DesignCylinder& b) {
+bool are_equal_ends(const CylinderFeature& a, const CylinderFeature& b) {
   return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
 }
 
-Planned ends_of_cones(const Planning& plan, const std::vector<DesignCylinder>& ends) {
+Planned ends_of_cones(const Planning& plan, const std::vector<CylinderFeature>& ends) {
   Planned planned;
-  for (const auto& group : groups_of<DesignCylinder>(ends, are_equal_ends)) {
-    const DesignCylinder& shown = *group.front();
+  for (const auto& group : groups_of<CylinderFeature>(ends, are_equal_ends)) {
+    const CylinderFeature& shown = *group.front();
     const NamedProjection* view = plan.views.across(shown.axis, shown.from);
     check(view != nullptr, "an end of a cone is measured across its axis");
     planned.dimensions.push_back(plan.dimension(DimensionType::diameter, *view, times(group.size()) + "<>",
@@ -41,10 +41,10 @@ Planned ends_of_cones(const Planning& plan, const std::vector<DesignCylinder>& e
 /// What is planned of one cone, and the ends that need a diameter.
 struct PlannedCone {
   Planned angle_and_places{};
-  std::vector<DesignCylinder> ends{};
+  std::vector<CylinderFeature> ends{};
 };
 
-PlannedCone dimensions_of_cone(const Planning& plan, const DesignCone& cone, const NamedProjection& view) {
+PlannedCone dimensions_of_cone(const Planning& plan, const ConeFeature& cone, const NamedProjection& view) {
   PlannedCone planned;
   const bool horizontal = are_parallel(view.projection.u, cone.axis);
   const Vec3 out = horizontal ? -view.projection.v : view.projection.u;
@@ -57,9 +57,9 @@ PlannedCone dimensions_of_cone(const Planning& plan, const DesignCone& cone, con
   }
   for (const int end : {0, 1}) {
     if (by_angle && end == rounded_end(cone)) continue;
-    const DesignCylinder circle{cone.model, cone.ends[end], cone.ends[end], cone.axis, cone.radii[end], false};
+    const CylinderFeature circle{cone.model, cone.ends[end], cone.ends[end], cone.axis, cone.radii[end], false};
     if (!(circle.radius > 0)) continue;
-    if (!is_overall(plan.subject, circle) && !design::has_coaxial_outline(plan.subject.features, circle))
+    if (!is_overall(plan.subject, circle) && !features::has_coaxial_outline(plan.subject.features, circle))
       planned.ends.push_back(circle);
     if (const int axis = world_axis(cone.axis); axis >= 0)
       planned.angle_and_places.places.emplace_back(Station{
@@ -71,13 +71,13 @@ PlannedCone dimensions_of_cone(const Planning& plan, const DesignCone& cone, con
 }  // namespace
 
 Planned chamfer_dimensions(const Planning& plan) {
-  const auto equal = [](const DesignCone& a, const DesignCone& b) {
+  const auto equal = [](const ConeFeature& a, const ConeFeature& b) {
     return a.model == b.model && are_same(glm::length(a.ends[1] - a.ends[0]), glm::length(b.ends[1] - b.ends[0])) &&
            are_same(a.angle, b.angle) && are_parallel(a.axis, b.axis);
   };
   Planned planned;
-  for (const auto& group : groups_of<DesignCone>(plan.subject.features.chamfers, equal)) {
-    const DesignCone& chamfer = *group.front();
+  for (const auto& group : groups_of<ConeFeature>(plan.subject.features.chamfers, equal)) {
+    const ConeFeature& chamfer = *group.front();
     check(chamfer.angle > 0 && chamfer.angle < 90, "a chamfer is neither a cylinder nor a plane");
     const NamedProjection* view = plan.views.across(chamfer.axis, chamfer.ends[0]);
     if (view == nullptr) continue;
@@ -96,15 +96,15 @@ Planned chamfer_dimensions(const Planning& plan) {
 
 Planned cone_dimensions(const Planning& plan) {
   Planned planned;
-  std::vector<DesignCylinder> ends;
-  for (const DesignCone& cone : plan.subject.features.cones) {
+  std::vector<CylinderFeature> ends;
+  for (const ConeFeature& cone : plan.subject.features.cones) {
     check(cone.radii[0] >= 0 && cone.radii[0] <= cone.radii[1], "a cone begins at its smaller end");
     const NamedProjection* view = plan.views.across(cone.axis, cone.ends[0]);
     if (view == nullptr) continue;
     PlannedCone one = dimensions_of_cone(plan, cone, *view);
     planned.append(std::move(one.angle_and_places));
-    for (const DesignCylinder& end : one.ends)
-      if (std::none_of(ends.begin(), ends.end(), [&](const DesignCylinder& other) {
+    for (const CylinderFeature& end : one.ends)
+      if (std::none_of(ends.begin(), ends.end(), [&](const CylinderFeature& other) {
             return are_equal_ends(other, end) && glm::distance(other.from, end.from) <= same_size * end.radius;
           }))
         ends.push_back(end);

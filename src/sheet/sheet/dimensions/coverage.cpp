@@ -11,7 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/face_coverage.hpp"
 #include "sheet/dimensions/feature_places.hpp"
@@ -131,19 +131,19 @@ Sentences repeated_sizes(const Dimensioned& sheet) {
 }
 
 // Whether an overall dimension is the diameter of a ball of this size.
-bool is_overall_sphere(const features::PartSurface& sphere, const DimensionSubject& subject) {
-  return std::any_of(subject.extents.begin(), subject.extents.end(), [&](const design::Extent& extent) {
-    return extent.form == design::ExtentForm::sphere && agree(extent.size(), 2 * sphere.radius);
+bool is_overall_sphere(const surfaces::PartSurface& sphere, const DimensionSubject& subject) {
+  return std::any_of(subject.extents.begin(), subject.extents.end(), [&](const features::Extent& extent) {
+    return extent.form == features::ExtentForm::sphere && agree(extent.size(), 2 * sphere.radius);
   });
 }
 
-bool has_doubly_curved(const features::PartFace& face, const Dimensioned& sheet) {
-  const bool sphere = face.surface.kind == features::SurfaceKind::sphere;
+bool has_doubly_curved(const surfaces::PartFace& face, const Dimensioned& sheet) {
+  const bool sphere = face.surface.kind == surfaces::SurfaceKind::sphere;
   const double radius = sphere ? face.surface.radius : face.surface.minor;
   check(radius > 0, "a sphere or torus has a radius");
   const auto is_it = [&](double r) {
     return agree(r, radius) || are_written_alike(r, radius, sheet.notation) ||
-           std::abs(r - radius) <= design::radius_doubt(face);
+           std::abs(r - radius) <= features::radius_doubt(face);
   };
   const std::vector<double>& radii = sheet.on_sheet.radii;
   return std::any_of(radii.begin(), radii.end(), is_it) || (sphere && is_overall_sphere(face.surface, sheet.subject));
@@ -153,12 +153,12 @@ bool has_doubly_curved(const features::PartFace& face, const Dimensioned& sheet)
 Missing missing_doubly_curved(const world::PlacedPart& part, const Dimensioned& sheet) {
   const auto length = [&](double value) { return length_text(value, sheet.notation); };
   Missing missing;
-  std::vector<features::PartSurface> seen;
-  for (const features::PartFace& face : part.faces) {
-    const features::PartSurface& surface = face.surface;
-    const bool sphere = surface.kind == features::SurfaceKind::sphere;
-    if (!sphere && surface.kind != features::SurfaceKind::torus) continue;
-    const auto same = [&](const features::PartSurface& other) { return features::are_one(other, surface); };
+  std::vector<surfaces::PartSurface> seen;
+  for (const surfaces::PartFace& face : part.faces) {
+    const surfaces::PartSurface& surface = face.surface;
+    const bool sphere = surface.kind == surfaces::SurfaceKind::sphere;
+    if (!sphere && surface.kind != surfaces::SurfaceKind::torus) continue;
+    const auto same = [&](const surfaces::PartSurface& other) { return surfaces::are_one(other, surface); };
     if (has_doubly_curved(face, sheet) || std::any_of(seen.begin(), seen.end(), same)) continue;
     seen.push_back(surface);
     if (sphere)
@@ -200,7 +200,7 @@ bool has_angle_in(std::span<const DimensionsInView> views, const Feature& featur
 // Of each slope: by its angle, or by the places of its ends.
 std::vector<bool> slopes_given(const Dimensioned& sheet, const JoinedPlaces& places) {
   std::vector<bool> given;
-  for (const design::DesignBevel& bevel : sheet.subject.features.bevels) {
+  for (const features::BevelFeature& bevel : sheet.subject.features.bevels) {
     bool is_known = !has_angle(bevel, sheet.subject) || has_angle_in(sheet.views, bevel);
     for (int axis = 0; axis < 3 && !has_angle(bevel, sheet.subject); ++axis)
       for (const Vec3& end : bevel.ends) is_known = is_known && (axis == bevel.along || places.has(axis, end[axis]));
@@ -211,7 +211,7 @@ std::vector<bool> slopes_given(const Dimensioned& sheet, const JoinedPlaces& pla
 
 Sentences missing_angles(const Dimensioned& sheet) {
   Sentences missing;
-  for (const design::DesignBevel& bevel : sheet.subject.features.bevels)
+  for (const features::BevelFeature& bevel : sheet.subject.features.bevels)
     if (has_angle(bevel, sheet.subject) && !has_angle_in(sheet.views, bevel))
       missing.push_back("slope of " + format_rounded(bevel.area, 4) + " mm²: angle");
   for (const TurnedPrism& prism : sheet.table.prisms)
@@ -221,9 +221,9 @@ Sentences missing_angles(const Dimensioned& sheet) {
 }
 
 // Positions of holes are asked for along the axes of the world across theirs.
-bool is_placed(const design::DesignHole& hole, const JoinedPlaces& places) {
+bool is_placed(const features::HoleFeature& hole, const JoinedPlaces& places) {
   for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(hole.axis[axis]) <= design::parallel && !places.has(axis, hole.mouth[axis])) return false;
+    if (std::abs(hole.axis[axis]) <= features::parallel && !places.has(axis, hole.mouth[axis])) return false;
   return true;
 }
 
@@ -241,7 +241,7 @@ std::vector<SizedCircle> sized_circles(const Dimensioned& sheet) {
     const bool is_given = has_size(sheet, i);
     circles.push_back({size.centre, size.axis, size.value, is_given});
     if (size.kind != SizeKind::hole) continue;
-    const design::DesignHole& hole = sheet.subject.features.holes[std::size_t(size.feature)];
+    const features::HoleFeature& hole = sheet.subject.features.holes[std::size_t(size.feature)];
     circles.push_back({size.centre, size.axis, hole.diameter / 2, is_given});
     for (const auto& recess : {hole.counterbore, hole.countersink})
       if (recess) circles.push_back({size.centre, size.axis, recess->diameter / 2, is_given});
@@ -270,7 +270,7 @@ std::vector<KnownPrism> known_prisms(const Dimensioned& sheet) {
 
 FaceCoverage cover_all_faces(const Dimensioned& sheet, const JoinedPlaces& places) {
   GivenSizes given{[&places](int axis, double at) { return places.has(axis, at); },
-                   [&sheet](const features::PartFace& face) { return has_doubly_curved(face, sheet); }};
+                   [&sheet](const surfaces::PartFace& face) { return has_doubly_curved(face, sheet); }};
   given.circles = sized_circles(sheet);
   given.holes = given_of(sheet, SizeKind::hole);
   given.slots = given_of(sheet, SizeKind::slot);
@@ -287,7 +287,7 @@ FaceCoverage cover_all_faces(const Dimensioned& sheet, const JoinedPlaces& place
 // Holes with a size and a place.
 report::SizeCount count_holes(const Dimensioned& sheet, const JoinedPlaces& places,
                               const std::vector<bool>& are_turned_known) {
-  const std::vector<design::DesignHole>& holes = sheet.subject.features.holes;
+  const std::vector<features::HoleFeature>& holes = sheet.subject.features.holes;
   const std::vector<bool> given = given_of(sheet, SizeKind::hole);
   check(given.size() == holes.size() && are_turned_known.size() == holes.size(), "each hole has a size");
   int placed = 0;

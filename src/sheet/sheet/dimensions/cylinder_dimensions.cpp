@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/axis_positions.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/thread_notes.hpp"
@@ -18,14 +18,14 @@ namespace epura::sheet {
 
 namespace {
 
-using design::are_parallel;
-using design::are_same;
-using design::DesignCylinder;
-using design::DesignSlot;
-using CylinderGroup = std::vector<const DesignCylinder*>;
+using features::are_parallel;
+using features::are_same;
+using features::CylinderFeature;
+using features::SlotFeature;
+using CylinderGroup = std::vector<const CylinderFeature*>;
 
 // The end of a cylinder from which extension lines to the outside are short.
-Vec3 outer_end(const DesignCylinder& cylinder, const Vec3& middle) {
+Vec3 outer_end(const CylinderFeature& cylinder, const Vec3& middle) {
   const auto off = [&](const Vec3& p) { return std::abs(glm::dot(p - middle, cylinder.axis)); };
   return off(cylinder.from) > off(cylinder.to) ? cylinder.from : cylinder.to;
 }
@@ -33,7 +33,7 @@ Vec3 outer_end(const DesignCylinder& cylinder, const Vec3& middle) {
 // Useful lengths of threads, as positions of their ends.
 Planned ends_of_threads(const CylinderGroup& group, const NamedProjection& view) {
   Planned planned;
-  for (const DesignCylinder* cylinder : group) {
+  for (const CylinderFeature* cylinder : group) {
     const int axis = world_axis(cylinder->axis);
     if (axis < 0 || !cylinder->thread || !cylinder->thread->length) continue;
     const bool horizontal = std::abs(view.projection.u[axis]) > 0.5;
@@ -48,30 +48,30 @@ Planned dimensions_of_equal(const Planning& plan, const CylinderGroup& group) {
   Planned planned;
   const Vec3& axis = group.front()->axis;
   const NamedProjection* along = plan.views.along(axis);
-  const auto end = [&](const DesignCylinder& cylinder) { return outer_end(cylinder, plan.box.centre()); };
+  const auto end = [&](const CylinderFeature& cylinder) { return outer_end(cylinder, plan.box.centre()); };
   const NamedProjection* across = group.front()->inwards ? nullptr : plan.views.across(axis, end(*group.front()));
   // Across an interrupted one, its outline may not be seen.
   const bool is_clear = across != nullptr && (group.front()->whole || along == nullptr);
   const NamedProjection* view = is_clear ? across : along;
-  if (view == nullptr && group.front()->whole) view = view_beside<DesignCylinder>(plan.views, group, end);
+  if (view == nullptr && group.front()->whole) view = view_beside<CylinderFeature>(plan.views, group, end);
   if (view == nullptr) return planned;
-  const DesignCylinder& shown = *uppermost<DesignCylinder>(group, *view, end);
+  const CylinderFeature& shown = *uppermost<CylinderFeature>(group, *view, end);
   check(shown.called() > 0, "a cylinder has a radius");
   planned.dimensions.push_back(plan.dimension(DimensionType::diameter, *view,
                                               times(group.size()) + name_in_note(shown.thread),
                                               {end(shown), axis, shown.called(), {}}));
   if (across != nullptr) planned.append(ends_of_threads(group, *across));
   std::vector<Vec3> centres;
-  for (const DesignCylinder* cylinder : group) centres.push_back(cylinder->from);
+  for (const CylinderFeature* cylinder : group) centres.push_back(cylinder->from);
   planned.append(positions_of(plan, centres, axis, along,
                               plan.group_of(SizeKind::cylinder, plan.subject.features.cylinders, group.front())));
   return planned;
 }
 
-Vec3 span_of(const DesignSlot& slot) { return slot.centres[1] - slot.centres[0]; }
+Vec3 span_of(const SlotFeature& slot) { return slot.centres[1] - slot.centres[0]; }
 
 // Half of the end of a slot.
-scene::FeatureCircle end_of(const DesignSlot& slot) {
+scene::FeatureCircle end_of(const SlotFeature& slot) {
   const Vec3 along = glm::normalize(span_of(slot)), out = glm::cross(slot.axis, along);
   std::vector<Vec3> arc;
   for (const double turn : {-1.0, 0.0, 1.0})
@@ -84,24 +84,24 @@ scene::FeatureCircle end_of(const DesignSlot& slot) {
 Planned cylinder_dimensions(const Planning& plan) {
   Planned planned;
   for (CylinderGroup& group : equal_features(plan.table, SizeKind::cylinder, plan.subject.features.cylinders)) {
-    std::erase_if(group, [&](const DesignCylinder* one) { return !one->inwards && is_overall(plan.subject, *one); });
+    std::erase_if(group, [&](const CylinderFeature* one) { return !one->inwards && is_overall(plan.subject, *one); });
     if (!group.empty()) planned.append(dimensions_of_equal(plan, group));
   }
   return planned;
 }
 
 Planned slot_dimensions(const Planning& plan) {
-  const std::vector<DesignSlot>& slots = plan.subject.features.slots;
-  const auto size_of = [&](const DesignSlot& slot) -> const FeatureSize& {
+  const std::vector<SlotFeature>& slots = plan.subject.features.slots;
+  const auto size_of = [&](const SlotFeature& slot) -> const FeatureSize& {
     return plan.table.size_of(SizeKind::slot, static_cast<std::size_t>(&slot - slots.data()));
   };
-  const auto equal = [&](const DesignSlot& a, const DesignSlot& b) {
+  const auto equal = [&](const SlotFeature& a, const SlotFeature& b) {
     return size_of(a).equal_to == size_of(b).equal_to && are_same(glm::length(span_of(a)), glm::length(span_of(b))) &&
            are_parallel(glm::normalize(span_of(a)), glm::normalize(span_of(b)));
   };
   Planned planned;
-  for (const auto& group : groups_of<DesignSlot>(slots, equal)) {
-    const DesignSlot& slot = *group.front();
+  for (const auto& group : groups_of<SlotFeature>(slots, equal)) {
+    const SlotFeature& slot = *group.front();
     check(slot.radius > 0 && slot.centres[0] != slot.centres[1], "a slot has a width and a length");
     const NamedProjection* view = plan.views.along(slot.axis);
     if (view == nullptr) continue;
@@ -113,7 +113,7 @@ Planned slot_dimensions(const Planning& plan) {
       planned.dimensions.back().anchors = {slot.centres[0], slot.centres[1]};
     }
     const int number = plan.group_of(SizeKind::slot, slots, group.front());
-    for (const DesignSlot* one : group) {
+    for (const SlotFeature* one : group) {
       const double way = glm::dot(span_of(*one), view->projection.u + view->projection.v);
       const auto& [low, high] = std::pair(one->centres[way > 0 ? 0 : 1], one->centres[way > 0 ? 1 : 0]);
       planned.append(positions_of(plan, std::array{low}, slot.axis, view, number));

@@ -7,9 +7,9 @@
 #include <cstddef>
 
 #include "base/text.hpp"
-#include "design/assembly_features.hpp"
-#include "design/face_owners.hpp"
-#include "design/tolerances.hpp"
+#include "features/assembly_features.hpp"
+#include "features/face_owners.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/stations.hpp"
 #include "world/placed_part.hpp"
@@ -18,9 +18,9 @@ namespace epura::sheet {
 
 namespace {
 
-using design::FaceOwner;
-using design::OwnerKind;
-using features::SurfaceKind;
+using features::FaceOwner;
+using features::OwnerKind;
+using surfaces::SurfaceKind;
 
 // In the order of SurfaceKind.
 constexpr std::array<const char*, 6> kind_names = {
@@ -39,7 +39,7 @@ class FaceCounter {
       if (world.models[model].part == nullptr) continue;
       const auto part = world::place_part(world.models[model]);
       if (!part) continue;
-      const auto owners = design::owners_of_faces(world, static_cast<int>(model), *part, subject_.features);
+      const auto owners = features::owners_of_faces(world, static_cast<int>(model), *part, subject_.features);
       for (std::size_t face = 0; face < owners.size(); ++face) count(part->faces[face], owners[face]);
     }
     for (std::size_t kind = 0; kind < all_.size(); ++kind)
@@ -48,7 +48,7 @@ class FaceCounter {
   }
 
  private:
-  void count(const features::PartFace& face, const FaceOwner& owner) {
+  void count(const surfaces::PartFace& face, const FaceOwner& owner) {
     const SurfaceKind kind = face.surface.kind;
     if (kind == SurfaceKind::free_form || owner.kind == OwnerKind::letter) return;
     const auto number = static_cast<std::size_t>(kind);
@@ -56,20 +56,20 @@ class FaceCounter {
     if (is_given(face, owner)) ++with_[number];
   }
 
-  bool is_given(const features::PartFace& face, const FaceOwner& owner) {
+  bool is_given(const surfaces::PartFace& face, const FaceOwner& owner) {
     if (face.surface.kind == SurfaceKind::plane) return has_plane(face, owner);
     if (face.surface.kind == SurfaceKind::sphere || face.surface.kind == SurfaceKind::torus)
       return given_.has_doubly_curved(face);
     return has_round(face);
   }
 
-  bool has_plane(const features::PartFace& face, const FaceOwner& owner) {
+  bool has_plane(const surfaces::PartFace& face, const FaceOwner& owner) {
     const auto number = static_cast<std::size_t>(owner.number);
     if (owner.kind == OwnerKind::hole) return given_.holes[number];
     if (owner.kind == OwnerKind::slot) return given_.slots[number];
     if (owner.kind == OwnerKind::hexagon) return given_.hexagons[number];
     if (owner.kind == OwnerKind::bevel) return given_.bevels[number];
-    const features::PartSurface& plane = face.surface;
+    const surfaces::PartSurface& plane = face.surface;
     if (const int axis = world_axis(plane.axis); axis >= 0) return given_.has_place(axis, plane.origin[axis]);
     if (is_between_round_ends(face)) return true;
     for (const HexagonChamfer& one : given_.hexagon_chamfers)
@@ -81,20 +81,20 @@ class FaceCounter {
   }
 
   // A face that touches two round ends follows from them.
-  [[nodiscard]] bool is_between_round_ends(const features::PartFace& face) const {
+  [[nodiscard]] bool is_between_round_ends(const surfaces::PartFace& face) const {
     const Vec3& normal = face.surface.axis;
     int touched = 0;
     for (const RoundEnd& end : ends_) {
       const double off = glm::dot(face.surface.origin - end.centre, normal),
-                   slack = 10 * design::same_size * end.radius;
-      if (std::abs(glm::dot(normal, end.axis)) <= design::parallel && std::abs(off - end.radius) <= slack) ++touched;
+                   slack = 10 * features::same_size * end.radius;
+      if (std::abs(glm::dot(normal, end.axis)) <= features::parallel && std::abs(off - end.radius) <= slack) ++touched;
     }
     return touched >= 2;
   }
 
   // Of a cone, one end: the other one, an angle or a length follows from the places of its ends.
-  bool has_round(const features::PartFace& face) {
-    const features::PartSurface& surface = face.surface;
+  bool has_round(const surfaces::PartFace& face) {
+    const surfaces::PartSurface& surface = face.surface;
     std::vector<double> radii{surface.radius};
     if (surface.kind == SurfaceKind::cone)
       radii = {surface.radius + surface.slope * face.from, surface.radius + surface.slope * face.to};
@@ -113,18 +113,18 @@ class FaceCounter {
     return false;
   }
 
-  [[nodiscard]] bool are_one(const features::PartFace& face, double radius, double given) const {
+  [[nodiscard]] bool are_one(const surfaces::PartFace& face, double radius, double given) const {
     return radius > 0 &&
-           (are_written_alike(given, radius, notation_) || std::abs(given - radius) <= design::radius_doubt(face));
+           (are_written_alike(given, radius, notation_) || std::abs(given - radius) <= features::radius_doubt(face));
   }
 
-  [[nodiscard]] bool is_on(const features::PartFace& face, double radius, const SizedCircle& circle) const {
-    return are_one(face, radius, circle.radius) && design::are_parallel(circle.axis, face.surface.axis) &&
-           design::distance_from_line(circle.centre, face.surface.origin, face.surface.axis) <=
-               10 * design::same_size * radius;
+  [[nodiscard]] bool is_on(const surfaces::PartFace& face, double radius, const SizedCircle& circle) const {
+    return are_one(face, radius, circle.radius) && features::are_parallel(circle.axis, face.surface.axis) &&
+           features::distance_from_line(circle.centre, face.surface.origin, face.surface.axis) <=
+               10 * features::same_size * radius;
   }
 
-  void miss(const std::string& kind, const features::PartFace& face, const std::string& what) {
+  void miss(const std::string& kind, const surfaces::PartFace& face, const std::string& what) {
     const Vec3 p = face.surface.origin;
     const auto text = [this](double value) { return length_text(value, notation_); };
     found_.unaccounted.push_back(kind + " of " + format_rounded(face.area, 4) + " mm² at (" + text(p.x) + ", " +
@@ -143,7 +143,7 @@ class FaceCounter {
 
 FaceCoverage cover_faces(const DimensionSubject& subject, std::span<const RoundEnd> ends, const GivenSizes& given,
                          const Notation& notation) {
-  if (design::is_assembly(subject.world)) return {};
+  if (features::is_assembly(subject.world)) return {};
   return FaceCounter(subject, ends, given, notation).count();
 }
 

@@ -30,12 +30,12 @@ struct KnownPrism {
 /// What dimensions give.
 struct GivenSizes {
   std::function<bool(int, double)> has_place;                        ///< along an axis of the world
-  std::function<bool(const features::PartFace&)> has_doubly_curved;  ///< a sphere or torus
+  std::function<bool(const surfaces::PartFace&)> has_doubly_curved;  ///< a sphere or torus
   std::vector<SizedCircle> circles{};                                ///< of all features that have any
   std::vector<double> radii{};                                       ///< that are given somewhere
   std::vector<KnownPrism> prisms{};
   std::vector<HexagonChamfer> hexagon_chamfers{};            ///< given where their bevel is
-  std::vector<bool> holes{}, slots{}, hexagons{}, bevels{};  ///< in the order of the DesignFeatures
+  std::vector<bool> holes{}, slots{}, hexagons{}, bevels{};  ///< in the order of the PartFeatures
 };
 
 /// What is known of all faces but free forms and walls of letters.

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/placed_balls.hpp"
 #include "sheet/dimensions/slope_dimensions.hpp"
 #include "sheet/dimensions/stations.hpp"
@@ -17,59 +17,59 @@ namespace {
 std::vector<FeaturePlace> places_across(const Vec3& centre, const Vec3& axis, const std::string& name) {
   std::vector<FeaturePlace> places;
   for (int other = 0; other < 3; ++other)
-    if (std::abs(axis[other]) <= design::parallel) places.push_back({other, centre[other], name});
+    if (std::abs(axis[other]) <= features::parallel) places.push_back({other, centre[other], name});
   return places;
 }
 
 std::vector<FeaturePlace> places_of_axes(const DimensionSubject& subject, const FeatureTable& table,
                                          const Notation& notation) {
-  const design::DesignFeatures& features = subject.features;
+  const features::PartFeatures& features = subject.features;
   std::vector<FeaturePlace> places;
   const auto add = [&](const Vec3& centre, const Vec3& axis, const std::string& name) {
     for (FeaturePlace& place : places_across(centre, axis, name)) places.push_back(std::move(place));
   };
   const auto length = [&](double value) { return length_text(value, notation); };
-  for (const design::DesignHole& hole : features.holes) add(hole.mouth, hole.axis, "hole ⌀" + length(hole.diameter));
-  for (const design::DesignCylinder& cylinder : features.cylinders)
+  for (const features::HoleFeature& hole : features.holes) add(hole.mouth, hole.axis, "hole ⌀" + length(hole.diameter));
+  for (const features::CylinderFeature& cylinder : features.cylinders)
     add(cylinder.from, cylinder.axis, name_of(cylinder, notation));
-  for (const design::DesignSlot& slot : features.slots)
+  for (const features::SlotFeature& slot : features.slots)
     for (const Vec3& centre : slot.centres) add(centre, slot.axis, "slot R" + length(slot.radius));
-  for (const design::DesignPitchCircle& circle : features.pitch_circles)
+  for (const features::PitchCircleFeature& circle : features.pitch_circles)
     add(circle.centre, circle.axis, "pitch circle ⌀" + length(2 * circle.radius));
   for (const RoundEnd& end : table.round_ends) add(end.centre, end.axis, "round end R" + length(end.radius));
   for (const int number : table.channels) {
-    const design::DesignArc& arc = features.arcs[static_cast<std::size_t>(number)];
+    const features::ArcFeature& arc = features.arcs[static_cast<std::size_t>(number)];
     add(arc.centre, arc.axis, "channel R" + length(arc.radius));
   }
   for (const TurnedPrism& prism : table.prisms)
     add(prism.centre, prism.axis, prism.inwards ? "turned hole" : "turned boss");
   for (const int number : table.balls)
     for (int axis = 0; axis < 3; ++axis)
-      if (const design::DesignBall& ball = features.balls[static_cast<std::size_t>(number)];
+      if (const features::BallFeature& ball = features.balls[static_cast<std::size_t>(number)];
           !ends_models(ball, axis, subject.extents[static_cast<std::size_t>(axis)]))
         places.push_back({axis, ball.centre[axis], "sphere SR" + length(ball.radius)});
-  for (const design::DesignHexagon& hexagon : features.hexagons)
+  for (const features::HexagonFeature& hexagon : features.hexagons)
     add(hexagon.centre, hexagon.axis, "hexagon " + length(hexagon.across_flats));
   return places;
 }
 
 std::vector<FeaturePlace> places_of_ends(const DimensionSubject& subject) {
-  const design::DesignFeatures& features = subject.features;
+  const features::PartFeatures& features = subject.features;
   std::vector<FeaturePlace> places;
-  for (const design::DesignLevel& level : features.levels) {
+  for (const features::LevelFeature& level : features.levels) {
     check(level.axis >= 0 && level.axis < 3, "a step is perpendicular to an axis of the world");
     places.push_back({level.axis, level.at, "step"});
     if (level.other_side) places.push_back({level.axis, *level.other_side, ""});
   }
-  for (const design::DesignCone& cone : features.cones)
+  for (const features::ConeFeature& cone : features.cones)
     if (const int axis = world_axis(cone.axis); axis >= 0)
       for (const Vec3& end : cone.ends) places.push_back({axis, end[axis], "end of a cone"});
-  for (const design::DesignBevel& bevel : features.bevels)
+  for (const features::BevelFeature& bevel : features.bevels)
     for (int axis = 0; axis < 3; ++axis)
       for (const Vec3& end : bevel.ends)
         if (axis != bevel.along && !has_angle(bevel, subject))
           places.push_back({axis, end[axis], bevel.is_chamfer ? "chamfer" : "slope"});
-  for (const design::DesignCylinder& cylinder : features.cylinders)
+  for (const features::CylinderFeature& cylinder : features.cylinders)
     if (const int axis = world_axis(cylinder.axis); axis >= 0 && cylinder.thread && cylinder.thread->length)
       places.push_back({axis, cylinder.thread->end[axis], "end of thread " + cylinder.thread->text});
   return places;

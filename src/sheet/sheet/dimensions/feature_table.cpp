@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "base/error.hpp"
-#include "design/assembly_features.hpp"
-#include "design/tolerances.hpp"
+#include "features/assembly_features.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/hole_table.hpp"
@@ -18,11 +18,11 @@ namespace epura::sheet {
 
 namespace {
 
-using design::are_parallel;
-using design::are_same;
-using design::DesignFeatures;
+using features::are_parallel;
+using features::are_same;
+using features::PartFeatures;
 
-bool are_equal_cylinders(const design::DesignCylinder& a, const design::DesignCylinder& b) {
+bool are_equal_cylinders(const features::CylinderFeature& a, const features::CylinderFeature& b) {
   return a.inwards == b.inwards && a.whole == b.whole && a.model == b.model && are_same(a.radius, b.radius) &&
          are_parallel(a.axis, b.axis) && name_in_note(a.thread) == name_in_note(b.thread);
 }
@@ -32,19 +32,20 @@ bool are_equal_circles(const FeatureSize& a, const FeatureSize& b) {
 }
 
 // Whether one note can give both, which are of one kind. That of a fillet gives those of all axes.
-bool are_equal_sizes(const FeatureSize& a, const FeatureSize& b, const DesignFeatures& features,
+bool are_equal_sizes(const FeatureSize& a, const FeatureSize& b, const PartFeatures& features,
                      const Notation& notation) {
   const auto both = [&](const auto& all, const auto& equal) {
     return equal(all[static_cast<std::size_t>(a.feature)], all[static_cast<std::size_t>(b.feature)]);
   };
   switch (a.kind) {
     case SizeKind::hole:
-      return both(features.holes,
-                  [](const design::DesignHole& one, const design::DesignHole& other) { return are_equal(one, other); });
+      return both(features.holes, [](const features::HoleFeature& one, const features::HoleFeature& other) {
+        return are_equal(one, other);
+      });
     case SizeKind::cylinder:
       return both(features.cylinders, are_equal_cylinders);
     case SizeKind::hexagon:
-      return both(features.hexagons, [](const design::DesignHexagon& one, const design::DesignHexagon& other) {
+      return both(features.hexagons, [](const features::HexagonFeature& one, const features::HexagonFeature& other) {
         return are_equal(one, other);
       });
     case SizeKind::arc:
@@ -58,7 +59,7 @@ bool are_equal_sizes(const FeatureSize& a, const FeatureSize& b, const DesignFea
   return false;
 }
 
-std::string name_of_hole(const design::DesignHole& hole, const Notation& notation) {
+std::string name_of_hole(const features::HoleFeature& hole, const Notation& notation) {
   const auto length = [&](double value) { return length_text(value, notation); };
   std::string name = "hole " + (hole.thread ? hole.thread->text : "⌀" + length(hole.diameter));
   if (hole.depth) name += " ↧" + length(*hole.depth);
@@ -67,9 +68,9 @@ std::string name_of_hole(const design::DesignHole& hole, const Notation& notatio
   return name;
 }
 
-std::vector<FeatureSize> list_holes(const DesignFeatures& features, const Notation& notation) {
+std::vector<FeatureSize> list_holes(const PartFeatures& features, const Notation& notation) {
   std::vector<FeatureSize> sizes;
-  for (const design::DesignHole& hole : features.holes) {
+  for (const features::HoleFeature& hole : features.holes) {
     check(hole.called() > 0 && (!hole.depth || *hole.depth > 0), "a hole has a diameter, and a depth if it is known");
     sizes.push_back({SizeKind::hole, static_cast<int>(sizes.size()), hole.model, hole.mouth, hole.axis,
                      hole.called() / 2, name_of_hole(hole, notation),
@@ -78,23 +79,23 @@ std::vector<FeatureSize> list_holes(const DesignFeatures& features, const Notati
   return sizes;
 }
 
-std::vector<FeatureSize> list_cylinders(const DesignFeatures& features, const Notation& notation) {
+std::vector<FeatureSize> list_cylinders(const PartFeatures& features, const Notation& notation) {
   std::vector<FeatureSize> sizes;
-  for (const design::DesignCylinder& one : features.cylinders)
+  for (const features::CylinderFeature& one : features.cylinders)
     sizes.push_back({SizeKind::cylinder, static_cast<int>(sizes.size()), one.model, one.from, one.axis, one.called(),
                      name_of(one, notation), name_in_note(one.thread)});
   return sizes;
 }
 
 // A cylinder that continues a cone has the size of its end.
-std::vector<FeatureSize> list_cone_ends(const DesignFeatures& features, const Notation& notation) {
+std::vector<FeatureSize> list_cone_ends(const PartFeatures& features, const Notation& notation) {
   std::vector<FeatureSize> sizes;
   for (std::size_t i = 0; i < features.cones.size(); ++i)
     for (const int end : {0, 1}) {
-      const design::DesignCone& cone = features.cones[i];
-      const design::DesignCylinder circle{cone.model, cone.ends[end],  cone.ends[end],
-                                          cone.axis,  cone.radii[end], false};
-      if (circle.radius > 0 && !design::has_coaxial_outline(features, circle))
+      const features::ConeFeature& cone = features.cones[i];
+      const features::CylinderFeature circle{cone.model, cone.ends[end],  cone.ends[end],
+                                             cone.axis,  cone.radii[end], false};
+      if (circle.radius > 0 && !features::has_coaxial_outline(features, circle))
         sizes.push_back({SizeKind::cone_end, static_cast<int>(i), cone.model, circle.from, cone.axis, circle.radius,
                          "end of a cone ⌀" + length_text(2 * circle.radius, notation), "<>"});
     }
@@ -102,23 +103,23 @@ std::vector<FeatureSize> list_cone_ends(const DesignFeatures& features, const No
 }
 
 // Those that have nothing but a radius or width.
-std::vector<FeatureSize> list_others(const DesignFeatures& features, SizeKind kind, const Notation& notation) {
+std::vector<FeatureSize> list_others(const PartFeatures& features, SizeKind kind, const Notation& notation) {
   std::vector<FeatureSize> sizes;
   const auto add = [&](int model, const Vec3& centre, const Vec3& axis, double value, const std::string& name) {
     sizes.push_back({kind, static_cast<int>(sizes.size()), model, centre, axis, value, name, "<>"});
   };
   const auto length = [&](double value) { return length_text(value, notation); };
   if (kind == SizeKind::pitch_circle)
-    for (const design::DesignPitchCircle& one : features.pitch_circles)
+    for (const features::PitchCircleFeature& one : features.pitch_circles)
       add(one.model, one.centre, one.axis, one.radius, "pitch circle ⌀" + length(2 * one.radius));
   if (kind == SizeKind::slot)
-    for (const design::DesignSlot& one : features.slots)
+    for (const features::SlotFeature& one : features.slots)
       add(one.model, one.centres[1], one.axis, one.radius, "slot R" + length(one.radius));
   if (kind == SizeKind::arc)
-    for (const design::DesignArc& one : features.arcs)
+    for (const features::ArcFeature& one : features.arcs)
       add(one.model, one.centre, one.axis, one.radius, "radius R" + length(one.radius));
   if (kind == SizeKind::hexagon)
-    for (const design::DesignHexagon& one : features.hexagons)
+    for (const features::HexagonFeature& one : features.hexagons)
       add(one.model, one.centre, one.axis, one.across_flats / 2,
           "hexagon " + length(one.across_flats) + " across flats");
   return sizes;
@@ -137,7 +138,7 @@ std::vector<FeatureSize> list_sides(const std::vector<TurnedPrism>& prisms, cons
   return sizes;
 }
 
-std::vector<FeatureSize> list_sizes(const DesignFeatures& features, SizeKind kind, const Notation& notation) {
+std::vector<FeatureSize> list_sizes(const PartFeatures& features, SizeKind kind, const Notation& notation) {
   if (kind == SizeKind::hole) return list_holes(features, notation);
   if (kind == SizeKind::cylinder) return list_cylinders(features, notation);
   if (kind == SizeKind::cone_end) return list_cone_ends(features, notation);
@@ -154,7 +155,7 @@ bool FeatureSize::is_equal(const WorldCircle& circle) const {
 
 bool FeatureSize::is_at(const WorldCircle& circle) const {
   return is_equal(circle) &&
-         design::distance_from_line(centre, circle.centre, axis) <= size_agrees * 10 * circle.radius;
+         features::distance_from_line(centre, circle.centre, axis) <= size_agrees * 10 * circle.radius;
 }
 
 std::size_t FeatureTable::first(SizeKind kind) const {
@@ -170,26 +171,26 @@ const FeatureSize& FeatureTable::size_of(SizeKind kind, std::size_t feature) con
   return sizes[number];
 }
 
-bool FeatureTable::is_radial(const design::DesignHole& hole) const {
+bool FeatureTable::is_radial(const features::HoleFeature& hole) const {
   return std::any_of(radial.begin(), radial.end(), [&](const RadialPattern& pattern) {
     return std::find(pattern.holes.begin(), pattern.holes.end(), &hole) != pattern.holes.end();
   });
 }
 
-std::string name_of(const design::DesignCylinder& cylinder, const Notation& notation) {
+std::string name_of(const features::CylinderFeature& cylinder, const Notation& notation) {
   const std::string size = cylinder.thread ? cylinder.thread->text : "⌀" + length_text(2 * cylinder.radius, notation);
   return (cylinder.inwards ? "bore " : "cylinder ") + size;
 }
 
 FeatureTable feature_table(const DimensionSubject& subject, const Notation& notation) {
-  const DesignFeatures& features = subject.features;
+  const PartFeatures& features = subject.features;
   FeatureTable table{.round_ends = find_round_ends(features),
                      .channels = find_channels(subject),
                      .balls = find_placed_balls(features, notation),
                      .hexagon_chamfers = find_hexagon_chamfers(subject),
                      .radial = find_radial_patterns(features)};
   // The drawing of an assembly gives the places of its parts alone.
-  if (!design::is_assembly(subject.world)) table.prisms = find_turned_prisms(features);
+  if (!features::is_assembly(subject.world)) table.prisms = find_turned_prisms(features);
   for (const SizeKind kind : {SizeKind::hole, SizeKind::cylinder, SizeKind::pitch_circle, SizeKind::cone_end,
                               SizeKind::slot, SizeKind::arc, SizeKind::hexagon}) {
     const auto begin = static_cast<int>(table.sizes.size());
@@ -213,9 +214,9 @@ FeatureTable feature_table(const DimensionSubject& subject, const Notation& nota
   }
   check(table.sizes.size() >= features.holes.size(), "each hole has a size");
   // One note describes holes about an axis.
-  const auto number_of = [&](const design::DesignHole* hole) { return hole - features.holes.data(); };
+  const auto number_of = [&](const features::HoleFeature* hole) { return hole - features.holes.data(); };
   for (const RadialPattern& pattern : table.radial)
-    for (const design::DesignHole* hole : pattern.holes)
+    for (const features::HoleFeature* hole : pattern.holes)
       table.sizes[static_cast<std::size_t>(number_of(hole))].equal_to =
           table.sizes[static_cast<std::size_t>(number_of(pattern.holes.front()))].equal_to;
   return table;

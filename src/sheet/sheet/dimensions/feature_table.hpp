@@ -58,11 +58,11 @@ struct FeatureTable {
   [[nodiscard]] std::size_t first(SizeKind kind) const;
   [[nodiscard]] const FeatureSize& size_of(SizeKind kind, std::size_t feature) const;
   /// Whether a hole is in a radial pattern.
-  [[nodiscard]] bool is_radial(const design::DesignHole& hole) const;
+  [[nodiscard]] bool is_radial(const features::HoleFeature& hole) const;
 };
 
 /// "bore ⌀12"
-std::string name_of(const design::DesignCylinder& cylinder, const Notation& notation);
+std::string name_of(const features::CylinderFeature& cylinder, const Notation& notation);
 
 /// Of all features. It refers to them.
 FeatureTable feature_table(const DimensionSubject& subject, const Notation& notation);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/axis_positions.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 
@@ -17,9 +17,9 @@ namespace epura::sheet {
 
 namespace {
 
-using design::are_parallel;
-using design::DesignHexagon;
-using design::parallel;
+using features::are_parallel;
+using features::HexagonFeature;
+using features::parallel;
 
 constexpr double same_width = 2e-4;  // relative
 
@@ -34,7 +34,7 @@ struct WidthView {
 };
 
 // In a view along the axis if possible, and there between flats that are horizontal or vertical.
-std::optional<WidthView> view_of(const DesignHexagon& hexagon, const ViewChoice& views) {
+std::optional<WidthView> view_of(const HexagonFeature& hexagon, const ViewChoice& views) {
   const auto straight = [&](const NamedProjection& view, double half) -> std::optional<WidthView> {
     for (const Vec3& normal : hexagon.normals) {
       if (are_parallel(normal, view.projection.u))
@@ -56,7 +56,7 @@ std::optional<WidthView> view_of(const DesignHexagon& hexagon, const ViewChoice&
 }
 
 // Of its axis if it is as large as the models, and of its flats.
-std::vector<KnownPlace> known_places(const DesignHexagon& hexagon, const DimensionSubject& subject) {
+std::vector<KnownPlace> known_places(const HexagonFeature& hexagon, const DimensionSubject& subject) {
   std::vector<KnownPlace> places;
   for (int axis = 0; axis < 3; ++axis) {
     if (is_extent(hexagon, axis, subject, false)) places.push_back({axis, hexagon.centre[axis]});
@@ -68,7 +68,7 @@ std::vector<KnownPlace> known_places(const DesignHexagon& hexagon, const Dimensi
   return places;
 }
 
-scene::DimensionDescription width_of(const Planning& plan, const DesignHexagon& hexagon, const WidthView& shown,
+scene::DimensionDescription width_of(const Planning& plan, const HexagonFeature& hexagon, const WidthView& shown,
                                      std::size_t count) {
   scene::DimensionDescription dimension = plan.dimension(
       shown.direction ? DimensionType::linear : DimensionType::aligned, *shown.view, times(count) + "<>");
@@ -81,7 +81,7 @@ scene::DimensionDescription width_of(const Planning& plan, const DesignHexagon& 
   return dimension;
 }
 
-bool is_extent_across_flats(const DesignHexagon& hexagon, const DimensionSubject& subject) {
+bool is_extent_across_flats(const HexagonFeature& hexagon, const DimensionSubject& subject) {
   for (int axis = 0; axis < 3; ++axis)
     if (is_extent(hexagon, axis, subject, true)) return true;
   return false;
@@ -89,19 +89,19 @@ bool is_extent_across_flats(const DesignHexagon& hexagon, const DimensionSubject
 
 }  // namespace
 
-bool is_extent(const DesignHexagon& hexagon, int axis, const DimensionSubject& subject, bool across_flats) {
+bool is_extent(const HexagonFeature& hexagon, int axis, const DimensionSubject& subject, bool across_flats) {
   const Vec3 direction = Mat3(1)[axis];
   if (hexagon.inwards || std::abs(hexagon.axis[axis]) > parallel) return false;
   if (across_flats && std::none_of(hexagon.normals.begin(), hexagon.normals.end(),
                                    [&](const Vec3& normal) { return are_parallel(normal, direction); }))
     return false;
-  const design::Extent& extent = subject.extents[static_cast<std::size_t>(axis)];
+  const features::Extent& extent = subject.extents[static_cast<std::size_t>(axis)];
   const double reach = hexagon.reach(direction);
   return are_same(extent.from, hexagon.centre[axis] - reach, reach) &&
          are_same(extent.to, hexagon.centre[axis] + reach, reach);
 }
 
-bool is_across_flats(const DesignHexagon& hexagon, const Vec3& along, const Vec3& from, const Vec3& to) {
+bool is_across_flats(const HexagonFeature& hexagon, const Vec3& along, const Vec3& from, const Vec3& to) {
   const double half = hexagon.across_flats / 2;
   if (std::none_of(hexagon.normals.begin(), hexagon.normals.end(),
                    [&](const Vec3& normal) { return are_parallel(normal, along); }))
@@ -110,7 +110,7 @@ bool is_across_flats(const DesignHexagon& hexagon, const Vec3& along, const Vec3
   return are_same(std::abs(a), half, half) && are_same(a, -b, half);
 }
 
-bool are_equal(const DesignHexagon& a, const DesignHexagon& b) {
+bool are_equal(const HexagonFeature& a, const HexagonFeature& b) {
   return a.model == b.model && a.inwards == b.inwards && are_same(a.across_flats, b.across_flats, a.across_flats) &&
          are_parallel(a.axis, b.axis) && std::any_of(b.normals.begin(), b.normals.end(), [&](const Vec3& normal) {
            return are_parallel(a.normals.front(), normal);
@@ -118,17 +118,17 @@ bool are_equal(const DesignHexagon& a, const DesignHexagon& b) {
 }
 
 bool is_across_corners(const Planning& plan, int axis) {
-  const std::vector<DesignHexagon>& hexagons = plan.subject.features.hexagons;
-  return std::any_of(hexagons.begin(), hexagons.end(), [&](const DesignHexagon& hexagon) {
+  const std::vector<HexagonFeature>& hexagons = plan.subject.features.hexagons;
+  return std::any_of(hexagons.begin(), hexagons.end(), [&](const HexagonFeature& hexagon) {
     return view_of(hexagon, plan.views) && is_extent(hexagon, axis, plan.subject, false) &&
            !is_extent(hexagon, axis, plan.subject, true);
   });
 }
 
 Planned hexagon_dimensions(const Planning& plan) {
-  const std::vector<DesignHexagon>& hexagons = plan.subject.features.hexagons;
+  const std::vector<HexagonFeature>& hexagons = plan.subject.features.hexagons;
   Planned planned;
-  for (const DesignHexagon& hexagon : hexagons) {
+  for (const HexagonFeature& hexagon : hexagons) {
     check(hexagon.across_flats > 0, "a hexagon has a width");
     if (!view_of(hexagon, plan.views)) continue;
     for (const KnownPlace& place : known_places(hexagon, plan.subject)) planned.places.emplace_back(place);

@@ -7,13 +7,13 @@
 namespace epura::sheet {
 
 /// Whether the size of the models along an axis of the world is that of a hexagon; `across_flats`: between two flats.
-bool is_extent(const design::DesignHexagon& hexagon, int axis, const DimensionSubject& subject, bool across_flats);
+bool is_extent(const features::HexagonFeature& hexagon, int axis, const DimensionSubject& subject, bool across_flats);
 
 /// Whether a length between two points along a unit vector is the width of a hexagon across flats.
-bool is_across_flats(const design::DesignHexagon& hexagon, const Vec3& along, const Vec3& from, const Vec3& to);
+bool is_across_flats(const features::HexagonFeature& hexagon, const Vec3& along, const Vec3& from, const Vec3& to);
 
 /// Whether one note can describe both.
-bool are_equal(const design::DesignHexagon& a, const design::DesignHexagon& b);
+bool are_equal(const features::HexagonFeature& a, const features::HexagonFeature& b);
 
 /// Whether the size of the models along an axis is that across the corners of a hexagon whose width a view shows.
 bool is_across_corners(const Planning& plan, int axis);

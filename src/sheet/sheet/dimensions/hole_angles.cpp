@@ -6,15 +6,15 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 
 namespace epura::sheet {
 
 namespace {
 
-using design::parallel;
-using design::same_size;
+using features::parallel;
+using features::same_size;
 
 // The direction of the hole beside that of another one.
 Vec3 next_to(const Vec3& first, const HoleDirections& around) {
@@ -56,7 +56,7 @@ bool gives_direction(const AnchoredDimension& dimension, const HoleDirections& a
   if (dimension.type != DimensionType::angular) return false;
   check(dimension.points.size() == 3, "an angle has a corner and two legs");
   const Vec3& corner = dimension.points[0];
-  if (design::distance_from_line(corner, around.centre, around.axis) > 10 * same_size * around.reach) return false;
+  if (features::distance_from_line(corner, around.centre, around.axis) > 10 * same_size * around.reach) return false;
   const auto leg = [&](std::size_t end) {
     const Vec3 to = dimension.points[end] - corner, flat = to - glm::dot(to, around.axis) * around.axis;
     return glm::length(flat) > 0 ? glm::normalize(flat) : Vec3(0);

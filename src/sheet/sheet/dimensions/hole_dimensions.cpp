@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/axis_positions.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/hole_angles.hpp"
@@ -21,22 +21,22 @@ namespace epura::sheet {
 
 namespace {
 
-using design::DesignHole;
-using HoleGroup = std::vector<const DesignHole*>;
+using features::HoleFeature;
+using HoleGroup = std::vector<const HoleFeature*>;
 
-Vec3 mouth_of(const DesignHole& hole) { return hole.mouth; }
+Vec3 mouth_of(const HoleFeature& hole) { return hole.mouth; }
 
-const FeatureSize& size_of(const Planning& plan, const DesignHole* hole) {
+const FeatureSize& size_of(const Planning& plan, const HoleFeature* hole) {
   return plan.table.size_of(SizeKind::hole, static_cast<std::size_t>(hole - plan.subject.features.holes.data()));
 }
 
-int number_of(const Planning& plan, const DesignHole* first) {
+int number_of(const Planning& plan, const HoleFeature* first) {
   return plan.group_of(SizeKind::hole, plan.subject.features.holes, first);
 }
 
 // The note of equal holes at one that a view shows.
 scene::DimensionDescription note_of(const Planning& plan, const NamedProjection& view, const HoleGroup& group,
-                                    const DesignHole* shown) {
+                                    const HoleFeature* shown) {
   const FeatureSize& size = size_of(plan, shown);
   check(size.value > 0, "a hole has a diameter");
   return plan.dimension(DimensionType::diameter, view, times(group.size()) + size_of(plan, group.front()).text,
@@ -45,14 +45,14 @@ scene::DimensionDescription note_of(const Planning& plan, const NamedProjection&
 
 // Whether holes of one group are behind those of the other, and look the same from the other side.
 bool are_opposite(const HoleGroup& group, const HoleGroup& other) {
-  DesignHole turned = *other.front();
+  HoleFeature turned = *other.front();
   turned.axis = -turned.axis;
-  const auto is_behind = [&](const DesignHole* hole) {
-    return std::any_of(group.begin(), group.end(), [&](const DesignHole* one) {
-      return design::distance_from_line(hole->mouth, one->mouth, one->axis) <= design::same_size * one->called();
+  const auto is_behind = [&](const HoleFeature* hole) {
+    return std::any_of(group.begin(), group.end(), [&](const HoleFeature* one) {
+      return features::distance_from_line(hole->mouth, one->mouth, one->axis) <= features::same_size * one->called();
     });
   };
-  return group.size() == other.size() && !turned.through && design::are_equal(*group.front(), turned) &&
+  return group.size() == other.size() && !turned.through && features::are_equal(*group.front(), turned) &&
          std::all_of(other.begin(), other.end(), is_behind);
 }
 
@@ -69,7 +69,7 @@ bool can_have_table(const NamedProjection& view) {
 std::vector<HoleGroup> groups_of_holes(const Planning& plan) {
   std::vector<HoleGroup> groups = equal_features(plan.table, SizeKind::hole, plan.subject.features.holes);
   for (HoleGroup& group : groups) {
-    std::erase_if(group, [&](const DesignHole* hole) { return plan.table.is_radial(*hole); });
+    std::erase_if(group, [&](const HoleFeature* hole) { return plan.table.is_radial(*hole); });
     if (group.empty()) continue;
     const Vec3 axis = group.front()->axis;
     const NamedProjection* view = plan.views.along(axis, true);
@@ -90,8 +90,8 @@ std::vector<HoleGroup> groups_of_holes(const Planning& plan) {
 // The left or lower end of the models in a view along one of its directions; the axis of a round part.
 double origin_along(const Planning& plan, const Vec3& direction) {
   const int axis = world_axis(direction);
-  const design::Extent& extent = plan.extent(axis);
-  if (extent.form != design::ExtentForm::length) return (extent.from + extent.to) / 2;
+  const features::Extent& extent = plan.extent(axis);
+  if (extent.form != features::ExtentForm::length) return (extent.from + extent.to) / 2;
   return direction[axis] > 0 ? extent.from : extent.to;
 }
 
@@ -112,10 +112,10 @@ struct TableGroup {
 TableGroup rows_of(const Planning& plan, HoleGroup group, const NamedProjection& view, const Vec3& origin,
                    const std::string& letters) {
   const Vec3 u = view.projection.u, v = view.projection.v;
-  const auto place = [&](const DesignHole* hole) {
+  const auto place = [&](const HoleFeature* hole) {
     return std::pair(glm::dot(hole->mouth - origin, u), glm::dot(hole->mouth - origin, v));
   };
-  const double same = design::same_size * glm::length(plan.box.size());
+  const double same = features::same_size * glm::length(plan.box.size());
   std::sort(group.begin(), group.end(), [&](const auto* a, const auto* b) {
     const auto [ax, ay] = place(a);
     const auto [bx, by] = place(b);
@@ -123,7 +123,7 @@ TableGroup rows_of(const Planning& plan, HoleGroup group, const NamedProjection&
   });
   TableGroup found;
   for (std::size_t i = 0; i < group.size(); ++i) {
-    const DesignHole& hole = *group[i];
+    const HoleFeature& hole = *group[i];
     check(hole.called() > 0, "a hole has a diameter");
     const auto [x, y] = place(&hole);
     const std::string label = letters + std::to_string(i + 1);
@@ -139,10 +139,10 @@ TableGroup rows_of(const Planning& plan, HoleGroup group, const NamedProjection&
 }
 
 // The view that looks into one of the holes, and the hole; otherwise one beside them.
-std::pair<const NamedProjection*, const DesignHole*> view_of_radial(const Planning& plan, const HoleGroup& holes) {
-  for (const DesignHole* hole : holes)
+std::pair<const NamedProjection*, const HoleFeature*> view_of_radial(const Planning& plan, const HoleGroup& holes) {
+  for (const HoleFeature* hole : holes)
     if (const NamedProjection* along = plan.views.along(hole->axis, true)) return {along, hole};
-  return {view_beside<DesignHole>(plan.views, holes, mouth_of), holes.front()};
+  return {view_beside<HoleFeature>(plan.views, holes, mouth_of), holes.front()};
 }
 
 }  // namespace
@@ -160,8 +160,8 @@ Planned radial_hole_dimensions(const Planning& plan) {
     if (axis < 0 || across == nullptr) continue;
     const int group = number_of(plan, pattern.holes.front());
     planned.places.emplace_back(Station{across, axis, shown->mouth[axis], shown->mouth, group, shown->mouth});
-    for (const DesignHole* hole : pattern.holes)
-      if (std::abs(hole->mouth[axis] - shown->mouth[axis]) > design::same_size * glm::length(plan.box.size()))
+    for (const HoleFeature* hole : pattern.holes)
+      if (std::abs(hole->mouth[axis] - shown->mouth[axis]) > features::same_size * glm::length(plan.box.size()))
         planned.places.emplace_back(Station{across, axis, hole->mouth[axis], hole->mouth, group, hole->mouth});
   }
   return planned;
@@ -172,7 +172,7 @@ Planned hole_dimensions(const Planning& plan) {
   std::size_t labelled = 0;
   for (const HoleGroup& group : groups_of_holes(plan)) {
     const NamedProjection* along = plan.views.along(group.front()->axis, !group.front()->through);
-    const NamedProjection* view = along != nullptr ? along : view_beside<DesignHole>(plan.views, group, mouth_of);
+    const NamedProjection* view = along != nullptr ? along : view_beside<HoleFeature>(plan.views, group, mouth_of);
     if (view == nullptr) continue;
     if (along != nullptr && has_table(plan) && can_have_table(*view)) {
       auto table = std::find_if(planned.tables.begin(), planned.tables.end(),
@@ -183,10 +183,10 @@ Planned hole_dimensions(const Planning& plan) {
       planned.append(std::move(rows.labels));
       continue;
     }
-    const auto* shown = uppermost<DesignHole>(group, *view, mouth_of);
+    const auto* shown = uppermost<HoleFeature>(group, *view, mouth_of);
     planned.dimensions.push_back(note_of(plan, *view, group, shown));
     std::vector<Vec3> centres;
-    for (const DesignHole* hole : group)
+    for (const HoleFeature* hole : group)
       if (hole->pitch_circle < 0) centres.push_back(hole->mouth);
     if (!centres.empty())
       planned.append(positions_of(plan, centres, group.front()->axis, along, number_of(plan, group.front())));
@@ -197,8 +197,8 @@ Planned hole_dimensions(const Planning& plan) {
 Planned pitch_circle_dimensions(const Planning& plan) {
   Planned planned;
   if (has_table(plan)) return planned;
-  const std::vector<design::DesignPitchCircle>& circles = plan.subject.features.pitch_circles;
-  for (const design::DesignPitchCircle& circle : circles) {
+  const std::vector<features::PitchCircleFeature>& circles = plan.subject.features.pitch_circles;
+  for (const features::PitchCircleFeature& circle : circles) {
     const NamedProjection* view = plan.views.along(circle.axis);
     if (view == nullptr) continue;
     planned.dimensions.push_back(

@@ -7,25 +7,25 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 
 namespace epura::sheet {
 
 namespace {
 
-using design::are_parallel;
-using design::DesignHole;
-using design::parallel;
-using design::same_size;
+using features::are_parallel;
+using features::HoleFeature;
+using features::parallel;
+using features::same_size;
 
-bool are_equal_apart_from_axes(const DesignHole& a, const DesignHole& b) {
-  DesignHole turned = b;
+bool are_equal_apart_from_axes(const HoleFeature& a, const HoleFeature& b) {
+  HoleFeature turned = b;
   turned.axis = a.axis;
-  return design::are_equal(a, turned);
+  return features::are_equal(a, turned);
 }
 
 // Whether the axis of a hole meets that of a cylinder, perpendicular to it.
-bool is_radial_to(const DesignHole& hole, const design::DesignCylinder& cylinder) {
+bool is_radial_to(const HoleFeature& hole, const features::CylinderFeature& cylinder) {
   if (hole.model != cylinder.model || std::abs(glm::dot(hole.axis, cylinder.axis)) > parallel) return false;
   const Vec3 normal = glm::cross(hole.axis, cylinder.axis);
   return std::abs(glm::dot(cylinder.from - hole.mouth, normal)) <= 10 * same_size * cylinder.radius;
@@ -33,20 +33,20 @@ bool is_radial_to(const DesignHole& hole, const design::DesignCylinder& cylinder
 
 // Equal holes about a cylinder at one height, or, if these are parallel to each other and to no axis of the world, at
 // all heights; none for others.
-std::vector<const DesignHole*> holes_about(const design::DesignCylinder& cylinder,
-                                           const std::vector<const DesignHole*>& candidates) {
-  const DesignHole& first = *candidates.front();
-  std::vector<const DesignHole*> level, parallels;
-  for (const DesignHole* other : candidates) {
+std::vector<const HoleFeature*> holes_about(const features::CylinderFeature& cylinder,
+                                            const std::vector<const HoleFeature*>& candidates) {
+  const HoleFeature& first = *candidates.front();
+  std::vector<const HoleFeature*> level, parallels;
+  for (const HoleFeature* other : candidates) {
     if (!is_radial_to(*other, cylinder) || !are_equal_apart_from_axes(first, *other)) continue;
     if (std::abs(glm::dot(other->mouth - first.mouth, cylinder.axis)) <= 10 * same_size * cylinder.radius)
       level.push_back(other);
     if (are_parallel(other->axis, first.axis)) parallels.push_back(other);
   }
-  const auto is_turned = [&](const DesignHole* hole) { return !are_parallel(hole->axis, first.axis); };
+  const auto is_turned = [&](const HoleFeature* hole) { return !are_parallel(hole->axis, first.axis); };
   if (std::any_of(level.begin(), level.end(), is_turned)) return level;
-  const bool is_askew = design::axis_along(first.axis) < 0 && design::axis_along(cylinder.axis) >= 0;
-  return is_askew ? parallels : std::vector<const DesignHole*>{};
+  const bool is_askew = features::axis_along(first.axis) < 0 && features::axis_along(cylinder.axis) >= 0;
+  return is_askew ? parallels : std::vector<const HoleFeature*>{};
 }
 
 std::optional<std::array<Vec3, 2>> cross_of(const Vec3& axis) {
@@ -76,28 +76,28 @@ bool has_line(const HoleDirections& even) {
 }  // namespace
 
 std::optional<Vec3> slanted_across(const Vec3& axis) {
-  if (design::axis_along(axis) >= 0) return std::nullopt;
+  if (features::axis_along(axis) >= 0) return std::nullopt;
   for (int world = 0; world < 3; ++world)
     if (std::abs(axis[world]) <= parallel) return glm::normalize(glm::cross(Mat3(1)[world], axis));
   return std::nullopt;
 }
 
-std::vector<RadialPattern> find_radial_patterns(const design::DesignFeatures& features) {
+std::vector<RadialPattern> find_radial_patterns(const features::PartFeatures& features) {
   std::vector<RadialPattern> patterns;
   std::vector<char> taken(features.holes.size(), 0);
-  for (const design::DesignCylinder& cylinder : features.cylinders)
+  for (const features::CylinderFeature& cylinder : features.cylinders)
     for (std::size_t first = 0; first < features.holes.size(); ++first) {
-      const DesignHole& hole = features.holes[first];
+      const HoleFeature& hole = features.holes[first];
       if (taken[first] != 0 || !is_radial_to(hole, cylinder)) continue;
-      std::vector<const DesignHole*> left;
+      std::vector<const HoleFeature*> left;
       for (std::size_t i = first; i < features.holes.size(); ++i)
         if (taken[i] == 0) left.push_back(&features.holes[i]);
-      const std::vector<const DesignHole*> holes = holes_about(cylinder, left);
+      const std::vector<const HoleFeature*> holes = holes_about(cylinder, left);
       if (holes.empty()) continue;
       check(holes.front() == &hole, "a radial pattern begins with the first of its holes");
       const Vec3 beside = cylinder.from + glm::dot(hole.mouth - cylinder.from, cylinder.axis) * cylinder.axis;
       patterns.push_back({beside, cylinder.axis, holes});
-      for (const DesignHole* one : holes) taken[static_cast<std::size_t>(one - features.holes.data())] = 1;
+      for (const HoleFeature* one : holes) taken[static_cast<std::size_t>(one - features.holes.data())] = 1;
     }
   return patterns;
 }
@@ -156,7 +156,7 @@ bool HoleDirections::are_alike(std::size_t a, std::size_t b) const {
 
 HoleDirections directions_of(const RadialPattern& pattern) {
   HoleDirections around{pattern.centre, pattern.axis, pattern.holes, {}, 0, cross_of(pattern.axis)};
-  for (const DesignHole* hole : pattern.holes) {
+  for (const HoleFeature* hole : pattern.holes) {
     const Vec3 to = hole->mouth - around.centre, flat = to - glm::dot(to, pattern.axis) * pattern.axis;
     around.reach = std::max(around.reach, glm::length(flat));
     around.directions.push_back(glm::length(flat) > hole->diameter * same_size ? glm::normalize(flat) : hole->axis);
@@ -164,10 +164,10 @@ HoleDirections directions_of(const RadialPattern& pattern) {
   return around;
 }
 
-HoleDirections directions_of(const design::DesignFeatures& features, int number) {
-  const design::DesignPitchCircle& circle = features.pitch_circles[static_cast<std::size_t>(number)];
+HoleDirections directions_of(const features::PartFeatures& features, int number) {
+  const features::PitchCircleFeature& circle = features.pitch_circles[static_cast<std::size_t>(number)];
   HoleDirections around{circle.centre, circle.axis, {}, {}, circle.radius, cross_of(circle.axis)};
-  for (const DesignHole& hole : features.holes)
+  for (const HoleFeature& hole : features.holes)
     if (hole.pitch_circle == number) {
       const Vec3 to = hole.mouth - circle.centre;
       around.holes.push_back(&hole);

@@ -7,26 +7,26 @@
 #include <optional>
 #include <vector>
 
-#include "design/design_features.hpp"
+#include "features/part_features.hpp"
 
 namespace epura::sheet {
 
 /// Equal holes whose axes meet that of a round part, perpendicular to it.
 struct RadialPattern {
-  Vec3 centre, axis;                             ///< of the part, beside the first hole; the axis is a unit vector
-  std::vector<const design::DesignHole*> holes;  ///< one or more
+  Vec3 centre, axis;                                ///< of the part, beside the first hole; the axis is a unit vector
+  std::vector<const features::HoleFeature*> holes;  ///< one or more
 };
 
 /// Those whose axes are not all parallel, and those that are along no axis of the world. A hole is in one pattern at
 /// most.
-std::vector<RadialPattern> find_radial_patterns(const design::DesignFeatures& features);
+std::vector<RadialPattern> find_radial_patterns(const features::PartFeatures& features);
 
 /// Directions of holes about an axis.
 struct HoleDirections {
-  Vec3 centre, axis;                             ///< the axis is a unit vector
-  std::vector<const design::DesignHole*> holes;  ///< one or more
-  std::vector<Vec3> directions;                  ///< of each: unit, perpendicular to the axis
-  double reach;                                  ///< of the holes from the axis
+  Vec3 centre, axis;                                ///< the axis is a unit vector
+  std::vector<const features::HoleFeature*> holes;  ///< one or more
+  std::vector<Vec3> directions;                     ///< of each: unit, perpendicular to the axis
+  double reach;                                     ///< of the holes from the axis
   /// Directions of centre lines, perpendicular to the axis and to each other: axes of the world, or one of these and
   /// the slope across the axis; nothing if the axis is perpendicular to none.
   std::optional<std::array<Vec3, 2>> cross;
@@ -49,6 +49,6 @@ std::optional<Vec3> slanted_across(const Vec3& axis);
 
 HoleDirections directions_of(const RadialPattern& pattern);
 /// Of the holes on a pitch circle; `number` is its index.
-HoleDirections directions_of(const design::DesignFeatures& features, int number);
+HoleDirections directions_of(const features::PartFeatures& features, int number);
 
 }  // namespace epura::sheet

@@ -24,7 +24,7 @@ void add_table_line(Layer& layer, const Vec2& from, const Vec2& to) {
 
 }  // namespace
 
-std::string recesses_of(const design::DesignHole& hole, const Notation& notation) {
+std::string recesses_of(const features::HoleFeature& hole, const Notation& notation) {
   const auto length = [&](double value) { return length_text(value, notation); };
   std::string text;
   if (hole.thread && hole.thread->length) text += " ↧" + length(*hole.thread->length);

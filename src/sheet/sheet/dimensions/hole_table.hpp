@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "design/design_features.hpp"
 #include "drawing/view_drawing.hpp"
+#include "features/part_features.hpp"
 #include "sheet/dimensions/marks.hpp"
 #include "sheet/notation.hpp"
 #include "sheet/rectangle.hpp"
@@ -27,7 +27,7 @@ struct HoleTable {
 };
 
 /// What follows the diameter or thread of a hole: depth, counterbore, countersink. Empty for a plain through hole.
-std::string recesses_of(const design::DesignHole& hole, const Notation& notation);
+std::string recesses_of(const features::HoleFeature& hole, const Notation& notation);
 
 /// Letters for groups of equal holes: A to Z without I, O and Q, which look like numbers, then AA, AB ...
 std::string letters_of(std::size_t group);

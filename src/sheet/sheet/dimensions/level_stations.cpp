@@ -9,16 +9,16 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 
 namespace epura::sheet {
 
 namespace {
 
-using design::are_parallel;
+using features::are_parallel;
 
 // Corners of a step where a view shows them.
-std::vector<Vec3> points_shown(const design::DesignLevel& level, const NamedProjection& view) {
+std::vector<Vec3> points_shown(const features::LevelFeature& level, const NamedProjection& view) {
   std::vector<Vec3> points;
   for (const Vec3& point : level.points)
     if (const auto shown = shown_point(view, point)) points.push_back(*shown);
@@ -27,7 +27,7 @@ std::vector<Vec3> points_shown(const design::DesignLevel& level, const NamedProj
 
 // The view in which a step is nearest to the viewer, so that little can hide it; the first one of several. Otherwise
 // the first aligned section that shows it.
-const NamedProjection* view_of_level(const design::DesignLevel& level, const ViewChoice& views,
+const NamedProjection* view_of_level(const features::LevelFeature& level, const ViewChoice& views,
                                      const std::vector<Vec3>& all_points, double slack) {
   check(level.axis >= 0 && level.axis < 3 && !level.points.empty(), "a step has an axis and corners");
   const Vec3 axis = Mat3(1)[level.axis];
@@ -60,11 +60,11 @@ double least_area(const Box& box) {
 }
 
 std::vector<Station> level_stations(const DimensionSubject& subject, const ViewChoice& views, const Stations& known) {
-  const Box box = design::box_of_faces(subject.world);
-  const std::vector<Vec3> all_points = design::points_of_faces(subject.world);
-  const double slack = design::same_size * glm::length(box.size());
+  const Box box = features::box_of_faces(subject.world);
+  const std::vector<Vec3> all_points = features::points_of_faces(subject.world);
+  const double slack = features::same_size * glm::length(box.size());
   std::map<std::pair<std::string, int>, std::vector<std::pair<double, Station>>> by_view;
-  for (const design::DesignLevel& level : subject.features.levels) {
+  for (const features::LevelFeature& level : subject.features.levels) {
     const NamedProjection* view = view_of_level(level, views, all_points, slack);
     if (view == nullptr || known.is_known(level.axis, level.at) || level.area < least_area(box)) continue;
     const bool horizontal = std::abs(view->projection.u[level.axis]) > 0.5;

@@ -371,9 +371,9 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   if (!(drawn > 0) || drawn < least - whole_ink * value || drawn > value + beside + whole_ink * value)
     refuse_measure(dimension, "the view does not show all of the models along this axis",
                    "omit --near and --far, and include contour in --edges");
-  const std::string sign = dimension.form == design::ExtentForm::length   ? ""
-                           : dimension.form == design::ExtentForm::sphere ? "S" + sight.notation.diameter
-                                                                          : sight.notation.diameter;
+  const std::string sign = dimension.form == features::ExtentForm::length   ? ""
+                           : dimension.form == features::ExtentForm::sphere ? "S" + sight.notation.diameter
+                                                                            : sight.notation.diameter;
   MeasuredLength length{ends[0], ends[1], along, left_of(along)};
   length.value = value;
   halve(length, sight, whole_ends);

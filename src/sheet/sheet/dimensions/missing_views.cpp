@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/stations.hpp"
 
 namespace epura::sheet {
@@ -16,14 +16,14 @@ namespace {
 
 bool is_seen_along(const Vec3& axis, std::span<const DimensionsInView> views) {
   return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
-    return is_plain(view.projection) && !view.turned_about && design::are_parallel(view.projection.n, axis);
+    return is_plain(view.projection) && !view.turned_about && features::are_parallel(view.projection.n, axis);
   });
 }
 
 bool is_seen_beside(const Vec3& axis, std::span<const DimensionsInView> views) {
   return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
-    if (view.turned_about) return design::are_parallel(*view.turned_about, axis);
-    return is_plain(view.projection) && std::abs(glm::dot(view.projection.n, axis)) <= design::parallel;
+    if (view.turned_about) return features::are_parallel(*view.turned_about, axis);
+    return is_plain(view.projection) && std::abs(glm::dot(view.projection.n, axis)) <= features::parallel;
   });
 }
 
@@ -47,7 +47,7 @@ Remedy remedy_for(const Vec3& axis, bool only_along, std::span<const DimensionsI
 
 Remedy remedy_beside(const Vec3& axis, std::span<const DimensionsInView> views) {
   for (const int normal : {1, 0, 2})
-    if (const Vec3 n = Mat3(1)[normal]; std::abs(glm::dot(n, axis)) <= design::parallel && !is_seen_along(n, views))
+    if (const Vec3 n = Mat3(1)[normal]; std::abs(glm::dot(n, axis)) <= features::parallel && !is_seen_along(n, views))
       return {", whose section may be seen in the view " + view_along(n), view_along(n)};
   return {};
 }

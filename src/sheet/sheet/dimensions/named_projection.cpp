@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sheet/dimensions/named_projection.hpp"
 
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 
 namespace epura::sheet {
 
@@ -18,11 +18,11 @@ std::optional<Vec3> shown_point(const NamedProjection& view, const Vec3& point) 
 bool shows_in_place(const NamedProjection& view, const Vec3& point, const Vec3& axis) {
   if (!view.aligned()) return true;
   const std::optional<Vec3> shown = shown_point(view, point);
-  return shown && glm::distance(*shown, point) <= view.slack && design::are_parallel(view.section->axis(), axis);
+  return shown && glm::distance(*shown, point) <= view.slack && features::are_parallel(view.section->axis(), axis);
 }
 
 bool keeps_positions(const NamedProjection& view, int axis) {
-  return !view.aligned() || design::are_parallel(view.section->axis(), Mat3(1)[axis]);
+  return !view.aligned() || features::are_parallel(view.section->axis(), Mat3(1)[axis]);
 }
 
 }  // namespace epura::sheet

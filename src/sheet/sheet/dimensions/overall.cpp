@@ -32,13 +32,13 @@ bool looks_from(const projection::Projection& projection, const Vec3& viewer) {
 }
 
 // An aligned section keeps lengths along the axes of its turns, and diameters around one.
-bool keeps_size(const NamedProjection& view, const PageDirection& direction, const design::Extent& extent) {
+bool keeps_size(const NamedProjection& view, const PageDirection& direction, const features::Extent& extent) {
   return keeps_positions(view, axis_of(direction.direction)) ||
-         (extent.form == design::ExtentForm::diameter && shows_in_place(view, extent.centre, extent.axis));
+         (extent.form == features::ExtentForm::diameter && shows_in_place(view, extent.centre, extent.axis));
 }
 
 const NamedProjection* clearest(std::span<const NamedProjection> views, const PageDirection& direction,
-                                const std::string& name, const design::Extent& extent) {
+                                const std::string& name, const features::Extent& extent) {
   for (const bool aligned : {false, true})
     for (const Vec3& viewer : direction.seen_from)
       for (const NamedProjection& view : views)
@@ -93,7 +93,7 @@ Lines dividing_lines_of(std::span<const scene::DimensionDescription> dimensions,
 
 std::vector<scene::DimensionDescription> overall_dimensions(const scene::DimensionDescription& overall,
                                                             std::span<const NamedProjection> views,
-                                                            const std::array<design::Extent, 3>& extents) {
+                                                            const std::array<features::Extent, 3>& extents) {
   std::vector<scene::DimensionDescription> dimensions;
   const auto stands_already = [&](const PageDirection& direction) {
     return std::any_of(dimensions.begin(), dimensions.end(), [&](const scene::DimensionDescription& other) {

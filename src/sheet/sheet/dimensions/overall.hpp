@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "design/true_extents.hpp"
+#include "features/true_extents.hpp"
 #include "scene/description.hpp"
 #include "sheet/dimensions/named_projection.hpp"
 
@@ -20,7 +20,7 @@ namespace epura::sheet {
 /// and its depth. If the dimension names a view, only that view counts. Throws Error{input} if nothing is left.
 std::vector<scene::DimensionDescription> overall_dimensions(const scene::DimensionDescription& overall,
                                                             std::span<const NamedProjection> views,
-                                                            const std::array<design::Extent, 3>& extents);
+                                                            const std::array<features::Extent, 3>& extents);
 
 /// Millimetres on paper to be kept free around the ink of a view.
 struct Room {

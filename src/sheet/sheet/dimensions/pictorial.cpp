@@ -115,10 +115,10 @@ class PictorialPlanner {
 
   void add_sizes() {
     const Images images{view_.projection};
-    const std::vector<Vec3> points = design::points_of_faces(subject_.world);
+    const std::vector<Vec3> points = features::points_of_faces(subject_.world);
     std::vector<int> done;
     for (const int axis : {0, 1, 2}) {
-      const design::Extent& extent = subject_.extents[axis];
+      const features::Extent& extent = subject_.extents[axis];
       const bool is_done =
           std::any_of(done.begin(), done.end(), [&](int other) { return subject_.extents[other].is_same_as(extent); });
       if (is_done || !images.is_seen(axis) || !(extent.size() > 0)) continue;
@@ -126,9 +126,9 @@ class PictorialPlanner {
       const auto ends = extension ? ends_along(axis, *extension, images, points) : std::nullopt;
       if (!ends) continue;
       done.push_back(axis);
-      const std::string sign = extent.form == design::ExtentForm::length ? "" : "⌀<>";
+      const std::string sign = extent.form == features::ExtentForm::length ? "" : "⌀<>";
       DimensionDescription& size =
-          add(DimensionType::aligned, extent.form == design::ExtentForm::sphere ? "S" + sign : sign);
+          add(DimensionType::aligned, extent.form == features::ExtentForm::sphere ? "S" + sign : sign);
       Vec3 from = ends->from, to = ends->to;
       from[axis] = extent.from;
       to[axis] = extent.to;
@@ -139,7 +139,7 @@ class PictorialPlanner {
 
   // Of equal holes, at one whose mouth the view shows.
   void add_holes() {
-    for (const auto& group : groups_of<design::DesignHole>(subject_.features.holes, design::are_equal)) {
+    for (const auto& group : groups_of<features::HoleFeature>(subject_.features.holes, features::are_equal)) {
       const auto* shown = *std::max_element(group.begin(), group.end(), [&](const auto* a, const auto* b) {
         return glm::dot(a->axis, view_.projection.n) < glm::dot(b->axis, view_.projection.n) - 1e-9;
       });
@@ -149,13 +149,13 @@ class PictorialPlanner {
   }
 
   void add_cylinders() {
-    const auto equal = [&](const design::DesignCylinder& a, const design::DesignCylinder& b) {
+    const auto equal = [&](const features::CylinderFeature& a, const features::CylinderFeature& b) {
       return a.inwards == b.inwards && are_written_alike(a.called(), b.called(), notation_);
     };
-    for (const auto& group : groups_of<design::DesignCylinder>(subject_.features.cylinders, equal)) {
-      const design::DesignCylinder& shown = *group.front();
-      const auto is_overall = [&](const design::Extent& extent) {
-        return extent.form == design::ExtentForm::diameter &&
+    for (const auto& group : groups_of<features::CylinderFeature>(subject_.features.cylinders, equal)) {
+      const features::CylinderFeature& shown = *group.front();
+      const auto is_overall = [&](const features::Extent& extent) {
+        return extent.form == features::ExtentForm::diameter &&
                are_written_alike(extent.size(), 2 * shown.radius, notation_);
       };
       if (std::any_of(subject_.extents.begin(), subject_.extents.end(), is_overall)) continue;
@@ -167,11 +167,11 @@ class PictorialPlanner {
   }
 
   void add_arcs() {
-    const auto equal = [&](const design::DesignArc& a, const design::DesignArc& b) {
+    const auto equal = [&](const features::ArcFeature& a, const features::ArcFeature& b) {
       return are_written_alike(a.radius, b.radius, notation_);
     };
-    for (const auto& group : groups_of<design::DesignArc>(subject_.features.arcs, equal)) {
-      const design::DesignArc& shown =
+    for (const auto& group : groups_of<features::ArcFeature>(subject_.features.arcs, equal)) {
+      const features::ArcFeature& shown =
           **std::max_element(group.begin(), group.end(), [&](const auto* a, const auto* b) {
             return glm::dot(a->centre, view_.projection.n) < glm::dot(b->centre, view_.projection.n) - 1e-9;
           });

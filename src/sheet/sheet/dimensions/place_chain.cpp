@@ -8,7 +8,7 @@
 
 namespace epura::sheet {
 
-PlaceChain::PlaceChain(int axis, const design::Extent& extent, std::span<const FeaturePlace> places, double slack)
+PlaceChain::PlaceChain(int axis, const features::Extent& extent, std::span<const FeaturePlace> places, double slack)
     : axis_(axis), slack_(slack), extent_(extent) {
   add(extent.from, "");
   add(extent.to, "");

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
-#include "design/true_extents.hpp"
+#include "features/true_extents.hpp"
 #include "sheet/dimensions/feature_places.hpp"
 #include "sheet/dimensions/place_joins.hpp"
 
@@ -22,7 +22,7 @@ inline constexpr std::array axis_names{"x", "y", "z"};
 class PlaceChain {
  public:
   /// Those of the features along this axis; places that are closer to one another than `slack` are one.
-  PlaceChain(int axis, const design::Extent& extent, std::span<const FeaturePlace> places, double slack);
+  PlaceChain(int axis, const features::Extent& extent, std::span<const FeaturePlace> places, double slack);
 
   /// What is no place is ignored. Returns false if other lengths join both ends of a length already.
   bool join(const PlaceJoin& join);
@@ -40,7 +40,7 @@ class PlaceChain {
 
   int axis_;
   double slack_;
-  design::Extent extent_;
+  features::Extent extent_;
   std::vector<std::pair<double, std::string>> places_;
   DisjointSets sets_{0}, lengths_{0};
 };

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/cone_angles.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
@@ -18,8 +18,8 @@ namespace epura::sheet {
 
 namespace {
 
-using design::are_parallel;
-using design::parallel;
+using features::are_parallel;
+using features::parallel;
 using Joins = std::vector<PlaceJoin>;
 
 Joins together(Joins some, const Joins& more) {
@@ -27,7 +27,7 @@ Joins together(Joins some, const Joins& more) {
   return some;
 }
 
-double middle_of(const design::Extent& extent) { return (extent.from + extent.to) / 2; }
+double middle_of(const features::Extent& extent) { return (extent.from + extent.to) / 2; }
 
 /// A dimension, and what it may speak of.
 struct Reading {
@@ -37,7 +37,9 @@ struct Reading {
   const FeatureTable& table;
   const Notation& notation;
 
-  [[nodiscard]] const design::Extent& extent(int axis) const { return subject.extents[static_cast<std::size_t>(axis)]; }
+  [[nodiscard]] const features::Extent& extent(int axis) const {
+    return subject.extents[static_cast<std::size_t>(axis)];
+  }
   [[nodiscard]] bool is_of_many() const { return repeats_of(dimension.text) > 1; }
 };
 
@@ -49,7 +51,7 @@ Joins sides_of(int axis, double middle, double radius) {
 Joins joins_between(const Reading& of, int axis, double a, double b) {
   Joins joins;
   const double middle = middle_of(of.extent(axis));
-  if (of.extent(axis).form != design::ExtentForm::length && agree(b - middle, middle - a))
+  if (of.extent(axis).form != features::ExtentForm::length && agree(b - middle, middle - a))
     joins.push_back({axis, middle, a});
   if (of.is_of_many() && of.dimension.text.find('=') != std::string::npos)
     joins.push_back({axis, a, b, repeats_of(of.dimension.text)});
@@ -75,7 +77,7 @@ Joins joins_of_row(const Reading& of, int axis) {
 Joins joins_of_hexagons(const Reading& of) {
   Joins joins;
   for (const std::size_t number : hexagons_of(of.dimension, of.view, of.subject)) {
-    const design::DesignHexagon& hexagon = of.subject.features.hexagons[number];
+    const features::HexagonFeature& hexagon = of.subject.features.hexagons[number];
     for (int axis = 0; axis < 3; ++axis) {
       if (std::abs(hexagon.axis[axis]) > parallel) continue;
       const double reach = hexagon.reach(Mat3(1)[axis]);
@@ -101,7 +103,7 @@ Joins joins_of_prisms(const Reading& of) {
 // The length of one of several equal slots joins the ends of all of them.
 Joins joins_of_slots(const Reading& of, int axis) {
   Joins joins;
-  for (const design::DesignSlot& slot : of.subject.features.slots)
+  for (const features::SlotFeature& slot : of.subject.features.slots)
     joins.push_back({axis, slot.centres[0][axis], slot.centres[1][axis]});
   return joins;
 }
@@ -112,7 +114,7 @@ Joins joins_of_chamfers(const Reading& of) {
   const std::vector<Vec3>& points = of.dimension.points;
   const double leg = glm::length(points[1] - points[0]) / std::sqrt(2.0);
   Joins joins;
-  for (const design::DesignBevel& bevel : of.subject.features.bevels) {
+  for (const features::BevelFeature& bevel : of.subject.features.bevels) {
     if (!bevel.is_chamfer || bevel.along != along || !agree(bevel.leg(), leg)) continue;
     const double off = glm::length(bevel.ends[0] + bevel.ends[1] - points[0] - points[1]);
     for (int other = 0; other < 3; ++other)
@@ -139,10 +141,10 @@ Joins joins_of_length(const Reading& of) {
 }
 
 // The axis of a shaft, where flats may have taken one end or, equally, both.
-Joins joins_beside_flats(const Reading& of, int axis, const design::Extent& shaft) {
+Joins joins_beside_flats(const Reading& of, int axis, const features::Extent& shaft) {
   const double middle = shaft.centre[axis];
   Joins joins = sides_of(axis, middle, shaft.size() / 2);
-  const design::Extent& own = of.extent(axis);
+  const features::Extent& own = of.extent(axis);
   if (agree(own.to - middle, middle - own.from)) joins.push_back({axis, middle, own.from});
   return joins;
 }
@@ -150,16 +152,16 @@ Joins joins_beside_flats(const Reading& of, int axis, const design::Extent& shaf
 // A diameter is the size along both axes across a shaft.
 Joins joins_of_overall(const Reading& of) {
   const int axis = axis_of(*of.dimension.direction);
-  const design::Extent& extent = of.extent(axis);
+  const features::Extent& extent = of.extent(axis);
   Joins joins = joins_of_hexagons(of);
   for (int other = 0; other < 3; ++other) {
-    const design::Extent& same = of.extent(other);
+    const features::Extent& same = of.extent(other);
     if (other != axis && !extent.is_same_as(same)) continue;
     joins.push_back({other, same.from, same.to, 1,
                      other == axis ? std::string("overall size along ") + axis_names[std::size_t(axis)] : ""});
-    if (same.form != design::ExtentForm::length) joins.push_back({other, same.from, middle_of(same)});
+    if (same.form != features::ExtentForm::length) joins.push_back({other, same.from, middle_of(same)});
   }
-  for (int other = 0; other < 3 && extent.form == design::ExtentForm::diameter; ++other)
+  for (int other = 0; other < 3 && extent.form == features::ExtentForm::diameter; ++other)
     if (std::abs(extent.axis[other]) <= parallel)
       joins = together(std::move(joins), joins_beside_flats(of, other, extent));
   return joins;
@@ -170,8 +172,8 @@ Joins joins_of_label(const Reading& of) {
   const WorldCircle& circle = of.dimension.circles.front();
   Joins joins;
   for (int axis = 0; axis < 3; ++axis) {
-    const design::Extent& extent = of.extent(axis);
-    const bool is_round = extent.form != design::ExtentForm::length;
+    const features::Extent& extent = of.extent(axis);
+    const bool is_round = extent.form != features::ExtentForm::length;
     if (std::abs(circle.axis[axis]) <= parallel)
       joins.push_back({axis, is_round ? middle_of(extent) : extent.from, circle.centre[axis]});
   }
@@ -179,7 +181,7 @@ Joins joins_of_label(const Reading& of) {
 }
 
 bool lies_on(const Vec3& point, const WorldCircle& circle) {
-  return agree(design::distance_from_line(point, circle.centre, circle.axis), circle.radius);
+  return agree(features::distance_from_line(point, circle.centre, circle.axis), circle.radius);
 }
 
 // A diameter gives both sides of its circle; "4×" those of all that are equal to it.
@@ -192,7 +194,7 @@ Joins joins_of_circles(const Reading& of) {
       for (const FeatureSize& size : of.table.sizes)
         if (of.is_of_many() && size.is_equal(circle))
           joins = together(std::move(joins), sides_of(axis, size.centre[axis], circle.radius));
-      for (const design::DesignHole& hole : of.subject.features.holes)
+      for (const features::HoleFeature& hole : of.subject.features.holes)
         if (lies_on(hole.mouth, circle) && are_parallel(hole.axis, circle.axis))
           joins.push_back({axis, circle.centre[axis], hole.mouth[axis]});
     }
@@ -202,7 +204,7 @@ Joins joins_of_circles(const Reading& of) {
 // An angle gives the rounded end of a cone.
 Joins joins_of_cones(const Reading& of) {
   Joins joins;
-  for (const design::DesignCone& cone : of.subject.features.cones)
+  for (const features::ConeFeature& cone : of.subject.features.cones)
     if (const int axis = world_axis(cone.axis);
         axis >= 0 && has_angle(cone, glm::length(of.subject.world.box.size())) && is_angle_of(of.dimension, cone))
       joins.push_back({axis, cone.ends[0][axis], cone.ends[1][axis]});
@@ -226,11 +228,11 @@ std::optional<Vec3> measured_along(const AnchoredDimension& dimension, const Dim
 
 std::vector<std::size_t> hexagons_of(const AnchoredDimension& dimension, const DimensionsInView& view,
                                      const DimensionSubject& subject) {
-  const std::vector<design::DesignHexagon>& hexagons = subject.features.hexagons;
+  const std::vector<features::HexagonFeature>& hexagons = subject.features.hexagons;
   const std::optional<Vec3> along = measured_along(dimension, view);
   const bool is_overall = dimension.type == DimensionType::overall;
   if (is_auxiliary(dimension) || dimension.arrangement || (!along && !is_overall)) return {};
-  const auto measures_extent = [&](const design::DesignHexagon& hexagon) {
+  const auto measures_extent = [&](const features::HexagonFeature& hexagon) {
     const int axis = axis_of(*dimension.direction);
     for (int other = 0; other < 3; ++other)
       if ((other == axis || subject.extents[std::size_t(axis)].is_same_as(subject.extents[std::size_t(other)])) &&
@@ -238,13 +240,13 @@ std::vector<std::size_t> hexagons_of(const AnchoredDimension& dimension, const D
         return true;
     return false;
   };
-  const auto measures = [&](const design::DesignHexagon& hexagon) {
+  const auto measures = [&](const features::HexagonFeature& hexagon) {
     return is_overall ? measures_extent(hexagon)
                       : is_across_flats(hexagon, *along, dimension.points[0], dimension.points[1]);
   };
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < hexagons.size(); ++i) {
-    const auto is_equal_to = [&](const design::DesignHexagon& other) {
+    const auto is_equal_to = [&](const features::HexagonFeature& other) {
       return measures(other) && are_equal(other, hexagons[i]);
     };
     const bool many = !is_overall && repeats_of(dimension.text) > 1;
@@ -281,7 +283,7 @@ std::vector<PlaceJoin> joins_of_round_ends(std::span<const double> radii, const 
     if (std::none_of(radii.begin(), radii.end(), is_it)) continue;
     for (int axis = 0; axis < 3; ++axis)
       for (const int side : {0, 1})
-        if (const design::Extent& extent = subject.extents[std::size_t(axis)]; end.ends_models(axis, side, extent))
+        if (const features::Extent& extent = subject.extents[std::size_t(axis)]; end.ends_models(axis, side, extent))
           joins.push_back({axis, end.centre[axis], side == 0 ? extent.from : extent.to});
   }
   return joins;

@@ -6,15 +6,15 @@
 #include <cstddef>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 
 namespace epura::sheet {
 
-std::vector<int> find_placed_balls(const design::DesignFeatures& features, const Notation& notation) {
+std::vector<int> find_placed_balls(const features::PartFeatures& features, const Notation& notation) {
   std::vector<int> placed;
   for (std::size_t i = 0; i < features.balls.size(); ++i) {
-    const design::DesignBall& ball = features.balls[i];
+    const features::BallFeature& ball = features.balls[i];
     const auto is_alike = [&](const auto& one) {
       return one.model == ball.model &&
              (are_written_alike(one.radius, ball.radius, notation) || std::abs(one.radius - ball.radius) <= ball.doubt);
@@ -26,9 +26,9 @@ std::vector<int> find_placed_balls(const design::DesignFeatures& features, const
   return placed;
 }
 
-bool ends_models(const design::DesignBall& ball, int axis, const design::Extent& extent) {
+bool ends_models(const features::BallFeature& ball, int axis, const features::Extent& extent) {
   check(ball.radius > 0 && axis >= 0 && axis < 3, "a ball has a radius");
-  const double slack = 10 * design::same_size * ball.radius + ball.doubt, at = ball.centre[axis];
+  const double slack = 10 * features::same_size * ball.radius + ball.doubt, at = ball.centre[axis];
   return std::abs(at + ball.radius - extent.to) <= slack || std::abs(at - ball.radius - extent.from) <= slack;
 }
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 
 namespace epura::sheet {
 
@@ -15,7 +15,7 @@ Planning::Planning(const scene::DimensionDescription& of, std::span<const NamedP
       views(of, projections),
       subject(parts),
       notation(written),
-      box(design::box_of_faces(parts.world)),
+      box(features::box_of_faces(parts.world)),
       table(feature_table(parts, written)) {}
 
 scene::DimensionDescription Planning::dimension(DimensionType type, const NamedProjection& view,
@@ -41,11 +41,12 @@ void Planned::append(Planned other) {
   std::move(other.tables.begin(), other.tables.end(), std::back_inserter(tables));
 }
 
-bool is_overall(const DimensionSubject& subject, const design::DesignCylinder& cylinder) {
-  return std::any_of(subject.extents.begin(), subject.extents.end(), [&](const design::Extent& extent) {
-    return extent.form == design::ExtentForm::diameter && design::are_same(extent.size(), 2 * cylinder.radius) &&
-           design::are_parallel(extent.axis, cylinder.axis) &&
-           design::distance_from_line(cylinder.from, extent.centre, extent.axis) <= design::same_size * cylinder.radius;
+bool is_overall(const DimensionSubject& subject, const features::CylinderFeature& cylinder) {
+  return std::any_of(subject.extents.begin(), subject.extents.end(), [&](const features::Extent& extent) {
+    return extent.form == features::ExtentForm::diameter && features::are_same(extent.size(), 2 * cylinder.radius) &&
+           features::are_parallel(extent.axis, cylinder.axis) &&
+           features::distance_from_line(cylinder.from, extent.centre, extent.axis) <=
+               features::same_size * cylinder.radius;
   });
 }
 

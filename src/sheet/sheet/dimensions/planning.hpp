@@ -43,7 +43,9 @@ struct Planning {
   [[nodiscard]] int group_of(SizeKind kind, const std::vector<Feature>& features, const Feature* first) const {
     return static_cast<int>(table.first(kind)) + static_cast<int>(first - features.data());
   }
-  [[nodiscard]] const design::Extent& extent(int axis) const { return subject.extents[static_cast<std::size_t>(axis)]; }
+  [[nodiscard]] const features::Extent& extent(int axis) const {
+    return subject.extents[static_cast<std::size_t>(axis)];
+  }
 };
 
 /// A place along an axis of the world that follows from dimensions.
@@ -55,7 +57,7 @@ struct KnownPlace {
 /// A place along a slope: that of a feature which begins on a face.
 struct SlantedPlace {
   const NamedProjection* view;
-  const design::DesignPlane* face;
+  const features::PlaneFeature* face;
   Vec3 along, centre;
   int group;  ///< as of stations
 };
@@ -95,6 +97,6 @@ const NamedProjection* view_beside(const ViewChoice& views, const std::vector<co
 }
 
 /// Whether an overall dimension is the diameter of a cylinder.
-bool is_overall(const DimensionSubject& subject, const design::DesignCylinder& cylinder);
+bool is_overall(const DimensionSubject& subject, const features::CylinderFeature& cylinder);
 
 }  // namespace epura::sheet

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/axis_positions.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 
@@ -40,7 +40,7 @@ scene::DimensionDescription angle_of(const Planning& plan, const NamedProjection
 
 bool is_over_turned_part(const Planning& plan, int axis) {
   return std::any_of(plan.table.prisms.begin(), plan.table.prisms.end(), [&](const TurnedPrism& prism) {
-    return std::abs(prism.axis[axis]) <= design::parallel && prism.is_whole(plan.subject.extents) &&
+    return std::abs(prism.axis[axis]) <= features::parallel && prism.is_whole(plan.subject.extents) &&
            plan.views.along(prism.axis) != nullptr;
   });
 }
@@ -62,7 +62,7 @@ Planned prism_dimensions(const Planning& plan) {
         continue;
       }
       for (int axis = 0; axis < 3; ++axis)
-        if (std::abs(prism->axis[axis]) <= design::parallel)
+        if (std::abs(prism->axis[axis]) <= features::parallel)
           planned.places.emplace_back(KnownPlace{axis, prism->centre[axis]});
     }
   }

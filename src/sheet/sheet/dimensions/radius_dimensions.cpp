@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/axis_positions.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/placed_balls.hpp"
@@ -24,21 +24,21 @@ namespace epura::sheet {
 
 namespace {
 
-using design::are_parallel;
-using design::are_same;
-using design::DesignArc;
-using design::DesignBall;
-using design::DesignRound;
+using features::ArcFeature;
+using features::are_parallel;
+using features::are_same;
+using features::BallFeature;
+using features::RoundFeature;
 using scene::DimensionDescription;
 
 // The view along most of some arcs, and these.
-std::pair<const NamedProjection*, std::vector<const DesignArc*>> most_seen(const ViewChoice& views,
-                                                                           const std::vector<const DesignArc*>& arcs) {
-  std::pair<const NamedProjection*, std::vector<const DesignArc*>> best{};
+std::pair<const NamedProjection*, std::vector<const ArcFeature*>> most_seen(
+    const ViewChoice& views, const std::vector<const ArcFeature*>& arcs) {
+  std::pair<const NamedProjection*, std::vector<const ArcFeature*>> best{};
   for (const NamedProjection* view : views.all()) {
-    std::vector<const DesignArc*> seen;
+    std::vector<const ArcFeature*> seen;
     std::copy_if(arcs.begin(), arcs.end(), std::back_inserter(seen),
-                 [&](const DesignArc* arc) { return views.along(arc->axis) == view; });
+                 [&](const ArcFeature* arc) { return views.along(arc->axis) == view; });
     if (seen.size() > best.second.size()) best = {view, std::move(seen)};
   }
   return best;
@@ -53,14 +53,14 @@ bool has_radius(std::span<const DimensionDescription> dimensions, double radius,
 }
 
 // Whether an overall dimension is the diameter of a ball.
-bool is_overall_ball(const DimensionSubject& subject, const DesignBall& ball) {
-  return std::any_of(subject.extents.begin(), subject.extents.end(), [&](const design::Extent& extent) {
-    return extent.form == design::ExtentForm::sphere && are_same(extent.size(), 2 * ball.radius);
+bool is_overall_ball(const DimensionSubject& subject, const BallFeature& ball) {
+  return std::any_of(subject.extents.begin(), subject.extents.end(), [&](const features::Extent& extent) {
+    return extent.form == features::ExtentForm::sphere && are_same(extent.size(), 2 * ball.radius);
   });
 }
 
 // A short arc of the outline of a ball in a view.
-scene::FeatureCircle outline_of(const DesignBall& ball, const projection::Projection& projection) {
+scene::FeatureCircle outline_of(const BallFeature& ball, const projection::Projection& projection) {
   const Vec3 flat = ball.middle - glm::dot(ball.middle, projection.n) * projection.n;
   const Vec3 out = glm::normalize(glm::length(flat) > 0.1 ? flat : projection.u + projection.v);
   const Vec3 aside = glm::cross(projection.n, out);
@@ -78,7 +78,7 @@ Planned arc_positions(const Planning& plan) {
     planned.append(positions_of(plan, std::array{end.centre}, end.axis, plan.views.along(end.axis),
                                 static_cast<int>(plan.table.first(SizeKind::arc)) + end.arc));
   for (const int number : plan.table.channels) {
-    const DesignArc& channel = plan.subject.features.arcs[static_cast<std::size_t>(number)];
+    const ArcFeature& channel = plan.subject.features.arcs[static_cast<std::size_t>(number)];
     planned.append(positions_of(plan, std::array{channel.centre}, channel.axis, plan.views.along(channel.axis),
                                 static_cast<int>(plan.table.first(SizeKind::arc)) + number));
   }
@@ -88,7 +88,7 @@ Planned arc_positions(const Planning& plan) {
 Planned ball_positions(const Planning& plan) {
   Planned planned;
   for (const int number : plan.table.balls) {
-    const DesignBall& ball = plan.subject.features.balls[static_cast<std::size_t>(number)];
+    const BallFeature& ball = plan.subject.features.balls[static_cast<std::size_t>(number)];
     const int group = static_cast<int>(plan.table.sizes.size()) + number;
     for (int axis = 0; axis < 3; ++axis) {
       if (ends_models(ball, axis, plan.extent(axis))) continue;
@@ -118,7 +118,7 @@ Planned arc_dimensions(const Planning& plan) {
     if (view == nullptr || double(group.size()) * group.front()->radius < least_radius * largest ||
         in_view[view->name]++ >= most_radii)
       continue;
-    const auto* shown = uppermost<DesignArc>(seen, *view, [](const DesignArc& arc) { return arc.points[4]; });
+    const auto* shown = uppermost<ArcFeature>(seen, *view, [](const ArcFeature& arc) { return arc.points[4]; });
     check(shown->radius > 0 && shown->points.size() > 4, "an arc has a radius and a middle");
     planned.dimensions.push_back(plan.dimension(DimensionType::radius, *view, times(group.size()) + "<>",
                                                 {shown->centre, shown->axis, shown->radius, shown->points}));
@@ -127,12 +127,12 @@ Planned arc_dimensions(const Planning& plan) {
 }
 
 Planned round_dimensions(const Planning& plan, std::span<const DimensionDescription> so_far) {
-  const auto equal = [](const DesignRound& a, const DesignRound& b) {
+  const auto equal = [](const RoundFeature& a, const RoundFeature& b) {
     return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis);
   };
   Planned planned;
-  for (const auto& group : groups_of<DesignRound>(plan.subject.features.rounds, equal)) {
-    const DesignRound& round = *group.front();
+  for (const auto& group : groups_of<RoundFeature>(plan.subject.features.rounds, equal)) {
+    const RoundFeature& round = *group.front();
     std::optional<SeenSection> seen = seen_section(round, plan.views);
     if (!seen || has_radius(so_far, round.radius, 0, plan.notation) ||
         has_radius(planned.dimensions, round.radius, 0, plan.notation))
@@ -144,12 +144,12 @@ Planned round_dimensions(const Planning& plan, std::span<const DimensionDescript
 }
 
 Planned ball_dimensions(const Planning& plan, std::span<const DimensionDescription> so_far) {
-  const auto equal = [&](const DesignBall& a, const DesignBall& b) {
+  const auto equal = [&](const BallFeature& a, const BallFeature& b) {
     return a.model == b.model && are_written_alike(a.radius, b.radius, plan.notation);
   };
   Planned planned;
-  for (const auto& group : groups_of<DesignBall>(plan.subject.features.balls, equal)) {
-    const DesignBall& ball = *group.front();
+  for (const auto& group : groups_of<BallFeature>(plan.subject.features.balls, equal)) {
+    const BallFeature& ball = *group.front();
     check(ball.radius > 0, "a ball has a radius");
     if (has_radius(so_far, ball.radius, ball.doubt, plan.notation) ||
         has_radius(planned.dimensions, ball.radius, ball.doubt, plan.notation) || is_overall_ball(plan.subject, ball))

@@ -11,14 +11,14 @@
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
-#include "features/limits.hpp"
+#include "surfaces/limits.hpp"
 #include "world/placed_circles.hpp"
 
 namespace epura::sheet {
 
 namespace {
 
-using features::SurfaceKind;
+using surfaces::SurfaceKind;
 
 constexpr double roundness = 2e-3;  // relative to the radius: twice the tolerance of find_circles for vertices
 
@@ -37,8 +37,8 @@ void take_surface(WorldCircle& circle, const world::PlacedPart& part) {
   const double slack = roundness * circle.radius;
   double nearest = slack;
   const WorldCircle rim = circle;
-  for (const features::PartFace& face : part.faces) {
-    const features::PartSurface& surface = face.surface;
+  for (const surfaces::PartFace& face : part.faces) {
+    const surfaces::PartSurface& surface = face.surface;
     if (surface.kind != SurfaceKind::cylinder && surface.kind != SurfaceKind::cone) continue;
     if (glm::length(glm::cross(surface.axis, rim.axis)) > roundness) continue;
     const double height = glm::dot(rim.centre - surface.origin, surface.axis);
@@ -53,7 +53,7 @@ void take_surface(WorldCircle& circle, const world::PlacedPart& part) {
 }
 
 /// Vertices in order of their angles around an axis, beginning after the largest gap.
-std::vector<Vec3> in_order_around(const std::vector<Vec3>& points, const features::PartSurface& surface) {
+std::vector<Vec3> in_order_around(const std::vector<Vec3>& points, const surfaces::PartSurface& surface) {
   const Vec3 aside = std::abs(surface.axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
   const Vec3 u = glm::normalize(glm::cross(surface.axis, aside)), v = glm::cross(surface.axis, u);
   std::vector<std::pair<double, std::size_t>> order;
@@ -111,11 +111,11 @@ std::vector<WorldCircle> Rims::of_faces(const std::array<int, 2>& vertex) {
     for (int t = first; t < last; ++t)
       if (part->face_of_triangle[t - first] == face)
         for (const int v : world_.triangles[t]) points.push_back(world_.points[v]);
-    const features::PartSurface& surface = part->faces[face].surface;
+    const surfaces::PartSurface& surface = part->faces[face].surface;
     check(surface.radius > 0 && points.size() >= 3, "a cylinder has a radius and triangles");
     const double height = glm::dot(world_.points[wanted] - surface.origin, surface.axis);
     circles.push_back({surface.origin + height * surface.axis, surface.axis, surface.radius,
-                       in_order_around(points, surface), part->faces[face].sweep >= features::whole_turn});
+                       in_order_around(points, surface), part->faces[face].sweep >= surfaces::whole_turn});
   }
   return circles;
 }

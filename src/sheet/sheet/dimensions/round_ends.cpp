@@ -9,8 +9,8 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
-#include "design/face_borders.hpp"
-#include "design/tolerances.hpp"
+#include "features/face_borders.hpp"
+#include "features/tolerances.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::sheet {
@@ -25,22 +25,23 @@ double degrees_between(const Vec3& a, const Vec3& b) {
 
 bool is_half_turn(double half) { return half >= 90 - slack_degrees; }
 
-bool has_hole(const design::DesignFeatures& features, const RoundEnd& end) {
+bool has_hole(const features::PartFeatures& features, const RoundEnd& end) {
   const auto is_around = [&end](const Vec3& point, const Vec3& axis) {
-    return design::are_parallel(axis, end.axis) &&
-           design::distance_from_line(point, end.centre, end.axis) <= 10 * design::same_size * end.radius;
+    return features::are_parallel(axis, end.axis) &&
+           features::distance_from_line(point, end.centre, end.axis) <= 10 * features::same_size * end.radius;
   };
   return std::any_of(features.holes.begin(), features.holes.end(),
-                     [&](const design::DesignHole& hole) { return is_around(hole.mouth, hole.axis); }) ||
-         std::any_of(features.cylinders.begin(), features.cylinders.end(),
-                     [&](const design::DesignCylinder& one) { return one.inwards && is_around(one.from, one.axis); });
+                     [&](const features::HoleFeature& hole) { return is_around(hole.mouth, hole.axis); }) ||
+         std::any_of(features.cylinders.begin(), features.cylinders.end(), [&](const features::CylinderFeature& one) {
+           return one.inwards && is_around(one.from, one.axis);
+         });
 }
 
-bool is_face_of(const features::PartFace& face, const design::DesignArc& arc) {
-  return face.surface.kind == features::SurfaceKind::cylinder && face.inwards &&
-         design::are_same(face.surface.radius, arc.radius) && design::are_parallel(face.surface.axis, arc.axis) &&
-         design::distance_from_line(arc.centre, face.surface.origin, face.surface.axis) <=
-             10 * design::same_size * arc.radius;
+bool is_face_of(const surfaces::PartFace& face, const features::ArcFeature& arc) {
+  return face.surface.kind == surfaces::SurfaceKind::cylinder && face.inwards &&
+         features::are_same(face.surface.radius, arc.radius) && features::are_parallel(face.surface.axis, arc.axis) &&
+         features::distance_from_line(arc.centre, face.surface.origin, face.surface.axis) <=
+             10 * features::same_size * arc.radius;
 }
 
 }  // namespace
@@ -49,20 +50,20 @@ bool RoundEnd::bulges(int along, int side) const {
   return degrees_between(middle, (side == 0 ? -1.0 : 1.0) * Mat3(1)[along]) <= half - slack_degrees;
 }
 
-bool RoundEnd::ends_models(int along, int side, const design::Extent& extent) const {
+bool RoundEnd::ends_models(int along, int side, const features::Extent& extent) const {
   check(along >= 0 && along < 3 && (side == 0 || side == 1), "the models have two ends along each axis");
-  if (extent.form != design::ExtentForm::length || std::abs(axis[along]) > design::parallel) return false;
+  if (extent.form != features::ExtentForm::length || std::abs(axis[along]) > features::parallel) return false;
   const double way = side == 0 ? -1 : 1, end = side == 0 ? extent.from : extent.to;
-  if (std::abs(centre[along] + way * radius - end) > 10 * design::same_size * radius) return false;
+  if (std::abs(centre[along] + way * radius - end) > 10 * features::same_size * radius) return false;
   // A rounded corner of the part ends where it touches the faces beside it.
   return bulges(along, side) ||
          (is_half_turn(half) && degrees_between(middle, way * Mat3(1)[along]) <= half + slack_degrees);
 }
 
-std::vector<RoundEnd> find_round_ends(const design::DesignFeatures& features) {
+std::vector<RoundEnd> find_round_ends(const features::PartFeatures& features) {
   std::vector<RoundEnd> ends;
   for (std::size_t i = 0; i < features.arcs.size(); ++i) {
-    const design::DesignArc& arc = features.arcs[i];
+    const features::ArcFeature& arc = features.arcs[i];
     if (arc.inwards) continue;
     check(arc.points.size() == 9, "an arc has its ends and its middle");
     const Vec3 middle = (arc.points[4] - arc.centre) / arc.radius;
@@ -78,27 +79,27 @@ std::vector<RoundEnd> find_round_ends(const design::DesignFeatures& features) {
 }
 
 std::vector<int> find_channels(const DimensionSubject& subject) {
-  const std::vector<design::DesignArc>& arcs = subject.features.arcs;
+  const std::vector<features::ArcFeature>& arcs = subject.features.arcs;
   std::vector<int> channels;
   for (std::size_t model = 0; model < subject.world.models.size() && !arcs.empty(); ++model) {
     const world::Placed& placed = subject.world.models[model];
     const auto part = placed.part == nullptr ? std::nullopt : world::place_part(placed);
     if (!part) continue;
-    const auto borders = design::borders_of_faces(placed);
+    const auto borders = features::borders_of_faces(placed);
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       if (!arcs[i].inwards || arcs[i].model != static_cast<int>(model)) continue;
       const auto face = std::find_if(part->faces.begin(), part->faces.end(),
-                                     [&](const features::PartFace& one) { return is_face_of(one, arcs[i]); });
+                                     [&](const surfaces::PartFace& one) { return is_face_of(one, arcs[i]); });
       if (face == part->faces.end()) continue;
       const auto& beside = borders[static_cast<std::size_t>(face - part->faces.begin())];
-      if (std::none_of(beside.begin(), beside.end(), [](const design::FaceBorder& one) { return one.tangent; }))
+      if (std::none_of(beside.begin(), beside.end(), [](const features::FaceBorder& one) { return one.tangent; }))
         channels.push_back(static_cast<int>(i));
     }
   }
   return channels;
 }
 
-const RoundEnd* end_along(std::span<const RoundEnd> ends, int axis, int side, const design::Extent& extent) {
+const RoundEnd* end_along(std::span<const RoundEnd> ends, int axis, int side, const features::Extent& extent) {
   for (const RoundEnd& end : ends)
     if (end.ends_models(axis, side, extent)) return &end;
   return nullptr;

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 
 namespace epura::sheet {
 
@@ -17,7 +17,7 @@ namespace {
 constexpr double most_turned = 16;  // degrees out of the paper
 
 // The section nearest to the one in a direction on paper, `turned` out of it, where the view shows it.
-scene::FeatureCircle section_beside(const design::DesignRound& round, const Vec3& aside, double turned,
+scene::FeatureCircle section_beside(const features::RoundFeature& round, const Vec3& aside, double turned,
                                     const Vec3& normal) {
   const double cosine = portable_cos(std::max(turned, 0.0) * std::numbers::pi / 180);
   const Vec3 moved = (cosine - 1) * (round.ring + round.radius) * aside;
@@ -29,19 +29,19 @@ scene::FeatureCircle section_beside(const design::DesignRound& round, const Vec3
 
 }  // namespace
 
-std::optional<SeenSection> seen_section(const design::DesignRound& round, const ViewChoice& views) {
+std::optional<SeenSection> seen_section(const features::RoundFeature& round, const ViewChoice& views) {
   for (const double most : {0.0, most_turned})
     for (const NamedProjection* view : views.all()) {
       const projection::Projection& projection = view->projection;
       for (const auto& [along, aside] : {std::pair(projection.u, projection.v), std::pair(projection.v, projection.u)})
         for (const double side : {1.0, -1.0})
           if (const double turned = round.turn_from(side * aside);
-              design::are_parallel(along, round.axis) && turned <= most)
+              features::are_parallel(along, round.axis) && turned <= most)
             return SeenSection{view, section_beside(round, side * aside, turned, projection.n)};
     }
   for (const NamedProjection* view : views.aligned()) {
     const projection::Projection& projection = view->projection;
-    const Vec3 aside = design::are_parallel(projection.u, round.axis) ? projection.v : projection.u;
+    const Vec3 aside = features::are_parallel(projection.u, round.axis) ? projection.v : projection.u;
     if (shows_in_place(*view, round.centre, round.axis) && round.reaches(aside) && round.reaches(-aside))
       return SeenSection{view, section_beside(round, aside, 0, projection.n)};
   }

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "design/design_features.hpp"
+#include "features/part_features.hpp"
 #include "scene/description.hpp"
 #include "sheet/dimensions/view_choice.hpp"
 
@@ -18,6 +18,6 @@ struct SeenSection {
 
 /// The first view that shows a section in its true form; otherwise, beside a slot along the view, one that shortens it
 /// by a twenty-fifth at most. Nothing if there is none.
-std::optional<SeenSection> seen_section(const design::DesignRound& round, const ViewChoice& views);
+std::optional<SeenSection> seen_section(const features::RoundFeature& round, const ViewChoice& views);
 
 }  // namespace epura::sheet

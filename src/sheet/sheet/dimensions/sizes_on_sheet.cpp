@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/cone_angles.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/place_joins.hpp"
@@ -16,9 +16,9 @@ namespace {
 
 using Numbers = std::vector<std::size_t>;
 
-bool needs_text(const FeatureSize& size, const design::DesignFeatures& features) {
+bool needs_text(const FeatureSize& size, const features::PartFeatures& features) {
   if (size.kind != SizeKind::hole) return false;
-  const design::DesignHole& hole = features.holes[static_cast<std::size_t>(size.feature)];
+  const features::HoleFeature& hole = features.holes[static_cast<std::size_t>(size.feature)];
   return hole.depth || hole.counterbore || hole.countersink;
 }
 
@@ -46,7 +46,7 @@ Numbers sizes_of_circle(const AnchoredDimension& dimension, const DimensionSubje
 // The rounded ends of the cones whose angle a dimension is.
 Numbers sizes_of_angle(const AnchoredDimension& dimension, const DimensionSubject& subject, const FeatureTable& table) {
   Numbers numbers;
-  for (const design::DesignCone& cone : subject.features.cones) {
+  for (const features::ConeFeature& cone : subject.features.cones) {
     if (!has_angle(cone, glm::length(subject.world.box.size())) || !is_angle_of(dimension, cone)) continue;
     const int end = rounded_end(cone);
     for (std::size_t i = 0; i < table.sizes.size(); ++i)
@@ -84,18 +84,18 @@ Numbers sizes_of(const AnchoredDimension& dimension, const DimensionsInView& vie
 
 // Whether an overall dimension is this diameter.
 bool is_size_of_models(const FeatureSize& size, const DimensionSubject& subject) {
-  return std::any_of(subject.extents.begin(), subject.extents.end(), [&](const design::Extent& extent) {
-    return extent.form == design::ExtentForm::diameter && size.is_round() && agree(extent.size(), 2 * size.value) &&
-           design::are_parallel(extent.axis, size.axis) &&
-           design::distance_from_line(size.centre, extent.centre, size.axis) <= size_agrees * 10 * size.value;
+  return std::any_of(subject.extents.begin(), subject.extents.end(), [&](const features::Extent& extent) {
+    return extent.form == features::ExtentForm::diameter && size.is_round() && agree(extent.size(), 2 * size.value) &&
+           features::are_parallel(extent.axis, size.axis) &&
+           features::distance_from_line(size.centre, extent.centre, size.axis) <= size_agrees * 10 * size.value;
   });
 }
 
 // Whether a size is that of a pitch circle whose holes are in a table.
-bool is_in_table(const FeatureSize& size, const SizesOnSheet& on_sheet, const design::DesignFeatures& features) {
-  return std::any_of(features.holes.begin(), features.holes.end(), [&](const design::DesignHole& hole) {
+bool is_in_table(const FeatureSize& size, const SizesOnSheet& on_sheet, const features::PartFeatures& features) {
+  return std::any_of(features.holes.begin(), features.holes.end(), [&](const features::HoleFeature& hole) {
     if (hole.pitch_circle < 0) return false;
-    const design::DesignPitchCircle& circle = features.pitch_circles[std::size_t(hole.pitch_circle)];
+    const features::PitchCircleFeature& circle = features.pitch_circles[std::size_t(hole.pitch_circle)];
     return is_labelled(hole, on_sheet) && size.is_at({circle.centre, circle.axis, circle.radius, {}, true});
   });
 }
@@ -123,7 +123,7 @@ SizesOnSheet sizes_on_sheet(std::span<const DimensionsInView> views, const Dimen
   return on_sheet;
 }
 
-bool is_labelled(const design::DesignHole& hole, const SizesOnSheet& on_sheet) {
+bool is_labelled(const features::HoleFeature& hole, const SizesOnSheet& on_sheet) {
   return std::any_of(on_sheet.labels.begin(), on_sheet.labels.end(), [&](const WorldCircle& label) {
     return glm::distance(label.centre, hole.mouth) <= size_agrees * label.radius;
   });

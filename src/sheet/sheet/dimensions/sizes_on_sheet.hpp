@@ -20,7 +20,7 @@ struct SizesOnSheet {
 SizesOnSheet sizes_on_sheet(std::span<const DimensionsInView> views, const DimensionSubject& subject,
                             const FeatureTable& table);
 
-bool is_labelled(const design::DesignHole& hole, const SizesOnSheet& on_sheet);
+bool is_labelled(const features::HoleFeature& hole, const SizesOnSheet& on_sheet);
 
 /// Of each size in the table, whether it is given: by dimensions, by the size of the models, in a table of holes.
 std::vector<bool> given_sizes(const SizesOnSheet& on_sheet, const DimensionSubject& subject, const FeatureTable& table,

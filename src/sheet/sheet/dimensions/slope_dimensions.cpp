@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/level_stations.hpp"
 
@@ -17,26 +17,26 @@ namespace epura::sheet {
 
 namespace {
 
-using design::are_same;
-using design::DesignBevel;
+using features::are_same;
+using features::BevelFeature;
 using scene::DimensionDescription;
 
-bool are_equal_chamfers(const DesignBevel& a, const DesignBevel& b) {
+bool are_equal_chamfers(const BevelFeature& a, const BevelFeature& b) {
   return a.model == b.model && a.along == b.along && are_same(a.leg(), b.leg());
 }
 
 // Beyond the models along an axis across the slope.
-bool is_outside(const DesignBevel& slope, std::size_t end, const DimensionSubject& subject) {
+bool is_outside(const BevelFeature& slope, std::size_t end, const DimensionSubject& subject) {
   for (int axis = 0; axis < 3; ++axis) {
-    const design::Extent& extent = subject.extents[static_cast<std::size_t>(axis)];
-    const double at = slope.ends[end][axis], slack = design::same_size * extent.size();
+    const features::Extent& extent = subject.extents[static_cast<std::size_t>(axis)];
+    const double at = slope.ends[end][axis], slack = features::same_size * extent.size();
     if (axis != slope.along && (at < extent.from - slack || at > extent.to + slack)) return true;
   }
   return false;
 }
 
 // The corner, and the ends of its legs: along its neighbour, which the material lies behind, and along the slope.
-std::array<Vec3, 3> anchors_of_angle(const DesignBevel& slope, const DimensionSubject& subject) {
+std::array<Vec3, 3> anchors_of_angle(const BevelFeature& slope, const DimensionSubject& subject) {
   const bool first = slope.across[0] >= 0 && (slope.across[1] < 0 || is_outside(slope, 0, subject));
   const std::size_t end = first ? 0 : 1;
   check(slope.across[end] >= 0, "a slope has a neighbour that is perpendicular to an axis of the world");
@@ -47,32 +47,32 @@ std::array<Vec3, 3> anchors_of_angle(const DesignBevel& slope, const DimensionSu
 }
 
 // With those at the flats of a hexagon that lean against the axes of the world.
-std::size_t count_chamfers(const Planning& plan, const std::vector<const DesignBevel*>& group) {
+std::size_t count_chamfers(const Planning& plan, const std::vector<const BevelFeature*>& group) {
   std::size_t count = group.size();
   for (const HexagonChamfer& one : plan.table.hexagon_chamfers) {
-    const DesignBevel& like = plan.subject.features.bevels[static_cast<std::size_t>(one.bevel)];
-    for (const DesignBevel* bevel : group)
+    const BevelFeature& like = plan.subject.features.bevels[static_cast<std::size_t>(one.bevel)];
+    for (const BevelFeature* bevel : group)
       if (bevel->model == like.model && bevel->face == like.face) ++count;
   }
   return count;
 }
 
-Planned dimensions_of_chamfers(const Planning& plan, const std::vector<DesignBevel>& chamfers) {
+Planned dimensions_of_chamfers(const Planning& plan, const std::vector<BevelFeature>& chamfers) {
   Planned planned;
   const Vec3 size = plan.box.size();
   const double least = least_radius * std::max({size.x, size.y, size.z});
-  for (const auto& group : groups_of<DesignBevel>(chamfers, are_equal_chamfers)) {
+  for (const auto& group : groups_of<BevelFeature>(chamfers, are_equal_chamfers)) {
     const NamedProjection* view = plan.views.along(Mat3(1)[group.front()->along]);
     if (view == nullptr || group.front()->leg() < least) continue;
-    const auto* shown =
-        uppermost<DesignBevel>(group, *view, [](const DesignBevel& one) { return (one.ends[0] + one.ends[1]) / 2.0; });
+    const auto* shown = uppermost<BevelFeature>(
+        group, *view, [](const BevelFeature& one) { return (one.ends[0] + one.ends[1]) / 2.0; });
     DimensionDescription dimension =
         plan.dimension(DimensionType::linear, *view, times(count_chamfers(plan, group)) + "<>×45°");
     dimension.direction = {DimensionDirection::horizontal, plan.wanted.where};
     for (const Vec3& end : shown->ends) dimension.anchors.emplace_back(end);
     planned.dimensions.push_back(std::move(dimension));
     // The other ends are on the faces at the corner.
-    for (const DesignBevel* chamfer : group)
+    for (const BevelFeature* chamfer : group)
       for (const int end : {0, 1})
         planned.places.emplace_back(KnownPlace{chamfer->across[end], chamfer->ends[1 - end][chamfer->across[end]]});
   }
@@ -81,26 +81,27 @@ Planned dimensions_of_chamfers(const Planning& plan, const std::vector<DesignBev
 
 }  // namespace
 
-bool has_angle(const DesignBevel& slope, const DimensionSubject& subject) {
+bool has_angle(const BevelFeature& slope, const DimensionSubject& subject) {
   return is_outside(slope, 0, subject) || is_outside(slope, 1, subject);
 }
 
-bool is_angle_of(const AnchoredDimension& dimension, const DesignBevel& slope) {
+bool is_angle_of(const AnchoredDimension& dimension, const BevelFeature& slope) {
   if (dimension.type != DimensionType::angular) return false;
   check(dimension.points.size() == 3, "an angle has a corner and two legs");
   const Vec3 side = slope.ends[1] - slope.ends[0], corner = dimension.points[0];
   const double off = glm::dot(corner - slope.ends[0], slope.normal);
-  if (std::abs(off) > 10 * design::same_size * glm::length(side)) return false;
+  if (std::abs(off) > 10 * features::same_size * glm::length(side)) return false;
   const std::array<Vec3, 2> legs{glm::normalize(dimension.points[1] - corner),
                                  glm::normalize(dimension.points[2] - corner)};
   for (const std::size_t leg : {0U, 1U})
-    if (design::are_parallel(legs[leg], glm::normalize(side)) && design::axis_along(legs[1 - leg]) >= 0) return true;
+    if (features::are_parallel(legs[leg], glm::normalize(side)) && features::axis_along(legs[1 - leg]) >= 0)
+      return true;
   return false;
 }
 
 Planned slope_dimensions(const Planning& plan) {
-  std::vector<DesignBevel> chamfers, slopes;
-  for (const DesignBevel& bevel : plan.subject.features.bevels) {
+  std::vector<BevelFeature> chamfers, slopes;
+  for (const BevelFeature& bevel : plan.subject.features.bevels) {
     check(bevel.along >= 0 && bevel.along < 3 && bevel.area > 0, "a slope has an axis and an area");
     (bevel.is_chamfer ? chamfers : slopes).push_back(bevel);
   }

@@ -9,10 +9,10 @@ namespace epura::sheet {
 
 /// Whether an angle stands for the places of the ends of a slope: where a rounded corner ends the models, there is
 /// nothing to measure to.
-bool has_angle(const design::DesignBevel& slope, const DimensionSubject& subject);
+bool has_angle(const features::BevelFeature& slope, const DimensionSubject& subject);
 
 /// Whether a dimension is the angle between a slope and an axis of the world.
-bool is_angle_of(const AnchoredDimension& dimension, const design::DesignBevel& slope);
+bool is_angle_of(const AnchoredDimension& dimension, const features::BevelFeature& slope);
 
 /// Chamfered corners have a note; other slopes have an angle or the positions of their ends, those of the largest ones
 /// first.

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 
 namespace epura::sheet {
 
@@ -55,13 +55,13 @@ std::vector<RoundEnd> seen_ends(std::span<const RoundEnd> ends, std::span<const 
   std::vector<RoundEnd> seen;
   std::copy_if(ends.begin(), ends.end(), std::back_inserter(seen), [&](const RoundEnd& end) {
     return std::any_of(views.begin(), views.end(), [&](const NamedProjection* view) {
-      return !view->aligned() && design::are_parallel(view->projection.n, end.axis);
+      return !view->aligned() && features::are_parallel(view->projection.n, end.axis);
     });
   });
   return seen;
 }
 
-Datum datum_along(int axis, const design::Extent& extent, std::span<const RoundEnd> ends,
+Datum datum_along(int axis, const features::Extent& extent, std::span<const RoundEnd> ends,
                   std::span<const NamedProjection* const> views) {
   bool low = true;
   for (const NamedProjection* view : views)
@@ -90,15 +90,15 @@ bool is_plain(const projection::Projection& projection) {
 Stations::Stations(const DimensionSubject& subject, std::span<const RoundEnd> ends,
                    std::span<const NamedProjection* const> views)
     : subject_(subject),
-      points_(design::points_of_faces(subject.world)),
+      points_(features::points_of_faces(subject.world)),
       slack_(same_station * glm::length(subject.world.box.size())) {
   const std::vector<RoundEnd> seen = seen_ends(ends, views);
   for (int axis = 0; axis < 3; ++axis) {
-    const design::Extent& extent = subject.extents[axis];
+    const features::Extent& extent = subject.extents[axis];
     datums_[axis] = datum_along(axis, extent, seen, views);
     known_[axis] = {extent.from, extent.to, datums_[axis].at};
     // The middle of a shaft needs no dimension, even where a flat is.
-    if (extent.form == design::ExtentForm::length) continue;
+    if (extent.form == features::ExtentForm::length) continue;
     for (int other = 0; other < 3; ++other)
       if (std::abs(extent.axis[other]) <= off_axis) known_[other].push_back(extent.centre[other]);
   }
@@ -134,13 +134,13 @@ void Stations::add(const Station& station) {
 
 // Positions on a round part are measured from its axis.
 Station Stations::base_of(const Station& station) const {
-  const design::Extent& extent = subject_.extents[station.axis];
+  const features::Extent& extent = subject_.extents[station.axis];
   if (station.from) {
     Station base = station;
     base.at = base.point[base.axis] = base.opposite[base.axis] = *station.from;
     return base;
   }
-  const bool from_axis = extent.form != design::ExtentForm::length && station.group >= 0;
+  const bool from_axis = extent.form != features::ExtentForm::length && station.group >= 0;
   const Datum datum = from_axis ? Datum{(extent.from + extent.to) / 2, extent.centre} : datums_[station.axis];
   Station base = station;
   base.at = datum.at;
@@ -170,9 +170,9 @@ Station Stations::base_of(const Station& station) const {
 
 void Stations::add_row(std::vector<Station> row, const std::string& where, const Notation& notation,
                        std::vector<scene::DimensionDescription>& dimensions) const {
-  const design::Extent& extent = subject_.extents[row.front().axis];
+  const features::Extent& extent = subject_.extents[row.front().axis];
   // Both sides of a keyway, for example: their distance.
-  if (extent.form != design::ExtentForm::length && row.front().group < 0)
+  if (extent.form != features::ExtentForm::length && row.front().group < 0)
     for (std::size_t i = 0; i < row.size(); ++i)
       for (std::size_t j = i + 1; j < row.size(); ++j)
         if (std::abs(row[i].at + row[j].at - extent.from - extent.to) <= slack_) {

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/hole_table.hpp"
 #include "sheet/dimensions/stations.hpp"
 
@@ -12,7 +12,7 @@ namespace epura::sheet {
 
 namespace {
 
-using design::parallel;
+using features::parallel;
 
 /// The holes or cylinders with one thread: the first one, their number and what follows the name of the thread.
 struct ThreadGroup {
@@ -23,24 +23,24 @@ struct ThreadGroup {
 };
 
 // Where its thread begins, from where extension lines to the outside are short.
-Vec3 begin_of(const design::DesignCylinder& cylinder) {
+Vec3 begin_of(const features::CylinderFeature& cylinder) {
   const Vec3& end = cylinder.thread->end;
   return glm::distance(cylinder.from, end) > glm::distance(cylinder.to, end) ? cylinder.from : cylinder.to;
 }
 
-ThreadGroup group_of(int number, const design::DesignFeatures& features, const Notation& notation) {
+ThreadGroup group_of(int number, const features::PartFeatures& features, const Notation& notation) {
   ThreadGroup group;
-  const auto add = [&](const Vec3& centre, const Vec3& axis, const design::DesignThread& thread, bool internal) {
+  const auto add = [&](const Vec3& centre, const Vec3& axis, const features::ThreadFeature& thread, bool internal) {
     if (group.count++ > 0) return false;
     group.circle = {centre, axis, thread.diameter / 2, {}};
     group.internal = internal;
     group.name = thread.text;
     return true;
   };
-  for (const design::DesignHole& hole : features.holes)
+  for (const features::HoleFeature& hole : features.holes)
     if (hole.thread && hole.thread->number == number && add(hole.mouth, hole.axis, *hole.thread, true))
       group.rest = recesses_of(hole, notation);
-  for (const design::DesignCylinder& cylinder : features.cylinders)
+  for (const features::CylinderFeature& cylinder : features.cylinders)
     if (cylinder.thread && cylinder.thread->number == number &&
         add(begin_of(cylinder), cylinder.axis, *cylinder.thread, cylinder.inwards) && cylinder.thread->length)
       group.rest = " ↧" + length_text(*cylinder.thread->length, notation);
@@ -65,11 +65,11 @@ const NamedProjection* view_for(const scene::ThreadDescription& description, con
 
 }  // namespace
 
-std::string name_in_note(const std::optional<design::DesignThread>& thread) { return thread ? thread->text : "<>"; }
+std::string name_in_note(const std::optional<features::ThreadFeature>& thread) { return thread ? thread->text : "<>"; }
 
 std::vector<scene::DimensionDescription> thread_dimensions(std::span<const scene::ThreadDescription> threads,
                                                            std::span<const NamedProjection> views,
-                                                           const design::DesignFeatures& features,
+                                                           const features::PartFeatures& features,
                                                            const Notation& notation) {
   std::vector<scene::DimensionDescription> dimensions;
   for (std::size_t i = 0; i < threads.size(); ++i) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "design/design_features.hpp"
+#include "features/part_features.hpp"
 #include "scene/description.hpp"
 #include "sheet/dimensions/overall.hpp"
 #include "sheet/notation.hpp"
@@ -14,13 +14,13 @@
 namespace epura::sheet {
 
 /// What a hole is called in a note: "<>", which stands for its diameter, or the thread in it.
-std::string name_in_note(const std::optional<design::DesignThread>& thread);
+std::string name_in_note(const std::optional<features::ThreadFeature>& thread);
 
 /// Dimensions of the threads that have one of their own: of holes in a view along the axis, of shafts in one across it.
 /// Throws Error{input} for a given view that does not show the thread so.
 std::vector<scene::DimensionDescription> thread_dimensions(std::span<const scene::ThreadDescription> threads,
                                                            std::span<const NamedProjection> views,
-                                                           const design::DesignFeatures& features,
+                                                           const features::PartFeatures& features,
                                                            const Notation& notation);
 
 }  // namespace epura::sheet

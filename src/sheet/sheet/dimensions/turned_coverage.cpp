@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/hole_angles.hpp"
 
@@ -18,8 +18,8 @@ namespace epura::sheet {
 
 namespace {
 
-using design::are_parallel;
-using design::same_size;
+using features::are_parallel;
+using features::same_size;
 
 bool any_dimension(std::span<const DimensionsInView> views,
                    const std::function<bool(const AnchoredDimension&)>& is_wanted) {
@@ -29,7 +29,7 @@ bool any_dimension(std::span<const DimensionsInView> views,
 }
 
 // Whether holes in a table have coordinates instead of angles.
-bool has_label(std::span<const DimensionsInView> views, const design::DesignHole& hole) {
+bool has_label(std::span<const DimensionsInView> views, const features::HoleFeature& hole) {
   return any_dimension(views, [&](const AnchoredDimension& dimension) {
     return dimension.is_label &&
            glm::distance(dimension.circles.front().centre, hole.mouth) <= same_size * hole.called();
@@ -64,17 +64,18 @@ class TurnedFinder {
     found_.holes.assign(features_.holes.size(), true);
     std::vector<char> is_radial(features_.holes.size(), 0);
     for (const RadialPattern& pattern : table_.radial) {
-      for (const design::DesignHole* hole : pattern.holes) is_radial[number_of(hole)] = 1;
+      for (const features::HoleFeature* hole : pattern.holes) is_radial[number_of(hole)] = 1;
       add_angles(directions_of(pattern));
     }
     for (std::size_t i = 0; i < features_.pitch_circles.size(); ++i)
       add_angles(directions_of(features_, static_cast<int>(i)));
     for (std::size_t i = 0; i < features_.holes.size(); ++i)
-      if (const design::DesignHole& hole = features_.holes[i]; is_radial[i] == 0 && !has_place(hole.mouth, hole.axis)) {
+      if (const features::HoleFeature& hole = features_.holes[i];
+          is_radial[i] == 0 && !has_place(hole.mouth, hole.axis)) {
         found_.holes[i] = false;
         found_.missing.push_back(name_of(hole) + ": position along its slope");
       }
-    for (const design::DesignSlot& slot : features_.slots)
+    for (const features::SlotFeature& slot : features_.slots)
       if (!has_place(slot.centres[0], slot.axis) || !has_place(slot.centres[1], slot.axis))
         found_.missing.push_back("slot R" + length_text(slot.radius, notation_) + ": position along its slope");
     check(found_.holes.size() == features_.holes.size(), "each hole is given or missing");
@@ -82,10 +83,10 @@ class TurnedFinder {
   }
 
  private:
-  [[nodiscard]] std::size_t number_of(const design::DesignHole* hole) const {
+  [[nodiscard]] std::size_t number_of(const features::HoleFeature* hole) const {
     return static_cast<std::size_t>(hole - features_.holes.data());
   }
-  [[nodiscard]] std::string name_of(const design::DesignHole& hole) const {
+  [[nodiscard]] std::string name_of(const features::HoleFeature& hole) const {
     return "hole ⌀" + length_text(hole.diameter, notation_);
   }
 
@@ -104,7 +105,7 @@ class TurnedFinder {
   }
 
   [[nodiscard]] bool has_place(const Vec3& place, const Vec3& axis) const {
-    if (design::axis_along(axis) >= 0) return true;
+    if (features::axis_along(axis) >= 0) return true;
     const std::optional<Vec3> along = slanted_across(axis);
     return along && any_dimension(views_, [&](const AnchoredDimension& dimension) {
              return measures(dimension, *along, place, slack_);
@@ -112,7 +113,7 @@ class TurnedFinder {
   }
 
   std::span<const DimensionsInView> views_;
-  const design::DesignFeatures& features_;
+  const features::PartFeatures& features_;
   const FeatureTable& table_;
   const Notation& notation_;
   double slack_;

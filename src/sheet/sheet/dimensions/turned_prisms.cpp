@@ -6,17 +6,17 @@
 #include <optional>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 
 namespace epura::sheet {
 
 namespace {
 
-using design::are_parallel;
-using design::are_same;
-using design::DesignPlane;
-using design::parallel;
-using design::same_size;
+using features::are_parallel;
+using features::are_same;
+using features::parallel;
+using features::PlaneFeature;
+using features::same_size;
 
 /// From the lowest to the highest of some points along a direction.
 struct Span {
@@ -49,14 +49,14 @@ int axis_beside(const Vec3& normal) {
   return -1;
 }
 
-bool is_slope(const DesignPlane& plane, const design::DesignFeatures& features) {
-  return std::any_of(features.bevels.begin(), features.bevels.end(), [&](const design::DesignBevel& bevel) {
+bool is_slope(const PlaneFeature& plane, const features::PartFeatures& features) {
+  return std::any_of(features.bevels.begin(), features.bevels.end(), [&](const features::BevelFeature& bevel) {
     return bevel.model == plane.model && are_parallel(bevel.normal, plane.normal) &&
            std::abs(glm::dot(bevel.ends[0] - plane.corners.front(), plane.normal)) <= same_size * bevel.leg();
   });
 }
 
-std::optional<FacePair> pair_of(const DesignPlane& a, const DesignPlane& b) {
+std::optional<FacePair> pair_of(const PlaneFeature& a, const PlaneFeature& b) {
   const int world = axis_beside(a.normal);
   if (a.model != b.model || world < 0 || glm::dot(a.normal, b.normal) > -1 + parallel * parallel) return std::nullopt;
   FacePair pair{a.model, Mat3(1)[world], a.normal, {}, {}, {}, 0, false};
@@ -106,11 +106,11 @@ bool TurnedPrism::has_side(const Vec3& point, const Vec3& normal) const {
   return false;
 }
 
-bool TurnedPrism::is_whole(const std::array<design::Extent, 3>& extents) const {
+bool TurnedPrism::is_whole(const std::array<features::Extent, 3>& extents) const {
   for (int across = 0; across < 3; ++across) {
     if (std::abs(axis[across]) > parallel) continue;
     const double half = reach(Mat3(1)[across]);
-    const design::Extent& extent = extents[static_cast<std::size_t>(across)];
+    const features::Extent& extent = extents[static_cast<std::size_t>(across)];
     if (std::abs(extent.to - centre[across] - half) > same_size * half ||
         std::abs(centre[across] - extent.from - half) > same_size * half)
       return false;
@@ -128,9 +128,9 @@ Vec3 TurnedPrism::nearest_axis() const {
   return nearest;
 }
 
-std::vector<TurnedPrism> find_turned_prisms(const design::DesignFeatures& features) {
+std::vector<TurnedPrism> find_turned_prisms(const features::PartFeatures& features) {
   std::vector<FacePair> pairs;
-  const std::vector<DesignPlane>& planes = features.inclined;
+  const std::vector<PlaneFeature>& planes = features.inclined;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (is_slope(planes[i], features)) continue;
     for (std::size_t j = i + 1; j < planes.size(); ++j)
@@ -166,7 +166,7 @@ bool is_angle_of(const AnchoredDimension& dimension, const TurnedPrism& prism) {
   const std::array<Vec3, 2> legs{glm::normalize(dimension.points[1] - dimension.points[0]),
                                  glm::normalize(dimension.points[2] - dimension.points[0])};
   for (const std::size_t leg : {0U, 1U})
-    if (design::axis_along(legs[1 - leg]) >= 0 &&
+    if (features::axis_along(legs[1 - leg]) >= 0 &&
         (are_parallel(legs[leg], prism.normals[0]) || are_parallel(legs[leg], prism.normals[1])))
       return true;
   return false;

@@ -23,13 +23,13 @@ struct TurnedPrism {
   /// Whether a plane is one of its sides.
   [[nodiscard]] bool has_side(const Vec3& point, const Vec3& normal) const;
   /// Whether it is what the size of the models is along both axes of the world across its own.
-  [[nodiscard]] bool is_whole(const std::array<design::Extent, 3>& extents) const;
+  [[nodiscard]] bool is_whole(const std::array<features::Extent, 3>& extents) const;
   /// The axis of the world, in either direction, that is nearest to the first normal.
   [[nodiscard]] Vec3 nearest_axis() const;
 };
 
 /// Two pairs of plane faces that look at each other, or away from each other, across one middle.
-std::vector<TurnedPrism> find_turned_prisms(const design::DesignFeatures& features);
+std::vector<TurnedPrism> find_turned_prisms(const features::PartFeatures& features);
 
 /// Whether one note can give the widths of both.
 bool are_equal(const TurnedPrism& a, const TurnedPrism& b);

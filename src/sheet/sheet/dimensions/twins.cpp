@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "base/error.hpp"
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 
@@ -15,8 +15,8 @@ namespace epura::sheet {
 
 namespace {
 
-using design::are_parallel;
-using design::same_size;
+using features::are_parallel;
+using features::same_size;
 using scene::DimensionDescription;
 
 /// What a dimension measures: a circle, or from one place to another along a direction.
@@ -45,7 +45,7 @@ std::optional<Measure> measure_of(const DimensionDescription& description, const
   if (dimension.type == DimensionType::angular || dimension.type == DimensionType::arc) return std::nullopt;
   const std::optional<Vec3> along = direction_of(description, dimension, views);
   if (!along) return std::nullopt;
-  const bool across = dimension.type != DimensionType::overall || dimension.form == design::ExtentForm::diameter;
+  const bool across = dimension.type != DimensionType::overall || dimension.form == features::ExtentForm::diameter;
   return Measure{{}, *along, glm::dot(dimension.points[0], *along), glm::dot(dimension.points[1], *along), across};
 }
 
@@ -64,24 +64,24 @@ bool are_one_circle(const WorldCircle& a, const WorldCircle& b) {
 }
 
 // Whether two circles are those of holes that one note describes.
-bool are_of_equal_holes(const WorldCircle& a, const WorldCircle& b, const design::DesignFeatures& features) {
+bool are_of_equal_holes(const WorldCircle& a, const WorldCircle& b, const features::PartFeatures& features) {
   const auto hole_at = [&features](const WorldCircle& circle) {
-    return std::find_if(features.holes.begin(), features.holes.end(), [&circle](const design::DesignHole& hole) {
+    return std::find_if(features.holes.begin(), features.holes.end(), [&circle](const features::HoleFeature& hole) {
       return are_one_circle({hole.mouth, hole.axis, hole.called() / 2, {}, true}, circle);
     });
   };
   const auto one = hole_at(a), other = hole_at(b);
-  return one != features.holes.end() && other != features.holes.end() && design::are_equal(*one, *other);
+  return one != features.holes.end() && other != features.holes.end() && features::are_equal(*one, *other);
 }
 
 bool is_across(const Measure& length, const WorldCircle& circle) {
   const double slack = 10 * same_size * circle.radius, middle = glm::dot(circle.centre, length.along);
-  return std::abs(glm::dot(circle.axis, length.along)) <= design::parallel &&
+  return std::abs(glm::dot(circle.axis, length.along)) <= features::parallel &&
          std::abs(std::abs(length.to - length.from) - 2 * circle.radius) <= slack &&
          std::abs((length.from + length.to) / 2 - middle) <= slack;
 }
 
-bool are_one(const Measure& a, const Measure& b, const design::DesignFeatures& features, double slack) {
+bool are_one(const Measure& a, const Measure& b, const features::PartFeatures& features, double slack) {
   if (a.circle && b.circle)
     return are_one_circle(*a.circle, *b.circle) || are_of_equal_holes(*a.circle, *b.circle, features);
   if (a.circle) return a.across && b.across && is_across(b, *a.circle);
@@ -101,7 +101,7 @@ bool is_replacement(const DimensionDescription& given, const DimensionDescriptio
 }  // namespace
 
 void replace_twins(std::vector<DimensionDescription>& automatic, std::span<DimensionDescription* const> given,
-                   const world::World& world, const design::DesignFeatures& features,
+                   const world::World& world, const features::PartFeatures& features,
                    std::span<const NamedProjection> views) {
   if (automatic.empty() || given.empty()) return;
   std::vector<DimensionDescription> copies;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "design/design_features.hpp"
+#include "features/part_features.hpp"
 #include "scene/description.hpp"
 #include "sheet/dimensions/named_projection.hpp"
 #include "world/world.hpp"
@@ -19,6 +19,6 @@ namespace epura::sheet {
 /// replacement. Rows stay. All name their views.
 void replace_twins(std::vector<scene::DimensionDescription>& automatic,
                    std::span<scene::DimensionDescription* const> given, const world::World& world,
-                   const design::DesignFeatures& features, std::span<const NamedProjection> views);
+                   const features::PartFeatures& features, std::span<const NamedProjection> views);
 
 }  // namespace epura::sheet

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "design/tolerances.hpp"
+#include "features/tolerances.hpp"
 #include "sheet/dimensions/stations.hpp"
 
 namespace epura::sheet {
 
-using design::are_parallel;
+using features::are_parallel;
 
 ViewChoice::ViewChoice(const scene::DimensionDescription& wanted, std::span<const NamedProjection> views) {
   for (const NamedProjection& view : views) {
@@ -43,7 +43,7 @@ const NamedProjection* ViewChoice::across(const Vec3& axis, const Vec3& at) cons
 
 const NamedProjection* ViewChoice::beside(const Vec3& axis, const Vec3& at) const {
   const auto is_beside = [](const NamedProjection* view, const Vec3& direction) {
-    return std::abs(glm::dot(view->projection.n, direction)) <= design::parallel;
+    return std::abs(glm::dot(view->projection.n, direction)) <= features::parallel;
   };
   for (const NamedProjection* view : views_)
     if (is_beside(view, axis)) return view;

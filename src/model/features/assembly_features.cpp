@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "features/assembly_features.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+#include "features/tolerances.hpp"
+#include "world/explosion_order.hpp"
+
+namespace epura::features {
+
+namespace {
+
+// Whether a shaft, such as that of a bolt, is in a hole.
+bool is_filled_by(const HoleFeature& hole, const CylinderFeature& shaft) {
+  const double radius = hole.diameter / 2;
+  if (shaft.inwards || !world::may_be_in(shaft.radius, radius) || !are_parallel(hole.axis, shaft.axis)) return false;
+  if (glm::length(glm::cross(shaft.from - hole.mouth, hole.axis)) > off_axis * radius) return false;
+  const auto [low, high] =
+      std::minmax({glm::dot(shaft.from - hole.mouth, hole.axis), glm::dot(shaft.to - hole.mouth, hole.axis)});
+  return high > -hole.depth.value_or(looks_into * hole.diameter) && low < 0;
+}
+
+// By model and number.
+std::map<std::array<int, 2>, Box> boxes_of_bodies(const world::World& world) {
+  std::map<std::array<int, 2>, Box> boxes;
+  for (std::size_t m = 0; m < world.models.size(); ++m) {
+    const std::vector<int>& body = world.models[m].mesh->body;
+    for (std::size_t t = 0; t < body.size(); ++t)
+      for (const int v : world.triangles[static_cast<std::size_t>(world.first_triangle[m]) + t])
+        boxes[{static_cast<int>(m), body[t]}].add(world.points[static_cast<std::size_t>(v)]);
+  }
+  return boxes;
+}
+
+// A level at each end of a part that is within the assembly.
+void add_levels(std::vector<LevelFeature>& levels, const Box& part, const Box& whole) {
+  const double slack = 1e-6 * glm::length(whole.size());
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double at : {part.min[axis], part.max[axis]}) {
+      const auto is_there = [&](const LevelFeature& level) {
+        return level.axis == axis && std::abs(level.at - at) <= slack;
+      };
+      if (at <= whole.min[axis] + slack || at >= whole.max[axis] - slack) continue;
+      auto level = std::find_if(levels.begin(), levels.end(), is_there);
+      if (level == levels.end()) level = levels.insert(levels.end(), {axis, at, 0, {}});
+      const Vec3 size = part.size();
+      level->area += size[(axis + 1) % 3] * size[(axis + 2) % 3];
+      for (int corner = 0; corner < 4; ++corner) {
+        Vec3 point = part.min;
+        point[axis] = at;
+        if ((corner & 1) != 0) point[(axis + 1) % 3] = part.max[(axis + 1) % 3];
+        if ((corner & 2) != 0) point[(axis + 2) % 3] = part.max[(axis + 2) % 3];
+        level->points.push_back(point);
+      }
+    }
+}
+
+}  // namespace
+
+bool is_assembly(const world::World& world) {
+  std::size_t models = 0;
+  for (const world::Placed& placed : world.models) {
+    if (placed.mesh->triangle_count() == 0) continue;
+    if (placed.mesh->report.body_names.size() > 1) return true;
+    ++models;
+  }
+  return models > 1;
+}
+
+PartFeatures assembly_features(const world::World& world, const PartFeatures& all) {
+  PartFeatures features;
+  for (const HoleFeature& hole : all.holes)
+    if (std::none_of(all.cylinders.begin(), all.cylinders.end(),
+                     [&](const CylinderFeature& shaft) { return is_filled_by(hole, shaft); }))
+      features.holes.push_back(hole);
+  features.pitch_circles = all.pitch_circles;
+  features.inclined = all.inclined;
+  const std::map<std::array<int, 2>, Box> boxes = boxes_of_bodies(world);
+  Box whole;
+  for (const auto& [number, box] : boxes) whole = {glm::min(whole.min, box.min), glm::max(whole.max, box.max)};
+  for (const auto& [number, box] : boxes)
+    if (glm::length(box.size()) >= least_part * glm::length(whole.size())) add_levels(features.levels, box, whole);
+  std::stable_sort(features.levels.begin(), features.levels.end(), [](const LevelFeature& a, const LevelFeature& b) {
+    return std::pair(a.axis, a.at) < std::pair(b.axis, b.at);
+  });
+  return features;
+}
+
+PartFeatures features_to_dimension(const world::World& world, const Progress& progress) {
+  PartFeatures features = find_part_features(world, progress);
+  return is_assembly(world) ? assembly_features(world, features) : features;
+}
+
+}  // namespace epura::features

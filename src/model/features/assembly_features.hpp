@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the drawing of an assembly gives sizes for: where its parts are, and where others may be fastened to it.
+#pragma once
+
+#include "features/part_features.hpp"
+#include "world/world.hpp"
+
+namespace epura::features {
+
+/// Whether there are several models, or a file with several bodies that have names.
+bool is_assembly(const world::World& world);
+
+/// Of the features of an assembly, holes in which no other part is; and the ends of its parts as levels, without those
+/// of parts smaller than a hundredth of its size. The features of its parts are for their own drawings.
+PartFeatures assembly_features(const world::World& world, const PartFeatures& all);
+
+/// The features that a drawing of the world gives sizes for. Throws OutOfTime.
+PartFeatures features_to_dimension(const world::World& world, const Progress& progress = {});
+
+}  // namespace epura::features

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "features/centred_features.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "features/coaxial_faces.hpp"
+#include "features/hexagons.hpp"
+#include "features/pitch_circles.hpp"
+#include "features/tolerances.hpp"
+#include "world/placed_circles.hpp"
+
+namespace epura::features {
+
+namespace {
+
+using surfaces::SurfaceKind;
+
+bool is_half_cylinder(const RoundFace& round) {
+  return round.face.surface.kind == SurfaceKind::cylinder && std::abs(round.face.sweep - 180) <= half_slack &&
+         round.has_its_axis();
+}
+
+// For each plane the half cylinders that are tangent to it.
+std::map<int, std::vector<int>> half_cylinders_at_planes(const RoundPart& of) {
+  std::map<int, std::vector<int>> at_planes;
+  const auto add = [&](int plane, int face) {
+    const int i = of.place_of_face[face];
+    if (of.part.faces[plane].surface.kind != SurfaceKind::plane || i < 0 || !is_half_cylinder(of.faces[i])) return;
+    std::vector<int>& list = at_planes[plane];
+    if (std::find(list.begin(), list.end(), i) == list.end()) list.push_back(i);
+  };
+  for (const surfaces::PartBorder& border : of.borders()) {
+    if (border.kind != surfaces::BorderKind::tangent || border.faces[0] < 0) continue;
+    add(border.faces[0], border.faces[1]);
+    add(border.faces[1], border.faces[0]);
+  }
+  return at_planes;
+}
+
+bool face_each_other(const RoundFace& a, const RoundFace& b) {
+  const surfaces::PartSurface &s = a.face.surface, &t = b.face.surface;
+  if (a.face.inwards != b.face.inwards || std::abs(s.radius - t.radius) > same_size * s.radius ||
+      glm::length(glm::cross(s.axis, t.axis)) > nearly_parallel)
+    return false;
+  const Vec3 d = middle_of(b) - middle_of(a), across = d - glm::dot(d, s.axis) * s.axis;
+  const double length = glm::length(across);
+  return length > same_size * s.radius && glm::dot(across, a.middle) < -opposite_cosine * length &&
+         glm::dot(across, b.middle) > opposite_cosine * length;
+}
+
+std::vector<double> bores_of(const RoundPart& of, const std::vector<int>& faces) {
+  std::vector<double> radii;
+  for (const int i : faces)
+    if (of.faces[i].face.surface.kind == SurfaceKind::cylinder && of.faces[i].face.inwards && of.faces[i].is_whole())
+      radii.push_back(of.faces[i].face.surface.radius);
+  std::sort(radii.begin(), radii.end());
+  return radii;
+}
+
+// Heights on the axis of the best face, and radii there, of both ends of a face.
+std::array<std::pair<double, double>, 2> rings_of(const RoundFace& round, const RoundFace& best,
+                                                  const world::World& world) {
+  const auto height_of = [&](const Vec3& p) { return glm::dot(p - best.face.surface.origin, best.face.surface.axis); };
+  if (round.face.surface.kind != SurfaceKind::sphere)
+    return {{{height_of(round.at(round.from)), round.radius_at(round.from)},
+             {height_of(round.at(round.to)), round.radius_at(round.to)}}};
+  double from = HUGE_VAL, to = -HUGE_VAL;
+  for (const int v : round.vertices) {
+    from = std::min(from, height_of(world.points[v]));
+    to = std::max(to, height_of(world.points[v]));
+  }
+  const double centre = height_of(round.face.surface.origin), radius = round.face.surface.radius;
+  const auto radius_at = [&](double height) {
+    return std::sqrt(std::max(radius * radius - (height - centre) * (height - centre), 0.0));
+  };
+  return {{{from, radius_at(from)}, {to, radius_at(to)}}};
+}
+
+// Uses the axis of the largest face, which is the most accurate one.
+CentredRound feature_of(const RoundPart& of, const std::vector<int>& faces) {
+  const RoundFace* best = nullptr;
+  for (const int i : faces)
+    if (of.faces[i].face.surface.kind != SurfaceKind::sphere &&
+        (best == nullptr || of.faces[i].face.area > best->face.area))
+      best = &of.faces[i];
+  CentredRound feature{of.model, best->face.surface.axis};
+  feature.enclosed = true;
+  std::vector<std::pair<double, double>> rings;
+  for (const int i : faces) {
+    const RoundFace& round = of.faces[i];
+    for (const auto& ring : rings_of(round, *best, of.world)) rings.push_back(ring);
+    feature.vertices.insert(feature.vertices.end(), of.vertices[i].begin(), of.vertices[i].end());
+    feature.enclosed = feature.enclosed && round.face.inwards && round.is_whole() && !round.cut;
+    feature.cut = feature.cut || round.cut;
+  }
+  std::sort(rings.begin(), rings.end());
+  for (const auto& [height, radius] : rings) feature.rings.push_back({best->at(height), radius});
+  std::sort(feature.vertices.begin(), feature.vertices.end());
+  feature.vertices.erase(std::unique(feature.vertices.begin(), feature.vertices.end()), feature.vertices.end());
+  return feature;
+}
+
+/// Pairs of round faces.
+using RoundEnds = std::vector<std::array<int, 2>>;
+
+// The half cylinders that are ends of slots.
+RoundEnds ends_of_slots(const RoundPart& of) {
+  std::map<std::array<int, 2>, int> planes_between;
+  for (const auto& at_plane : half_cylinders_at_planes(of)) {
+    const std::vector<int>& faces = at_plane.second;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (std::size_t j = i + 1; j < faces.size(); ++j) {
+        const auto [low, high] = std::minmax(faces[i], faces[j]);
+        ++planes_between[{low, high}];
+      }
+  }
+  RoundEnds ends;
+  std::vector<char> used(of.faces.size(), 0);
+  for (const auto& [pair, planes] : planes_between) {
+    const auto [one, other] = pair;
+    if (planes < 2 || used[one] != 0 || used[other] != 0 || !face_each_other(of.faces[one], of.faces[other])) continue;
+    used[one] = used[other] = 1;
+    ends.push_back(pair);
+  }
+  return ends;
+}
+
+CentredSlot slot_of(const RoundPart& of, const std::array<int, 2>& ends) {
+  const auto [one, other] = ends;
+  CentredSlot slot{{feature_of(of, {one}), feature_of(of, {other})}};
+  for (CentredRound& end : slot.ends)
+    end.enclosed = of.faces[one].face.inwards && !of.faces[one].cut && !of.faces[other].cut;
+  return slot;
+}
+
+constexpr int at_free_form = 1, at_round_face = 2;
+std::vector<int> kinds_at_vertices(const RoundPart& of) {
+  std::vector<int> kinds(of.world.models[of.model].mesh->points.size(), 0);
+  const int first = of.world.first_triangle[of.model];
+  for (int t = first; t < of.world.first_triangle[of.model + 1]; ++t) {
+    const int face = of.part.face_of_triangle[t - first];
+    const SurfaceKind kind = face < 0 ? SurfaceKind::free_form : of.part.faces[face].surface.kind;
+    for (const int v : of.world.triangles[t])
+      kinds[v - of.world.first_vertex[of.model]] |= kind == SurfaceKind::free_form ? at_free_form
+                                                    : world::is_round(kind)        ? at_round_face
+                                                                                   : 0;
+  }
+  return kinds;
+}
+
+// Whole circles around free-form faces that belong to no round face.
+std::vector<CentredRound> rims_of(const RoundPart& of) {
+  const bool free = std::any_of(of.part.faces.begin(), of.part.faces.end(), [](const surfaces::PartFace& face) {
+    return face.surface.kind == SurfaceKind::free_form;
+  });
+  if (!free) return {};
+  std::vector<CentredRound> features;
+  const std::vector<int> kinds = kinds_at_vertices(of);
+  for (const mesh::MeshCircle& circle : world::find_circles(of.world, of.model)) {
+    if (!circle.whole) continue;
+    const bool unknown = std::all_of(circle.vertices.begin(), circle.vertices.end(), [&](int v) {
+      return (kinds[v] & at_free_form) != 0 && (kinds[v] & at_round_face) == 0;
+    });
+    if (!unknown) continue;
+    CentredRound feature{of.model, circle.axis, {{circle.centre, circle.radius}}, circle.vertices};
+    std::sort(feature.vertices.begin(), feature.vertices.end());
+    features.push_back(std::move(feature));
+  }
+  return features;
+}
+
+// The features of one model, with a hexagon: its axis is that of round faces, which it continues, or its own.
+std::vector<CentredRound> with_hexagon(const RoundPart& of, const HexagonFeature& hexagon,
+                                       std::vector<CentredRound> features) {
+  const double slack = slack_of(of.part.tolerance, hexagon.across_flats);
+  const auto is_about = [&](const CentredRound& feature) {
+    return glm::length(glm::cross(feature.axis, hexagon.axis)) <= nearly_parallel &&
+           glm::length(glm::cross(feature.rings.front().centre - hexagon.centre, hexagon.axis)) <= slack;
+  };
+  auto feature = std::find_if(features.begin(), features.end(), is_about);
+  if (feature == features.end()) {
+    features.push_back({of.model, hexagon.axis, {}, {}, hexagon.inwards});
+    feature = std::prev(features.end());
+  }
+  feature->enclosed = feature->enclosed && hexagon.inwards;
+  for (const double end : {-hexagon.half_height, hexagon.half_height})
+    feature->rings.push_back({hexagon.centre + end * hexagon.axis, hexagon.across_flats / std::numbers::sqrt3});
+  const Vec3 along = feature->axis;
+  std::stable_sort(feature->rings.begin(), feature->rings.end(),
+                   [&](const Ring& a, const Ring& b) { return glm::dot(a.centre - b.centre, along) < 0; });
+  std::vector<int>& vertices = feature->vertices;
+  vertices.insert(vertices.end(), hexagon.vertices.begin(), hexagon.vertices.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return features;
+}
+
+/// Features of one model.
+struct ModelFeatures {
+  std::vector<CentredRound> round{};
+  std::vector<std::vector<double>> bores{};  ///< radii of the first round features, as in HoleSize
+  std::vector<CentredSlot> slots{};
+};
+
+ModelFeatures features_of(const RoundPart& of) {
+  ModelFeatures found;
+  std::vector<char> used(of.faces.size(), 0);
+  for (const std::array<int, 2>& ends : ends_of_slots(of)) {
+    for (const int end : ends) used[end] = 1;
+    found.slots.push_back(slot_of(of, ends));
+  }
+  for (const std::vector<int>& group : coaxial_groups(of, used)) {
+    const std::vector<int> faces = faces_with_axis(of, group);
+    if (faces.empty()) continue;
+    found.bores.push_back(bores_of(of, faces));
+    found.round.push_back(feature_of(of, faces));
+  }
+  for (CentredRound& rim : rims_of(of)) found.round.push_back(std::move(rim));
+  for (const HexagonFeature& hexagon : find_hexagons(of.model, find_plane_faces(of.world, of.model, of.part)))
+    found.round = with_hexagon(of, hexagon, std::move(found.round));
+  return found;
+}
+
+// If no faces are recognised.
+std::vector<CentredRound> rims_of_mesh(const world::World& world, int model, double crease_angle) {
+  std::vector<CentredRound> rims;
+  for (const mesh::MeshCircle& circle : world::find_round_rims(world, model, crease_angle)) {
+    rims.push_back({model, circle.axis, {{circle.centre, circle.radius}}, circle.vertices});
+    std::sort(rims.back().vertices.begin(), rims.back().vertices.end());
+  }
+  return rims;
+}
+
+}  // namespace
+
+CentredFeatures find_centred_features(const world::World& world, double crease_angle, const Progress& progress) {
+  progress.begin("finding axes", world.models.size());
+  CentredFeatures found;
+  std::vector<HoleSize> sizes;
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
+    progress.expect_time();
+    auto part = world::place_part(world.models[model]);
+    ModelFeatures own = part ? features_of(make_round_part(world, model, std::move(*part)))
+                             : ModelFeatures{rims_of_mesh(world, model, crease_angle)};
+    const int first = static_cast<int>(found.round.size());
+    for (std::size_t i = 0; i < own.bores.size(); ++i)
+      sizes.push_back({first + static_cast<int>(i), std::move(own.bores[i])});
+    std::move(own.round.begin(), own.round.end(), std::back_inserter(found.round));
+    std::move(own.slots.begin(), own.slots.end(), std::back_inserter(found.slots));
+    progress.advance(1);
+  }
+  found.pitch_circles = find_pitch_circles(found.round, sizes, progress);
+  return found;
+}
+
+}  // namespace epura::features

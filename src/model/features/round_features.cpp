@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "features/round_features.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "base/angle.hpp"
+#include "base/portable_math.hpp"
+#include "base/range.hpp"
+#include "features/interrupted_faces.hpp"
+#include "features/tolerances.hpp"
+
+namespace epura::features {
+
+namespace {
+
+using surfaces::SurfaceKind;
+
+// Axes of short arcs are less accurate than the axis of the world to which they are parallel.
+Vec3 snapped(const Vec3& direction) {
+  const int axis = axis_along(direction);
+  if (axis < 0) return direction;
+  Vec3 exact(0);
+  exact[axis] = direction[axis] < 0 ? -1 : 1;
+  return exact;
+}
+
+// The ends of all faces of one cylinder.
+std::array<Vec3, 2> cylinder_reach(const RoundFaces& of, const RoundFace& whole) {
+  const Vec3 axis = whole.face.surface.axis;
+  Range reach;
+  for (const RoundFace& round : of.faces)
+    if (&round == &whole || are_one_turn(round, whole))
+      for (const double at : {round.from, round.to}) reach.add(glm::dot(round.at(at) - whole.at(0), axis));
+  return {whole.at(0) + reach.from * axis, whole.at(0) + reach.to * axis};
+}
+
+bool is_end_of_slot(const std::vector<SlotFeature>& slots, const ArcFeature& arc) {
+  return std::any_of(slots.begin(), slots.end(), [&](const SlotFeature& slot) {
+    return slot.model == arc.model && are_same(slot.radius, arc.radius) && are_parallel(slot.axis, arc.axis) &&
+           std::any_of(slot.centres.begin(), slot.centres.end(), [&](const Vec3& centre) {
+             return distance_from_line(centre, arc.centre, arc.axis) <= same_size * 10 * arc.radius;
+           });
+  });
+}
+
+Sector sector_of(const RoundFace& round) { return {round.middle, round.face.sweep / 2}; }
+
+bool is_rest_of(const RoundFace& round, const RoundFace& first) {
+  return surfaces::are_one(round.face.surface, first.face.surface) && round.face.inwards == first.face.inwards;
+}
+
+RoundFeature round_of(const RoundFaces& of, const RoundFace& round) {
+  const surfaces::PartSurface& surface = round.face.surface;
+  std::vector<double> angles;
+  for (const int v : round.vertices) {
+    const Vec3 d = of.world.points[v] - surface.origin;
+    const double height = glm::dot(d, surface.axis), out = glm::length(d - height * surface.axis) - surface.radius;
+    angles.push_back(portable_atan2(height, out) / degree);
+  }
+  std::sort(angles.begin(), angles.end());
+  // The section leaves out the largest gap.
+  double from = angles.front(), largest = angles.front() + 360 - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i)
+    if (const double gap = angles[i] - angles[i - 1]; gap > largest) {
+      largest = gap;
+      from = angles[i];
+    }
+  RoundFeature made{of.model,       surface.origin, surface.axis,
+                    surface.radius, surface.minor,  {from, from + 360 - largest}};
+  if (!round.is_whole()) made.sectors.push_back(sector_of(round));
+  return made;
+}
+
+// At which ends of a cone a torus continues it.
+std::array<bool, 2> rounded_ends(const RoundFaces& of, const RoundFace& round, const ConeFeature& cone) {
+  const mesh::Mesh& mesh = of.placed().mesh->whole();
+  const Vec3 middle = (cone.ends[0] + cone.ends[1]) / 2.0, upwards = cone.ends[1] - cone.ends[0];
+  std::array<bool, 2> rounded{};
+  for (const surfaces::PartBorder& border : of.placed().part->borders)
+    for (const int side : {0, 1}) {
+      if (border.faces[side] != round.number || border.faces[1 - side] < 0) continue;
+      const surfaces::PartSurface& other = of.part.faces[border.faces[1 - side]].surface;
+      if (border.kind != surfaces::BorderKind::tangent || other.kind != SurfaceKind::torus) continue;
+      const int vertex = mesh.edges[static_cast<std::size_t>(border.edges.front())].vertex[0];
+      const Vec3& point = of.world.points[of.world.first_vertex[of.model] + vertex];
+      rounded[glm::dot(point - middle, upwards) > 0 ? 1 : 0] = true;
+    }
+  return rounded;
+}
+
+// Whether a cone lies between a plane at its smaller end and a cylinder at its larger one.
+bool is_chamfer(const RoundFaces& of, const RoundFace& round, const ConeFeature& cone) {
+  if (glm::distance(cone.ends[0], cone.ends[1]) > longest_chamfer * cone.radii[1] || !(cone.radii[0] > 0)) return false;
+  bool plane = false, cylinder = false;
+  const double slack = slack_of(of.part.tolerance, cone.radii[1]);
+  for (const surfaces::PartBorder& border : of.placed().part->borders)
+    for (const int side : {0, 1}) {
+      if (border.faces[side] != round.number || border.faces[1 - side] < 0) continue;
+      const surfaces::PartSurface& other = of.part.faces[border.faces[1 - side]].surface;
+      plane = plane || (other.kind == SurfaceKind::plane && are_parallel(other.axis, cone.axis) &&
+                        std::abs(glm::dot(other.origin - cone.ends[0], cone.axis)) <= slack);
+      cylinder = cylinder || (other.kind == SurfaceKind::cylinder && are_parallel(other.axis, cone.axis) &&
+                              std::abs(other.radius - cone.radii[1]) <= slack);
+    }
+  return plane && cylinder;
+}
+
+}  // namespace
+
+std::vector<CylinderFeature> shafts_of(const RoundFaces& of) {
+  std::vector<CylinderFeature> cylinders;
+  for (const RoundFace& round : of.faces)
+    if (round.face.surface.kind == SurfaceKind::cylinder && !round.face.inwards && round.is_whole()) {
+      cylinders.push_back({of.model, round.at(round.from), round.at(round.to), round.face.surface.axis,
+                           round.face.surface.radius, false});
+      cylinders.back().reach = cylinder_reach(of, round);
+    }
+  for (const InterruptedFace& one : find_interrupted(of.faces, SurfaceKind::cylinder)) {
+    const RoundFace& first = of.faces[static_cast<std::size_t>(one.parts.front())];
+    const surfaces::PartSurface& surface = first.face.surface;
+    CylinderFeature cylinder{of.model,     first.at(one.from), first.at(one.to),
+                             surface.axis, surface.radius,     first.face.inwards};
+    cylinder.whole = false;
+    cylinders.push_back(cylinder);
+  }
+  return cylinders;
+}
+
+std::vector<ArcFeature> arcs_of(const RoundFaces& of, const std::vector<SlotFeature>& slots) {
+  std::vector<ArcFeature> arcs;
+  for (const RoundFace& round : of.faces) {
+    const surfaces::PartSurface& surface = round.face.surface;
+    if (surface.kind != SurfaceKind::cylinder || round.face.sweep < shortest_arc || round.face.sweep > longest_arc)
+      continue;
+    const auto shares = [&](const RoundFace& other) { return &other != &round && are_one_turn(round, other); };
+    if (std::any_of(of.faces.begin(), of.faces.end(), shares)) continue;
+    ArcFeature arc{of.model, round.at(round.to), snapped(surface.axis), surface.radius, {}, round.face.inwards};
+    if (is_end_of_slot(slots, arc)) continue;
+    constexpr int steps = 8;
+    const Vec3 across = glm::cross(surface.axis, round.middle);
+    for (int i = 0; i <= steps; ++i) {
+      const double angle = round.face.sweep * degree * (static_cast<double>(i) / steps - 0.5);
+      arc.points.push_back(arc.centre +
+                           surface.radius * (portable_cos(angle) * round.middle + portable_sin(angle) * across));
+    }
+    arcs.push_back(std::move(arc));
+  }
+  return arcs;
+}
+
+std::vector<RoundFeature> rounds_of(const RoundFaces& of) {
+  std::vector<RoundFeature> rounds;
+  std::vector<char> done(of.faces.size(), 0);
+  for (std::size_t i = 0; i < of.faces.size(); ++i) {
+    if (of.faces[i].face.surface.kind != SurfaceKind::torus || done[i] != 0) continue;
+    RoundFeature round = round_of(of, of.faces[i]);
+    double sum = of.faces[i].face.sweep;
+    for (std::size_t j = i + 1; j < of.faces.size(); ++j) {
+      if (done[j] != 0 || of.faces[i].is_whole() || !is_rest_of(of.faces[j], of.faces[i])) continue;
+      done[j] = 1;
+      sum += of.faces[j].face.sweep;
+      round.sectors.push_back(sector_of(of.faces[j]));
+    }
+    if (sum >= least_round) rounds.push_back(std::move(round));
+  }
+  return rounds;
+}
+
+std::vector<BallFeature> balls_of(const RoundFaces& of) {
+  std::vector<BallFeature> balls;
+  for (const RoundFace& round : of.faces) {
+    const surfaces::PartSurface& sphere = round.face.surface;
+    if (sphere.kind != SurfaceKind::sphere) continue;
+    Vec3 middle(0);
+    for (const int v : round.vertices) middle += glm::normalize(of.world.points[v] - sphere.origin);
+    middle /= static_cast<double>(std::max<std::size_t>(round.vertices.size(), 1));
+    const bool is_known = std::any_of(balls.begin(), balls.end(), [&](const BallFeature& ball) {
+      return are_same(ball.radius, sphere.radius) &&
+             glm::distance(ball.centre, sphere.origin) <= same_size * sphere.radius;
+    });
+    if (!is_known) balls.push_back({of.model, sphere.origin, sphere.radius, middle, radius_doubt(round.face)});
+  }
+  return balls;
+}
+
+Cones cones_of(const RoundFaces& of) {
+  Cones found;
+  for (const RoundFace& round : of.faces) {
+    const surfaces::PartSurface& surface = round.face.surface;
+    if (surface.kind != SurfaceKind::cone || round.face.inwards || !round.is_whole()) continue;
+    const double low = round.radius_at(round.from), high = round.radius_at(round.to);
+    const bool rises = low < high;
+    const double from = rises ? round.from : round.to, to = rises ? round.to : round.from;
+    ConeFeature cone{of.model,
+                     {round.at(from), round.at(to)},
+                     {std::min(low, high), std::max(low, high)},
+                     surface.axis,
+                     portable_atan2(std::abs(high - low), std::abs(to - from)) / degree};
+    cone.rounded = rounded_ends(of, round, cone);
+    (is_chamfer(of, round, cone) ? found.chamfers : found.others).push_back(cone);
+  }
+  return found;
+}
+
+}  // namespace epura::features

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// What would break if this were wrong: edges drawn where a fillet runs smoothly into a wall.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "shapes.hpp"
+
+namespace epura::test::borders_test {
+namespace {
+
+/// A fillet in the corner between a wall and a floor whose radius grows along it, so that it is a free form. Its first
+/// facets beside the wall are twice as wide where a random vertex is missing there.
+Part growing_fillet(unsigned seed) {
+  constexpr int columns = 5, rows = 7;
+  std::mt19937 random(seed);
+  Part part;
+  std::vector<int> wall, floor, previous, angles_before;
+  for (int i = 0; i < columns; ++i) {
+    std::vector<int> column, angles;
+    const double radius = 6 + 0.4 * i * i, x = 16 * i;
+    for (int j = 0; j <= rows; ++j) {
+      if (j == rows - 1 && random() % 2 == 0) continue;
+      const double a = 0.5 * pi * j / rows;
+      column.push_back(part.add(Vec3(x, radius - radius * std::sin(a), radius - radius * std::cos(a))));
+      angles.push_back(j);
+    }
+    floor.push_back(column.front());
+    wall.push_back(column.back());
+    for (std::size_t j = 0, k = 0; !previous.empty() && (j + 1 < previous.size() || k + 1 < column.size());) {
+      const bool left = k + 1 == column.size() || (j + 1 < previous.size() && angles_before[j + 1] <= angles[k + 1]);
+      if (left)
+        part.faces.push_back({previous[j], column[k], previous[j + 1]});
+      else
+        part.faces.push_back({previous[j], column[k], column[k + 1]});
+      ++(left ? j : k);
+    }
+    previous = std::exchange(column, {});
+    angles_before = std::exchange(angles, {});
+  }
+  const auto close = [&](std::vector<int> side, const Vec3& next, const Vec3& last) {
+    side.push_back(part.add(next));
+    side.push_back(part.add(last));
+    part.faces.push_back(std::move(side));
+  };
+  constexpr double length = 16 * (columns - 1);
+  close(wall, {length, 0, 40}, {0, 0, 40});
+  close({floor.rbegin(), floor.rend()}, {0, 40, 0}, {length, 40, 0});
+  return part.round_to_float();
+}
+
+// Over a quarter of the border, the normals that are estimated from such facets may be off by more than 5 degrees.
+TEST(Borders, TiltedFacetsDoNotMakeAFilletEndSharply) {
+  for (unsigned seed = 0; seed < 64; ++seed) {
+    const surfaces::PartFaces faces = surfaces::recognise_faces(growing_fillet(seed).mesh());
+    EXPECT_EQ(std::count_if(
+                  faces.faces.begin(), faces.faces.end(),
+                  [](const surfaces::PartFace& face) { return face.surface.kind == surfaces::SurfaceKind::free_form; }),
+              1);
+    for (const surfaces::PartBorder& border : faces.borders)
+      EXPECT_NE(border.kind, surfaces::BorderKind::sharp) << seed << ": " << border.angle;
+  }
+}
+
+// A rounded plug in a housing: where flats run into fillets on the face at which they touch, four triangles meet.
+TEST(Borders, OfBodiesThatTouchAreThoseOfEach) {
+  constexpr int steps = 8;
+  const std::vector<Vec2> outline = joined({arc({7, 7}, 5, 0, 90, steps), arc({-7, 7}, 5, 90, 180, steps),
+                                            arc({-7, -7}, 5, 180, 270, steps), arc({7, -7}, 5, 270, 360, steps)});
+  const Part plug = prism(outline, 10);
+  Part both = plug;
+  const int n = static_cast<int>(outline.size()), first = static_cast<int>(both.points.size());
+  for (const double z : {0.0, 10.0})
+    for (const Vec2& p : outline) both.add({2 * p.x, 2 * p.y, z});
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    both.faces.push_back({j, i, n + i, n + j});
+    both.faces.push_back({first + i, first + j, first + n + j, first + n + i});
+    both.faces.push_back({i, j, first + j, first + i});
+    both.faces.push_back({n + j, n + i, first + n + i, first + n + j});
+  }
+  const auto borders = [](const surfaces::PartFaces& part, surfaces::BorderKind kind) {
+    return std::count_if(part.borders.begin(), part.borders.end(), [&](const auto& b) { return b.kind == kind; });
+  };
+  for (const Part& part : {both, Part(both).triangulate()}) {
+    const surfaces::PartFaces faces = surfaces::recognise_faces(part.mesh());
+    EXPECT_EQ(faces.faces.size(), 28U);
+    EXPECT_EQ(borders(faces, surfaces::BorderKind::tangent), 16);
+    EXPECT_EQ(borders(faces, surfaces::BorderKind::open), 0);
+    for (const surfaces::PartBorder& border : faces.borders)
+      if (border.kind == surfaces::BorderKind::sharp) {
+        EXPECT_NEAR(border.angle, 90, 1e-6);
+      }
+  }
+}
+
+}  // namespace
+}  // namespace epura::test::borders_test
