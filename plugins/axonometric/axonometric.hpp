@@ -25,10 +25,10 @@ inline epura::plugin::Vec3 towards_corner(epura::plugin::Vec3 direction, int cor
 inline epura::plugin::View axonometric(const epura::plugin::Scene& scene, epura::plugin::Vec3 direction,
                                        bool foreshortened) {
   const epura::plugin::Vec3 n = epura::plugin::unit(direction);
-  const double least_cosine = std::min({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+  const double min_cosine = std::min({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
   return {.point = scene.centre(),
           .normal = n,
           .up = {0, 0, 1},
           .projector = n,
-          .scale = foreshortened ? 1 : 1 / std::sqrt(1 - least_cosine * least_cosine)};
+          .scale = foreshortened ? 1 : 1 / std::sqrt(1 - min_cosine * min_cosine)};
 }

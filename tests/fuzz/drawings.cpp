@@ -55,10 +55,10 @@ projection::Projection view_of(Numbers& numbers) {
 // Corners on a lattice of 4 x 4 x 4 points, so that most triangles touch, cross or cover each other; some scenes are
 // flattened to needles, some vertices lie off the lattice by a little.
 void add_triangles(Shape& shape, Numbers& numbers) {
-  constexpr std::size_t most_triangles = 16;
+  constexpr std::size_t max_triangles = 16;
   const std::array<double, 4> heights{1, 0x1p-10, 0x1p-20, 3};
   const double height = heights[static_cast<std::size_t>(numbers.below(4))];
-  while (!numbers.at_end() && shape.faces.size() < most_triangles) {
+  while (!numbers.at_end() && shape.faces.size() < max_triangles) {
     const int first = static_cast<int>(shape.points.size());
     for (int corner = 0; corner < 3; ++corner) {
       const int at = numbers.below(256);
@@ -70,8 +70,8 @@ void add_triangles(Shape& shape, Numbers& numbers) {
 }
 
 void add_boxes(Shape& shape, Numbers& numbers) {
-  constexpr int most_boxes = 6;
-  for (int i = 0; i < most_boxes && !numbers.at_end(); ++i) {
+  constexpr int max_boxes = 6;
+  for (int i = 0; i < max_boxes && !numbers.at_end(); ++i) {
     Point from{}, to{};
     for (std::size_t k = 0; k < 3; ++k) {
       const int at = numbers.below(16);
@@ -84,8 +84,8 @@ void add_boxes(Shape& shape, Numbers& numbers) {
 
 // Round and pointed bodies, and one-sided surfaces: contours, fans around one point, graphs of functions.
 void add_round(Shape& shape, Numbers& numbers) {
-  constexpr int most_bodies = 3;
-  for (int i = 0; i < most_bodies && !numbers.at_end(); ++i) {
+  constexpr int max_bodies = 3;
+  for (int i = 0; i < max_bodies && !numbers.at_end(); ++i) {
     const int kind = numbers.below(6), sides = 3 + numbers.below(6);
     const double radius = 1 + numbers.below(4) / 2.0, height = 1 + numbers.below(3);
     const Vec3 at = numbers.vector(2);

@@ -64,8 +64,8 @@ void expect_sound(const surfaces::PartFaces& part, const mesh::Mesh& mesh) {
 
 // Surfaces that a file declares need not be those of its facets: they are drawn all the same.
 void draw_part(mesh::Mesh mesh, surfaces::PartFaces part) {
-  constexpr int most_triangles = 100;
-  if (mesh.triangle_count() == 0 || mesh.triangle_count() > most_triangles) return;
+  constexpr int max_triangles = 100;
+  if (mesh.triangle_count() == 0 || mesh.triangle_count() > max_triangles) return;
   std::vector<world::Placed> models(1);
   models.front().mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
   models.front().part = std::make_shared<const surfaces::PartFaces>(std::move(part));

@@ -68,9 +68,9 @@ void find_model(scene::ModelDescription& model) {
   const std::string parameters = model.file->substr(name_end);
   const fs::path file = known_file(model.file->substr(0, name_end));
   // Every step of a subdivision makes four times as many triangles.
-  constexpr std::uintmax_t most_to_divide = 6000;  // bytes
+  constexpr std::uintmax_t max_to_divide = 6000;  // bytes
   if (!parameters.empty() &&
-      (fs::file_size(file) > most_to_divide || parameters.find_first_of("3456789") != parameters.npos))
+      (fs::file_size(file) > max_to_divide || parameters.find_first_of("3456789") != parameters.npos))
     refuse("too much for a fuzzer");
   if (mesh::format_named(file.extension().string().substr(1)) == nullptr) refuse("no mesh");
   model.file.value = file.string() + parameters;
@@ -84,15 +84,15 @@ void find_files(scene::SheetDescription& sheet) {
 }
 
 scene::SceneDescription sheet_scene_of(const std::string& text) {
-  constexpr std::size_t most_models = 6, most_views = 10, most_sheets = 4;
+  constexpr std::size_t max_models = 6, max_views = 10, max_sheets = 4;
   const OwnFile file(text);
   scene::SceneDescription scene = scene::scene_of(scene::read_toml(file.path()));
-  if (scene.models.size() > most_models || scene.sheets.size() > most_sheets) refuse("too much for a fuzzer");
+  if (scene.models.size() > max_models || scene.sheets.size() > max_sheets) refuse("too much for a fuzzer");
   for (scene::ModelDescription& model : scene.models) find_model(model);
   for (scene::SheetDescription& sheet : scene.sheets) find_files(sheet);
   pipeline::complete_scene(scene);
   pipeline::complete_sheets(scene);
-  if (scene.views.size() > most_views) refuse("too much for a fuzzer");
+  if (scene.views.size() > max_views) refuse("too much for a fuzzer");
   const std::vector<projection::ProjectionEntry>& known = own_projections();
   for (const scene::ViewDescription& view : scene.views)
     if (view.projection.given() && std::none_of(known.begin(), known.end(),

@@ -232,11 +232,11 @@ Shape turned(Shape shape, int axis) {
 
 mesh::Soup made_model(const std::string& bytes) {
   Numbers numbers(bytes);
-  constexpr int most_bodies = 4;
+  constexpr int max_bodies = 4;
   const int style = numbers.below(8);
   Shape all;
   int count = 0;
-  while (!numbers.at_end() && count < most_bodies) {
+  while (!numbers.at_end() && count < max_bodies) {
     Shape body = one_body(numbers);
     body = turned(std::move(body), numbers.below(3));
     body.bodies.assign(body.faces.size(), count++);

@@ -25,7 +25,7 @@ visibility::Spans by_brute_force(const Result& r, const edges::FeatureEdge& edge
       continue;
     if (const auto part = visibility::hidden_part(r.view, line, t)) visibility::add_span(spans, *part);
   }
-  visibility::absorb_slivers(spans, visibility::least_span(r.view, line));
+  visibility::absorb_slivers(spans, visibility::min_span(r.view, line));
   return spans;
 }
 

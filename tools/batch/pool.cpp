@@ -18,7 +18,7 @@ namespace {
 
 using foreign::Clock;
 
-constexpr std::size_t most_of_answer = 1 << 28;
+constexpr std::size_t max_of_answer = 1 << 28;
 // A process that needed much memory for a job is not kept, since a fragmented heap keeps much of it.
 constexpr double much_memory = 1000;  // MB
 
@@ -93,7 +93,7 @@ class Pool {
 
   void look_at(Worker& worker) {
     try {
-      if (const auto message = worker.process.receive(Clock::now(), most_of_answer)) {
+      if (const auto message = worker.process.receive(Clock::now(), max_of_answer)) {
         JobResult result = unpack_result(*message);
         result.record.name = plan_.jobs[*worker.job].name;
         worker.job.reset();

@@ -18,7 +18,7 @@ namespace epura {
 
 namespace {
 
-constexpr int most_shards = 1'000'000;
+constexpr int max_shards = 1'000'000;
 
 // Environment variables of a scheduler. Elements of an array of jobs count from `first` to `last` in steps.
 struct Scheduler {
@@ -81,7 +81,7 @@ Shard parse_shard(const std::string& text) {
     if (!number || !count) refuse(text, "is not a part of a batch");
     found = {*number, *count};
   }
-  if (found.second < 1 || found.second > most_shards || found.first < 1 || found.first > found.second)
+  if (found.second < 1 || found.second > max_shards || found.first < 1 || found.first > found.second)
     refuse(text, "part " + std::to_string(found.first) + " of " + std::to_string(found.second) + " does not exist");
   return {static_cast<int>(found.first), static_cast<int>(found.second)};
 }

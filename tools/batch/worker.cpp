@@ -41,7 +41,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_of_request = sizeof(std::size_t);
+constexpr std::size_t max_of_request = sizeof(std::size_t);
 
 // The largest memory of this process since the last call of forget_peak, MB; 0 if Linux does not tell.
 double peak_megabytes() {
@@ -272,7 +272,7 @@ void serve_jobs(int socket, const BatchPlan& plan) {
   if (plan.job_memory) limit_resource(RLIMIT_DATA, *plan.job_memory);
   const std::string reason = plan.common.run.sandbox == pipeline::Sandbox::off ? "" : confine_to_jobs(plan);
   foreign::Incoming incoming;
-  while (incoming.receive(socket, std::nullopt, most_of_request) == foreign::Received::all) {
+  while (incoming.receive(socket, std::nullopt, max_of_request) == foreign::Received::all) {
     std::size_t number = 0;
     const std::string message = incoming.take();
     foreign::Unpacker{message}(number);

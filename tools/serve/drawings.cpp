@@ -19,8 +19,8 @@ namespace epura {
 
 namespace {
 
-constexpr std::size_t most_at_a_time = 2;
-constexpr double most_megabytes_of_svg = 500;
+constexpr std::size_t max_at_a_time = 2;
+constexpr double max_megabytes_of_svg = 500;
 
 http::Reply error_reply(unsigned status, std::string_view reason, std::string_view hint = "") {
   return {status, "application/json", std::make_shared<const std::string>(error_json(reason, hint)), {}};
@@ -115,14 +115,14 @@ void Drawings::look() {
   jobs_.remove_if([this](Job& job) { return job.process && has_ended(job); });
   std::size_t running = 0;
   jobs_.remove_if([&](Job& job) {
-    const bool goes_on = job.process || running == most_at_a_time || start(job);
+    const bool goes_on = job.process || running == max_at_a_time || start(job);
     running += job.process ? 1 : 0;
     return !goes_on;
   });
 }
 
 bool Drawings::start(Job& job) {
-  const ProcessLimits limits{options_.job_memory, most_megabytes_of_svg};
+  const ProcessLimits limits{options_.job_memory, max_megabytes_of_svg};
   try {
     job.process = std::make_unique<EpuraProcess>(words_of_drawing(options_, job.projection), limits);
     static_cast<void>(job.process->descriptor());

@@ -35,8 +35,8 @@ using output::json_number;
 using output::json_string;
 using output::json_vector;
 
-constexpr std::size_t most_of_message = std::numeric_limits<std::size_t>::max() / 2;
-constexpr std::size_t most_request = 16384;
+constexpr std::size_t max_of_message = std::numeric_limits<std::size_t>::max() / 2;
+constexpr std::size_t max_request = 16384;
 
 std::vector<char> bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
 
@@ -147,7 +147,7 @@ void show_model(int socket, const DrawOptions& options) {
   message(bytes_of(ready.page_data));
   message(bytes_of(ready.wireframe));
   if (!foreign::send_message(socket, message)) return;
-  for (foreign::Incoming incoming; incoming.receive(socket, {}, most_request) == foreign::Received::all;)
+  for (foreign::Incoming incoming; incoming.receive(socket, {}, max_request) == foreign::Received::all;)
     if (!foreign::send_message(socket, answer_to(model, incoming.take()))) return;
 }
 
@@ -168,7 +168,7 @@ std::string first_message(foreign::ChildProcess& process, const std::string& mod
   constexpr std::chrono::hours any_time(1);
   try {
     std::optional<std::string> message;
-    while (!message) message = process.receive(foreign::Clock::now() + any_time, most_of_message);
+    while (!message) message = process.receive(foreign::Clock::now() + any_time, max_of_message);
     return *std::move(message);
   } catch (const Error& error) {
     throw Error(error.kind(), model, std::string("the process that reads it ") + error.what());
@@ -200,7 +200,7 @@ void ask_for_view(foreign::ChildProcess& process, const std::string& projection)
 }
 
 std::optional<ViewAnswer> take_view(foreign::ChildProcess& process) {
-  const std::optional<std::string> message = process.receive(foreign::Clock::now(), most_of_message);
+  const std::optional<std::string> message = process.receive(foreign::Clock::now(), max_of_message);
   if (!message) return std::nullopt;
   foreign::Unpacker unpack(*message);
   ViewAnswer answer{};

@@ -74,11 +74,11 @@ void compare_with_expectation(SnapshotResult& result, double tolerance, bool wit
 
 // Other files may be endless, or block.
 void refuse_irregular_files(const fs::path& folder) {
-  constexpr std::uintmax_t most_option_bytes = 1'000'000;
+  constexpr std::uintmax_t max_option_bytes = 1'000'000;
   for (const char* name : {"options", "expected.json", "expected.svg", "expected.pdf"})
     if (fs::exists(folder / name) && !fs::is_regular_file(folder / name))
       throw Error(ErrorKind::input, (folder / name).string(), "is not a regular file");
-  if (fs::exists(folder / "options") && fs::file_size(folder / "options") > most_option_bytes)
+  if (fs::exists(folder / "options") && fs::file_size(folder / "options") > max_option_bytes)
     throw Error(ErrorKind::input, (folder / "options").string(), "has more than 1 MB", "is it the right file?");
 }
 

@@ -104,7 +104,7 @@ class Plotter {
   }
 
  private:
-  [[nodiscard]] double raised(double y) const { return std::max(y, plot_.least_y); }
+  [[nodiscard]] double raised(double y) const { return std::max(y, plot_.min_y); }
 
   [[nodiscard]] Vec2 position(const Vec2& value) const {
     return min + Vec2(x_.part(value.x), y_.part(raised(value.y))) * (max - min);

@@ -34,8 +34,8 @@ struct LogPlot {
   std::string title, x_axis, y_axis;
   std::vector<PlotCurve> curves;
   std::vector<PlotMark> marks{};
-  double least_y = 1e-10;  ///< lower values are drawn there
-  std::string note{};      ///< below the diagram
+  double min_y = 1e-10;  ///< lower values are drawn there
+  std::string note{};    ///< below the diagram
 };
 
 /// 205 x 120 mm. Curves are distinguished by their marks, lines and colours, which are explained in a key. No label

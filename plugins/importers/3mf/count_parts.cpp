@@ -39,7 +39,7 @@ class Counter {
   }
 
   static void expect_few(std::size_t parts) {
-    expect(parts <= most_parts, "puts down more than " + std::to_string(most_parts) + " parts");
+    expect(parts <= max_parts, "puts down more than " + std::to_string(max_parts) + " parts");
   }
 
  private:

@@ -10,7 +10,7 @@
 namespace epura::plugin::threemf {
 
 /// Larger numbers are refused.
-inline constexpr std::size_t most_parts = 1'000'000;
+inline constexpr std::size_t max_parts = 1'000'000;
 
 /// Throws std::runtime_error with a sentence if there are too many, or if they are nested too deeply or in a circle.
 void expect_few_parts(const Model& model);

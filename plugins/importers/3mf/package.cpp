@@ -13,7 +13,7 @@ namespace epura::plugin::threemf {
 namespace {
 
 // XML of meshes shrinks to a tenth; the rest is for small files.
-constexpr std::uint64_t most_times_larger = 64, least_allowed = std::uint64_t{256} << 20;
+constexpr std::uint64_t max_times_larger = 64, min_allowed = std::uint64_t{256} << 20;
 
 constexpr const char* relationships = "_rels/.rels";
 
@@ -84,7 +84,7 @@ const char* without_slash(const std::string& part) { return part.c_str() + (part
 
 Package::Package(const std::string& path) : bytes_(whole_file(path)), archive_(open(bytes_)) {
   const auto count = static_cast<std::uint64_t>(zip_get_num_entries(archive_.get(), 0));
-  const std::uint64_t most = most_times_larger * bytes_.size() + least_allowed;
+  const std::uint64_t most = max_times_larger * bytes_.size() + min_allowed;
   std::uint64_t size = 0;
   for (std::uint64_t i = 0; i < count; ++i) {
     const zip_stat_t entry = entry_at(archive_.get(), i);

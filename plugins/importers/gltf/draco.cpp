@@ -24,7 +24,7 @@ namespace {
 using Bytes = std::span<const unsigned char>;
 
 // Points and triangles. A plane of equal squares has 27 triangles for each byte where it is compressed best.
-constexpr std::uint64_t most_per_byte = 100, always_allowed = 4'000'000;
+constexpr std::uint64_t max_per_byte = 100, always_allowed = 4'000'000;
 
 int number_in(const tinygltf::Value& object, const char* name) {
   return object.Has(name) && object.Get(name).IsInt() ? object.Get(name).GetNumberAsInt() : -1;
@@ -76,7 +76,7 @@ std::unique_ptr<draco::Mesh> mesh_in(Bytes bytes, Counts expected, const std::st
               what + " has " + text_of(counts) + ", its accessors have " + text_of(expected));
   };
   const Counts counts = announced(bytes, what);
-  refuse_if(std::max(counts.points, counts.triangles) > most_per_byte * bytes.size() + always_allowed,
+  refuse_if(std::max(counts.points, counts.triangles) > max_per_byte * bytes.size() + always_allowed,
             what + " claims to have " + text_of(counts) + " in " + std::to_string(bytes.size()) + " bytes");
   // Seams of other attributes make more points of those that are announced.
   expect({std::max(counts.points, expected.points), counts.triangles});

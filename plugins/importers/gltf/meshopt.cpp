@@ -18,7 +18,7 @@ namespace epura::plugin::gltf {
 namespace {
 
 // A block of equal vertices takes a byte for every sixteen of each of their bytes; triangles take a byte at least.
-constexpr std::size_t most_per_byte = 256, always_allowed = std::size_t{4} << 20;
+constexpr std::size_t max_per_byte = 256, always_allowed = std::size_t{4} << 20;
 
 /// The extension's table of one view.
 struct Compressed {
@@ -83,7 +83,7 @@ void unfilter(const Compressed& from, std::vector<unsigned char>& bytes, const s
 }
 
 std::vector<unsigned char> decompressed(const Compressed& from, const std::string& what) {
-  refuse_if(from.count * from.stride > most_per_byte * from.bytes.size() + always_allowed,
+  refuse_if(from.count * from.stride > max_per_byte * from.bytes.size() + always_allowed,
             what + " claims to have " + std::to_string(from.count) + " elements in " +
                 std::to_string(from.bytes.size()) + " bytes");
   std::vector<unsigned char> bytes(from.count * from.stride);

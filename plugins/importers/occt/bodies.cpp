@@ -23,7 +23,7 @@ namespace {
 
 /// Gaps that other programs leave between faces, relative to the diagonal; well below anything visible in a drawing.
 constexpr double relative_gap = 2e-5;
-constexpr double least_gap = 1e-5, most_gap = 0.05;  // mm
+constexpr double min_gap = 1e-5, max_gap = 0.05;  // mm
 
 std::vector<TopoDS_Shape> all(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind, TopAbs_ShapeEnum avoided) {
   std::vector<TopoDS_Shape> found;
@@ -42,7 +42,7 @@ TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes) {
 double gap_of(const TopoDS_Shape& shape) {
   Bnd_Box box;
   BRepBndLib::Add(shape, box);
-  return box.IsVoid() ? least_gap : std::clamp(relative_gap * std::sqrt(box.SquareExtent()), least_gap, most_gap);
+  return box.IsVoid() ? min_gap : std::clamp(relative_gap * std::sqrt(box.SquareExtent()), min_gap, max_gap);
 }
 
 /// Orients a closed shell so that the outside is known, which loose faces do not tell. Nothing if it is not closed,

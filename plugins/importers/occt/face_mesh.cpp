@@ -13,10 +13,10 @@ namespace occt {
 
 namespace {
 
-constexpr int most_rounds = 40;
+constexpr int max_rounds = 40;
 constexpr double worth_turning = 0.7;  // relative to its error: another diagonal must be clearly better
 // Cosine of the angle between a triangle and its surface below which it is examined, and the least gain of a flip.
-constexpr double askew = 0.9, least_gain = 0.01;
+constexpr double askew = 0.9, min_gain = 0.01;
 
 using Triangle = std::array<int, 3>;
 
@@ -211,11 +211,11 @@ class Refinement {
 
   FaceMesh run(std::size_t growth) {
     const std::size_t most = growth * (triangles_.size() + 10);
-    for (int round = 0; round < most_rounds && triangles_.size() < most; ++round) {
+    for (int round = 0; round < max_rounds && triangles_.size() < most; ++round) {
       error_ = 0;
       if (!improve()) break;
     }
-    for (int round = 0; round < most_rounds && straighten(); ++round) {
+    for (int round = 0; round < max_rounds && straighten(); ++round) {
     }
     return {on_.points(), on_.places(), std::move(triangles_), error_};
   }
@@ -288,7 +288,7 @@ class Refinement {
     for (const auto& [least, side] : found) {
       if (is_turned[side.one.triangle] || is_turned[side.other.triangle]) continue;
       const auto other = turned(on_, triangles_, side);
-      if (!other || std::min(on_.facing((*other)[0]), on_.facing((*other)[1])) < least + least_gain) continue;
+      if (!other || std::min(on_.facing((*other)[0]), on_.facing((*other)[1])) < least + min_gain) continue;
       const double error = on_.error_of_side((*other)[0][0], (*other)[0][2]);
       if (error > std::max(tolerance_, on_.error_of_side(side.one.low, side.one.high))) continue;
       take(side, *other);

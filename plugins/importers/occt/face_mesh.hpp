@@ -19,12 +19,12 @@ struct FaceMesh {
 };
 
 /// Limits for the number of triangles relative to Open CASCADE's.
-constexpr std::size_t useful_growth = 10, most_growth = 400;
+constexpr std::size_t useful_growth = 10, max_growth = 400;
 
 /// Open CASCADE respects its deflection along edges, but not inside cones, tori and spline surfaces, where it was
 /// exceeded by a factor of up to 35. Therefore sides between two triangles are halved until their middles, and the
 /// centres of the triangles, are close enough. Edges of the face are left unchanged, because its neighbours have their
 /// points, too. Stops and sets FaceMesh::error if there would be more than `growth` times as many triangles.
-FaceMesh refined(const TopoDS_Face& face, double tolerance, std::size_t growth = most_growth);
+FaceMesh refined(const TopoDS_Face& face, double tolerance, std::size_t growth = max_growth);
 
 }  // namespace occt

@@ -159,8 +159,8 @@ std::string faults_of(const Handle(StepData_StepModel) & model, Fault kind) {
 std::vector<std::string> without_foreign_files(STEPControl_Reader& reader, const std::string& path) {
   std::vector<std::string> notes;
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  constexpr int most_names = 4;  // number of names that one reference may have in different entities
-  for (int round = 0; round <= most_names; ++round) {
+  constexpr int max_names = 4;  // number of names that one reference may have in different entities
+  for (int round = 0; round <= max_names; ++round) {
     bool is_clean = true;
     for (const std::string& name : referred_files(reader)) {
       if (!leaves_folder(name) && std::filesystem::exists(folder / name)) continue;

@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uintmax_t most_bytes_of_pipe = 1'000'000'000;
+constexpr std::uintmax_t max_bytes_of_pipe = 1'000'000'000;
 // The number of links that Linux follows.
-constexpr int most_links = 40;
-constexpr std::size_t most_at_once = 1 << 24;  // bytes to read between two checks of the clock
+constexpr int max_links = 40;
+constexpr std::size_t max_at_once = 1 << 24;  // bytes to read between two checks of the clock
 
 [[noreturn]] void fail(ErrorKind kind, const fs::path& path, const std::string& action, int number) {
   std::string hint;
@@ -128,7 +128,7 @@ ssize_t read_some(const Descriptor& file, std::span<char> to, bool has_begun, co
   constexpr int patience_ms = 5000, look_ms = 20;
   for (int waited_ms = 0; waited_ms < patience_ms; waited_ms += has_begun ? 0 : look_ms) {
     progress.expect_time();
-    const ssize_t got = ::read(file.number(), to.data(), std::min(to.size(), most_at_once));
+    const ssize_t got = ::read(file.number(), to.data(), std::min(to.size(), max_at_once));
     if (got > 0 || (got == 0 && has_begun) || (got < 0 && errno != EINTR && errno != EAGAIN)) return got;
     has_begun = has_begun || (got < 0 && errno == EAGAIN);  // the writer pauses
     pollfd end{file.number(), POLLIN, 0};
@@ -144,7 +144,7 @@ ssize_t read_some(const Descriptor& file, std::span<char> to, bool has_begun, co
 fs::path end_of_links(const fs::path& path) {
   fs::path end = path;
   std::error_code error;
-  for (int links = 0; links < most_links && fs::is_symlink(end, error); ++links) {
+  for (int links = 0; links < max_links && fs::is_symlink(end, error); ++links) {
     const fs::path next = fs::read_symlink(end, error);
     if (error) break;
     end = end.parent_path() / next;
@@ -160,7 +160,7 @@ std::string identity_of_file(const fs::path& path) {
   return fs::weakly_canonical(fs::absolute(end_of_links(path)), error).string();
 }
 
-std::string read_file(const fs::path& path, const Progress& progress, std::uintmax_t most_bytes) {
+std::string read_file(const fs::path& path, const Progress& progress, std::uintmax_t max_bytes) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
   if (file.number() < 0) fail(ErrorKind::input, path, "read", errno);
   struct stat status {};
@@ -168,10 +168,10 @@ std::string read_file(const fs::path& path, const Progress& progress, std::uintm
   if (S_ISDIR(status.st_mode)) throw Error(ErrorKind::input, path.string(), "is a directory, not a file");
   if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
     throw Error(ErrorKind::input, path.string(), "is a device, not a file");
-  if (S_ISFIFO(status.st_mode)) most_bytes = std::min(most_bytes, most_bytes_of_pipe);
+  if (S_ISFIFO(status.st_mode)) max_bytes = std::min(max_bytes, max_bytes_of_pipe);
   const auto expect_at_most = [&](std::uintmax_t size) {
-    if (size > most_bytes)
-      throw Error(ErrorKind::input, path.string(), "has more than " + std::to_string(most_bytes / 1'000'000) + " MB",
+    if (size > max_bytes)
+      throw Error(ErrorKind::input, path.string(), "has more than " + std::to_string(max_bytes / 1'000'000) + " MB",
                   "is it the right file?");
   };
   expect_at_most(static_cast<std::uintmax_t>(status.st_size));

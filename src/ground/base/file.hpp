@@ -21,10 +21,10 @@ std::filesystem::path end_of_links(const std::filesystem::path& path);
 std::string identity_of_file(const std::filesystem::path& path);
 
 /// Returns all bytes of a regular file (or of a pipe, up to 1 GB, since it may be endless). Throws Error{input} with
-/// path and reason, also for devices, for more than `most_bytes`, and for files whose contents Git LFS keeps elsewhere.
+/// path and reason, also for devices, for more than `max_bytes`, and for files whose contents Git LFS keeps elsewhere.
 /// Throws OutOfTime.
 std::string read_file(const std::filesystem::path& path, const Progress& progress = {},
-                      std::uintmax_t most_bytes = std::numeric_limits<std::uintmax_t>::max());
+                      std::uintmax_t max_bytes = std::numeric_limits<std::uintmax_t>::max());
 
 /// Writes a file next to the target, without a name if the file system supports that, and renames it at the end. Links
 /// stay links. Throws Error{output}; then the old file remains. A target that is not a regular file (a device, a pipe)

@@ -142,9 +142,9 @@ std::optional<std::string> nearest_name(std::string_view name, std::span<const s
 
 std::string did_you_mean(std::string_view name, std::span<const std::string> candidates) {
   if (const auto nearest = nearest_name(name, candidates)) return "did you mean '" + *nearest + "'?";
-  constexpr std::size_t most_listed = 24, few = 3;
+  constexpr std::size_t max_listed = 24, few = 3;
   std::vector<std::string> listed(candidates.begin(), candidates.end());
-  const bool all = listed.size() <= most_listed;
+  const bool all = listed.size() <= max_listed;
   if (!all) {
     const std::string lower = to_lower(name);
     std::stable_sort(listed.begin(), listed.end(), [&lower](const std::string& a, const std::string& b) {

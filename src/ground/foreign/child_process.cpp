@@ -99,15 +99,15 @@ void ChildProcess::send(const Packer& message) {
   if (!send_message(socket_, message)) refuse(ending());
 }
 
-std::optional<std::string> ChildProcess::receive(Clock::time_point until, std::size_t most_bytes) {
-  const Received received = incoming_.receive(socket_, until, most_bytes);
+std::optional<std::string> ChildProcess::receive(Clock::time_point until, std::size_t max_bytes) {
+  const Received received = incoming_.receive(socket_, until, max_bytes);
   if (received == Received::nothing) refuse(ending());
   return received == Received::all ? std::optional(incoming_.take()) : std::nullopt;
 }
 
-std::string ChildProcess::receive_within(double seconds, std::size_t most_bytes) {
+std::string ChildProcess::receive_within(double seconds, std::size_t max_bytes) {
   const auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-  if (auto message = receive(until, most_bytes)) return *std::move(message);
+  if (auto message = receive(until, max_bytes)) return *std::move(message);
   end();
   refuse("takes more than " + format_number(seconds) + " s");
 }

@@ -42,13 +42,13 @@ class ChildProcess {
   void send(const Packer& message);
   /// Returns nothing if there is no message by `until`. Throws Error{plugin} with the way in which the process ended,
   /// if it is gone.
-  std::optional<std::string> receive(Clock::time_point until, std::size_t most_bytes);
+  std::optional<std::string> receive(Clock::time_point until, std::size_t max_bytes);
   /// The same within a number of seconds. Throws Error{plugin} and kills the process if there is no message by then.
-  std::string receive_within(double seconds, std::size_t most_bytes);
+  std::string receive_within(double seconds, std::size_t max_bytes);
   /// Returns what `unpack` extracts from the first message, which is sent when the code is loaded. Throws Error{plugin}
   /// and ends the process if that fails.
   template <class Unpack>
-  auto receive_loaded(double seconds, std::size_t most_bytes, const Unpack& unpack);
+  auto receive_loaded(double seconds, std::size_t max_bytes, const Unpack& unpack);
   /// Whether it ended with `no_memory_status`.
   [[nodiscard]] bool lacked_memory() const { return lacked_memory_; }
   /// Kills the process.
@@ -66,9 +66,9 @@ class ChildProcess {
 };
 
 template <class Unpack>
-auto ChildProcess::receive_loaded(double seconds, std::size_t most_bytes, const Unpack& unpack) {
+auto ChildProcess::receive_loaded(double seconds, std::size_t max_bytes, const Unpack& unpack) {
   try {
-    const std::string message = receive_within(seconds, most_bytes);
+    const std::string message = receive_within(seconds, max_bytes);
     Unpacker words(message);
     expect_no_reason(words);
     return unpack(words);

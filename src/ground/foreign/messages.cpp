@@ -52,12 +52,12 @@ bool send_message(int socket, const Packer& message) {
   return send_all(socket, size.bytes()) && send_all(socket, message.bytes());
 }
 
-Received Incoming::receive(int socket, const std::optional<Clock::time_point>& end, std::size_t most_bytes) {
+Received Incoming::receive(int socket, const std::optional<Clock::time_point>& end, std::size_t max_bytes) {
   if (got_ < size_.size()) {
     const Received received = receive_bytes(socket, size_, got_, end);
     if (received != Received::all) return received;
     const auto size = std::bit_cast<std::size_t>(size_);
-    if (size > most_bytes) return Received::nothing;
+    if (size > max_bytes) return Received::nothing;
     message_.resize(size);
   }
   std::size_t got = got_ - size_.size();

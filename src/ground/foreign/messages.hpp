@@ -23,9 +23,9 @@ enum class Received { all, nothing, too_late };
 class Incoming {
  public:
   /// Waits until the message is complete, at most until `end`; then call `take`. `nothing`: the other process is gone,
-  /// or its message is longer than `most_bytes`, which only happens if it is damaged. After `too_late`, the next call
+  /// or its message is longer than `max_bytes`, which only happens if it is damaged. After `too_late`, the next call
   /// continues.
-  Received receive(int socket, const std::optional<Clock::time_point>& end, std::size_t most_bytes);
+  Received receive(int socket, const std::optional<Clock::time_point>& end, std::size_t max_bytes);
   std::string take();
 
  private:

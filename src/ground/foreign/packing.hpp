@@ -64,11 +64,11 @@ class Unpacker {
       for (Item& item : items) (*this)(item);
   }
 
-  /// Returns how many items follow, each of at least `least_bytes`.
-  std::size_t count(std::size_t least_bytes) {
+  /// Returns how many items follow, each of at least `min_bytes`.
+  std::size_t count(std::size_t min_bytes) {
     std::size_t count = 0;
     (*this)(count);
-    if (count > rest_.size() / least_bytes) refuse();
+    if (count > rest_.size() / min_bytes) refuse();
     return count;
   }
 

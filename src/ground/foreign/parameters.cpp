@@ -132,7 +132,7 @@ void require(bool condition, const std::string& reason) {
 
 std::vector<Parameter> read_parameters(const epura_parameter* table, std::size_t count, const std::string& owner) {
   require(count == 0 || table != nullptr, owner + " has no table of parameters");
-  require(count <= most_rows, owner + " claims to have " + std::to_string(count) + " parameters");
+  require(count <= max_rows, owner + " claims to have " + std::to_string(count) + " parameters");
   std::vector<Parameter> parameters;
   std::set<std::string> names;
   for (std::size_t i = 0; i < count; ++i) {

@@ -56,7 +56,7 @@ ParameterValues values_of(const std::vector<Parameter>& parameters, const Assign
 void require(bool condition, const std::string& reason);
 
 /// More rows indicate uninitialised memory.
-inline constexpr std::size_t most_rows = 1000;
+inline constexpr std::size_t max_rows = 1000;
 
 /// Returns row `i` of a table whose rows are as long as its first one states: a newer plugin has longer rows than this
 /// program.

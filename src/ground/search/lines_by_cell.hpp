@@ -20,8 +20,8 @@ class LinesByCell {
   /// `line(i)` returns the ends of a line, one of `count`. Lines are in all cells within `margin` of them.
   template <class Line>
   LinesByCell(std::size_t count, double margin, const Line& line) {
-    constexpr int most = 512;            // columns, and rows
-    constexpr double least_side = 1e-9;  // part of the size of coordinates
+    constexpr int most = 512;          // columns, and rows
+    constexpr double min_side = 1e-9;  // part of the size of coordinates
     Vec2 min(HUGE_VAL), max(-HUGE_VAL);
     for (std::size_t i = 0; i < count; ++i) {
       const std::array<Vec2, 2> ends = line(i);
@@ -29,7 +29,7 @@ class LinesByCell {
       max = glm::max(max, glm::max(ends[0], ends[1]));
     }
     const int side = std::clamp(static_cast<int>(std::sqrt(count)), 1, most);
-    const Vec2 size = glm::max(max - min, Vec2(least_side * std::max(1.0, glm::length(max) + glm::length(min))));
+    const Vec2 size = glm::max(max - min, Vec2(min_side * std::max(1.0, glm::length(max) + glm::length(min))));
     grid_ = {min, size / static_cast<double>(side), side, side};
     lines_ = Groups<std::size_t>(static_cast<std::size_t>(grid_.count()), [&](const auto& add) {
       for (std::size_t i = 0; i < count; ++i) {

@@ -35,11 +35,11 @@ class OccupiedCells {
   }
 
  private:
-  static constexpr double most_columns = 2048;
+  static constexpr double max_columns = 2048;
 
   static CellGrid grid_over(const Vec2& min, const Vec2& max, double side) {
     const Vec2 size = glm::max(max - min, Vec2(0));
-    const double width = std::max(side, std::max(size.x, size.y) / most_columns);
+    const double width = std::max(side, std::max(size.x, size.y) / max_columns);
     return {min, Vec2(width), static_cast<int>(std::ceil(size.x / width)) + 1,
             static_cast<int>(std::ceil(size.y / width)) + 1};
   }

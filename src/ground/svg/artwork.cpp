@@ -19,7 +19,7 @@ namespace epura::svg {
 namespace {
 
 constexpr double longest_side = 20'000;  // mm
-constexpr double least_text = 1e-6;      // mm
+constexpr double min_text = 1e-6;        // mm
 constexpr double farthest = 1e6;         // mm; what lies there is not meant for a sheet
 
 // Elements that show nothing.
@@ -265,7 +265,7 @@ class Reader {
       all_.source.refuse(node, "a text is mirrored or slanted", "only scale and turn it");
     if (std::abs(along - across) > 0.01 * along) stretched_.note(all_.source.line_of(node));
     words.size = *size * across;
-    if (!(words.size > least_text && words.size <= farthest))
+    if (!(words.size > min_text && words.size <= farthest))
       all_.source.refuse(node, "a text has no height", "give it a font-size and a transform that leave it one");
     words.at = near_sheet(all_.source, node, map({place("x"), place("y")}));
     words.angle = portable_atan2(map.along.y, map.along.x) * 180 / std::numbers::pi;

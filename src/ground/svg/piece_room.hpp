@@ -19,7 +19,7 @@ class PieceRoom {
 
  private:
   std::string where_;
-  std::size_t most_, left_;
+  std::size_t max_, left_;
 };
 
 }  // namespace epura::svg

@@ -162,8 +162,8 @@ class Assembler {
     return std::max(count, shape.points.size() / 3);
   }
 
-  [[nodiscard]] std::size_t most_triangles() const {
-    std::size_t most = most_copied_triangles;
+  [[nodiscard]] std::size_t max_triangles() const {
+    std::size_t most = max_copied_triangles;
     for (const Shape& shape : document_.shapes) most += triangles_of(shape);
     return most;
   }
@@ -171,10 +171,10 @@ class Assembler {
   // `colour` takes precedence over those of the shape.
   void place(const Shape& shape, const Mat4& to_file, const Occurrence& occurrence, int colour) {
     placed_triangles_ += triangles_of(shape);
-    if (placed_triangles_ > most_triangles_)
+    if (placed_triangles_ > max_triangles_)
       throw Error(
           ErrorKind::input, "",
-          "has more than " + format_number(most_copied_triangles / 1e6) + " million triangles in copies of its parts",
+          "has more than " + format_number(max_copied_triangles / 1e6) + " million triangles in copies of its parts",
           "leave copies out, or export them with coarser facets");
     expect_room(result_.soup.corners.size() + shape.corners.size());
     expect_room(result_.soup.points.size() + shape.points.size());
@@ -272,7 +272,7 @@ class Assembler {
 
   const Document& document_;
   std::vector<double> steps_;  ///< of the coordinates of each shape
-  const std::size_t most_triangles_ = most_triangles();
+  const std::size_t max_triangles_ = max_triangles();
   std::size_t placed_triangles_ = 0;
   Assembled result_;
 };

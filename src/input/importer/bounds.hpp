@@ -23,7 +23,7 @@ inline constexpr double usual_patience = 120;
 /// More seconds for each byte of the file: text is parsed in one step, at 5e6 bytes/s or more.
 inline constexpr double patience_per_byte = 2e-6;
 /// The part of the work that counts as progress: who creeps does not get on.
-inline constexpr double least_progress = 0.01;
+inline constexpr double min_progress = 0.01;
 
 /// What one reading may take.
 struct Bounds {
@@ -48,6 +48,6 @@ Bounds given_bounds(const foreign::ParameterValues& values, const Bounds& usual)
 
 /// Triangles that copies of shapes may add to those in the file: as many as can be drawn in some minutes. A file of a
 /// few kilobytes can put down one shape a hundred thousand times.
-inline constexpr std::size_t most_copied_triangles = 20'000'000;
+inline constexpr std::size_t max_copied_triangles = 20'000'000;
 
 }  // namespace epura::importer

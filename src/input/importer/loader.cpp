@@ -51,7 +51,7 @@ void expect_sound(const epura_importer_list* list) {
   require(list->size >= sizeof(epura_importer_list), "its list is too short: " + std::to_string(list->size) + " of " +
                                                          std::to_string(sizeof(epura_importer_list)) + " bytes");
   require(list->count > 0 && list->importers != nullptr, "offers no importer");
-  require(list->count <= foreign::most_rows, "claims to provide " + std::to_string(list->count) + " importers");
+  require(list->count <= foreign::max_rows, "claims to provide " + std::to_string(list->count) + " importers");
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ using foreign::Packer;
 using foreign::Unpacker;
 
 /// Only a corrupted process sends longer messages.
-constexpr std::size_t most_bytes = std::size_t{1} << 36;
+constexpr std::size_t max_bytes = std::size_t{1} << 36;
 
 enum class Question { recognise, read };
 /// The kind of a message that answers Question::read.
@@ -172,7 +172,7 @@ class Server {
 void serve(const std::filesystem::path& library, int socket) {
   Server server(library, socket);
   bool goes_on = server.load();
-  for (foreign::Incoming incoming; goes_on && incoming.receive(socket, {}, most_bytes) == foreign::Received::all;)
+  for (foreign::Incoming incoming; goes_on && incoming.receive(socket, {}, max_bytes) == foreign::Received::all;)
     goes_on = server.answer(incoming.take());
 }
 
@@ -200,7 +200,7 @@ class Process {
     question(Question::recognise), question(name);
     question(std::vector<unsigned char>(first_bytes.begin(), first_bytes.end()));
     process_.send(question);
-    const std::string message = process_.receive_within(seconds_, most_bytes);
+    const std::string message = process_.receive_within(seconds_, max_bytes);
     Unpacker unpack(message);
     foreign::expect_no_reason(unpack);
     int answer = 0;
@@ -243,7 +243,7 @@ class Process {
     Patience(const Reading& reading, const Progress& progress)
         : seconds_(progress.is_limited() ? 0 : reading.bounds.patience), since_(Clock::now()) {}
     void see(double done) {
-      if (!(done >= done_ + least_progress)) return;
+      if (!(done >= done_ + min_progress)) return;
       done_ = done;
       since_ = Clock::now();
     }
@@ -258,7 +258,7 @@ class Process {
 
   std::vector<ImporterTable> start() {
     process_.run(own_folder() / "epura-importer", {library_.string()});
-    return process_.receive_loaded(seconds_, most_bytes, unpack_tables);
+    return process_.receive_loaded(seconds_, max_bytes, unpack_tables);
   }
 
   // A process that is confined for one file is confined for ever.
@@ -297,7 +297,7 @@ class Process {
 
   std::optional<std::string> received(Clock::time_point until, const Reading& reading) {
     try {
-      return process_.receive(until, most_bytes);
+      return process_.receive(until, max_bytes);
     } catch (const Error&) {
       if (!process_.lacked_memory()) throw;
       throw Error(ErrorKind::input, "", "reading it runs out of memory" + allowance_of(reading),

@@ -219,7 +219,7 @@ struct Subdivision {
 };
 
 Subdivision subdivision_of(const std::string& name, const foreign::Assignments& parameters) {
-  constexpr int most_steps = 5;
+  constexpr int max_steps = 5;
   Subdivision subdivision;
   for (const auto& parameter : parameters) {
     const std::string &key = parameter.first, &text = parameter.second;
@@ -229,8 +229,8 @@ Subdivision subdivision_of(const std::string& name, const foreign::Assignments& 
       if (!is_so) throw Error(ErrorKind::input, where, "is '" + text + "', allowed is " + what);
     };
     if (key == "subdivide") {
-      expect(value && *value >= 0 && *value <= most_steps && *value == std::floor(*value),
-             "a whole number from 0 to " + std::to_string(most_steps));
+      expect(value && *value >= 0 && *value <= max_steps && *value == std::floor(*value),
+             "a whole number from 0 to " + std::to_string(max_steps));
       subdivision.steps = static_cast<int>(*value);
     } else if (key == "sharp") {
       expect(value && *value >= 0 && *value <= 180, "0 to 180, degrees");
@@ -245,9 +245,9 @@ Subdivision subdivision_of(const std::string& name, const foreign::Assignments& 
 }
 
 ReadModel rounded(mesh::Mesh mesh, const Subdivision& subdivision, const Progress& progress) {
-  constexpr long long most_triangles = 20'000'000;
+  constexpr long long max_triangles = 20'000'000;
   const std::string name = mesh.report.name;
-  if (static_cast<long long>(mesh.triangle_count()) << (2 * subdivision.steps) > most_triangles)
+  if (static_cast<long long>(mesh.triangle_count()) << (2 * subdivision.steps) > max_triangles)
     throw Error(ErrorKind::input, name + ":subdivide", "gives more than 20 million triangles", "use fewer steps");
   if (subdivision.steps > 0) mesh = mesh::subdivide(std::move(mesh), subdivision.steps, subdivision.sharp, progress);
   return {std::move(mesh)};

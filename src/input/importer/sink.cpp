@@ -19,7 +19,7 @@ using foreign::require;
 using surfaces::PartSurface;
 using surfaces::SurfaceKind;
 
-constexpr std::size_t most_notes = 100;
+constexpr std::size_t max_notes = 100;
 
 std::string text_of(const char* text) { return text == nullptr ? "" : text; }
 
@@ -210,7 +210,7 @@ int DocumentSink::node(const epura_node* node) {
 }
 
 int DocumentSink::note(const char* sentence) {
-  if (document_.notes.size() < most_notes) document_.notes.push_back(text_of(sentence));
+  if (document_.notes.size() < max_notes) document_.notes.push_back(text_of(sentence));
   return 0;
 }
 

@@ -16,8 +16,8 @@ namespace epura::mesh {
 namespace {
 
 constexpr double float_rounding = 0x1p-22, double_rounding = 0x1p-46;  // as a fraction of the largest coordinate
-constexpr double most_doubt = 0.05;       // greatest admissible uncertainty of a direction from an edge, radians
-constexpr double least_volume = 0x1p-40;  // of the cube around a shell; a smaller shell has no inside
+constexpr double max_doubt = 0.05;      // greatest admissible uncertainty of a direction from an edge, radians
+constexpr double min_volume = 0x1p-40;  // of the cube around a shell; a smaller shell has no inside
 
 /// A triangle at an edge, viewed along the edge.
 struct Leaf {
@@ -140,7 +140,7 @@ class Shells {
       const Vec3 size = box[root].size();
       const double longest = std::max({size.x, size.y, size.z});
       if (ways_.is_contradictory(static_cast<int>(root)) ||
-          !(std::abs(volume_[root]) > least_volume * longest * longest * longest))
+          !(std::abs(volume_[root]) > min_volume * longest * longest * longest))
         volume_[root] = 0;
       enclosed += volume_[root];
     }
@@ -210,7 +210,7 @@ std::vector<Leaves> Shells::clusters_around(const MeshEdge& edge) const {
     const Vec3 to_apex = point(mesh_.corners[next_in_triangle(next_in_triangle(halfedge))]) - from;
     const Vec2 out(glm::dot(to_apex, right), glm::dot(to_apex, up));
     const double doubt = 2 * rounding_ / glm::length(out);
-    if (!(doubt < most_doubt)) return {};
+    if (!(doubt < max_doubt)) return {};
     leaves.push_back({halfedge / 3, portable_atan2(out.y, out.x), doubt, mesh_.corners[halfedge] == edge.vertex[0]});
   }
   return clusters_of(std::move(leaves));

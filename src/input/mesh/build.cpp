@@ -261,12 +261,12 @@ void drop_faces_of(Mesh& mesh, EdgeTable& table, const std::vector<int>& numbers
 /// Assigns triangles to bodies. Where two of these touch, each may have a face with the same vertices; other twins are
 /// dropped. Without these, more of them may be in one body.
 void divide_into_bodies(Mesh& mesh, const Soup& soup, EdgeTable& table, std::vector<TwinFaces> twins) {
-  constexpr int most_rounds = 4;
+  constexpr int max_rounds = 4;
   mesh.body = bodies_of(mesh, soup, table);
   for (int round = 1; !twins.empty(); ++round) {
     std::vector<int> dropped = duplicates_among(mesh, table, twins);
     if (dropped.empty()) return;
-    if (round == most_rounds) {
+    if (round == max_rounds) {
       dropped.clear();
       for (const TwinFaces& pair : twins) dropped.push_back(pair.second);
       std::sort(dropped.begin(), dropped.end());

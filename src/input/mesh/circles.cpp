@@ -18,11 +18,11 @@ namespace epura::mesh {
 
 namespace {
 
-constexpr int least_edges = 5;
-constexpr double least_sweep = 60 * degree;
-constexpr double most_step = 45 * degree;       // for one edge
-constexpr double most_mean_step = 30 * degree;  // twelve edges per turn
-constexpr double most_step_in_means = 4;
+constexpr int min_edges = 5;
+constexpr double min_sweep = 60 * degree;
+constexpr double max_step = 45 * degree;       // for one edge
+constexpr double max_mean_step = 30 * degree;  // twelve edges per turn
+constexpr double max_step_in_means = 4;
 constexpr double angle_slack = 1e-3 * degree;
 
 struct Fit {
@@ -47,9 +47,9 @@ struct Line {
 
   // End of the shortest run that turns far enough to determine its circle.
   [[nodiscard]] int window(int first, int max) const {
-    for (int last = first + least_edges; last <= max; ++last) {
+    for (int last = first + min_edges; last <= max; ++last) {
       const double turned = angle_between(step(first), step(last - 1));
-      if (turned + angle_between(step(last - 2), step(last - 1)) >= least_sweep - angle_slack) return last;
+      if (turned + angle_between(step(last - 2), step(last - 1)) >= min_sweep - angle_slack) return last;
     }
     return max;
   }
@@ -69,14 +69,14 @@ bool steps_of_circle(std::span<const Vec2> points, const Vec2& centre, bool whol
     longest = std::max(longest, angle);
   }
   const double mean = sweep / static_cast<double>(points.size() - 1);
-  if (longest > std::min(most_step, most_step_in_means * mean) + angle_slack) return false;
+  if (longest > std::min(max_step, max_step_in_means * mean) + angle_slack) return false;
   const double turn = 2 * std::numbers::pi;
-  return mean <= most_mean_step + angle_slack && sweep >= least_sweep - angle_slack &&
+  return mean <= max_mean_step + angle_slack && sweep >= min_sweep - angle_slack &&
          (whole ? std::abs(sweep - turn) < angle_slack : sweep < turn);
 }
 
 std::optional<Fit> Line::fit(int first, int last) const {
-  if (last - first < least_edges) return std::nullopt;
+  if (last - first < min_edges) return std::nullopt;
   // The plane is that of the area between the run and its chord.
   const auto count = static_cast<double>(last - first + 1);
   Vec3 middle(0), area(0);
@@ -125,7 +125,7 @@ MeshCircle circle_of(const Line& line, const CurveRun<Fit>& run) {
 
 std::vector<MeshCircle> find_circles(const PlacedMesh& mesh, double crease_angle, double tolerance) {
   std::vector<MeshCircle> circles;
-  for (const FeatureLine& features : find_feature_lines(mesh, crease_angle, most_step + angle_slack)) {
+  for (const FeatureLine& features : find_feature_lines(mesh, crease_angle, max_step + angle_slack)) {
     const Line line{mesh, features, tolerance};
     const auto window = [&](int first, int max) { return line.window(first, max); };
     const auto fit = [&](int first, int last) { return line.fit(first, last); };

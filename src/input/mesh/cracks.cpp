@@ -66,10 +66,10 @@ struct EndPair {
 /// Pairs of open ends that are close enough to each other, nearest first.
 std::vector<EndPair> near_pairs(const Points& points, const std::vector<OpenEnd>& ends) {
   // Where many vertices coincide, they are merged transitively, so not every pair of them is needed.
-  constexpr std::size_t most_looked_at = 64;
+  constexpr std::size_t max_looked_at = 64;
   std::vector<EndPair> pairs;
   for (std::size_t i = 0; i < ends.size(); ++i)
-    for (std::size_t j = i + 1; j < std::min(ends.size(), i + most_looked_at); ++j) {
+    for (std::size_t j = i + 1; j < std::min(ends.size(), i + max_looked_at); ++j) {
       if (ends[j].along - ends[i].along > ends[i].radius) break;
       const auto [a, b] = std::minmax({ends[i].vertex, ends[j].vertex});
       const double distance = glm::distance(place(points, a), place(points, b));

@@ -21,7 +21,7 @@ namespace {
 // Triangles lower than this fraction of their longest side have no reliable normal.
 constexpr double sliver = 1e-6;
 constexpr double angle_rounding = 1e-6;  // degrees; a limit of 360/N takes either all edges of an N-sided prism or none
-constexpr std::size_t most_at_a_vertex = 64;
+constexpr std::size_t max_at_a_vertex = 64;
 
 // Normal vector, twice as long as the area; 0 for slivers.
 Vec3 area_of(const PlacedMesh& placed, int triangle) {
@@ -55,7 +55,7 @@ bool runs_along(const PlacedMesh& placed, const MeshEdge& edge, int triangle) {
   return c[static_cast<std::size_t>(at + 1) % 3] == placed.first_vertex + edge.vertex[1];
 }
 
-bool is_feature(const PlacedMesh& placed, const MeshEdge& edge, std::span<const Vec3> normals, double least_fold) {
+bool is_feature(const PlacedMesh& placed, const MeshEdge& edge, std::span<const Vec3> normals, double min_fold) {
   if (edge.count != 2) return edge.count > 0;
   if (edge.diagonal) return false;
   const auto triangles = placed.mesh.triangles_of(edge);
@@ -64,7 +64,7 @@ bool is_feature(const PlacedMesh& placed, const MeshEdge& edge, std::span<const 
   const bool turned = runs_along(placed, edge, triangles[0]) == runs_along(placed, edge, triangles[1]);
   const Vec3 b = turned ? -normals[triangles[1]] : normals[triangles[1]];
   if (a == Vec3(0) || b == Vec3(0)) return false;
-  return portable_atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) >= least_fold;
+  return portable_atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) >= min_fold;
 }
 
 // One end of an edge: 2 * edge + (0 or 1), where 0 or 1 is the index in MeshEdge::vertex.
@@ -84,18 +84,18 @@ struct Features {
   [[nodiscard]] Vec3 leaving(End end) const {
     return glm::normalize(placed.point(vertex(other(end))) - placed.point(vertex(end)));
   }
-  void pair_up(std::span<const End> ends, double most_turn);
+  void pair_up(std::span<const End> ends, double max_turn);
   [[nodiscard]] FeatureLine follow(End start, std::vector<char>& used) const;
 };
 
 // Pairs edges in order of straightness.
-void Features::pair_up(std::span<const End> ends, double most_turn) {
-  if (ends.size() > most_at_a_vertex) return;
+void Features::pair_up(std::span<const End> ends, double max_turn) {
+  if (ends.size() > max_at_a_vertex) return;
   std::vector<std::tuple<double, End, End>> pairs;
   for (std::size_t i = 0; i < ends.size(); ++i)
     for (std::size_t j = i + 1; j < ends.size(); ++j) {
       const double straightness = -glm::dot(leaving(ends[i]), leaving(ends[j]));
-      if (straightness >= portable_cos(most_turn)) pairs.emplace_back(-straightness, ends[i], ends[j]);
+      if (straightness >= portable_cos(max_turn)) pairs.emplace_back(-straightness, ends[i], ends[j]);
     }
   std::sort(pairs.begin(), pairs.end());
   for (const auto& [order, a, b] : pairs) {
@@ -130,24 +130,24 @@ std::vector<End> ends_by_vertex(const Features& features) {
 
 Features find_features(const PlacedMesh& placed, double crease_angle) {
   const std::vector<Vec3> normals = normals_of(placed);
-  const double least_fold = (crease_angle - angle_rounding) * std::numbers::pi / 180;
+  const double min_fold = (crease_angle - angle_rounding) * std::numbers::pi / 180;
   Features features{placed, std::vector<char>(placed.mesh.edges.size()),
                     std::vector<End>(2 * placed.mesh.edges.size(), none)};
   parallel_for(placed.mesh.edges.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e)
-      features.wanted[e] = is_feature(placed, placed.mesh.edges[e], normals, least_fold) ? 1 : 0;
+      features.wanted[e] = is_feature(placed, placed.mesh.edges[e], normals, min_fold) ? 1 : 0;
   });
   return features;
 }
 
 }  // namespace
 
-std::vector<FeatureLine> find_feature_lines(const PlacedMesh& placed, double crease_angle, double most_turn) {
+std::vector<FeatureLine> find_feature_lines(const PlacedMesh& placed, double crease_angle, double max_turn) {
   Features features = find_features(placed, crease_angle);
   const std::vector<End> ends = ends_by_vertex(features);
   for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
     while (end < ends.size() && features.vertex(ends[end]) == features.vertex(ends[begin])) ++end;
-    features.pair_up(std::span(ends).subspan(begin, end - begin), most_turn);
+    features.pair_up(std::span(ends).subspan(begin, end - begin), max_turn);
   }
   std::vector<FeatureLine> lines;
   std::vector<char> used(placed.mesh.edges.size(), 0);

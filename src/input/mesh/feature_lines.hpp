@@ -28,7 +28,7 @@ struct FeatureLine {
 
 /// Returns lines along edges with one triangle, with three or more, and with two that are folded by `crease_angle`
 /// degrees or more. Each edge is in one line. Where several lines meet in a vertex, the straightest continuations are
-/// joined; lines end where they would turn by more than `most_turn` radians.
-std::vector<FeatureLine> find_feature_lines(const PlacedMesh& mesh, double crease_angle, double most_turn);
+/// joined; lines end where they would turn by more than `max_turn` radians.
+std::vector<FeatureLine> find_feature_lines(const PlacedMesh& mesh, double crease_angle, double max_turn);
 
 }  // namespace epura::mesh

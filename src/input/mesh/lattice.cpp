@@ -11,12 +11,12 @@ namespace epura::mesh {
 
 namespace {
 
-constexpr std::size_t most_on_lattice = 4096;  // which are looked at
+constexpr std::size_t max_on_lattice = 4096;   // which are looked at
 constexpr double fewest_lattice_steps = 1000;  // across the points: coarser lattices are those of voxels and designers
-constexpr int most_divisors = 4096;            // of the shortest distance: steps between the nearest coordinates
+constexpr int max_divisors = 4096;             // of the shortest distance: steps between the nearest coordinates
 // However exactly a distance is known: it may be a multiple by design.
-constexpr double most_bits_of_one = 3;
-constexpr double least_lattice_bits = 24;  // the binary logarithm of how unlikely chance is
+constexpr double max_bits_of_one = 3;
+constexpr double min_lattice_bits = 24;  // the binary logarithm of how unlikely chance is
 
 /// A distance between two coordinates of an axis, a whole number of steps.
 struct Distance {
@@ -29,7 +29,7 @@ struct Distance {
 // Some points, evenly distributed.
 std::vector<double> coordinates_along(const Points& points, std::size_t axis) {
   std::vector<double> coordinates;
-  const std::size_t stride = points.size() / most_on_lattice + 1;
+  const std::size_t stride = points.size() / max_on_lattice + 1;
   for (std::size_t i = 0; i < points.size(); i += stride)
     if (std::isfinite(points[i][axis])) coordinates.push_back(points[i][axis]);
   std::sort(coordinates.begin(), coordinates.end());
@@ -60,11 +60,11 @@ class Counting {
 
   /// False if the distance is no whole number of steps, or it cannot be told.
   bool add(const Distance& distance) {
-    constexpr double most_of_step = 0.25;
+    constexpr double max_of_step = 0.25;
     const double count = std::nearbyint(distance.length / step_);
     const double allowed = doubt_ * (1 + count / counted_);
-    if (allowed > most_of_step * step_ || std::abs(distance.length - count * step_) > allowed) return false;
-    if (distance.is_new) bits_ += std::min(most_bits_of_one, std::log2(step_ / (2 * allowed)));
+    if (allowed > max_of_step * step_ || std::abs(distance.length - count * step_) > allowed) return false;
+    if (distance.is_new) bits_ += std::min(max_bits_of_one, std::log2(step_ / (2 * allowed)));
     if (count > counted_) {
       step_ = distance.length / count;
       counted_ = count;
@@ -85,7 +85,7 @@ LatticeStep counted_in(const std::vector<Distance>& distances, int divisor, doub
   for (std::size_t i = 1; i < distances.size(); ++i)
     if (!counting.add(distances[i])) return {};
   const bool is_certain =
-      counting.bits() - std::log2(divisor) >= least_lattice_bits && counting.counted() >= fewest_lattice_steps;
+      counting.bits() - std::log2(divisor) >= min_lattice_bits && counting.counted() >= fewest_lattice_steps;
   return is_certain ? counting.step() : LatticeStep{};
 }
 
@@ -95,7 +95,7 @@ LatticeStep lattice_of(const Points& points, double noise) {
   const double doubt = 2 * noise;
   const std::vector<Distance> distances = distances_in(points, 2 * doubt);
   if (distances.empty()) return {};
-  for (int divisor = 1; divisor <= most_divisors; ++divisor) {
+  for (int divisor = 1; divisor <= max_divisors; ++divisor) {
     if (distances.front().length < 4 * doubt * divisor) break;
     if (const LatticeStep step = counted_in(distances, divisor, doubt); step.length > 0) return step;
   }

@@ -12,9 +12,9 @@ namespace epura::mesh {
 namespace {
 
 void add_keyword(ObjIgnored& ignored, const std::string& keyword) {
-  constexpr std::size_t most_named = 5;
+  constexpr std::size_t max_named = 5;
   std::vector<std::string>& named = ignored.keywords;
-  if (named.size() < most_named && std::find(named.begin(), named.end(), keyword) == named.end())
+  if (named.size() < max_named && std::find(named.begin(), named.end(), keyword) == named.end())
     named.push_back(keyword);
 }
 

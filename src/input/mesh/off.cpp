@@ -38,8 +38,8 @@ Counts read_counts(TextCursor& text) {
     const std::string what = count == &counts.vertices ? "vertices" : "faces";
     *count = text.integer(text.word_of_any_line(), "the number of " + what);
     // A vertex takes at least six bytes and a face two; this check prevents a wrong count from exhausting the memory.
-    const long long least_bytes = count == &counts.vertices ? 6 : 2;
-    const auto max = static_cast<long long>(text.bytes_left() / least_bytes) + 1;
+    const long long min_bytes = count == &counts.vertices ? 6 : 2;
+    const auto max = static_cast<long long>(text.bytes_left() / min_bytes) + 1;
     if (*count < 0 || *count > max)
       text.fail("the file is too short for the " + std::to_string(*count) + " " + what + " that its header announces");
   }

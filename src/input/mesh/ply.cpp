@@ -50,7 +50,7 @@ class BinarySource {
 
   void begin_property(const PlyProperty&) const {}
   void end_element() const {}
-  [[nodiscard]] static std::size_t least_bytes(PlyType type) { return size_of(type); }
+  [[nodiscard]] static std::size_t min_bytes(PlyType type) { return size_of(type); }
   [[nodiscard]] std::size_t bytes_left() const { return bytes_.size() - at_; }
   [[nodiscard]] std::size_t place() const { return at_; }
   [[noreturn]] void fail(const std::string& reason, std::size_t place) const {
@@ -99,7 +99,7 @@ class TextSource {
     row_line_ = 0;
     missing_ = nullptr;
   }
-  [[nodiscard]] static std::size_t least_bytes(PlyType) { return 1; }
+  [[nodiscard]] static std::size_t min_bytes(PlyType) { return 1; }
   [[nodiscard]] std::size_t bytes_left() const { return text_.bytes_left(); }
   [[nodiscard]] std::size_t place() const { return text_.line(); }
   [[noreturn]] void fail(const std::string& reason, std::size_t place) const {
@@ -163,11 +163,10 @@ class PlyReader {
  private:
   // A wrong count must not exhaust the memory.
   void check_count(const PlyElement& element) const {
-    std::size_t least_bytes = 0;
+    std::size_t min_bytes = 0;
     for (const PlyProperty& property : element.properties)
-      least_bytes += Source::least_bytes(property.count_type.value_or(property.type));
-    if (least_bytes == 0 || static_cast<unsigned long long>(element.count) <= source_.bytes_left() / least_bytes)
-      return;
+      min_bytes += Source::min_bytes(property.count_type.value_or(property.type));
+    if (min_bytes == 0 || static_cast<unsigned long long>(element.count) <= source_.bytes_left() / min_bytes) return;
     TextCursor("", name_, element.line)
         .fail("the file is too short for the " + std::to_string(element.count) + " elements '" + element.name +
                   "' that its header announces",

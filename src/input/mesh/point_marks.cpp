@@ -33,9 +33,9 @@ PointMarks add_crosses(Soup& soup, const std::string& name) {
   std::sort(marked.begin(), marked.end());
   marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
   if (marked.empty()) return {};
-  if (marked.size() > most_marks)
+  if (marked.size() > max_marks)
     throw Error(ErrorKind::input, name,
-                "has " + std::to_string(marked.size()) + " points, of which at most " + std::to_string(most_marks) +
+                "has " + std::to_string(marked.size()) + " points, of which at most " + std::to_string(max_marks) +
                     " can be drawn",
                 "thin them out, or make a surface of them");
   Box box;

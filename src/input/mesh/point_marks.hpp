@@ -9,7 +9,7 @@
 namespace epura::mesh {
 
 /// The most points that are drawn.
-inline constexpr std::size_t most_marks = 1'000'000;
+inline constexpr std::size_t max_marks = 1'000'000;
 
 struct PointMarks {
   int points = 0;  ///< that have a cross
@@ -21,7 +21,7 @@ void mark_lone_points(Soup& soup);
 
 /// Adds a cross of three wires parallel to the axes for each marked point. The crosses do not extend beyond the box
 /// around all points, so that they do not change the size of the model. Points that are not finite have none, nor has a
-/// single point alone, whose cross would have no size. Throws Error{input} with `name` for more than `most_marks`
+/// single point alone, whose cross would have no size. Throws Error{input} with `name` for more than `max_marks`
 /// points.
 PointMarks add_crosses(Soup& soup, const std::string& name);
 

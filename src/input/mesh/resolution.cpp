@@ -20,19 +20,18 @@ namespace {
 
 // With fewer decimals, coordinates are as likely to be chosen as rounded.
 constexpr int fewest_decimals = 2;
-constexpr int most_decimals = 12;
+constexpr int max_decimals = 12;
 constexpr int fewest_digits = 5;
-constexpr int most_digits = 8;
+constexpr int max_digits = 8;
 constexpr std::size_t points_at_once = 4096;
-constexpr std::size_t most_points = 4096;  // whose numbers are looked at; all must be rounded
+constexpr std::size_t max_points = 4096;  // whose numbers are looked at; all must be rounded
 // A file that is rounded more coarsely, as a fraction of the size, has chosen coordinates, or nothing to be recognised.
 constexpr double fewest_steps = 2000;
 // Numbers that end in another digit than 0 or 5, which designers prefer. Where steps are small, fewer are enough, since
 // less harm is done by chosen ones.
 constexpr double many_steps = 0x1p14;
 constexpr std::size_t least_telling = 4, least_telling_of_many = 2;
-constexpr std::array<double, most_decimals + 1> powers{1,   1e1, 1e2, 1e3,  1e4,  1e5, 1e6,
-                                                       1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
+constexpr std::array<double, max_decimals + 1> powers{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
 
 /// How exactly a file holds numbers.
 struct Storage {
@@ -65,7 +64,7 @@ bool all_multiples(const Points& points, int decimals, double largest, const Sto
 // The sizes of coordinates of some points, evenly distributed; each once, ascending.
 std::vector<double> distinct_sizes(const Points& points) {
   std::vector<double> sizes;
-  const std::size_t stride = points.size() / most_points + 1;
+  const std::size_t stride = points.size() / max_points + 1;
   for (std::size_t i = 0; i < points.size(); i += stride)
     for (const double c : points[i]) sizes.push_back(std::abs(c));
   std::sort(sizes.begin(), sizes.end());
@@ -109,8 +108,8 @@ bool has_digits(double coordinate, int digits) {
 
 double decimals_of(const Points& points, const std::vector<double>& sizes, const Storage& storage) {
   int decimals = 0;
-  while (decimals <= most_decimals && !all_multiples(points, decimals, sizes.back(), storage)) ++decimals;
-  if (decimals < fewest_decimals || decimals > most_decimals) return 0;
+  while (decimals <= max_decimals && !all_multiples(points, decimals, sizes.back(), storage)) ++decimals;
+  if (decimals < fewest_decimals || decimals > max_decimals) return 0;
   long long common = 0;
   std::size_t telling = 0, long_ones = 0;
   for (const double size : sizes) {
@@ -132,8 +131,8 @@ double digits_of(const Points& points, const std::vector<double>& sizes) {
     return all_coordinates(points, [&](double c) { return has_digits(c, digits); });
   };
   int digits = fewest_digits;
-  while (digits <= most_digits && !all_have(digits)) ++digits;
-  if (digits > most_digits) return 0;
+  while (digits <= max_digits && !all_have(digits)) ++digits;
+  if (digits > max_digits) return 0;
   const auto needs_all = [&](double size) { return !has_digits(size, digits - 1); };
   const auto largest = std::find_if(sizes.rbegin(), sizes.rend(), needs_all);
   if (largest == sizes.rend()) return 0;

@@ -122,7 +122,7 @@ class EarClipper {
   /// failing that, any convex one.
   int choose(int start, std::size_t left) {
     int flat = -1, convex = -1, at = start;
-    for (std::size_t i = 0; i < left && work_ < most_work; ++i, at = next_[at], ++work_) {
+    for (std::size_t i = 0; i < left && work_ < max_work; ++i, at = next_[at], ++work_) {
       if (is_ear(at)) return at;
       const double size = area(p_[previous_[at]], p_[at], p_[next_[at]]);
       if (size == 0 && flat < 0) flat = at;
@@ -154,7 +154,7 @@ class EarClipper {
   }
 
   // Bounds the time for polygons with many thousand corners but hardly any ears: the rest becomes a fan.
-  static constexpr long long most_work = 400'000'000;
+  static constexpr long long max_work = 400'000'000;
 
   const std::vector<Vec2>& p_;
   std::vector<int> next_, previous_;

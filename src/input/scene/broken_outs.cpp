@@ -13,7 +13,7 @@ namespace epura::scene {
 namespace {
 
 // Points of an outline. Each of its sides splits all models: memory grows with the square.
-constexpr std::size_t most_corners = 1000;
+constexpr std::size_t max_corners = 1000;
 
 void expect_line(const BrokenOutDescription& one) {
   if (!finite(*one.point)) refuse_input(one.point.where, "the point has a number that is not finite", "");
@@ -25,10 +25,10 @@ void expect_line(const BrokenOutDescription& one) {
   if (!one.outline.given()) return;
   if (one.outline->size() < 3)
     refuse_input(one.outline.where, "the outline has fewer than three points", "give points around the area to be cut");
-  if (one.outline->size() > most_corners)
+  if (one.outline->size() > max_corners)
     refuse_input(one.outline.where,
                  "the outline has " + std::to_string(one.outline->size()) + " points, allowed are " +
-                     std::to_string(most_corners),
+                     std::to_string(max_corners),
                  "give every second point, or fewer");
   for (const Vec3& p : *one.outline)
     if (!finite(p)) refuse_input(one.outline.where, "the outline has a number that is not finite", "");

@@ -30,7 +30,7 @@ std::size_t end_of_string(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-std::optional<std::size_t> line_of_deep_key(std::string_view text, std::size_t most_dots) {
+std::optional<std::size_t> line_of_deep_key(std::string_view text, std::size_t max_dots) {
   constexpr std::string_view between_keys = "=,[]{}\n";
   std::size_t line = 1, dots = 0;
   for (std::size_t at = 0; at < text.size();) {
@@ -43,7 +43,7 @@ std::optional<std::size_t> line_of_deep_key(std::string_view text, std::size_t m
     } else if (c == '#') {
       at = std::min(text.find('\n', at), text.size());
     } else {
-      if (c == '.' && ++dots > most_dots) return line;
+      if (c == '.' && ++dots > max_dots) return line;
       if (between_keys.find(c) != std::string_view::npos) dots = 0;
       if (c == '\n') ++line;
       ++at;

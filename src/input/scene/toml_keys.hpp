@@ -8,8 +8,8 @@
 
 namespace epura::scene {
 
-/// Returns the line, from 1, of the first key with more than `most_dots` dots. Dots in strings and comments do not
+/// Returns the line, from 1, of the first key with more than `max_dots` dots. Dots in strings and comments do not
 /// count.
-std::optional<std::size_t> line_of_deep_key(std::string_view text, std::size_t most_dots);
+std::optional<std::size_t> line_of_deep_key(std::string_view text, std::size_t max_dots);
 
 }  // namespace epura::scene

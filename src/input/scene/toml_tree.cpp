@@ -15,8 +15,8 @@ namespace epura::scene {
 
 namespace {
 
-constexpr std::uintmax_t most_bytes = 2'000'000;
-constexpr std::size_t most_dots = 100;
+constexpr std::uintmax_t max_bytes = 2'000'000;
+constexpr std::size_t max_dots = 100;
 
 std::string place(const std::string& file, const toml::source_position& position) {
   return file + ":" + std::to_string(position.line) + ":" + std::to_string(position.column);
@@ -84,7 +84,7 @@ class Reader {
 
 // toml++ limits the nesting of values, but not of dotted keys, which would exhaust the stack.
 void refuse_deep_keys(std::string_view text, const std::string& file) {
-  if (const auto line = line_of_deep_key(text, most_dots))
+  if (const auto line = line_of_deep_key(text, max_dots))
     throw Error(ErrorKind::input, file + ":" + std::to_string(*line), "has more than 100 dots in a key",
                 "dots in a key nest tables; write a shorter key");
 }
@@ -106,7 +106,7 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x
 
 TomlValue read_toml(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const std::string text = read_file(path, {}, most_bytes);
+  const std::string text = read_file(path, {}, max_bytes);
   refuse_deep_keys(text, file);
   try {
     return {"", file, file, Reader(file).table(toml::parse(text))};

@@ -42,7 +42,7 @@ class BlendGrower {
       const std::vector<RimSide> sides = rim_sides(regions_[r]);
       for (auto first = sides.begin(); first != sides.end();) {
         const auto last = std::find_if(first, sides.end(), [&](const RimSide& side) {
-          return side.height > first->height + most_allowance * facets_.tolerance;
+          return side.height > first->height + max_allowance * facets_.tolerance;
         });
         grow_from(surface, {first, last});
         first = last;
@@ -60,7 +60,7 @@ class BlendGrower {
         if (facets_.cosine_of_fold(t, side) < smooth_cosine) return;
         const auto [a, b] = facets_.ends_of(t, side);
         const double height = profile_of(region.surface, a).y;
-        if (std::abs(height - profile_of(region.surface, b).y) <= most_allowance * facets_.tolerance)
+        if (std::abs(height - profile_of(region.surface, b).y) <= max_allowance * facets_.tolerance)
           sides.push_back({height, other, a});
       });
     std::sort(sides.begin(), sides.end(), [](const RimSide& a, const RimSide& b) {
@@ -90,8 +90,8 @@ class BlendGrower {
     for (const int f : region.facets)
       for (const int v : facets_.supports_of(f)) points.push_back(facets_.points[v]);
     const double allowance = allowance_of(facets_, region.sagitta);
-    return places_of(region.surface, points, false, allowance).sweep >= least_blend &&
-           places_of(region.surface, points, true, allowance).sweep >= least_blend && is_whole(region);
+    return places_of(region.surface, points, false, allowance).sweep >= min_blend &&
+           places_of(region.surface, points, true, allowance).sweep >= min_blend && is_whole(region);
   }
 
   // Whether it ends at edges and at other surfaces, not anywhere in a free form.
@@ -107,7 +107,7 @@ class BlendGrower {
         const bool is_known = region_of_[other] >= 0 || facets_.facets[other].is_plane;
         if (!is_known && facets_.cosine_of_fold(t, side) >= smooth_cosine) open += length;
       });
-    return open <= most_open * all;
+    return open <= max_open * all;
   }
 
   // The circle through a point of the profile, tangent to it there, that comes nearest to the vertices of the seeds:

@@ -241,9 +241,9 @@ class BorderFinder {
     const BorderEdge& any = edges_[chain.edges.front()];
     PartBorder border{any.faces, any.open ? BorderKind::open : BorderKind::tangent, 0, {}, chain.closed};
     for (const int e : chain.edges) border.edges.push_back(edges_[e].edge);
-    border.angle = angle_along(chain.edges, most_of_border);
+    border.angle = angle_along(chain.edges, max_of_border);
     if (!any.open && border.angle > tangent_angle_ && border.angle <= 2 * tangent_angle_ && is_beside_free_form(any))
-      border.angle = angle_along(chain.edges, most_of_estimated);
+      border.angle = angle_along(chain.edges, max_of_estimated);
     if (!any.open && border.angle > tangent_angle_) border.kind = BorderKind::sharp;
     return border;
   }

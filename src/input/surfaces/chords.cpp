@@ -20,7 +20,7 @@ bool is_piece(const Facets& facets, int facet, const Region& region) {
 }
 
 bool is_trimmed_piece(const Facets& facets, int facet, const Region& region) {
-  const double trimmed = most_trimmed * facets.tolerance;
+  const double trimmed = max_trimmed * facets.tolerance;
   return is_chord(facets, facet, region.surface, std::min(region.sagitta / 8, trimmed), region.sagitta) ||
          approximates(facets, facet, region.surface, std::min(region.sagitta, trimmed), region.sagitta);
 }

@@ -13,7 +13,7 @@ namespace epura::surfaces {
 namespace {
 
 // With fewer facets, copying a cluster takes longer than searching it.
-constexpr std::size_t least_facets = 1024;
+constexpr std::size_t min_facets = 1024;
 
 // Returns for each facet the first facet of its body.
 std::vector<int> bodies_of(const Facets& all) {
@@ -33,12 +33,12 @@ std::vector<std::vector<int>> divided(const std::vector<int>& bodies) {
   int open = -1;  // the cluster to which small bodies are added
   for (std::size_t f = 0; f < bodies.size(); ++f) {
     if (bodies[f] != static_cast<int>(f)) continue;
-    const bool is_small = size[f] < least_facets;
+    const bool is_small = size[f] < min_facets;
     const int cluster = is_small && open >= 0 ? open : static_cast<int>(held.size());
     if (cluster == static_cast<int>(held.size())) held.push_back(0);
     cluster_of[f] = cluster;
     held[cluster] += size[f];
-    if (is_small) open = held[cluster] < least_facets ? cluster : -1;
+    if (is_small) open = held[cluster] < min_facets ? cluster : -1;
   }
   std::vector<std::vector<int>> clusters(held.size());
   for (std::size_t c = 0; c < held.size(); ++c) clusters[c].reserve(held[c]);
@@ -117,7 +117,7 @@ Facets part_of(const Facets& all, const std::vector<int>& facets) {
 
 std::vector<Cluster> clusters_of(const Facets& all) {
   std::vector<std::vector<int>> facets;
-  if (all.facets.size() > least_facets) facets = divided(bodies_of(all));
+  if (all.facets.size() > min_facets) facets = divided(bodies_of(all));
   if (facets.size() < 2) return std::vector<Cluster>(1);
   std::vector<Cluster> clusters(facets.size());
   Copying copying(all);

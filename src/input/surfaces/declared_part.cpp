@@ -258,7 +258,7 @@ class DeclaredFaces {
         if (const auto [one, two] = faces_of(pair); one != two) angle = std::max(angle, angle_between(pair));
       angles.push_back({angle, glm::distance(mesh_.point(edge.vertex[0]), mesh_.point(edge.vertex[1]))});
     }
-    return angle_of_most(std::move(angles), most_of_border);
+    return angle_of_most(std::move(angles), max_of_border);
   }
 
   const mesh::Mesh& mesh_;

@@ -71,7 +71,7 @@ Facets read_triangles(const mesh::Mesh& mesh) {
   f.corners = begun_at_first_corners(std::move(f.corners), f.points);
   const double rounding =
       std::max(farthest * (mesh.report.single_precision ? 0x1p-24 : 0x1p-51), mesh.report.weld_distance);
-  const double by_rounding = std::max(mesh::roundings * rounding, least_tolerance * size);
+  const double by_rounding = std::max(mesh::roundings * rounding, min_tolerance * size);
   const double by_grid = mesh::roundings * mesh.report.resolution / 2;
   f.tolerance = std::max(by_rounding, by_grid) * f.scale;
   f.slack = by_grid > by_rounding ? grid_slack : usual_slack;

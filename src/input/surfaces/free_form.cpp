@@ -24,7 +24,7 @@ class Completion {
     find_largest_folds();
     for (int f = 0; f < size(); ++f)
       if (is_loose(f)) join_smooth_neighbours(f);
-    for (int i = 0; i < most_between && join_narrow_triangles(); ++i) continue;
+    for (int i = 0; i < max_between && join_narrow_triangles(); ++i) continue;
     make_regions();
     give_slivers_away();
   }
@@ -45,7 +45,7 @@ class Completion {
         if (facets_.is_sliver(other)) return;
         const double angle = facets_.fold_at(t, side);
         Folds& own = folds_[f];
-        if (angle > most_smooth || other == own.neighbour) return;
+        if (angle > max_smooth || other == own.neighbour) return;
         if (angle > own.largest)
           own = {angle, own.largest, other};
         else
@@ -84,16 +84,16 @@ class Completion {
     facets_.for_sides(f, [&](int t, int side, int other) {
       if (other < f || !is_loose(other)) return;
       const double angle = facets_.fold_at(t, side);
-      if (angle > most_smooth) return;
+      if (angle > max_smooth) return;
       const auto is_usual = [&](double usual) { return angle <= fold_ratio * usual + fold_slack; };
       if (!is_usual(std::max(fold_beside(f, other), fold_beside(other, f))) &&
           !is_usual(std::max(fold_behind(f, other, angle), fold_behind(other, f, angle))))
         return;
       const auto [a, b] = facets_.ends_of(t, side);
       const double one = reach(f, a, b), two = reach(other, a, b);
-      const double most_ratio =
+      const double max_ratio =
           angle > coarse_fold && is_polygon(f) && is_polygon(other) ? similar_width_ratio : width_ratio;
-      if (one > most_ratio * two || two > most_ratio * one) return;
+      if (one > max_ratio * two || two > max_ratio * one) return;
       sets_.join(f, other);
     });
   }
@@ -114,7 +114,7 @@ class Completion {
   bool join_narrow_triangles() {
     const std::vector<int> members = count_members();
     struct Join {
-      double fold = most_smooth;
+      double fold = max_smooth;
       int facet = -1, other = -1;
     };
     std::vector<Join> joins(facets_.facets.size());
@@ -316,14 +316,14 @@ class Rows {
   [[nodiscard]] Flanks flanks_of(const Region& region, int number) const {
     const SurfaceKind kind = region.surface.kind;
     if (kind != SurfaceKind::cylinder && kind != SurfaceKind::cone) return {};
-    if (region.residual <= facets_.tolerance / 2 || sweep_of(region) > most_row_sweep) return {};
+    if (region.residual <= facets_.tolerance / 2 || sweep_of(region) > max_row_sweep) return {};
     Flanks flanks;
     for (const int f : region.facets)
       facets_.for_sides(f, [&](int t, int side, int other) {
         if (region_of_[other] == number || !runs_along(region.surface, t, side)) return;
         const double length = facets_.length_of(t, side), fold = facets_.fold_at(t, side);
         flanks.length += length;
-        if (fold < most_smooth) flanks.smooth.push_back({other, length, fold, is_convex(f, other)});
+        if (fold < max_smooth) flanks.smooth.push_back({other, length, fold, is_convex(f, other)});
       });
     return flanks;
   }
@@ -388,10 +388,9 @@ class Rows {
     const int other = facets_.facet_of[facets_.sides[triangle][side].neighbour];
     const double ratio = facets_.facets[other].width / facets_.facets[facets_.facet_of[triangle]].width;
     const double fold = facets_.fold_at(triangle, side);
-    if (ratio < 1 / similar_width_ratio || ratio > similar_width_ratio || fold > most_smooth) return;
+    if (ratio < 1 / similar_width_ratio || ratio > similar_width_ratio || fold > max_smooth) return;
     strip.beyond.push_back(other);
-    if (fold > least_row_fold)
-      strip.sides.push_back({other, length, fold, is_convex(facets_.facet_of[triangle], other)});
+    if (fold > min_row_fold) strip.sides.push_back({other, length, fold, is_convex(facets_.facet_of[triangle], other)});
   }
 
   // Whether a side runs along the generators rather than across them.
@@ -440,7 +439,7 @@ class Rows {
       if (turns(true) && turns(false)) ++turned_back[sets.root(static_cast<int>(r))];
     }
     mark_rows(sets, [&](int root, int members) {
-      return members >= least_rows_turning && most_turned_back * turned_back[root] <= members;
+      return members >= min_rows_turning && max_turned_back * turned_back[root] <= members;
     });
   }
 
@@ -473,7 +472,7 @@ class Rows {
         if (other >= 0 && !strips_[other].sides.empty()) sets.join(static_cast<int>(r), other);
       }
     }
-    mark_rows(sets, [](int, int members) { return members >= least_rows; });
+    mark_rows(sets, [](int, int members) { return members >= min_rows; });
   }
 
   const Facets& facets_;

@@ -32,8 +32,8 @@ FreeNormals::FreeNormals(const Facets& facets, const std::vector<int>& region_of
 FreeNormals::Patch FreeNormals::patch_around(int facet, int vertex) const {
   Patch patch{{}, {vertex}};
   auto& [facets, vertices] = patch;
-  facets.reserve(most_normal_facets);
-  vertices.reserve(most_normal_facets);
+  facets.reserve(max_normal_facets);
+  vertices.reserve(max_normal_facets);
   std::vector<int> next{vertex}, from;
   const auto is_in = [](const std::vector<int>& all, int i) {
     return std::find(all.begin(), all.end(), i) != all.end();
@@ -44,7 +44,7 @@ FreeNormals::Patch FreeNormals::patch_around(int facet, int vertex) const {
     for (const int v : from)
       for (const int f : at_vertex_[static_cast<std::size_t>(v)]) {
         if (region_of_[f] != region_of_[facet] || is_in(facets, f)) continue;
-        if (facets.size() == most_normal_facets) return patch;
+        if (facets.size() == max_normal_facets) return patch;
         facets.push_back(f);
         for (const int w : facets_.vertices_of(f))
           if (!is_in(vertices, w)) {
@@ -67,7 +67,7 @@ std::optional<FreeNormals::Normal> FreeNormals::at(int facet, int vertex) const 
     const Facet& there = facets_.facets[f];
     guess += (glm::dot(there.normal, facing) < 0 ? -there.area : there.area) * there.normal;
   }
-  if (vertices.size() < least_vertices || !(glm::length(guess) > 0)) return std::nullopt;
+  if (vertices.size() < min_vertices || !(glm::length(guess) > 0)) return std::nullopt;
   guess = glm::normalize(guess);
   const auto across = square_to(guess);
   double size = 0;

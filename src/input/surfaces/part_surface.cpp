@@ -200,7 +200,7 @@ std::optional<double> similarity_scale(const Mat4& transform) {
   const double square = product[0][0];
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      if (!(std::abs(product[i][j] - (i == j ? square : 0)) <= least_stretch * square)) return std::nullopt;
+      if (!(std::abs(product[i][j] - (i == j ? square : 0)) <= min_stretch * square)) return std::nullopt;
   const double scale = std::sqrt(square);
   return scale > 0 ? std::optional(scale) : std::nullopt;
 }
@@ -279,7 +279,7 @@ double residual_of(const PartSurface& surface, std::span<const Vec3> points) {
 }
 
 double refine(PartSurface& surface, std::span<const Vec3> points, double wanted) {
-  constexpr int most_steps = 16;
+  constexpr int max_steps = 16;
   const auto count = static_cast<double>(points.size());
   const Vec3 middle = mean_of(points);
   // Moves the origin beside the points, so that tilts and shifts of the axis can be told apart.
@@ -304,7 +304,7 @@ double refine(PartSurface& surface, std::span<const Vec3> points, double wanted)
     if (is_sound(to.surface)) to.look(points);
     return true;
   };
-  for (int step = 0; step < most_steps && fit.sum > count * rounding * rounding; ++step) {
+  for (int step = 0; step < max_steps && fit.sum > count * rounding * rounding; ++step) {
     if (!take_step(fit, next)) break;
     // Cones that differ little near the points form a narrow, bent valley: a whole step along it leaves it, and the one
     // after that leads back into it. Tori have one more number, and would fit any small patch.

@@ -59,7 +59,7 @@ class Result {
     if (region.surface.kind != SurfaceKind::plane || region.facets.size() > 1) return true;
     const int facet = region.facets.front();
     if (facets_.triangles_of(facet).size() > 1) return true;
-    if (facets_.facets.size() > most_alone) return false;
+    if (facets_.facets.size() > max_alone) return false;
     const int t = facets_.triangles_of(facet).front();
     for (int side = 0; side < 3; ++side)
       if (facets_.sides[t][side].neighbour >= 0 && facets_.cosine_of_fold(t, side) > smooth_cosine) return false;
@@ -140,13 +140,13 @@ class Result {
 // Whether so little of the area lies on round surfaces and in planes of several triangles that no part will be
 // recognised.
 bool is_scan(const Facets& facets, const std::vector<int>& region_of) {
-  if (facets.facets.size() <= most_alone) return false;
+  if (facets.facets.size() <= max_alone) return false;
   double all = 0, sure = 0;
   for (std::size_t f = 0; f < facets.facets.size(); ++f) {
     all += facets.facets[f].area;
     if (region_of[f] >= 0 || facets.triangles_of(static_cast<int>(f)).size() > 1) sure += facets.facets[f].area;
   }
-  return sure < least_recognised * all;
+  return sure < min_recognised * all;
 }
 
 // Finds cylinders none of whose facets has all its vertices on the surface, to the precision of the file: CAD kernels
@@ -195,7 +195,7 @@ PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& option
   found = merge_regions(facets, std::move(found));
   PartFaces result = Result(mesh, facets, found.region_of, found.regions).faces();
   nothing.recognised = result.recognised;
-  if (result.recognised < least_recognised) return nothing;
+  if (result.recognised < min_recognised) return nothing;
   result.borders = find_borders(mesh, facets, found.region_of, found.regions, options.tangent_angle);
   result.border_of_edge.assign(mesh.edges.size(), -1);
   for (std::size_t b = 0; b < result.borders.size(); ++b)
@@ -204,7 +204,7 @@ PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& option
 }
 
 bool has_shallow_folds(const mesh::Mesh& mesh, double least) {
-  const double shallow_least = portable_tan(least * (std::numbers::pi / 180));
+  const double shallow_min = portable_tan(least * (std::numbers::pi / 180));
   const auto normal = [&](int triangle) {
     const auto [a, b, c] = mesh.triangle(triangle);
     return glm::cross(mesh.point(b) - mesh.point(a), mesh.point(c) - mesh.point(a));
@@ -214,7 +214,7 @@ bool has_shallow_folds(const mesh::Mesh& mesh, double least) {
     const auto triangles = mesh.triangles_of(edge);
     const Vec3 one = normal(triangles[0]), two = normal(triangles[1]);
     const double sine = glm::length(glm::cross(one, two)), cosine = std::abs(glm::dot(one, two));
-    return sine > shallow_least * cosine && sine < certain_edge_tangent * cosine;
+    return sine > shallow_min * cosine && sine < certain_edge_tangent * cosine;
   });
 }
 

@@ -24,7 +24,7 @@ double angle_of_cosine(double cosine) { return std::sqrt(std::max(0.0, 2 * (1 - 
 }  // namespace
 
 double allowance_of(const Facets& facets, double sagitta) {
-  return std::clamp(sagitta / 64, usual_slack * facets.tolerance, most_allowance * facets.tolerance);
+  return std::clamp(sagitta / 64, usual_slack * facets.tolerance, max_allowance * facets.tolerance);
 }
 
 namespace {
@@ -49,9 +49,9 @@ Vec3 normal_at_vertex(const PartSurface& surface, const Vec3& point, double allo
 /// Whether a facet is too thin for its normal to mean anything: narrower than the arcs that the tessellation leaves
 /// out. A greater sagitta than that of a coarse tessellation does not count.
 bool has_no_say(const Facets& facets, int facet, const PartSurface& surface, double sagitta) {
-  const double least_radius = surface.kind == SurfaceKind::torus ? surface.minor : surface.radius;
+  const double min_radius = surface.kind == SurfaceKind::torus ? surface.minor : surface.radius;
   return facets.is_sliver(facet) ||
-         facets.facets[facet].width <= 2 * std::min(sagitta, most_relative_sagitta * least_radius);
+         facets.facets[facet].width <= 2 * std::min(sagitta, max_relative_sagitta * min_radius);
 }
 
 }  // namespace
@@ -63,9 +63,9 @@ bool approximates(const Facets& facets, int facet, const PartSurface& surface, d
   if (has_no_say(facets, facet, surface, sagitta)) return true;
   for (const int v : facets.supports_of(facet)) {
     const Vec3 normal = normal_at_vertex(surface, facets.points[v], allowance);
-    if (normal != Vec3(0) && std::abs(glm::dot(normal, f.normal)) < least_agreement) return false;
+    if (normal != Vec3(0) && std::abs(glm::dot(normal, f.normal)) < min_agreement) return false;
   }
-  return sagitta == 0 || std::abs(signed_distance(surface, f.middle)) <= most_sagittas * sagitta + allowance;
+  return sagitta == 0 || std::abs(signed_distance(surface, f.middle)) <= max_sagittas * sagitta + allowance;
 }
 
 bool is_chord(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta) {
@@ -80,14 +80,14 @@ bool is_chord(const Facets& facets, int facet, const PartSurface& surface, doubl
   if (facing(f.middle) > tilted_facing)
     for (const int v : facets.supports_of(facet)) {
       const Vec3 normal = normal_at_vertex(surface, facets.points[v], allowance);
-      if (normal != Vec3(0) && std::abs(glm::dot(normal, f.normal)) < least_agreement) return false;
+      if (normal != Vec3(0) && std::abs(glm::dot(normal, f.normal)) < min_agreement) return false;
     }
-  const double most = most_sagittas * sagitta + allowance;
+  const double most = max_sagittas * sagitta + allowance;
   for (const int t : facets.triangles_of(facet)) {
     const auto& [a, b, c] = facets.corners[t];
     const Vec3 middle = (facets.points[a] + facets.points[b] + facets.points[c]) / 3.0;
     if (!is_near(middle, most)) return false;
-    if (facing(middle) < least_facing && !facets.is_sliver(facet)) return false;
+    if (facing(middle) < min_facing && !facets.is_sliver(facet)) return false;
     for (int side = 0; side < 3; ++side) {
       const std::array<Vec3, 2> ends = facets.ends_of(t, side);
       if (!is_near((ends[0] + ends[1]) / 2.0, most)) return false;
@@ -176,7 +176,7 @@ bool RegionGrower::may_cross(int triangle, int side) const {
   const int other = facets_.facet_of[facets_.sides[triangle][side].neighbour];
   if (region_of_[other] >= 0) return false;
   return facets_.is_sliver(other) || facets_.is_sliver(facets_.facet_of[triangle]) ||
-         facets_.cosine_of_fold(triangle, side) > least_fold_cosine;
+         facets_.cosine_of_fold(triangle, side) > min_fold_cosine;
 }
 
 void RegionGrower::add(Region& region, int facet) {
@@ -201,7 +201,7 @@ std::vector<Vec3> RegionGrower::points_of(const Region& region, std::size_t most
 // Vertices that lie off the surface, such as those on the border to an inexact blend, must not bend it: it is fitted to
 // the other vertices once they are known.
 bool RegionGrower::fit_again(Region& region) {
-  const std::vector<Vec3> points = points_of(region, most_fitted);
+  const std::vector<Vec3> points = points_of(region, max_fitted);
   region.residual = refine(region.surface, points);
   const double most = (region.surface.kind == SurfaceKind::torus ? 2 : 4) * facets_.tolerance;
   if (region.residual > most && region.residual < HUGE_VAL) {
@@ -249,11 +249,11 @@ bool RegionGrower::spread(Region& region) {
 // A cone with a very small slope is a cylinder with inexact vertices, unless vertices lie on the cone much more
 // exactly.
 void RegionGrower::prefer_cylinder(Region& region) {
-  if (std::abs(region.surface.slope) > least_sine) return;
+  if (std::abs(region.surface.slope) > min_sine) return;
   PartSurface cylinder = region.surface;
   cylinder.kind = SurfaceKind::cylinder;
   cylinder.slope = 0;
-  const double residual = refine(cylinder, points_of(region, most_fitted));
+  const double residual = refine(cylinder, points_of(region, max_fitted));
   if (residual > 2 * allowance_of(facets_, region.sagitta)) return;
   if (residual > std::max(facets_.tolerance, 4 * region.residual)) return;
   region.surface = cylinder;
@@ -282,7 +282,7 @@ void RegionGrower::take_enclosed(Region& region) {
       return std::abs(signed_distance(region.surface, facets_.points[v])) <= allowance;
     };
     return std::all_of(vertices.begin(), vertices.end(), is_near) &&
-           std::abs(signed_distance(region.surface, facets_.facets[facet].middle)) <= most_sagittas * sagitta;
+           std::abs(signed_distance(region.surface, facets_.facets[facet].middle)) <= max_sagittas * sagitta;
   };
   for (std::size_t next = 0; next < region.facets.size(); ++next)
     facets_.for_sides(region.facets[next], [&](int, int, int facet) {
@@ -389,15 +389,15 @@ int RegionGrower::tangent_ends(const Region& region, const Places& places, bool 
 
 bool RegionGrower::is_evident_arc(const Region& region, bool around_tube, double mean_turn) {
   const Places places = places_around(region, around_tube);
-  const double most = around_tube ? most_mean_turn_both_ways : most_mean_turn;
+  const double most = around_tube ? max_mean_turn_both_ways : max_mean_turn;
   // An octagon with narrow chamfers has as many positions, but not evenly around.
-  if (places.closed) return places.count >= 12 && mean_turn <= most && places.step <= most_step;
+  if (places.closed) return places.count >= 12 && mean_turn <= most && places.step <= max_step;
   // A wide facet with narrow ones at both ends, which belong to the adjacent faces.
-  if (places.step > most_of_sweep * places.sweep) return false;
+  if (places.step > max_of_sweep * places.sweep) return false;
   const int tangent = tangent_ends(region, places, around_tube);
-  if (tangent < 2 && places.step > most_step) return false;
+  if (tangent < 2 && places.step > max_step) return false;
   if (tangent < 2 && mean_turn > most) return false;
-  return places.count >= 3 && places.count + tangent >= least_places;
+  return places.count >= 3 && places.count + tangent >= min_places;
 }
 
 bool RegionGrower::is_evident_sphere(const Region& region) {
@@ -406,7 +406,7 @@ bool RegionGrower::is_evident_sphere(const Region& region) {
 
 std::optional<PartSurface> RegionGrower::simpler_than(const Region& region) {
   if (region.surface.kind != SurfaceKind::sphere) return std::nullopt;
-  const std::vector<Vec3> points = points_of(region, most_fitted);
+  const std::vector<Vec3> points = points_of(region, max_fitted);
   std::vector<Facing> facings;
   for (const int f : region.facets)
     if (!facets_.is_sliver(f)) facings.push_back({facets_.facets[f].middle, facets_.facets[f].normal, 1});
@@ -418,14 +418,14 @@ std::optional<PartSurface> RegionGrower::simpler_than(const Region& region) {
 
 // The number of vertices that do not lie on one plane arc, if they are few: nothing if not.
 std::optional<std::size_t> RegionGrower::few_beside_arc(const Region& region) {
-  const std::vector<Vec3> points = points_of(region, most_near_arc + 1);
+  const std::vector<Vec3> points = points_of(region, max_near_arc + 1);
   const std::size_t count = points.size();
-  if (count > most_near_arc) return std::nullopt;
+  if (count > max_near_arc) return std::nullopt;
   std::size_t least = count;
   const auto look = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 normal = glm::cross(b - a, c - a);
     const double length = glm::length(normal);
-    if (length <= least_sine * glm::distance(a, b) * glm::distance(a, c)) return;
+    if (length <= min_sine * glm::distance(a, b) * glm::distance(a, c)) return;
     const auto off = std::count_if(points.begin(), points.end(), [&](const Vec3& p) {
       return std::abs(glm::dot(p - a, normal)) > 2 * facets_.tolerance * length;
     });
@@ -438,20 +438,20 @@ std::optional<std::size_t> RegionGrower::few_beside_arc(const Region& region) {
 }
 
 bool RegionGrower::is_beyond_chance(const Region& region) {
-  const auto vertices = static_cast<double>(points_of(region, most_fitted).size());
+  const auto vertices = static_cast<double>(points_of(region, max_fitted).size());
   const double distance = std::max(region.residual, facets_.tolerance / 4);
   double evidence = vertices - unknowns_of(region.surface.kind);
   // A cylinder through a plane arc, such as the edge of a fillet, can be tilted and shifted towards a few more
   // vertices.
   if (region.surface.kind == SurfaceKind::cylinder)
     if (const auto few = few_beside_arc(region)) evidence = std::min(evidence, static_cast<double>(*few));
-  return evidence * std::log2(region.sagitta / distance) >= (region.chosen ? 2 * least_bits : least_bits);
+  return evidence * std::log2(region.sagitta / distance) >= (region.chosen ? 2 * min_bits : min_bits);
 }
 
 // Every small smooth patch is nearly a torus. Those of a part may have inexact vertices where other blends end at them.
 bool RegionGrower::fits_exactly(const Region& region) {
   if (region.residual <= 2 * facets_.tolerance) return true;
-  const std::vector<Vec3> points = points_of(region, most_fitted);
+  const std::vector<Vec3> points = points_of(region, max_fitted);
   const auto exact = std::count_if(points.begin(), points.end(), [&](const Vec3& p) {
     return std::abs(signed_distance(region.surface, p)) <= facets_.tolerance / 2;
   });
@@ -466,7 +466,7 @@ bool RegionGrower::is_evident(const Region& region) {
     case SurfaceKind::cone:
       return is_evident_arc(region, false, mean_turn);
     case SurfaceKind::sphere:
-      return mean_turn <= most_mean_turn_both_ways && is_evident_sphere(region);
+      return mean_turn <= max_mean_turn_both_ways && is_evident_sphere(region);
     case SurfaceKind::torus:
       return fits_exactly(region) && places_around(region, false).count >= 4 && is_evident_arc(region, true, mean_turn);
     case SurfaceKind::plane:

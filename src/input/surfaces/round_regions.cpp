@@ -23,7 +23,7 @@ constexpr int facets_at_once = 256;
 
 /// Counts attempts: the longer few of them succeed, as in free forms, the fewer facets are tried.
 struct Effort {
-  int most_tried;  ///< seeds for each that grows
+  int max_tried;  ///< seeds for each that grows
   int tried = 0;
   int grown = 0;
   int in_vain = -patience;
@@ -36,7 +36,7 @@ struct Effort {
     in_vain = std::max(in_vain - 8, -patience);
   }
 
-  [[nodiscard]] bool is_hopeless() const { return tried >= least_seeds && tried > most_tried * grown; }
+  [[nodiscard]] bool is_hopeless() const { return tried >= min_seeds && tried > max_tried * grown; }
 };
 
 /// A facet from which a surface might have grown, and whether it did.
@@ -86,9 +86,9 @@ class Search {
     std::vector<Try> tries;
     for (; next_ < end; ++next_) {
       const int f = next_;
-      const int most_failures = effort.in_vain < 0 ? enough_failures : effort.in_vain < 256 ? 3 : 1;
+      const int max_failures = effort.in_vain < 0 ? enough_failures : effort.in_vain < 256 ? 3 : 1;
       const Facet& facet = facets_.facets[f];
-      if (region_of(f) >= 0 || failures_[f] >= most_failures || facet.is_plane || facets_.is_sliver(f)) continue;
+      if (region_of(f) >= 0 || failures_[f] >= max_failures || facet.is_plane || facets_.is_sliver(f)) continue;
       if (beside_regions && !is_beside_region(f)) continue;
       const Few beside = neighbours_.beside(f);
       if (beside.empty()) continue;

@@ -146,13 +146,13 @@ std::vector<int> SmoothNeighbours::around(int facet, const Few& beside_it) {
   stamp_[facet] = number_;
   const auto take = [&](const Few& more) {
     for (const int f : more.all())
-      if (stamp_[f] != number_ && nearby.size() < most_nearby) {
+      if (stamp_[f] != number_ && nearby.size() < max_nearby) {
         stamp_[f] = number_;
         nearby.push_back(f);
       }
   };
   take(beside_it);
-  for (std::size_t i = 1; i < nearby.size() && nearby.size() < most_nearby; ++i) take(beside(nearby[i]));
+  for (std::size_t i = 1; i < nearby.size() && nearby.size() < max_nearby; ++i) take(beside(nearby[i]));
   return nearby;
 }
 

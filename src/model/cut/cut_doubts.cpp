@@ -73,7 +73,7 @@ std::vector<Chord> chords(const FlatOutlines& flat, std::span<const CutSegment> 
   for (std::size_t v = 0; v < degree.size(); ++v)
     if (degree[v] % 2 == 1) ends.push_back(static_cast<int>(v));
   std::vector<Chord> chosen;
-  if (ends.size() > most_ends) return chosen;
+  if (ends.size() > max_ends) return chosen;
   std::vector<std::tuple<double, int, int>> pairs;
   for (std::size_t i = 0; i < ends.size(); ++i)
     for (std::size_t j = i + 1; j < ends.size(); ++j)

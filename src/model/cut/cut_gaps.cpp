@@ -46,7 +46,7 @@ class Outline {
       const End &one = ends[i], &other = ends[j];
       const double width = one.distance;
       const double room = std::min(one.next_distance, other.next_distance);
-      if (width > explained(one, other, limits.rounding) || room < least_room * width) continue;
+      if (width > explained(one, other, limits.rounding) || room < min_room * width) continue;
       const auto [low, high] = std::minmax(one.vertex, other.vertex);
       for (const int v : {low, high}) at_[v].push_back(static_cast<int>(segments_.size()));
       segments_.push_back({segments_.front().body, {flat_.vertices[low], flat_.vertices[high]}});
@@ -124,7 +124,7 @@ class Outline {
   static double arc_height(const Vec2& a, const Vec2& b) {
     const double product = glm::length(a) * glm::length(b) + glm::dot(a, b);
     const double turn = product > 0 ? std::abs(cross(a, b)) / product : HUGE_VAL;
-    return turn <= most_turn_of_arc ? std::min(glm::length(a), glm::length(b)) * turn / 4 : 0;
+    return turn <= max_turn_of_arc ? std::min(glm::length(a), glm::length(b)) * turn / 4 : 0;
   }
 
   [[nodiscard]] std::vector<End> find_ends(const GapLimits& limits) const {
@@ -132,8 +132,8 @@ class Outline {
     for (std::size_t v = 0; v < at_.size(); ++v) {
       if (at_[v].size() != 1) continue;
       const Chain chain = chain_from(static_cast<int>(v));
-      ends.push_back({static_cast<int>(v), chain.arc, limits.sagitta(segments_[at_[v][0]].triangle),
-                      chain.length / least_outline});
+      ends.push_back(
+          {static_cast<int>(v), chain.arc, limits.sagitta(segments_[at_[v][0]].triangle), chain.length / min_outline});
     }
     std::sort(ends.begin(), ends.end(), [&](const End& a, const End& b) {
       return std::pair(along_sweep(a), a.vertex) < std::pair(along_sweep(b), b.vertex);
@@ -159,7 +159,7 @@ class Outline {
       }
     };
     for (std::size_t i = 0; i < ends.size(); ++i) {
-      const double at = along_sweep(ends[i]), reach = least_room * ends[i].reach;
+      const double at = along_sweep(ends[i]), reach = min_room * ends[i].reach;
       for (std::size_t j = i; j-- > 0 && at - along_sweep(ends[j]) <= reach;) look(ends[i], j);
       for (std::size_t j = i + 1; j < ends.size() && along_sweep(ends[j]) - at <= reach; ++j) look(ends[i], j);
     }

@@ -73,10 +73,9 @@ Trace make_trace(const scene::SectionDescription& section, const Vec3& normal) {
   for (const Vec3& corner : path)
     if (!finite(corner)) refuse("has a number that is not finite", "");
   if (path.size() < 2) refuse("the path has fewer than two points", "give the corners of the cutting-plane line");
-  if (path.size() > most_points_of_path)
-    refuse(
-        "the path has " + std::to_string(path.size()) + " points, allowed are " + std::to_string(most_points_of_path),
-        "draw one section for each part of the path");
+  if (path.size() > max_points_of_path)
+    refuse("the path has " + std::to_string(path.size()) + " points, allowed are " + std::to_string(max_points_of_path),
+           "draw one section for each part of the path");
   Trace trace{where, path, normal, Vec3(0), rounding_of_path * size_of(path)};
   if (!(trace.least > 0)) refuse("all points of the path are the same", "give the corners of the cutting-plane line");
   Vec3 across(0);

@@ -27,19 +27,19 @@ inline constexpr int newton_steps = 40;
 inline constexpr double highest_in_sagittas = 2;
 inline constexpr int joints_at_end = 4;  ///< vertices from an end, used to estimate the fineness of tessellation
 /// Tangent of half of 45 degrees; chords with a larger turn form no arc.
-inline constexpr double most_turn_of_arc = 0.4143;
-inline constexpr double least_outline = 50;  ///< length of the outline at each end, as a multiple of the gap
-inline constexpr double least_room = 3;      ///< distance to the next end, as a multiple of the gap
+inline constexpr double max_turn_of_arc = 0.4143;
+inline constexpr double min_outline = 50;  ///< length of the outline at each end, as a multiple of the gap
+inline constexpr double min_room = 3;      ///< distance to the next end, as a multiple of the gap
 
 // Paths of sections
 
 /// Each plane of a path cuts all models, split at all steps: time and memory grow with the square.
-inline constexpr std::size_t most_points_of_path = 400;
+inline constexpr std::size_t max_points_of_path = 400;
 
 // What open outlines bound
 
-inline constexpr std::size_t most_ends = 1024;  ///< per body; with more, the area that they bound is unknown
-inline constexpr double area_of_line = 1e-3;    ///< of the squared length: an outline around a smaller area is a line
-inline constexpr double one_sense = 0.5;        ///< of an area: the part that must have one orientation
+inline constexpr std::size_t max_ends = 1024;  ///< per body; with more, the area that they bound is unknown
+inline constexpr double area_of_line = 1e-3;   ///< of the squared length: an outline around a smaller area is a line
+inline constexpr double one_sense = 0.5;       ///< of an area: the part that must have one orientation
 
 }  // namespace epura::cut

@@ -61,7 +61,7 @@ class OutlineMover {
   [[nodiscard]] int face_of(int triangle) const { return part_.face_of_triangle[triangle]; }
 
   [[nodiscard]] double reach_of(const PartFace& face) const {
-    return surfaces::most_sagittas * face.sagitta + face.residual + part_.tolerance;
+    return surfaces::max_sagittas * face.sagitta + face.residual + part_.tolerance;
   }
 
   // The length of the longest side: no point of a surface is farther from where its facets meet the plane.

@@ -84,7 +84,7 @@ PartFeatures assembly_features(const world::World& world, const PartFeatures& al
   Box whole;
   for (const auto& [number, box] : boxes) whole = {glm::min(whole.min, box.min), glm::max(whole.max, box.max)};
   for (const auto& [number, box] : boxes)
-    if (glm::length(box.size()) >= least_part * glm::length(whole.size())) add_levels(features.levels, box, whole);
+    if (glm::length(box.size()) >= min_part * glm::length(whole.size())) add_levels(features.levels, box, whole);
   std::stable_sort(features.levels.begin(), features.levels.end(), [](const LevelFeature& a, const LevelFeature& b) {
     return std::pair(a.axis, a.at) < std::pair(b.axis, b.at);
   });

@@ -51,7 +51,7 @@ bool are_sides_of_groove(const RoundFace& outer, const RoundFace& inner) {
 
 bool is_side_of_groove(const RoundPart& of, const RoundFace& round) {
   const auto is_arc = [](const RoundFace& face) {
-    return face.face.surface.kind == SurfaceKind::cylinder && face.face.sweep >= least_side && !face.is_whole();
+    return face.face.surface.kind == SurfaceKind::cylinder && face.face.sweep >= min_side && !face.is_whole();
   };
   return is_arc(round) && std::any_of(of.faces.begin(), of.faces.end(), [&](const RoundFace& other) {
            return is_arc(other) && (are_sides_of_groove(round, other) || are_sides_of_groove(other, round));

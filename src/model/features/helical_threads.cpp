@@ -152,7 +152,7 @@ bool may_be_around(const Threaded& in, const AroundAxis& around, std::size_t fac
   }
   const double diameter = 2 * radius.to * in.unit;
   return radius.from >= flattest_thread * radius.to && diameter >= smallest_thread && diameter <= largest_thread &&
-         radius.to - radius.from >= least_thread_depth * radius.to && glm::length(directions) <= most_to_one_side;
+         radius.to - radius.from >= min_thread_depth * radius.to && glm::length(directions) <= max_to_one_side;
 }
 
 template <class Visit>
@@ -202,7 +202,7 @@ HelicalForms form_of(const Threaded& in, const AroundAxis& around, const std::ve
   }
   if (!(reach.radius.from >= flattest_thread * reach.radius.to)) return {};
   const double faces = facing_of(in, around, triangles);
-  if (std::abs(faces) < least_thread_facing) return {};
+  if (std::abs(faces) < min_thread_facing) return {};
   const bool internal = faces < 0;
   Crests crests{{}, internal ? reach.radius.from : reach.radius.to, internal, reach.height};
   const double near = crest_part * (reach.radius.to - reach.radius.from);
@@ -324,7 +324,7 @@ Finds find_in(const Threaded& in, std::size_t face, Finds finds) {
   std::vector<Vec3> directions;
   for (const PartFace& plane : in.part.faces) {
     const Vec3& axis = plane.surface.axis;
-    if (plane.surface.kind != SurfaceKind::plane || directions.size() >= most_directions) continue;
+    if (plane.surface.kind != SurfaceKind::plane || directions.size() >= max_directions) continue;
     if (std::none_of(directions.begin(), directions.end(),
                      [&](const Vec3& known) { return are_parallel(known, axis); }))
       directions.push_back(axis);

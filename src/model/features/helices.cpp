@@ -28,7 +28,7 @@ double order_along(const TurnsAndHeights& points, double pitch, bool left) {
 std::optional<bool> is_left_handed(const Crests& crests, double pitch) {
   for (const double cut : {0, 1, 2}) {
     const double from = crests.heights.from + cut * pitch, to = crests.heights.to - cut * pitch;
-    if (to - from < least_turns * pitch) break;
+    if (to - from < min_turns * pitch) break;
     TurnsAndHeights some;
     for (const Vec2& at : crests.points)
       if (at.y >= from && at.y <= to) some.push_back(at);
@@ -40,7 +40,7 @@ std::optional<bool> is_left_handed(const Crests& crests, double pitch) {
       const auto suits_better = [&](double more) {
         return cut > 0 && order_along(some, (to - from) / (turns + more), left) > order;
       };
-      if (order >= least_order && !suits_better(turns_off) && !suits_better(-turns_off)) return left;
+      if (order >= min_order && !suits_better(turns_off) && !suits_better(-turns_off)) return left;
     }
   }
   return std::nullopt;
@@ -65,7 +65,7 @@ std::optional<scene::Thread> best_size(const Crests& crests, double unit) {
   std::optional<scene::Thread> best;
   double least = HUGE_VAL;
   for (const scene::Thread& thread : scene::threads_between(diameter / scene::largest_shaft, 1.5 * diameter + 1)) {
-    if (!scene::suits(thread, diameter, crests.internal) || crests.heights.size() * unit < least_turns * thread.pitch)
+    if (!scene::suits(thread, diameter, crests.internal) || crests.heights.size() * unit < min_turns * thread.pitch)
       continue;
     const auto left = is_left_handed(crests, thread.pitch / unit);
     if (!left) continue;
@@ -82,7 +82,7 @@ std::optional<double> pitch_of(const Crests& crests) {
   const TurnsAndHeights& all = crests.points;
   if (all.size() < fewest_helix_points) return std::nullopt;
   TurnsAndHeights some;
-  for (std::size_t i = 0; i < std::min(most_helix_samples, all.size()); ++i)
+  for (std::size_t i = 0; i < std::min(max_helix_samples, all.size()); ++i)
     some.push_back(all[scattered(i, all.size())]);
   const double length = crests.heights.size();
   const auto order = [length](const TurnsAndHeights& points, double turns) {
@@ -90,7 +90,7 @@ std::optional<double> pitch_of(const Crests& crests) {
   };
   const double most = static_cast<double>(some.size()) / points_of_turn;
   for (double turns = pitch_step; turns <= most; turns += pitch_step) {
-    if (order(some, turns) < least_order) continue;
+    if (order(some, turns) < min_order) continue;
     while (order(some, turns + pitch_step) > order(some, turns)) turns += pitch_step;
     double from = turns - pitch_step, to = turns + pitch_step;
     while (to - from > 1e-6 * turns) {
@@ -99,7 +99,7 @@ std::optional<double> pitch_of(const Crests& crests) {
       (is_above ? from : to) = is_above ? low : high;
     }
     const double found = (from + to) / 2;
-    return found < least_turns ? std::nullopt : std::optional(length / found);
+    return found < min_turns ? std::nullopt : std::optional(length / found);
   }
   return std::nullopt;
 }

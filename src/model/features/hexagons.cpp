@@ -73,7 +73,7 @@ class FlatsAround {
         height.add(up.from), height.add(up.to);
         found.vertices.insert(found.vertices.end(), flat.face->vertices.begin(), flat.face->vertices.end());
       }
-      if (!(width.size() >= 2 * least_flat * half_side)) return std::nullopt;
+      if (!(width.size() >= 2 * min_flat * half_side)) return std::nullopt;
       found.half_flat = std::max({found.half_flat, width.to - middle, middle - width.from});
       along.from = std::max(along.from, height.from);
       along.to = std::min(along.to, height.to);
@@ -116,7 +116,7 @@ std::vector<HexagonFeature> find_hexagons(int model, const std::vector<PlaneFace
       if (!face.corners.empty() && std::abs(face.normal[axis]) <= parallel)
         flats[static_cast<std::size_t>(face.body)].push_back(&face);
     for (const auto& of_body : flats) {
-      if (of_body.size() < 6 || of_body.size() > most_flats) continue;
+      if (of_body.size() < 6 || of_body.size() > max_flats) continue;
       for (const PlaneFace* first : of_body) {
         auto hexagon = FlatsAround(of_body, *first, Mat3(1)[axis]).around(*first);
         if (!hexagon) continue;

@@ -25,10 +25,10 @@ inline constexpr double same_level = 1e-5;         ///< relative to the size of 
 
 inline constexpr double half_turn = 179.5;   ///< arcs of less have no axis
 inline constexpr double half_slack = 2;      ///< of a half cylinder
-inline constexpr double least_side = 90;     ///< of a side of a groove
+inline constexpr double min_side = 90;       ///< of a side of a groove
 inline constexpr double shortest_arc = 20;   ///< that has a radius,
 inline constexpr double longest_arc = 200;   ///< and the longest one: a longer one has a diameter
-inline constexpr double least_round = 180;   ///< that slots may leave of a rounded edge
+inline constexpr double min_round = 180;     ///< that slots may leave of a rounded edge
 inline constexpr double thread_sweep = 180;  ///< of a face around whose axis a thread is looked for
 
 // Holes, slots and chamfers.
@@ -42,8 +42,8 @@ inline constexpr double tube_height =
 
 // Hexagons and letters.
 
-inline constexpr double least_flat = 0.6;         ///< of a side: those of a regular polygon of twelve sides are shorter
-inline constexpr std::size_t most_flats = 256;    ///< of one body; more, as in honeycombs, take too long
+inline constexpr double min_flat = 0.6;           ///< of a side: those of a regular polygon of twelve sides are shorter
+inline constexpr std::size_t max_flats = 256;     ///< of one body; more, as in honeycombs, take too long
 inline constexpr double largest_letter = 0.2;     ///< relative to the size of the part
 inline constexpr double deepest_letter = 0.5;     ///< relative to its size
 inline constexpr std::size_t fewest_letters = 2;  ///< of one depth in a plane
@@ -51,29 +51,29 @@ inline constexpr std::size_t usual_walls = 12;    ///< on average; a rectangle w
 
 // Assemblies.
 
-inline constexpr double least_part = 0.01;  ///< of the diagonal of the assembly
-inline constexpr double off_axis = 0.1;     ///< between the axes of a hole and what is in it, in radii of the hole
-inline constexpr double looks_into = 2;     ///< diameters of a hole without a certain depth
+inline constexpr double min_part = 0.01;  ///< of the diagonal of the assembly
+inline constexpr double off_axis = 0.1;   ///< between the axes of a hole and what is in it, in radii of the hole
+inline constexpr double looks_into = 2;   ///< diameters of a hole without a certain depth
 
 // Helical threads.
 
 inline constexpr double smallest_thread = 0.8;          ///< mm, with room for play
 inline constexpr double largest_thread = 110;           ///< mm, with room for play
 inline constexpr double flattest_thread = 0.6;          ///< least ratio of the radii at roots and crests
-inline constexpr double least_thread_depth = 0.005;     ///< relative to the radius
-inline constexpr double most_to_one_side = 0.8;         ///< mean of the directions of vertices from the axis
-inline constexpr double least_thread_facing = 0.05;     ///< of the area of a thread, seen from its axis
+inline constexpr double min_thread_depth = 0.005;       ///< relative to the radius
+inline constexpr double max_to_one_side = 0.8;          ///< mean of the directions of vertices from the axis
+inline constexpr double min_thread_facing = 0.05;       ///< of the area of a thread, seen from its axis
 inline constexpr double crest_part = 0.1;               ///< of the depth of a thread, whose vertices tell the helix
-inline constexpr std::size_t most_directions = 8;       ///< along which threads in plates are looked for
+inline constexpr std::size_t max_directions = 8;        ///< along which threads in plates are looked for
 inline constexpr std::size_t fewest_helix_points = 48;  ///< of crests, and of a circle in their place
-inline constexpr double least_turns = 2;                ///< of a thread
-inline constexpr double least_order = 0.85;  ///< of crests along a helix: 1 for a line, 0 for vertices at random
+inline constexpr double min_turns = 2;                  ///< of a thread
+inline constexpr double min_order = 0.85;    ///< of crests along a helix: 1 for a line, 0 for vertices at random
 inline constexpr double widest_gap = 60;     ///< degrees without crests
 inline constexpr double turns_off = 0.15;    ///< turns: a few suit a pitch about as large, too
 inline constexpr double pitch_step = 0.1;    ///< turns, in which the pitch is searched
 inline constexpr double points_of_turn = 8;  ///< fewest: more turns suit by chance
-inline constexpr std::size_t most_helix_samples = 512;  ///< points of crests in a search
-inline constexpr double clear_of_crests = 0.05;         ///< of the depth of a thread: where faces around it are cut
-inline constexpr double backwards = 0.02;               ///< turns by which a line may run back around the axis
+inline constexpr std::size_t max_helix_samples = 512;  ///< points of crests in a search
+inline constexpr double clear_of_crests = 0.05;        ///< of the depth of a thread: where faces around it are cut
+inline constexpr double backwards = 0.02;              ///< turns by which a line may run back around the axis
 
 }  // namespace epura::features

@@ -72,7 +72,7 @@ class Outward {
 
   // Whether the surface is no farther from a facet than facets deviate from their surface.
   [[nodiscard]] bool is_above(double rise) const {
-    return std::abs(rise) <= surfaces::most_sagittas * face_.sagitta + face_.residual;
+    return std::abs(rise) <= surfaces::max_sagittas * face_.sagitta + face_.residual;
   }
 
   [[nodiscard]] std::optional<double> ridge(const Triangle& triangle) const {
@@ -274,7 +274,7 @@ class ExtentFinder {
   }
 
   void add_facet(const PartFace& face, bool turned, const Triangle& corners) {
-    const double rise = surfaces::most_sagittas * face.sagitta + face.residual + same_point * size_;
+    const double rise = surfaces::max_sagittas * face.sagitta + face.residual + same_point * size_;
     for (int end = 0; end < 6; ++end) {
       const Vec3 direction = direction_of(end);
       double top = -HUGE_VAL;

@@ -35,8 +35,8 @@ using output::json_number;
 using output::json_string;
 using output::json_vector;
 
-constexpr std::size_t most_positions = 4;
-constexpr std::size_t most_radii = 12;
+constexpr std::size_t max_positions = 4;
+constexpr std::size_t max_radii = 12;
 
 /// Information about one model.
 struct ModelInfo {
@@ -104,8 +104,8 @@ class Rounded {
   explicit Rounded(double tolerance) : decimals_(std::floor(-std::log10(2 * tolerance))) {}
 
   std::string operator()(double value) const {
-    constexpr int most_decimals = 9, digits = 7;
-    const bool readable = decimals_ <= most_decimals && std::abs(value) < 1e9;
+    constexpr int max_decimals = 9, digits = 7;
+    const bool readable = decimals_ <= max_decimals && std::abs(value) < 1e9;
     return readable ? format_fixed(value, std::max(static_cast<int>(decimals_), 0)) : format_rounded(value, digits);
   }
   std::string operator()(const Vec3& p) const {
@@ -174,7 +174,7 @@ std::string radii_text(const surfaces::PartFaces& part, surfaces::SurfaceKind ki
   std::string text;
   std::size_t listed = 0;
   for (const auto& [key, radius] : radii) {
-    if (++listed > most_radii) return text + ", ...";
+    if (++listed > max_radii) return text + ", ...";
     text += (text.empty() ? "" : ", ") + radius.first;
     if (radius.second > 1) text += " (" + std::to_string(radius.second) + ")";
   }
@@ -260,9 +260,9 @@ std::string holes_text(const std::vector<surfaces::Hole>& holes, const Rounded& 
   std::string text = line_of("holes", std::to_string(holes.size()));
   for (const auto& [what, positions] : groups) {
     std::string line = positions.size() > 1 ? std::to_string(positions.size()) + " x " + what : what;
-    for (std::size_t i = 0; i < std::min(positions.size(), most_positions); ++i)
+    for (std::size_t i = 0; i < std::min(positions.size(), max_positions); ++i)
       line += (i == 0 ? ", from " : ", ") + rounded(positions[i]);
-    if (positions.size() > most_positions) line += ", ...";
+    if (positions.size() > max_positions) line += ", ...";
     text += line_of("", line);
   }
   return text;

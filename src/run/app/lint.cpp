@@ -92,7 +92,7 @@ std::string pattern_of(const report::Finding& finding) {
 
 // The first ones of those that differ in numbers alone, and how many more there are.
 std::string printed_findings(const std::vector<report::Finding>& findings, bool all) {
-  constexpr std::size_t most_alike = 3;
+  constexpr std::size_t max_alike = 3;
   std::map<std::string, std::size_t> alike, told;
   for (const report::Finding& finding : findings) ++alike[pattern_of(finding)];
   std::string text;
@@ -100,10 +100,10 @@ std::string printed_findings(const std::vector<report::Finding>& findings, bool 
     const std::string pattern = pattern_of(finding);
     const std::size_t count = alike[pattern], number = ++told[pattern];
     // A line for the rest would not be shorter than the only one that it stands for.
-    const bool is_told = all || number <= most_alike || count == most_alike + 1;
+    const bool is_told = all || number <= max_alike || count == max_alike + 1;
     if (is_told) text += sentence_of(finding);
     if (!is_told && number == count)
-      text += name_of(finding) + ": " + std::to_string(count - most_alike) +
+      text += name_of(finding) + ": " + std::to_string(count - max_alike) +
               " more that differ in numbers from: " + finding.what + " (--all lists them)\n";
   }
   return text;

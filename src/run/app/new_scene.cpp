@@ -28,9 +28,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_holes = 20, most_bodies = 40;  // lines that a person reads
-constexpr int position_digits = 7;                        // of positions
-constexpr double position_step = 1e-6;                    // mm; what is below is left by computing
+constexpr std::size_t max_holes = 20, max_bodies = 40;  // lines that a person reads
+constexpr int position_digits = 7;                      // of positions
+constexpr double position_step = 1e-6;                  // mm; what is below is left by computing
 
 /// A hole in the world, in mm, and the others like it.
 struct EqualHoles {
@@ -121,9 +121,9 @@ std::string holes_text(const std::vector<EqualHoles>& groups) {
   if (groups.empty()) return "";
   std::string text =
       "\n# Holes. A tolerance belongs to a dimension of its own; a thread: [[thread]], thread = \"M6\".\n";
-  for (std::size_t i = 0; i < std::min(groups.size(), most_holes); ++i) text += hole_text(groups[i]);
-  if (groups.size() > most_holes)
-    text += "# and " + std::to_string(groups.size() - most_holes) + " more kinds: epura info lists them\n";
+  for (std::size_t i = 0; i < std::min(groups.size(), max_holes); ++i) text += hole_text(groups[i]);
+  if (groups.size() > max_holes)
+    text += "# and " + std::to_string(groups.size() - max_holes) + " more kinds: epura info lists them\n";
   return text;
 }
 
@@ -143,10 +143,10 @@ std::string bodies_text(const mesh::MeshReport& report) {
   if (report.bodies < 2) return "";
   std::string text = "\n# Bodies: " + std::to_string(report.bodies) +
                      ". What is left whole in sections, such as bolts, has cut = false.\n";
-  for (std::size_t i = 0; i < std::min(report.body_names.size(), most_bodies); ++i)
+  for (std::size_t i = 0; i < std::min(report.body_names.size(), max_bodies); ++i)
     text += "#[[style]]\n#match = " + toml_text(report.body_names[i]) + "\n#cut = false\n";
-  if (report.body_names.size() > most_bodies)
-    text += "# and " + std::to_string(report.body_names.size() - most_bodies) + " more: epura info lists them\n";
+  if (report.body_names.size() > max_bodies)
+    text += "# and " + std::to_string(report.body_names.size() - max_bodies) + " more: epura info lists them\n";
   return text + "#[[explode]]\n#factor = 1.5\n#[parts_list]\n";
 }
 

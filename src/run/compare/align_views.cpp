@@ -55,11 +55,11 @@ double length_of_form(const Form& form) {
 
 // The shift of most of the ink; nothing if no more ink agrees on it than stays where it is.
 Vec2 common_shift(const Places& before, const Places& after) {
-  constexpr std::size_t most_alike = 12;  // of which nothing tells which is which
+  constexpr std::size_t max_alike = 12;  // of which nothing tells which is which
   std::map<std::pair<long long, long long>, Votes> votes;
   for (const auto& [form, places] : before) {
     const auto others = after.find(form);
-    if (others == after.end() || std::max(places.size(), others->second.size()) > most_alike) continue;
+    if (others == after.end() || std::max(places.size(), others->second.size()) > max_alike) continue;
     const double length = length_of_form(form);
     for (const Vec2& a : places)
       for (const Vec2& b : others->second) {
@@ -246,10 +246,10 @@ std::size_t take_followers(std::vector<Difference>& differences, double toleranc
   for (std::size_t i = 0; i < differences.size(); ++i)
     if (is_of_view(differences[i])) by_view[differences[i].view].push_back(i);
   std::vector<char> follows(differences.size());
-  constexpr std::size_t most_read = 5000;  // each is compared with each, and a view with more of them is another one
+  constexpr std::size_t max_read = 5000;  // each is compared with each, and a view with more of them is another one
   for (const auto& [view, numbers] : by_view)
     for (const int axis : {0, 1}) {
-      if (numbers.size() > most_read) break;
+      if (numbers.size() > max_read) break;
       std::vector<std::size_t> left;
       std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(left),
                    [&](std::size_t i) { return !follows[i]; });

@@ -44,7 +44,7 @@ class TextPairs {
     each_pair(
         [&](const PictureText& a, const PictureText& b) {
           const bool same = a.words == b.words && glm::distance(size(a), size(b)) <= near;
-          return pair_if(same, apart(a, b), overlap(a, b) ? HUGE_VAL : most_moved);
+          return pair_if(same, apart(a, b), overlap(a, b) ? HUGE_VAL : max_moved);
         },
         Change::moved);
     each_pair([&](const PictureText& a,

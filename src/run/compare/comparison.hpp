@@ -63,7 +63,7 @@ struct Comparison {
 };
 
 /// mm; an item farther away has not moved: it was removed there and added here.
-inline constexpr double most_moved = 5;
+inline constexpr double max_moved = 5;
 
 /// Lines are compared as sets of points: how they are cut, chained, ordered and numbered does not matter, and of
 /// several lines within the tolerance of each other, only the widest counts. A line is the same if a line of the same

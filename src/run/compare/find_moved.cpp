@@ -90,7 +90,7 @@ class Pairing {
       for (; b != by_length.end() && length(*b) <= before_[a].length + slack; ++b) {
         if (used_after_[std::size_t(*b)]) continue;
         const auto distance = parallel_shift(before_[a], after_[std::size_t(*b)], tolerance_);
-        if (distance && *distance <= (nearest ? nearest->distance : most_moved))
+        if (distance && *distance <= (nearest ? nearest->distance : max_moved))
           nearest = MovedLine{static_cast<int>(a), *b, *distance};
       }
       if (nearest) pair(nearest->before, nearest->after, nearest->distance);

@@ -20,9 +20,9 @@ namespace {
 
 // Lengths on paper, mm. Lines of one drawing closer than `same_place` coincide; parts shorter than `shortest` are
 // ignored; a remainder just above that length is not a difference from one just below.
-constexpr double same_place = 0.0002, shortest = 0.002, least_reported = 0.004;
+constexpr double same_place = 0.0002, shortest = 0.002, min_reported = 0.004;
 // Least length of an overlap: well below the shortest piece, which may be shifted along itself.
-constexpr double least_overlap = 0.0005;
+constexpr double min_overlap = 0.0005;
 // Overlaps longer than this many times the tolerance are found first: they are between lines of nearly one direction,
 // which are found quickly.
 constexpr double long_overlap = 25;
@@ -77,10 +77,10 @@ void append_divided(const InkPart& part, std::span<const drawing::Cover> covers,
                     DividedInk& divided) {
   const double length = length_of(part);
   if (covers.empty()) {
-    if (length > least_reported) divided.rest.push_back(part);
+    if (length > min_reported) divided.rest.push_back(part);
     return;
   }
-  const double min = std::max(tolerance, least_reported);
+  const double min = std::max(tolerance, min_reported);
   double done = 0, met = 0;  // the current overlap begins at `met`; nothing is open before `done`
   for (const drawing::Cover& cover : covers) {
     if (cover.from - done > min) {
@@ -228,10 +228,10 @@ DividedInk divide(const std::vector<InkPart>& parts, const std::vector<InkPart>&
   constexpr std::size_t few = 8;  // times fewer than the others, most of which are then elsewhere
   const bool are_few = few * parts.size() < others.size() && !parts.empty();
   const std::vector<InkPart> near = are_few ? those_near(others, parts, tolerance) : others;
-  DividedInk divided = divide_by(parts, near, tolerance, std::max(long_overlap * tolerance, least_overlap));
+  DividedInk divided = divide_by(parts, near, tolerance, std::max(long_overlap * tolerance, min_overlap));
   if (divided.rest.empty() || near.empty()) return divided;
   const std::vector<InkPart> nearest = those_near(near, divided.rest, tolerance);
-  DividedInk last = divide_by(divided.rest, nearest, tolerance, least_overlap);
+  DividedInk last = divide_by(divided.rest, nearest, tolerance, min_overlap);
   take_short(last, nearest, tolerance);
   divided.met.insert(divided.met.end(), last.met.begin(), last.met.end());
   divided.rest = std::move(last.rest);

@@ -15,7 +15,7 @@ namespace epura::compare {
 namespace {
 
 // A line continues as long as it turns by less than this: cos 20 degrees.
-constexpr double least_cosine = 0.94;
+constexpr double min_cosine = 0.94;
 
 // An end of a part.
 struct End {
@@ -63,7 +63,7 @@ class LineJoiner {
   [[nodiscard]] bool goes_on(const End& a, const End& b) const {
     const DifferingPart &p = parts_[static_cast<std::size_t>(a.part)], &q = parts_[static_cast<std::size_t>(b.part)];
     return std::tie(p.part.look, p.other, p.part.view) == std::tie(q.part.look, q.other, q.part.view) &&
-           glm::distance(a.at, b.at) <= reach_ && glm::dot(a.inwards, b.inwards) <= -least_cosine;
+           glm::distance(a.at, b.at) <= reach_ && glm::dot(a.inwards, b.inwards) <= -min_cosine;
   }
 
   void join_with(std::size_t end, const std::array<long long, 2>& cell) {

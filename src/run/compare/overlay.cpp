@@ -39,11 +39,10 @@ sheet::Dashes dashes_of(const std::vector<double>& lengths) {
 // Lines of one colour and look, in one layer.
 class LookLayers {
  public:
-  LookLayers(const MarkStyle& mark, Vec2 shift, double least_width)
-      : mark_(mark), shift_(shift), least_width_(least_width) {}
+  LookLayers(const MarkStyle& mark, Vec2 shift, double min_width) : mark_(mark), shift_(shift), min_width_(min_width) {}
 
   void add_line(const Vec2& from, const Vec2& to, const PictureLook& look) {
-    const double width = std::max(look.filled ? border_width : look.width, least_width_);
+    const double width = std::max(look.filled ? border_width : look.width, min_width_);
     const sheet::Dashes dashes = dashes_of(look.dashes);
     const bool is_short = glm::distance(from, to) < 2 * (dashes.dash + dashes.gap);
     sheet::Stroke stroke{{from + shift_, to + shift_}};
@@ -96,7 +95,7 @@ class LookLayers {
 
   MarkStyle mark_;
   Vec2 shift_;
-  double least_width_;
+  double min_width_;
   std::optional<sheet::Lettering> lettering_{};
   std::map<LookKey, sheet::Layer> layers_{};
 };

@@ -13,7 +13,7 @@ namespace epura::compare {
 
 namespace {
 
-constexpr std::size_t most_looks = 200, most_views = 2000;
+constexpr std::size_t max_looks = 200, max_views = 2000;
 
 // Views may be outside their sheet.
 constexpr double farthest = 10 * scene::longest_side;
@@ -41,15 +41,15 @@ int PictureMaker::look(const PictureLook& look) {
   if (!std::all_of(lengths.begin(), lengths.end(), [](double length) { return length >= 0 && length <= farthest; }))
     refuse_input(where_, "has lines whose width or dashes are not valid lengths", is_it_ours);
   const int number = number_of_look(picture_.looks, look);
-  if (picture_.looks.size() > most_looks)
-    refuse_input(where_, "has more than " + std::to_string(most_looks) + " line styles", is_it_ours);
+  if (picture_.looks.size() > max_looks)
+    refuse_input(where_, "has more than " + std::to_string(max_looks) + " line styles", is_it_ours);
   return number;
 }
 
 int PictureMaker::view(const std::string& name) {
   const int number = number_of_name(picture_.views, name);
-  if (picture_.views.size() > most_views)
-    refuse_input(where_, "has more than " + std::to_string(most_views) + " views", is_it_ours);
+  if (picture_.views.size() > max_views)
+    refuse_input(where_, "has more than " + std::to_string(max_views) + " views", is_it_ours);
   return number;
 }
 

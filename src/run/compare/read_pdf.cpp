@@ -20,7 +20,7 @@ namespace epura::compare {
 namespace {
 
 constexpr double millimetres_per_point = 25.4 / 72;
-constexpr std::size_t most_states = 100;  // maximum number of saved graphics states
+constexpr std::size_t max_states = 100;  // maximum number of saved graphics states
 
 struct PenState {
   svg::AffineMap map{};
@@ -96,7 +96,7 @@ class PdfReader {
       const std::string_view name = operation.name;
       const std::vector<double>& n = operation.numbers;
       if (name == "q") {
-        if (stack.size() == most_states) refuse("saves more than " + std::to_string(most_states) + " graphics states");
+        if (stack.size() == max_states) refuse("saves more than " + std::to_string(max_states) + " graphics states");
         stack.push_back(pen);
       } else if (name == "Q" && !stack.empty()) {
         pen = stack.back();

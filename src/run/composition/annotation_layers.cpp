@@ -97,11 +97,11 @@ sheet::Layer boundaries_of(std::span<const Annotations> annotations, std::span<c
 // Faults of the dimensions of one view on paper. ISO 3098-1: lettering is at least 2.5 mm high.
 void note_faults(std::vector<report::Finding>& findings, const std::string& view, const sheet::PlacedLayer& placed,
                  const sheet::Paper& paper) {
-  constexpr double least_height = 2.5;
+  constexpr double min_height = 2.5;
   for (const std::string& crossing : placed.crossings)
     findings.push_back({report::FindingKind::crossing, view, crossing});
   for (const sheet::Text& text : placed.layer.texts)
-    if (text.height < least_height) findings.push_back({report::FindingKind::small_text, view, "'" + text.text + "'"});
+    if (text.height < min_height) findings.push_back({report::FindingKind::small_text, view, "'" + text.text + "'"});
   if (!sheet::on_paper(placed.layer, {paper.width, paper.height}))
     findings.push_back({report::FindingKind::off_sheet, view, "dimensions extend beyond the sheet"});
 }
@@ -121,8 +121,8 @@ void append(sheet::Layer& layer, sheet::Layer more) {
 bool add_table(sheet::Layer& layer, const sheet::HoleTable& table, const std::vector<std::string>& captions,
                const sheet::Rectangle& room, const std::vector<sheet::Rectangle>& taken,
                const sheet::DimensionStyle& style) {
-  constexpr int most_blocks = 6;
-  for (int blocks = 1; blocks <= most_blocks; ++blocks) {
+  constexpr int max_blocks = 6;
+  for (int blocks = 1; blocks <= max_blocks; ++blocks) {
     const sheet::TableDrawing drawing(sheet::text_table(table, captions), blocks, style);
     const auto corner = sheet::free_corner(room, taken, drawing.size());
     if (corner) drawing.draw(layer, *corner, "dimension");
@@ -564,7 +564,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     if (input.annotations[i].dimensions.empty()) continue;
     open_font();
     attached[i] = add_dimensions(result, around, {input, views, i, reserved}, style(), budget);
-    if (result.leaves_out_more_than(input.most_left_out)) return result;
+    if (result.leaves_out_more_than(input.max_left_out)) return result;
   }
   if (lettering) {
     add_callouts(result, around, input, views, style(), std::move(attached));

@@ -269,7 +269,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   finished.is_crowded = !beside.warnings.empty();
   finished.without_room = beside.without_room;
   finished.fans = beside.fans;
-  if (beside.leaves_out_more_than(input.most_left_out)) {
+  if (beside.leaves_out_more_than(input.max_left_out)) {
     finished.left_out = std::move(beside.left_out);
     return finished;
   }

@@ -228,11 +228,11 @@ struct OnPaper {
 // Sheet and scale together: larger sheets are for parts that would be drawn too small on the smaller ones.
 OnPaper arranged_with_scale(const scene::SheetDescription& sheet, const LayoutOptions& options,
                             std::span<const sheet::ViewToPlace> views, int least) {
-  constexpr std::array<double, largest> least_scales{1, 0.5, 0.2, 0.1};
+  constexpr std::array<double, largest> min_scales{1, 0.5, 0.2, 0.1};
   for (int rank = least; rank < largest; ++rank) {
     const scene::PaperChoice size = size_of_rank(sheet, rank);
     sheet::Arrangement arrangement = in_best_orientation(size, options, views, sheet.orientation.given());
-    if (arrangement.inside && arrangement.scale >= least_scales[static_cast<std::size_t>(rank)] * (1 - 1e-9))
+    if (arrangement.inside && arrangement.scale >= min_scales[static_cast<std::size_t>(rank)] * (1 - 1e-9))
       return {std::move(arrangement), size, rank + 1};
   }
   const scene::PaperChoice size = size_of_rank(sheet, largest);
@@ -403,7 +403,7 @@ SheetPlan plan_sheet(const world::World& world, const scene::SceneDescription& s
   expect_paper_for_lists(scene, options, usual);
   options.widths = sheet::line_widths(sheet::make_paper(usual, false), options.styles);
   const Views placing = views_to_place(world, sheet, views, annotations, options);
-  const auto [arrangement, size, next_size] = arranged(description, options, placing.to_place, sheet.layout.least_size);
+  const auto [arrangement, size, next_size] = arranged(description, options, placing.to_place, sheet.layout.min_size);
   if (options.title_block) {
     options.title_block->scale = sheet::with_decimal_sign(sheet::ratio_text(arrangement.scale),
                                                           description.decimal_sign.value_or(DecimalSign::point));

@@ -73,7 +73,7 @@ struct SheetInput {
   const std::vector<Annotations>& annotations;                ///< by view
   std::vector<std::vector<sheet::CalloutTarget>> targets{};   ///< of callouts, by view
   std::vector<std::vector<sheet::BalloonTarget>> balloons{};  ///< by view
-  std::optional<std::size_t> most_left_out{};  ///< dimensions without room; with more, the sheet is of no use
+  std::optional<std::size_t> max_left_out{};  ///< dimensions without room; with more, the sheet is of no use
 
   [[nodiscard]] const scene::SheetDescription& sheet() const {
     return scene.sheets[static_cast<std::size_t>(views.sheet)];

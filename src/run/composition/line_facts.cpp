@@ -17,9 +17,9 @@ namespace epura::pipeline {
 
 namespace {
 
-constexpr std::size_t most_faces = 4;
+constexpr std::size_t max_faces = 4;
 // A list of depths must not be much longer than the line itself.
-constexpr std::size_t most_depths = 16;
+constexpr std::size_t max_depths = 16;
 // mm on paper; lines are merged and moved by less.
 constexpr double on_edge = 0.2;
 constexpr double same_depth = 1e-4;
@@ -112,7 +112,7 @@ std::optional<std::vector<double>> plane_of(const std::vector<DeepPoint>& points
 std::vector<double> depths_of(const sheet::Stroke& stroke, const EdgeFinder& finder) {
   // A line of more edges than points has been simplified; long ones are curves, of which a few points tell the plane.
   std::vector<DeepPoint> points;
-  const std::size_t step = std::max<std::size_t>(1, stroke.points.size() / most_depths);
+  const std::size_t step = std::max<std::size_t>(1, stroke.points.size() / max_depths);
   for (std::size_t i = 0; i < stroke.points.size(); i += step) {
     const std::optional<double> depth = finder.depth(stroke.points[i], stroke.edges);
     if (!depth) return {};
@@ -144,9 +144,9 @@ sheet::LineFacts facts_of(const sheet::Stroke& stroke, const EdgeFinder& finder)
   }
   std::sort(facts.faces.begin(), facts.faces.end());
   facts.faces.erase(std::unique(facts.faces.begin(), facts.faces.end()), facts.faces.end());
-  if (facts.faces.size() > most_faces) {
-    facts.more_faces = static_cast<int>(facts.faces.size() - most_faces);
-    facts.faces.resize(most_faces);
+  if (facts.faces.size() > max_faces) {
+    facts.more_faces = static_cast<int>(facts.faces.size() - max_faces);
+    facts.faces.resize(max_faces);
   }
   facts.depth = depths_of(stroke, finder);
   return facts;

@@ -31,12 +31,12 @@ class Cells {
  public:
   explicit Cells(const sheet::Rectangle& room)
       : room_(room),
-        side_(std::max(room.size().x, room.size().y) / most_along),
+        side_(std::max(room.size().x, room.size().y) / max_along),
         columns_(count(room.size().x)),
         occupied_(columns_ * count(room.size().y), false) {}
 
   void add(const sheet::Rectangle& box) {
-    const auto first = [&](double at) { return std::size_t(std::clamp(std::floor(at / side_), 0.0, most_along - 1)); };
+    const auto first = [&](double at) { return std::size_t(std::clamp(std::floor(at / side_), 0.0, max_along - 1)); };
     const Vec2 min = box.min - room_.min, max = box.max - room_.min;
     if (max.x < 0 || max.y < 0 || min.x > room_.size().x || min.y > room_.size().y) return;
     const std::size_t rows = occupied_.size() / columns_;
@@ -58,10 +58,10 @@ class Cells {
   }
 
  private:
-  static constexpr double most_along = 64;
+  static constexpr double max_along = 64;
 
   [[nodiscard]] std::size_t count(double length) const {
-    return std::size_t(std::clamp(std::ceil(length / side_), 1.0, most_along));
+    return std::size_t(std::clamp(std::ceil(length / side_), 1.0, max_along));
   }
 
   sheet::Rectangle room_;

@@ -15,8 +15,8 @@ namespace epura::pipeline {
 
 namespace {
 
-constexpr double finest = 0.4;       // mm between the points of the grid
-constexpr double most_points = 500;  // along one side
+constexpr double finest = 0.4;      // mm between the points of the grid
+constexpr double max_points = 500;  // along one side
 
 /// Points of the page at equal distances.
 struct Grid {
@@ -34,7 +34,7 @@ struct Grid {
 
 Grid grid_on(const Vec2& min, const Vec2& max) {
   const Vec2 size = max - min;
-  const double pitch = std::max(finest, std::max(size.x, size.y) / most_points);
+  const double pitch = std::max(finest, std::max(size.x, size.y) / max_points);
   return {min, pitch, static_cast<int>(size.x / pitch) + 1, static_cast<int>(size.y / pitch) + 1};
 }
 

@@ -14,7 +14,7 @@ namespace epura::explain {
 
 namespace {
 
-constexpr std::size_t most_named = 5;
+constexpr std::size_t max_named = 5;
 // Multiple of the tolerance for coincident lines: the line that has the ink may have replaced one that had replaced
 // another.
 constexpr double steps_of_coincidence = 2;
@@ -53,11 +53,11 @@ struct Storyteller {
         const double to = std::min(end, span.to);
         if (from < to) parts += (parts.empty() ? "" : ", ") + in_space(from) + " to " + in_space(to);
       }
-      if (parts.empty() || ++count > most_named) continue;
+      if (parts.empty() || ++count > max_named) continue;
       text += "    by face " + name_of(hider.face) + " of " + owner_of(drawn_view.world, hider.face) + ", " +
               format_value(hider.ahead) + " in front, t " + parts + "\n";
     }
-    if (count > most_named) text += "    and by " + std::to_string(count - most_named) + " more\n";
+    if (count > max_named) text += "    and by " + std::to_string(count - max_named) + " more\n";
     return text;
   }
 

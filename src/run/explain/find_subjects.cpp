@@ -17,7 +17,7 @@ namespace epura::explain {
 namespace {
 
 const std::string option = "--why";
-constexpr std::size_t most_candidates = 8;
+constexpr std::size_t max_candidates = 8;
 constexpr std::size_t nearest_edges = 3;
 
 // Parses two non-negative integers with a separator between them.
@@ -67,10 +67,10 @@ std::string edges_at(const mesh::Mesh& mesh, int vertex) {
   std::size_t count = 0;
   for (const mesh::MeshEdge& edge : mesh.edges) {
     if (edge.vertex[0] != vertex && edge.vertex[1] != vertex) continue;
-    if (++count <= most_candidates) text += " " + std::to_string(edge.vertex[0]) + "-" + std::to_string(edge.vertex[1]);
+    if (++count <= max_candidates) text += " " + std::to_string(edge.vertex[0]) + "-" + std::to_string(edge.vertex[1]);
   }
   if (count == 0) return text + " none";
-  return count > most_candidates ? text + " and " + std::to_string(count - most_candidates) + " more" : text;
+  return count > max_candidates ? text + " and " + std::to_string(count - max_candidates) + " more" : text;
 }
 
 const mesh::Mesh& checked_model(const world::World& world, int model) {

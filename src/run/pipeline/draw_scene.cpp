@@ -48,10 +48,10 @@ void add_all(std::vector<Item>& list, const std::vector<Item>& more) {
 }
 
 // Between the lines of crests and roots, mm; also at least two wide lines. ISO 6410-1.
-constexpr double least_thread = 0.7;
+constexpr double min_thread = 0.7;
 
 // Triangles: drawing more once again, only to arrange the views better, takes too long.
-constexpr std::size_t most_drawn_again = 200'000;
+constexpr std::size_t max_drawn_again = 200'000;
 
 using WorldOfView = std::function<const world::World&(std::size_t)>;
 
@@ -109,7 +109,7 @@ struct Run {
   [[nodiscard]] SheetPlan usual_plan(const ShownWorlds& worlds, PreparedSheet& sheet) const;
   SheetPlan plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const LayoutWish& layout) const;
   FinishedSheet draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared, const SheetPlan& plan,
-                           const std::optional<std::size_t>& most_left_out);
+                           const std::optional<std::size_t>& max_left_out);
   void finish(FinishedSheet& sheet, const SheetPlan& plan, std::vector<sheet::DimensionsInView> anchored);
   Attempt attempt(const DrawSheet& draw);
   std::optional<Attempt> attempt_if(const DrawSheet& draw, const std::function<bool(const FinishedSheet&)>& is_better);
@@ -254,7 +254,7 @@ std::vector<world::Item> Run::items_of(const world::World& world, const SheetOfV
 // However small the scale, the two lines of a thread are apart on paper.
 void set_least_threads(SheetOfViews& views, const SheetPlan& plan) {
   const double wide = sheet::line_widths(plan.furniture.paper).wide;
-  for (PlannedView& view : views.plans) view.options.least_thread = std::max(least_thread, 2 * wide);
+  for (PlannedView& view : views.plans) view.options.min_thread = std::max(min_thread, 2 * wide);
 }
 
 // All that does not depend on where the views are on the sheet.
@@ -290,7 +290,7 @@ SheetPlan Run::plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const La
 }
 
 FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared, const SheetPlan& plan,
-                              const std::optional<std::size_t>& most_left_out) {
+                              const std::optional<std::size_t>& max_left_out) {
   project_again(prepared, worlds);
   std::vector<view::ProjectedScene> seen = std::exchange(prepared.seen, {});
   SheetOfViews views = prepared.views;
@@ -336,7 +336,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
   if (!plan.inside || plan.crowded) warn_about(messages, plan);
   gathered.report.cut_off = gathered.report.cut_off || !plan.on_paper;
   FinishedSheet sheet = compose({worlds.main(), scene, views, plan, annotations, std::move(targets),
-                                 balloons_of(views, items_seen), most_left_out},
+                                 balloons_of(views, items_seen), max_left_out},
                                 results, budget);
   finish(sheet, plan, prepared.anchored);
   gathered.answers += sheet.answers = std::move(answers_of_sheet);
@@ -415,7 +415,7 @@ std::optional<Attempt> Run::attempt_if(const DrawSheet& draw,
 // view. So a better layout, which has a part of it, counts if everything has a place; then one that is better still
 // may.
 std::optional<Attempt> Run::attempt_better(const ShownWorlds& worlds, PreparedSheet& sheet, const SheetPlan& usual) {
-  if (!usual.inside || !dimensions_features(scene) || worlds.main().triangles.size() > most_drawn_again)
+  if (!usual.inside || !dimensions_features(scene) || worlds.main().triangles.size() > max_drawn_again)
     return std::nullopt;
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)];
   std::optional<SheetPlan> tried;
@@ -456,7 +456,7 @@ Attempt Run::draw_in_best_layout(const ShownWorlds& worlds, PreparedSheet& sheet
     const bool is_sized = is_sized_by_scale(description);
     // A smaller scale does not make rows shorter.
     if (faults.first == 0 && (faults.second == 0 || !is_sized)) break;
-    if (progress.is_out_of_time() || (!is_sized && worlds.main().triangles.size() > most_drawn_again)) break;
+    if (progress.is_out_of_time() || (!is_sized && worlds.main().triangles.size() > max_drawn_again)) break;
     const SheetPlan plan = plan_of(worlds, sheet, wish);
     if (!plan.inside) continue;
     auto other = attempt_if([&] { return draw_sheet(worlds, sheet, plan, faults.first); },
@@ -569,7 +569,7 @@ DrawnScene draw_once(const scene::SceneDescription& scene, const RunOptions& opt
 // Reads surfaces again, with finer facets, while these alone prevent --max-error.
 DrawnScene draw_within_error(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context,
                              const std::vector<SheetOfViews>& sheets) {
-  constexpr double reserve = 1.5, most_at_once = 8;
+  constexpr double reserve = 1.5, max_at_once = 8;
   expect_certain(*options.max_error, reading_of(scene, options).options.relative_tolerance, options.arcs.has_value());
   for (double fineness = 1;;) {
     HeldMessages held;
@@ -579,7 +579,7 @@ DrawnScene draw_within_error(const scene::SceneDescription& scene, const RunOpti
       held.tell(context.messages);
       return drawn;
     } catch (const TooCoarse& attempt) {
-      fineness *= std::min(most_at_once, reserve * attempt.factor);
+      fineness *= std::min(max_at_once, reserve * attempt.factor);
     } catch (...) {
       held.tell(context.messages);
       throw;

@@ -22,7 +22,7 @@ namespace {
 using construction::SetUpPart;
 using projection::Quantity;
 
-constexpr std::size_t most_rays = 6;
+constexpr std::size_t max_rays = 6;
 constexpr int digits = 5;
 
 /// How the lines of a part are drawn.
@@ -177,7 +177,7 @@ std::vector<Vec3> points_of(const world::World& world, const PictureRequest& req
     for (const int vertex : triangle) points.push_back(world.points[static_cast<std::size_t>(vertex)]);
   for (const auto& wire : world.wires)
     for (const int vertex : wire) points.push_back(world.points[static_cast<std::size_t>(vertex)]);
-  return construction::outline_points(picture.projection, picture.viewing.volume, points, most_rays);
+  return construction::outline_points(picture.projection, picture.viewing.volume, points, max_rays);
 }
 
 // The direction in which a picture is seen, if a projection for it is given.

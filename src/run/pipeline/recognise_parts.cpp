@@ -41,7 +41,7 @@ bool may_fit(const world::World& world) {
 
 // Degrees: edges with a smaller fold angle are not distinguished from those inside faces. If only creases are
 // requested, fine tessellations have none.
-double least_fold(const world::World& world, const scene::SceneDescription& scene, const RunOptions& options) {
+double min_fold(const world::World& world, const scene::SceneDescription& scene, const RunOptions& options) {
   double least = edges::EdgeOptions().part_angle;
   const bool fit = may_fit(world);
   for (const scene::ViewDescription& view : scene.views) {
@@ -70,7 +70,7 @@ void recognise_parts(world::World& world, const scene::SceneDescription& scene, 
                      report::Report& report, Progress progress) {
   // Dimensions of features need faces even where folds alone identify all edges.
   std::optional<double> least;
-  if (!dimensions_features(scene) && !options.lint && scene.threads.empty()) least = least_fold(world, scene, options);
+  if (!dimensions_features(scene) && !options.lint && scene.threads.empty()) least = min_fold(world, scene, options);
   std::vector<std::vector<int>> wanted;  // models of one mesh
   std::map<const mesh::Mesh*, std::size_t> number;
   const bool asked = dimensions_features(scene) || std::any_of(scene.views.begin(), scene.views.end(), is_asked);

@@ -23,13 +23,13 @@ void choose_writing(output::VectorOptions& options, std::span<const Target> targ
   if (!options.decimals) {
     output::VectorOptions tried = options;
     tried.dpi = 1e9;  // the other choice is not to count
-    for (tried.decimals = 1; *tried.decimals < output::most_decimals && !holds(tried);) ++*tried.decimals;
+    for (tried.decimals = 1; *tried.decimals < output::max_decimals && !holds(tried);) ++*tried.decimals;
     options.decimals = tried.decimals;
   }
   if (!options.dpi) {
-    constexpr double most_dpi = 1200;
+    constexpr double max_dpi = 1200;
     const double needed = 25.4 / std::numbers::sqrt2 / allowed;
-    options.dpi = std::clamp(std::ceil(needed), output::usual_dpi, most_dpi);
+    options.dpi = std::clamp(std::ceil(needed), output::usual_dpi, max_dpi);
   }
 }
 

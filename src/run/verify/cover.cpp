@@ -84,9 +84,9 @@ struct DepthRange {
 template <class N>
 std::optional<bool> within_limits(const Sight<N>& sight, const DepthRange& c, double error) {
   bool all = true;
-  const auto respect = [&](double inside_least, double inside_most, double slack) {
-    if (inside_most < -slack) return false;
-    if (!(inside_least > slack)) all = false;
+  const auto respect = [&](double inside_min, double inside_max, double slack) {
+    if (inside_max < -slack) return false;
+    if (!(inside_min > slack)) all = false;
     return true;
   };
   if (sight.nearest) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t rays_at_once = 4096;
 // Area of the square of rays, whose total is 4, that may stay uncovered where triangles join.
-constexpr double least_gap = 0.01;
+constexpr double min_gap = 0.01;
 
 struct Met {
   int probe;
@@ -44,7 +44,7 @@ bool covered(const world::World& world, const std::vector<Portion>& portions) {
   std::map<int, std::vector<ConvexPolygon>> parts;
   const std::vector<int> part = connected_parts(world, portions);
   for (std::size_t i = 0; i < portions.size(); ++i) parts[part[i]].push_back(portions[i].corner);
-  return std::ranges::any_of(parts, [](const auto& one) { return uncovered(one.second) < least_gap; });
+  return std::ranges::any_of(parts, [](const auto& one) { return uncovered(one.second) < min_gap; });
 }
 
 class Judge {
@@ -112,7 +112,7 @@ class Judge {
       auto portion = lookouts_[probe].look(corners, triangle, input_.joined(edge, triangle));
       if (!portion) return;
       if (!portion->in_front) return doubted_[probe].store(true, std::memory_order_relaxed);
-      if (uncovered({portion->corner}) < least_gap) settled_[probe].store(true, std::memory_order_relaxed);
+      if (uncovered({portion->corner}) < min_gap) settled_[probe].store(true, std::memory_order_relaxed);
       met.push_back({probe, std::move(*portion)});
     });
   }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t chunk = 4096;
 // Sine of the angle between ink and line above which the position of their crossing is known well enough.
-constexpr double least_sine = 0.05;
+constexpr double min_sine = 0.05;
 
 bool lies_on_both_sides(const ScanLine& line, PageShape shape) {
   double min = HUGE_VAL, max = -HUGE_VAL;
@@ -103,7 +103,7 @@ LineFindings LineScan::judge(const ScanLine& line, const MetByLine& met, std::sp
   for (const int segment : segments) {
     if (scene_.is_hidden_by_facets(edge_of(segment))) continue;
     const auto cut = cut_of(line, this->segment(segment), segment);
-    if (cut && std::abs(cut->u) <= line.reach && cut->sine >= least_sine && window_.contains(line.position(cut->u)))
+    if (cut && std::abs(cut->u) <= line.reach && cut->sine >= min_sine && window_.contains(line.position(cut->u)))
       cuts.push_back(*cut);
   }
   std::ranges::sort(cuts,

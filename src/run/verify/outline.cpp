@@ -15,11 +15,11 @@ namespace epura::verify {
 namespace {
 
 constexpr int directions = 16;
-constexpr double least_lines = 128, most_lines = 2048;
+constexpr double min_lines = 128, max_lines = 2048;
 // Limit on how many triangles the lines cut in total: this multiple of the number of triangles in the world, plus a
 // constant.
 constexpr double hits_per_triangle = 16, free_hits = 1 << 20;
-constexpr std::size_t most_told = 10;
+constexpr std::size_t max_told = 10;
 
 constexpr std::array names{"missing", "unfounded", "doubled"};
 
@@ -92,11 +92,11 @@ Scanned scan_page(const OutlineScan& on) {
   Scanned found;
   const double size = glm::distance(on.window.min, on.window.max);
   const double ink = std::max(on.scan.length_of_ink(), size);
-  double lines = std::clamp(on.options.samples * std::numbers::pi * size / (2 * ink), least_lines,
-                            std::max(most_lines, static_cast<double>(on.options.samples)));
+  double lines = std::clamp(on.options.samples * std::numbers::pi * size / (2 * ink), min_lines,
+                            std::max(max_lines, static_cast<double>(on.options.samples)));
   const double hits = on.scan.perimeter_of_triangles(3 * size) / (std::numbers::pi * size) * lines;
-  const double most_hits = hits_per_triangle * static_cast<double>(on.input.world.triangles.size()) + free_hits;
-  if (hits > most_hits) lines = std::max(static_cast<double>(directions), lines * most_hits / hits);
+  const double max_hits = hits_per_triangle * static_cast<double>(on.input.world.triangles.size()) + free_hits;
+  if (hits > max_hits) lines = std::max(static_cast<double>(directions), lines * max_hits / hits);
   const double distance = size / std::ceil(lines / directions);
   found.check.length = std::numbers::pi * distance / (2 * directions);
   for (int i = 0; i < directions; ++i) {
@@ -137,7 +137,7 @@ std::vector<report::OutlineFault> worst_of(const OutlineScan& on, const std::vec
   for (const Suspect& suspect : suspects)
     if (suspect.length >= on.least) order.push_back(&suspect);
   std::ranges::stable_sort(order, [](const Suspect* a, const Suspect* b) { return a->length > b->length; });
-  order.resize(std::min(order.size(), most_told));
+  order.resize(std::min(order.size(), max_told));
   std::vector<report::OutlineFault> faults;
   for (const Suspect* suspect : order) faults.push_back(fault_of(on, *suspect));
   return faults;

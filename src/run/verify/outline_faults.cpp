@@ -17,7 +17,7 @@ namespace {
 // Numbers of steps along the straight line of a fault: up to the least length that counts, from where it was found;
 // over the whole line; and bisections of both ends.
 constexpr int near_steps = 8, far_steps = 32, halvings = 8;
-constexpr std::ptrdiff_t most_followed = 300;
+constexpr std::ptrdiff_t max_followed = 300;
 constexpr std::size_t lines_at_once = 4096;
 
 ScanWindow window_of(const VerifyInput& input, const OutlineOptions& options, const ScanScene& scene, double reach) {
@@ -135,7 +135,7 @@ void Suspects::add(const Suspect& found) {
 
 std::vector<Suspect> followed(const OutlineScan& on, std::vector<Suspect> suspects) {
   std::ranges::stable_sort(suspects, {}, [](const Suspect& s) { return -s.met; });
-  const auto count = static_cast<std::size_t>(std::min(std::ssize(suspects), most_followed));
+  const auto count = static_cast<std::size_t>(std::min(std::ssize(suspects), max_followed));
   std::vector<Step> all;
   for (std::size_t i = 0; i < count; ++i)
     for (const double at : steps_along(suspects[i], on.least)) all.push_back({i, at});
@@ -158,10 +158,10 @@ std::vector<Suspect> followed(const OutlineScan& on, std::vector<Suspect> suspec
 
 std::vector<char> are_faults(const OutlineScan& on, const std::vector<Suspect>& followed) {
   const auto is_long = [&](const Suspect& s) { return s.length >= on.least; };
-  const bool most_are_wrong = 2 * std::ranges::count_if(followed, is_long) > most_followed;
+  const bool max_are_wrong = 2 * std::ranges::count_if(followed, is_long) > max_followed;
   std::vector<char> faults;
   for (std::ptrdiff_t i = 0; i < std::ssize(followed); ++i)
-    faults.push_back(is_long(followed[i]) || (i >= most_followed && most_are_wrong) ? 1 : 0);
+    faults.push_back(is_long(followed[i]) || (i >= max_followed && max_are_wrong) ? 1 : 0);
   return faults;
 }
 

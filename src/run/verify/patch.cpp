@@ -9,7 +9,7 @@ namespace epura::verify {
 namespace {
 
 // Pieces with a smaller area are due to rounding.
-constexpr double least_area = 1e-9;
+constexpr double min_area = 1e-9;
 
 double signed_area(const ConvexPolygon& polygon) {
   double sum = 0;
@@ -37,9 +37,9 @@ void subtract(ConvexPolygon piece, const ConvexPolygon& cover, std::vector<Conve
   for (std::size_t i = 0; i < cover.size(); ++i) {
     const Vec2& a = cover[i];
     const Vec2& b = cover[(i + 1) % cover.size()];
-    if (glm::distance(a, b) < least_area) continue;
+    if (glm::distance(a, b) < min_area) continue;
     ConvexPolygon outside = side_of(piece, a, b, -sign);
-    if (std::abs(signed_area(outside)) > least_area) rest.push_back(std::move(outside));
+    if (std::abs(signed_area(outside)) > min_area) rest.push_back(std::move(outside));
     piece = side_of(piece, a, b, sign);
   }
 }
@@ -49,7 +49,7 @@ void subtract(ConvexPolygon piece, const ConvexPolygon& cover, std::vector<Conve
 double uncovered(const std::vector<ConvexPolygon>& polygons) {
   std::vector<ConvexPolygon> pieces{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   for (const ConvexPolygon& polygon : polygons) {
-    if (std::abs(signed_area(polygon)) <= least_area) continue;
+    if (std::abs(signed_area(polygon)) <= min_area) continue;
     std::vector<ConvexPolygon> rest;
     for (ConvexPolygon& piece : pieces) subtract(std::move(piece), polygon, rest);
     pieces = std::move(rest);

@@ -22,8 +22,8 @@ namespace {
 constexpr int steps = 256;
 // A surface rises over a facet by an eighth of the facet's height times its turn to the next one; facets of unequal
 // height, and two directions in which it bends, take less than the rest.
-constexpr double most_rises = 8;
-constexpr std::size_t most_listed = 10;
+constexpr double max_rises = 8;
+constexpr std::size_t max_listed = 10;
 
 using Shape = std::array<Vec2, 3>;
 
@@ -87,7 +87,7 @@ class Facets {
       room.shapes.push_back(*shape);
       rise = std::max(rise, rise_over(t));
     }
-    room.beside = most_rises * rise * page_per_length(point(edge.vertex[0]));
+    room.beside = max_rises * rise * page_per_length(point(edge.vertex[0]));
     return room;
   }
 
@@ -214,7 +214,7 @@ void add_stray_contours(const VerifyInput& input, const Tolerance& tolerance, re
     check.worst.push_back(*fault);
   }
   std::ranges::stable_sort(check.worst, std::greater{}, &report::OutlineFault::length);
-  check.worst.resize(std::min(check.worst.size(), most_listed));
+  check.worst.resize(std::min(check.worst.size(), max_listed));
   if (check.wrong() > 0) check.at_most = greatest_share(check.wrong(), check.asked + check.ink, stated_confidence);
 }
 

@@ -14,7 +14,7 @@ namespace epura::verify {
 
 namespace {
 
-constexpr std::size_t most_offences = 10;
+constexpr std::size_t max_offences = 10;
 // Number of steps over the least guaranteed length in which the length of a wrong span is measured.
 constexpr int steps = 8;
 
@@ -167,19 +167,19 @@ class Verifier {
     result.strata = population_.strata;
     result.length = population_.length;
     int wrong = 0;
-    double tested = 0, most_weight = 0;
+    double tested = 0, max_weight = 0;
     for (const report::Stratum& stratum : result.strata) {
       const double share = stratum.length / result.length;
       tested += share;
       result.undecided += share * stratum.undecided / stratum.samples;
       result.misclassified += share * stratum.wrong / stratum.samples;
-      most_weight = std::max(most_weight, share / stratum.samples);
+      max_weight = std::max(max_weight, share / stratum.samples);
       result.samples += stratum.samples;
       wrong += stratum.wrong;
     }
     if (result.samples == 0) return;
     result.untested = std::max(0.0, 1 - tested);
-    const double weight = most_weight * result.samples;
+    const double weight = max_weight * result.samples;
     result.at_most = std::min(1.0, weight * greatest_share(wrong, result.samples, stated_confidence));
   }
 
@@ -190,7 +190,7 @@ class Verifier {
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
       return population_.length_of(span_of(a)) > population_.length_of(span_of(b));
     });
-    order.resize(std::min(order.size(), most_offences));
+    order.resize(std::min(order.size(), max_offences));
     std::vector<report::Mismatch> offences;
     for (const std::size_t i : order) offences.push_back(offence_of(i));
     return offences;

@@ -27,7 +27,7 @@ double fold_at(const world::World& world, int model, const mesh::MeshEdge& edge)
 // How far the smooth surface rises over its facets where the view shows them as an outline: the mean along it, mm. A
 // chord of length l at whose ends the surface turns by an angle a is about l a / 8 below it.
 double mean_rise(const ViewInput& input, const drawing::ViewDrawing& drawing, int model) {
-  constexpr double least_outline = 20;  // mm
+  constexpr double min_outline = 20;  // mm
   double length = 0, sum = 0;
   for (const drawing::Segment& segment : drawing.segments) {
     if (segment.model != model || !segment.visible || is_link(segment) || segment.kind != EdgeKind::contour) continue;
@@ -40,7 +40,7 @@ double mean_rise(const ViewInput& input, const drawing::ViewDrawing& drawing, in
     sum += chord * chord * fold * std::numbers::pi / 180 / 8;
   }
   check(std::isfinite(sum), "lines on paper are finite");
-  return length < least_outline ? 0 : sum / length;
+  return length < min_outline ? 0 : sum / length;
 }
 
 bool is_rounded(const scene::ModelDescription& model) {
@@ -57,7 +57,7 @@ CoarseMeshes::CoarseMeshes(const scene::SceneDescription& scene, PartsByModel& p
 
 void CoarseMeshes::look(const ViewInput& input, const drawing::ViewDrawing& drawing, const Progress& progress) {
   constexpr double visible_rise = 0.1;  // mm
-  constexpr int most_triangles = 50'000, most_bodies = 20;
+  constexpr int max_triangles = 50'000, max_bodies = 20;
   const edges::EdgeOptions& edges = input.options.edges;
   if (input.section != nullptr || input.options.wireframe || wants_mesh(edges)) return;
   for (int model = 0; model < static_cast<int>(input.world.models.size()); ++model) {
@@ -65,7 +65,7 @@ void CoarseMeshes::look(const ViewInput& input, const drawing::ViewDrawing& draw
     const int number = input.world.number_in_scene(model);
     const scene::ModelDescription& description = scene_.models[static_cast<std::size_t>(number)];
     if (placed.part != nullptr || description.surfaces.value_or(Surfaces::automatic) == Surfaces::mesh ||
-        placed.mesh->triangle_count() > most_triangles || placed.mesh->report.bodies > most_bodies)
+        placed.mesh->triangle_count() > max_triangles || placed.mesh->report.bodies > max_bodies)
       continue;
     const bool is_angular = !is_rounded(description) && mean_rise(input, drawing, model) >= visible_rise;
     if (!(is_angular || edges.smooth) || is_part(number, *placed.mesh, progress)) continue;
@@ -79,14 +79,14 @@ void CoarseMeshes::look(const ViewInput& input, const drawing::ViewDrawing& draw
 
 // Views of outlines alone do not need the faces of parts, so that they are not known yet.
 bool CoarseMeshes::is_part(int model, const mesh::Mesh& mesh, const Progress& progress) {
-  constexpr double least_recognised = 0.3;  // of the area
+  constexpr double min_recognised = 0.3;  // of the area
   constexpr double part_of_the_time = 0.1;
   const auto known = parts_.find(model);
   if (known != parts_.end()) return known->second;
   bool is_part = true;
   try {
     const Progress limited = progress.with_part_of_the_time(part_of_the_time);
-    is_part = surfaces::recognise_faces(mesh, {}, limited).recognised >= least_recognised;
+    is_part = surfaces::recognise_faces(mesh, {}, limited).recognised >= min_recognised;
   } catch (const OutOfTime&) {
     // Nothing is said without knowing.
   }

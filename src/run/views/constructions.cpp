@@ -236,7 +236,7 @@ bool is_sharp(const world::World& world, std::size_t model, const mesh::MeshEdge
 
 // Where three sharp edges meet, or two at an angle: the corners of flat faces, not the vertices of round edges.
 std::vector<Vec3> corners_of(const world::World& world) {
-  constexpr double least_turn = 0.7;  // sine of 45 degrees
+  constexpr double min_turn = 0.7;  // sine of 45 degrees
   std::vector<Vec3> corners;
   for (std::size_t model = 0; model < world.models.size(); ++model) {
     std::map<int, std::vector<Vec3>> directions;
@@ -249,7 +249,7 @@ std::vector<Vec3> corners_of(const world::World& world) {
       directions[b].push_back(-glm::normalize(along));
     }
     for (const auto& [vertex, all] : directions)
-      if (all.size() > 2 || (all.size() == 2 && glm::length(glm::cross(all[0], all[1])) > least_turn))
+      if (all.size() > 2 || (all.size() == 2 && glm::length(glm::cross(all[0], all[1])) > min_turn))
         corners.push_back(point_of(world, static_cast<int>(model), vertex));
   }
   return corners;

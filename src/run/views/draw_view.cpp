@@ -112,7 +112,7 @@ drawing::CurveReport curves_of(const ViewOptions& options, const world::World& w
   if (options.max_error) {
     const double part = row_of(report::ErrorTerm::curves).share * *options.max_error;
     limits.tolerance = std::min(limits.tolerance, part / 4);
-    limits.most_rise = 0.75 * part;
+    limits.max_rise = 0.75 * part;
   }
   return drawing::draw_exactly(world, drawing, limits, progress);
 }
@@ -265,7 +265,7 @@ void ViewRun::find_edges() {
   Candidates candidates = known != nullptr ? Candidates{{}, known->step} : find_candidates_in_time();
   try {
     edges::EdgeOptions options = options_.edges;
-    options.thread_depth = options_.least_thread / (input_.place.scale * view_.projection.scale);
+    options.thread_depth = options_.min_thread / (input_.place.scale * view_.projection.scale);
     const auto find = [&](const auto& crossing) {
       return edges::find_feature_edges(input_.world, view_, options, crossing, budget_.lines);
     };

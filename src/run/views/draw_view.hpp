@@ -49,7 +49,7 @@ struct ViewOptions {
   drawing::Breaks breaks{};  ///< left out, in units and from the origin of view::drawn_box
   double join_within = 0.1;  ///< mm on paper; lines this close along each other are merged, 0: all are drawn
   double least_crease = 0;   ///< mm on paper; shorter creases that meet no other line are left out
-  double least_thread = 1;   ///< mm on paper between the lines of crests and roots of threads
+  double min_thread = 1;     ///< mm on paper between the lines of crests and roots of threads
   Shortcuts leave_out{};
 
   /// Whether the hidden lines of some model are drawn.

@@ -11,7 +11,7 @@ namespace epura::pipeline {
 
 namespace {
 
-constexpr std::size_t most_named = 8;
+constexpr std::size_t max_named = 8;
 
 std::string format_point(const Vec3& p) {
   return format_rounded(p.x, 6) + "," + format_rounded(p.y, 6) + "," + format_rounded(p.z, 6);
@@ -40,7 +40,7 @@ void warn_about(const Messages& messages, const CutSection& section, const cut::
 template <class Found>
 void warn_about_some(const Messages& messages, const CutSection& section, const std::vector<Found>& found,
                      const std::string& rest) {
-  const std::size_t named = std::min(most_named, found.size());
+  const std::size_t named = std::min(max_named, found.size());
   for (std::size_t i = 0; i < named; ++i) warn_about(messages, section, found[i]);
   if (named < found.size()) messages.warn("... and " + std::to_string(found.size() - named) + rest);
 }

@@ -25,7 +25,7 @@ using report::ErrorTerm;
 // The error of a few rounded operations, relative to their results: 2^-50.
 constexpr double rounding = 8.8817841970012523e-16;
 // Below the sine of a ten-thousandth of a degree, facets do not tell where two surfaces cross.
-constexpr double least_sine = 2e-6;
+constexpr double min_sine = 2e-6;
 
 /// What distances become on paper.
 class Judge {
@@ -217,7 +217,7 @@ class Judge {
     const Vec3 a = normal_of(one), b = normal_of(other);
     const double lengths = glm::length(a) * glm::length(b);
     if (!(lengths > 0) || (h == 0 && k == 0)) return 0;
-    const double sine = std::max(least_sine, glm::length(glm::cross(a, b)) / lengths);
+    const double sine = std::max(min_sine, glm::length(glm::cross(a, b)) / lengths);
     return std::sqrt(h * h + k * k + 2 * h * k * std::abs(glm::dot(a, b)) / lengths) / sine;
   }
 

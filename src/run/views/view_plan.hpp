@@ -35,7 +35,7 @@ struct EpuraViews {
 
 /// How a sheet is to be laid out as far as the scene leaves that open.
 struct LayoutWish {
-  int least_size = 0;                  ///< from which "auto" chooses, of its sizes in ascending order
+  int min_size = 0;                    ///< from which "auto" chooses, of its sizes in ascending order
   std::optional<double> kept_scale{};  ///< instead of the largest one
   double room_share = 1;               ///< of what is estimated as room for dimensions
 };

@@ -82,13 +82,13 @@ std::optional<StrokeArc> arc_through(const std::vector<Vec2>& corners) {
 }  // namespace
 
 sheet::Stroke with_arcs(sheet::Stroke stroke) {
-  constexpr int least_pieces = 4;
+  constexpr int min_pieces = 4;
   const int count = static_cast<int>(stroke.points.size());
-  if (!stroke.curves.empty() || count <= least_pieces) return stroke;
+  if (!stroke.curves.empty() || count <= min_pieces) return stroke;
   const auto point = [&](int i) { return stroke.points[static_cast<std::size_t>((i % count + count) % count)]; };
-  const auto window = [](int first, int most) { return std::min(first + least_pieces, most); };
+  const auto window = [](int first, int most) { return std::min(first + min_pieces, most); };
   const auto fit = [&](int first, int last) -> std::optional<StrokeArc> {
-    if (last - first < least_pieces || last - first > count) return std::nullopt;
+    if (last - first < min_pieces || last - first > count) return std::nullopt;
     std::vector<Vec2> corners;
     for (int i = first; i <= last; ++i) corners.push_back(point(i));
     return arc_through(corners);

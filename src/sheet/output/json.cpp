@@ -91,8 +91,8 @@ void append_segment(std::string& text, const drawing::ViewDrawing& drawing, cons
 
 void append_segments(std::string& text, const drawing::ViewDrawing& drawing, const Progress& progress) {
   const std::vector<drawing::Segment>& segments = drawing.segments;
-  constexpr std::size_t at_once = 4096, most_bytes = 512;
-  text.reserve(text.size() + most_bytes * segments.size());  // untouched memory costs nothing
+  constexpr std::size_t at_once = 4096, max_bytes = 512;
+  text.reserve(text.size() + max_bytes * segments.size());  // untouched memory costs nothing
   text += '[';
   append_in_order(text, (segments.size() + at_once - 1) / at_once, progress, [&](std::size_t part, std::string& lines) {
     for (std::size_t i = part * at_once; i < std::min((part + 1) * at_once, segments.size()); ++i) {

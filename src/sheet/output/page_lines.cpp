@@ -133,13 +133,13 @@ bool draws_edges(const sheet::Layer& layer) {
 }
 
 bool is_large(const sheet::Sheet& sheet) {
-  constexpr std::size_t most_lines = 20000, most_points = 400000;
+  constexpr std::size_t max_lines = 20000, max_points = 400000;
   std::size_t lines = 0, points = 0;
   for (const sheet::Layer& layer : sheet.layers) {
     lines += layer.strokes.size();
     for (const sheet::Stroke& stroke : layer.strokes) points += stroke.points.size();
   }
-  return lines > most_lines || points > most_points;
+  return lines > max_lines || points > max_points;
 }
 
 std::string packed_lines(const sheet::Sheet& sheet, bool plain, const Progress& progress) {

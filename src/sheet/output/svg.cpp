@@ -304,7 +304,7 @@ void append_document(std::string& svg, const sheet::Sheet& sheet, const VectorOp
   const std::vector<const sheet::Layer*> layers = by_view(sheet);
   // Untouched memory costs nothing, but moving a long text does.
   std::size_t max = 0;
-  for (const sheet::Layer* layer : layers) max += most_bytes(*layer);
+  for (const sheet::Layer* layer : layers) max += max_bytes(*layer);
   svg.reserve(svg.size() + max);
   std::string width, height;
   append_millimetres(width, sheet.width);

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t points_at_once = 2048;
 // About 80 kB: libxml2 and programs based on it refuse files above 10 MB with attributes of some 100 kB.
-constexpr std::size_t most_points_of_path = 4000;
+constexpr std::size_t max_points_of_path = 4000;
 
 std::string dash_array(const sheet::Stroke& stroke) {
   if (stroke.pattern.empty()) return output::dash_array(stroke.dashes);
@@ -49,12 +49,12 @@ void split_long_paths(std::vector<Part>& parts) {
     end = std::find_if(begin, parts.end(), [&](const Part& part) { return part.path != begin->path; });
     std::size_t points = 0;
     for (auto part = begin; part != end; ++part) points += part->stroke->points.size();
-    if (points > most_points_of_path)
+    if (points > max_points_of_path)
       std::stable_partition(begin, end, [](const Part& part) { return part.stroke->closed; });
     points = 0;
     for (auto part = begin; part != end; ++part) {
       points += part->stroke->points.size();
-      if (points > most_points_of_path && !part->stroke->closed) {
+      if (points > max_points_of_path && !part->stroke->closed) {
         points = part->stroke->points.size();
         ++added;
       }
@@ -193,7 +193,7 @@ std::optional<int> common_model(const sheet::Layer& layer) {
   return common;
 }
 
-std::size_t most_bytes(const sheet::Layer& layer) {
+std::size_t max_bytes(const sheet::Layer& layer) {
   constexpr std::size_t of_head = 120, of_edge = 24, of_point = 32;
   std::size_t bytes = 0;
   for (const sheet::Stroke& stroke : layer.strokes)

@@ -33,7 +33,7 @@ std::string dash_array(const sheet::Dashes& dashes);
 std::optional<int> common_model(const sheet::Layer& layer);
 
 /// Upper estimate of the number of bytes that append_paths appends.
-std::size_t most_bytes(const sheet::Layer& layer);
+std::size_t max_bytes(const sheet::Layer& layer);
 
 /// Appends one line of text for each stroke; in a plain document, for each dash pattern. The ids are the prefix and a
 /// number, counted from `first_line`. Throws OutOfTime.

@@ -67,6 +67,6 @@ struct VectorOptions {
 std::string checked_id_prefix(std::string prefix, const std::string& where);
 
 inline constexpr double usual_dpi = 300;
-inline constexpr int usual_decimals = 4, most_decimals = 5;
+inline constexpr int usual_decimals = 4, max_decimals = 5;
 
 }  // namespace epura::output

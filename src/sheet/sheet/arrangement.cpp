@@ -18,11 +18,11 @@ namespace {
 
 using Spots = std::vector<ViewSpot>;
 
-// Least size of pictorial views relative to the others; `least_share` applies if the others would lose too much
+// Least size of pictorial views relative to the others; `min_share` applies if the others would lose too much
 // otherwise.
-constexpr double good_share = 0.4, least_share = 0.1;
+constexpr double good_share = 0.4, min_share = 0.1;
 // 2^14: more than ten thousand times smaller than what would fit with nothing in the way.
-constexpr int most_halvings = 14;
+constexpr int max_halvings = 14;
 constexpr double rounding = 1e-9;
 // Views are not aligned beside others if the rest could be more than this larger.
 constexpr double cost_of_alignment = 1.9;
@@ -34,7 +34,7 @@ std::optional<double> largest_that(double max, bool standard, const std::functio
   double fitting = standard ? standard_scale_up_to(max) : max;
   double too_large = fitting;
   for (int i = 0; !fits(fitting); ++i) {
-    if (i == most_halvings) return std::nullopt;
+    if (i == max_halvings) return std::nullopt;
     too_large = fitting;
     fitting = standard ? standard_scale_up_to(fitting * 0.99) : fitting / 2;
   }
@@ -53,7 +53,7 @@ struct Found {
 };
 
 std::optional<Found> at_fixed_scale(const Arranger& arranger, double scale) {
-  auto spots = arranger.arranged(scale, least_share);
+  auto spots = arranger.arranged(scale, min_share);
   if (!spots) return std::nullopt;
   return Found{scale, arranger.balanced(*spots)};
 }
@@ -63,7 +63,7 @@ std::optional<Found> at_free_scale(const Arranger& arranger, bool standard, doub
   double max = arranger.largest_scale();
   if (!std::isfinite(max)) max = otherwise;
   std::optional<Found> found;
-  for (const double share : {least_share, good_share}) {
+  for (const double share : {min_share, good_share}) {
     const auto fits = [&](double scale) { return arranger.arranged(scale, share).has_value(); };
     const auto scale = largest_that(max, standard, fits);
     if (!scale || (found && *scale < good_share * found->scale)) break;

@@ -94,7 +94,7 @@ double add_cell(Callout& callout, const scene::FrameCell& cell, double left, con
   return left + width;
 }
 
-constexpr double short_arm = 1.4, least_arm = 3;
+constexpr double short_arm = 1.4, min_arm = 3;
 const double slope = 1 / std::sqrt(3.0);  // arms are at 60 degrees to the surface
 
 // The basic symbol in brackets: other symbols on the sheet say what else is required. Returns the right end.
@@ -103,8 +103,8 @@ double add_others(Callout& callout, double left, const DimensionStyle& style) {
   const double h = style.text, wide = style.lettering.width("(", bracket * h);
   const Vec2 tip(left + h + wide + short_arm * slope * h, 0);
   callout.strokes.emplace_back().points = {tip + short_arm * h * Vec2(-slope, 1), tip,
-                                           tip + least_arm * h * Vec2(slope, 1)};
-  const double right = tip.x + least_arm * slope * h + wide;
+                                           tip + min_arm * h * Vec2(slope, 1)};
+  const double right = tip.x + min_arm * slope * h + wide;
   callout.texts.push_back({"(", {left + h, h / 2}, bracket * h, 0, Align::left, "texture"});
   callout.texts.push_back({")", {right, h / 2}, bracket * h, 0, Align::right, "texture"});
   return right;
@@ -190,7 +190,7 @@ Callout datum_frame(const scene::DatumFeature& datum, const DimensionStyle& styl
 // ISO 1302, annex A: the short arm is 1.4 h high, the long one 3 h or as high as its texts.
 double height_of(const scene::SurfaceTexture& texture) {
   const double lines = static_cast<double>(texture.lines.size());
-  const double arm = std::max(least_arm, 2 * short_arm + std::max(lines - 1, 0.0) * line_step);
+  const double arm = std::max(min_arm, 2 * short_arm + std::max(lines - 1, 0.0) * line_step);
   return arm + (texture.process.empty() ? 0 : above_frame + 1);
 }
 

@@ -84,14 +84,14 @@ std::vector<Spot> spots_along(const Callout& callout, const Vec2& along, double 
 
 // Where a perpendicular leader would cross lettering, that of a datum bends at the tip of its triangle.
 void add_bent_datums(std::vector<Spot>& spots, const Callout& callout, double length, double text_height) {
-  constexpr double for_bend = 20, least_rise = 0.2;  // mm; along the normal
+  constexpr double for_bend = 20, min_rise = 0.2;  // mm; along the normal
   const Vec2 target = callout.target->point, normal = *callout.target->normal;
   for (const double sign : {1.0, -1.0}) {
     if (sign < 0 && callout.target->is_border) continue;
     const Vec2 tip = target + sign * triangle * text_height * normal;
     for (int degrees = 15; degrees < 360; degrees += 15) {
       const Vec2 along = turned_to(degrees * std::numbers::pi / 180);
-      if (degrees % 90 == 0 || sign * glm::dot(along, normal) < least_rise) continue;
+      if (degrees % 90 == 0 || sign * glm::dot(along, normal) < min_rise) continue;
       Spot spot = spot_at(callout, tip + length * along, along.x > 0, text_height);
       spot.leader.insert(spot.leader.begin() + 1, tip);
       spot.cost = length + for_bend;

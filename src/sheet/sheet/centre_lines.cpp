@@ -28,12 +28,12 @@ namespace epura::sheet {
 namespace {
 
 constexpr double past_rim = 3;                // mm
-constexpr double least_diameter = 3;          // mm
+constexpr double min_diameter = 3;            // mm
 constexpr double shortest_piece = 1;          // mm, of the pieces that other lines leave
 constexpr double same_axis_place = 0.02;      // mm
 constexpr double short_of_end = 0.75;         // mm, by which facets of a rim may fall short of its circle
 constexpr double same_axis_direction = 1e-4;  // radians
-constexpr double least_opening = 0.25;        // part of a rim that is seen
+constexpr double min_opening = 0.25;          // part of a rim that is seen
 constexpr double whole_opening = 0.95;
 
 /// A piece of the line at offset * normal along the direction of `angle`; the normal is 90 degrees further.
@@ -261,7 +261,7 @@ struct Marks {
 // The axis of a feature that is seen only through its ends, where it passes through openings: `seen` is by ring.
 void add_in_openings(Marks& marks, const std::vector<SeenCircle>& rings, const std::vector<SeenRim>& seen) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
-    if (seen[i].turn < least_opening) continue;
+    if (seen[i].turn < min_opening) continue;
     const Vec2 along = glm::normalize(rings[i].axis);
     Piece piece = piece_about(rings[i].centre, along, rings[i].reach(along) + past_rim);
     if (seen[i].turn < whole_opening) {
@@ -352,7 +352,7 @@ void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const SeenFeatu
   }
 }
 
-bool is_small(std::span<const SeenCircle> rings) { return 2 * largest_of(rings).radius() < least_diameter; }
+bool is_small(std::span<const SeenCircle> rings) { return 2 * largest_of(rings).radius() < min_diameter; }
 
 Marks marks_of(const CentredView& view) {
   const SeenFeatures seen(view.drawing, view.styles);

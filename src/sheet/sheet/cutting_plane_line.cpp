@@ -24,7 +24,7 @@ constexpr double wide_end = 1.4;
 constexpr double arrow_length = 2, head_length = 0.7;
 constexpr double letter_gap = 0.3;
 constexpr double wide_turn = 0.7;
-constexpr double most_outer_corner = 3;    // half widths of the line
+constexpr double max_outer_corner = 3;     // half widths of the line
 constexpr double seen_edge_on = 1e-9;      // radians
 constexpr double past_dividing = 3;        // mm; ISO 128-2: centre lines end past the outline
 constexpr double on_dividing_line = 0.05;  // mm
@@ -147,7 +147,7 @@ void add_turn(Layer& layer, const Trace& trace, std::size_t corner, const LineWi
   const Vec2 &in = trace.legs[corner - 1], &out = trace.legs[corner];
   // Up to the outer corner, unless that is far away: the tangent of half the turn.
   const double tangent = std::abs(cross(in, out)) / (1 + glm::dot(in, out));
-  const double outer = std::min(tangent, most_outer_corner) * widths.wide / 2;
+  const double outer = std::min(tangent, max_outer_corner) * widths.wide / 2;
   for (const Vec2& other : {trace.corners[corner - 1], trace.corners[corner + 1]}) {
     const Vec2 along = glm::normalize(other - at);
     const double length = std::min(wide, glm::distance(other, at) / 2);
@@ -278,7 +278,7 @@ std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, cons
 std::vector<std::optional<Layer>> cutting_plane_lines(const drawing::ViewDrawing& parent,
                                                       std::span<const cut::CuttingSurface> surfaces,
                                                       const LineWidths& widths) {
-  constexpr int most_rows = 6;
+  constexpr int max_rows = 6;
   // The arrows of the next row clear the letters of the one before.
   const double row = (letter_gap + 1 + letter_gap) * letter_widths * widths.narrow;
   std::vector<std::optional<Layer>> lines;
@@ -286,7 +286,7 @@ std::vector<std::optional<Layer>> cutting_plane_lines(const drawing::ViewDrawing
   for (const cut::CuttingSurface& surface : surfaces) {
     std::optional<Layer> line = cutting_plane_line(parent, surface, widths);
     const auto is_met = [&line](const Marks& other) { return line && do_meet(marks_of(*line), other); };
-    for (int i = 1; i < most_rows && std::any_of(taken.begin(), taken.end(), is_met); ++i)
+    for (int i = 1; i < max_rows && std::any_of(taken.begin(), taken.end(), is_met); ++i)
       line = cutting_plane_line(parent, surface, widths, i * row);
     if (line) taken.push_back(marks_of(*line));
     lines.push_back(std::move(line));

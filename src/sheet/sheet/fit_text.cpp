@@ -114,9 +114,9 @@ FittedText fit_whole_text(std::string_view text, const Vec2& room, double height
 FittedText fit_text(std::string_view text, double width, double height, const Lettering& lettering) {
   const std::string line = in_one_line(valid_utf8(text));
   if (line.empty()) return {{}, height, false};
-  const double least_width = lettering.width(line, standard_heights.back());
+  const double min_width = lettering.width(line, standard_heights.back());
   for (const double h : standard_heights)
-    if (least_width < 1.001 * width && h <= height && lettering.width(line, h) <= width) return {{line}, h, false};
+    if (min_width < 1.001 * width && h <= height && lettering.width(line, h) <= width) return {{line}, h, false};
   return in_two_lines(line, width, standard_heights.back(), lettering);
 }
 

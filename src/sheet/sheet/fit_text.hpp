@@ -14,7 +14,7 @@ namespace epura::sheet {
 inline constexpr double line_spacing = 1.5;
 
 /// Least height of capitals, mm. ISO 3098-1.
-inline constexpr double least_text_height = 1.8;
+inline constexpr double min_text_height = 1.8;
 
 struct FittedText {
   std::vector<std::string> lines;  ///< none for an empty text

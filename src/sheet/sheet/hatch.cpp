@@ -25,15 +25,15 @@ namespace {
 using Ring = std::vector<Vec2>;
 using Line = std::array<Vec2, 2>;
 
-constexpr double least_spacing = 1, most_spacing = 4;
+constexpr double min_spacing = 1, max_spacing = 4;
 constexpr double spacings_a_side = 16;  // along the side of a square
 constexpr double thin_width = 1;
 constexpr double nearest = 0.7;               // parts closer than this touch
 constexpr double shortest_hatch_line = 1e-3;  // mm; shorter hatching lines are omitted
 constexpr double faces_meet = 1e-9;           // mm; rounding between faces that meet
 constexpr double alike_degrees = 10;          // a hatching line within this angle of an outline looks like one
-constexpr double most_alike = 0.3 + 1e-6;     // part of the outlines that may be so, or across; never k/n of n sides
-constexpr double least_ratio = 1.4;           // of two distinguishable spacings
+constexpr double max_alike = 0.3 + 1e-6;      // part of the outlines that may be so, or across; never k/n of n sides
+constexpr double min_ratio = 1.4;             // of two distinguishable spacings
 
 /// In order of preference; the factor applies to the spacing. If the first few do not distinguish a part from its
 /// neighbours by angle, the spacing must.
@@ -300,7 +300,7 @@ double share_along(const Part& part, double angle) {
 }
 
 double spacing_of(const Part& part) {
-  const double spacing = std::clamp(std::sqrt(part.largest) / spacings_a_side, least_spacing, most_spacing);
+  const double spacing = std::clamp(std::sqrt(part.largest) / spacings_a_side, min_spacing, max_spacing);
   // Rounded so that faces of similar size look alike. The limits avoid whole millimetres, where rounding would decide.
   return std::round(spacing * 4 - 1e-6) / 4;
 }
@@ -317,7 +317,7 @@ Hatching hatching_of(const Part& part, const HatchStyle& wish, const std::vector
   const auto spacing_with = [&](const Variant& variant) { return wish.pitch.value_or(variant.factor * spacing); };
   // Hatching lines perpendicular to an outline look like a separate pattern.
   const auto suits = [&](const Variant& variant) {
-    return wish.angle || share_along(part, variant.angle) + share_along(part, variant.angle + 90) <= most_alike;
+    return wish.angle || share_along(part, variant.angle) + share_along(part, variant.angle + 90) <= max_alike;
   };
   const auto differs_by_angle = [&](const Variant& variant) {
     return std::none_of(neighbours.begin(), neighbours.end(),
@@ -326,7 +326,7 @@ Hatching hatching_of(const Part& part, const HatchStyle& wish, const std::vector
   const auto differs = [&](const Variant& variant) {
     return std::none_of(neighbours.begin(), neighbours.end(), [&](const Hatching& there) {
       const double ratio = spacing_with(variant) / there.spacing;
-      return there.angle == angle_of(variant) && ratio < least_ratio && ratio * least_ratio > 1;
+      return there.angle == angle_of(variant) && ratio < min_ratio && ratio * min_ratio > 1;
     });
   };
   const auto usual = variants.begin() + usual_variants;

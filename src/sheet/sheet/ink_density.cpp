@@ -25,9 +25,9 @@ search::CellGrid grid_over(std::span<const drawing::Chain> chains, double side) 
     }
   if (!(min.x <= max.x)) return {Vec2(0), Vec2(side), 1, 1};
   // Ink may lie far outside the paper.
-  constexpr double most_cells = 1024;
+  constexpr double max_cells = 1024;
   const Vec2 size = max - min;
-  const Vec2 sides = glm::max(Vec2(side), size / most_cells);
+  const Vec2 sides = glm::max(Vec2(side), size / max_cells);
   // Offset from lines at round distances: a line along a cell border would count on both sides of it.
   return {min - 0.3 * sides, sides, static_cast<int>(size.x / sides.x) + 2, static_cast<int>(size.y / sides.y) + 2};
 }

@@ -51,10 +51,10 @@ int weight_number(FcPattern* font, const char* property, int otherwise) {
 
 // Higher bits of the number of a face select a variant of a variable font, which FreeType would have to be told.
 bool is_usable(FcPattern* font) {
-  constexpr int most_faces = 0xFFFF;
+  constexpr int max_faces = 0xFFFF;
   return truth_of(font, FC_OUTLINE) && !truth_of(font, FC_COLOR) && !truth_of(font, FC_VARIABLE) &&
          weight_number(font, FC_SLANT, FC_SLANT_ROMAN) == FC_SLANT_ROMAN &&
-         weight_number(font, FC_INDEX, 0) <= most_faces;
+         weight_number(font, FC_INDEX, 0) <= max_faces;
 }
 
 struct Candidate {

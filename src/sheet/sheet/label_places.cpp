@@ -27,8 +27,8 @@ constexpr double not_outwards = 1.5, not_inside = 4;
 constexpr double leader = 3;
 constexpr double on_line = 60;                          // for each line under the label
 constexpr double crossing = 25, crossed_by_leader = 4;  // for each line between the label and its anchor
-constexpr int most_counted = 3;                         // the parts of a curve are many lines
-constexpr int most_rounds = 4, most_attempts = 5;
+constexpr int max_counted = 3;                          // the parts of a curve are many lines
+constexpr int max_rounds = 4, max_attempts = 5;
 
 // From past the corners of the mark to the nearest point of the label.
 std::array<Vec2, 2> tie_between(const Vec2& anchor, const Rectangle& box, double from) {
@@ -106,14 +106,14 @@ double LabelRoom::cost_of(const Label& label, const Candidate& candidate, double
   if (!area_.holds(candidate.box)) return HUGE_VAL;
   const TurnedBox wide = turned_box(candidate.box.grown(clear));
   if (solids_.overlaps(wide) > 0) return HUGE_VAL;
-  double cost = candidate.base + on_line * std::min(lines_.overlaps(wide), most_counted);
+  double cost = candidate.base + on_line * std::min(lines_.overlaps(wide), max_counted);
   if (cost >= bound) return cost;
   const auto [start, end] = tie_between(candidate.anchor, candidate.box, label.from);
   if (start == end) return cost;
   const TurnedBox tie = line_box(start, end);
   if (lettering_.overlaps(tie) > 0) return HUGE_VAL;
   const bool has_leader = needs_leader(candidate.anchor, candidate.box);
-  return cost + (has_leader ? crossed_by_leader : crossing) * std::min(lines_.overlaps(tie), most_counted);
+  return cost + (has_leader ? crossed_by_leader : crossing) * std::min(lines_.overlaps(tie), max_counted);
 }
 
 // The cheapest first, by what they cost apart from what is there.
@@ -162,7 +162,7 @@ std::optional<LabelPlace> LabelRoom::best_place(const Label& label) const {
 
 LabelRoom::Places LabelRoom::placed_in_order(std::span<const Label> labels, std::span<const std::size_t> order) {
   Places places(labels.size());
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     bool moved = false;
     for (const std::size_t i : order) {
       if (places[i]) give_back(*places[i]);
@@ -187,7 +187,7 @@ std::vector<std::optional<LabelPlace>> LabelRoom::place(std::span<const Label> l
   std::iota(order.begin(), order.end(), std::size_t{0});
   Places best;
   auto least = labels.size() + 1;
-  for (int attempt = 0; attempt < most_attempts && least > 0; ++attempt) {
+  for (int attempt = 0; attempt < max_attempts && least > 0; ++attempt) {
     Places places = placed_in_order(labels, order);
     for (const std::optional<LabelPlace>& place : places)
       if (place) give_back(*place);

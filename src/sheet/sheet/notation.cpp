@@ -55,11 +55,11 @@ std::string angle_text(double degrees, const Notation& notation) {
 
 std::string mass_text(double kilograms, DecimalSign sign, double heaviest) {
   constexpr double three_digits = 100;
-  constexpr int most_decimals = 12;
+  constexpr int max_decimals = 12;
   const bool small = heaviest < 0.1;
   const double mass = small ? 1000 * kilograms : kilograms;
   int decimals = 0;
-  for (double least = three_digits; mass < least && decimals < most_decimals; least /= 10) ++decimals;
+  for (double least = three_digits; mass < least && decimals < max_decimals; least /= 10) ++decimals;
   return with_decimal_sign(format_fixed(mass, decimals), sign) + (small ? " g" : " kg");
 }
 

@@ -109,10 +109,10 @@ std::vector<double> pattern_of(const Stroke& stroke) {
 // The dashes of a stroke; the stroke itself if it is continuous.
 std::vector<Stroke> dashes_of(const Stroke& stroke) {
   const std::vector<double> pattern = pattern_of(stroke);
-  constexpr double least_period = 1e-3;  // mm: finer than any pen
+  constexpr double min_period = 1e-3;  // mm: finer than any pen
   double period = 0;
   for (const double length : pattern) period += length;
-  if (!(period > least_period) || stroke.points.size() < 2) return {stroke};
+  if (!(period > min_period) || stroke.points.size() < 2) return {stroke};
   Stroke like = stroke;  // without its form
   like.points.clear();
   like.curves.clear();

@@ -11,7 +11,7 @@ namespace epura::sheet {
 namespace {
 
 constexpr double rounding_of_scales = 1e-12;
-constexpr int least_power = -300, most_power = 300;
+constexpr int min_power = -300, max_power = 300;
 constexpr double largest_ratio = 1e9;  // larger ratios are not written as such
 
 // Correctly rounded, unlike pow: 1:5 is the double nearest to 0.2.
@@ -21,12 +21,12 @@ double by_tens(int digit, int power) { return *parse_number(std::to_string(digit
 
 double standard_scale_up_to(double scale) {
   const double max = scale * (1 + rounding_of_scales);
-  const double power = std::clamp<double>(std::floor(std::log10(max)), least_power, most_power);
+  const double power = std::clamp<double>(std::floor(std::log10(max)), min_power, max_power);
   // The logarithm may be off by one at powers of ten.
-  for (int tens = static_cast<int>(power) + 1; tens >= least_power; --tens)
+  for (int tens = static_cast<int>(power) + 1; tens >= min_power; --tens)
     for (const int digit : {5, 2, 1})
       if (const double standard = by_tens(digit, tens); standard <= max) return standard;
-  return by_tens(1, least_power);
+  return by_tens(1, min_power);
 }
 
 double next_standard_scale(double standard) {

@@ -16,7 +16,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double full_width = 180, least_width = 120;
+constexpr double full_width = 180, min_width = 120;
 constexpr double block_row = 9;  // mm; a caption, and a value with room for descenders
 constexpr double caption_height = 1.8, value_height = 3.5, title_height = 5;
 constexpr double block_padding = 1;  // between lines and text
@@ -216,7 +216,7 @@ class Writer {
   // A drawing is found by its number: all of it is written. ISO 7200.
   FittedText whole_number(double width, double height) {
     FittedText text = fit_whole_text(value_of(block_, "number"), {width, height}, value_height, lettering_);
-    if (text.height < least_text_height)
+    if (text.height < min_text_height)
       drawn_.warnings.push_back("the identification number needs letters of " + format_fixed(text.height, 1) +
                                 " mm, smaller than those of ISO 3098\n  hint: shorten it");
     return text;
@@ -250,10 +250,10 @@ class Writer {
 
 std::optional<Rectangle> box_of_cell(const Content& content, const Paper& paper) {
   const Rectangle area = drawing_area(paper);
-  const double width = std::min(full_width, area.size().x), most_height = area.size().y / 2;
-  if (width < least_width || content.height > most_height) return std::nullopt;
-  const auto most_rows = static_cast<std::size_t>((most_height - content.height) / block_row);
-  const std::size_t rows = std::min(rows_for(content.free.size()), most_rows);
+  const double width = std::min(full_width, area.size().x), max_height = area.size().y / 2;
+  if (width < min_width || content.height > max_height) return std::nullopt;
+  const auto max_rows = static_cast<std::size_t>((max_height - content.height) / block_row);
+  const std::size_t rows = std::min(rows_for(content.free.size()), max_rows);
   const Vec2 corner(area.max.x - width, area.min.y);
   return Rectangle{corner, corner + Vec2(width, content.height + cell_height_of(rows))};
 }

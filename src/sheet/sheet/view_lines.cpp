@@ -244,9 +244,9 @@ void draw_chain(Stroke* strokes, const ChainPlan& plan, const ChainsToDraw& all,
 std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains, const drawing::ViewDrawing& drawing,
                                          double width, const Progress& progress) {
   if (chains.empty()) return chains;
-  const double least_gap = 2.5 * width, cell = 16 * width;
+  const double min_gap = 2.5 * width, cell = 16 * width;
   // Lines in random directions cross another line 2 / pi times as often as their density suggests (Buffon).
-  const double crowded = std::numbers::pi / 2 / least_gap;
+  const double crowded = std::numbers::pi / 2 / min_gap;
   const InkDensity density(drawing.chains, cell, progress);
   std::vector<char> keep(chains.size(), 0);
   parallel_for(chains.size(), chains_a_part, progress, [&](std::size_t begin, std::size_t end) {

@@ -16,8 +16,8 @@ using scene::ConstructionKind;
 
 // Sizes of the figures, mm.
 constexpr double arm = 24, cube = 26, triangle = 26;
-constexpr double least_baseline = 17, beyond_arc = 1.5;
-constexpr double least_radius = 6, usual_radius = 9, largest_radius = 18, between_arcs = 2.5;
+constexpr double min_baseline = 17, beyond_arc = 1.5;
+constexpr double min_radius = 6, usual_radius = 9, largest_radius = 18, between_arcs = 2.5;
 constexpr double half_text = 2.65;  // of the height of an angle, with a gap
 constexpr double caption_below = 8;
 constexpr double seen_as_point = 1e-9;  // ratio of an axis along the projectors
@@ -61,7 +61,7 @@ std::vector<AxisAngle> angles_between(const std::array<Vec2, 3>& images) {
     for (std::size_t j = 0; j < i; ++j)
       if ((angles[j].tip.x > 0) == (one.tip.x > 0) && (angles[j].tip.y > 0) == (one.tip.y > 0))
         one.radius = std::min(one.radius, angles[j].radius - between_arcs);
-    one.radius = std::max(one.radius, least_radius);
+    one.radius = std::max(one.radius, min_radius);
   }
   std::reverse(angles.begin(), angles.end());
   return angles;
@@ -79,7 +79,7 @@ void add_angles(Figure& key, const std::array<Vec2, 3>& images) {
     const double reach = angle.radius + beyond_arc;
     if (reach > glm::length(angle.tip)) key.lines.push_back({angle.tip, glm::normalize(angle.tip) * reach});
     double& baseline = baselines[angle.tip.x > 0 ? 1 : 0];
-    baseline = std::max({baseline, least_baseline, reach});
+    baseline = std::max({baseline, min_baseline, reach});
   }
   if (baselines[0] > 0) key.lines.push_back({{0, 0}, {-baselines[0], 0}});
   if (baselines[1] > 0) key.lines.push_back({{0, 0}, {baselines[1], 0}});

@@ -15,9 +15,9 @@ namespace {
 
 using scene::ConstructionKind;
 
-constexpr double same_point = 1e-6;       // mm
-constexpr std::size_t most_corners = 52;  // more names than that cover the drawing
-constexpr double flat = 1e-9;             // part of a normal's length
+constexpr double same_point = 1e-6;      // mm
+constexpr std::size_t max_corners = 52;  // more names than that cover the drawing
+constexpr double flat = 1e-9;            // part of a normal's length
 
 // A ... Z, AA, AB ...
 std::string letters(std::size_t number) {
@@ -164,11 +164,11 @@ std::string Drafter::name_of(const EpuraPoint& at) {
 void Drafter::name_points() {
   for (const Request& request : requests_) {
     if (request.item.kind == ConstructionKind::corners) {
-      if (models_.corners.size() > most_corners && request.optional) continue;
-      if (models_.corners.size() > most_corners)
+      if (models_.corners.size() > max_corners && request.optional) continue;
+      if (models_.corners.size() > max_corners)
         refuse(request,
                "would name " + std::to_string(models_.corners.size()) + " corners, and a drawing can show " +
-                   std::to_string(most_corners),
+                   std::to_string(max_corners),
                "choose corners by 'point:VERTEX'");
       for (const Vec3& corner : models_.corners) name_of(corner);
     } else if (request.item.kind == ConstructionKind::point) {

@@ -25,7 +25,7 @@ constexpr double axis_length = 0.3;       // of u, v, n
 constexpr double arrow = 0.045;           // length of its head
 constexpr double normalised_size = 0.8;   // of the unit cube
 constexpr double between = 0.35;          // from the set-up to the unit cube
-constexpr double least_room = 0.1;        // of the way from the models to the centre, for the plane
+constexpr double min_room = 0.1;          // of the way from the models to the centre, for the plane
 constexpr double frame_margin = 0.12;     // around the window
 
 Vec3 corner_of(const Box& box, int i) {
@@ -172,7 +172,7 @@ void Builder::place_plane() {
   const bool far = front < -plane_reach * diagonal_ || back > plane_reach * diagonal_;
   if (back > plane_reach * diagonal_)
     made_.plane = back - plane_clearance * diagonal_;
-  else if ((far || (cuts && !in_.keeps_plane)) && room > least_room * diagonal_)
+  else if ((far || (cuts && !in_.keeps_plane)) && room > min_room * diagonal_)
     made_.plane = front + std::min(plane_clearance * diagonal_, room / 2);
   // Along the projectors: by p / (n.p), or towards the centre.
   const double ratio = p_.central ? 1 - made_.plane / projectors_.eye() : 1;

@@ -41,7 +41,7 @@ double rise_over(const Ellipse& e, double from, double step) {
 bool is_even(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
-  return *std::max_element(middle, values.end()) <= most_uneven * *middle;
+  return *std::max_element(middle, values.end()) <= max_uneven * *middle;
 }
 
 double angle_between(const Vec2& a, const Vec2& b) { return portable_atan2(cross(a, b), glm::dot(a, b)); }
@@ -67,7 +67,7 @@ struct Line {
       const double turning = turn(last - 1);
       if (!(turned * turning >= 0) || turning == 0) return last;
       turned += turning;
-      if (last - first >= least_edges_of_arc && std::abs(turned) >= least_turn_of_arc) return last;
+      if (last - first >= min_edges_of_arc && std::abs(turned) >= min_turn_of_arc) return last;
     }
     return max;
   }
@@ -97,9 +97,9 @@ struct Line {
 
 // Returns the fit if the corners lie on the curve in order.
 std::optional<Fit> Line::along(const Ellipse& ellipse, const std::vector<Vec2>& points, bool is_known) const {
-  const double min = is_known ? 0 : std::max(least_radius, least_radius_in_tolerances * tolerance);
+  const double min = is_known ? 0 : std::max(min_radius, min_radius_in_tolerances * tolerance);
   if (!(std::min(glm::length(ellipse.u), glm::length(ellipse.v)) >= min)) return std::nullopt;
-  if (!(std::max(glm::length(ellipse.u), glm::length(ellipse.v)) <= most_radius)) return std::nullopt;
+  if (!(std::max(glm::length(ellipse.u), glm::length(ellipse.v)) <= max_radius)) return std::nullopt;
   const bool circle = glm::length(ellipse.u) == glm::length(ellipse.v);
   Fit fit{ellipse, circle, ellipse.angle_of(points.front()), 0, 0, 0, 0, tolerance};
   std::vector<double> steps, rises;
@@ -110,7 +110,7 @@ std::optional<Fit> Line::along(const Ellipse& ellipse, const std::vector<Vec2>& 
     if (i == 0) continue;
     const double angle = ellipse.angle_of(points[i]);
     const double step = std::remainder(angle - previous, 2 * std::numbers::pi);
-    const double most = is_known ? most_known_step : most_step;
+    const double most = is_known ? max_known_step : max_step;
     if (!(std::abs(step) <= most) || !(step * fit.sweep >= 0) || step == 0) return std::nullopt;
     fit.sweep += step;
     fit.longest_step = std::max(fit.longest_step, std::abs(step));
@@ -133,7 +133,7 @@ std::optional<Fit> Line::fit_known(int first, int last) const {
 }
 
 std::optional<Fit> Line::fit_any(int first, int last) const {
-  if (last - first < least_edges_of_arc) return std::nullopt;
+  if (last - first < min_edges_of_arc) return std::nullopt;
   const std::vector<Vec2> points = points_of(first, last);
   std::optional<Fit> found;
   if (const auto circle = fit_circle(points))
@@ -213,7 +213,7 @@ struct KnownArc {
   std::vector<Vec2> points;
 };
 
-std::optional<KnownArc> known_arc(const Line& line, std::size_t first, std::size_t last, double most_rise) {
+std::optional<KnownArc> known_arc(const Line& line, std::size_t first, std::size_t last, double max_rise) {
   if (line.circles.empty() || line.circles[first] < 0 || line.circles[first] != line.circles[last - 1])
     return std::nullopt;
   const Ellipse& ellipse = line.known.ellipses[static_cast<std::size_t>(line.circles[first])];
@@ -223,7 +223,7 @@ std::optional<KnownArc> known_arc(const Line& line, std::size_t first, std::size
   if (first == 0) points.front() = ellipse.at(ellipse.angle_of(points.front()));
   if (last == all.size() - 1) points.back() = ellipse.at(ellipse.angle_of(points.back()));
   const std::optional<Fit> fit = line.along(ellipse, points, true);
-  if (!fit || fit->rise > most_rise) return std::nullopt;
+  if (!fit || fit->rise > max_rise) return std::nullopt;
   return KnownArc{*fit, std::move(points)};
 }
 
@@ -240,41 +240,41 @@ CurvePart add_arc(Chain& chain, std::size_t first, const KnownArc& arc) {
 }
 
 // What is left of a few facets between lines that hide the rest.
-CurveReport find_whole(Chain& chain, const Line& line, double most_rise) {
-  const std::optional<KnownArc> arc = known_arc(line, 0, chain.points.size() - 1, most_rise);
+CurveReport find_whole(Chain& chain, const Line& line, double max_rise) {
+  const std::optional<KnownArc> arc = known_arc(line, 0, chain.points.size() - 1, max_rise);
   if (!arc) return {};
   chain.curves = {add_arc(chain, 0, *arc)};
   return report_of(arc->fit);
 }
 
 // The same of one facet at either end of an open line, which goes on along something else.
-CurveReport find_at_ends(Chain& chain, const Line& line, double most_rise) {
+CurveReport find_at_ends(Chain& chain, const Line& line, double max_rise) {
   CurveReport report;
   const std::size_t last = chain.points.size() - 1;
   if (chain.curves.empty() || chain.curves.front().first > 0)
-    if (const auto arc = known_arc(line, 0, 1, most_rise)) {
+    if (const auto arc = known_arc(line, 0, 1, max_rise)) {
       chain.curves.insert(chain.curves.begin(), add_arc(chain, 0, *arc));
       report += report_of(arc->fit);
     }
   if (chain.curves.empty() || chain.curves.back().last < static_cast<int>(last))
-    if (const auto arc = known_arc(line, last - 1, last, most_rise)) {
+    if (const auto arc = known_arc(line, last - 1, last, max_rise)) {
       chain.curves.push_back(add_arc(chain, last - 1, *arc));
       report += report_of(arc->fit);
     }
   return report;
 }
 
-CurveReport find_in(Chain& chain, const Line& line, double most_rise) {
-  if (chain.points.size() <= least_known_corners) {
+CurveReport find_in(Chain& chain, const Line& line, double max_rise) {
+  if (chain.points.size() <= min_known_corners) {
     if (chain.closed) return {};
-    const CurveReport whole = find_whole(chain, line, most_rise);
-    return chain.curves.empty() ? find_at_ends(chain, line, most_rise) : whole;
+    const CurveReport whole = find_whole(chain, line, max_rise);
+    return chain.curves.empty() ? find_at_ends(chain, line, max_rise) : whole;
   }
   const double tolerance = line.tolerance;
   const auto window = [&](int first, int max) { return line.window(first, max); };
   const auto fit = [&](int first, int last) { return line.fit(first, last); };
   std::vector<CurveRun<Fit>> runs = find_curve_runs<Fit>(line.size(), chain.closed, window, fit);
-  std::erase_if(runs, [most_rise](const CurveRun<Fit>& run) { return run.curve.rise > most_rise; });
+  std::erase_if(runs, [max_rise](const CurveRun<Fit>& run) { return run.curve.rise > max_rise; });
   if (!runs.empty() && runs.back().last > line.size()) {
     begin_at(chain, runs.back().first);
     std::rotate(runs.begin(), runs.end() - 1, runs.end());
@@ -290,7 +290,7 @@ CurveReport find_in(Chain& chain, const Line& line, double most_rise) {
     chain.curves.push_back(part_of(chain, line, run));
     report += report_of(run.curve);
   }
-  if (!chain.closed) report += find_at_ends(chain, line, most_rise);
+  if (!chain.closed) report += find_at_ends(chain, line, max_rise);
   for (std::size_t i = 1; i < chain.curves.size(); ++i)
     check(chain.curves[i - 1].last <= chain.curves[i].first, "the arcs of a line are in order");
   return report;
@@ -315,8 +315,8 @@ CurveReport find_curves(std::vector<Chain>& chains, const CurveLimits& limits, c
       const std::span<const int> circles = known.of_chain.empty() ? std::span<const int>() : known.of_chain[i];
       const bool exact = !limits.exact.empty() && limits.exact[i] != 0;
       const double tolerance = exact ? part_if_exact * limits.tolerance : limits.tolerance;
-      if (chains[i].points.size() > least_edges_of_arc || !circles.empty())
-        reports[i] = find_in(chains[i], {chains[i], tolerance, known, circles}, limits.most_rise);
+      if (chains[i].points.size() > min_edges_of_arc || !circles.empty())
+        reports[i] = find_in(chains[i], {chains[i], tolerance, known, circles}, limits.max_rise);
     }
     progress.advance(end - begin);
   });

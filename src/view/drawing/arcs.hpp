@@ -22,8 +22,8 @@ struct CurveReport {
 
 /// How closely lines are taken for curves; lengths in mm.
 struct CurveLimits {
-  double tolerance;             ///< greatest distance of corners from their curve
-  double most_rise = HUGE_VAL;  ///< curves that rise more over a chord are left out
+  double tolerance;            ///< greatest distance of corners from their curve
+  double max_rise = HUGE_VAL;  ///< curves that rise more over a chord are left out
   std::vector<char> exact =
       {};  ///< by chain: whether its corners are known better than that, and keep to a tenth of it
 };

@@ -119,7 +119,7 @@ struct Chord {
 std::optional<Chord> chord_of(const CircleEdgeOn& circle, const Piece& piece, std::size_t number, bool inside) {
   const Vec2 from = circle.local(piece.from), to = circle.local(piece.to);
   const double turn = portable_atan2(cross(from, to), glm::dot(from, to));
-  if (std::abs(turn) <= on_rim || std::abs(turn) > most_turn_of_chord) return std::nullopt;
+  if (std::abs(turn) <= on_rim || std::abs(turn) > max_turn_of_chord) return std::nullopt;
   return Chord{number, inside, from, to, portable_atan2(from.y, from.x), turn};
 }
 

@@ -115,7 +115,7 @@ class Continuation {
     if (one.model != two.model || one.visible != two.visible) return false;
     if (glm::dot(one.outwards, two.outwards) > -continuing_cosine) return false;
     const double along = glm::dot(one.at - two.at, one.outwards);
-    return along >= -distance_ && along <= most_overlap * distance_;
+    return along >= -distance_ && along <= max_overlap * distance_;
   }
 
   [[nodiscard]] Candidate candidate(std::size_t number) const {
@@ -126,7 +126,7 @@ class Continuation {
 
   // Pairs of ends that may continue each other, the closest first.
   [[nodiscard]] std::vector<Pair> pairs() const {
-    const double size = (most_overlap + 1) * distance_;
+    const double size = (max_overlap + 1) * distance_;
     std::vector<std::pair<Cell, Candidate>> cells;
     cells.reserve(ends_.size());
     for (std::size_t i = 0; i < ends_.size(); ++i) {
@@ -204,7 +204,7 @@ class Continuation {
     const Foot end = foot(cut, line.at, reach);
     const double between = distance_between(cut, end, line, reach);
     if (between > distance_) return false;
-    const auto begin = beyond(cut, end, most_approach * end.distance);
+    const auto begin = beyond(cut, end, max_approach * end.distance);
     if (!begin || is_cut_off(line, 0) || is_cut_off(cut, begin->member)) return false;
     for (std::size_t i = 0; i < begin->member; ++i) is_dropped_[line_of(cut.members[i])] = 1;
     const End entered = cut.members[begin->member];

@@ -34,7 +34,7 @@ class CoverSearch {
               Order has_higher_rank)
       : pieces_(pieces),
         tolerance_(tolerance),
-        least_(min),
+        min_(min),
         // Two lines within the tolerance of each other over `min` differ in direction by at most this.
         spread_(std::min(2.5 * tolerance / min, 1.5)),
         progress_(progress),
@@ -132,7 +132,7 @@ class CoverSearch {
   void add_cover(int lower, int upper, std::vector<Cover>& found) const {
     const Piece &low = pieces_[lower], &high = pieces_[upper];
     if (!has_higher_rank_(high, low)) return;
-    const auto [from, to] = covered_part(Ruler(low.from, low.to), high.from, high.to, tolerance_, least_);
+    const auto [from, to] = covered_part(Ruler(low.from, low.to), high.from, high.to, tolerance_, min_);
     if (to > from) found.push_back({lower, from, to});
   }
 
@@ -152,12 +152,12 @@ class CoverSearch {
   [[nodiscard]] visibility::Spans parts_covered(const PieceTree& tree, int piece) const {
     const Ruler line(pieces_[piece].from, pieces_[piece].to);
     visibility::Spans covered;
-    const auto open = [&] { return visibility::open_part(covered, 0, line.length, least_, line.length); };
+    const auto open = [&] { return visibility::open_part(covered, 0, line.length, min_, line.length); };
     auto rest = open();
     if (!rest) return covered;
     PieceTree::Bounds wanted = tree.covering(piece, *rest);
     tree.visit(wanted, [&](int upper) {
-      const auto part = covered_part(line, pieces_[upper].from, pieces_[upper].to, tolerance_, least_);
+      const auto part = covered_part(line, pieces_[upper].from, pieces_[upper].to, tolerance_, min_);
       if (!(part[1] > part[0])) return true;
       visibility::add_span(covered, part);
       rest = open();
@@ -168,7 +168,7 @@ class CoverSearch {
   }
 
   const std::vector<Piece>& pieces_;
-  double tolerance_, least_, spread_;
+  double tolerance_, min_, spread_;
   const Progress& progress_;
   Order has_higher_rank_;
   DirectionClasses directions_;

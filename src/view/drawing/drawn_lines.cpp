@@ -103,7 +103,7 @@ std::optional<Vec2> DrawnLines::meeting(const DrawnLine& line, std::size_t numbe
   const DrawnLine& one = all_[number];
   const double most = glm::distance(one.facets[0], one.facets[1]);
   const double off = line.drawn.distance(end) + one.drawn.distance(end);
-  const auto is_near = [&](const Vec2& place) { return glm::distance(place, end) <= std::min(most, most_slant * off); };
+  const auto is_near = [&](const Vec2& place) { return glm::distance(place, end) <= std::min(most, max_slant * off); };
   std::optional<Vec2> beyond;
   for (const std::size_t i : {number, number - 1, number + 1}) {
     if (i >= all_.size() || all_[i].chain != one.chain || is_own(all_[i], line, end, near_)) continue;

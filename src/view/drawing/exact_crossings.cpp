@@ -166,7 +166,7 @@ std::optional<Vec3> ExactCrossings::solved(const Node& node) const {
     width = std::max(width, width_of_facets(*face, node.in_mesh));
   }
   if (!(sine >= told_apart_sine)) return std::nullopt;
-  const double size = most_heights * heights / sine + 2 * width + node_in_touching * touching_;
+  const double size = max_heights * heights / sine + 2 * width + node_in_touching * touching_;
   check(size >= 0, "facets tell how far a crossing may be from them");
   return Conditions(std::move(conditions), towards_viewer_, size).solve(node.in_mesh, node_precision * touching_);
 }
@@ -179,7 +179,7 @@ std::optional<Vec2> ExactCrossings::moved(const Vec2& place) const {
 std::optional<Vec3> ExactCrossings::on_both(const Vec3& start, const Pair& pair) const {
   const double sine = sine_between(pair[0]->surface, pair[1]->surface, start);
   if (!(sine >= told_apart_sine)) return std::nullopt;
-  const double size = most_heights * (pair[0]->sagitta + pair[1]->sagitta) / sine + node_in_touching * touching_;
+  const double size = max_heights * (pair[0]->sagitta + pair[1]->sagitta) / sine + node_in_touching * touching_;
   return Conditions({{&pair[0]->surface, false}, {&pair[1]->surface, false}}, towards_viewer_, size)
       .solve(start, node_precision * touching_);
 }
@@ -200,7 +200,7 @@ const ExactCrossings::Pair* ExactCrossings::crossing_between(const Node* node, c
 void ExactCrossings::add_between(const Node& from, const Node& to, const Pair& pair, double tolerance,
                                  std::vector<Vec2>& points) const {
   const auto add = [&](const auto& self, const Vec3& a, const Vec3& b, int halvings) -> void {
-    const auto middle = halvings < most_halvings ? on_both((a + b) / 2.0, pair) : std::nullopt;
+    const auto middle = halvings < max_halvings ? on_both((a + b) / 2.0, pair) : std::nullopt;
     if (!middle || glm::distance(on_page(*middle), on_page((a + b) / 2.0)) <= tolerance) return;
     self(self, a, *middle, halvings + 1);
     points.push_back(on_page(*middle));

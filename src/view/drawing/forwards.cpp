@@ -56,7 +56,7 @@ std::vector<Vec2> go_forwards(std::vector<Vec2> points, bool closed, double dist
     std::size_t changes_left = 4 * points.size();
     for (std::size_t first = 1; first + 2 < points.size();) {
       std::size_t count = 2;
-      const std::size_t most = std::min(most_reversed, points.size() - 1 - first);
+      const std::size_t most = std::min(max_reversed, points.size() - 1 - first);
       while (count <= most && !is_better_reversed(std::span(points).subspan(first - 1, count + 2), distance)) ++count;
       if (count > most || changes_left == 0) {
         ++first;
@@ -66,7 +66,7 @@ std::vector<Vec2> go_forwards(std::vector<Vec2> points, bool closed, double dist
       check(first >= 1 && first + count < points.size(), "the ends of a line stay where they are");
       const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
       std::reverse(begin, begin + static_cast<std::ptrdiff_t>(count));
-      first -= std::min(first - 1, most_reversed);
+      first -= std::min(first - 1, max_reversed);
     }
   }
   if (closed) points.pop_back();

@@ -58,7 +58,7 @@ std::vector<Vec2> even_curve(const std::vector<Vec2>& points) {
 std::vector<Vec2> freehand_around(const std::vector<Vec2>& points) {
   const std::vector<Vec2> curve = even_curve(points);
   const double length = length_of(curve), turn = 2 * std::numbers::pi / static_cast<double>(curve.size());
-  const double high = std::min(freehand_wave, most_of_turn * length / (2 * std::numbers::pi));
+  const double high = std::min(freehand_wave, max_of_turn * length / (2 * std::numbers::pi));
   const double longs = std::max(2.0, std::round(length / long_wave));
   const double shorts = std::max(3.0, std::round(length / short_wave));
   std::vector<Vec2> line;

@@ -38,7 +38,7 @@ Sectors sectors_around(const Vec2& direction) {
 
 InkCells::InkCells(const Vec2& min, const Vec2& max, double least) {
   const double extent = std::max(max.x - min.x, max.y - min.y);
-  double side = std::max(least, extent / most_columns);
+  double side = std::max(least, extent / max_columns);
   std::vector<double> sides{side};
   while (side < extent) sides.push_back(side *= 2);
   // The cells do not depend on the position of other ink.

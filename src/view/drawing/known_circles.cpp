@@ -55,7 +55,7 @@ std::optional<Circle> circle_of_border(const PartEdges& edges, int model, int nu
   const world::Placed& placed = edges.placed(model);
   const world::PlacedPart& part = *edges.part(model);
   const surfaces::PartBorder& border = placed.part->borders[static_cast<std::size_t>(number)];
-  if (border.faces[0] < 0 || border.faces[0] == border.faces[1] || border.edges.size() < least_edges_of_rim)
+  if (border.faces[0] < 0 || border.faces[0] == border.faces[1] || border.edges.size() < min_edges_of_rim)
     return std::nullopt;
   const mesh::Mesh& mesh = placed.mesh->whole();
   std::vector<Vec3> points;

@@ -69,44 +69,44 @@ inline constexpr double farthest_contact = 1 / crossing_sine;
 inline constexpr double apart_at_ends = 0.9, close_between = 0.75;
 inline constexpr double with_direction_along = 4;   ///< from this length, lines have a direction along others
 inline constexpr double with_direction_at_end = 3;  ///< length over which the direction of an end is measured
-inline constexpr double most_overlap = 16;          ///< of lines that continue each other
-inline constexpr double most_approach = 1.5;        ///< of their distance: length over which one approaches the other
+inline constexpr double max_overlap = 16;           ///< of lines that continue each other
+inline constexpr double max_approach = 1.5;         ///< of their distance: length over which one approaches the other
 /// After so many other lines, the rest may be left out if those found cover the whole member.
 inline constexpr std::size_t many_near = 4;
-inline constexpr std::size_t most_ends_at_a_point = 64;  ///< with more, straightness is not worth a quadratic search
-inline constexpr std::size_t most_reversed = 8;          ///< points that are passed in the opposite order at once
+inline constexpr std::size_t max_ends_at_a_point = 64;  ///< with more, straightness is not worth a quadratic search
+inline constexpr std::size_t max_reversed = 8;          ///< points that are passed in the opposite order at once
 
 // Ends of lines, and contours that are moved to surfaces
 
 /// How much farther than what it ends at is moved, a line is extended or cut off, at most: so far if they cross at 30
 /// degrees.
-inline constexpr double most_extension = 2;
+inline constexpr double max_extension = 2;
 /// The same for ends that facets have, of which both lines are off: at less than 6 degrees, facets do not tell which of
 /// them ends.
-inline constexpr double most_slant = 10;
+inline constexpr double max_slant = 10;
 inline constexpr double crossing_within = 4;        ///< of how far a contour is moved: to where it crosses another line
-inline constexpr std::size_t most_walked = 12;      ///< pieces along a contour to each side, to that crossing
+inline constexpr std::size_t max_walked = 12;       ///< pieces along a contour to each side, to that crossing
 inline constexpr std::size_t places_in_doubt = 16;  ///< on a piece, at which other lines are looked for
 inline constexpr double alone_in_gap = 1.0 / 3;     ///< the part of a run that is alone where it closes a gap
-inline constexpr double most_heights = 4;           ///< mean ones of facets: how far a node may move
-inline constexpr int most_halvings = 6;             ///< of a line between nodes
+inline constexpr double max_heights = 4;            ///< mean ones of facets: how far a node may move
+inline constexpr int max_halvings = 6;              ///< of a line between nodes
 
 // Circles and arcs
 
-inline constexpr int least_edges_of_arc = 7;                ///< chords, of a curve that is not known
-inline constexpr std::size_t least_known_corners = 3;       ///< of a line: its ends do not count
-inline constexpr std::size_t least_edges_of_rim = 2;        ///< fewer would be on a circle by chance
-inline constexpr double least_turn_of_arc = 30 * degree;    ///< of the shortest run that is tried
-inline constexpr double most_step = 30.001 * degree;        ///< between corners of an arc
-inline constexpr double most_known_step = 90.001 * degree;  ///< between corners of a known circle
-inline constexpr double most_turn_of_chord = 90 * degree;   ///< a piece that turns farther is no chord of a rim
-inline constexpr double most_uneven = 3;                    ///< largest step of an arc over the usual one
-inline constexpr double much_better = 5;                    ///< how much closer an ellipse than a circle must be
-inline constexpr double part_if_exact = 0.1;                ///< of the tolerance: lines on crossings of surfaces
-inline constexpr double least_radius_in_tolerances = 10;    ///< of a curve that is not known, as is the next one
-inline constexpr double least_radius = 0.05;                ///< mm; no line is narrower
-inline constexpr double most_radius = 1e5;                  ///< mm
-inline constexpr double off_the_arc = 1e-4;                 ///< mm, of chords along the boundary of a detail
+inline constexpr int min_edges_of_arc = 7;                 ///< chords, of a curve that is not known
+inline constexpr std::size_t min_known_corners = 3;        ///< of a line: its ends do not count
+inline constexpr std::size_t min_edges_of_rim = 2;         ///< fewer would be on a circle by chance
+inline constexpr double min_turn_of_arc = 30 * degree;     ///< of the shortest run that is tried
+inline constexpr double max_step = 30.001 * degree;        ///< between corners of an arc
+inline constexpr double max_known_step = 90.001 * degree;  ///< between corners of a known circle
+inline constexpr double max_turn_of_chord = 90 * degree;   ///< a piece that turns farther is no chord of a rim
+inline constexpr double max_uneven = 3;                    ///< largest step of an arc over the usual one
+inline constexpr double much_better = 5;                   ///< how much closer an ellipse than a circle must be
+inline constexpr double part_if_exact = 0.1;               ///< of the tolerance: lines on crossings of surfaces
+inline constexpr double min_radius_in_tolerances = 10;     ///< of a curve that is not known, as is the next one
+inline constexpr double min_radius = 0.05;                 ///< mm; no line is narrower
+inline constexpr double max_radius = 1e5;                  ///< mm
+inline constexpr double off_the_arc = 1e-4;                ///< mm, of chords along the boundary of a detail
 
 // Freehand lines and symmetry
 
@@ -116,17 +116,17 @@ inline constexpr double short_wave = 7;           ///< mm, about; so that waves 
 inline constexpr double share_of_long = 0.6;      ///< of the height
 inline constexpr double phase_of_short_wave = 1;  ///< radians
 
-inline constexpr double wave_step = 0.25;     ///< mm between points: the chords are less than 0.005 mm off the waves
-inline constexpr double on_freehand = 0.01;   ///< mm; more than those chords are off
-inline constexpr double most_of_turn = 0.25;  ///< waves grow no higher than this part of a small line's size
-inline constexpr double symmetry_step = 1;    ///< mm between tested points; there is one at least in each line
+inline constexpr double wave_step = 0.25;    ///< mm between points: the chords are less than 0.005 mm off the waves
+inline constexpr double on_freehand = 0.01;  ///< mm; more than those chords are off
+inline constexpr double max_of_turn = 0.25;  ///< waves grow no higher than this part of a small line's size
+inline constexpr double symmetry_step = 1;   ///< mm between tested points; there is one at least in each line
 
 // Searches: what takes least time; the drawing is the same
 
-inline constexpr double cells_a_part = 16;       ///< greatest length of a piece, in widths of the cells of its grid
-inline constexpr double most_columns = 1 << 14;  ///< cells of a grid are numbered with ints
-inline constexpr double cuts_a_piece = 2;        ///< by the grid of a glance, on average
-inline constexpr double finest_cell = 2;         ///< in which ink is searched for, in multiples of the distance
+inline constexpr double cells_a_part = 16;      ///< greatest length of a piece, in widths of the cells of its grid
+inline constexpr double max_columns = 1 << 14;  ///< cells of a grid are numbered with ints
+inline constexpr double cuts_a_piece = 2;       ///< by the grid of a glance, on average
+inline constexpr double finest_cell = 2;        ///< in which ink is searched for, in multiples of the distance
 /// Cells that tell where no specks or doubts are, in multiples of the distance.
 inline constexpr double speck_cell = 8;
 inline constexpr double worth_dividing = 0.85;  ///< a division that leaves at most this part of the work

@@ -273,7 +273,7 @@ double parameter_in_space(const view::ProjectedScene& view, const edges::Feature
 
 Coincidence coincidence_on_paper(const view::ProjectedScene& view, const view::PaperMap& paper) {
   const double tolerance = std::max(coincident_cells * view.cell, view.contact.touching) * paper.scale;
-  return {tolerance, std::max(visibility::least_piece * view.extent * paper.scale, 8 * tolerance)};
+  return {tolerance, std::max(visibility::min_piece * view.extent * paper.scale, 8 * tolerance)};
 }
 
 ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::PaperMap& paper,

@@ -41,7 +41,7 @@ std::optional<Vec2> met(const MovedContours& contours, const Piece& piece, bool 
     }
     if (!met)
       met = moved ? there
-                  : crossing_with(contour, piece, drawn, most_extension * glm::distance(there, place)).value_or(there);
+                  : crossing_with(contour, piece, drawn, max_extension * glm::distance(there, place)).value_or(there);
     return true;
   });
   return met;

@@ -47,7 +47,7 @@ std::vector<Piece> join_near(std::vector<Piece> pieces, const std::vector<signed
   std::vector<InkPart> left = search.kept().all();
   left.insert(left.end(), search.specks().begin(), search.specks().end());
   return close_ends(search.kept(), search.taken(), joined_parts(std::move(left), strength),
-                    {touching, most_extension * distance}, progress);
+                    {touching, max_extension * distance}, progress);
 }
 
 }  // namespace epura::drawing

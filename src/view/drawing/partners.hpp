@@ -81,7 +81,7 @@ bool pair_up(const Ends& lines, End a, End b, const Joining& rule, std::vector<E
 /// Returns false if some are left that turn back there.
 template <class Ends>
 bool pair_up(const Ends& lines, std::span<const End> ends, const Joining& rule, std::vector<End>& partner) {
-  if (ends.size() > most_ends_at_a_point) return true;
+  if (ends.size() > max_ends_at_a_point) return true;
   std::vector<std::pair<End, Vec2>> left;  // with the direction in which the line leaves that end
   for (const End end : ends)
     if (partner[end] == no_end) left.emplace_back(end, leaving(lines, end));

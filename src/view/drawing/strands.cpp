@@ -110,9 +110,9 @@ struct Cut {
 // A value between two ends, or between two places where strands leave, near the middle. A sample represents all
 // strands.
 std::optional<double> place_of_cut(const Strands& strands, const Cut& cut) {
-  constexpr std::size_t most_samples = 16;
-  const std::size_t step = strands.size() / most_samples + 1;
-  std::array<double, 2 * most_samples> samples{};
+  constexpr std::size_t max_samples = 16;
+  const std::size_t step = strands.size() / max_samples + 1;
+  std::array<double, 2 * max_samples> samples{};
   std::size_t count = 0;
   for (std::size_t i = 0; i < strands.size(); i += step) {
     const Strand& s = strands[i];

@@ -145,7 +145,7 @@ class ContourPieces {
   /// The steps from one on, as long as they are as visible as that, and go on.
   [[nodiscard]] std::vector<Step> walk(const Step& from) const {
     std::vector<Step> steps{from};
-    while (steps.size() < most_walked) {
+    while (steps.size() < max_walked) {
       const auto next = after(steps.back());
       if (!next || next->piece == from.piece) break;
       const Piece& piece = pieces_[next->piece];

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t crossings_a_look = 1024;
 // Steps of Newton's method, which halve the distance to a line of contact, and find one of crossing in fewer.
-constexpr int most_steps = 16;
+constexpr int max_steps = 16;
 
 /// A face of a part: the number of its model, and its number in the part.
 using FaceOfModel = std::array<int, 2>;
@@ -55,7 +55,7 @@ class PlacedFaces {
     if (is_plane(one) && is_plane(two)) return false;  // facets of planes cross where the planes do, at any angle
     check(reach > 0, "facets that cross have a length");
     Vec3 p = place;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < max_steps; ++step) {
       const double from_one = surfaces::signed_distance(one, p), from_two = surfaces::signed_distance(two, p);
       const Vec3 n1 = surfaces::normal_near(one, p), n2 = surfaces::normal_near(two, p);
       const double cosine = glm::dot(n1, n2), sine = glm::length(glm::cross(n1, n2));

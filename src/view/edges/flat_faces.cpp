@@ -15,7 +15,7 @@ namespace epura::edges {
 namespace {
 
 // Smaller faces have few pairs of triangles to skip.
-constexpr std::size_t least_of_face = 256;
+constexpr std::size_t min_of_face = 256;
 
 class FlatFaces {
  public:
@@ -27,7 +27,7 @@ class FlatFaces {
     for (std::size_t model = 0; model < world_.models.size(); ++model) {
       const int behind = world_.first_triangle[model] + static_cast<int>(world_.models[model].mesh->polygon.size());
       const auto end = std::lower_bound(begin, triangles_.end(), behind);
-      if (static_cast<std::size_t>(end - begin) >= least_of_face)
+      if (static_cast<std::size_t>(end - begin) >= min_of_face)
         join_neighbours(model, begin - triangles_.begin(), end - begin);
       begin = end;
     }
@@ -100,7 +100,7 @@ class FlatFaces {
       std::vector<int> region{begin->first};
       for (const int root = begin->first; begin != by_region.end() && begin->first == root; ++begin)
         region.push_back(begin->second);
-      if (region.size() < least_of_face || !is_flat(region)) continue;
+      if (region.size() < min_of_face || !is_flat(region)) continue;
       faces.resize(triangles_.size(), -1);
       for (const int i : region) faces[i] = count;
       ++count;
@@ -119,7 +119,7 @@ class FlatFaces {
 
 std::vector<int> flat_faces(const world::World& world, std::span<const Vec3> points, double contact,
                             const std::vector<int>& triangles) {
-  if (triangles.size() < least_of_face) return {};
+  if (triangles.size() < min_of_face) return {};
   std::vector<int> faces = FlatFaces(world, points, contact, triangles).find();
   check(faces.empty() || faces.size() == triangles.size(), "every triangle is of a flat face or not");
   return faces;

@@ -21,7 +21,7 @@ namespace epura::edges {
 namespace {
 
 // Smaller patches have few pairs of triangles to skip.
-constexpr std::size_t least_of_patch = 1024;
+constexpr std::size_t min_of_patch = 1024;
 constexpr std::size_t triangles_at_once = 8192;
 
 /// The coordinate plane over which a triangle lies, and the side to which it faces: 0 to 5.
@@ -87,7 +87,7 @@ class GraphPatches {
   void visit_edges(const Visit& visit) const {
     for (std::size_t model = 0; model < world_.models.size(); ++model) {
       const mesh::Mesh& mesh = *world_.models[model].mesh;
-      if (mesh.polygon.size() < least_of_patch) continue;
+      if (mesh.polygon.size() < min_of_patch) continue;
       visit(mesh, world_.first_triangle[model], world_.first_vertex[model]);
     }
   }
@@ -109,14 +109,14 @@ class GraphPatches {
     std::vector<int> number(world_.triangles.size(), -1);
     for (std::size_t t = 0; t < roots.size(); ++t) {
       const int root = roots[t];
-      if (static_cast<std::size_t>(count[root]) < least_of_patch) continue;
+      if (static_cast<std::size_t>(count[root]) < min_of_patch) continue;
       if (number[root] < 0) {
         number[root] = static_cast<int>(facing_of_patch_.size());
         facing_of_patch_.push_back(facing_[root]);
       }
       patch_[t] = number[root];
     }
-    check(facing_of_patch_.size() * least_of_patch <= world_.triangles.size(),
+    check(facing_of_patch_.size() * min_of_patch <= world_.triangles.size(),
           "patches have many triangles of their own");
   }
 
@@ -295,7 +295,7 @@ bool has_large_body(const world::World& world) {
   return std::any_of(world.models.begin(), world.models.end(), [](const world::Placed& placed) {
     std::vector<std::size_t> count(static_cast<std::size_t>(placed.mesh->report.bodies) + 1, 0);
     for (const int body : placed.mesh->body)
-      if (++count[static_cast<std::size_t>(body)] >= least_of_patch) return true;
+      if (++count[static_cast<std::size_t>(body)] >= min_of_patch) return true;
     return false;
   });
 }
@@ -304,7 +304,7 @@ bool has_large_body(const world::World& world) {
 
 std::vector<int> graph_patches(const world::World& world, std::span<const Vec3> points, double contact,
                                const std::vector<int>& triangles, const std::vector<int>& taken) {
-  if (triangles.size() < least_of_patch || contact < least_contact || !has_large_body(world)) return {};
+  if (triangles.size() < min_of_patch || contact < min_contact || !has_large_body(world)) return {};
   std::vector<int> patches = GraphPatches(world, points, contact, triangles, taken).find();
   check(patches.empty() || patches.size() == triangles.size(), "every triangle is of a patch or not");
   return patches;

@@ -26,7 +26,7 @@ inline constexpr double place_rounding = 0x1p-40;  ///< relative: a vertex of a 
 /// Of parameters from 0 to 1 along an edge, of bends (curvatures times a factor), and of sines of the angle between
 /// planes, which have no reliable line in common at less (6e-8 degrees).
 inline constexpr double rounding_part = 1e-9;
-inline constexpr double least_contact = 1e-12;  ///< world: beside smaller contacts, rounding of points matters
+inline constexpr double min_contact = 1e-12;  ///< world: beside smaller contacts, rounding of points matters
 
 // Which folds are flat, which directions parallel or edge-on.
 
@@ -50,14 +50,14 @@ inline constexpr double known_height = 16;   ///< roundings: a higher triangle h
 inline constexpr int longest_row = 256;      ///< adjacent slivers; a longer row is not a surface any more
 
 // Where smooth contours and edges lie. How far a contour is moved at most on cylinders and cones is
-// surfaces::most_sagittas.
+// surfaces::max_sagittas.
 
-inline constexpr double most_moved = 1;  ///< sizes of a triangle: a surface's contour is no farther from its facets'
-inline constexpr double most_facets_away = 2;  ///< facets from which the contour of a sphere is no farther
-inline constexpr double tiny_triangle = 8;     ///< tolerances of the part: which way a smaller one faces means nothing
+inline constexpr double max_moved = 1;  ///< sizes of a triangle: a surface's contour is no farther from its facets'
+inline constexpr double max_facets_away = 2;  ///< facets from which the contour of a sphere is no farther
+inline constexpr double tiny_triangle = 8;    ///< tolerances of the part: which way a smaller one faces means nothing
 /// A fillet begins with half a fold, which counts less than a whole one.
 inline constexpr double curvature_ratio = 2.5;
-inline constexpr std::size_t most_sides = 64;  ///< of larger facets only the size is considered, for the time it takes
+inline constexpr std::size_t max_sides = 64;  ///< of larger facets only the size is considered, for the time it takes
 
 // How threads are drawn.
 
@@ -65,7 +65,7 @@ inline constexpr double arc_begin = 95;       ///< degrees: the open part of a c
 inline constexpr double arc_sweep = 270;      ///< degrees: and its ends do not meet centre lines
 inline constexpr double at_end = 1e-3;        ///< lengths of a thread from its end, or radii from its axis: is at it
 inline constexpr double largest_depth = 0.5;  ///< of a thread in the drawing, relative to its radius
-inline constexpr double least_chamfer = 0.8;  ///< end of a chamfer, relative to the root: others are their own cones
+inline constexpr double min_chamfer = 0.8;    ///< end of a chamfer, relative to the root: others are their own cones
 inline constexpr double widest_countersink = 1.15;  ///< the same inside
 
 // How much time is spent.

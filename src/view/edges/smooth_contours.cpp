@@ -102,8 +102,8 @@ class ModelContours {
       const auto line = contour_across(t);
       if (!line) continue;
       const Vec3 place = nearest_on_segment(from, (*line)[0], (*line)[1]);
-      if (glm::distance(place, from) > most_moved * size_of(t)) continue;
-      if (is_straight(placed_, t) && seen_across(place, from, t) > surfaces::most_sagittas * rise_at(t)) continue;
+      if (glm::distance(place, from) > max_moved * size_of(t)) continue;
+      if (is_straight(placed_, t) && seen_across(place, from, t) > surfaces::max_sagittas * rise_at(t)) continue;
       if (nearest && glm::distance(place, from) >= glm::distance(*nearest, from)) continue;
       nearest = place;
       on_triangle = t;
@@ -145,7 +145,7 @@ class ModelContours {
     const double distance = surfaces::signed_distance(surface, place), longest = longest_side(mesh_, triangle);
     if (!(std::abs(distance) <= longest)) return std::nullopt;
     const Vec3 moved = place - distance * surfaces::normal_near(surface, place);
-    check(glm::distance(moved, vertex) <= (most_moved + 1.001) * longest, "a contour stays beside its facets");
+    check(glm::distance(moved, vertex) <= (max_moved + 1.001) * longest, "a contour stays beside its facets");
     return moved;
   }
 
@@ -171,7 +171,7 @@ class ModelContours {
     const Vec3 moved = place - from;
     const double on_page = glm::length(moved - glm::dot(moved, view) * view);
     const bool is_near =
-        glm::length(moved) <= most_facets_away * side && on_page <= 4 * most_facets_away * most_facets_away * sagitta;
+        glm::length(moved) <= max_facets_away * side && on_page <= 4 * max_facets_away * max_facets_away * sagitta;
     return is_near ? std::optional(place) : std::nullopt;
   }
 

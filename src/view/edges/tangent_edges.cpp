@@ -88,7 +88,7 @@ struct TangencyJudge {
     const Vec3 a = around.point(ends[0]), along = glm::normalize(around.point(ends[1]) - a);
     const auto distance = [&](const Vec3& p) { return glm::length(glm::cross(p - a, along)); };
     const auto sides = facets.sides(facets.facet_of(triangle));
-    if (sides.size() > most_sides) return folds[edge] / size_of(sides, a);
+    if (sides.size() > max_sides) return folds[edge] / size_of(sides, a);
     double extent = distance(around.point(around.apex(ends, triangle))), parallel_at = 0, fold = folds[edge];
     for (const auto& [facet, side] : sides) {
       const std::array<int, 2> far = ends_of(around, mesh.edges[std::size_t(side)]);

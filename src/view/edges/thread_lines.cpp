@@ -150,7 +150,7 @@ int first_triangle_of(const world::World& world, int model, const world::PlacedP
 bool is_chamfer_of(const SeenThread& thread, const features::Continuation& cone) {
   const double far = thread.crest() + cone.widening * cone.height;
   return thread.thread.internal ? cone.widening > 0 && far <= widest_countersink * thread.root
-                                : cone.widening < 0 && far >= least_chamfer * thread.root;
+                                : cone.widening < 0 && far >= min_chamfer * thread.root;
 }
 
 /// The chamfers of threads that are seen along their axes: the cylinder of each cone.

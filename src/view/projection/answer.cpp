@@ -12,7 +12,7 @@ namespace epura::projection {
 namespace {
 
 // Sine of the least angle between up and normal, and between projector and plane.
-constexpr double least_sine = 1e-9;
+constexpr double min_sine = 1e-9;
 
 Vec3 vector_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
@@ -78,11 +78,11 @@ std::string fault_of_plane(const epura_view& view) {
   const Vec3 n = unit_vector(vector_of(view.normal)), up = unit_vector(vector_of(view.up));
   if (n == Vec3(0)) return "the normal of the plane is zero";
   if (up == Vec3(0)) return "the up direction is zero";
-  if (glm::length(glm::cross(up, n)) < least_sine) return "the up direction is parallel to the normal of the plane";
+  if (glm::length(glm::cross(up, n)) < min_sine) return "the up direction is parallel to the normal of the plane";
   const bool central = view.projectors == EPURA_CENTRAL;
   const Vec3 projector = vector_of(view.projector);
   const Vec3 line = unit_vector(central ? projector - vector_of(view.point) : projector);
-  if (!(std::abs(glm::dot(line, n)) >= least_sine))
+  if (!(std::abs(glm::dot(line, n)) >= min_sine))
     return central ? "the plane contains the centre of projection" : "the plane contains the direction of projection";
   return {};
 }

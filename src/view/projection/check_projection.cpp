@@ -18,7 +18,7 @@ namespace {
 
 // Sine of the angle by which a line may bend; also the least length of its image, relative to the distance of that
 // image.
-constexpr double least_bend = 1e-9;
+constexpr double min_bend = 1e-9;
 // A line whose image is shorter than its length times this has no direction: it is seen end on.
 constexpr double end_on = 1e-5;
 
@@ -89,10 +89,10 @@ std::string lines(Subject& subject) {
     const Vec3 a = corners[i], b = corners[7 - i];
     const Vec3 from = image_of(subject.projection, a), to = image_of(subject.projection, b);
     if (!finite(from) || !finite(to)) return "a corner of the model is drawn at infinity";
-    if (!(glm::length(to - from) > least_bend * std::max(glm::length(from), glm::length(to))))
+    if (!(glm::length(to - from) > min_bend * std::max(glm::length(from), glm::length(to))))
       return "a line is drawn as a point: the plane lies too far from the model";
     for (const double t : {0.1, 0.5, 0.8})
-      if (!(bend(to - from, image_of(subject.projection, a + t * (b - a)) - from) < least_bend))
+      if (!(bend(to - from, image_of(subject.projection, a + t * (b - a)) - from) < min_bend))
         return "a straight line is bent: the plane lies too far from the model";
   }
   return {};
@@ -119,7 +119,7 @@ bool meet(const Projection& p, const Vec3& axis, const std::optional<Vec2>& vani
     const Vec3 from = on_plane(corner), along = on_plane(corner + step * axis) - from;
     if (glm::length(along) < end_on * step) continue;
     const Vec3 wanted = vanishing_point ? Vec3(*vanishing_point, 0) - from : first.value_or(along);
-    if (glm::length(wanted) > end_on * step && !(bend(along, wanted) < least_bend)) return false;
+    if (glm::length(wanted) > end_on * step && !(bend(along, wanted) < min_bend)) return false;
     first = along;
   }
   return true;

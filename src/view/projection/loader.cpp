@@ -15,7 +15,7 @@ namespace epura::projection {
 
 namespace {
 
-using foreign::most_rows;
+using foreign::max_rows;
 using foreign::require;
 using foreign::row_of;
 
@@ -28,7 +28,7 @@ void expect_sound(const epura_projection_list* list) {
   require(list->size >= sizeof(epura_projection_list),
           "its list is too short: " + number(list->size) + " of " + number(sizeof(epura_projection_list)) + " bytes");
   require(list->count > 0 && list->projections != nullptr, "provides no projection");
-  require(list->count <= most_rows, "claims to provide " + number(list->count) + " projections");
+  require(list->count <= max_rows, "claims to provide " + number(list->count) + " projections");
 }
 
 ProjectionEntry entry_of(const epura_projection& row, std::size_t place, const std::filesystem::path& path) {

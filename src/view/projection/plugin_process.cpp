@@ -26,7 +26,7 @@ using foreign::Received;
 using foreign::Unpacker;
 
 /// Longer messages are sent only by a damaged process.
-constexpr std::size_t most_bytes = std::size_t{1} << 28;
+constexpr std::size_t max_bytes = std::size_t{1} << 28;
 
 // One function for both directions, so that values are unpacked as they were packed.
 
@@ -106,7 +106,7 @@ void serve(const std::filesystem::path& path, Confinement confinement, int socke
                                          entries = read_plugin(path);
                                          pack_table(message, entries);
                                        }));
-  for (foreign::Incoming words; goes_on && words.receive(socket, {}, most_bytes) == Received::all;)
+  for (foreign::Incoming words; goes_on && words.receive(socket, {}, max_bytes) == Received::all;)
     goes_on = foreign::send_message(socket, foreign::message_or_reason([&](Packer& message) {
                                       pack_answer(message, answer_to(words.take(), entries));
                                     }));
@@ -156,14 +156,14 @@ class PluginProcess {
 std::vector<ProjectionEntry> PluginProcess::start() {
   process_.fork([this](int socket) { serve(path_, confinement_, socket); });
   started_by_ = ::gettid();
-  return process_.receive_loaded(seconds_, most_bytes, unpack_table);
+  return process_.receive_loaded(seconds_, max_bytes, unpack_table);
 }
 
 PluginAnswer PluginProcess::ask_process(const Question& question) {
   Packer words;
   pack_question(words, question);
   process_.send(words);
-  const std::string message = process_.receive_within(seconds_, most_bytes);
+  const std::string message = process_.receive_within(seconds_, max_bytes);
   Unpacker unpack(message);
   foreign::expect_no_reason(unpack);
   return unpack_answer(unpack);

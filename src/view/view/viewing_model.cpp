@@ -9,7 +9,7 @@ namespace epura::view {
 namespace {
 
 // A front plane is in front of the viewer by at least this fraction of the distance to the back plane.
-constexpr double least_front = 1e-3;
+constexpr double min_front = 1e-3;
 
 // The drawn part of the plane, in its own coordinates.
 projection::Window window_of(const ProjectedScene& view) {
@@ -39,7 +39,7 @@ void set_depths(const projection::Projection& p, const Box& scene, projection::V
   if (p.central) {
     const double eye = volume.prp.z;
     if (!(volume.back < eye)) volume.back = eye - 1;
-    volume.front = std::min(volume.front, eye - least_front * (eye - volume.back));
+    volume.front = std::min(volume.front, eye - min_front * (eye - volume.back));
   }
   if (!(volume.front > volume.back)) volume.back = volume.front - 1;
 }

@@ -16,8 +16,8 @@ namespace epura::visibility {
 
 namespace {
 
-constexpr std::size_t least_pile = 8;
-constexpr std::size_t least_at_hub = 16;  // and every second triangle
+constexpr std::size_t min_pile = 8;
+constexpr std::size_t min_at_hub = 16;  // and every second triangle
 
 Vec3 point(const view::ProjectedScene& view, int vertex) {
   const view::PageVertex& v = view.vertices[vertex];
@@ -72,7 +72,7 @@ void CandidateTree::note_corners(const view::ProjectedScene& view, const std::ve
     begin = end;
   }
   check(max <= triangles.size(), "a triangle has a vertex at one of its corners");
-  if (max < least_at_hub || 2 * max < triangles.size()) return;
+  if (max < min_at_hub || 2 * max < triangles.size()) return;
   hub_ = SeenFrom(view, view.grid[hub]);
   std::erase_if(joined_, [&](const auto& corner) { return hub_->is_at(view.grid[corner.first]); });
 }
@@ -92,7 +92,7 @@ void CandidateTree::make_piles(const view::ProjectedScene& view, std::vector<int
     const auto end = std::find_if(begin, keys.end(), [&](const auto& key) { return key.first != begin->first; });
     std::vector<int> alike;
     for (; begin != end; ++begin) alike.push_back(begin->second);
-    if (alike.size() < least_pile) {
+    if (alike.size() < min_pile) {
       things_.insert(things_.end(), alike.begin(), alike.end());
       continue;
     }

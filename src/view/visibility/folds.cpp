@@ -59,7 +59,7 @@ class TestedLines {
       farthest = std::min(farthest, corner.depth);
     }
     if (side == 0) return std::nullopt;
-    const double away = std::max(off_contour * std::abs(side), least_cells * view_.cell) * (side > 0 ? -1 : 1);
+    const double away = std::max(off_contour * std::abs(side), min_cells * view_.cell) * (side > 0 ? -1 : 1);
     const Vec2 shift = away / length * Vec2(-along.y, along.x);
     const double facets = contour.by_chance ? 1 : beyond_cusp;
     const double behind = facets * (nearest - farthest) + 4 * view_.contact.touching;
@@ -130,14 +130,14 @@ std::array<double, 2> doubtful_part(const edges::FeatureEdge& edge) {
 }
 
 /// Returns what lies in a part. Gaps between spans, and at both ends of the part, are closed up to a length.
-Spans within(std::span<const std::array<double, 2>> spans, const std::array<double, 2>& part, double most_gap) {
+Spans within(std::span<const std::array<double, 2>> spans, const std::array<double, 2>& part, double max_gap) {
   Spans some;
   for (const auto& [from, to] : spans) {
     if (to <= part[0] || from >= part[1]) continue;
     const double before = some.empty() ? part[0] : some.back()[1];
-    add_span(some, {from - before <= most_gap ? before : from, std::min(to, part[1])});
+    add_span(some, {from - before <= max_gap ? before : from, std::min(to, part[1])});
   }
-  if (!some.empty() && part[1] - some.back()[1] <= most_gap) some.back()[1] = part[1];
+  if (!some.empty() && part[1] - some.back()[1] <= max_gap) some.back()[1] = part[1];
   return some;
 }
 

@@ -15,7 +15,7 @@ namespace epura::visibility {
 namespace {
 
 // Number of pairs of borders that are examined before the test gives up: some hundredths of a second.
-constexpr std::size_t most_border_pairs = 1 << 24;
+constexpr std::size_t max_border_pairs = 1 << 24;
 
 /// A side with only one triangle, which lies to its left on the page.
 struct Border {
@@ -111,7 +111,7 @@ class Sheet {
       check(open.empty() || span(open.back(), &view::GridPoint::x).first <= x.first,
             "borders are met from left to right");
       pairs += open.size();
-      if (pairs > most_border_pairs) return false;
+      if (pairs > max_border_pairs) return false;
       for (const Border& other : open) {
         const auto other_y = span(other, &view::GridPoint::y);
         if (other_y.first <= y.second && y.first <= other_y.second && meet(border, other)) return false;

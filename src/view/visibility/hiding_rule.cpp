@@ -78,7 +78,7 @@ SideCrossing place_crossing(const view::ProjectedScene& view, const PageEdge& ed
   const auto place = [&](double t) { return placed(t, decided.numerator, decided.denominator); };
   // Rounding turns the line of a short edge, so that far beyond the edge it hits a side which the edge's own line
   // misses. The plane of the triangle goes on there.
-  const bool is_turned = agrees && !confirmed && std::abs(turn) > least_turn * cell;
+  const bool is_turned = agrees && !confirmed && std::abs(turn) > min_turn * cell;
   if (is_turned && is_within(crossing_cells * std::abs(computed)) && place(computed) == computed)
     return {computed, s / length2, crossed.u, crossed.v};
   const double t = place(confirmed ? computed : decided.t());
@@ -160,8 +160,8 @@ double steepness_of(const view::ProjectedScene& view, const view::ViewTriangle& 
   return steepness(slope_of(view, triangle));
 }
 
-double least_span(const view::ProjectedScene& view, const PageEdge& edge) {
-  return least_piece * view.extent / glm::distance(view.vertices[edge.p].at(), view.vertices[edge.q].at());
+double min_span(const view::ProjectedScene& view, const PageEdge& edge) {
+  return min_piece * view.extent / glm::distance(view.vertices[edge.p].at(), view.vertices[edge.q].at());
 }
 
 bool meets_on_grid(const view::ProjectedScene& view, const PageEdge& edge, const view::ViewTriangle& triangle) {

@@ -31,8 +31,8 @@ struct PageEdge {
   int p, q;  ///< vertices of the view
 };
 
-/// Returns least_piece (limits.hpp) as a fraction of the edge's length on the page.
-double least_span(const view::ProjectedScene& view, const PageEdge& edge);
+/// Returns min_piece (limits.hpp) as a fraction of the edge's length on the page.
+double min_span(const view::ProjectedScene& view, const PageEdge& edge);
 
 /// Where an edge crosses a side of a triangle.
 struct SideCrossing {

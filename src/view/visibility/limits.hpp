@@ -14,7 +14,7 @@ inline constexpr double cell_slack = 0x1p-12;      ///< of the side of an occlud
 
 /// Height over length: a triangle that is lower on the page is a line there.
 inline constexpr double thinnest = 0x1p-40;
-inline constexpr double least_piece = 1e-7;  ///< of the drawing: shorter pieces of lines are rounding, not geometry
+inline constexpr double min_piece = 1e-7;  ///< of the drawing: shorter pieces of lines are rounding, not geometry
 
 // How far rounding to the page grid moves things.
 
@@ -25,12 +25,12 @@ inline constexpr double behind_cells = 12;  ///< the same, of directions around 
 inline constexpr double depth_cells = 3;
 inline constexpr double crossing_cells = 2;  ///< cells beyond the ends of a side within which a crossing is on it
 /// Cells by which a side must extend across the line of an edge for rounding to have turned that line off it.
-inline constexpr double least_turn = 64;
+inline constexpr double min_turn = 64;
 
 // Which parts of a contour its own facets hide.
 
 inline constexpr double off_contour = 1.0 / 64;  ///< of the width of its facets, from the contour to the tested line,
-inline constexpr double least_cells = 4;         ///< cells, and at least so many
+inline constexpr double min_cells = 4;           ///< cells, and at least so many
 /// Facets, in depth, from a contour that goes on beyond a cusp to the tested line: the surface is about as far behind
 /// as from one facet to the next.
 inline constexpr double beyond_cusp = 2;
@@ -43,7 +43,7 @@ inline constexpr int rings = 2;  ///< facets from a contour to those of its own 
 /// Of a cell of the page: most cells of a triangle cost nothing, since no line runs through them.
 inline constexpr double triangles_of_cell = 5;
 /// Of edge and triangle: a cell with more is divided, and so are its parts.
-inline constexpr double most_pairs = 1 << 15;
+inline constexpr double max_pairs = 1 << 15;
 /// With which any number of divisions may be idle, until cells are small.
 inline constexpr double many_pairs = 1 << 22;
 /// Part of the pairs: a division that leaves more is idle.

@@ -244,7 +244,7 @@ bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
   parallel_for(static_cast<std::size_t>(grid.count()), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) {
       const int number = static_cast<int>(cell);
-      if (pairs_in(level, load, number) <= most_pairs) continue;
+      if (pairs_in(level, load, number) <= max_pairs) continue;
       progress_.expect_time();
       OccluderPatch sheets(view_, {grid.middle(number), grid.side / 2.0 + cover_slack(grid)});
       for (const Candidate& candidate : level.candidates[cell])
@@ -273,7 +273,7 @@ std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Co
   const search::CellGrid& grid = level.grid;
   std::vector<Content> parts;
   for (int cell = 0; cell < grid.count(); ++cell) {
-    if (pairs_in(level, load, cell) <= most_pairs) continue;
+    if (pairs_in(level, load, cell) <= max_pairs) continue;
     level.full.resize(static_cast<std::size_t>(grid.count()), -1);
     level.full[cell] = static_cast<int>(parts.size());
     Content part{{}, {}, pairs_in(level, load, cell), idle};

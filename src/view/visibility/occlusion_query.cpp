@@ -8,8 +8,8 @@
 namespace epura::visibility {
 
 OcclusionQuery::OcclusionQuery(const view::ProjectedScene& view, const OccluderGrid& occluders, const PageEdge& line,
-                               const OwnTriangles& own, int most_tries)
-    : view_(view), occluders_(occluders), line_(line), own_(own), most_tries_(most_tries) {
+                               const OwnTriangles& own, int max_tries)
+    : view_(view), occluders_(occluders), line_(line), own_(own), max_tries_(max_tries) {
   tried_.fill(-1);
   for (const int end : {line.p, line.q})
     for (const int triangle : occluders.copies_around(end)) hide_by(triangle);
@@ -29,7 +29,7 @@ void OcclusionQuery::hide(const CellSegment& stretch) {
 }
 
 Spans OcclusionQuery::spans() && {
-  absorb_slivers(spans_, least_span(view_, line_));
+  absorb_slivers(spans_, min_span(view_, line_));
   check(spans_.empty() || (spans_.front()[0] >= 0 && spans_.back()[1] <= 1), "what is hidden lies on the edge");
   return std::move(spans_);
 }
@@ -41,7 +41,7 @@ bool OcclusionQuery::hide_by(const Pile& pile) {
   bool any = false;
   for (const int triangle : pile.triangles()) {
     any = hide_by(triangle) || any;
-    if (covers(spans_, 0, 1) || tries_ >= most_tries_) break;
+    if (covers(spans_, 0, 1) || tries_ >= max_tries_) break;
   }
   return any;
 }
@@ -53,7 +53,7 @@ bool OcclusionQuery::hide_by_exact(const Pile& pile) {
   bool any = false;
   const auto go_on = [&](int triangle) {
     any = hide_by(triangle) || any;
-    return !covers(spans_, overlap->from, overlap->to) && tries_ < most_tries_;
+    return !covers(spans_, overlap->from, overlap->to) && tries_ < max_tries_;
   };
   // A triangle must be nearer by more than contact at one end of the overlap; half of that is far more than rounding.
   const auto may_hide = [&](const Pile::Depths& depths) {
@@ -71,7 +71,7 @@ bool OcclusionQuery::hide_by_exact(const Pile& pile) {
 }
 
 void OcclusionQuery::hide_by_tree(const CellSegment& stretch) {
-  const double min = least_span(view_, line_);
+  const double min = min_span(view_, line_);
   const auto open = [&] { return open_part(spans_, stretch.from, stretch.to, min); };
   const auto before = [&](const std::array<double, 2>& part) {
     return stretch.tree->before(view_, line_, {occluders_.point(line_, part[0]), occluders_.point(line_, part[1])});
@@ -86,7 +86,7 @@ void OcclusionQuery::hide_by_tree(const CellSegment& stretch) {
       if (!rest) return false;
       wanted = before(*rest);
     }
-    return tries_ < most_tries_;
+    return tries_ < max_tries_;
   });
 }
 

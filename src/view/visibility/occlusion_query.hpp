@@ -16,9 +16,9 @@ namespace epura::visibility {
 /// Each triangle's hidden part is computed for the whole edge, so the union does not depend on cells or order.
 class OcclusionQuery {
  public:
-  /// The search of a tree is abandoned after `most_tries` tests.
+  /// The search of a tree is abandoned after `max_tries` tests.
   OcclusionQuery(const view::ProjectedScene& view, const OccluderGrid& occluders, const PageEdge& line,
-                 const OwnTriangles& own, int most_tries = std::numeric_limits<int>::max());
+                 const OwnTriangles& own, int max_tries = std::numeric_limits<int>::max());
 
   /// Everything behind the cover of the cell is hidden. Otherwise, candidates are tested until the segment is hidden or
   /// the remaining candidates lie behind it.
@@ -52,7 +52,7 @@ class OcclusionQuery {
   OwnTriangles own_;
   std::array<int, 64> tried_;  ///< the last triangles tested, by the last bits of their numbers
   Spans spans_;
-  int most_tries_, tries_ = 0;
+  int max_tries_, tries_ = 0;
 };
 
 }  // namespace epura::visibility

@@ -130,7 +130,7 @@ Spans hidden_by_all(const view::ProjectedScene& view, const PageEdge& line, cons
     if (const auto part = hidden_part(view, line, triangle)) add_span(spans, *part);
     if (covers(spans, 0, 1)) break;
   }
-  absorb_slivers(spans, least_span(view, line));
+  absorb_slivers(spans, min_span(view, line));
   return spans;
 }
 

@@ -19,13 +19,13 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 using Names = std::vector<std::string>;
 
-constexpr double most_seconds = 2;  // for busy machines; alone it takes a tenth of that
+constexpr double max_seconds = 2;  // for busy machines; alone it takes a tenth of that
 
 void expect_ended(Running& run, int signal) {
   const auto start = Clock::now();
   run.signal(signal);
   const Outcome outcome = run.wait();
-  EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), most_seconds);
+  EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), max_seconds);
   EXPECT_EQ(outcome.code, 128 + signal);
   EXPECT_EQ(outcome.err, "epura: cancelled\n");
 }

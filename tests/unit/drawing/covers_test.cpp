@@ -20,13 +20,13 @@ constexpr std::array<double, 2> leasts = {8e-6, 4e-5};
 constexpr double min = leasts[0];
 
 // Every piece against every other. Where two cover the same of a piece, they are one cover.
-std::vector<drawing::Cover> all_covers(const std::vector<drawing::Piece>& pieces, double least_overlap = min) {
+std::vector<drawing::Cover> all_covers(const std::vector<drawing::Piece>& pieces, double min_overlap = min) {
   std::vector<drawing::Cover> covers;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const drawing::Ruler line(pieces[i].from, pieces[i].to);
     for (const drawing::Piece& upper : pieces) {
       if (!drawing::outranks(upper, pieces[i])) continue;
-      const auto [from, to] = drawing::covered_part(line, upper.from, upper.to, tolerance, least_overlap);
+      const auto [from, to] = drawing::covered_part(line, upper.from, upper.to, tolerance, min_overlap);
       if (to > from) covers.push_back({static_cast<int>(i), from, to});
     }
   }
@@ -60,12 +60,12 @@ std::vector<drawing::Piece> bundle(int count, unsigned seed) {
 }
 
 TEST(Covers, AreThoseOfEveryPieceAgainstEveryOther) {
-  for (const double least_overlap : leasts)
+  for (const double min_overlap : leasts)
     for (unsigned seed = 0; seed < 3; ++seed) {
       const std::vector<drawing::Piece> pieces = bundle(800, seed);
-      const std::vector<drawing::Cover> expected = all_covers(pieces, least_overlap);
+      const std::vector<drawing::Cover> expected = all_covers(pieces, min_overlap);
       EXPECT_GT(expected.size(), 250U);
-      EXPECT_EQ(drawing::find_covers(pieces, tolerance, least_overlap), expected);
+      EXPECT_EQ(drawing::find_covers(pieces, tolerance, min_overlap), expected);
     }
 }
 
@@ -89,11 +89,11 @@ std::vector<drawing::Piece> crowd(int count, unsigned seed) {
 
 // What covers leave of each piece, but for what is too short to be drawn.
 std::vector<visibility::Spans> rests(const std::vector<drawing::Piece>& pieces,
-                                     const std::vector<drawing::Cover>& covers, double least_overlap) {
+                                     const std::vector<drawing::Cover>& covers, double min_overlap) {
   std::vector<visibility::Spans> rests(pieces.size());
   std::vector<double> end(pieces.size(), 0);
   const auto add = [&](int piece, double from, double to) {
-    if (to - from >= least_overlap) rests[piece].push_back({from, to});
+    if (to - from >= min_overlap) rests[piece].push_back({from, to});
   };
   for (const drawing::Cover& cover : covers) {
     add(cover.piece, end[cover.piece], cover.from);
@@ -104,21 +104,21 @@ std::vector<visibility::Spans> rests(const std::vector<drawing::Piece>& pieces,
 }
 
 TEST(Covers, OfCrowdsLeaveWhatAllWould) {
-  for (const double least_overlap : leasts) {
+  for (const double min_overlap : leasts) {
     const std::vector<drawing::Piece> pieces = crowd(5000, 0);
-    const std::vector<drawing::Cover> all = all_covers(pieces, least_overlap),
-                                      found = drawing::find_covers(pieces, tolerance, least_overlap);
+    const std::vector<drawing::Cover> all = all_covers(pieces, min_overlap),
+                                      found = drawing::find_covers(pieces, tolerance, min_overlap);
     EXPECT_LT(found.size(), all.size() / 4) << "no crowds";
-    EXPECT_EQ(rests(pieces, found, least_overlap), rests(pieces, all, least_overlap));
+    EXPECT_EQ(rests(pieces, found, min_overlap), rests(pieces, all, min_overlap));
   }
 }
 
 // Many lines that nearly meet: bundles in all directions, each in several places.
 TEST(Covers, OfManyBundlesLeaveWhatAllWould) {
-  for (const double least_overlap : leasts) {
+  for (const double min_overlap : leasts) {
     const std::vector<drawing::Piece> pieces = bundle(6000, 7);
-    EXPECT_EQ(rests(pieces, drawing::find_covers(pieces, tolerance, least_overlap), least_overlap),
-              rests(pieces, all_covers(pieces, least_overlap), least_overlap));
+    EXPECT_EQ(rests(pieces, drawing::find_covers(pieces, tolerance, min_overlap), min_overlap),
+              rests(pieces, all_covers(pieces, min_overlap), min_overlap));
   }
 }
 

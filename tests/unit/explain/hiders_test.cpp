@@ -58,7 +58,7 @@ TEST(Hiders, TogetherHideWhatTheSearchFoundHidden) {
       visibility::Spans all;
       for (const explain::Occlusion& hider : explain::find_hiders(studied.view(), triangles, e))
         for (const auto& part : hider.parts) visibility::add_span(all, part);
-      visibility::absorb_slivers(all, visibility::least_span(studied.result.view, {edge.vertex[0], edge.vertex[1]}));
+      visibility::absorb_slivers(all, visibility::min_span(studied.result.view, {edge.vertex[0], edge.vertex[1]}));
       const visibility::Spans found(hidden.spans.begin() + hidden.first[e], hidden.spans.begin() + hidden.first[e + 1]);
       EXPECT_EQ(all, found) << "edge " << e;
     }

@@ -57,7 +57,7 @@ TEST(PointMarks, AreFacesOfOneCornerInOff) {
 
 TEST(PointMarks, AreNotMoreThanCanBeDrawn) {
   mesh::Soup soup;
-  soup.points.resize(mesh::most_marks + 1);
+  soup.points.resize(mesh::max_marks + 1);
   for (std::size_t i = 0; i < soup.points.size(); ++i) soup.points[i][0] = static_cast<double>(i);
   mesh::mark_lone_points(soup);
   EXPECT_EQ(error_of([&] { mesh::add_crosses(soup, "m"); }).where(), "m");

@@ -183,7 +183,7 @@ TEST(FitText, CutsBehindTheLastLetterThatFits) {
   for (; letters.size() > 8; letters.erase(letters.begin())) {
     std::string text;
     for (const std::string& letter : letters) text += letter;
-    for (double width = 6; width < lettering().width(text, sheet::least_text_height); width += 0.41) {
+    for (double width = 6; width < lettering().width(text, sheet::min_text_height); width += 0.41) {
       const sheet::FittedText fitted = sheet::fit_text(text, width, 3.5, lettering());
       ASSERT_TRUE(fitted.cut);
       std::string expected, longer;

@@ -31,18 +31,18 @@ TEST(FreeNormals, AreThoseOfTheSurfaceWhereFacetsTilt) {
   const auto angle = [](const Vec3& a, const Vec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), std::abs(glm::dot(a, b))) * 180 / pi;
   };
-  double most = 0, most_of_facets = 0;
+  double most = 0, max_of_facets = 0;
   for (int f = 0; f < static_cast<int>(facets.facets.size()); ++f)
     for (const int v : facets.vertices_of(f)) {
       const auto normal = normals.at(f, v);
       ASSERT_TRUE(normal);
       const double wrong = angle(normal->direction, normal_of(mesh.point(v)));
       most = std::max(most, wrong);
-      most_of_facets = std::max(most_of_facets, angle(facets.facets[f].normal, normal_of(mesh.point(v))));
+      max_of_facets = std::max(max_of_facets, angle(facets.facets[f].normal, normal_of(mesh.point(v))));
       EXPECT_GT(glm::dot(normal->direction, facets.facets[f].normal), 0);
     }
   EXPECT_LT(most, 1.5);
-  EXPECT_GT(most_of_facets, 10);
+  EXPECT_GT(max_of_facets, 10);
 }
 
 TEST(FreeNormals, FewVerticesTellNone) {

@@ -15,7 +15,7 @@ namespace {
 
 // The places on the visible contour of the torus, of about 7000, that have no visible line within a distance.
 int places_without_ink(const world::World& world, bool looks_behind_facets, double distance) {
-  constexpr double least_bend = 0.01;
+  constexpr double min_bend = 0.01;
   const Vec3 towards(1, -1, 1);
   view::ProjectedScene view = view::project_scene(world, orthographic(towards), {});
   edges::FeatureEdges drawn = edges::find_feature_edges(world, view, {});
@@ -31,7 +31,7 @@ int places_without_ink(const world::World& world, bool looks_behind_facets, doub
     });
   const double near = distance * view.map.normalisation;
   int without = 0;
-  for (const Vec3& p : visible_contour_of_torus(towards, least_bend)) {
+  for (const Vec3& p : visible_contour_of_torus(towards, min_bend)) {
     const Vec2 place = Vec2(to_page * Vec4(p, 1));
     double nearest = HUGE_VAL;
     for (const auto& line : lines) nearest = std::min(nearest, distance_to_segment(place, line[0], line[1]));

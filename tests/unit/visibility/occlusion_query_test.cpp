@@ -115,7 +115,7 @@ TEST(OcclusionQuery, TriesFewTrianglesOfOnePlane) {
 }
 
 TEST(OcclusionQuery, HasNoMoreCandidatesOfManyCopiesThanOfTwo) {
-  const auto most_candidates = [](int copies) {
+  const auto max_candidates = [](int copies) {
     const world::World world =
         world_of(std::vector<Shape>(static_cast<std::size_t>(copies), box({0, 0, 0}, {1, 2, 3})));
     const Result r = draw(world, orthographic({0.3, -0.8, 0.5}));
@@ -126,8 +126,8 @@ TEST(OcclusionQuery, HasNoMoreCandidatesOfManyCopiesThanOfTwo) {
                       [&](const visibility::CellSegment& stretch) { max = std::max(max, stretch.candidates.size()); });
     return max;
   };
-  EXPECT_GT(most_candidates(2), 0);
-  EXPECT_LE(most_candidates(300), 2 * 12);
+  EXPECT_GT(max_candidates(2), 0);
+  EXPECT_LE(max_candidates(300), 2 * 12);
 }
 
 }  // namespace

@@ -18,10 +18,10 @@ namespace {
 
 // A page makes a few connections. Headers and the address of a request share the memory of its connection. Any program
 // on this computer can connect: those that have not shown the token leave room for the page, and their place to others.
-constexpr unsigned most_connections = 64;
-constexpr std::size_t most_strangers = 32;
+constexpr unsigned max_connections = 64;
+constexpr std::size_t max_strangers = 32;
 constexpr unsigned idle_seconds = 20;
-constexpr std::chrono::seconds most_for_stranger(10);  // a browser sends the head of a request at once
+constexpr std::chrono::seconds max_for_stranger(10);  // a browser sends the head of a request at once
 constexpr std::size_t bytes_of_connection = 16384;
 
 /// A request from its first line to the end of its reply.
@@ -97,7 +97,7 @@ class Server {
  public:
   explicit Server(int socket)
       : daemon_(MHD_start_daemon(MHD_USE_EPOLL | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr, handle, this,
-                                 MHD_OPTION_LISTEN_SOCKET, socket, MHD_OPTION_CONNECTION_LIMIT, most_connections,
+                                 MHD_OPTION_LISTEN_SOCKET, socket, MHD_OPTION_CONNECTION_LIMIT, max_connections,
                                  MHD_OPTION_CONNECTION_TIMEOUT, idle_seconds, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
                                  bytes_of_connection, MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_NOTIFY_COMPLETED,
                                  forget, this, MHD_OPTION_NOTIFY_CONNECTION, come_or_go, this,
@@ -117,7 +117,7 @@ class Server {
     has_resumed_ = false;
     const Clock::time_point now = Clock::now();
     for (Client& client : clients_)
-      if (client.is_stranger && now - client.since > most_for_stranger) hang_up(client);
+      if (client.is_stranger && now - client.since > max_for_stranger) hang_up(client);
     MHD_run(daemon_);
     return std::exchange(requests_, {});
   }
@@ -177,7 +177,7 @@ class Server {
     else
       clients.push_back({connection});
     const auto is_stranger = [](const Client& client) { return client.is_stranger; };
-    if (static_cast<std::size_t>(std::count_if(clients.begin(), clients.end(), is_stranger)) > most_strangers)
+    if (static_cast<std::size_t>(std::count_if(clients.begin(), clients.end(), is_stranger)) > max_strangers)
       hang_up(*std::find_if(clients.begin(), clients.end(), is_stranger));  // the oldest
   }
 

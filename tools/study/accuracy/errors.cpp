@@ -64,7 +64,7 @@ double ink_distance(const std::vector<JudgedEdge>& edges) {
   return std::max(farthest_from_ink(only_shown, ink_right), farthest_from_ink(only_right, ink_shown));
 }
 
-void add_edge(Errors& errors, const JudgedEdge& edge, double least_length) {
+void add_edge(Errors& errors, const JudgedEdge& edge, double min_length) {
   const double length = glm::distance(edge.from, edge.to);
   const visibility::Spans wrong = united(without(edge.shown, edge.right), without(edge.right, edge.shown));
   for (const auto& [from, to] : wrong) {
@@ -73,7 +73,7 @@ void add_edge(Errors& errors, const JudgedEdge& edge, double least_length) {
   }
   const visibility::Spans shown = complement(edge.shown), right = complement(edge.right);
   errors.end_point = std::max(errors.end_point, farthest_end(right, shown) * length);
-  const double min = least_length / length;
+  const double min = min_length / length;
   errors.missed += strangers(longer_than(right, min), shown);
   errors.phantom += strangers(longer_than(shown, min), right);
   errors.cracks += inside(longer_than(edge.shown, min), right);

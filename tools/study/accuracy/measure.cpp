@@ -74,7 +74,7 @@ std::vector<EdgeTruth> truth_of(const StudiedView& studied, const TruthEffort& e
 Errors errors_of(const StudiedView& studied, const std::vector<EdgeTruth>& truth,
                  const visibility::HiddenSpans& shown) {
   std::vector<JudgedEdge> edges;
-  const double min = visibility::least_piece * studied.view.extent * studied.paper.scale;
+  const double min = visibility::min_piece * studied.view.extent * studied.paper.scale;
   for (const EdgeTruth& edge : truth) {
     const auto [from, to] = on_paper(studied, edge.edge);
     if (glm::distance(from, to) <= min) continue;

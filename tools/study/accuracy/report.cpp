@@ -68,7 +68,7 @@ LogPlot diagram_of(const std::vector<MapMeasurement>& maps) {
                "distance of the model from the origin / its size",
                "error of places on the page / size of the model",
                {}};
-  plot.least_y = 1e-17;
+  plot.min_y = 1e-17;
   for (const MapMeasurement& one : maps) {
     if (!std::isfinite(one.error)) continue;
     const std::string name = one.map + ", " + one.way;

@@ -21,8 +21,8 @@ namespace epura::study {
 namespace {
 
 constexpr int tile_side = 256;  // pixels; depth and items of a tile fit into the cache of a core
-constexpr double most_tiles = 1 << 22;
-constexpr double most_pixels_of_edges = 1e9;
+constexpr double max_tiles = 1 << 22;
+constexpr double max_pixels_of_edges = 1e9;
 constexpr std::size_t items_at_once = 4096;
 
 /// The nearest triangles at the pixel centres of a tile.
@@ -140,7 +140,7 @@ class ItemBuffer {
       }
     if (drawn.edges.empty()) min = max = Vec2(0);
     const Vec2 tiles = glm::floor((max - min) * density / static_cast<double>(tile_side)) + 1.0;
-    if (tiles.x * tiles.y > most_tiles) refuse((max - min) * density);
+    if (tiles.x * tiles.y > max_tiles) refuse((max - min) * density);
     tiles_ = {min, Vec2(tile_side / density), static_cast<int>(tiles.x), static_cast<int>(tiles.y)};
     walk_edges();
   }
@@ -175,7 +175,7 @@ class ItemBuffer {
       first_pixel_.push_back(static_cast<std::size_t>(pixels));
       pixels += walks_.back().steps();
     }
-    if (pixels > most_pixels_of_edges) refuse(Vec2(pixels));
+    if (pixels > max_pixels_of_edges) refuse(Vec2(pixels));
     hidden_.assign(static_cast<std::size_t>(pixels), 0);
   }
 

@@ -18,7 +18,7 @@ namespace epura::study {
 namespace {
 
 constexpr std::size_t chunk = 64;
-constexpr double most_points = 1e9;
+constexpr double max_points = 1e9;
 
 /// Tests the points of one edge.
 class Lookup {
@@ -131,11 +131,11 @@ double length_of(const view::ProjectedScene& view, const edges::FeatureEdge& edg
 void require_few_points(const view::ProjectedScene& view, const edges::FeatureEdges& drawn, double density) {
   double points = 0;
   for (const edges::FeatureEdge& edge : drawn.edges) points += length_of(view, edge) * density;
-  if (points > most_points)
-    throw Error(ErrorKind::input, "--visibility sampled",
-                "asks for " + format_rounded(points, 2) + " points, at most " + format_rounded(most_points, 2) +
-                    " are possible",
-                "give a smaller density");
+  if (points > max_points)
+    throw Error(
+        ErrorKind::input, "--visibility sampled",
+        "asks for " + format_rounded(points, 2) + " points, at most " + format_rounded(max_points, 2) + " are possible",
+        "give a smaller density");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr double pi = std::numbers::pi;
 // Meshes are turned by this, so that no vertex lies on a contour by chance.
 constexpr double turned = 0.1;
 // A body hides what it covers by more than this, in its units.
-constexpr double least_depth = 1e-9;
+constexpr double min_depth = 1e-9;
 
 using Kind = RoundBody::Kind;
 
@@ -149,14 +149,14 @@ bool enters_torus(const RoundBody& body, const Vec3& p, const Vec3& d) {
   double before = at(0), here = at(step);
   for (int i = 1; i < samples; ++i) {
     const double after = at((i + 1) * step);
-    if (here < -least_depth) return true;
+    if (here < -min_depth) return true;
     if (here <= before && here <= after) {
       double low = (i - 1) * step, high = (i + 1) * step;
       for (int k = 0; k < steps; ++k) {
         const double one = low + 0.382 * (high - low), other = low + 0.618 * (high - low);
         at(one) < at(other) ? high = other : low = one;
       }
-      if (at((low + high) / 2) < -least_depth) return true;
+      if (at((low + high) / 2) < -min_depth) return true;
     }
     before = here;
     here = after;
@@ -173,7 +173,7 @@ bool crosses_sombrero(const RoundBody& body, const Vec3& p, const Vec3& d) {
     const double r = std::hypot(q.x, q.y);
     if (r > body.radius) continue;
     const double above = q.z - profile_of_sombrero(body, r);
-    if (std::abs(above) < least_depth) continue;
+    if (std::abs(above) < min_depth) continue;
     const int now = above > 0 ? 1 : -1;
     if (side != 0 && now != side) return true;
     side = now;
@@ -192,7 +192,7 @@ bool covers(const RoundBody& body, const Viewer& viewer, const Vec3& point) {
                                               : inside_frustum(body, p, d);
   if (!span) return false;
   const double length = span->to - std::max(span->from, 0.0);
-  return length > 0 && length * length > 8 * least_depth * body.radius;
+  return length > 0 && length * length > 8 * min_depth * body.radius;
 }
 
 std::vector<Vec3> profile_of(const RoundBody& body, int around) {

@@ -50,7 +50,7 @@ std::vector<InkLine> lines_on_paper(const std::vector<std::vector<Vec3>>& lines,
   return ink;
 }
 
-constexpr double most_of_arcs = 0.01;  // mm between arcs and their chords
+constexpr double max_of_arcs = 0.01;  // mm between arcs and their chords
 
 // As polylines that are closer to the arcs than is measured.
 void add_curve(std::vector<InkLine>& ink, const drawing::CurvePart& curve) {
@@ -84,7 +84,7 @@ pipeline::RunOptions options_of(const PaperStudy& study, PaperWay way) {
   pipeline::RunOptions options;
   options.plugin_path = study.plugin_path;
   options.keeps_drawings = true;
-  if (way == PaperWay::arcs) options.arcs = most_of_arcs;
+  if (way == PaperWay::arcs) options.arcs = max_of_arcs;
   return options;
 }
 

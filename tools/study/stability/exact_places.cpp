@@ -12,7 +12,7 @@ namespace epura::stability {
 
 namespace {
 
-constexpr std::size_t most_corners = 64;
+constexpr std::size_t max_corners = 64;
 
 std::vector<int> corners_before_the_viewer(const Result& result) {
   std::vector<int> corners;
@@ -21,7 +21,7 @@ std::vector<int> corners_before_the_viewer(const Result& result) {
       if (result.view.clipper.vertices[v].w > 0) corners.push_back(v);
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  if (corners.size() > most_corners) corners.resize(most_corners);
+  if (corners.size() > max_corners) corners.resize(max_corners);
   return corners;
 }
 

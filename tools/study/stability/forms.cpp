@@ -212,7 +212,7 @@ std::vector<visibility::Spans> hidden_in_the_plane(const std::vector<Flat>& need
       for (std::size_t j = i + 1; j < needles.size(); ++j)
         if (const auto part = part_inside(p, q, needles[j])) visibility::add_span(spans, *part);
       // The drawing is as large as the circle.
-      visibility::absorb_slivers(spans, 2 * visibility::least_piece / glm::distance(p, q));
+      visibility::absorb_slivers(spans, 2 * visibility::min_piece / glm::distance(p, q));
       hidden.push_back(spans);
     }
   return hidden;

@@ -15,9 +15,9 @@ namespace epura::stability {
 namespace {
 
 constexpr Vec2 plot_size(112, 72);  // mm, with labels
-constexpr Vec2 field_least(18, 15), field_most(108, 60);
+constexpr Vec2 field_min(18, 15), field_max(108, 60);
 constexpr double label_height = 2.5, mark = 0.7;
-constexpr double least_decade = -18, most_decade = 2;  // of errors; values that are not finite are at the top
+constexpr double min_decade = -18, max_decade = 2;  // of errors; values that are not finite are at the top
 
 const std::array<sheet::LineStyle, way_names.size()> curve_styles{{{"plot-float32", 0.25, {0.6, 1.2}},
                                                                    {"plot-double", 0.25, {3, 1}},
@@ -36,9 +36,9 @@ struct Plot {
 };
 
 double height_of(double error) {
-  const double decade = error > 0 ? std::log10(error) : least_decade;
-  const double part = (std::clamp(decade, least_decade, most_decade) - least_decade) / (most_decade - least_decade);
-  return field_least.y + part * (field_most.y - field_least.y);
+  const double decade = error > 0 ? std::log10(error) : min_decade;
+  const double part = (std::clamp(decade, min_decade, max_decade) - min_decade) / (max_decade - min_decade);
+  return field_min.y + part * (field_max.y - field_min.y);
 }
 
 // Positions of steps: by their logarithms if they span more than a decade, with zero slightly before the least; if some
@@ -49,31 +49,31 @@ class StepAxis {
     for (const Row& row : rows) steps_.push_back(row.step);
     std::sort(steps_.begin(), steps_.end());
     const bool has_zero = std::binary_search(steps_.begin(), steps_.end(), 0.0);
-    least_ = steps_[steps_.front() == 0 && steps_.size() > 1 ? 1 : 0];
-    logarithmic_ = least_ > 0 && steps_.back() > 20 * least_;
-    if (!logarithmic_) least_ = steps_.front();
-    begin_ = field_least.x + (logarithmic_ && has_zero ? 6 : 2);
+    min_ = steps_[steps_.front() == 0 && steps_.size() > 1 ? 1 : 0];
+    logarithmic_ = min_ > 0 && steps_.back() > 20 * min_;
+    if (!logarithmic_) min_ = steps_.front();
+    begin_ = field_min.x + (logarithmic_ && has_zero ? 6 : 2);
   }
 
   [[nodiscard]] double place(double step) const {
-    const double end = field_most.x - 2;
-    if (logarithmic_ && step == 0) return field_least.x + 2;
-    if (!(max() > least_)) return (begin_ + end) / 2;
+    const double end = field_max.x - 2;
+    if (logarithmic_ && step == 0) return field_min.x + 2;
+    if (!(max() > min_)) return (begin_ + end) / 2;
     return begin_ + part(step) * (end - begin_);
   }
-  [[nodiscard]] double min() const { return least_; }
+  [[nodiscard]] double min() const { return min_; }
   [[nodiscard]] double max() const { return steps_.back(); }
 
  private:
   [[nodiscard]] double part(double step) const {
-    if (logarithmic_) return (std::log10(step) - std::log10(least_)) / (std::log10(max()) - std::log10(least_));
-    if (least_ >= 0) return (step - least_) / (max() - least_);
+    if (logarithmic_) return (std::log10(step) - std::log10(min_)) / (std::log10(max()) - std::log10(min_));
+    if (min_ >= 0) return (step - min_) / (max() - min_);
     const auto before = std::lower_bound(steps_.begin(), steps_.end(), step) - steps_.begin();
     return static_cast<double>(before) / static_cast<double>(steps_.size() - 1);
   }
 
   std::vector<double> steps_;  // ascending, at least one
-  double least_, begin_;
+  double min_, begin_;
   bool logarithmic_;
 };
 
@@ -82,24 +82,23 @@ void add_text(Plot& plot, const std::string& text, const Vec2& at, sheet::Align 
 }
 
 void add_field(Plot& plot, const Vec2& origin, const CaseReport& one, const StepAxis& axis) {
-  plot.field.strokes.push_back(sheet::outline({origin + field_least, origin + field_most}));
+  plot.field.strokes.push_back(sheet::outline({origin + field_min, origin + field_max}));
   for (int decade = -16; decade <= 0; decade += 4) {
     const double y = height_of(std::pow(10.0, decade));
-    plot.field.strokes.push_back(sheet::line(origin + Vec2(field_least.x - 1, y), origin + Vec2(field_least.x, y)));
-    add_text(plot, decade == 0 ? "1" : "1e" + std::to_string(decade), origin + Vec2(field_least.x - 2, y - 1.2),
+    plot.field.strokes.push_back(sheet::line(origin + Vec2(field_min.x - 1, y), origin + Vec2(field_min.x, y)));
+    add_text(plot, decade == 0 ? "1" : "1e" + std::to_string(decade), origin + Vec2(field_min.x - 2, y - 1.2),
              sheet::Align::right);
   }
-  const double below = field_least.y - 4.5;
+  const double below = field_min.y - 4.5;
   add_text(plot, format_rounded(axis.min(), 3), origin + Vec2(axis.place(axis.min()), below), sheet::Align::middle);
   if (axis.max() > axis.min())
     add_text(plot, format_rounded(axis.max(), 3), origin + Vec2(axis.place(axis.max()), below), sheet::Align::right);
-  add_text(plot, one.parameter, origin + Vec2((field_least.x + field_most.x) / 2, below - 5), sheet::Align::middle);
+  add_text(plot, one.parameter, origin + Vec2((field_min.x + field_max.x) / 2, below - 5), sheet::Align::middle);
   const sheet::FittedText title =
-      sheet::fit_text(one.id + " " + one.what, field_most.x - field_least.x, 2.5, plot.lettering);
+      sheet::fit_text(one.id + " " + one.what, field_max.x - field_min.x, 2.5, plot.lettering);
   for (std::size_t i = 0; i < title.lines.size(); ++i) {
     const double above = 2 + 1.6 * title.height * static_cast<double>(title.lines.size() - 1 - i);
-    add_text(plot, title.lines[i], origin + Vec2(field_least.x, field_most.y + above), sheet::Align::left,
-             title.height);
+    add_text(plot, title.lines[i], origin + Vec2(field_min.x, field_max.y + above), sheet::Align::left, title.height);
   }
 }
 

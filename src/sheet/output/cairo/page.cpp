@@ -20,8 +20,8 @@ namespace epura::output {
 
 namespace {
 
-constexpr int most_pixels = 20000;  // per side
-constexpr double most_dpi = 1200;
+constexpr int max_pixels = 20000;  // per side
+constexpr double max_dpi = 1200;
 
 // PostScript comments are lines of ASCII with at most 255 characters.
 std::string comment_text(std::string_view text) {
@@ -97,16 +97,16 @@ std::string postscript(const Pages& sheets, bool encapsulated, const Progress& p
 }
 
 Vec2 pixels_of(const sheet::Sheet& sheet, double dpi) {
-  if (!(dpi >= 1 && dpi <= most_dpi))
+  if (!(dpi >= 1 && dpi <= max_dpi))
     throw Error(ErrorKind::input, "--dpi", "PNG cannot be drawn at " + format_number(dpi) + " dots per inch",
-                "1 to " + format_number(most_dpi) + " are possible");
+                "1 to " + format_number(max_dpi) + " are possible");
   // The slack keeps 25.4 mm at 300 dpi at 300 pixels.
   const Vec2 pixels = glm::max(glm::ceil(Vec2(sheet.width, sheet.height) * (dpi / 25.4) - 1e-6), Vec2(1, 1));
-  if (std::max(pixels.x, pixels.y) > most_pixels)
+  if (std::max(pixels.x, pixels.y) > max_pixels)
     throw Error(
         ErrorKind::output, "PNG",
         "a picture of " + format_fixed(pixels.x, 0) + " x " + format_fixed(pixels.y, 0) + " pixels is too large",
-        "use a smaller sheet or fewer --dpi: at most " + std::to_string(most_pixels) + " pixels a side");
+        "use a smaller sheet or fewer --dpi: at most " + std::to_string(max_pixels) + " pixels a side");
   return pixels;
 }
 

@@ -135,7 +135,7 @@ bool check_head(const std::string& file, std::size_t begin, std::size_t end, con
 }  // namespace
 
 void UnpackRoom::refuse() const {
-  throw Error(ErrorKind::input, where_, "unpacks to more than " + std::to_string(most_ / 1'000'000) + " MB",
+  throw Error(ErrorKind::input, where_, "unpacks to more than " + std::to_string(max_ / 1'000'000) + " MB",
               "a drawing of this file size is smaller");
 }
 

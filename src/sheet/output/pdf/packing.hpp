@@ -14,7 +14,7 @@ namespace epura::output {
 /// The number of bytes to which a file may still unpack.
 class UnpackRoom {
  public:
-  UnpackRoom(std::size_t bytes, std::string where) : where_(std::move(where)), most_(bytes), left_(bytes) {}
+  UnpackRoom(std::size_t bytes, std::string where) : where_(std::move(where)), max_(bytes), left_(bytes) {}
 
   /// The data of a stream. Throws Error{input} if it is too large or cannot be unpacked.
   std::string unpack(QPDFObjectHandle stream);
@@ -25,7 +25,7 @@ class UnpackRoom {
   [[noreturn]] void refuse() const;
 
   std::string where_;
-  std::size_t most_, left_;
+  std::size_t max_, left_;
 };
 
 /// Checks the bytes of a whole file. Throws Error{input} unless its streams are packed as epura packs them: not at all

@@ -111,7 +111,7 @@ std::vector<DimensionDescription> without_excess(std::vector<DimensionDescriptio
   std::erase_if(dimensions, [&](const DimensionDescription& dimension) {
     if (dimension.is_label) return false;
     const int row = dimension.direction.given() ? static_cast<int>(*dimension.direction) : -1;
-    return ++count[{*dimension.view, row}] > most_of_a_kind;
+    return ++count[{*dimension.view, row}] > max_of_a_kind;
   });
   return dimensions;
 }

@@ -23,10 +23,10 @@ struct DimensionSubject {
 };
 
 /// How many steps a view dimensions along one axis, and how many radii; more would not be legible. The largest count,
-/// but no step smaller than `least_level` of the area of the models' box, and no radii whose sum is less than
-/// `least_radius` of its size: `epura lint` lists what is left.
-inline constexpr std::size_t most_levels = 64, most_radii = 24;
-inline constexpr double least_level = 5e-5, least_radius = 2e-3;
+/// but no step smaller than `min_level` of the area of the models' box, and no radii whose sum is less than
+/// `min_radius` of its size: `epura lint` lists what is left.
+inline constexpr std::size_t max_levels = 64, max_radii = 24;
+inline constexpr double min_level = 5e-5, min_radius = 2e-3;
 
 struct AutomaticPlan {
   std::vector<scene::DimensionDescription> dimensions;

@@ -123,7 +123,7 @@ Sentences repeated_sizes(const Dimensioned& sheet) {
   for (std::size_t i = 0; i < sheet.table.sizes.size(); ++i) {
     const FeatureSize& size = sheet.table.sizes[i];
     const auto [of_list, is_first] = most.try_emplace(size.equal_to, 0);
-    if (is_first) of_list->second = most_dimensions(size, sheet.table);
+    if (is_first) of_list->second = max_dimensions(size, sheet.table);
     check(sheet.on_sheet.dimensions[i] >= 0 && of_list->second > 0, "a size is of one place or more");
     if (sheet.on_sheet.dimensions[i] > of_list->second) repeated.push_back(size.name);
   }

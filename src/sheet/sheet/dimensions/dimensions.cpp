@@ -25,7 +25,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr std::size_t most_in_crowd = 12;  // dimensions for which less usual places are tried: it takes long
+constexpr std::size_t max_in_crowd = 12;  // dimensions for which less usual places are tried: it takes long
 
 bool is_on_line(const Vec2& p, const Vec2& on, const Vec2& direction) {
   constexpr double slack = 1e-6;
@@ -149,7 +149,7 @@ class Placer {
     count = std::min(count, placed_.size());
     const PlacedDimensions all = placed_;
     std::vector<std::size_t> left_out = leave_out_crossed(count, progress);
-    if (left_out.empty() || left_out.size() > most_in_crowd) return left_out;
+    if (left_out.empty() || left_out.size() > max_in_crowd) return left_out;
     const PlacedDimensions usual = placed_;
     is_crowded_ = true;
     put_back(all);

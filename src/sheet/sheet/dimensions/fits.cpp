@@ -16,7 +16,7 @@ namespace epura::sheet {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();  // not defined at this size
-constexpr int least_grade = 1, greatest_grade = 18;
+constexpr int min_grade = 1, greatest_grade = 18;
 constexpr double micrometre = 1e-3;
 
 // Sizes up to and including the limit, mm; the fundamental deviations have finer steps.
@@ -168,7 +168,7 @@ ToleranceClass parse_tolerance_class(std::string_view text, const std::string& w
   if (!one_case || (lower != "j" && lower != "js" && !distance_of(lower, 25)))
     refuse_input(where, quoted + " has no fundamental deviation that is known here",
                  "known are " + std::string(known_letters));
-  if (*grade < least_grade || *grade > greatest_grade)
+  if (*grade < min_grade || *grade > greatest_grade)
     refuse_input(where, quoted + " has no standard tolerance grade", "the grades of ISO 286-1 are 1 to 18");
   one.grade = static_cast<int>(*grade);
   return one;

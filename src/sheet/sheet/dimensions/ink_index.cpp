@@ -9,7 +9,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double least_cell = 1;  // mm
+constexpr double min_cell = 1;  // mm
 
 Rectangle box_of_ink(const drawing::ViewDrawing& drawing) {
   if (drawing.segments.empty()) return {Vec2(0), Vec2(0)};
@@ -23,7 +23,7 @@ Rectangle box_of_ink(const drawing::ViewDrawing& drawing) {
 }  // namespace
 
 InkIndex::InkIndex(const drawing::ViewDrawing& drawing)
-    : drawing_(drawing), cells_(box_of_ink(drawing).min, box_of_ink(drawing).max, least_cell) {
+    : drawing_(drawing), cells_(box_of_ink(drawing).min, box_of_ink(drawing).max, min_cell) {
   for (const drawing::Segment& segment : drawing.segments) cells_.add(segment.from, segment.to);
 }
 

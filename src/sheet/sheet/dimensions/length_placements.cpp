@@ -111,8 +111,8 @@ std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, cons
 std::vector<DimensionPlacement> placements_in_crowd(const MeasuredLength& length, const MeasuredDimension& measured,
                                                     const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   constexpr double step = 5;                                                        // mm
-  constexpr int most_beside = 10;                                                   // steps
-  constexpr int most_of_leader = 8;                                                 // steps
+  constexpr int max_beside = 10;                                                    // steps
+  constexpr int max_of_leader = 8;                                                  // steps
   constexpr double cost_of_beside = 1, cost_of_leader = 2, cost_of_farther = 0.05;  // the last one per millimetre
   std::vector<DimensionPlacement> placements;
   if (measured.offset) return placements;
@@ -122,14 +122,14 @@ std::vector<DimensionPlacement> placements_in_crowd(const MeasuredLength& length
       const double distance = side.distance(level, style.height(measured.text));
       const double cost = side.cost + cost_of_level * level;
       for (const double towards : {1.0, -1.0}) {
-        for (int i = 0; i < most_beside; ++i)
+        for (int i = 0; i < max_beside; ++i)
           placements.push_back(
               {straight_dimension_beside(side.ends, measured.text, distance, {towards > 0, step * i}, style),
                cost + cost_of_beside + cost_of_farther * step * i});
         // Steep enough to leave the extension lines of a narrow length to its sides.
         for (const double slope : {1.0, 2.0}) {
           const Vec2 direction = glm::normalize(towards * length.along + slope * out);
-          for (int i = 1; i <= most_of_leader; ++i)
+          for (int i = 1; i <= max_of_leader; ++i)
             placements.push_back(
                 {straight_dimension_with_leader(side.ends, measured.text, distance, step * i * direction, style),
                  cost + cost_of_leader + cost_of_farther * step * i});

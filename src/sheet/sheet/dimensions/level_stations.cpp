@@ -53,10 +53,10 @@ const NamedProjection* view_of_level(const features::LevelFeature& level, const 
 
 }  // namespace
 
-double least_area(const Box& box) {
+double min_area(const Box& box) {
   const Vec3 size = box.size();
   const double largest = std::max({size.x, size.y, size.z}), least = std::min({size.x, size.y, size.z});
-  return least_level * largest * (size.x + size.y + size.z - largest - least);
+  return min_level * largest * (size.x + size.y + size.z - largest - least);
 }
 
 std::vector<Station> level_stations(const DimensionSubject& subject, const ViewChoice& views, const Stations& known) {
@@ -66,7 +66,7 @@ std::vector<Station> level_stations(const DimensionSubject& subject, const ViewC
   std::map<std::pair<std::string, int>, std::vector<std::pair<double, Station>>> by_view;
   for (const features::LevelFeature& level : subject.features.levels) {
     const NamedProjection* view = view_of_level(level, views, all_points, slack);
-    if (view == nullptr || known.is_known(level.axis, level.at) || level.area < least_area(box)) continue;
+    if (view == nullptr || known.is_known(level.axis, level.at) || level.area < min_area(box)) continue;
     const bool horizontal = std::abs(view->projection.u[level.axis]) > 0.5;
     const Vec3 towards = horizontal ? -view->projection.v : view->projection.u;
     const std::vector<Vec3> points = points_shown(level, *view);
@@ -80,7 +80,7 @@ std::vector<Station> level_stations(const DimensionSubject& subject, const ViewC
   for (auto& [key, levels] : by_view) {
     check(!levels.empty(), "a view has the steps for which it was chosen");
     std::stable_sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t i = 0; i < std::min(levels.size(), most_levels); ++i) stations.push_back(levels[i].second);
+    for (std::size_t i = 0; i < std::min(levels.size(), max_levels); ++i) stations.push_back(levels[i].second);
   }
   return stations;
 }

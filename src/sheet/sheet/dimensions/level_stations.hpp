@@ -10,9 +10,9 @@
 namespace epura::sheet {
 
 /// The area below which a face is no step or slope to be dimensioned, for models in a box.
-double least_area(const Box& box);
+double min_area(const Box& box);
 
-/// Places of the steps that are not known yet, at most `most_levels` along one axis in a view, the largest ones.
+/// Places of the steps that are not known yet, at most `max_levels` along one axis in a view, the largest ones.
 std::vector<Station> level_stations(const DimensionSubject& subject, const ViewChoice& views, const Stations& known);
 
 }  // namespace epura::sheet

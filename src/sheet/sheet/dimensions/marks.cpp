@@ -15,12 +15,12 @@ namespace {
 constexpr double half_tip = 10 * std::numbers::pi / 180;
 constexpr double air = 0.15;  // around a text, relative to its height
 constexpr double upright = 1e-6;
-constexpr double least_letters = 2.5;    // mm, ISO 3098-1
+constexpr double min_letters = 2.5;      // mm, ISO 3098-1
 constexpr double between_stacked = 0.4;  // of the height of stacked numbers
 
 // Numbers above each other are one size of ISO 3098 smaller, if that is still legible. ISO 406.
 double stacked_height(const DimensionStyle& style) {
-  return std::max(std::min(style.text, least_letters), style.text / std::numbers::sqrt2);
+  return std::max(std::min(style.text, min_letters), style.text / std::numbers::sqrt2);
 }
 
 // Width of the text up to its decimal sign or unit.

@@ -18,7 +18,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double most_tilt = 1e-3;  // sine of a tilt that shortens by only half a millionth
+constexpr double max_tilt = 1e-3;   // sine of a tilt that shortens by only half a millionth
 constexpr double whole_ink = 1e-5;  // relative length by which ink may be shorter
 
 [[noreturn]] void refuse_measure(const AnchoredDimension& dimension, const std::string& what, const std::string& hint) {
@@ -38,13 +38,13 @@ struct Sight {
   [[nodiscard]] Vec2 whole_page(const Vec3& p) const { return Vec2(drawing.world_to_page * Vec4(p, 1)); }
   // Image of a direction.
   [[nodiscard]] Vec2 page_of(const Vec3& d) const { return Vec2(drawing.world_to_page * Vec4(d, 0)); }
-  [[nodiscard]] bool in_plane(const Vec3& d) const { return std::abs(glm::dot(d, n)) <= most_tilt * glm::length(d); }
+  [[nodiscard]] bool in_plane(const Vec3& d) const { return std::abs(glm::dot(d, n)) <= max_tilt * glm::length(d); }
   [[nodiscard]] bool shows_an_axis() const { return in_plane({1, 0, 0}) || in_plane({0, 1, 0}) || in_plane({0, 0, 1}); }
   // A pictorial view along parallel projectors, in which circles may be ellipses.
   [[nodiscard]] bool is_axonometric() const { return !orthographic || !shows_an_axis(); }
   // Of a circle about this axis.
   [[nodiscard]] bool is_edge_on(const Vec3& axis) const {
-    return std::abs(glm::dot(axis, glm::normalize(drawing.projection.projector))) <= most_tilt;
+    return std::abs(glm::dot(axis, glm::normalize(drawing.projection.projector))) <= max_tilt;
   }
   [[nodiscard]] double millimetres() const { return glm::length(page_of(drawing.projection.u)); }  // per unit of length
 };
@@ -73,7 +73,7 @@ bool halve(MeasuredLength& length, const Sight& sight, const std::array<Vec2, 2>
   constexpr double past = 6, slack = 0.1;  // mm
   const drawing::Breaks& breaks = sight.drawing.breaks;
   for (const int axis : {0, 1}) {
-    if (std::abs(length.along[axis]) < 1 - most_tilt || !breaks.are_mirrored(unmoved[0], unmoved[1], axis, slack))
+    if (std::abs(length.along[axis]) < 1 - max_tilt || !breaks.are_mirrored(unmoved[0], unmoved[1], axis, slack))
       continue;
     const bool to = breaks.keeps(unmoved[0]);
     const double side = unmoved[to ? 1 : 0][axis] > unmoved[to ? 0 : 1][axis] ? 1 : -1;
@@ -164,7 +164,7 @@ Vec2 extension_axis(const Sight& sight, const Vec2& along) {
   for (int axis = 0; axis < 3; ++axis) {
     const Vec2 image = sight.page_of(Mat3(1)[axis]);
     const double size = glm::length(image);
-    if (size <= most_tilt * sight.millimetres()) continue;
+    if (size <= max_tilt * sight.millimetres()) continue;
     const double lean = std::abs(glm::dot(image / size, along));
     if (lean < min - 1e-9) {
       min = lean;
@@ -178,8 +178,8 @@ MeasuredDimension aligned(const AnchoredDimension& dimension, const Sight& sight
   const Vec3 d = dimension.points[1] - dimension.points[0];
   const double length = glm::length(d);
   const Vec2 image = sight.page_of(d);
-  const bool seen = glm::length(image) > most_tilt * sight.millimetres() * length;
-  const bool on_axis = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) >= (1 - most_tilt * most_tilt) * length;
+  const bool seen = glm::length(image) > max_tilt * sight.millimetres() * length;
+  const bool on_axis = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) >= (1 - max_tilt * max_tilt) * length;
   if (!seen || !(sight.in_plane(d) || on_axis))
     refuse_measure(dimension,
                    seen ? "the view foreshortens the measured line" : "the view looks along the measured line",
@@ -253,7 +253,7 @@ MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, const Anc
 // The length of an arc that the view shows in true shape.
 MeasuredDimension arc_length(const AnchoredDimension& dimension, const Sight& sight) {
   for (const WorldCircle& circle : dimension.circles) {
-    if (circle.whole || circle.rim.size() < 2 || glm::length(glm::cross(circle.axis, sight.n)) > most_tilt) continue;
+    if (circle.whole || circle.rim.size() < 2 || glm::length(glm::cross(circle.axis, sight.n)) > max_tilt) continue;
     const MeasuredCircle arc = on_paper(circle, sight, dimension);
     for (const Vec3& end : {circle.rim.front(), circle.rim.back()}) expect_shown(dimension, sight, end);
     const auto leg = [&](double angle) { return arc.radius * Vec2(portable_cos(angle), portable_sin(angle)); };
@@ -296,7 +296,7 @@ MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sigh
     return with_text(dimension, {value, is_radius ? "R" : sight.notation.diameter}, sight.notation);
   };
   for (const WorldCircle& circle : dimension.circles)
-    if (glm::length(glm::cross(circle.axis, sight.n)) <= most_tilt)
+    if (glm::length(glm::cross(circle.axis, sight.n)) <= max_tilt)
       return {on_paper(circle, sight, dimension), text(circle), dimension.offset};
   for (const WorldCircle& circle : dimension.circles)
     if (!is_radius && circle.whole && sight.orthographic && sight.in_plane(circle.axis))
@@ -340,7 +340,7 @@ std::array<Vec2, 2> ends_of_ink(const drawing::ViewDrawing& drawing, const Vec2&
 void complete_half(std::array<Vec2, 2>& ends, const drawing::Breaks& breaks, const Vec2& along) {
   for (const int axis : {0, 1}) {
     const std::optional<double> mirror = breaks.mirror(axis);
-    if (!mirror || std::abs(along[axis]) < 1 - most_tilt) continue;
+    if (!mirror || std::abs(along[axis]) < 1 - max_tilt) continue;
     const auto distance = [&](const Vec2& p) { return std::abs(p[axis] - *mirror); };
     const bool second = distance(ends[0]) > distance(ends[1]);
     ends[second ? 1 : 0][axis] = 2 * *mirror - ends[second ? 0 : 1][axis];

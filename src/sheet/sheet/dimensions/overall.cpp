@@ -128,8 +128,8 @@ Room dimension_room(std::span<const scene::DimensionDescription> dimensions, con
                     double text_height) {
   const Lines lines = dividing_lines_of(dimensions, projection);
   const auto room = [&](int needed_lines) {
-    constexpr int most_lines = 4;  // more leave too little of a sheet for the views; short dimensions share lines
-    const int count = std::min(needed_lines, most_lines);
+    constexpr int max_lines = 4;  // more leave too little of a sheet for the views; short dimensions share lines
+    const int count = std::min(needed_lines, max_lines);
     const double stepped = count > 0 ? first_dimension + (count - 1) * dimension_step(text_height) : 0;
     const double needed = std::max(stepped, lines.farthest);
     return needed > 0 ? needed + text_height : 0;

@@ -72,7 +72,7 @@ struct Planned {
 };
 
 /// How many notes, horizontal or vertical dimensions a view has at most; and slopes that all views dimension.
-inline constexpr std::size_t most_of_a_kind = 40;
+inline constexpr std::size_t max_of_a_kind = 40;
 
 /// The one in the upper right, where leaders find room beside the lower and left baselines.
 template <class Feature>

@@ -32,8 +32,8 @@ using features::RoundFeature;
 using scene::DimensionDescription;
 
 // The view along most of some arcs, and these.
-std::pair<const NamedProjection*, std::vector<const ArcFeature*>> most_seen(
-    const ViewChoice& views, const std::vector<const ArcFeature*>& arcs) {
+std::pair<const NamedProjection*, std::vector<const ArcFeature*>> max_seen(const ViewChoice& views,
+                                                                           const std::vector<const ArcFeature*>& arcs) {
   std::pair<const NamedProjection*, std::vector<const ArcFeature*>> best{};
   for (const NamedProjection* view : views.all()) {
     std::vector<const ArcFeature*> seen;
@@ -114,9 +114,9 @@ Planned arc_dimensions(const Planning& plan) {
   std::map<std::string, std::size_t> in_view;
   Planned planned;
   for (const auto& group : groups) {
-    const auto [view, seen] = most_seen(plan.views, group);
-    if (view == nullptr || double(group.size()) * group.front()->radius < least_radius * largest ||
-        in_view[view->name]++ >= most_radii)
+    const auto [view, seen] = max_seen(plan.views, group);
+    if (view == nullptr || double(group.size()) * group.front()->radius < min_radius * largest ||
+        in_view[view->name]++ >= max_radii)
       continue;
     const auto* shown = uppermost<ArcFeature>(seen, *view, [](const ArcFeature& arc) { return arc.points[4]; });
     check(shown->radius > 0 && shown->points.size() > 4, "an arc has a radius and a middle");

@@ -14,7 +14,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double most_turned = 16;  // degrees out of the paper
+constexpr double max_turned = 16;  // degrees out of the paper
 
 // The section nearest to the one in a direction on paper, `turned` out of it, where the view shows it.
 scene::FeatureCircle section_beside(const features::RoundFeature& round, const Vec3& aside, double turned,
@@ -30,7 +30,7 @@ scene::FeatureCircle section_beside(const features::RoundFeature& round, const V
 }  // namespace
 
 std::optional<SeenSection> seen_section(const features::RoundFeature& round, const ViewChoice& views) {
-  for (const double most : {0.0, most_turned})
+  for (const double most : {0.0, max_turned})
     for (const NamedProjection* view : views.all()) {
       const projection::Projection& projection = view->projection;
       for (const auto& [along, aside] : {std::pair(projection.u, projection.v), std::pair(projection.v, projection.u)})

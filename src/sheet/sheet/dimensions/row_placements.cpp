@@ -297,8 +297,8 @@ bool is_crowded(const MeasuredRow& row, const DimensionStyle& style) {
 }
 
 std::vector<MeasuredRow> on_two_sides(const MeasuredRow& row, const DimensionStyle& style) {
-  constexpr std::size_t most_on_a_side = 12;
-  const bool is_fan = row.places.size() > most_on_a_side + 1 || is_crowded(row, style);
+  constexpr std::size_t max_on_a_side = 12;
+  const bool is_fan = row.places.size() > max_on_a_side + 1 || is_crowded(row, style);
   constexpr std::size_t fewest = 4;  // places: fewer are no fan
   if (row.arrangement != DimensionArrangement::ordinate || !is_fan || row.places.size() < fewest) return {row};
   std::vector<std::size_t> order;  // from below, or from the right; of places side by side, each second one above

@@ -140,7 +140,7 @@ std::vector<bool> given_sizes(const SizesOnSheet& on_sheet, const DimensionSubje
   return given;
 }
 
-int most_dimensions(const FeatureSize& size, const FeatureTable& table) {
+int max_dimensions(const FeatureSize& size, const FeatureTable& table) {
   std::vector<int> lists{size.equal_to};
   for (const FeatureSize& one : table.sizes) {
     if (one.equal_to != size.equal_to) continue;

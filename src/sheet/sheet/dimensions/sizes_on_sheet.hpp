@@ -28,6 +28,6 @@ std::vector<bool> given_sizes(const SizesOnSheet& on_sheet, const DimensionSubje
 
 /// How many dimensions may give a size and its equals: one for each different feature at their places, as a bolt fills
 /// its hole.
-int most_dimensions(const FeatureSize& size, const FeatureTable& table);
+int max_dimensions(const FeatureSize& size, const FeatureTable& table);
 
 }  // namespace epura::sheet

@@ -60,7 +60,7 @@ std::size_t count_chamfers(const Planning& plan, const std::vector<const BevelFe
 Planned dimensions_of_chamfers(const Planning& plan, const std::vector<BevelFeature>& chamfers) {
   Planned planned;
   const Vec3 size = plan.box.size();
-  const double least = least_radius * std::max({size.x, size.y, size.z});
+  const double least = min_radius * std::max({size.x, size.y, size.z});
   for (const auto& group : groups_of<BevelFeature>(chamfers, are_equal_chamfers)) {
     const NamedProjection* view = plan.views.along(Mat3(1)[group.front()->along]);
     if (view == nullptr || group.front()->leg() < least) continue;
@@ -107,9 +107,9 @@ Planned slope_dimensions(const Planning& plan) {
   }
   Planned planned = dimensions_of_chamfers(plan, chamfers);
   std::stable_sort(slopes.begin(), slopes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
-  for (std::size_t i = 0; i < std::min(slopes.size(), most_of_a_kind); ++i) {
+  for (std::size_t i = 0; i < std::min(slopes.size(), max_of_a_kind); ++i) {
     const NamedProjection* view = plan.views.along(Mat3(1)[slopes[i].along]);
-    if (view == nullptr || slopes[i].area < least_area(plan.box)) continue;
+    if (view == nullptr || slopes[i].area < min_area(plan.box)) continue;
     if (has_angle(slopes[i], plan.subject)) {
       planned.dimensions.push_back(plan.dimension(DimensionType::angular, *view, "<>"));
       for (const Vec3& anchor : anchors_of_angle(slopes[i], plan.subject))

@@ -276,7 +276,7 @@ std::vector<scene::DimensionDescription> Stations::without_crowds(std::vector<sc
       std::vector<std::size_t> beside;
       for (std::size_t j = i; j < dimensions.size(); ++j)
         if (is_beside(stations_[stations_of[j]])) beside.push_back(j);
-      if (beside.size() > most_parallel) {
+      if (beside.size() > max_parallel) {
         std::vector<Station> crowd;
         std::copy_if(stations_.begin(), stations_.end(), std::back_inserter(crowd), is_beside);
         for (scene::DimensionDescription& row : arranged(crowd, DimensionArrangement::ordinate, where))

@@ -32,7 +32,7 @@ int world_axis(const Vec3& direction);
 bool is_plain(const projection::Projection& projection);
 
 /// The largest number of parallel dimensions of one direction in a view: more stand too far from what they measure.
-inline constexpr std::size_t most_parallel = 8;
+inline constexpr std::size_t max_parallel = 8;
 
 /// What positions along an axis of the world are measured from, in all views.
 struct Datum {
@@ -56,7 +56,7 @@ class Stations {
   void add(const Station& station);
 
   /// Dimensions of all stations in the arrangement that is wanted; without one, parallel, and with a common origin
-  /// where these would be more than `most_parallel`.
+  /// where these would be more than `max_parallel`.
   [[nodiscard]] std::vector<scene::DimensionDescription> dimensions(const scene::DimensionDescription& wanted,
                                                                     const Notation& notation) const;
 

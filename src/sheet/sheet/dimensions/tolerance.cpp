@@ -15,7 +15,7 @@ namespace epura::sheet {
 namespace {
 
 constexpr std::string_view plus_minus = "±";
-constexpr int most_decimals = 8;
+constexpr int max_decimals = 8;
 
 [[noreturn]] void refuse_text(std::string_view text, const std::string& where) {
   refuse_input(where, "'" + std::string(text) + "' is not a tolerance", "±0.1, +0.2 -0.1, H7, g6 or H7/g6");
@@ -100,7 +100,7 @@ std::string signed_text(double value, const Tolerance& tolerance, const Notation
 
 // The least number of decimals that a number needs.
 int needed_decimals(double value) {
-  const std::string text = format_fixed(value, most_decimals);
+  const std::string text = format_fixed(value, max_decimals);
   return decimals_of(text);
 }
 
@@ -115,7 +115,7 @@ double written_value(const MeasuredValue& measured, const Notation& notation) {
 
 TextPiece limits_of(const MeasuredValue& measured, Deviations deviations, int decimals, const Notation& notation) {
   const double value = written_value(measured, notation);
-  const int all = std::min(most_decimals, std::max(decimals, needed_decimals(value)));
+  const int all = std::min(max_decimals, std::max(decimals, needed_decimals(value)));
   const std::string unit = measured.is_angle ? "°" : "";
   return {padded(value + deviations.upper, all, notation) + unit,
           padded(value + deviations.lower, all, notation) + unit};
@@ -167,7 +167,7 @@ Tolerance parse_tolerance(std::string_view text, const std::string& where) {
   tolerance->where = where;
   if (!tolerance->deviations) return *tolerance;
   const Deviations& given = *tolerance->deviations;
-  if (!std::isfinite(given.upper) || !std::isfinite(given.lower) || tolerance->decimals > most_decimals)
+  if (!std::isfinite(given.upper) || !std::isfinite(given.lower) || tolerance->decimals > max_decimals)
     refuse_text(text, where);
   if (!(given.upper > given.lower))
     refuse_input(where, "'" + std::string(text) + "' permits no size",
