@@ -342,9 +342,9 @@ LayoutOptions options_of(const scene::SceneDescription& scene, const SheetOfView
 
 }  // namespace
 
-std::vector<LayoutWish> better_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual) {
+std::vector<LayoutRequest> better_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual) {
   const bool is_sized = is_sized_by_scale(sheet);
-  std::vector<LayoutWish> layouts;
+  std::vector<LayoutRequest> layouts;
   if (is_sized) layouts.push_back({0, std::nullopt, smaller_rooms.front()});
   if (usual.chosen)
     layouts.push_back(
@@ -352,10 +352,10 @@ std::vector<LayoutWish> better_layouts(const scene::SheetDescription& sheet, con
   return layouts;
 }
 
-std::vector<LayoutWish> roomier_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual) {
+std::vector<LayoutRequest> roomier_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual) {
   constexpr double smallest = 0.1;  // of the usual scale, at which texts would be far larger than what they mean
   const bool is_given = sheet.scale.value_or({}).fixed.has_value();
-  std::vector<LayoutWish> layouts;
+  std::vector<LayoutRequest> layouts;
   if (is_sized_by_scale(sheet)) {
     for (int rank = usual.size_rank() + 1; rank <= largest_size_rank; ++rank) {
       layouts.push_back({rank});

@@ -41,11 +41,11 @@ inline constexpr std::array smaller_rooms{0.5, 0.25};
 
 /// Layouts with the larger part of the estimated room for dimensions, best first, that may be better than the usual
 /// one.
-std::vector<LayoutWish> better_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual);
+std::vector<LayoutRequest> better_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual);
 
 /// Layouts with more room, to be tried in turn while the usual one leaves something out: larger sheets, if the size is
 /// chosen, otherwise smaller scales.
-std::vector<LayoutWish> roomier_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual);
+std::vector<LayoutRequest> roomier_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual);
 
 /// Whether one layout has a smaller sheet than the other, or a larger scale on the same one.
 bool is_better(const SheetPlan& one, const SheetPlan& other);

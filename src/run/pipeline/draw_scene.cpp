@@ -107,7 +107,7 @@ struct Run {
                        const std::vector<view::ProjectedScene>& seen) const;
   PreparedSheet prepare_sheet(const ShownWorlds& worlds, SheetOfViews views);
   [[nodiscard]] SheetPlan usual_plan(const ShownWorlds& worlds, PreparedSheet& sheet) const;
-  SheetPlan plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const LayoutWish& layout) const;
+  SheetPlan plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const LayoutRequest& layout) const;
   FinishedSheet draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared, const SheetPlan& plan,
                            const std::optional<std::size_t>& max_left_out);
   void finish(FinishedSheet& sheet, const SheetPlan& plan, std::vector<sheet::DimensionsInView> anchored);
@@ -283,7 +283,7 @@ void project_again(PreparedSheet& sheet, const ShownWorlds& worlds) {
   }
 }
 
-SheetPlan Run::plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const LayoutWish& layout) const {
+SheetPlan Run::plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const LayoutRequest& layout) const {
   project_again(sheet, worlds);
   sheet.views.layout = layout;
   return plan_sheet(worlds.main(), scene, sheet.views, sheet.seen, sheet.annotations);
@@ -419,7 +419,7 @@ std::optional<Attempt> Run::attempt_better(const ShownWorlds& worlds, PreparedSh
     return std::nullopt;
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)];
   std::optional<SheetPlan> tried;
-  for (const LayoutWish& wish : better_layouts(description, usual)) {
+  for (const LayoutRequest& wish : better_layouts(description, usual)) {
     const SheetPlan better = plan_of(worlds, sheet, wish);
     if (!better.inside || better.crowded || !is_better(better, tried.value_or(usual))) continue;
     if (auto found = attempt_if([&] { return draw_sheet(worlds, sheet, better, 0); }, is_complete)) {
@@ -451,7 +451,7 @@ Attempt Run::draw_in_best_layout(const ShownWorlds& worlds, PreparedSheet& sheet
   std::optional<Attempt> best = attempt_better(worlds, sheet, usual);
   if (!best) best = attempt([&] { return draw_sheet(worlds, sheet, usual, std::nullopt); });
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)];
-  for (const LayoutWish& wish : roomier_layouts(description, usual)) {
+  for (const LayoutRequest& wish : roomier_layouts(description, usual)) {
     const auto faults = faults_of(best->sheet);
     const bool is_sized = is_sized_by_scale(description);
     // A smaller scale does not make rows shorter.

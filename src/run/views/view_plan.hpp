@@ -34,7 +34,7 @@ struct EpuraViews {
 };
 
 /// How a sheet is to be laid out as far as the scene leaves that open.
-struct LayoutWish {
+struct LayoutRequest {
   int min_size = 0;                    ///< from which "auto" chooses, of its sizes in ascending order
   std::optional<double> kept_scale{};  ///< instead of the largest one
   double room_share = 1;               ///< of what is estimated as room for dimensions
@@ -46,7 +46,7 @@ struct SheetOfViews {
   std::vector<scene::ViewDescription> descriptions;
   std::vector<PlannedView> plans;
   bool states_error = false;  ///< above the title block
-  LayoutWish layout{};
+  LayoutRequest layout{};
   std::vector<world::Item> items{};   ///< of its parts list; empty: it has none
   std::optional<EpuraViews> epura{};  ///< if they have that layout
 };

@@ -452,7 +452,7 @@ void draw_hatch_lines(Layer& layer, HatchedFace hatched, const FaceToHatch& what
 
 }  // namespace
 
-std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* const> drawings, const HatchWish& wish,
+std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* const> drawings, const HatchRequest& wish,
                                       const Progress& progress) {
   const std::vector<Part> parts = parts_of(drawings);
   std::vector<HatchStyle> wishes;

@@ -23,14 +23,14 @@ struct Hatching {
 };
 
 /// The style of a body that is cut in a view, by number of its drawing, model and body.
-using HatchWish = std::function<HatchStyle(std::size_t drawing, int model, int body)>;
+using HatchRequest = std::function<HatchStyle(std::size_t drawing, int model, int body)>;
 
 /// Returns a hatching for each part that is cut, sorted by model and body. Spacing grows with the largest cut face,
 /// from 1 to 4 mm. Lines run neither along the part's own outlines nor perpendicular to them, and parts whose cut faces
 /// are closer than 0.7 mm differ by angle or spacing. Angles and spacings that styles give are kept, and parts that
 /// have them are chosen first. Throws OutOfTime.
-std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* const> drawings, const HatchWish& wish = {},
-                                      const Progress& progress = {});
+std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* const> drawings,
+                                      const HatchRequest& wish = {}, const Progress& progress = {});
 
 /// A view, the styles of its bodies, and the texts at which hatching is interrupted.
 struct HatchedView {

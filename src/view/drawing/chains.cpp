@@ -21,7 +21,7 @@ const Vec2& place(const std::vector<Segment>& segments, End end) {
   return end % 2 == 0 ? s.from : s.to;
 }
 
-std::vector<End> partners_of(const std::vector<Segment>& segments, const Gaps& gaps, const Progress& progress) {
+std::vector<End> continuations_of(const std::vector<Segment>& segments, const Gaps& gaps, const Progress& progress) {
   const auto place_of = [&](End end) { return place(segments, end); };
   const auto look_of = [&](End end) {
     const Segment& s = segments[line_of(end)];
@@ -29,11 +29,11 @@ std::vector<End> partners_of(const std::vector<Segment>& segments, const Gaps& g
     return std::array{style, static_cast<double>(s.model), static_cast<double>(s.body)};
   };
   const auto kind_of = [&](End end) { return segments[line_of(end)].kind; };
-  std::vector<End> partner =
-      drawing::find_partners(LineEnds{static_cast<int>(segments.size()), place_of, look_of, kind_of}, gaps, progress);
-  for (End end = 0; end < static_cast<End>(partner.size()); ++end)
-    check(partner[end] == no_end || partner[partner[end]] == end, "ends of lines are joined in pairs");
-  return partner;
+  std::vector<End> continuation = drawing::find_continuations(
+      LineEnds{static_cast<int>(segments.size()), place_of, look_of, kind_of}, gaps, progress);
+  for (End end = 0; end < static_cast<End>(continuation.size()); ++end)
+    check(continuation[end] == no_end || continuation[continuation[end]] == end, "ends of lines are joined in pairs");
+  return continuation;
 }
 
 // Leaves out corners at which the line runs straight on. The offsets of the corners left out since the last one kept
@@ -76,12 +76,12 @@ void leave_out_steps(std::vector<Vec2>& points, bool closed, double touching) {
   if (kept.size() >= (closed ? 3 : 2)) points = std::move(kept);
 }
 
-// Follows partners from the end `start` of a segment, towards the other end of the segment.
-Chain follow(const std::vector<Segment>& segments, const std::vector<End>& partner, End start,
+// Follows continuations from the end `start` of a segment, towards the other end of the segment.
+Chain follow(const std::vector<Segment>& segments, const std::vector<End>& continuation, End start,
              std::vector<bool>& used) {
   const Segment& first = segments[line_of(start)];
   Chain chain{{place(segments, start)}, false, first.visible, first.kind, {}};
-  for (End at = start; at != no_end && !used[line_of(at)]; at = partner[other(at)]) {
+  for (End at = start; at != no_end && !used[line_of(at)]; at = continuation[other(at)]) {
     used[line_of(at)] = true;
     chain.segments.push_back(line_of(at));
     chain.kind = std::min(chain.kind, segments[line_of(at)].kind);
@@ -143,13 +143,13 @@ class LinesThere {
 std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance, const Gaps& gaps,
                                   const Progress& progress) {
   const double widest = std::max(gaps.touching, gaps.unseen);
-  const std::vector<End> partner = partners_of(segments, gaps, progress);
+  const std::vector<End> continuation = continuations_of(segments, gaps, progress);
   std::vector<bool> used(segments.size(), false);
   std::vector<Chain> chains;
   Pace pace(progress, segments.size());
   std::size_t left = segments.size();
   const auto add = [&](End start, bool closed) {
-    Chain chain = follow(segments, partner, start, used);
+    Chain chain = follow(segments, continuation, start, used);
     pace.left(left -= chain.segments.size());
     chain.closed = closed && chain.segments.size() > 2;
     check(chain.points.size() == chain.segments.size() + 1, "a chain has a line between any two of its points");
@@ -161,10 +161,10 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
     straighten(chain.points, chain.closed, tolerance);
     chains.push_back(std::move(chain));
   };
-  for (End end = 0; end < static_cast<End>(partner.size()); ++end)
-    if (partner[end] == no_end && !used[line_of(end)]) add(end, false);
+  for (End end = 0; end < static_cast<End>(continuation.size()); ++end)
+    if (continuation[end] == no_end && !used[line_of(end)]) add(end, false);
   // The remaining segments form rings.
-  for (End end = 0; end < static_cast<End>(partner.size()); end += 2)
+  for (End end = 0; end < static_cast<End>(continuation.size()); end += 2)
     if (!used[line_of(end)]) add(end, true);
   check(left == 0, "every line is in one chain");
   return chains;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "drawing/continuations.hpp"
 #include "drawing/drawing.hpp"
-#include "drawing/partners.hpp"
 
 namespace epura::drawing {
 

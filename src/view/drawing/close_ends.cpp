@@ -53,7 +53,7 @@ class EndCloser {
     const Vec2 place = line[end];
     const auto onto = drawn_for(part.piece, place);
     if (!onto) return {};
-    // Specks are removed along with the ink that they touched.
+    // Dangles are removed along with the ink that they touched.
     const double length = glm::distance(line[0], line[1]);
     if (length <= limits_.touching) return {length, std::nullopt};
     if (is_held(part.piece, place)) return {};

@@ -29,7 +29,7 @@ class Doubts {
 
   /// Takes note of visible lines.
   void look_at_others(const Progress& progress) {
-    const search::OccupiedCells near = parts_.cells_within(distance_, speck_cell * distance_);
+    const search::OccupiedCells near = parts_.cells_within(distance_, dangle_cell * distance_);
     Pace pace(progress, pieces_.size());
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       pace.left(pieces_.size() - i);

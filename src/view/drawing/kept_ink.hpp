@@ -13,9 +13,9 @@
 #include "base/nearest.hpp"
 #include "base/progress.hpp"
 #include "base/same_key.hpp"
+#include "drawing/continuations.hpp"
 #include "drawing/ink.hpp"
 #include "drawing/ink_cells.hpp"
-#include "drawing/partners.hpp"
 #include "search/occupied_cells.hpp"
 
 namespace epura::drawing {

@@ -125,10 +125,10 @@ inline constexpr double symmetry_step = 1;   ///< mm between tested points; ther
 
 inline constexpr double cells_a_part = 16;      ///< greatest length of a piece, in widths of the cells of its grid
 inline constexpr double max_columns = 1 << 14;  ///< cells of a grid are numbered with ints
-inline constexpr double cuts_a_piece = 2;       ///< by the grid of a glance, on average
+inline constexpr double cuts_a_piece = 2;       ///< by the grid of a prefilter, on average
 inline constexpr double finest_cell = 2;        ///< in which ink is searched for, in multiples of the distance
-/// Cells that tell where no specks or doubts are, in multiples of the distance.
-inline constexpr double speck_cell = 8;
+/// Cells that tell where no dangles or doubts are, in multiples of the distance.
+inline constexpr double dangle_cell = 8;
 inline constexpr double worth_dividing = 0.85;  ///< a division that leaves at most this part of the work
 inline constexpr double symmetry_cell = 2;      ///< mm; in which the mirror image of a line is searched for
 

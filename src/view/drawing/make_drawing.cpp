@@ -10,6 +10,7 @@
 #include "drawing/chains.hpp"
 #include "drawing/circles_edge_on.hpp"
 #include "drawing/continue_lines.hpp"
+#include "drawing/dangles.hpp"
 #include "drawing/edge_on.hpp"
 #include "drawing/facet_doubts.hpp"
 #include "drawing/forwards.hpp"
@@ -18,7 +19,6 @@
 #include "drawing/meet_contours.hpp"
 #include "drawing/moved_contours.hpp"
 #include "drawing/near_ink.hpp"
-#include "drawing/specks.hpp"
 #include "visibility/limits.hpp"
 
 namespace epura::drawing {
@@ -236,13 +236,13 @@ double join_where_near(std::vector<Piece>& pieces, const visibility::ResolvedVie
   };
   take(continue_lines(std::move(pieces), models, {near.distance, limits.tolerance}, progress));
   const std::vector<signed char> left = ranks_of(pieces, lines, near);
-  take(drop_specks(std::move(pieces), left, {near.distance, limits.tolerance}, progress));
+  take(drop_dangles(std::move(pieces), left, {near.distance, limits.tolerance}, progress));
   return within;
 }
 
 // Where a contour is moved, it may change between visible and hidden that much too early or too late, unless a person
 // would see it.
-double longest_glint(double near, double moved) {
+double longest_spurious_change(double near, double moved) {
   return std::max(unseen_up_to * near, std::min(seen_from * near, moved));
 }
 
@@ -296,7 +296,8 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   meet_contours(lines, paper, 4 * limits.tolerance, pieces);
   if (!keep_hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
   find_looks(pieces, lines, options.near);
-  turn_glints(pieces, are_moved(pieces, lines), longest_glint(options.near.distance, drawing.contours_moved), progress);
+  vote_on_visibility(pieces, are_moved(pieces, lines),
+                     longest_spurious_change(options.near.distance, drawing.contours_moved), progress);
   if (options.near.distance > 0) drawing.joined_within = draw_circles_once(lines, paper, limits.min, pieces, progress);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "drawing/continuations.hpp"
 #include "drawing/kept_ink.hpp"
-#include "drawing/partners.hpp"
 
 namespace epura::drawing {
 

@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "drawing/close_ends.hpp"
 #include "drawing/limits.hpp"
-#include "drawing/near_glance.hpp"
+#include "drawing/near_prefilter.hpp"
 #include "drawing/near_search.hpp"
 #include "drawing/polylines.hpp"
 
@@ -40,12 +40,12 @@ std::vector<Piece> join_near(std::vector<Piece> pieces, const std::vector<signed
   if (!(distance > touching) || pieces.empty()) return pieces;
   progress.begin("joining near lines", pieces.size());
   const AlongLimits limits{distance, touching};
-  const NearGlance glance(pieces, Polylines(pieces, strength, progress), limits, progress);
-  NearSearch search(pieces, glance, limits);
+  const NearPrefilter prefilter(pieces, Polylines(pieces, strength, progress), limits, progress);
+  NearSearch search(pieces, prefilter, limits);
   search.add_all(progress);
   if (search.taken().parts.empty()) return pieces;
   std::vector<InkPart> left = search.kept().all();
-  left.insert(left.end(), search.specks().begin(), search.specks().end());
+  left.insert(left.end(), search.dangles().begin(), search.dangles().end());
   return close_ends(search.kept(), search.taken(), joined_parts(std::move(left), strength),
                     {touching, max_extension * distance}, progress);
 }

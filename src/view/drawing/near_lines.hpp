@@ -17,7 +17,7 @@ struct NearLines {
 
   /// For removed ink, there is ink that stays within this distance, mm.
   [[nodiscard]] double reach() const { return std::numbers::sqrt2 * distance; }
-  /// The same once lines are continued and specks are dropped, which may be the ink that stayed.
+  /// The same once lines are continued and dangles are dropped, which may be the ink that stayed.
   [[nodiscard]] double reach_in_all() const { return reach() + 2.5 * distance; }
 };
 

@@ -83,7 +83,7 @@ void KeptInk::append(const std::vector<int>& numbers, const MeasuredPolyline& po
   }
 }
 
-void NearAhead::look(const NearGlance& glance, KeptInk& kept, std::size_t first, std::size_t last) {
+void NearAhead::look(const NearPrefilter& prefilter, KeptInk& kept, std::size_t first, std::size_t last) {
   kept.begin_newer();
   first_ = first;
   blocks_.resize((last - first + size - 1) / size);
@@ -91,12 +91,13 @@ void NearAhead::look(const NearGlance& glance, KeptInk& kept, std::size_t first,
     for (std::size_t i = begin; i < end; ++i) {
       Block& block = blocks_[i];
       block.near.clear();
-      std::size_t turn = first + i * size, line = glance.line_at(turn);
+      std::size_t turn = first + i * size, line = prefilter.line_at(turn);
       for (std::size_t k = 0; k < size && turn < last; ++k, ++turn) {
-        if (turn == glance.first(line + 1)) ++line;
-        check(turn >= glance.first(line) && turn < glance.first(line + 1), "a member is of the line that is looked at");
-        const MeasuredPolyline polyline = glance[line];
-        const std::size_t member = turn - glance.first(line);
+        if (turn == prefilter.first(line + 1)) ++line;
+        check(turn >= prefilter.first(line) && turn < prefilter.first(line + 1),
+              "a member is of the line that is looked at");
+        const MeasuredPolyline polyline = prefilter[line];
+        const std::size_t member = turn - prefilter.first(line);
         block.first[k] = {block.near.parts.size(), block.near.contacts.size()};
         if (polyline[member].after >= 0) kept.find_near(polyline, member, block.near);
         block.first[k + 1] = {block.near.parts.size(), block.near.contacts.size()};

@@ -8,7 +8,7 @@
 
 #include "drawing/beside.hpp"
 #include "drawing/kept_ink.hpp"
-#include "drawing/near_glance.hpp"
+#include "drawing/near_prefilter.hpp"
 
 namespace epura::drawing {
 
@@ -68,7 +68,7 @@ class KeptInk {
 class NearAhead {
  public:
   /// Looks at the members that are taken from `first` to before `last`. What is added from now on is newer.
-  void look(const NearGlance& glance, KeptInk& kept, std::size_t first, std::size_t last);
+  void look(const NearPrefilter& prefilter, KeptInk& kept, std::size_t first, std::size_t last);
 
   /// Whether no newer ink can run along a member.
   [[nodiscard]] bool has_seen(const Member& member) const { return member.after < static_cast<int>(first_); }

@@ -41,24 +41,24 @@ Range part_around(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q, do
 
 }  // namespace
 
-NearSearch::NearSearch(const std::vector<Piece>& pieces, const NearGlance& glance, const AlongLimits& limits)
-    : glance_(glance), limits_(limits), kept_(pieces, limits), polyline_(pieces, {}) {}
+NearSearch::NearSearch(const std::vector<Piece>& pieces, const NearPrefilter& prefilter, const AlongLimits& limits)
+    : prefilter_(prefilter), limits_(limits), kept_(pieces, limits), polyline_(pieces, {}) {}
 
 void NearSearch::add_all(const Progress& progress) {
-  const std::size_t members = glance_.first(glance_.size());
+  const std::size_t members = prefilter_.first(prefilter_.size());
   Pace pace(progress, members);
-  for (std::size_t line = 0, last = 0; line < glance_.size(); ++line) {
+  for (std::size_t line = 0, last = 0; line < prefilter_.size(); ++line) {
     if (line == last) {
-      while (last < glance_.size() && glance_.first(last) - glance_.first(line) < looked_ahead) ++last;
-      ahead_.look(glance_, kept_, glance_.first(line), glance_.first(last));
+      while (last < prefilter_.size() && prefilter_.first(last) - prefilter_.first(line) < looked_ahead) ++last;
+      ahead_.look(prefilter_, kept_, prefilter_.first(line), prefilter_.first(last));
     }
     add(line);
-    pace.left(members - glance_.first(line + 1));
+    pace.left(members - prefilter_.first(line + 1));
   }
 }
 
 void NearSearch::add(std::size_t line) {
-  polyline_ = glance_[line];
+  polyline_ = prefilter_[line];
   near_.clear();
   contacts_.clear();
   runs_.clear();
@@ -66,7 +66,7 @@ void NearSearch::add(std::size_t line) {
   is_apart_ = false;
   for (std::size_t member = 0; member < polyline_.size(); ++member) {
     double at = polyline_[member].from;
-    for (const auto& span : near_parts(member, glance_.first(line) + member)) {
+    for (const auto& span : near_parts(member, prefilter_.first(line) + member)) {
       if (span[0] > at) add_apart({member, at, span[0]});
       end_gap(true);
       add_run(span);
@@ -76,7 +76,7 @@ void NearSearch::add(std::size_t line) {
     if (polyline_[member].to > at) add_apart({member, at, polyline_[member].to});
   }
   end_gap(!runs_.empty());
-  settle(glance_.is_closed(line));
+  settle(prefilter_.is_closed(line));
 }
 
 visibility::Spans NearSearch::near_parts(std::size_t member, std::size_t turn) {
@@ -171,7 +171,7 @@ bool NearSearch::has_ink_around(const Stretch& stretch) {
 
 void NearSearch::keep(const Stretch& stretch) {
   const InkPart part = polyline_.part_of(stretch);
-  if (!(stretch.to - stretch.from > limits_.touching)) return specks_.push_back(part);
+  if (!(stretch.to - stretch.from > limits_.touching)) return dangles_.push_back(part);
   kept_.add(part, polyline_[stretch.member].direction);
 }
 

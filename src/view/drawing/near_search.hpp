@@ -11,8 +11,8 @@
 #include "base/progress.hpp"
 #include "drawing/kept_ink.hpp"
 #include "drawing/measured_polyline.hpp"
-#include "drawing/near_glance.hpp"
 #include "drawing/near_parts.hpp"
+#include "drawing/near_prefilter.hpp"
 #include "visibility/spans.hpp"
 
 namespace epura::drawing {
@@ -20,13 +20,13 @@ namespace epura::drawing {
 class NearSearch {
  public:
   /// Lines within `limits.touching` of each other meet.
-  NearSearch(const std::vector<Piece>& pieces, const NearGlance& glance, const AlongLimits& limits);
+  NearSearch(const std::vector<Piece>& pieces, const NearPrefilter& prefilter, const AlongLimits& limits);
 
   /// Decides for one polyline after the other which parts stay and which are removed. Throws OutOfTime.
   void add_all(const Progress& progress);
 
   [[nodiscard]] const InkParts& kept() const { return kept_.parts(); }
-  [[nodiscard]] const std::vector<InkPart>& specks() const { return specks_; }
+  [[nodiscard]] const std::vector<InkPart>& dangles() const { return dangles_; }
   [[nodiscard]] const TakenInk& taken() const { return taken_; }
 
  private:
@@ -57,11 +57,11 @@ class NearSearch {
   void settle(bool is_closed);
   void take_away(const std::vector<Run>& runs);
 
-  const NearGlance& glance_;
+  const NearPrefilter& prefilter_;
   AlongLimits limits_;
   KeptInk kept_;
   NearAhead ahead_;
-  std::vector<InkPart> specks_;  ///< kept, but too short to be drawn instead of others
+  std::vector<InkPart> dangles_;  ///< kept, but too short to be drawn instead of others
   TakenInk taken_;
 
   // The current polyline:

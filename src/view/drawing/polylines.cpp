@@ -15,13 +15,13 @@ Polylines::Polylines(const std::vector<Piece>& pieces, const std::vector<signed 
   const auto place = [&](End end) { return end % 2 == 0 ? pieces[line_of(end)].from : pieces[line_of(end)].to; };
   const auto look = [&](End end) { return std::array{static_cast<double>(strength[line_of(end)])}; };
   const auto kind = [&](End end) { return pieces[line_of(end)].kind; };
-  const std::vector<End> partner =
-      find_partners(LineEnds{static_cast<int>(pieces.size()), place, look, kind}, {.touching = touching}, progress);
+  const std::vector<End> continuation = find_continuations(LineEnds{static_cast<int>(pieces.size()), place, look, kind},
+                                                           {.touching = touching}, progress);
   std::vector<char> used(pieces.size(), 0);
   members_.reserve(pieces.size());
   const auto follow = [&](End start, bool closed) {
     Line line{members_.size(), 0, closed, strength[line_of(start)], 0, order_on_page(place(start))};
-    for (End at = start; at != no_end && used[line_of(at)] == 0; at = partner[other(at)]) {
+    for (End at = start; at != no_end && used[line_of(at)] == 0; at = continuation[other(at)]) {
       used[line_of(at)] = 1;
       members_.push_back(at);
       line.length += length_of(pieces[line_of(at)]);
@@ -32,7 +32,7 @@ Polylines::Polylines(const std::vector<Piece>& pieces, const std::vector<signed 
   };
   const auto last_of = [&](End start) {
     End at = start;
-    while (partner[other(at)] != no_end) at = partner[other(at)];
+    while (continuation[other(at)] != no_end) at = continuation[other(at)];
     return other(at);
   };
   // Of a ring, the end at its first place from which the next place comes first.
@@ -43,14 +43,14 @@ Polylines::Polylines(const std::vector<Piece>& pieces, const std::vector<signed 
     do {
       for (const End end : {at, other(at)})
         if (rank(end) < rank(first)) first = end;
-      at = partner[other(at)];
+      at = continuation[other(at)];
     } while (at != start);
     return first;
   };
   const auto is_left = [&](End end) { return strength[line_of(end)] >= 0 && used[line_of(end)] == 0; };
-  const End ends = static_cast<End>(partner.size());
+  const End ends = static_cast<End>(continuation.size());
   for (End end = 0; end < ends; ++end) {
-    if (partner[end] != no_end || !is_left(end)) continue;
+    if (continuation[end] != no_end || !is_left(end)) continue;
     const End last = last_of(end);
     follow(order_on_page(place(last)) < order_on_page(place(end)) ? last : end, false);
   }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "drawing/continuations.hpp"
 #include "drawing/ink.hpp"
-#include "drawing/partners.hpp"
 
 namespace epura::drawing {
 

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "base/nearest.hpp"
+#include "drawing/dangles.hpp"
 #include "drawing/polylines.hpp"
-#include "drawing/specks.hpp"
 
 namespace epura::test::continue_lines_test {
 namespace {
@@ -156,46 +156,46 @@ TEST(ContinueLines, LeavesOtherLinesAlone) {
   EXPECT_EQ(drawing::continue_lines(others, {0, 1}, {distance, 1e-6}).pieces.size(), 2U);
 }
 
-// --- specks
+// --- dangles
 
 Pieces without_specks(const Pieces& pieces) {
-  return drawing::drop_specks(pieces, std::vector<signed char>(pieces.size(), 1), {distance, 1e-6}).pieces;
+  return drawing::drop_dangles(pieces, std::vector<signed char>(pieces.size(), 1), {distance, 1e-6}).pieces;
 }
 
-std::size_t left_of(const std::vector<Vec2>& speck, const Pen& pen, const Pen& line) {
+std::size_t left_of(const std::vector<Vec2>& dangle, const Pen& pen, const Pen& line) {
   Pieces pieces;
   add(pieces, {{0, 0}, {10, 0}}, line);
-  add(pieces, speck, pen);
+  add(pieces, dangle, pen);
   return without_specks(pieces).size() - 1;
 }
 
-TEST(Specks, AreDroppedOnOtherInk) {
-  const std::vector<Vec2> speck{{5, 0.01}, {5.02, 0.03}, {5.04, 0.02}};
-  EXPECT_EQ(left_of(speck, {}, {}), 0U);
-  EXPECT_EQ(left_of(speck, {true, EdgeKind::crease}, {}), 0U);
-  EXPECT_EQ(left_of(speck, {false}, {true}), 0U);
-  EXPECT_EQ(left_of(speck, {true}, {false}), 2U) << "visible";
+TEST(Dangles, AreDroppedOnOtherInk) {
+  const std::vector<Vec2> dangle{{5, 0.01}, {5.02, 0.03}, {5.04, 0.02}};
+  EXPECT_EQ(left_of(dangle, {}, {}), 0U);
+  EXPECT_EQ(left_of(dangle, {true, EdgeKind::crease}, {}), 0U);
+  EXPECT_EQ(left_of(dangle, {false}, {true}), 0U);
+  EXPECT_EQ(left_of(dangle, {true}, {false}), 2U) << "visible";
 }
 
-TEST(Specks, HaveInkWithinTheStatedDistance) {
+TEST(Dangles, HaveInkWithinTheStatedDistance) {
   Pieces pieces;
   add(pieces, {{0, 0}, {10, 0}});
   add(pieces, {{5, 0.05}, {5.02, 0.07}, {5.04, 0.04}});
-  expect_stated(pieces, drawing::drop_specks(pieces, {1, 1, 1}, {distance, 1e-6}));
+  expect_stated(pieces, drawing::drop_dangles(pieces, {1, 1, 1}, {distance, 1e-6}));
 }
 
-TEST(Specks, StayElsewhere) {
+TEST(Dangles, StayElsewhere) {
   EXPECT_EQ(left_of({{5, 0.05}, {5, 0.12}}, {}, {}), 1U) << "sticks out";
   EXPECT_EQ(left_of({{5, 1}, {5.01, 1}}, {}, {}), 1U) << "alone";
   EXPECT_EQ(left_of({{5, 0.05}, {5.15, 0.05}}, {}, {}), 1U) << "long";
-  Pieces specks;
-  add(specks, {{5, 0}, {5.01, 0}});
-  add(specks, {{5, 0.01}, {5.01, 0.01}});
-  EXPECT_EQ(without_specks(specks).size(), 2U) << "on one another";
+  Pieces dangles;
+  add(dangles, {{5, 0}, {5.01, 0}});
+  add(dangles, {{5, 0.01}, {5.01, 0.01}});
+  EXPECT_EQ(without_specks(dangles).size(), 2U) << "on one another";
 }
 
 // Ends that were found in different ways, by hiding and by coincidence, differ by a few cells of the page's grid.
-TEST(Specks, ThatContinueLinesStay) {
+TEST(Dangles, ThatContinueLinesStay) {
   Pieces pieces;
   add(pieces, {{0, 0}, {5, 0}});
   add(pieces, {{5 + 3e-7, 0}, {5.07, 0}});
@@ -203,7 +203,7 @@ TEST(Specks, ThatContinueLinesStay) {
   EXPECT_EQ(without_specks(pieces).size(), 3U);
 }
 
-TEST(Specks, LinksStay) {
+TEST(Dangles, LinksStay) {
   Pieces pieces;
   add(pieces, {{0, 0}, {10, 0}});
   add(pieces, {{5, 0.05}, {5, 0}});
@@ -211,7 +211,7 @@ TEST(Specks, LinksStay) {
   EXPECT_EQ(without_specks(pieces).size(), 2U);
 }
 
-TEST(Specks, MayEndInLinks) {
+TEST(Dangles, MayEndInLinks) {
   Pieces pieces;
   add(pieces, {{0, 0}, {10, 0}});
   add(pieces, {{5, 0.01}, {5.02, 0.03}});
@@ -220,7 +220,7 @@ TEST(Specks, MayEndInLinks) {
   EXPECT_EQ(without_specks(pieces).size(), 1U);
 }
 
-TEST(Specks, MayBeLinksTooShortToBeSeen) {
+TEST(Dangles, MayBeLinksTooShortToBeSeen) {
   for (const double length : {0.001, 0.05}) {
     Pieces pieces;
     add(pieces, {{0, 0}, {10, 0}});
@@ -231,7 +231,7 @@ TEST(Specks, MayBeLinksTooShortToBeSeen) {
   }
 }
 
-TEST(Specks, MayBeLinksFromLinesThatGoOn) {
+TEST(Dangles, MayBeLinksFromLinesThatGoOn) {
   Pieces pieces;
   add(pieces, {{0, 0}, {10, 0}});
   add(pieces, {{4, 0.08}, {5, 0.08}, {6, 0.08}});
@@ -240,7 +240,7 @@ TEST(Specks, MayBeLinksFromLinesThatGoOn) {
   EXPECT_EQ(without_specks(pieces).size(), 3U);
 }
 
-// --- glints
+// --- spurious
 
 Pieces line_with_a_part(double length, bool visible) {
   Pieces pieces;
@@ -251,7 +251,7 @@ Pieces line_with_a_part(double length, bool visible) {
 }
 
 std::size_t count_visible(Pieces pieces, bool is_moved = true) {
-  drawing::turn_glints(pieces, std::vector<char>(pieces.size(), is_moved ? 1 : 0), 0.01, {});
+  drawing::vote_on_visibility(pieces, std::vector<char>(pieces.size(), is_moved ? 1 : 0), 0.01, {});
   return static_cast<std::size_t>(
       std::count_if(pieces.begin(), pieces.end(), [](const Piece& p) { return p.visible; }));
 }

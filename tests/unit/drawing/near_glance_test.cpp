@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "drawing/near_glance.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <random>
 
 #include "drawing/near_parts.hpp"
+#include "drawing/near_prefilter.hpp"
 
 namespace epura::test::near_glance_test {
 namespace {
@@ -42,13 +41,13 @@ struct Taken {
   std::vector<drawing::Piece> pieces;
   std::vector<signed char> strength;
   drawing::Polylines polylines;
-  drawing::NearGlance glance;
+  drawing::NearPrefilter prefilter;
 
   explicit Taken(int seed)
       : pieces(bundles(seed)),
         strength(strengths(pieces)),
         polylines(pieces, strength, {}),
-        glance(pieces, polylines, limits, {}) {}
+        prefilter(pieces, polylines, limits, {}) {}
 
   static std::vector<signed char> strengths(const std::vector<drawing::Piece>& pieces) {
     std::vector<signed char> all;
@@ -57,25 +56,25 @@ struct Taken {
   }
 };
 
-// The search among all pieces that were taken before finds none that the glance did not see; and the glance sees what
-// is there, not more than that.
-TEST(NearGlance, SeesTheLastLineAlongEachPiece) {
+// The search among all pieces that were taken before finds none that the prefilter did not see; and the prefilter sees
+// what is there, not more than that.
+TEST(NearPrefilter, SeesTheLastLineAlongEachPiece) {
   int seen = 0, members = 0;
   for (int seed = 1; seed <= 10; ++seed) {
     const Taken taken(seed);
     drawing::KeptInk kept(taken.pieces, limits);
     int turn = 0;
-    for (std::size_t line = 0; line < taken.glance.size(); ++line) {
-      const drawing::MeasuredPolyline polyline = taken.glance[line];
+    for (std::size_t line = 0; line < taken.prefilter.size(); ++line) {
+      const drawing::MeasuredPolyline polyline = taken.prefilter[line];
       for (std::size_t i = 0; i < polyline.size(); ++i, ++turn) {
-        EXPECT_EQ(taken.glance.line_at(static_cast<std::size_t>(turn)), line);
+        EXPECT_EQ(taken.prefilter.line_at(static_cast<std::size_t>(turn)), line);
         drawing::NearParts near;
         kept.find_near(polyline, i, near);
         int last = -1;
         for (const drawing::NearPart& part : near.parts) last = std::max(last, part.by);
         EXPECT_GE(polyline[i].after, last);
         EXPECT_LT(polyline[i].after, turn);
-        // Nowhere lies so much that the glance gives up.
+        // Nowhere lies so much that the prefilter gives up.
         if (near.parts.empty()) {
           EXPECT_EQ(polyline[i].after, -1) << seed << ", " << turn;
         }
@@ -97,10 +96,10 @@ TEST(NearAhead, FindsWhatTheSearchFinds) {
   drawing::KeptInk kept(taken.pieces, limits);
   drawing::NearAhead ahead;
   std::size_t turn = 0, compared = 0, completed = 0;
-  for (std::size_t line = 0; line < taken.glance.size(); ++line) {
-    const drawing::MeasuredPolyline polyline = taken.glance[line];
+  for (std::size_t line = 0; line < taken.prefilter.size(); ++line) {
+    const drawing::MeasuredPolyline polyline = taken.prefilter[line];
     if (line % 8 == 0)
-      ahead.look(taken.glance, kept, turn, taken.glance.first(std::min(line + 8, taken.glance.size())));
+      ahead.look(taken.prefilter, kept, turn, taken.prefilter.first(std::min(line + 8, taken.prefilter.size())));
     for (std::size_t i = 0; i < polyline.size(); ++i, ++turn) {
       if (polyline[i].after >= 0) {
         drawing::NearParts found, expected;

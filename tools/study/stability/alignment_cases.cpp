@@ -43,7 +43,7 @@ Measured turned_cube(const Lab& lab, double angle) {
   return lengths(result, 9 * isometric_edge, 3 * isometric_edge, guaranteed_part + 3 * angle);
 }
 
-// There must be one step where the larger plate is no longer in contact, but never specks.
+// There must be one step where the larger plate is no longer in contact, but never dangles.
 Measured plate_under_a_plate(const Lab& lab, double e) {
   const world::World world = lab.world_of({plate(-0.5, -0.5, 0.5, 0.5, 0), plate(-1, -1, 1, 1, e)});
   const Result result = lab.draw(world, {from_above()});

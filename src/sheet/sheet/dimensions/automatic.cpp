@@ -14,7 +14,7 @@
 #include "sheet/dimensions/cylinder_dimensions.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/hole_dimensions.hpp"
-#include "sheet/dimensions/level_stations.hpp"
+#include "sheet/dimensions/level_coordinates.hpp"
 #include "sheet/dimensions/planning.hpp"
 #include "sheet/dimensions/prism_dimensions.hpp"
 #include "sheet/dimensions/radius_dimensions.hpp"
@@ -89,18 +89,18 @@ std::vector<const NamedProjection*> in_order(const ViewChoice& views) {
 
 // Each place once, unless it is known before.
 std::vector<DimensionDescription> position_dimensions(const Planning& plan, const Planned& planned) {
-  Stations stations(plan.subject, plan.table.round_ends, in_order(plan.views));
+  Coordinates coordinates(plan.subject, plan.table.round_ends, in_order(plan.views));
   std::vector<SlantedPlace> slanted;
   for (const auto& place : planned.places)
     if (const auto* known = std::get_if<KnownPlace>(&place))
-      stations.know(known->axis, known->at);
-    else if (const auto* station = std::get_if<Station>(&place))
-      stations.add(*station);
+      coordinates.know(known->axis, known->at);
+    else if (const auto* coordinate = std::get_if<Coordinate>(&place))
+      coordinates.add(*coordinate);
     else
       slanted.push_back(std::get<SlantedPlace>(place));
-  for (const Station& level : level_stations(plan.subject, plan.views, stations)) stations.add(level);
+  for (const Coordinate& level : level_coordinates(plan.subject, plan.views, coordinates)) coordinates.add(level);
   std::vector<DimensionDescription> dimensions = slanted_dimensions(plan, slanted);
-  for (DimensionDescription& dimension : stations.dimensions(plan.wanted, plan.notation))
+  for (DimensionDescription& dimension : coordinates.dimensions(plan.wanted, plan.notation))
     dimensions.push_back(std::move(dimension));
   return dimensions;
 }

@@ -114,7 +114,7 @@ Planned positions_of(const Planning& plan, std::span<const Vec3> centres, const 
     if (std::abs(axis[world]) <= parallel)
       if (const NamedProjection* view = view_along(plan, world, axis, along))
         for (const Vec3& centre : centres)
-          planned.places.emplace_back(Station{view, world, centre[world], centre, group, centre});
+          planned.places.emplace_back(Coordinate{view, world, centre[world], centre, group, centre});
   const std::optional<Vec3> slanted = slanted_across(axis);
   if (!slanted) return planned;
   const NamedProjection* view = plan.views.along(axis);

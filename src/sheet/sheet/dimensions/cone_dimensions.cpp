@@ -62,7 +62,7 @@ PlannedCone dimensions_of_cone(const Planning& plan, const ConeFeature& cone, co
     if (!is_overall(plan.subject, circle) && !features::has_coaxial_outline(plan.subject.features, circle))
       planned.ends.push_back(circle);
     if (const int axis = world_axis(cone.axis); axis >= 0)
-      planned.angle_and_places.places.emplace_back(Station{
+      planned.angle_and_places.places.emplace_back(Coordinate{
           &view, axis, circle.from[axis], circle.from + circle.radius * out, -1, circle.from - circle.radius * out});
   }
   return planned;

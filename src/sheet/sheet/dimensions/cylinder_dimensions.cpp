@@ -39,7 +39,7 @@ Planned ends_of_threads(const CylinderGroup& group, const NamedProjection& view)
     const bool horizontal = std::abs(view.projection.u[axis]) > 0.5;
     const Vec3 towards = cylinder->called() * (horizontal ? -view.projection.v : view.projection.u);
     const Vec3& end = cylinder->thread->end;
-    planned.places.emplace_back(Station{&view, axis, end[axis], end + towards, -1, end - towards});
+    planned.places.emplace_back(Coordinate{&view, axis, end[axis], end + towards, -1, end - towards});
   }
   return planned;
 }

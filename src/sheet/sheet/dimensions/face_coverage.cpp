@@ -10,8 +10,8 @@
 #include "features/assembly_features.hpp"
 #include "features/face_owners.hpp"
 #include "features/tolerances.hpp"
+#include "sheet/dimensions/coordinates.hpp"
 #include "sheet/dimensions/equal_features.hpp"
-#include "sheet/dimensions/stations.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::sheet {

@@ -5,9 +5,9 @@
 
 #include "base/error.hpp"
 #include "features/tolerances.hpp"
+#include "sheet/dimensions/coordinates.hpp"
 #include "sheet/dimensions/placed_balls.hpp"
 #include "sheet/dimensions/slope_dimensions.hpp"
-#include "sheet/dimensions/stations.hpp"
 
 namespace epura::sheet {
 

@@ -159,10 +159,10 @@ Planned radial_hole_dimensions(const Planning& plan) {
     const NamedProjection* across = plan.views.across(pattern.axis, shown->mouth);
     if (axis < 0 || across == nullptr) continue;
     const int group = number_of(plan, pattern.holes.front());
-    planned.places.emplace_back(Station{across, axis, shown->mouth[axis], shown->mouth, group, shown->mouth});
+    planned.places.emplace_back(Coordinate{across, axis, shown->mouth[axis], shown->mouth, group, shown->mouth});
     for (const HoleFeature* hole : pattern.holes)
       if (std::abs(hole->mouth[axis] - shown->mouth[axis]) > features::same_size * glm::length(plan.box.size()))
-        planned.places.emplace_back(Station{across, axis, hole->mouth[axis], hole->mouth, group, hole->mouth});
+        planned.places.emplace_back(Coordinate{across, axis, hole->mouth[axis], hole->mouth, group, hole->mouth});
   }
   return planned;
 }

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "features/tolerances.hpp"
-#include "sheet/dimensions/stations.hpp"
+#include "sheet/dimensions/coordinates.hpp"
 
 namespace epura::sheet {
 

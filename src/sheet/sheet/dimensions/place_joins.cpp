@@ -9,10 +9,10 @@
 #include "base/error.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/cone_angles.hpp"
+#include "sheet/dimensions/coordinates.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/place_chain.hpp"
-#include "sheet/dimensions/stations.hpp"
 
 namespace epura::sheet {
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "sheet/dimensions/automatic.hpp"
+#include "sheet/dimensions/coordinates.hpp"
 #include "sheet/dimensions/feature_table.hpp"
-#include "sheet/dimensions/stations.hpp"
 #include "sheet/dimensions/view_choice.hpp"
 #include "sheet/notation.hpp"
 
@@ -38,7 +38,7 @@ struct Planning {
   [[nodiscard]] scene::DimensionDescription dimension(DimensionType type, const NamedProjection& view,
                                                       const std::string& text, scene::FeatureCircle circle) const;
   [[nodiscard]] std::string length(double value) const { return length_text(value, notation); }
-  /// The number of a group of equal features, for stations: that of the size of its first one.
+  /// The number of a group of equal features, for coordinates: that of the size of its first one.
   template <class Feature>
   [[nodiscard]] int group_of(SizeKind kind, const std::vector<Feature>& features, const Feature* first) const {
     return static_cast<int>(table.first(kind)) + static_cast<int>(first - features.data());
@@ -59,13 +59,13 @@ struct SlantedPlace {
   const NamedProjection* view;
   const features::PlaneFeature* face;
   Vec3 along, centre;
-  int group;  ///< as of stations
+  int group;  ///< as of coordinates
 };
 
 /// What is planned for some features.
 struct Planned {
   std::vector<scene::DimensionDescription> dimensions{};
-  std::vector<std::variant<Station, KnownPlace, SlantedPlace>> places{};  ///< one after the other
+  std::vector<std::variant<Coordinate, KnownPlace, SlantedPlace>> places{};  ///< one after the other
   std::vector<HoleTable> tables{};
 
   void append(Planned other);

@@ -97,8 +97,8 @@ Planned ball_positions(const Planning& plan) {
       const Vec3 sight = Mat3(1)[std::abs(ball.middle[next]) > std::abs(ball.middle[last]) ? next : last];
       const Planned positions = positions_of(plan, std::array{ball.centre}, sight, plan.views.along(sight), group);
       for (const auto& place : positions.places)
-        if (const auto* station = std::get_if<Station>(&place); station != nullptr && station->axis == axis)
-          planned.places.emplace_back(*station);
+        if (const auto* coordinate = std::get_if<Coordinate>(&place); coordinate != nullptr && coordinate->axis == axis)
+          planned.places.emplace_back(*coordinate);
     }
   }
   return planned;

@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
-#include "sheet/dimensions/level_stations.hpp"
+#include "sheet/dimensions/level_coordinates.hpp"
 
 namespace epura::sheet {
 
@@ -118,7 +118,7 @@ Planned slope_dimensions(const Planning& plan) {
     }
     for (int axis = 0; axis < 3; ++axis)
       for (const Vec3& end : slopes[i].ends)
-        if (axis != slopes[i].along) planned.places.emplace_back(Station{view, axis, end[axis], end, -1, end});
+        if (axis != slopes[i].along) planned.places.emplace_back(Coordinate{view, axis, end[axis], end, -1, end});
   }
   return planned;
 }

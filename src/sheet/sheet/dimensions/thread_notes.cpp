@@ -5,8 +5,8 @@
 
 #include "base/error.hpp"
 #include "features/tolerances.hpp"
+#include "sheet/dimensions/coordinates.hpp"
 #include "sheet/dimensions/hole_table.hpp"
-#include "sheet/dimensions/stations.hpp"
 
 namespace epura::sheet {
 

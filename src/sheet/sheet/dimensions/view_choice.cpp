@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "features/tolerances.hpp"
-#include "sheet/dimensions/stations.hpp"
+#include "sheet/dimensions/coordinates.hpp"
 
 namespace epura::sheet {
 

@@ -13,12 +13,13 @@ namespace epura::drawing {
 /// Where a line that is not drawn in its place on the mesh changes between visible and hidden and back within `most`
 /// mm, less than anyone sees, it does not; where it does so again and again, it is one of both. `is_moved` is by piece.
 /// Throws OutOfTime.
-void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, double most, const Progress& progress);
+void vote_on_visibility(std::vector<Piece>& pieces, const std::vector<char>& is_moved, double most,
+                        const Progress& progress);
 
 /// Drops polylines no longer than the distance whose ends both lie within that distance of longer lines that are drawn,
 /// and are visible if they are. Links that continue no line stay unless they are too short to be seen, or begin
 /// where other lines continue each other. `strength` is by piece: a negative one means no ink. Throws OutOfTime.
-LeftInk drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, const ContinuingLimits& limits,
-                    const Progress& progress = {});
+LeftInk drop_dangles(std::vector<Piece> pieces, const std::vector<signed char>& strength,
+                     const ContinuingLimits& limits, const Progress& progress = {});
 
 }  // namespace epura::drawing

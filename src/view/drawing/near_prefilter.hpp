@@ -25,11 +25,11 @@ struct AlongLimits {
   [[nodiscard]] double with_direction() const { return with_direction_along * distance; }
 };
 
-class NearGlance {
+class NearPrefilter {
  public:
   /// Throws OutOfTime.
-  NearGlance(const std::vector<Piece>& pieces, const Polylines& polylines, const AlongLimits& limits,
-             const Progress& progress);
+  NearPrefilter(const std::vector<Piece>& pieces, const Polylines& polylines, const AlongLimits& limits,
+                const Progress& progress);
 
   /// The number of polylines.
   [[nodiscard]] std::size_t size() const { return closed_.size(); }

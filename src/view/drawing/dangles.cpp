@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "drawing/specks.hpp"
+#include "drawing/dangles.hpp"
 
 #include <algorithm>
 #include <array>
@@ -130,9 +130,9 @@ class Runs {
 
 // Whether short stretches in a row are to be visible: as those before and after them are, or as most of them if there
 // is more between these than a person overlooks.
-bool is_most_visible(std::span<const Stretch> glints, bool before, bool after, double most) {
+bool is_most_visible(std::span<const Stretch> spurious, bool before, bool after, double most) {
   double visible = 0, all = 0;
-  for (const Stretch& stretch : glints) {
+  for (const Stretch& stretch : spurious) {
     all += stretch.length;
     visible += stretch.is_visible ? stretch.length : 0;
   }
@@ -141,7 +141,8 @@ bool is_most_visible(std::span<const Stretch> glints, bool before, bool after, d
 
 }  // namespace
 
-void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, double most, const Progress& progress) {
+void vote_on_visibility(std::vector<Piece>& pieces, const std::vector<char>& is_moved, double most,
+                        const Progress& progress) {
   bool any = false;
   for (std::size_t i = 0; i < pieces.size() && !any; ++i)
     any = is_moved[i] != 0 && pieces[i].drawn && length_of(pieces[i]) <= most;
@@ -153,9 +154,9 @@ void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, 
       std::size_t end = i;
       while (end + 1 < stretches.size() && is_short(stretches[end])) ++end;
       if (end == i) continue;
-      const std::span<const Stretch> glints = std::span(stretches).subspan(i, end - i);
-      const bool visible = is_most_visible(glints, stretches[i - 1].is_visible, stretches[end].is_visible, most);
-      for (const Stretch& stretch : glints)
+      const std::span<const Stretch> spurious = std::span(stretches).subspan(i, end - i);
+      const bool visible = is_most_visible(spurious, stretches[i - 1].is_visible, stretches[end].is_visible, most);
+      for (const Stretch& stretch : spurious)
         for (const int piece : stretch.pieces) turned.emplace_back(piece, visible);
       i = end;
     }
@@ -166,25 +167,25 @@ void turn_glints(std::vector<Piece>& pieces, const std::vector<char>& is_moved, 
   }
 }
 
-LeftInk drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& strength, const ContinuingLimits& limits,
-                    const Progress& progress) {
+LeftInk drop_dangles(std::vector<Piece> pieces, const std::vector<signed char>& strength,
+                     const ContinuingLimits& limits, const Progress& progress) {
   const double distance = limits.distance;
   const std::vector<char> is_short = find_short(pieces, strength, limits, progress);
   if (std::find(is_short.begin(), is_short.end(), 1) == is_short.end()) return {std::move(pieces)};
-  const InkParts specks = parts_of(
+  const InkParts dangles = parts_of(
       pieces, [&](std::size_t i) { return is_short[i] != 0; }, distance);
-  const search::OccupiedCells near_specks = specks.cells_within(distance, speck_cell * distance);
+  const search::OccupiedCells near_dangles = dangles.cells_within(distance, dangle_cell * distance);
   std::vector<std::array<double, 2>> away(pieces.size(), {HUGE_VAL, HUGE_VAL});  // from lines that stay, by end
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     if (is_short[p] != 0 || strength[p] < 0) continue;
     const std::array<Vec2, 2> line{pieces[p].from, pieces[p].to};
-    if (!near_specks.may_meet(line[0], line[1])) continue;
-    for (const int part : specks.find(line[0], line[1], distance)) {
-      const int speck = specks[part].piece;
-      if (pieces[speck].visible && !pieces[p].visible) continue;
+    if (!near_dangles.may_meet(line[0], line[1])) continue;
+    for (const int part : dangles.find(line[0], line[1], distance)) {
+      const int dangle = dangles[part].piece;
+      if (pieces[dangle].visible && !pieces[p].visible) continue;
       for (std::size_t end = 0; end < 2; ++end) {
-        const Vec2& at = specks.line(part)[end];
-        away[speck][end] = std::min(away[speck][end], glm::distance(nearest_on(line, at), at));
+        const Vec2& at = dangles.line(part)[end];
+        away[dangle][end] = std::min(away[dangle][end], glm::distance(nearest_on(line, at), at));
       }
     }
   }
@@ -197,7 +198,7 @@ LeftInk drop_specks(std::vector<Piece> pieces, const std::vector<signed char>& s
     else
       pieces[kept++] = pieces[i];
   }
-  check(kept <= pieces.size() && kept > 0, "a speck lies on lines that stay");
+  check(kept <= pieces.size() && kept > 0, "a dangle lies on lines that stay");
   pieces.resize(kept);
   return {std::move(pieces), within};
 }

@@ -66,12 +66,12 @@ Vec2 leaving(const Ends& lines, End end) {
 
 /// Joins the only two ends that meet in a point. Returns false if they turn back there and are to be left apart.
 template <class Ends>
-bool pair_up(const Ends& lines, End a, End b, const Joining& rule, std::vector<End>& partner) {
+bool pair_up(const Ends& lines, End a, End b, const Joining& rule, std::vector<End>& continuation) {
   if (a == other(b) || glm::distance(lines.place(a), lines.place(b)) > rule.farthest) return true;
   if (rule.turning_back == TurningBack::left_apart && glm::dot(leaving(lines, a), leaving(lines, b)) > turning_back)
     return false;
-  partner[a] = b;
-  partner[b] = a;
+  continuation[a] = b;
+  continuation[b] = a;
   return true;
 }
 
@@ -80,11 +80,11 @@ bool pair_up(const Ends& lines, End a, End b, const Joining& rule, std::vector<E
 /// one of one kind is preferred: a curve that touches another leaves it a little straighter than it goes on itself.
 /// Returns false if some are left that turn back there.
 template <class Ends>
-bool pair_up(const Ends& lines, std::span<const End> ends, const Joining& rule, std::vector<End>& partner) {
+bool pair_up(const Ends& lines, std::span<const End> ends, const Joining& rule, std::vector<End>& continuation) {
   if (ends.size() > max_ends_at_a_point) return true;
   std::vector<std::pair<End, Vec2>> left;  // with the direction in which the line leaves that end
   for (const End end : ends)
-    if (partner[end] == no_end) left.emplace_back(end, leaving(lines, end));
+    if (continuation[end] == no_end) left.emplace_back(end, leaving(lines, end));
   const auto order = [&](End end) { return order_on_page(lines.place(other(end))); };
   using Pair = std::tuple<int, double, double, End, End>;
   while (left.size() >= 2) {
@@ -102,9 +102,9 @@ bool pair_up(const Ends& lines, std::span<const End> ends, const Joining& rule, 
     const End a = std::get<3>(best), b = std::get<4>(best);
     if (a == no_end) return true;
     if (std::get<0>(best) == 2 && rule.turning_back == TurningBack::left_apart) return false;
-    check(partner[a] == no_end && partner[b] == no_end && a != b, "an end has one partner");
-    partner[a] = b;
-    partner[b] = a;
+    check(continuation[a] == no_end && continuation[b] == no_end && a != b, "an end has one continuation");
+    continuation[a] = b;
+    continuation[b] = a;
     std::erase_if(left, [a, b](const auto& l) { return l.first == a || l.first == b; });
   }
   return true;
@@ -115,13 +115,13 @@ template <class Ends>
 class EndPairing {
  public:
   EndPairing(const Ends& lines, const Progress& progress)
-      : lines_(lines), progress_(progress), partner_(static_cast<std::size_t>(lines.lines) * 2, no_end) {}
+      : lines_(lines), progress_(progress), continuation_(static_cast<std::size_t>(lines.lines) * 2, no_end) {}
 
   /// Ends up to `touching` mm apart meet if they meet no nearer one. Returns those that turn back where they meet, if
   /// these are left apart.
   std::vector<End> join(std::vector<End> ends, double touching, const Joining& rule) {
     alone_ = std::move(ends);
-    turns_back_.assign(partner_.size(), 0);
+    turns_back_.assign(continuation_.size(), 0);
     // Where lines of two faces coincide, parts of both are drawn, with ends that differ by rounding: about 1e-13 mm.
     join_in_cells(0x1p-30, Vec2(0), rule);
     if (touching > 0x1p-30)
@@ -129,20 +129,20 @@ class EndPairing {
       for (const double x : {0.0, 0.5})
         for (const double y : {0.0, 0.5}) join_in_cells(2 * touching, Vec2(x, y), rule);
     std::vector<End> left;
-    for (End end = 0; end < static_cast<End>(partner_.size()); ++end)
-      if (turns_back_[end] != 0 && partner_[end] == no_end) left.push_back(end);
+    for (End end = 0; end < static_cast<End>(continuation_.size()); ++end)
+      if (turns_back_[end] != 0 && continuation_[end] == no_end) left.push_back(end);
     return left;
   }
 
-  /// The ends that have no partner yet.
+  /// The ends that have no continuation yet.
   [[nodiscard]] std::vector<End> alone() const {
     std::vector<End> ends;
-    for (End end = 0; end < static_cast<End>(partner_.size()); ++end)
-      if (partner_[end] == no_end) ends.push_back(end);
+    for (End end = 0; end < static_cast<End>(continuation_.size()); ++end)
+      if (continuation_[end] == no_end) ends.push_back(end);
     return ends;
   }
 
-  [[nodiscard]] std::vector<End> partners() && { return std::move(partner_); }
+  [[nodiscard]] std::vector<End> continuations() && { return std::move(continuation_); }
 
  private:
   void join_in_cells(double cell, const Vec2& shift, const Joining& rule) {
@@ -154,32 +154,32 @@ class EndPairing {
       return all;
     };
     visit_same_keys(static_cast<int>(alone_.size()), key, progress_, [&](std::span<const int> numbers) {
-      if (numbers.size() == 2 && pair_up(lines_, alone_[numbers[0]], alone_[numbers[1]], rule, partner_)) return;
+      if (numbers.size() == 2 && pair_up(lines_, alone_[numbers[0]], alone_[numbers[1]], rule, continuation_)) return;
       std::vector<End> ends;
       for (const int number : numbers) ends.push_back(alone_[number]);
-      if (pair_up(lines_, ends, rule, partner_)) return;
+      if (pair_up(lines_, ends, rule, continuation_)) return;
       for (const End end : ends) turns_back_[end] = 1;
     });
-    std::erase_if(alone_, [&](End end) { return partner_[end] != no_end; });
+    std::erase_if(alone_, [&](End end) { return continuation_[end] != no_end; });
   }
 
   const Ends& lines_;
   const Progress& progress_;
-  std::vector<End> partner_, alone_{};
+  std::vector<End> continuation_, alone_{};
   std::vector<char> turns_back_{};  ///< by end; calls for different points may be concurrent
 };
 
 /// Returns for each end the end that continues it, or none. Ends that touch meet if they meet no nearer one, and no
 /// other that goes on there while the nearer one turns back. Throws OutOfTime.
 template <class Ends>
-std::vector<End> find_partners(const Ends& lines, const Gaps& gaps, const Progress& progress) {
+std::vector<End> find_continuations(const Ends& lines, const Gaps& gaps, const Progress& progress) {
   EndPairing<Ends> pairing(lines, progress);
   std::vector<End> ends(static_cast<std::size_t>(lines.lines) * 2);
   std::iota(ends.begin(), ends.end(), 0);
   std::vector<End> left = pairing.join(std::move(ends), gaps.touching, {TurningBack::left_apart});
   pairing.join(std::move(left), gaps.touching, {TurningBack::joined});
   if (gaps.unseen > gaps.touching) pairing.join(pairing.alone(), gaps.unseen, {TurningBack::left_apart, gaps.unseen});
-  return std::move(pairing).partners();
+  return std::move(pairing).continuations();
 }
 
 }  // namespace epura::drawing

@@ -15,7 +15,7 @@
 namespace epura::sheet {
 
 /// A place along an axis of the world that a view dimensions.
-struct Station {
+struct Coordinate {
   const NamedProjection* view;
   int axis;
   double at;
@@ -40,35 +40,35 @@ struct Datum {
   std::optional<Vec3> centre{};  ///< of a round end, where extension lines begin
 };
 
-/// Collects stations, each once.
-class Stations {
+/// Collects coordinates, each once.
+class Coordinates {
  public:
   /// Along each axis, all views measure from one end of the models: the left or lower one in the first view that shows
   /// the axis. Where that end is round, and a view shows it so, they measure from its centre.
-  Stations(const DimensionSubject& subject, std::span<const RoundEnd> ends,
-           std::span<const NamedProjection* const> views);
+  Coordinates(const DimensionSubject& subject, std::span<const RoundEnd> ends,
+              std::span<const NamedProjection* const> views);
 
   /// Notes that a place follows from other dimensions.
   void know(int axis, double at);
   [[nodiscard]] bool is_known(int axis, double at) const;
   /// Adds a place unless it is known, or an aligned section does not show it at its true distance. Of points at the
   /// same place in one view, those nearest to the dimension line count.
-  void add(const Station& station);
+  void add(const Coordinate& coordinate);
 
-  /// Dimensions of all stations in the arrangement that is wanted; without one, parallel, and with a common origin
+  /// Dimensions of all coordinates in the arrangement that is wanted; without one, parallel, and with a common origin
   /// where these would be more than `max_parallel`.
   [[nodiscard]] std::vector<scene::DimensionDescription> dimensions(const scene::DimensionDescription& wanted,
                                                                     const Notation& notation) const;
 
  private:
-  [[nodiscard]] Station base_of(const Station& station) const;
-  [[nodiscard]] std::vector<scene::DimensionDescription> arranged(std::span<const Station> stations,
+  [[nodiscard]] Coordinate base_of(const Coordinate& coordinate) const;
+  [[nodiscard]] std::vector<scene::DimensionDescription> arranged(std::span<const Coordinate> coordinates,
                                                                   DimensionArrangement arrangement,
                                                                   const std::string& where) const;
   [[nodiscard]] std::vector<scene::DimensionDescription> without_crowds(
-      std::vector<scene::DimensionDescription> dimensions, const std::vector<std::size_t>& stations_of,
+      std::vector<scene::DimensionDescription> dimensions, const std::vector<std::size_t>& coordinates_of,
       const std::string& where) const;
-  void add_row(std::vector<Station> row, const std::string& where, const Notation& notation,
+  void add_row(std::vector<Coordinate> row, const std::string& where, const Notation& notation,
                std::vector<scene::DimensionDescription>& dimensions) const;
 
   const DimensionSubject& subject_;
@@ -76,7 +76,7 @@ class Stations {
   std::vector<Vec3> points_;
   double slack_;
   std::array<std::vector<double>, 3> known_;
-  std::vector<Station> stations_;
+  std::vector<Coordinate> coordinates_;
 };
 
 }  // namespace epura::sheet

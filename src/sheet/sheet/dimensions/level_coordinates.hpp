@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sheet/dimensions/stations.hpp"
+#include "sheet/dimensions/coordinates.hpp"
 #include "sheet/dimensions/view_choice.hpp"
 
 namespace epura::sheet {
@@ -13,6 +13,7 @@ namespace epura::sheet {
 double min_area(const Box& box);
 
 /// Places of the steps that are not known yet, at most `max_levels` along one axis in a view, the largest ones.
-std::vector<Station> level_stations(const DimensionSubject& subject, const ViewChoice& views, const Stations& known);
+std::vector<Coordinate> level_coordinates(const DimensionSubject& subject, const ViewChoice& views,
+                                          const Coordinates& known);
 
 }  // namespace epura::sheet

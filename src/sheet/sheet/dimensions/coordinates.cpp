@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sheet/dimensions/stations.hpp"
+#include "sheet/dimensions/coordinates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,19 +16,23 @@ namespace epura::sheet {
 namespace {
 
 constexpr double off_axis = 1e-6;
-constexpr double same_station = 1e-5;  // relative to the size of the models
+constexpr double same_coordinate = 1e-5;  // relative to the size of the models
 
-bool is_horizontal(const Station& station) { return std::abs(station.view->projection.u[station.axis]) > 0.5; }
-
-bool is_kept(const Station& station) { return station.view->aligned() || keeps(*station.view, station.point); }
-
-// Prefers points below, or on the right.
-double rank(const Station& station, const Vec3& point) {
-  const projection::Projection& projection = station.view->projection;
-  return is_horizontal(station) ? -glm::dot(point, projection.v) : glm::dot(point, projection.u);
+bool is_horizontal(const Coordinate& coordinate) {
+  return std::abs(coordinate.view->projection.u[coordinate.axis]) > 0.5;
 }
 
-scene::DimensionDescription distance_along(const Station& from, const Station& to, const std::string& where) {
+bool is_kept(const Coordinate& coordinate) {
+  return coordinate.view->aligned() || keeps(*coordinate.view, coordinate.point);
+}
+
+// Prefers points below, or on the right.
+double rank(const Coordinate& coordinate, const Vec3& point) {
+  const projection::Projection& projection = coordinate.view->projection;
+  return is_horizontal(coordinate) ? -glm::dot(point, projection.v) : glm::dot(point, projection.u);
+}
+
+scene::DimensionDescription distance_along(const Coordinate& from, const Coordinate& to, const std::string& where) {
   scene::DimensionDescription dimension;
   dimension.where = where;
   dimension.view = {from.view->name, where};
@@ -39,13 +43,13 @@ scene::DimensionDescription distance_along(const Station& from, const Station& t
   return dimension;
 }
 
-// Whether three or more stations are equally spaced.
-bool are_a_row(std::span<const Station> stations, double slack) {
-  if (stations.size() < 3) return false;
-  const double pitch = (stations.back().at - stations.front().at) / static_cast<double>(stations.size() - 1);
-  for (std::size_t i = 0; i < stations.size(); ++i)
-    if (stations[i].group < 0 ||
-        std::abs(stations[i].at - stations.front().at - pitch * static_cast<double>(i)) > slack)
+// Whether three or more coordinates are equally spaced.
+bool are_a_row(std::span<const Coordinate> coordinates, double slack) {
+  if (coordinates.size() < 3) return false;
+  const double pitch = (coordinates.back().at - coordinates.front().at) / static_cast<double>(coordinates.size() - 1);
+  for (std::size_t i = 0; i < coordinates.size(); ++i)
+    if (coordinates[i].group < 0 ||
+        std::abs(coordinates[i].at - coordinates.front().at - pitch * static_cast<double>(i)) > slack)
       return false;
   return true;
 }
@@ -87,11 +91,11 @@ bool is_plain(const projection::Projection& projection) {
          glm::length(glm::cross(projection.projector, projection.n)) <= 1e-9 * glm::length(projection.projector);
 }
 
-Stations::Stations(const DimensionSubject& subject, std::span<const RoundEnd> ends,
-                   std::span<const NamedProjection* const> views)
+Coordinates::Coordinates(const DimensionSubject& subject, std::span<const RoundEnd> ends,
+                         std::span<const NamedProjection* const> views)
     : subject_(subject),
       points_(features::points_of_faces(subject.world)),
-      slack_(same_station * glm::length(subject.world.box.size())) {
+      slack_(same_coordinate * glm::length(subject.world.box.size())) {
   const std::vector<RoundEnd> seen = seen_ends(ends, views);
   for (int axis = 0; axis < 3; ++axis) {
     const features::Extent& extent = subject.extents[axis];
@@ -104,45 +108,46 @@ Stations::Stations(const DimensionSubject& subject, std::span<const RoundEnd> en
   }
 }
 
-void Stations::know(int axis, double at) { known_[axis].push_back(at); }
+void Coordinates::know(int axis, double at) { known_[axis].push_back(at); }
 
-bool Stations::is_known(int axis, double at) const {
+bool Coordinates::is_known(int axis, double at) const {
   return std::any_of(known_[axis].begin(), known_[axis].end(),
                      [&](double known) { return std::abs(known - at) <= slack_; });
 }
 
-void Stations::add(const Station& station) {
-  check(station.view != nullptr && station.axis >= 0 && station.axis < 3, "a station is along an axis, in a view");
-  if (!keeps_positions(*station.view, station.axis)) return;
-  for (Station& other : stations_)
-    if (other.axis == station.axis && std::abs(other.at - station.at) <= slack_) {
-      if (other.view != station.view) return;
+void Coordinates::add(const Coordinate& coordinate) {
+  check(coordinate.view != nullptr && coordinate.axis >= 0 && coordinate.axis < 3,
+        "a coordinate is along an axis, in a view");
+  if (!keeps_positions(*coordinate.view, coordinate.axis)) return;
+  for (Coordinate& other : coordinates_)
+    if (other.axis == coordinate.axis && std::abs(other.at - coordinate.at) <= slack_) {
+      if (other.view != coordinate.view) return;
       // What a section has removed is the worse place to measure to.
-      const bool was_kept = is_kept(other), kept = is_kept(station);
+      const bool was_kept = is_kept(other), kept = is_kept(coordinate);
       if (was_kept && !kept) return;
       if (kept && !was_kept) {
-        other.point = station.point;
-        other.opposite = station.opposite;
+        other.point = coordinate.point;
+        other.opposite = coordinate.opposite;
         return;
       }
-      if (rank(other, station.point) > rank(other, other.point)) other.point = station.point;
-      if (rank(other, station.opposite) < rank(other, other.opposite)) other.opposite = station.opposite;
+      if (rank(other, coordinate.point) > rank(other, other.point)) other.point = coordinate.point;
+      if (rank(other, coordinate.opposite) < rank(other, other.opposite)) other.opposite = coordinate.opposite;
       return;
     }
-  if (!is_known(station.axis, station.at)) stations_.push_back(station);
+  if (!is_known(coordinate.axis, coordinate.at)) coordinates_.push_back(coordinate);
 }
 
 // Positions on a round part are measured from its axis.
-Station Stations::base_of(const Station& station) const {
-  const features::Extent& extent = subject_.extents[station.axis];
-  if (station.from) {
-    Station base = station;
-    base.at = base.point[base.axis] = base.opposite[base.axis] = *station.from;
+Coordinate Coordinates::base_of(const Coordinate& coordinate) const {
+  const features::Extent& extent = subject_.extents[coordinate.axis];
+  if (coordinate.from) {
+    Coordinate base = coordinate;
+    base.at = base.point[base.axis] = base.opposite[base.axis] = *coordinate.from;
     return base;
   }
-  const bool from_axis = extent.form != features::ExtentForm::length && station.group >= 0;
-  const Datum datum = from_axis ? Datum{(extent.from + extent.to) / 2, extent.centre} : datums_[station.axis];
-  Station base = station;
+  const bool from_axis = extent.form != features::ExtentForm::length && coordinate.group >= 0;
+  const Datum datum = from_axis ? Datum{(extent.from + extent.to) / 2, extent.centre} : datums_[coordinate.axis];
+  Coordinate base = coordinate;
   base.at = datum.at;
   if (datum.centre) {
     base.point = base.opposite = shown_point(*base.view, *datum.centre).value_or(*datum.centre);
@@ -168,8 +173,8 @@ Station Stations::base_of(const Station& station) const {
   return base;
 }
 
-void Stations::add_row(std::vector<Station> row, const std::string& where, const Notation& notation,
-                       std::vector<scene::DimensionDescription>& dimensions) const {
+void Coordinates::add_row(std::vector<Coordinate> row, const std::string& where, const Notation& notation,
+                          std::vector<scene::DimensionDescription>& dimensions) const {
   const features::Extent& extent = subject_.extents[row.front().axis];
   // Both sides of a keyway, for example: their distance.
   if (extent.form != features::ExtentForm::length && row.front().group < 0)
@@ -181,18 +186,18 @@ void Stations::add_row(std::vector<Station> row, const std::string& where, const
           row.erase(row.begin() + static_cast<std::ptrdiff_t>(i--));
           break;
         }
-  std::erase_if(row, [&](const Station& station) {
-    if (station.from) dimensions.push_back(distance_along(base_of(station), station, where));
-    return station.from.has_value();
+  std::erase_if(row, [&](const Coordinate& coordinate) {
+    if (coordinate.from) dimensions.push_back(distance_along(base_of(coordinate), coordinate, where));
+    return coordinate.from.has_value();
   });
   if (row.empty()) return;
-  const Station base = base_of(row.front());
-  std::sort(row.begin(), row.end(), [&](const Station& a, const Station& b) {
+  const Coordinate base = base_of(row.front());
+  std::sort(row.begin(), row.end(), [&](const Coordinate& a, const Coordinate& b) {
     return std::pair(std::abs(a.at - base.at), a.at) < std::pair(std::abs(b.at - base.at), b.at);
   });
   const bool equal = are_a_row(row, slack_);
-  for (const Station& station : row) {
-    dimensions.push_back(distance_along(base, station, where));
+  for (const Coordinate& coordinate : row) {
+    dimensions.push_back(distance_along(base, coordinate, where));
     if (equal) break;
   }
   if (!equal) return;
@@ -202,83 +207,83 @@ void Stations::add_row(std::vector<Station> row, const std::string& where, const
   dimensions.back().text = {std::to_string(row.size() - 1) + "× " + length_text(pitch, notation) + " (=<>)", where};
 }
 
-// One row for all stations of a view along one axis that are measured from the same place.
-std::vector<scene::DimensionDescription> Stations::arranged(std::span<const Station> stations,
-                                                            DimensionArrangement arrangement,
-                                                            const std::string& where) const {
+// One row for all coordinates of a view along one axis that are measured from the same place.
+std::vector<scene::DimensionDescription> Coordinates::arranged(std::span<const Coordinate> coordinates,
+                                                               DimensionArrangement arrangement,
+                                                               const std::string& where) const {
   struct Row {
-    Station base;
-    std::vector<Station> stations;
+    Coordinate base;
+    std::vector<Coordinate> coordinates;
   };
   std::vector<Row> rows;
-  for (const Station& station : stations) {
-    const Station base = base_of(station);
+  for (const Coordinate& coordinate : coordinates) {
+    const Coordinate base = base_of(coordinate);
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& one) {
       return one.base.view == base.view && one.base.axis == base.axis && std::abs(one.base.at - base.at) <= slack_;
     });
     if (row == rows.end())
-      rows.push_back({base, {station}});
+      rows.push_back({base, {coordinate}});
     else
-      row->stations.push_back(station);
+      row->coordinates.push_back(coordinate);
   }
   std::vector<scene::DimensionDescription> dimensions;
   for (Row& row : rows) {
-    std::stable_sort(row.stations.begin(), row.stations.end(), [&](const Station& a, const Station& b) {
+    std::stable_sort(row.coordinates.begin(), row.coordinates.end(), [&](const Coordinate& a, const Coordinate& b) {
       return std::abs(a.at - row.base.at) < std::abs(b.at - row.base.at);
     });
-    scene::DimensionDescription dimension = distance_along(row.base, row.stations.front(), where);
-    for (std::size_t i = 1; i < row.stations.size(); ++i) {
-      dimension.anchors.emplace_back(row.stations[i].point);
-      dimension.opposite.push_back(row.stations[i].opposite);
+    scene::DimensionDescription dimension = distance_along(row.base, row.coordinates.front(), where);
+    for (std::size_t i = 1; i < row.coordinates.size(); ++i) {
+      dimension.anchors.emplace_back(row.coordinates[i].point);
+      dimension.opposite.push_back(row.coordinates[i].opposite);
     }
     check(dimension.opposite.size() == dimension.anchors.size(), "each place of a row has one on the other side");
-    if (row.stations.size() > 1) dimension.arrangement = {arrangement, where};
+    if (row.coordinates.size() > 1) dimension.arrangement = {arrangement, where};
     dimensions.push_back(std::move(dimension));
   }
   return dimensions;
 }
 
-std::vector<scene::DimensionDescription> Stations::dimensions(const scene::DimensionDescription& wanted,
-                                                              const Notation& notation) const {
+std::vector<scene::DimensionDescription> Coordinates::dimensions(const scene::DimensionDescription& wanted,
+                                                                 const Notation& notation) const {
   const std::string& where = wanted.where;
-  if (wanted.arrangement.given()) return arranged(stations_, *wanted.arrangement, wanted.arrangement.where);
+  if (wanted.arrangement.given()) return arranged(coordinates_, *wanted.arrangement, wanted.arrangement.where);
   std::vector<scene::DimensionDescription> dimensions;
-  std::vector<std::size_t> stations_of;  // each dimension: its first station
-  std::vector<char> done(stations_.size(), 0);
-  for (std::size_t i = 0; i < stations_.size(); ++i) {
+  std::vector<std::size_t> coordinates_of;  // each dimension: its first coordinate
+  std::vector<char> done(coordinates_.size(), 0);
+  for (std::size_t i = 0; i < coordinates_.size(); ++i) {
     if (done[i] != 0) continue;
-    std::vector<Station> row;
-    for (std::size_t j = i; j < stations_.size(); ++j)
-      if (done[j] == 0 && stations_[j].view == stations_[i].view && stations_[j].axis == stations_[i].axis &&
-          stations_[j].group == stations_[i].group) {
-        row.push_back(stations_[j]);
+    std::vector<Coordinate> row;
+    for (std::size_t j = i; j < coordinates_.size(); ++j)
+      if (done[j] == 0 && coordinates_[j].view == coordinates_[i].view &&
+          coordinates_[j].axis == coordinates_[i].axis && coordinates_[j].group == coordinates_[i].group) {
+        row.push_back(coordinates_[j]);
         done[j] = 1;
       }
     add_row(std::move(row), where, notation, dimensions);
-    check(stations_of.size() < dimensions.size(), "every station is in a dimension");
-    stations_of.resize(dimensions.size(), i);
+    check(coordinates_of.size() < dimensions.size(), "every coordinate is in a dimension");
+    coordinates_of.resize(dimensions.size(), i);
   }
-  return without_crowds(std::move(dimensions), stations_of, where);
+  return without_crowds(std::move(dimensions), coordinates_of, where);
 }
 
 // Replaces parallel dimensions of one direction in a view by a row with a common origin if they are too many.
-std::vector<scene::DimensionDescription> Stations::without_crowds(std::vector<scene::DimensionDescription> dimensions,
-                                                                  const std::vector<std::size_t>& stations_of,
-                                                                  const std::string& where) const {
+std::vector<scene::DimensionDescription> Coordinates::without_crowds(
+    std::vector<scene::DimensionDescription> dimensions, const std::vector<std::size_t>& coordinates_of,
+    const std::string& where) const {
   std::vector<scene::DimensionDescription> kept, rows;
   std::vector<char> in_row(dimensions.size(), 0);
   for (std::size_t i = 0; i < dimensions.size(); ++i) {
-    const Station& first = stations_[stations_of[i]];
-    const auto is_beside = [&](const Station& station) {
-      return station.view == first.view && station.axis == first.axis;
+    const Coordinate& first = coordinates_[coordinates_of[i]];
+    const auto is_beside = [&](const Coordinate& coordinate) {
+      return coordinate.view == first.view && coordinate.axis == first.axis;
     };
     if (in_row[i] == 0) {
       std::vector<std::size_t> beside;
       for (std::size_t j = i; j < dimensions.size(); ++j)
-        if (is_beside(stations_[stations_of[j]])) beside.push_back(j);
+        if (is_beside(coordinates_[coordinates_of[j]])) beside.push_back(j);
       if (beside.size() > max_parallel) {
-        std::vector<Station> crowd;
-        std::copy_if(stations_.begin(), stations_.end(), std::back_inserter(crowd), is_beside);
+        std::vector<Coordinate> crowd;
+        std::copy_if(coordinates_.begin(), coordinates_.end(), std::back_inserter(crowd), is_beside);
         for (scene::DimensionDescription& row : arranged(crowd, DimensionArrangement::ordinate, where))
           rows.push_back(std::move(row));
         for (const std::size_t j : beside) in_row[j] = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sheet/dimensions/level_stations.hpp"
+#include "sheet/dimensions/level_coordinates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,11 +59,12 @@ double min_area(const Box& box) {
   return min_level * largest * (size.x + size.y + size.z - largest - least);
 }
 
-std::vector<Station> level_stations(const DimensionSubject& subject, const ViewChoice& views, const Stations& known) {
+std::vector<Coordinate> level_coordinates(const DimensionSubject& subject, const ViewChoice& views,
+                                          const Coordinates& known) {
   const Box box = features::box_of_faces(subject.world);
   const std::vector<Vec3> all_points = features::points_of_faces(subject.world);
   const double slack = features::same_size * glm::length(box.size());
-  std::map<std::pair<std::string, int>, std::vector<std::pair<double, Station>>> by_view;
+  std::map<std::pair<std::string, int>, std::vector<std::pair<double, Coordinate>>> by_view;
   for (const features::LevelFeature& level : subject.features.levels) {
     const NamedProjection* view = view_of_level(level, views, all_points, slack);
     if (view == nullptr || known.is_known(level.axis, level.at) || level.area < min_area(box)) continue;
@@ -74,15 +75,15 @@ std::vector<Station> level_stations(const DimensionSubject& subject, const ViewC
       return glm::dot(a, towards) < glm::dot(b, towards);
     });
     by_view[{view->name, level.axis}].emplace_back(
-        -level.area, Station{view, level.axis, level.at, *low, -1, *high, level.other_side});
+        -level.area, Coordinate{view, level.axis, level.at, *low, -1, *high, level.other_side});
   }
-  std::vector<Station> stations;
+  std::vector<Coordinate> coordinates;
   for (auto& [key, levels] : by_view) {
     check(!levels.empty(), "a view has the steps for which it was chosen");
     std::stable_sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t i = 0; i < std::min(levels.size(), max_levels); ++i) stations.push_back(levels[i].second);
+    for (std::size_t i = 0; i < std::min(levels.size(), max_levels); ++i) coordinates.push_back(levels[i].second);
   }
-  return stations;
+  return coordinates;
 }
 
 }  // namespace epura::sheet

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "drawing/near_glance.hpp"
+#include "drawing/near_prefilter.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ namespace epura::drawing {
 namespace {
 
 constexpr std::size_t grain = 1024;
-// With more pieces than this in a cell, a glance costs more than it saves.
+// With more pieces than this in a cell, a prefilter costs more than it saves.
 constexpr std::size_t crowd_of_pieces = 96;
 
 // A piece in a cell. Those that are taken last come first.
@@ -29,13 +29,13 @@ struct Entry {
 }  // namespace
 
 /// The properties of a piece that are compared, apart from its ends.
-struct NearGlance::Seen {
+struct NearPrefilter::Seen {
   std::array<float, 2> direction;
   int turn = -1;  ///< when it is taken
 };
 
-NearGlance::NearGlance(const std::vector<Piece>& pieces, const Polylines& polylines, const AlongLimits& limits,
-                       const Progress& progress)
+NearPrefilter::NearPrefilter(const std::vector<Piece>& pieces, const Polylines& polylines, const AlongLimits& limits,
+                             const Progress& progress)
     : pieces_(&pieces) {
   const std::vector<std::size_t> ranked = polylines.by_rank();
   first_.reserve(ranked.size() + 1);
@@ -50,8 +50,8 @@ NearGlance::NearGlance(const std::vector<Piece>& pieces, const Polylines& polyli
   find_last_along(limits, progress);
 }
 
-void NearGlance::measure(const Polylines& polylines, const std::vector<std::size_t>& ranked, const AlongLimits& limits,
-                         const Progress& progress) {
+void NearPrefilter::measure(const Polylines& polylines, const std::vector<std::size_t>& ranked,
+                            const AlongLimits& limits, const Progress& progress) {
   parallel_for(ranked.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t line = begin; line < end; ++line) {
       Member* member = members_.data() + first(line);
@@ -68,7 +68,7 @@ void NearGlance::measure(const Polylines& polylines, const std::vector<std::size
   });
 }
 
-void NearGlance::find_last_along(const AlongLimits& limits, const Progress& progress) {
+void NearPrefilter::find_last_along(const AlongLimits& limits, const Progress& progress) {
   const std::vector<Piece>& pieces = *pieces_;
   std::vector<Seen> seen(pieces.size());
   parallel_for(members_.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
