@@ -21,8 +21,8 @@ class Knife {
   Knife(const world::World& world, int model, const Sides& sides, std::optional<std::vector<bool>> whole)
       : world_(world), sides_(sides), first_(world.first_vertex[model]), mesh_(*world.models[model].mesh) {
     file_vertices_ = world.first_vertex[model + 1] - first_;
-    is_uncut_ = whole ? std::move(*whole)
-                      : whole_bodies(world.models[model], [this](int, int vertex) { return -side(vertex); });
+    is_uncut_ =
+        whole ? std::move(*whole) : whole_bodies(world, model, [this](int, int vertex) { return -side(vertex); });
   }
 
   CutMesh cut(int first_triangle) {

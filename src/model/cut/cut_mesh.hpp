@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -57,20 +58,21 @@ struct CutMesh {
   bool cuts_wires = false;
 };
 
-/// Returns by body whether it stays whole though parts of it are removed (Placed::styles); empty if none does.
+/// Returns by body whether it stays whole though parts of it are removed (World::styles); empty if none does.
 /// `remains(triangle, vertex)` returns 1 for a vertex on the kept side, -1 on the removed side, 0 on the plane.
 template <class Remains>
-std::vector<bool> whole_bodies(const world::Placed& model, const Remains& remains) {
+std::vector<bool> whole_bodies(const world::World& world, int model, const Remains& remains) {
   const auto stays = [](const scene::StyleDescription& style) { return !style.cut.value_or(true); };
   std::vector<bool> whole;
-  if (std::none_of(model.styles.begin(), model.styles.end(), stays)) return whole;
-  const mesh::Mesh& mesh = *model.mesh;
-  std::vector<std::array<bool, 2>> has(model.styles.size());  // removed parts, kept parts
+  const std::span<const scene::StyleDescription> styles = world.styles_of(model);
+  if (std::none_of(styles.begin(), styles.end(), stays)) return whole;
+  const mesh::Mesh& mesh = *world.models[static_cast<std::size_t>(model)].mesh;
+  std::vector<std::array<bool, 2>> has(styles.size());  // removed parts, kept parts
   for (int t = 0; t < mesh.triangle_count(); ++t)
     for (const int vertex : mesh.triangle(t))
       if (const int side = remains(t, vertex); side != 0) has[mesh.body[t]][side > 0 ? 1 : 0] = true;
-  for (std::size_t body = 0; body < model.styles.size(); ++body)
-    whole.push_back(stays(model.styles[body]) && has[body][0] && has[body][1]);
+  for (std::size_t body = 0; body < styles.size(); ++body)
+    whole.push_back(stays(styles[body]) && has[body][0] && has[body][1]);
   return whole;
 }
 

@@ -337,7 +337,7 @@ void append(world::World& world, const ModelCut& cut) {
   world.first_triangle.push_back(static_cast<int>(world.triangles.size()));
   const world::Placed& whole = cut.world.models[cut.model];
   world.models.push_back(
-      {std::make_shared<const mesh::Mesh>(cut.make_mesh()), whole.to_world, whole.part, whole.styles, whole.threads});
+      {std::make_shared<const mesh::Mesh>(cut.make_mesh()), whole.to_world, whole.part, whole.threads});
   if (!cut.world.wires.empty()) world::append_wires(world, *world.models.back().mesh, first);
 }
 
@@ -362,11 +362,7 @@ struct Remainder {
   bool cuts = false;
 
   Remainder(const world::World& world, const CuttingSurface& surface) : beyond(surface.beyond) {
-    result.world.first_vertex = {0};
-    result.world.first_triangle = {0};
-    result.world.box = world.box;
-    result.world.rounding = world.rounding;
-    result.world.one_rounding = world.one_rounding;
+    result.world = world::without_models(world);
     result.uncut.resize(surface.regions.size());
   }
 
@@ -443,7 +439,7 @@ class SteppedCut {
   void cut(int model, Remainder& remainder, const Progress& progress) const {
     const world::World& world = split_.world;
     const int first = world.first_triangle[model], first_vertex = world.first_vertex[model];
-    const std::vector<bool> whole = whole_bodies(world.models[model], [&](int triangle, int vertex) {
+    const std::vector<bool> whole = whole_bodies(world, model, [&](int triangle, int vertex) {
       const auto region = static_cast<std::size_t>(split_.region_of_triangle[first + triangle]);
       return region < sides_.size() ? -sides_[region].of[first_vertex + vertex] : 0;
     });
@@ -572,11 +568,7 @@ void append_turned(CutWorld& all, CutWorld part, const Mat4& turn, bool is_first
 
 CutWorld cut_aligned(const world::World& world, const CuttingSurface& surface, const Progress& progress) {
   CutWorld all;
-  all.world.first_vertex = {0};
-  all.world.first_triangle = {0};
-  all.world.box = world.box;
-  all.world.rounding = world.rounding;
-  all.world.one_rounding = world.one_rounding;
+  all.world = world::without_models(world);
   for (const CutRegion& region : surface.regions) {
     Remainder remainder = cut_by_steps(world, surface_of(surface, region), 1, progress);
     if (!remainder.cuts && !is_within(region, world.box)) refuse_leg(region, world);

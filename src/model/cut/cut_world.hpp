@@ -46,7 +46,7 @@ struct CutWorld {
   std::vector<WorldCutFace> faces;   ///< sorted by model and body
   std::vector<OpenOutline> open;     ///< likewise
   std::vector<BridgedGaps> bridged;  ///< likewise
-  /// Triangles of bodies that the surface passes through and leaves whole (Placed::styles), by region of the surface.
+  /// Triangles of bodies that the surface passes through and leaves whole (World::styles), by region of the surface.
   std::vector<std::vector<int>> uncut;
   double moved = 0;  ///< largest distance between outlines on recognised surfaces and those of their facets
 };

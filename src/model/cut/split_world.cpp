@@ -197,13 +197,8 @@ mesh::CutVertex cut_vertex_on(const mesh::Mesh& mesh, const std::array<int, 2>& 
 }
 
 SplitWorld split_world(const world::World& world, const CuttingSurface& surface) {
-  SplitWorld split{{}, {}, slack_of(world)};
+  SplitWorld split{world::without_models(world), {}, slack_of(world)};
   world::World& result = split.world;
-  result.first_vertex = {0};
-  result.first_triangle = {0};
-  result.box = world.box;
-  result.rounding = world.rounding;
-  result.one_rounding = world.one_rounding;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
     const world::Placed& placed = world.models[model];
     Splitter splitter(world, model, surface, split);
@@ -219,7 +214,7 @@ SplitWorld split_world(const world::World& world, const CuttingSurface& surface)
                                     splitter.regions().end());
     result.first_vertex.push_back(static_cast<int>(result.points.size()));
     result.first_triangle.push_back(static_cast<int>(result.triangles.size()));
-    result.models.push_back({mesh, placed.to_world, placed.part, placed.styles, placed.threads});
+    result.models.push_back({mesh, placed.to_world, placed.part, placed.threads});
     if (!world.wires.empty()) world::append_wires(result, *mesh, first);
   }
   return split;

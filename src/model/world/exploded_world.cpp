@@ -217,6 +217,7 @@ ExplodedWorld explode_world(const World& world, std::span<const scene::ExplodeDe
   for (std::size_t m = 0; m < placed.size(); ++m)
     if (!bodies[m].empty()) move_model(placed[m], bodies[m]);
   ExplodedWorld exploded{make_world(std::move(placed), !world.wires.empty()), {}};
+  exploded.world.styles = world.styles;
   for (const std::vector<MovedBody>& of_model : bodies)
     for (const MovedBody& body : of_model)
       if (const std::optional<Trace> trace = trace_of(body))

@@ -111,8 +111,10 @@ void describe(Item& item, const World& world, const std::vector<scene::ModelDesc
               const ItemBody& body) {
   const Placed& model = world.models[body.model];
   const int first = body.numbers.front();
-  if (!model.styles.empty()) item.material = model.styles[static_cast<std::size_t>(first)].material.value_or("");
-  const double density = density_of(model, models[static_cast<std::size_t>(body.model)], first);
+  const int number = static_cast<int>(body.model);
+  if (const auto styles = world.styles_of(number); !styles.empty())
+    item.material = styles[static_cast<std::size_t>(first)].material.value_or("");
+  const double density = density_of(world, number, models[static_cast<std::size_t>(body.model)], first);
   if (!(density > 0)) return;
   std::vector<Solid> solids;
   for (Solid& solid : solids_of(model.mesh->whole(), model.to_world))

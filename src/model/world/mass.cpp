@@ -152,9 +152,9 @@ std::vector<Solid> solids_of(const mesh::Mesh& mesh, const Mat4& to_world) {
   return solids;
 }
 
-double density_of(const Placed& model, const scene::ModelDescription& description, int body) {
-  if (!model.styles.empty())
-    if (const auto& density = model.styles[static_cast<std::size_t>(body)].density; density.given()) return *density;
+double density_of(const World& world, int model, const scene::ModelDescription& description, int body) {
+  if (const auto styles = world.styles_of(model); !styles.empty())
+    if (const auto& density = styles[static_cast<std::size_t>(body)].density; density.given()) return *density;
   return description.density.value_or(0);
 }
 

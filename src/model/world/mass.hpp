@@ -27,7 +27,7 @@ struct Solid {
 std::vector<Solid> solids_of(const mesh::Mesh& mesh, const Mat4& to_world);
 
 /// The density of a body in kg/m³, of its style or its model; 0 if it has none.
-double density_of(const Placed& model, const scene::ModelDescription& description, int body);
+double density_of(const World& world, int model, const scene::ModelDescription& description, int body);
 
 /// The sum of several bodies.
 struct MassProperties {

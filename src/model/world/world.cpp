@@ -131,6 +131,17 @@ void append_wires(World& world, const mesh::Mesh& mesh, int first_vertex) {
     if (edge.count == 0) world.wires.push_back({first_vertex + edge.vertex[0], first_vertex + edge.vertex[1]});
 }
 
+World without_models(const World& world) {
+  World empty;
+  empty.first_vertex = {0};
+  empty.first_triangle = {0};
+  empty.box = world.box;
+  empty.rounding = world.rounding;
+  empty.one_rounding = world.one_rounding;
+  empty.styles = world.styles;
+  return empty;
+}
+
 World make_world(std::vector<Placed> models, bool with_wires) {
   const auto has_faces = [](const Placed& model) { return model.mesh->triangle_count() > 0; };
   const bool any_faces = std::any_of(models.begin(), models.end(), has_faces);

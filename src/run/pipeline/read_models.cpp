@@ -187,6 +187,7 @@ ReadWorld read_models(const scene::SceneDescription& scene, const Reading& readi
                                       [](const scene::ViewDescription& view) { return !view.edges.given(); });
   int without_unit = -1;
   std::vector<world::Placed> placed;
+  std::vector<std::vector<scene::StyleDescription>> styles;
   std::vector<std::vector<importer::BodyPart>> parts;
   KeptModels own;
   KeptModels& kept = reading.kept == nullptr ? own : *reading.kept;
@@ -204,17 +205,17 @@ ReadWorld read_models(const scene::SceneDescription& scene, const Reading& readi
     KeptModel model = std::move(all[i]);
     if (drawn && description.soup == nullptr && without_unit < 0 && !description.unit.given() && !model.rest.unit)
       without_unit = static_cast<int>(placed.size());
-    std::vector<scene::StyleDescription> styles =
-        scene::styles_of_bodies(*model.mesh, scene::name_of(description), patterns.styles);
-    model = leave_out(std::move(model), styles);
+    styles.push_back(scene::styles_of_bodies(*model.mesh, scene::name_of(description), patterns.styles));
+    model = leave_out(std::move(model), styles.back());
     parts.push_back(std::move(model.rest.body_parts));
-    placed.push_back({std::move(model.mesh), places[i], {}, std::move(styles)});
+    placed.push_back({std::move(model.mesh), places[i]});
     if (!drawn) continue;
     if (description.surfaces.value_or(Surfaces::automatic) == Surfaces::automatic) placed.back().part = model.rest.part;
     reports.push_back(placed.back().mesh->report);
     warn_about(messages, reports.back(), says_wires);
   }
   world::World world = world::make_world(std::move(placed), wants_wires(scene));
+  world.styles = std::move(styles);
   world::expect_usable(world);
   return {std::move(world), std::move(parts), std::move(patterns.explosions), without_unit};
 }

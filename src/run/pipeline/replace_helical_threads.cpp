@@ -161,7 +161,9 @@ world::World replace_helical_threads(world::World world, scene::SceneDescription
   if (!others.empty()) tell(messages, others);
   if (found.empty()) return world;
   const bool had_wires = !world.wires.empty();
+  std::vector<std::vector<scene::StyleDescription>> styles = std::move(world.styles);
   world = world::make_world(std::move(world.models), had_wires);
+  world.styles = std::move(styles);
   std::vector<scene::ThreadDescription> added;
   for (const FoundThread& one : found) {
     if (is_described(one, world, scene)) continue;

@@ -41,7 +41,7 @@ world::MassProperties mass_of(const world::World& world, const scene::SceneDescr
       if (!solid.fault.empty())
         throw Error(ErrorKind::input, where, name + " has no volume: " + solid.fault,
                     "export it as a closed solid, or leave it out");
-      densities.push_back(world::density_of(placed, scene.models[m], solid.body));
+      densities.push_back(world::density_of(world, static_cast<int>(m), scene.models[m], solid.body));
       if (wants_mass && !(densities.back() > 0))
         throw Error(ErrorKind::input, where, name + " has no density, so its mass is unknown",
                     "give one in kg/m³: --density 7850, or 'density' in its [[model]] or [[style]]");

@@ -29,10 +29,12 @@ edges::EdgeOptions edge_options(const scene::ViewDescription& view) {
 }
 
 // The style of a body whose model and view say `usual`.
-sheet::BodyStyle style_of(const world::Placed& placed, int body, const sheet::BodyStyle& usual, LayersBy layers) {
+sheet::BodyStyle style_of(const world::World& world, int model, int body, const sheet::BodyStyle& usual,
+                          LayersBy layers) {
+  const world::Placed& placed = world.models[static_cast<std::size_t>(model)];
   sheet::BodyStyle style = usual;
-  if (!placed.styles.empty()) {
-    const scene::StyleDescription& wanted = placed.styles[static_cast<std::size_t>(body)];
+  if (const auto styles = world.styles_of(model); !styles.empty()) {
+    const scene::StyleDescription& wanted = styles[static_cast<std::size_t>(body)];
     style.line = wanted.line.value_or(style.line);
     style.hidden = wanted.hidden.value_or(style.hidden);
     if (wanted.colour.given()) {
@@ -125,7 +127,8 @@ sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::V
     const mesh::MeshReport& report = placed.mesh->report;
     const int bodies = report.body_names.empty() ? std::min(report.bodies, 1) : report.bodies;
     std::vector<sheet::BodyStyle>& of_model = styles.of_model.emplace_back();
-    for (int body = 0; body < bodies; ++body) of_model.push_back(style_of(placed, body, usual, layers));
+    for (int body = 0; body < bodies; ++body)
+      of_model.push_back(style_of(world, static_cast<int>(i), body, usual, layers));
     if (of_model.empty()) of_model.push_back(usual);
   }
   return styles;
