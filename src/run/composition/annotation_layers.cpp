@@ -51,14 +51,14 @@ void add_gravity(std::vector<sheet::Layer>& marks, const drawing::ViewDrawing& d
   constexpr double radius = 2;  // mm
   const Vec4 mapped = drawing.world_to_page * Vec4(centre, 1);
   const Vec2 whole = Vec2(mapped) / mapped.w;
-  if (!(mapped.w > 0) || !drawing.breaks.keeps(whole)) return;
-  if (drawing.detail) {
-    const auto& [middle, half, round] = drawing.detail->boundary;
+  if (!(mapped.w > 0) || !drawing.shown.breaks.keeps(whole)) return;
+  if (drawing.shown.detail) {
+    const auto& [middle, half, round] = drawing.shown.detail->boundary;
     const Vec2 off = glm::abs(whole - middle);
     if (round ? glm::length(off) > half.x : off.x > half.x || off.y > half.y) return;
   }
   sheet::Layer layer = sheet::empty_layer(drawing.name, scene::SheetLine::symbol, widths);
-  sheet::add_gravity_symbol(layer, drawing.breaks.moved(whole), radius);
+  sheet::add_gravity_symbol(layer, drawing.shown.breaks.moved(whole), radius);
   marks.push_back(std::move(layer));
 }
 
@@ -78,7 +78,7 @@ std::vector<sheet::Layer> marks_of(std::span<const Annotations> annotations, std
     const drawing::ViewDrawing& drawing = views[i].drawing;
     std::vector<sheet::SightArrow> arrows;
     for (const ViewArrow& arrow : annotations[i].arrows)
-      arrows.push_back({arrow.letter, arrow.sight, (drawing.min + drawing.max) / 2.0});
+      arrows.push_back({arrow.letter, arrow.sight, (drawing.box.min + drawing.box.max) / 2.0});
     if (!arrows.empty()) marks.push_back(sheet::sight_arrows(drawing, arrows, widths));
     if (annotations[i].centre_of_gravity) add_gravity(marks, drawing, *annotations[i].centre_of_gravity, widths);
   }
@@ -501,7 +501,7 @@ void add_balloons(AnnotationLayers& result, sheet::Neighbours& around, const She
     sheet::Layer layer = sheet::empty_layer(drawing.name, scene::SheetLine::balloon, widths);
     const sheet::Neighbours neighbours = with_other_views(around, views, i);
     for (const std::string& number :
-         sheet::place_balloons(layer, input.balloons[i], {drawing.min, drawing.max}, style, neighbours)) {
+         sheet::place_balloons(layer, input.balloons[i], {drawing.box.min, drawing.box.max}, style, neighbours)) {
       result.warnings.push_back("there is no place for the balloon of item " + number + " around the view '" +
                                 drawing.name + "'\n  hint: use a larger sheet or a smaller scale");
       result.findings.push_back(
@@ -515,7 +515,8 @@ void add_balloons(AnnotationLayers& result, sheet::Neighbours& around, const She
 
 // Besides dimensions.
 bool has_lettering(const SheetInput& input, std::span<const ViewResult> views) {
-  if (std::any_of(views.begin(), views.end(), [](const auto& view) { return view.drawing.construction != nullptr; }))
+  if (std::any_of(views.begin(), views.end(),
+                  [](const auto& view) { return view.drawing.aids.construction != nullptr; }))
     return true;
   const auto is_given = [](const auto& view) { return !view.empty(); };
   return std::any_of(input.balloons.begin(), input.balloons.end(), is_given) ||

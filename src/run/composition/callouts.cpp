@@ -28,7 +28,7 @@ struct PagePoint {
 };
 
 PagePoint page_point(const ViewCallout& callout, const drawing::ViewDrawing& drawing) {
-  if (const Vec2* page = std::get_if<Vec2>(&callout.to)) return {drawing.breaks.restored(*page)};
+  if (const Vec2* page = std::get_if<Vec2>(&callout.to)) return {drawing.shown.breaks.restored(*page)};
   const Vec4 p = drawing.world_to_page * Vec4(std::get<Vec3>(callout.to), 1);
   if (!(p.w > 0))
     throw Error(ErrorKind::input, callout.description.to.where,
@@ -141,7 +141,7 @@ void expect_shown(const ViewCallout& callout, const Vec2& at, const drawing::Vie
 // Whether there is nothing on one side of a line because it is the rim of a hole, which leaders reach from outside.
 bool is_enclosed(const drawing::ViewDrawing& drawing, const Vec2& at, const Vec2& normal) {
   constexpr double past_line = 0.5;  // mm
-  const double far = glm::length(drawing.max - drawing.min), half = 0.5, rise = std::sqrt(3.0) / 2;
+  const double far = glm::length(drawing.box.max - drawing.box.min), half = 0.5, rise = std::sqrt(3.0) / 2;
   const Vec2 across = left_of(normal);
   const std::array<Vec2, 3> ways{normal, half * normal + rise * across, half * normal - rise * across};
   return std::all_of(ways.begin(), ways.end(), [&](const Vec2& way) {
@@ -167,15 +167,15 @@ CalloutTargets find_targets(const world::World& world, const drawing::ViewDrawin
   std::vector<std::optional<Vec2>> lines;
   for (const ViewCallout& callout : callouts) {
     points.push_back(page_point(callout, drawing));
-    lines.push_back(line_at(drawing, drawing.breaks.moved(points.back().at)));
+    lines.push_back(line_at(drawing, drawing.shown.breaks.moved(points.back().at)));
   }
   const std::vector<std::optional<double>> depths = depths_at(points, world, drawing.world_to_page);
   const std::vector<std::optional<double>> sides = depths_at(beside(points, lines), world, drawing.world_to_page);
   const double slack = slack_of(world, drawing);
   for (std::size_t i = 0; i < callouts.size(); ++i) {
-    const Vec2 at = drawing.breaks.moved(points[i].at);
-    const bool is_inside = at.x >= drawing.min.x && at.y >= drawing.min.y && at.x <= drawing.max.x &&
-                           at.y <= drawing.max.y && drawing.breaks.keeps(points[i].at);
+    const Vec2 at = drawing.shown.breaks.moved(points[i].at);
+    const bool is_inside = at.x >= drawing.box.min.x && at.y >= drawing.box.min.y && at.x <= drawing.box.max.x &&
+                           at.y <= drawing.box.max.y && drawing.shown.breaks.keeps(points[i].at);
     if (!is_partial) expect_shown(callouts[i], at, drawing, lines[i] || (depths[i] && is_inside));
     sheet::CalloutTarget target{at, end_of(callouts[i].description, lines[i].has_value())};
     if (lines[i]) {

@@ -45,13 +45,14 @@ std::vector<sheet::Text> labels_of(const SheetInput& input, const std::vector<Vi
     const scene::ViewDescription& view = input.views.descriptions[i];
     const drawing::ViewDrawing& drawing = views[i].drawing;
     std::string name = view.label.value_or("");
-    if (name.empty() && view.section.given() && !drawing.detail && views.size() > 1)
+    if (name.empty() && view.section.given() && !drawing.shown.detail && views.size() > 1)
       name = *view.section + "-" + *view.section;
-    if (name.empty() && drawing.detail) name = drawing.detail->name;
+    if (name.empty() && drawing.shown.detail) name = drawing.shown.detail->name;
     const auto scale = drawing.projection.central ? std::nullopt : std::optional(drawing.scale);
-    const std::string label = sheet::view_label(name, scale, drawing.detail ? 0 : input.plan.scale, sign);
-    const Vec2 past(0, drawing.limits.empty() ? 0 : sheet::limit_room(sheet::line_widths(input.plan.furniture.paper)));
-    if (!label.empty()) labels.push_back(sheet::label_above(label, {drawing.min, drawing.max + past}));
+    const std::string label = sheet::view_label(name, scale, drawing.shown.detail ? 0 : input.plan.scale, sign);
+    const Vec2 past(
+        0, drawing.shown.limits.empty() ? 0 : sheet::limit_room(sheet::line_widths(input.plan.furniture.paper)));
+    if (!label.empty()) labels.push_back(sheet::label_above(label, {drawing.box.min, drawing.box.max + past}));
   }
   return labels;
 }
@@ -99,7 +100,7 @@ std::vector<sheet::ViewFrame> frames_of(const std::vector<ViewResult>& views) {
   for (const ViewResult& view : views) {
     const drawing::ViewDrawing& drawing = view.drawing;
     const std::string scale = drawing.projection.central ? "" : sheet::ratio_text(drawing.scale);
-    frames.push_back({drawing.name, drawing.projection.name, scale, drawing.min, drawing.max});
+    frames.push_back({drawing.name, drawing.projection.name, scale, drawing.box.min, drawing.box.max});
   }
   return frames;
 }
@@ -127,7 +128,7 @@ std::vector<std::size_t> views_to_hatch(const std::vector<ViewResult>& views) {
   };
   std::vector<std::size_t> hatched;
   for (std::size_t i = 0; i < views.size(); ++i)
-    if (!views[i].drawing.detail || !is_here(views[i].drawing.detail->parent)) hatched.push_back(i);
+    if (!views[i].drawing.shown.detail || !is_here(views[i].drawing.shown.detail->parent)) hatched.push_back(i);
   return hatched;
 }
 
@@ -135,7 +136,7 @@ std::vector<sheet::Layer> centre_layers(const ViewResult& view, const ViewOption
                                         const sheet::LineWidths& widths, const std::vector<sheet::Layer>& lines,
                                         const Progress& progress) {
   const bool divides = view.section && !view.section->divides.empty();
-  const bool is_half = std::any_of(view.drawing.limits.begin(), view.drawing.limits.end(),
+  const bool is_half = std::any_of(view.drawing.shown.limits.begin(), view.drawing.shown.limits.end(),
                                    [](const drawing::Limit& limit) { return limit.symmetric; });
   if (!options.centre_lines && !divides && !is_half) return {};
   progress.begin("drawing centre lines");
@@ -180,7 +181,7 @@ std::vector<std::vector<sheet::Layer>> hatch_layers(const SheetInput& input, con
   };
 
   std::size_t faces = 0;
-  for (const ViewResult& view : results) faces += view.drawing.cut_faces.size();
+  for (const ViewResult& view : results) faces += view.drawing.cuts.faces.size();
   progress.begin("hatching", faces);
   const std::vector<std::size_t> hatched = views_to_hatch(results);
   std::vector<const drawing::ViewDrawing*> drawings;
@@ -193,7 +194,7 @@ std::vector<std::vector<sheet::Layer>> hatch_layers(const SheetInput& input, con
   if (faces > 0) texts = text_boxes(beside, input.plan.furniture.font);
   std::vector<std::vector<sheet::Layer>> layers(results.size());
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (!results[i].drawing.cut_faces.empty())
+    if (!results[i].drawing.cuts.faces.empty())
       layers[i].push_back(sheet::hatch_layer({results[i].drawing, styles(i), texts}, hatching, widths, progress));
   return layers;
 }
@@ -227,8 +228,8 @@ void construct(const SheetInput& input, std::vector<ViewResult>& results) {
   const SheetOfViews& views = input.views;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const bool in_epura = views.epura && (i == views.epura->elevation || i == views.epura->plan);
-    if (!in_epura && views.descriptions[i].construction.given() && !results[i].drawing.detail)
-      results[i].drawing.construction =
+    if (!in_epura && views.descriptions[i].construction.given() && !results[i].drawing.shown.detail)
+      results[i].drawing.aids.construction =
           unless_empty(figure_on_paper(input.world, views.descriptions[i], results[i].drawing));
   }
   if (!views.epura) return;
@@ -237,12 +238,13 @@ void construct(const SheetInput& input, std::vector<ViewResult>& results) {
   const auto plane = [](const drawing::ViewDrawing& drawing) {
     return construction::picture_plane(drawing.projection, drawing.world_to_page, drawing.scale);
   };
-  const construction::Epura epura{plane(plan),
-                                  plane(elevation),
-                                  (plan.max.y + elevation.min.y) / 2,
-                                  {std::min(plan.min.x, elevation.min.x), std::max(plan.max.x, elevation.max.x)}};
+  const construction::Epura epura{
+      plane(plan),
+      plane(elevation),
+      (plan.box.max.y + elevation.box.min.y) / 2,
+      {std::min(plan.box.min.x, elevation.box.min.x), std::max(plan.box.max.x, elevation.box.max.x)}};
   const std::array descriptions{&views.descriptions[views.epura->elevation], &views.descriptions[views.epura->plan]};
-  elevation.construction = unless_empty(figure_of_epura(input.world, descriptions, epura));
+  elevation.aids.construction = unless_empty(figure_of_epura(input.world, descriptions, epura));
 }
 
 }  // namespace

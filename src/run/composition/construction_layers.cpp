@@ -43,7 +43,7 @@ sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& o
   std::vector<sheet::Rectangle> taken;
   std::optional<sheet::Rectangle> ink;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const sheet::Rectangle box{views[i].drawing.min, views[i].drawing.max};
+    const sheet::Rectangle box{views[i].drawing.box.min, views[i].drawing.box.max};
     if (std::find(own.begin(), own.end(), i) == own.end()) {
       taken.push_back(box.grown(apart));
     } else {
@@ -55,7 +55,7 @@ sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& o
   for (const sheet::Rectangle& block : blocks) taken.push_back(block.grown(apart));
   for (const sheet::Rectangle& one : taken) room.taken.push_back(sheet::turned_box(one));
   if (std::all_of(own.begin(), own.end(), [&](std::size_t i) {
-        const auto& figure = views[i].drawing.construction;
+        const auto& figure = views[i].drawing.aids.construction;
         return !figure || is_clear(*figure, taken);
       })) {
     room.area = sheet::united(room.area, *ink);
@@ -64,8 +64,8 @@ sheet::ConstructionRoom room_for_constructions(const std::vector<std::size_t>& o
   const auto size = [](const Vec2& sides) { return std::max(sides.x, 0.0) * std::max(sides.y, 0.0); };
   sheet::Rectangle wanted = *ink;
   for (const std::size_t i : own)
-    if (views[i].drawing.construction)
-      wanted = sheet::box_of(*views[i].drawing.construction, wanted, farthest * glm::length(ink->size()));
+    if (views[i].drawing.aids.construction)
+      wanted = sheet::box_of(*views[i].drawing.aids.construction, wanted, farthest * glm::length(ink->size()));
   const auto worth = [&](const sheet::Rectangle& free) {
     const Vec2 held = glm::min(free.max, wanted.max) - glm::max(free.min, wanted.min);
     return std::pair(std::round(size(held)), size(free.size()));
@@ -87,8 +87,8 @@ Legend legend_of(std::span<const ViewResult> views) {
   Legend legend;
   std::vector<std::vector<std::string>>& rows = legend.table.rows;
   for (const ViewResult& view : views) {
-    if (!view.drawing.construction) continue;
-    const construction::Figure& figure = *view.drawing.construction;
+    if (!view.drawing.aids.construction) continue;
+    const construction::Figure& figure = *view.drawing.aids.construction;
     legend.is_asked_for = legend.is_asked_for || figure.legend;
     for (const construction::Term& term : figure.terms)
       if (const std::vector<std::string> row{term.symbol, term.meaning};
@@ -102,7 +102,8 @@ Legend legend_of(std::span<const ViewResult> views) {
 std::optional<sheet::Rectangle> place_of_legend(const Vec2& size, const sheet::Neighbours& around,
                                                 std::span<const ViewResult> views) {
   sheet::ConstructionRoom room{around.paper->grown(-5), around.boxes};
-  for (const ViewResult& view : views) room.taken.push_back(sheet::turned_box({view.drawing.min, view.drawing.max}));
+  for (const ViewResult& view : views)
+    room.taken.push_back(sheet::turned_box({view.drawing.box.min, view.drawing.box.max}));
   const auto corner = sheet::clear_position(room, size);
   return corner ? std::optional(sheet::Rectangle{*corner, *corner + size}) : std::nullopt;
 }
@@ -120,17 +121,17 @@ DrawnConstructions draw_constructions(const SheetInput& input, std::span<const V
   std::vector<std::size_t> order(views.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_partition(order.begin(), order.end(), [&](std::size_t i) {
-    const auto& figure = views[i].drawing.construction;
+    const auto& figure = views[i].drawing.aids.construction;
     return figure && !figure->keys.empty();
   });
   DrawnConstructions drawn;
   for (const std::size_t i : order) {
     const drawing::ViewDrawing& drawing = views[i].drawing;
-    if (!drawing.construction) continue;
+    if (!drawing.aids.construction) continue;
     std::vector<std::size_t> own{i};
     if (input.views.epura && input.views.epura->elevation == i) own.push_back(input.views.epura->plan);
     const sheet::ConstructionRoom room = room_for_constructions(own, around, input.plan.furniture, views, blocks);
-    sheet::ConstructionLayer layer = sheet::construction_layer(drawing.name, *drawing.construction, room, style);
+    sheet::ConstructionLayer layer = sheet::construction_layer(drawing.name, *drawing.aids.construction, room, style);
     const std::vector<sheet::TurnedBox> more = sheet::boxes_of(layer.layer, style.lettering);
     around.boxes.insert(around.boxes.end(), more.begin(), more.end());
     blocks.insert(blocks.end(), layer.keys.begin(), layer.keys.end());

@@ -51,9 +51,9 @@ void add_details(std::vector<sheet::Layer>& layers, const SheetInput& input,
   const sheet::LineWidths widths = sheet::line_widths(input.plan.furniture.paper, input.plan.furniture.styles);
   std::vector<sheet::Layer> details;
   for (const drawing::ViewDrawing& drawing : drawings) {
-    if (!drawing.detail) continue;
+    if (!drawing.shown.detail) continue;
     details.push_back(sheet::empty_layer(drawing.name, scene::SheetLine::detail, widths));
-    details.back().strokes.push_back(sheet::boundary_line(drawing.detail->boundary));
+    details.back().strokes.push_back(sheet::boundary_line(drawing.shown.detail->boundary));
   }
   std::move(details.begin(), details.end(), std::back_inserter(layers));
   for (std::size_t i = 0; i < drawings.size(); ++i) {

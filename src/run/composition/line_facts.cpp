@@ -76,9 +76,9 @@ class EdgeFinder {
 };
 
 std::optional<double> EdgeFinder::depth(const Vec2& drawn, std::span<const sheet::ModelEdge> edges) const {
-  const Vec2 p = drawing_.breaks.restored(drawn);
+  const Vec2 p = drawing_.shown.breaks.restored(drawn);
   std::optional<double> found;
-  double least = on_edge + drawing_.contours_moved;
+  double least = on_edge + drawing_.distances.contours_moved;
   for (const sheet::ModelEdge& edge : edges)
     for (const int model : shown_[static_cast<std::size_t>(edge.model)]) {
       const DeepPoint a = on_page(point(model, edge.vertex[0])), b = on_page(point(model, edge.vertex[1]));

@@ -107,7 +107,7 @@ sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const st
 sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const ViewResult> views, std::size_t view) {
   constexpr double along_outline = 1;  // mm, in which a line would be taken for one of that view
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const sheet::Rectangle box{views[i].drawing.min, views[i].drawing.max};
+    const sheet::Rectangle box{views[i].drawing.box.min, views[i].drawing.box.max};
     if (i == view) continue;
     neighbours.boxes.push_back(sheet::turned_box(box));
     neighbours.views.push_back(sheet::turned_box(box.grown(along_outline)));
@@ -150,7 +150,7 @@ void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const ViewResult& vi
 std::vector<sheet::Rectangle> taken_by(const sheet::Neighbours& around, std::span<const ViewResult> views) {
   constexpr std::size_t most = 200;
   std::vector<sheet::Rectangle> taken;
-  for (const ViewResult& view : views) taken.push_back({view.drawing.min, view.drawing.max});
+  for (const ViewResult& view : views) taken.push_back({view.drawing.box.min, view.drawing.box.max});
   if (taken.size() + around.boxes.size() <= most || !around.paper) {
     for (const sheet::TurnedBox& box : around.boxes) taken.push_back(sheet::around(box));
     return taken;

@@ -168,7 +168,7 @@ void fill(NearestItems& nearest, const world::World& world, const drawing::ViewD
 
 void mark_lines(Distances& distances, const Grid& grid, const drawing::ViewDrawing& drawing) {
   for (const drawing::Segment& segment : drawing.segments) {
-    const Vec2 from = drawing.breaks.restored(segment.from), to = drawing.breaks.restored(segment.to);
+    const Vec2 from = drawing.shown.breaks.restored(segment.from), to = drawing.shown.breaks.restored(segment.to);
     const int steps = static_cast<int>(glm::length(to - from) / grid.pitch) + 1;
     for (int i = 0; i <= steps; ++i) {
       const Vec2 p = from + (to - from) * (static_cast<double>(i) / steps) - grid.corner;
@@ -201,7 +201,7 @@ void find_on_lines(std::vector<std::optional<SeenPoint>>& seen, const drawing::V
 // Inside these lines, the faces of the whole models are not seen.
 std::vector<drawing::ClosedLine> cut_out(const drawing::ViewDrawing& drawing) {
   std::vector<drawing::ClosedLine> lines;
-  for (const drawing::BrokenOut& one : drawing.broken_out) lines.emplace_back(one.ring);
+  for (const drawing::BrokenOut& one : drawing.cuts.broken_out) lines.emplace_back(one.ring);
   return lines;
 }
 
@@ -211,7 +211,8 @@ std::vector<std::optional<SeenPoint>> seen_items(const world::World& world, cons
                                                  const std::vector<world::Item>& items) {
   constexpr double least = 0.7;  // mm between the end of a leader and lines
   const ItemOfBody of_body(world, items);
-  const Grid grid = grid_on(drawing.breaks.restored(drawing.min), drawing.breaks.restored(drawing.max));
+  const Grid grid =
+      grid_on(drawing.shown.breaks.restored(drawing.box.min), drawing.shown.breaks.restored(drawing.box.max));
   NearestItems nearest(grid);
   fill(nearest, world, drawing, of_body);
   Distances distances(grid);
@@ -227,9 +228,9 @@ std::vector<std::optional<SeenPoint>> seen_items(const world::World& world, cons
     for (int x = 0; x < grid.columns; ++x) {
       const int item = nearest.at(x, y);
       const double free = distances.at(x, y);
-      if (item < 0 || free < least || !drawing.breaks.keeps(grid.at(x, y)) || is_cut(grid.at(x, y))) continue;
+      if (item < 0 || free < least || !drawing.shown.breaks.keeps(grid.at(x, y)) || is_cut(grid.at(x, y))) continue;
       if (!seen[item] || free > seen[item]->free * (1 + 1e-9))
-        seen[item] = SeenPoint{drawing.breaks.moved(grid.at(x, y)), free};
+        seen[item] = SeenPoint{drawing.shown.breaks.moved(grid.at(x, y)), free};
     }
   find_on_lines(seen, drawing, of_body);
   return seen;

@@ -29,7 +29,7 @@ struct Storyteller {
     return drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, s);
   }
   [[nodiscard]] std::string on_sheet(const Vec2& position) const {
-    return format_value(drawn_view.drawing.breaks.moved(position));
+    return format_value(drawn_view.drawing.shown.breaks.moved(position));
   }
   [[nodiscard]] std::string in_space(double s) const {
     return format_value(drawing::parameter_in_space(drawn_view.view, edge, s));
@@ -84,7 +84,7 @@ struct Storyteller {
     const drawing::Ruler line(position(span.from), position(span.to));
     visibility::Spans inked = cut_off(line, limits.min);
     if (visibility::covers(inked, limits.min, line.length - limits.min))
-      return drawn_view.drawing.detail ? "    no ink: outside the detail\n" : "    no ink: left out by a break\n";
+      return drawn_view.drawing.shown.detail ? "    no ink: outside the detail\n" : "    no ink: left out by a break\n";
     add_broken_out(inked, line, limits.min);
     if (visibility::covers(inked, limits.min, line.length - limits.min))
       return "    no ink: inside a broken-out section\n";
@@ -92,11 +92,11 @@ struct Storyteller {
     for (const drawing::Segment& segment : drawn_view.drawing.segments) {
       const bool own = segment.visible == span.visible && is_own(segment);
       const double tolerance = steps_of_coincidence * limits.tolerance;
-      const Vec2 from = drawn_view.drawing.breaks.restored(segment.from);
-      const Vec2 to = drawn_view.drawing.breaks.restored(segment.to);
+      const Vec2 from = drawn_view.drawing.shown.breaks.restored(segment.from);
+      const Vec2 to = drawn_view.drawing.shown.breaks.restored(segment.to);
       const auto part = drawing::covered_part(line, from, to, tolerance, own ? 0 : limits.min);
       if (!own && segment.visible >= span.visible && !(part[0] < part[1])) {
-        const double reach = drawn_view.drawing.joined_within;
+        const double reach = drawn_view.drawing.distances.joined_within;
         const auto beside = drawing::covered_part(line, from, to, reach, std::max(reach, limits.min));
         if (beside[0] < beside[1]) near.push_back(over(line, beside) + name_of(segment));
       }
@@ -120,8 +120,8 @@ struct Storyteller {
   // The parts of a line that are outside the detail shown or left out by breaks, up to `slack` mm inside it.
   [[nodiscard]] visibility::Spans cut_off(const drawing::Ruler& line, double slack) const {
     visibility::Spans outside;
-    const auto& detail = drawn_view.drawing.detail;
-    const bool is_freehand = drawn_view.drawing.breaks.freehand;
+    const auto& detail = drawn_view.drawing.shown.detail;
+    const bool is_freehand = drawn_view.drawing.shown.breaks.freehand;
     if (!detail) return left_out(line, is_freehand ? slack + drawing::freehand_wave : slack);
     const auto part = drawing::part_inside(detail->boundary, line.from, line.from + line.length * line.along);
     if (!part) return {{0, line.length}};
@@ -133,7 +133,7 @@ struct Storyteller {
 
   // Adds the parts of a line of the whole models that broken-out sections do not show.
   void add_broken_out(visibility::Spans& outside, const drawing::Ruler& line, double slack) const {
-    for (const drawing::BrokenOut& one : drawn_view.drawing.broken_out)
+    for (const drawing::BrokenOut& one : drawn_view.drawing.cuts.broken_out)
       for (const auto& [from, to] :
            drawing::ClosedLine(one.ring).parts(line.from, line.from + line.length * line.along, true))
         visibility::add_span(outside, {from * line.length - slack, to * line.length + slack});
@@ -143,7 +143,7 @@ struct Storyteller {
     visibility::Spans outside;
     double kept = 0;
     for (const auto& [from, to] :
-         drawing::kept_of_line(drawn_view.drawing.breaks, line.from, line.from + line.length * line.along)) {
+         drawing::kept_of_line(drawn_view.drawing.shown.breaks, line.from, line.from + line.length * line.along)) {
       if (from > kept) visibility::add_span(outside, {kept * line.length - slack, from * line.length + slack});
       kept = to;
     }

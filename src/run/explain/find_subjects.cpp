@@ -129,7 +129,7 @@ std::vector<Subject> find(const ExplainInput& drawn_view, const ByFaces& wanted)
 std::vector<Subject> find(const ExplainInput& drawn_view, const ByPlace& wanted) {
   const std::vector<edges::FeatureEdge>& edges = drawn_view.drawn.edges;
   std::vector<std::pair<double, std::size_t>> near;
-  const Vec2 place = drawn_view.drawing.breaks.restored(wanted.place);
+  const Vec2 place = drawn_view.drawing.shown.breaks.restored(wanted.place);
   for (std::size_t e = 0; e < edges.size(); ++e)
     near.emplace_back(
         distance_to_segment(place, drawing::position_on_paper(drawn_view.view, drawn_view.paper, edges[e], 0),

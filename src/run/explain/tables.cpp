@@ -17,7 +17,7 @@ constexpr std::size_t rows_at_once = 64;
 std::string cells(const Vec2& p) { return format_number(p.x) + "\t" + format_number(p.y); }
 
 Vec2 position(const ExplainInput& drawn_view, const edges::FeatureEdge& edge, double s) {
-  return drawn_view.drawing.breaks.moved(drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, s));
+  return drawn_view.drawing.shown.breaks.moved(drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, s));
 }
 
 std::string row_of_edge(const ExplainInput& drawn_view, std::size_t e) {

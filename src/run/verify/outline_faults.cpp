@@ -121,7 +121,7 @@ OutlineScan::OutlineScan(const VerifyInput& drawn, const Tolerance& tolerance, c
 std::vector<bool> OutlineScan::inked(const std::vector<AskedLine>& asked) const {
   std::vector<Expected> places;
   for (const AskedLine& one : asked) places.push_back({one.place + scene.origin, true});
-  return find_ink(input.drawing, places, reach + input.drawing.joined_within);
+  return find_ink(input.drawing, places, reach + input.drawing.distances.joined_within);
 }
 
 void Suspects::add(const Suspect& found) {

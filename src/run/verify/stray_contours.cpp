@@ -202,7 +202,7 @@ void add_stray_contours(const VerifyInput& input, const Tolerance& tolerance, re
       const Facets& around = *facets[static_cast<std::size_t>(segment.model)];
       const mesh::MeshEdge* edge = around.edge_between(segment.edge);
       const auto room = edge == nullptr ? std::nullopt : around.room_around(*edge);
-      if (room) found[i] = stray_part(segment, *room, room->beside + reach + input.drawing.joined_within);
+      if (room) found[i] = stray_part(segment, *room, room->beside + reach + input.drawing.distances.joined_within);
     }
   });
   for (std::optional<report::OutlineFault>& fault : found) {

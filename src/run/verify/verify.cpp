@@ -121,7 +121,8 @@ class Verifier {
       places.push_back({page_of(i), visible || undecided});
     }
     // Lines within contact of another one are not drawn, nor are remainders shorter than a few times that.
-    const double reach = std::max(guaranteed * tolerance_.size, 16 * tolerance_.contact) + input_.drawing.joined_within;
+    const double reach =
+        std::max(guaranteed * tolerance_.size, 16 * tolerance_.contact) + input_.drawing.distances.joined_within;
     const std::vector<bool> found = find_ink(input_.drawing, places, reach);
     for (std::size_t i = 0; i < asked.size(); ++i) {
       Finding& finding = findings_[asked[i]];

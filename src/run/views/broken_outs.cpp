@@ -57,7 +57,7 @@ drawing::ClosedLine line_on_page(const scene::BrokenOutDescription& description,
     throw Error(ErrorKind::input, where, "the broken-out section has no area in view '" + *description.view + "'",
                 "give points around the area to be cut, or a larger radius or scale");
   drawing::ClosedLine line(drawing::freehand_around(points));
-  for (const drawing::BrokenOut& other : drawing.broken_out)
+  for (const drawing::BrokenOut& other : drawing.cuts.broken_out)
     if (overlap(line, drawing::ClosedLine(other.ring)))
       throw Error(ErrorKind::input, where,
                   "the broken-out section overlaps another one in view '" + *description.view + "'",

@@ -145,7 +145,7 @@ class ViewRun {
     watch_.lap("visibility");
     DrawnLines lines = draw_lines(paper);
     if (!input_.traces.empty() && !options_.detail)
-      lines.drawing.traces = budget_.or_nothing([&](const Progress& progress) { return traces(paper, progress); });
+      lines.drawing.aids.traces = budget_.or_nothing([&](const Progress& progress) { return traces(paper, progress); });
     watch_.lap("drawing");
     auto verification =
         budget_.or_nothing([&](const Progress& progress) { return verified(lines.drawing, paper, progress); });
@@ -380,13 +380,13 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   double moved = 0;
   if (const CutSection* section = input_.section) {
     moved = section->cut.moved;
-    lines.drawing.cut_faces = drawing::cut_faces_on_paper(section->cut.faces, section->surface.plane, view_, paper);
-    for (drawing::CutFace& face : lines.drawing.cut_faces) face.model = input_.world.number_in_scene(face.model);
-    lines.drawing.before_cuts =
+    lines.drawing.cuts.faces = drawing::cut_faces_on_paper(section->cut.faces, section->surface.plane, view_, paper);
+    for (drawing::CutFace& face : lines.drawing.cuts.faces) face.model = input_.world.number_in_scene(face.model);
+    lines.drawing.cuts.before =
         drawing::before_cuts_on_paper(input_.world, section->cut.uncut, section->surface, lines.drawing.world_to_page);
   }
   for (const BrokenOutSection& one : input_.broken_out) moved = std::max(moved, one.section.cut.moved);
-  lines.drawing.outlines_moved = view_.projection.central ? 0 : moved * input_.place.scale;
+  lines.drawing.distances.outlines_moved = view_.projection.central ? 0 : moved * input_.place.scale;
   lines.drawing.scale = input_.place.scale;
   return lines;
 }

@@ -64,8 +64,8 @@ drawing::RevolvedFace turned_face(const RevolvedSection& section, const projecti
 void add_revolved(drawing::ViewDrawing& drawing, const std::vector<RevolvedSection>& sections) {
   for (const RevolvedSection& section : sections) {
     const Vec4 whole = drawing.world_to_page * Vec4(*section.description.point, 1);
-    const Vec2 place = Vec2(whole) / whole.w, shift = drawing.breaks.moved(place) - place;
-    if (!drawing.breaks.keeps(place))
+    const Vec2 place = Vec2(whole) / whole.w, shift = drawing.shown.breaks.moved(place) - place;
+    if (!drawing.shown.breaks.keeps(place))
       throw Error(ErrorKind::input, section.description.point.where,
                   "view '" + drawing.name + "' leaves the point of the revolved section out",
                   "choose a point that the view shows, or break the view elsewhere");
@@ -75,11 +75,11 @@ void add_revolved(drawing::ViewDrawing& drawing, const std::vector<RevolvedSecti
     for (Vec2& p : face.axis) p += shift;
     for (const std::vector<Vec2>& ring : face.rings)
       for (const Vec2& p : ring) {
-        drawing.min = glm::min(drawing.min, p);
-        drawing.max = glm::max(drawing.max, p);
+        drawing.box.min = glm::min(drawing.box.min, p);
+        drawing.box.max = glm::max(drawing.box.max, p);
       }
-    drawing.cut_faces.push_back({section.face.model, section.face.body, face.rings});
-    drawing.revolved.push_back(std::move(face));
+    drawing.cuts.faces.push_back({section.face.model, section.face.body, face.rings});
+    drawing.cuts.revolved.push_back(std::move(face));
   }
 }
 

@@ -275,13 +275,13 @@ report::ViewError error_of_view(const ViewToJudge& judged, const drawing::CurveR
   const double size = judged.view.extent * judged.paper.scale;
   const view::Condition condition =
       view::condition_of(judged.view.projection, judged.world.box, judged.world.one_rounding);
-  error[ErrorTerm::contours] = judged.drawing.contours_moved;
+  error[ErrorTerm::contours] = judged.drawing.distances.contours_moved;
   judge.add_cusps(error);
   error[ErrorTerm::file] = condition.moved_by_files * size;
   error[ErrorTerm::map] = condition.number * rounding * size;
-  error[ErrorTerm::grid] = judged.drawing.coincident + drawing::on_line_mm;
+  error[ErrorTerm::grid] = judged.drawing.distances.coincident + drawing::on_line_mm;
   error[ErrorTerm::hiding] = hides ? guaranteed_part * size : 0;
-  error[ErrorTerm::merging] = judged.drawing.joined_within;
+  error[ErrorTerm::merging] = judged.drawing.distances.joined_within;
   error[ErrorTerm::curves] = curves.deviation + curves.bulge;
   return error;
 }

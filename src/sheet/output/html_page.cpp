@@ -38,7 +38,7 @@ std::string view_of(const drawing::ViewDrawing& view) {
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) matrix.push_back(view.world_to_page[column][row]);
   return "{\"name\":" + json_string(view.name) + ",\"scale\":" + json_number(view.scale) +
-         (view.projection.central ? ",\"central\":true" : "") + (view.breaks.any() ? ",\"broken\":true" : "") +
+         (view.projection.central ? ",\"central\":true" : "") + (view.shown.breaks.any() ? ",\"broken\":true" : "") +
          ",\"matrix\":" + compact_numbers(matrix) + "}";
 }
 

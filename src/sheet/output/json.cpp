@@ -202,24 +202,27 @@ std::string construction_of(const construction::Figure& figure) {
 void append_view(std::string& text, const drawing::ViewDrawing& drawing, double main_scale, const Progress& progress) {
   const projection::Projection& projection = drawing.projection;
   const auto vanishing_point = [](const std::optional<Vec2>& p) { return p ? point(*p) : "null"; };
-  text += "{\"name\": " + json_string(drawing.name) + ", \"projection\": " + json_string(projection.name) +
-          ", \"parameters\": " + parameters_of(projection) +
-          (drawing.scale == main_scale ? "" : ", \"scale\": " + number(drawing.scale)) +
-          (drawing.detail ? ",\n   \"detail\": " + detail_of(*drawing.detail) : "") +
-          (drawing.breaks.any() ? ",\n   \"breaks\": " + breaks_of(drawing.breaks) : "") +
-          ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
-          (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
-          "},\n   \"vanishing_points\": " + json_list(drawing.vanishing_points, vanishing_point) +
-          (drawing.contours_moved > 0 ? ",\n   \"contours_moved\": " + number(drawing.contours_moved) : "") +
-          (drawing.outlines_moved > 0 ? ",\n   \"outlines_moved\": " + number(drawing.outlines_moved) : "") +
-          ",\n   \"segments\": ";
+  text +=
+      "{\"name\": " + json_string(drawing.name) + ", \"projection\": " + json_string(projection.name) +
+      ", \"parameters\": " + parameters_of(projection) +
+      (drawing.scale == main_scale ? "" : ", \"scale\": " + number(drawing.scale)) +
+      (drawing.shown.detail ? ",\n   \"detail\": " + detail_of(*drawing.shown.detail) : "") +
+      (drawing.shown.breaks.any() ? ",\n   \"breaks\": " + breaks_of(drawing.shown.breaks) : "") +
+      ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
+      (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
+      "},\n   \"vanishing_points\": " + json_list(drawing.aids.vanishing_points, vanishing_point) +
+      (drawing.distances.contours_moved > 0 ? ",\n   \"contours_moved\": " + number(drawing.distances.contours_moved)
+                                            : "") +
+      (drawing.distances.outlines_moved > 0 ? ",\n   \"outlines_moved\": " + number(drawing.distances.outlines_moved)
+                                            : "") +
+      ",\n   \"segments\": ";
   append_segments(text, drawing, progress);
   append_curves(text, drawing);
-  if (!drawing.broken_out.empty())
-    text += ",\n   \"broken_out\": " + json_lines(drawing.broken_out, broken_out_of, "\n    ");
-  if (!drawing.cut_faces.empty())
-    text += ",\n   \"cut_faces\": " + json_lines(drawing.cut_faces, cut_face_of, "\n    ");
-  if (drawing.construction) text += ",\n   \"construction\": " + construction_of(*drawing.construction);
+  if (!drawing.cuts.broken_out.empty())
+    text += ",\n   \"broken_out\": " + json_lines(drawing.cuts.broken_out, broken_out_of, "\n    ");
+  if (!drawing.cuts.faces.empty())
+    text += ",\n   \"cut_faces\": " + json_lines(drawing.cuts.faces, cut_face_of, "\n    ");
+  if (drawing.aids.construction) text += ",\n   \"construction\": " + construction_of(*drawing.aids.construction);
   text += '}';
 }
 

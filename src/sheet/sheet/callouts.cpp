@@ -140,7 +140,7 @@ class CalloutPlacer {
   CalloutPlacer(const drawing::ViewDrawing& view, const Neighbours& neighbours)
       : view_(view), paper_(neighbours.paper) {
     for (const TurnedBox& box : neighbours.boxes) add(box);
-    for (const drawing::CutFace& face : view.cut_faces)
+    for (const drawing::CutFace& face : view.cuts.faces)
       for (const std::vector<Vec2>& ring : face.rings) {
         Rectangle box{ring.front(), ring.front()};
         for (const Vec2& p : ring) box = united(box, {p, p});
@@ -211,7 +211,7 @@ class CalloutPlacer {
     constexpr double in_view = 60, for_line = 20, for_ink = 2;  // mm
     constexpr double at_target = 0.5;                           // mm of the leader that touch what it means
     constexpr double leader_clearance = 0.8;                    // mm to lettering
-    const Rectangle whole{view_.min, view_.max};
+    const Rectangle whole{view_.box.min, view_.box.max};
     double cost = spot.box.overlaps(whole) ? in_view : 0;
     for (std::size_t i = 1; i < spot.leader.size(); ++i) {
       const Vec2 &from = spot.leader[i - 1], &to = spot.leader[i];

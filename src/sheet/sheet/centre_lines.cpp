@@ -368,7 +368,7 @@ Marks marks_of(const CentredView& view) {
   for (std::size_t i = 0; i < features.round.size(); ++i) {
     std::vector<SeenCircle> rings = see(view.drawing, features.round[i]);
     if (is_small(rings) || !seen.shows(features.round[i])) continue;
-    const auto is_kept = [&](const SeenCircle& ring) { return view.drawing.breaks.keeps(ring.centre); };
+    const auto is_kept = [&](const SeenCircle& ring) { return view.drawing.shown.breaks.keeps(ring.centre); };
     if (std::none_of(rings.begin(), rings.end(), is_kept)) continue;
     if (circle_of[i] >= 0 && largest_of(rings).is_round()) {
       circles.insert(circle_of[i]);
@@ -464,11 +464,11 @@ void add_round_strokes(std::vector<Stroke>& strokes, const SeenCircle& circle, c
 
 std::vector<Stroke> round_strokes(const SeenCircle& circle, const drawing::ViewDrawing& drawing, double width) {
   std::vector<Stroke> strokes;
-  if (!drawing.detail && !drawing.breaks.any()) return {round_stroke(circle, width)};
-  if (drawing.detail) add_round_strokes(strokes, circle, drawing.detail->boundary, {0, 0}, width);
-  if (!drawing.breaks.any()) return strokes;
+  if (!drawing.shown.detail && !drawing.shown.breaks.any()) return {round_stroke(circle, width)};
+  if (drawing.shown.detail) add_round_strokes(strokes, circle, drawing.shown.detail->boundary, {0, 0}, width);
+  if (!drawing.shown.breaks.any()) return strokes;
   const Vec2 reach(circle.radius() + past_rim);
-  for (const drawing::KeptPart& part : drawing::kept_parts(drawing.breaks)) {
+  for (const drawing::KeptPart& part : drawing::kept_parts(drawing.shown.breaks)) {
     const Vec2 min = glm::max(part.min, circle.centre - reach), max = glm::min(part.max, circle.centre + reach);
     if (min.x < max.x && min.y < max.y)
       add_round_strokes(strokes, circle, {(min + max) / 2.0, (max - min) / 2.0, false}, part.shift, width);
@@ -487,8 +487,8 @@ Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<
   std::vector<Piece> pieces = axes(marks.features);
   for (const Piece& piece : crosses(marks.features)) pieces.push_back(piece);
   pieces.insert(pieces.end(), marks.pieces.begin(), marks.pieces.end());
-  pieces = remaining(view.drawing.breaks, merged(pieces));
-  const auto& detail = view.drawing.detail;
+  pieces = remaining(view.drawing.shown.breaks, merged(pieces));
+  const auto& detail = view.drawing.shown.detail;
   for (const Piece& whole : uncovered_parts(pieces, drawn, width / 2, progress)) {
     const auto piece = inside(detail, whole);
     if (!piece) continue;

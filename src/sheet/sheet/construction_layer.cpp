@@ -415,8 +415,8 @@ void add_keys(ConstructionLayer& drawn, const Figure& figure, const Construction
   std::vector<Rectangle> taken;
   Rectangle ink{{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
   for (const drawing::ViewDrawing* view : room.views) {
-    ink = united(ink, {view->min, view->max});
-    taken.push_back({view->min, view->max});
+    ink = united(ink, {view->box.min, view->box.max});
+    taken.push_back({view->box.min, view->box.max});
   }
   for (const TurnedBox& box : room.taken) taken.push_back(around(box));
   for (const TurnedBox& box : boxes_of(drawn.layer, style.lettering)) taken.push_back(around(box));

@@ -271,7 +271,7 @@ PlaceOnSheet place_of(const Part& part) {
 std::vector<Part> parts_of(std::span<const drawing::ViewDrawing* const> drawings) {
   std::map<std::pair<int, int>, Part> parts;
   for (std::size_t d = 0; d < drawings.size(); ++d)
-    for (const drawing::CutFace& face : drawings[d]->cut_faces) {
+    for (const drawing::CutFace& face : drawings[d]->cuts.faces) {
       Part& part = parts.try_emplace({face.model, face.body}, Part{face.model, face.body, {}}).first->second;
       part.faces.emplace_back(static_cast<int>(d), &face);
       part.largest = std::max(part.largest, area_within(face));
@@ -398,7 +398,7 @@ std::vector<TurnedBox> united_texts(const std::vector<TurnedBox>& texts) {
 
 HatchCovers covers_of(const HatchedView& view) {
   constexpr double room = 0.7;  // mm
-  HatchCovers covers{view.drawing.before_cuts, {}, view.drawing.before_cuts};
+  HatchCovers covers{view.drawing.cuts.before, {}, view.drawing.cuts.before};
   for (TurnedBox text : view.texts) {
     text.half += Vec2(room);
     const Ring corners = corners_of(text);
@@ -481,7 +481,7 @@ Layer hatch_layer(const HatchedView& view, std::span<const Hatching> hatching, c
                   const Progress& progress) {
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::hatch, widths);
   const HatchCovers covers = covers_of(view);
-  for (const drawing::CutFace& face : view.drawing.cut_faces) {
+  for (const drawing::CutFace& face : view.drawing.cuts.faces) {
     const auto found = std::find_if(hatching.begin(), hatching.end(),
                                     [&](const Hatching& h) { return h.model == face.model && h.body == face.body; });
     check(found != hatching.end(), "every part that is cut has a hatching");

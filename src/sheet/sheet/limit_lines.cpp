@@ -90,23 +90,23 @@ void add_symbol(std::vector<Stroke>& strokes, const Vec2& end, const Vec2& outwa
 
 std::optional<Layer> limit_lines(const drawing::ViewDrawing& view, const LineWidths& widths) {
   const auto is_drawn = [](const drawing::BrokenOut& one) { return !one.lines.empty(); };
-  if (view.limits.empty() && std::none_of(view.broken_out.begin(), view.broken_out.end(), is_drawn))
+  if (view.shown.limits.empty() && std::none_of(view.cuts.broken_out.begin(), view.cuts.broken_out.end(), is_drawn))
     return std::nullopt;
   Layer layer = empty_layer(view.name, scene::SheetLine::limit, widths);
-  for (const drawing::Limit& limit : view.limits) {
+  for (const drawing::Limit& limit : view.shown.limits) {
     if (!limit.freehand.empty()) {
       layer.strokes.push_back({limit.freehand});
       continue;
     }
     if (!limit.symmetric) {
-      layer.strokes.push_back(zigzag_line(limit, common_range(view.limits, limit), widths.narrow));
+      layer.strokes.push_back(zigzag_line(limit, common_range(view.shown.limits, limit), widths.narrow));
       continue;
     }
     const Ends ends = ends_of(limit, 0);
     if (!limit.meets[0]) add_symbol(layer.strokes, ends.from, -ends.along);
     if (!limit.meets[1]) add_symbol(layer.strokes, ends.to, ends.along);
   }
-  for (const drawing::BrokenOut& broken_out : view.broken_out)
+  for (const drawing::BrokenOut& broken_out : view.cuts.broken_out)
     for (const std::vector<Vec2>& line : broken_out.lines) {
       check(line.size() >= 2, "a boundary of a broken-out section has two ends");
       Stroke& stroke = layer.strokes.emplace_back(Stroke{line});
@@ -117,7 +117,7 @@ std::optional<Layer> limit_lines(const drawing::ViewDrawing& view, const LineWid
 }
 
 void add_symmetry_lines(Layer& centre, const drawing::ViewDrawing& view, const LineWidths& widths) {
-  for (const drawing::Limit& limit : view.limits) {
+  for (const drawing::Limit& limit : view.shown.limits) {
     if (!limit.symmetric) continue;
     const auto [from, to, along] = ends_of(limit, past_symmetric);
     const Vec2 across(-along.y, along.x), at = from;
@@ -132,9 +132,9 @@ void add_symmetry_lines(Layer& centre, const drawing::ViewDrawing& view, const L
 }
 
 std::optional<Layer> revolved_lines(const drawing::ViewDrawing& view, const LineWidths& widths) {
-  if (view.revolved.empty()) return std::nullopt;
+  if (view.cuts.revolved.empty()) return std::nullopt;
   Layer layer = empty_layer(view.name, scene::SheetLine::revolved, widths);
-  for (const drawing::RevolvedFace& face : view.revolved) {
+  for (const drawing::RevolvedFace& face : view.cuts.revolved) {
     for (const std::vector<Vec2>& ring : face.rings) layer.strokes.emplace_back(Stroke{ring}).closed = true;
     const auto& [from, to] = face.axis;
     const Vec2 past = past_limits * glm::normalize(to - from);
@@ -146,9 +146,9 @@ std::optional<Layer> revolved_lines(const drawing::ViewDrawing& view, const Line
 }
 
 std::optional<Layer> trace_lines(const drawing::ViewDrawing& view, const LineWidths& widths) {
-  if (view.traces.empty()) return std::nullopt;
+  if (view.aids.traces.empty()) return std::nullopt;
   Layer layer = empty_layer(view.name, scene::SheetLine::trace, widths);
-  for (const auto& [from, to] : view.traces) {
+  for (const auto& [from, to] : view.aids.traces) {
     Stroke stroke{{from, to}};
     stroke.dashes = fit_open(glm::distance(from, to), widths.narrow, scene::long_dash_dot);
     layer.strokes.push_back(stroke);

@@ -50,9 +50,9 @@ void SeenFeatures::visit_edges(const features::CentredRound& feature, const Visi
 }
 
 drawing::Segment SeenFeatures::in_whole_view(drawing::Segment segment) const {
-  if (!drawing_.breaks.any()) return segment;
-  segment.from = drawing_.breaks.restored(segment.from);
-  segment.to = drawing_.breaks.restored(segment.to);
+  if (!drawing_.shown.breaks.any()) return segment;
+  segment.from = drawing_.shown.breaks.restored(segment.from);
+  segment.to = drawing_.shown.breaks.restored(segment.to);
   return segment;
 }
 

@@ -55,7 +55,7 @@ std::vector<Interval> kept_along(const std::vector<LeftOut>& strips, double gap)
 
 // A finite rectangle with everything of a part that is drawn.
 Boundary boundary_of(const KeptPart& part, const ViewDrawing& drawing) {
-  const Vec2 min = glm::max(part.min, drawing.min - 1.0), max = glm::min(part.max, drawing.max + 1.0);
+  const Vec2 min = glm::max(part.min, drawing.box.min - 1.0), max = glm::min(part.max, drawing.box.max + 1.0);
   return {(min + max) / 2.0, glm::max((max - min) / 2.0, Vec2(0)), false};
 }
 
@@ -196,17 +196,17 @@ ViewDrawing part_of(const ViewDrawing& whole, const KeptPart& part, const Breaks
   ViewDrawing drawing;
   drawing.segments = whole.segments;
   drawing.crossings = whole.crossings;
-  drawing.cut_faces = whole.cut_faces;
-  drawing.broken_out = whole.broken_out;
+  drawing.cuts.faces = whole.cuts.faces;
+  drawing.cuts.broken_out = whole.cuts.broken_out;
   clip_to_part(drawing, whole, part, breaks, limits);
   for (Segment& segment : drawing.segments) {
     segment.from += part.shift;
     segment.to += part.shift;
   }
-  for (CutFace& face : drawing.cut_faces)
+  for (CutFace& face : drawing.cuts.faces)
     for (std::vector<Vec2>& ring : face.rings)
       for (Vec2& p : ring) p += part.shift;
-  for (BrokenOut& broken_out : drawing.broken_out)
+  for (BrokenOut& broken_out : drawing.cuts.broken_out)
     for (std::vector<Vec2>& line : broken_out.lines)
       for (Vec2& p : line) p += part.shift;
   return drawing;
@@ -296,7 +296,7 @@ std::vector<std::array<Vec2, 2>> remaining_line(const Breaks& breaks, const Vec2
 
 Vec2 position_on_page(const ViewDrawing& drawing, const Vec3& point) {
   const Vec4 page = drawing.world_to_page * Vec4(point, 1);
-  return drawing.breaks.moved(Vec2(page) / page.w);
+  return drawing.shown.breaks.moved(Vec2(page) / page.w);
 }
 
 void break_drawing(ViewDrawing& drawing, const Breaks& breaks, const Progress& progress) {
@@ -304,15 +304,15 @@ void break_drawing(ViewDrawing& drawing, const Breaks& breaks, const Progress& p
   std::vector<Limit> limits = straight_limits(drawing, breaks);
   ViewDrawing all;
   std::vector<PaperTriangle> before_cuts;
-  std::vector<BrokenOut> broken_out = drawing.broken_out;
+  std::vector<BrokenOut> broken_out = drawing.cuts.broken_out;
   for (BrokenOut& one : broken_out) one.lines.clear();
   for (const KeptPart& part : kept_parts(breaks)) {
     progress.expect_time();
     ViewDrawing kept = part_of(drawing, part, breaks, limits);
-    check(kept.broken_out.size() == broken_out.size(), "every part knows all broken-out sections");
+    check(kept.cuts.broken_out.size() == broken_out.size(), "every part knows all broken-out sections");
     for (std::size_t i = 0; i < broken_out.size(); ++i)
-      broken_out[i].lines.insert(broken_out[i].lines.end(), kept.broken_out[i].lines.begin(),
-                                 kept.broken_out[i].lines.end());
+      broken_out[i].lines.insert(broken_out[i].lines.end(), kept.cuts.broken_out[i].lines.begin(),
+                                 kept.cuts.broken_out[i].lines.end());
     append_part(all, std::move(kept));
     // What hides hatching may reach over freehand lines, where no hatching is.
     KeptPart wide = part;
@@ -320,22 +320,22 @@ void break_drawing(ViewDrawing& drawing, const Breaks& breaks, const Progress& p
       if (is_freehand(breaks, axis, part.min[axis])) wide.min[axis] -= freehand_wave;
       if (is_freehand(breaks, axis, part.max[axis])) wide.max[axis] += freehand_wave;
     }
-    for (const PaperTriangle& triangle : drawing.before_cuts) add_part(before_cuts, triangle, wide);
+    for (const PaperTriangle& triangle : drawing.cuts.before) add_part(before_cuts, triangle, wide);
   }
   std::vector<std::array<Vec2, 2>> traces;
-  for (const auto& [from, to] : drawing.traces)
+  for (const auto& [from, to] : drawing.aids.traces)
     for (const auto& line : remaining_line(breaks, from, to)) traces.push_back(line);
-  drawing.traces = std::move(traces);
+  drawing.aids.traces = std::move(traces);
   drawing.segments = std::move(all.segments);
   drawing.crossings = std::move(all.crossings);
-  drawing.cut_faces = std::move(all.cut_faces);
-  drawing.before_cuts = std::move(before_cuts);
-  drawing.broken_out = std::move(broken_out);
+  drawing.cuts.faces = std::move(all.cuts.faces);
+  drawing.cuts.before = std::move(before_cuts);
+  drawing.cuts.broken_out = std::move(broken_out);
   chain_lines(drawing, progress);
-  drawing.min = breaks.moved(drawing.min);
-  drawing.max = breaks.moved(drawing.max);
-  drawing.breaks = breaks;
-  drawing.limits = std::move(limits);
+  drawing.box.min = breaks.moved(drawing.box.min);
+  drawing.box.max = breaks.moved(drawing.box.max);
+  drawing.shown.breaks = breaks;
+  drawing.shown.limits = std::move(limits);
 }
 
 }  // namespace epura::drawing

@@ -37,8 +37,8 @@ void break_out(ViewDrawing& drawing, ViewDrawing section, const ClosedLine& line
   clip_to(section, line);
   clip_lines_outside(drawing, line);
   progress.expect_time();
-  drawing.broken_out.push_back({line.corners(), line.covered(removed, section.before_cuts)});
-  section.before_cuts = inside(line, section.before_cuts);
+  drawing.cuts.broken_out.push_back({line.corners(), line.covered(removed, section.cuts.before)});
+  section.cuts.before = inside(line, section.cuts.before);
   append_part(drawing, std::move(section));
   chain_lines(drawing, progress);
 }

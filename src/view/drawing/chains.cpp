@@ -171,11 +171,13 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
 }
 
 void chain_lines(ViewDrawing& drawing, const Progress& progress) {
-  drawing.chains = chain_segments(drawing.segments, on_line_mm, {drawing.coincident, drawing.unseen}, progress);
-  if (!(drawing.unseen > drawing.coincident)) return;
+  drawing.chains =
+      chain_segments(drawing.segments, on_line_mm, {drawing.distances.coincident, drawing.distances.unseen}, progress);
+  if (!(drawing.distances.unseen > drawing.distances.coincident)) return;
   // Ink that crosses a gap has other ink within the gap.
   const double gap = widest_gap(drawing);
-  if (gap > 4 * drawing.coincident) drawing.joined_within = std::max(drawing.joined_within, gap);
+  if (gap > 4 * drawing.distances.coincident)
+    drawing.distances.joined_within = std::max(drawing.distances.joined_within, gap);
 }
 
 bool drop_short_creases(ViewDrawing& drawing, double least) {
@@ -183,7 +185,7 @@ bool drop_short_creases(ViewDrawing& drawing, double least) {
     return chain.kind == EdgeKind::crease && !chain.closed && length_of(chain) < least;
   };
   if (std::none_of(drawing.chains.begin(), drawing.chains.end(), is_short)) return false;
-  const LinesThere lines(drawing, std::max({drawing.coincident, drawing.unseen, on_line_mm}));
+  const LinesThere lines(drawing, std::max({drawing.distances.coincident, drawing.distances.unseen, on_line_mm}));
   std::vector<char> dropped(drawing.segments.size(), 0);
   for (std::size_t c = 0; c < drawing.chains.size(); ++c) {
     const Chain& chain = drawing.chains[c];

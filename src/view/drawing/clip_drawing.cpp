@@ -71,7 +71,7 @@ void append(std::vector<Item>& all, std::vector<Item>& more) {
 }
 
 void drop_empty_faces(ViewDrawing& drawing) {
-  std::erase_if(drawing.cut_faces, [](const CutFace& face) { return face.rings.empty(); });
+  std::erase_if(drawing.cuts.faces, [](const CutFace& face) { return face.rings.empty(); });
 }
 
 }  // namespace
@@ -82,16 +82,16 @@ void clip_to(ViewDrawing& drawing, const Boundary& boundary) {
     return part ? Parts{*part} : Parts();
   };
   clip_segments(drawing, parts_of);
-  for (BrokenOut& broken_out : drawing.broken_out) clip_bounds(broken_out, parts_of);
-  for (CutFace& face : drawing.cut_faces) face.rings = area_inside(boundary, face.rings);
+  for (BrokenOut& broken_out : drawing.cuts.broken_out) clip_bounds(broken_out, parts_of);
+  for (CutFace& face : drawing.cuts.faces) face.rings = area_inside(boundary, face.rings);
   drop_empty_faces(drawing);
 }
 
 void clip_to(ViewDrawing& drawing, const ClosedLine& line) {
   const auto parts_of = [&](const Vec2& from, const Vec2& to) { return line.parts(from, to, true); };
   clip_segments(drawing, parts_of);
-  for (BrokenOut& broken_out : drawing.broken_out) clip_bounds(broken_out, parts_of);
-  for (CutFace& face : drawing.cut_faces) face.rings = line.area(face.rings);
+  for (BrokenOut& broken_out : drawing.cuts.broken_out) clip_bounds(broken_out, parts_of);
+  for (CutFace& face : drawing.cuts.faces) face.rings = line.area(face.rings);
   drop_empty_faces(drawing);
 }
 
@@ -107,8 +107,8 @@ void append_part(ViewDrawing& drawing, ViewDrawing part) {
   append(drawing.crossings, part.crossings);
   for (const Segment& segment : drawing.segments)
     check(segment.crossing < static_cast<int>(drawing.crossings.size()), "a line has its crossing");
-  append(drawing.cut_faces, part.cut_faces);
-  append(drawing.before_cuts, part.before_cuts);
+  append(drawing.cuts.faces, part.cuts.faces);
+  append(drawing.cuts.before, part.cuts.before);
 }
 
 void clip_drawing(ViewDrawing& drawing, const DetailFrame& detail, const Progress& progress) {
@@ -121,9 +121,9 @@ void clip_drawing(ViewDrawing& drawing, const DetailFrame& detail, const Progres
     check(glm::all(glm::lessThanEqual(glm::abs(segment.from - grown.centre), grown.half)) &&
               glm::all(glm::lessThanEqual(glm::abs(segment.to - grown.centre), grown.half)),
           "a detail contains its lines");
-  drawing.min = boundary.centre - boundary.half;
-  drawing.max = boundary.centre + boundary.half;
-  drawing.detail = detail;
+  drawing.box.min = boundary.centre - boundary.half;
+  drawing.box.max = boundary.centre + boundary.half;
+  drawing.shown.detail = detail;
 }
 
 }  // namespace epura::drawing

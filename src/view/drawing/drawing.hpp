@@ -84,37 +84,56 @@ struct RevolvedFace {
 /// Triangles on paper.
 using PaperTriangle = std::array<Vec2, 3>;
 
+/// What cutting planes show.
+struct CutAreas {
+  std::vector<CutFace> faces;
+  std::vector<PaperTriangle> before;   ///< parts of bodies that the cutting plane leaves whole, in front of it
+  std::vector<BrokenOut> broken_out;   ///< areas that do not overlap
+  std::vector<RevolvedFace> revolved;  ///< where they are after the move; `faces` has them, too
+  std::vector<int> numbers_in_scene;   ///< of the models of segments, if they differ (World::number_in_scene)
+};
+
+/// Which part of the view is shown.
+struct ShownPart {
+  std::optional<DetailFrame> detail;  ///< only of a detail view
+  Breaks breaks;                      ///< parts left out; all else is where it is after the move
+  std::vector<Limit> limits;          ///< where parts are left out
+};
+
+/// Lines and points that explain the view, beside those of the models.
+struct DrawingAids {
+  std::array<std::optional<Vec2>, 3> vanishing_points;       ///< of the world axes, on the page
+  std::vector<std::array<Vec2, 2>> traces;                   ///< of bodies moved apart: visible lines from their places
+  std::shared_ptr<const construction::Figure> construction;  ///< of the projection; in the elevation, that of an
+                                                             ///< épura; null: none
+};
+
+/// By how much lines were moved, and within which distances they are one, mm.
+struct LineDistances {
+  double contours_moved = 0;  ///< greatest distance at which contours of curved faces are drawn from edges of the mesh
+  double outlines_moved = 0;  ///< the same of outlines of cut faces, from where the plane cuts the mesh
+  double coincident = 0;      ///< lines this close coincide, and their ends meet
+  double unseen = 0;          ///< ends this close are drawn as one line, since nobody sees the gap
+  double joined_within = 0;   ///< omitted lines have ink of at least the same strength within this distance
+};
+
 struct ViewDrawing {
   std::string name;  ///< of the view
   projection::Projection projection;
   double scale = 1;    ///< mm of paper per unit of the world, in the projection plane
   Mat4 world_to_page;  ///< page = (row0/row3, row1/row3) in mm, before breaks.moved; row2/row3 grows towards
                        ///< the viewer
-  std::array<std::optional<Vec2>, 3> vanishing_points;  ///< of the world axes, on the page
-  std::vector<int> numbers_in_scene{};  ///< of the models of segments, if they differ (World::number_in_scene)
   std::vector<Segment> segments;
   std::vector<CrossingSegment> crossings;  ///< for the segments that are not edges of a file, in their order
   std::vector<Chain> chains;
-  std::vector<CutFace> cut_faces;
-  std::vector<PaperTriangle> before_cuts;     ///< parts of bodies that the cutting plane leaves whole, in front of it
-  Vec2 min{0, 0}, max{0, 0};                  ///< box of the ink
-  std::optional<DetailFrame> detail{};        ///< only of a detail view
-  std::vector<BrokenOut> broken_out{};        ///< areas that do not overlap
-  std::vector<RevolvedFace> revolved{};       ///< where they are after the move; `cut_faces` has them, too
-  Breaks breaks{};                            ///< parts left out; all else is where it is after the move
-  std::vector<Limit> limits{};                ///< where parts are left out
-  std::vector<std::array<Vec2, 2>> traces{};  ///< of bodies moved apart: visible lines from their places
-  std::shared_ptr<const construction::Figure> construction{};  ///< of the projection; in the elevation, that of an
-                                                               ///< épura; null: none
-  double contours_moved = 0;  ///< mm; greatest distance at which contours of curved faces are drawn from edges of the
-                              ///< mesh
-  double outlines_moved = 0;  ///< mm; the same of outlines of cut faces, from where the plane cuts the mesh
-  double coincident = 0;      ///< mm; lines this close coincide, and their ends meet
-  double unseen = 0;          ///< mm; ends this close are drawn as one line, since nobody sees the gap
-  double joined_within = 0;   ///< mm; omitted lines have ink of at least the same strength within this distance
+  projection::Window box{{0, 0}, {0, 0}};  ///< of the ink
+  CutAreas cuts{};
+  ShownPart shown{};
+  DrawingAids aids{};
+  LineDistances distances{};
 
   [[nodiscard]] int number_in_scene(int model) const {
-    return numbers_in_scene.empty() ? model : numbers_in_scene[static_cast<std::size_t>(model)];
+    return cuts.numbers_in_scene.empty() ? model : cuts.numbers_in_scene[static_cast<std::size_t>(model)];
   }
 };
 

@@ -76,7 +76,7 @@ class Mover {
         drawing_(drawing),
         touching_(touching),
         towards_viewer_(glm::normalize(drawing.projection.projector)),
-        moved_(drawing.coincident) {}
+        moved_(drawing.distances.coincident) {}
 
   void move() {
     std::vector<Moved> contours;
@@ -149,7 +149,7 @@ class Mover {
                                       const std::vector<std::vector<Vec2>>& facets) const {
     std::vector<DrawnLine> all = drawn_lines(drawing_.chains, facets);
     for (const Moved& contour : contours) all.push_back(line_of(contour));
-    return {std::move(all), drawing_.coincident, touching_};
+    return {std::move(all), drawing_.distances.coincident, touching_};
   }
 
   // The places of lines before any of them moves.
@@ -184,8 +184,8 @@ class Mover {
   // Contours stay where they, or arcs that end where they do, are so short that the surface would turn them over:
   // something hides them before the place where both meet on the surface.
   void keep_what_would_vanish(const DrawnLines& lines, std::vector<Moved>& contours) const {
-    Places<Vec2> ends(drawing_.coincident);
-    Places<bool> stuck(drawing_.coincident);
+    Places<Vec2> ends(drawing_.distances.coincident);
+    Places<bool> stuck(drawing_.distances.coincident);
     for (const Moved& contour : contours) {
       check(contour.facets[0] != contour.facets[1], "a contour on facets has a length");
       const std::array places{place_of_end(lines, contour, 0), place_of_end(lines, contour, 1)};
@@ -193,7 +193,7 @@ class Mover {
         if (!contour.ends_in_edge[end]) ends.add(contour.facets[end], places[end]);
       // Of two contours on each other, nothing is left of the rest of one.
       const Vec2 along = glm::normalize(contour.facets[1] - contour.facets[0]);
-      if (glm::dot(places[1] - places[0], along) >= -drawing_.coincident) continue;
+      if (glm::dot(places[1] - places[0], along) >= -drawing_.distances.coincident) continue;
       for (const Vec2& end : contour.facets) stuck.add(end, true);
     }
     for (const Chain& chain : drawing_.chains)
@@ -271,7 +271,8 @@ class Mover {
   [[nodiscard]] bool ends_in_edge(const Segment& segment, const Vec2& end) const {
     const bool is_first = glm::distance(segment.from, end) < glm::distance(segment.to, end);
     const double t = segment.t[is_first ? 0 : 1];
-    return glm::distance(is_first ? segment.from : segment.to, end) <= drawing_.coincident && t != 0 && t != 1;
+    return glm::distance(is_first ? segment.from : segment.to, end) <= drawing_.distances.coincident && t != 0 &&
+           t != 1;
   }
 
   void move_ends(const DrawnLines& lines, std::size_t number) {

@@ -96,11 +96,12 @@ ExactCrossings::ExactCrossings(const PartEdges& edges, const ViewDrawing& drawin
     : edges_(edges),
       drawing_(drawing),
       towards_viewer_(glm::normalize(drawing.projection.projector)),
-      touching_(drawing.coincident / glm::length(Vec3(drawing.world_to_page[0][0], drawing.world_to_page[1][0],
-                                                      drawing.world_to_page[2][0]))),
-      number_of_(node_in_touching * drawing.coincident) {
+      touching_(
+          drawing.distances.coincident /
+          glm::length(Vec3(drawing.world_to_page[0][0], drawing.world_to_page[1][0], drawing.world_to_page[2][0]))),
+      number_of_(node_in_touching * drawing.distances.coincident) {
   // Faces of the file are told by models of the scene.
-  if (drawing.projection.central || !drawing.numbers_in_scene.empty()) return;
+  if (drawing.projection.central || !drawing.cuts.numbers_in_scene.empty()) return;
   for (const Segment& segment : drawing.segments)
     if (segment.crossing >= 0 && !is_link(segment)) add_crossing(segment);
   if (nodes_.empty()) return;

@@ -17,8 +17,8 @@ namespace {
 void widen_box(ViewDrawing& drawing) {
   for (const Chain& chain : drawing.chains) {
     const auto add = [&](const Vec2& place) {
-      drawing.min = glm::min(drawing.min, place);
-      drawing.max = glm::max(drawing.max, place);
+      drawing.box.min = glm::min(drawing.box.min, place);
+      drawing.box.max = glm::max(drawing.box.max, place);
     };
     for (const Vec2& point : chain.points) add(point);
     for (const CurvePart& curve : chain.curves)

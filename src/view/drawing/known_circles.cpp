@@ -103,7 +103,7 @@ class Finder {
 
  private:
   std::vector<int> circles_of(const Chain& chain) {
-    Places<int> circles_of_middles(drawing_.coincident);
+    Places<int> circles_of_middles(drawing_.distances.coincident);
     for (const int number : chain.segments) {
       const Segment& segment = drawing_.segments[static_cast<std::size_t>(number)];
       if (is_link(segment)) continue;

@@ -283,31 +283,33 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   drawing.name = options.name;
   drawing.projection = view.projection;
   drawing.world_to_page = view::world_to_page(view, paper);
-  drawing.numbers_in_scene = numbers_in_scene(lines.world);
-  drawing.vanishing_points = view::vanishing_points_on_page(view, paper);
+  drawing.cuts.numbers_in_scene = numbers_in_scene(lines.world);
+  drawing.aids.vanishing_points = view::vanishing_points_on_page(view, paper);
 
   const Coincidence limits = coincidence_on_paper(view, paper);
   progress.begin("merging lines");
   const bool keep_hidden = options.hidden || !options.leave_out;
   std::vector<Piece> pieces = pieces_of(lines, paper, keep_hidden, progress);
-  drawing.contours_moved = lines.drawn.moved * paper.scale;
-  settle_doubts(pieces, options.near.distance > 0 ? std::max(options.near.distance, drawing.contours_moved) : 0,
+  drawing.distances.contours_moved = lines.drawn.moved * paper.scale;
+  settle_doubts(pieces,
+                options.near.distance > 0 ? std::max(options.near.distance, drawing.distances.contours_moved) : 0,
                 progress);
   meet_contours(lines, paper, 4 * limits.tolerance, pieces);
   if (!keep_hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
   find_looks(pieces, lines, options.near);
   vote_on_visibility(pieces, are_moved(pieces, lines),
-                     longest_spurious_change(options.near.distance, drawing.contours_moved), progress);
-  if (options.near.distance > 0) drawing.joined_within = draw_circles_once(lines, paper, limits.min, pieces, progress);
+                     longest_spurious_change(options.near.distance, drawing.distances.contours_moved), progress);
+  if (options.near.distance > 0)
+    drawing.distances.joined_within = draw_circles_once(lines, paper, limits.min, pieces, progress);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
-  drawing.joined_within =
-      std::max(drawing.joined_within, join_where_near(pieces, lines, options.near, limits, progress));
-  drawing.coincident = limits.tolerance;
+  drawing.distances.joined_within =
+      std::max(drawing.distances.joined_within, join_where_near(pieces, lines, options.near, limits, progress));
+  drawing.distances.coincident = limits.tolerance;
   add_segments(lines, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // to make room for the chains
   progress.begin("joining lines", drawing.segments.size());
-  drawing.unseen = unseen_up_to * options.near.distance;
+  drawing.distances.unseen = unseen_up_to * options.near.distance;
   chain_lines(drawing, progress);
   if (options.least_crease > 0 && drop_short_creases(drawing, options.least_crease)) chain_lines(drawing, progress);
   if (options.near.distance > 0)
@@ -323,8 +325,8 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
           "the box of a drawing contains its lines");
   }
   if (!drawing.segments.empty()) {
-    drawing.min = low;
-    drawing.max = max;
+    drawing.box.min = low;
+    drawing.box.max = max;
   }
   return drawing;
 }

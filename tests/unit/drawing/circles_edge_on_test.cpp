@@ -66,8 +66,8 @@ TEST(CirclesEdgeOn, RemovedLinesHaveInkWithinTheStatedDistance) {
       nearest = std::min(nearest, distance_to_segment(removed, s.from, s.to));
     const double rise = radius * (1 - std::cos(std::numbers::pi / sides));
     EXPECT_NEAR(nearest * r.unit, rise + moved, 1e-6);
-    EXPECT_LE(nearest, drawing.joined_within * (1 + 1e-9));
-    EXPECT_LT(drawing.joined_within, 1.01 * nearest);
+    EXPECT_LE(nearest, drawing.distances.joined_within * (1 + 1e-9));
+    EXPECT_LT(drawing.distances.joined_within, 1.01 * nearest);
   }
 }
 
@@ -83,7 +83,8 @@ TEST(CirclesEdgeOn, EdgesAlongTheAxisDoNotCount) {
     options.near.strength = [](int, int, EdgeKind, bool visible) { return visible ? 2 : 1; };
     const drawing::ViewDrawing drawing =
         drawing::make_drawing({r.world, r.view, r.drawn, r.hidden}, {1, Vec2(0)}, options);
-    EXPECT_LE(drawing.joined_within * r.unit, 1.01 * radius * (1 - std::cos(std::numbers::pi / sides))) << off;
+    EXPECT_LE(drawing.distances.joined_within * r.unit, 1.01 * radius * (1 - std::cos(std::numbers::pi / sides)))
+        << off;
   }
 }
 

@@ -204,7 +204,7 @@ TEST(ExactLines, AreInTheBoxOfTheInk) {
   for (const int sides : {12, 17, 24}) {
     const Vec3 towards = glm::normalize(Vec3(0.3, -1, 0.4));
     const Drawn drawn = draw(frustum(1, 1, 3, sides), orthographic(towards));
-    const Vec2 size = drawn.drawing.max - drawn.drawing.min;
+    const Vec2 size = drawn.drawing.box.max - drawn.drawing.box.min;
     EXPECT_NEAR(size.x, 2 * drawn.mm, 1e-6) << sides;
     EXPECT_NEAR(size.y, (2 * towards.z + 3 * std::hypot(towards.x, towards.y)) * drawn.mm, 1e-6) << sides;
   }

@@ -87,7 +87,7 @@ std::vector<double> gaps_of(const std::vector<drawing::Chain>& facets, const dra
       };
       double gap = HUGE_VAL;
       for (std::size_t k = 0; k < facets.size(); ++k)
-        if (k != i && distance_to(facets[k], end_of(facets[i])) <= drawn.coincident)
+        if (k != i && distance_to(facets[k], end_of(facets[i])) <= drawn.distances.coincident)
           gap = std::min(gap, distance_to(drawn.chains[k], end_of(drawn.chains[i])));
       if (gap < HUGE_VAL) gaps.push_back(gap);
     }

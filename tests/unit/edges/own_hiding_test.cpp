@@ -29,7 +29,7 @@ double farthest_of_torus(const world::World& world, const Vec3& towards) {
       for (const Vec2& place : contour) nearest = std::min(nearest, glm::distance(place, end));
       if (segment.visible) most = std::max(most, nearest);
     }
-  return most / (drawing.max.x - drawing.min.x) * 56;  // from units of the page to those of the torus
+  return most / (drawing.box.max.x - drawing.box.min.x) * 56;  // from units of the page to those of the torus
 }
 
 // Beyond a cusp, and where one contour passes behind another next to it, facets would have visible contours.

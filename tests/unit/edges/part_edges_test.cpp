@@ -436,8 +436,8 @@ TEST(SmoothContours, OfFacetsThatATessellationTurnsOverAreNotDrawn) {
   // The contour of the rounding is at both sides, and where it ends above and below.
   const drawing::ViewDrawing drawing = draw(world, front).drawing;
   for (const drawing::Segment& segment : drawing.segments) {
-    const bool is_level = std::abs(segment.to.y - segment.from.y) < 1e-3 * drawing.max.y;
-    EXPECT_TRUE(is_level || std::abs(segment.from.x) > 0.8 * drawing.max.x)
+    const bool is_level = std::abs(segment.to.y - segment.from.y) < 1e-3 * drawing.box.max.y;
+    EXPECT_TRUE(is_level || std::abs(segment.from.x) > 0.8 * drawing.box.max.x)
         << segment.from.x << " " << segment.from.y << (segment.visible ? " visible" : " hidden");
   }
 }

@@ -21,7 +21,7 @@ drawing::ViewDrawing example() {
   drawing.projection.projector = {4, -9, 5};
   drawing.projection.central = true;
   drawing.world_to_page = rows({1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {13, 14, 15, 16});
-  drawing.vanishing_points[1] = Vec2(-1.5, 1e300);
+  drawing.aids.vanishing_points[1] = Vec2(-1.5, 1e300);
   drawing.segments.push_back({{0.1, 1.0 / 3}, {1e-300, -DBL_MAX}, true, EdgeKind::crease, 2, {7, 3}, -1, {0, 1}});
   drawing.segments.push_back({{1, 2}, {3, 4}, false, EdgeKind::intersection, 0, {-1, -1}, 0, {0, 1}});
   drawing.crossings.push_back({{{{0, 5}, {1, 6}}}, {Vec3(1, 2, 3), Vec3(4, 5, 6.5)}});

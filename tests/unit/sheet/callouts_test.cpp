@@ -17,8 +17,8 @@ namespace {
 drawing::ViewDrawing rectangle_view(const sheet::Rectangle& box) {
   drawing::ViewDrawing view{};
   view.name = "front";
-  view.min = box.min;
-  view.max = box.max;
+  view.box.min = box.min;
+  view.box.max = box.max;
   const std::vector<Vec2> corners{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
   for (std::size_t i = 0; i < 4; ++i) {
     drawing::Segment segment{};

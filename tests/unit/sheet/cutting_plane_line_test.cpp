@@ -35,13 +35,13 @@ TEST(CuttingPlaneLine, CrossesTheInkAndEndsPastIt) {
   const auto layer = sheet::cutting_plane_line(parent, plane, widths);
   ASSERT_TRUE(layer);
   EXPECT_EQ(layer->name, parent.name + "/cutting-plane");
-  const double y = (parent.min.y + parent.max.y) / 2;
+  const double y = (parent.box.min.y + parent.box.max.y) / 2;
   const sheet::Stroke& chain = layer->strokes.at(0);
   EXPECT_GT(chain.dashes.dots, 0);
   for (const Vec2& p : chain.points) EXPECT_NEAR(p.y, y, 1e-12);
   const auto [left, right] = std::minmax(chain.points[0].x, chain.points[1].x);
-  EXPECT_LT(left, parent.min.x - 3);
-  EXPECT_GT(right, parent.max.x + 3);
+  EXPECT_LT(left, parent.box.min.x - 3);
+  EXPECT_GT(right, parent.box.max.x + 3);
 
   ASSERT_EQ(layer->texts.size(), 2U);
   for (const sheet::Text& text : layer->texts) {
@@ -49,7 +49,7 @@ TEST(CuttingPlaneLine, CrossesTheInkAndEndsPastIt) {
     EXPECT_EQ(text.angle, 0);
     EXPECT_LT(text.at.y, y);  // on the side of the viewer
     EXPECT_TRUE(text.at.x < left || text.at.x > right);
-    const double past = std::max(parent.min.x - text.at.x, text.at.x - parent.max.x) + text.height / 2;
+    const double past = std::max(parent.box.min.x - text.at.x, text.at.x - parent.box.max.x) + text.height / 2;
     EXPECT_NEAR(past, sheet::cutting_plane_room(parent.projection, plane, widths).x, 1e-12);
   }
   // Two wide ends and two arrow heads, whose tips come to the wide ends from below.
@@ -80,7 +80,7 @@ TEST(CuttingPlaneLine, OfAnOffsetSectionHasWideTurns) {
   ASSERT_TRUE(layer);
   // A chain for each leg, and two arrows.
   ASSERT_EQ(layer->strokes.size(), 5U);
-  const Vec2 middle = (parent.min + parent.max) / 2.0;
+  const Vec2 middle = (parent.box.min + parent.box.max) / 2.0;
   for (const Vec2& p : layer->strokes[1].points) EXPECT_NEAR(p.x, middle.x, 1e-12);
   // Two ends with heads, two turns of two legs.
   EXPECT_EQ(layer->fills.size(), 8U);
@@ -97,8 +97,8 @@ TEST(CuttingPlaneLine, OfAHalfSectionHasOneArrow) {
   EXPECT_EQ(layer->fills.size(), 5U);
   ASSERT_EQ(layer->texts.size(), 2U);
   const sheet::Text& below = layer->texts[1];
-  EXPECT_NEAR(below.at.x, (parent.min.x + parent.max.x) / 2, 1e-12);
-  EXPECT_LE(parent.min.y - below.at.y, sheet::cutting_plane_room(parent.projection, half, widths).y);
+  EXPECT_NEAR(below.at.x, (parent.box.min.x + parent.box.max.x) / 2, 1e-12);
+  EXPECT_LE(parent.box.min.y - below.at.y, sheet::cutting_plane_room(parent.projection, half, widths).y);
 }
 
 // Its ends are past the ink on their lines, with arrows perpendicular to these.
@@ -123,11 +123,11 @@ TEST(CuttingPlaneLine, OfAnAlignedSectionHasArrowsAcrossItsPlanes) {
   const auto past = [&](std::size_t stroke, const Vec2& end, const Vec2& outwards) {
     return glm::dot(layer->strokes[stroke].points[1] - end, outwards);
   };
-  const Vec2 middle = (parent.min + parent.max) / 2.0;
+  const Vec2 middle = (parent.box.min + parent.box.max) / 2.0;
   EXPECT_NEAR(past(3, middle + Vec2(10, 10), diagonal), past(2, middle - Vec2(20, 0), Vec2(-1, 0)), 1e-9);
   ASSERT_EQ(layer->texts.size(), 2U);
   const Vec2 room = sheet::cutting_plane_room(parent.projection, surface, widths);
-  EXPECT_LT(layer->texts[1].at.y + layer->texts[1].height - parent.max.y, room.y);
+  EXPECT_LT(layer->texts[1].at.y + layer->texts[1].height - parent.box.max.y, room.y);
 }
 
 TEST(CuttingPlaneLine, IsNotWhereStepsAreSeenFromTheFront) {
@@ -140,7 +140,7 @@ TEST(CuttingPlaneLine, ReplacesCentreLines) {
   const drawing::ViewDrawing parent = from_top();
   const auto marks = sheet::cutting_plane_line(parent, plane_at({0, 30, 0}, {0, -1, 0}), widths);
   ASSERT_TRUE(marks);
-  const Vec2 middle = (parent.min + parent.max) / 2.0;
+  const Vec2 middle = (parent.box.min + parent.box.max) / 2.0;
   sheet::Layer centre = sheet::empty_layer("top", scene::SheetLine::centre, widths);
   const auto add = [&](const Vec2& from, const Vec2& to) { centre.strokes.push_back({{middle + from, middle + to}}); };
   add({-5, 0}, {5, 0});
@@ -153,7 +153,7 @@ TEST(CuttingPlaneLine, ReplacesCentreLines) {
   EXPECT_EQ(centre.strokes[0].points, before[1].points);
   EXPECT_EQ(centre.strokes[1].points, before[2].points);
   // The end of the wide line: 0.8 + 1.4 letter heights past the ink.
-  EXPECT_NEAR(centre.strokes[2].points[0].x, parent.max.x + 2.2 * 5, 1e-9);
+  EXPECT_NEAR(centre.strokes[2].points[0].x, parent.box.max.x + 2.2 * 5, 1e-9);
   EXPECT_EQ(centre.strokes[2].points[1], before[3].points[1]);
 }
 
@@ -162,15 +162,15 @@ TEST(DividingLine, ReplacesCentreLinesOfAHalfSection) {
       draw(world_of(box({0, 0, 0}, {40, 20, 10})), orthographic({0, -1, 0}, {0, 0, 1})).drawing;
   const cut::CuttingSurface half = stepped({{0, 10, 0}, {20, 10, 0}, {20, 0, 0}});
   sheet::Layer centre = sheet::empty_layer("front", scene::SheetLine::centre, widths);
-  const double x = (front.min.x + front.max.x) / 2;
-  centre.strokes.push_back({{{x, front.min.y}, {x, front.max.y}}});
-  centre.strokes.push_back({{{x, front.min.y}, {x + 1, front.max.y}}});
+  const double x = (front.box.min.x + front.box.max.x) / 2;
+  centre.strokes.push_back({{{x, front.box.min.y}, {x, front.box.max.y}}});
+  centre.strokes.push_back({{{x, front.box.min.y}, {x + 1, front.box.max.y}}});
   sheet::add_dividing_lines(centre, front, half, widths);
   ASSERT_EQ(centre.strokes.size(), 2U);
   const std::vector<Vec2>& line = centre.strokes[1].points;
   EXPECT_NEAR(line[0].x, x, 1e-9);
   EXPECT_NEAR(line[1].x, x, 1e-9);
-  EXPECT_NEAR(std::abs(line[0].y - line[1].y), front.max.y - front.min.y + 6, 1e-9);
+  EXPECT_NEAR(std::abs(line[0].y - line[1].y), front.box.max.y - front.box.min.y + 6, 1e-9);
 }
 
 TEST(CuttingPlaneLine, IsOnlyWhereThePlaneIsALine) {

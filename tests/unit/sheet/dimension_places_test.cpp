@@ -125,8 +125,8 @@ TEST(DimensionPlaces, SmallInsideLarge) {
   for (std::size_t i = 0; i < dimensions.size(); ++i) {
     const auto [a, b] = tips(layer, i);
     EXPECT_NEAR(a.y, b.y, 1e-9);
-    EXPECT_TRUE(a.y < front.min.y - 9.99 || a.y > front.max.y + 9.99);
-    lines.emplace_back(std::abs(a.x - b.x), a.y < 100 ? front.min.y - a.y : a.y - front.max.y);
+    EXPECT_TRUE(a.y < front.box.min.y - 9.99 || a.y > front.box.max.y + 9.99);
+    lines.emplace_back(std::abs(a.x - b.x), a.y < 100 ? front.box.min.y - a.y : a.y - front.box.max.y);
   }
   EXPECT_NEAR(lines[3].first, 24, 1e-6);
   std::sort(lines.begin(), lines.end());
@@ -419,8 +419,8 @@ TEST(OverallDimensions, HaveTheRoomThatWasKeptFree) {
   EXPECT_EQ(room.after.y, 0);
   for (const sheet::Stroke& stroke : layer_of(world, drawing, dimensions).strokes) {
     for (const Vec2& p : stroke.points) {
-      EXPECT_GE(p.y, drawing.min.y - room.before.y);
-      EXPECT_LE(p.x, drawing.max.x + room.after.x);
+      EXPECT_GE(p.y, drawing.box.min.y - room.before.y);
+      EXPECT_LE(p.x, drawing.box.max.x + room.after.x);
     }
   }
   EXPECT_EQ(sheet::dimension_room({}, front, 3.5).before, Vec2(0, 0));
@@ -440,7 +440,7 @@ TEST(DimensionPlaces, NothingIsInsideAnotherView) {
   add_view({132, 0}, {190, 200});
   const sheet::PlacedLayer left = sheet::place_dimensions({world, front, height, 1}, style, around);
   ASSERT_EQ(left.layer.texts.size(), 1U);
-  EXPECT_LT(left.layer.texts[0].at.x, front.min.x);
+  EXPECT_LT(left.layer.texts[0].at.x, front.box.min.x);
   add_view({0, 0}, {68, 200});
   const sheet::PlacedLayer none = sheet::place_dimensions({world, front, height, 1}, style, around);
   EXPECT_EQ(none.left_out, (std::vector<std::size_t>{0}));

@@ -235,7 +235,7 @@ TEST(Dimensions, OverallOnesOfAShaftAreItsDiameter) {
     for (Vec2* p : {&s.from, &s.to}) p->x = 100 + 0.99 * (p->x - 100);
   expect_refusals(world, less, {{dimension("overall", {}, "width"), "does not show all of the models"}});
   // Contours of free forms are drawn a little beside those of the mesh.
-  less.contours_moved = 5;
+  less.distances.contours_moved = 5;
   EXPECT_EQ(text_of(world, less, dimension("overall", {}, "width")), "⌀20");
 }
 

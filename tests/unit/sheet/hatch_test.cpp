@@ -36,7 +36,7 @@ Ring circle(double radius, int corners) {
 drawing::ViewDrawing drawing_of(std::vector<drawing::CutFace> faces) {
   drawing::ViewDrawing drawing;
   drawing.name = "front";
-  drawing.cut_faces = std::move(faces);
+  drawing.cuts.faces = std::move(faces);
   return drawing;
 }
 
@@ -135,10 +135,10 @@ TEST(Hatch, LengthOfLinesIsAreaBySpacing) {
 TEST(Hatch, IsOutsideOfWhatLiesInFront) {
   drawing::ViewDrawing drawing = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}}});
   const double spacing = choose(drawing).at(0).spacing;
-  drawing.before_cuts = {{Vec2(10, -1), Vec2(30, -1), Vec2(30, 41)}, {Vec2(10, -1), Vec2(30, 41), Vec2(10, 41)}};
+  drawing.cuts.before = {{Vec2(10, -1), Vec2(30, -1), Vec2(30, 41)}, {Vec2(10, -1), Vec2(30, 41), Vec2(10, 41)}};
   const double ink_beside = ink(hatched(drawing));
   EXPECT_NEAR(ink_beside * spacing / 800, 1, 0.02);
-  drawing.before_cuts.push_back({Vec2(16, 14), Vec2(20, 14), Vec2(18, 22)});
+  drawing.cuts.before.push_back({Vec2(16, 14), Vec2(20, 14), Vec2(18, 22)});
   EXPECT_NEAR(ink(hatched(drawing)), ink_beside, 1e-9);
 }
 

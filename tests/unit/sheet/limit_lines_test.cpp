@@ -30,17 +30,17 @@ TEST(LimitLines, HaveZigzagsThatDoNotTouch) {
     for (const double height : {1.0, 4.0, 17.0, 30.0, 200.0})
       for (const double taller : {1.0, 1.3, 2.0}) {
         drawing::ViewDrawing view;
-        view.limits = {{{50, 100 - height / 2}, {50, 100 + height / 2}, false},
-                       {{56, 100 - taller * height / 2}, {56, 100 + taller * height / 2}, false}};
+        view.shown.limits = {{{50, 100 - height / 2}, {50, 100 + height / 2}, false},
+                             {{56, 100 - taller * height / 2}, {56, 100 + taller * height / 2}, false}};
         const auto layer = sheet::limit_lines(view, {2 * narrow, narrow});
         ASSERT_TRUE(layer);
         ASSERT_EQ(layer->strokes.size(), 2U);
         EXPECT_GT(apart(layer->strokes[0], layer->strokes[1]), 1) << narrow << " " << height << " " << taller;
         for (std::size_t i = 0; i < 2; ++i) {
           const std::vector<Vec2>& points = layer->strokes[i].points;
-          EXPECT_DOUBLE_EQ(points.front().x, view.limits[i].from.x);
-          EXPECT_DOUBLE_EQ(points.front().y, view.limits[i].from.y - 3);
-          EXPECT_DOUBLE_EQ(points.back().y, view.limits[i].to.y + 3);
+          EXPECT_DOUBLE_EQ(points.front().x, view.shown.limits[i].from.x);
+          EXPECT_DOUBLE_EQ(points.front().y, view.shown.limits[i].from.y - 3);
+          EXPECT_DOUBLE_EQ(points.back().y, view.shown.limits[i].to.y + 3);
           for (std::size_t k = 1; k < points.size(); ++k) EXPECT_GE(points[k].y, points[k - 1].y);
         }
       }
@@ -48,7 +48,7 @@ TEST(LimitLines, HaveZigzagsThatDoNotTouch) {
 
 TEST(LimitLines, OfRevolvedSectionsHaveAnAxisPastTheirOutlines) {
   drawing::ViewDrawing view;
-  view.revolved = {{{{{10, 10}, {20, 10}, {20, 40}, {10, 40}}}, {Vec2(15, 10), Vec2(15, 40)}}};
+  view.cuts.revolved = {{{{{10, 10}, {20, 10}, {20, 40}, {10, 40}}}, {Vec2(15, 10), Vec2(15, 40)}}};
   const auto layer = sheet::revolved_lines(view, {0.5, 0.25});
   ASSERT_TRUE(layer);
   ASSERT_EQ(layer->strokes.size(), 2U);

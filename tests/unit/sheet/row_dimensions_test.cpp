@@ -59,7 +59,7 @@ TEST(RowDimensions, ParallelLinesAreInSteps) {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto [low, high] = tips(layer, i);
     EXPECT_NEAR(std::abs(high.x - low.x), 30 * (double(i) + 1), 1e-9);
-    EXPECT_NEAR(low.y, front.min.y - 10 - 8 * double(i), 1e-9);
+    EXPECT_NEAR(low.y, front.box.min.y - 10 - 8 * double(i), 1e-9);
     EXPECT_NEAR(high.y, low.y, 1e-9);
   }
 }
@@ -177,7 +177,7 @@ TEST(RowDimensions, FansStandOnTwoSides) {
   std::size_t above = 0, below = 0, origins = 0;
   for (const sheet::Text& text : placed.layer.texts) {
     if (text.text == "0") ++origins;
-    ++(text.at.y > front.max.y ? above : below);
+    ++(text.at.y > front.box.max.y ? above : below);
   }
   EXPECT_EQ(above, 9U);
   EXPECT_EQ(below, 9U);

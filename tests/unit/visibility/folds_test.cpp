@@ -119,7 +119,7 @@ TEST(Folds, OutlinesOfRandomStripsAreDrawn) {
                                       [](int, int, EdgeKind, bool visible) { return visible ? 2 : 1; }};
       part.drawing = drawing::make_drawing({part.world, part.view, part.drawn, part.hidden}, {1, Vec2(0)},
                                            {"joined", true, true, joined});
-      const double reach = joined.reach_in_all() + part.drawing.contours_moved;
+      const double reach = joined.reach_in_all() + part.drawing.distances.contours_moved;
       for (const drawing::Segment& s : mesh.drawing.segments) {
         const double length = glm::distance(s.from, s.to);
         if (!s.visible || !(length > 8 * reach)) continue;

@@ -33,7 +33,7 @@ struct Sight {
   const bool orthographic =
       glm::length(glm::cross(drawing.projection.projector, n)) <= 1e-9 * glm::length(drawing.projection.projector);
 
-  [[nodiscard]] Vec2 page(const Vec3& p) const { return drawing.breaks.moved(whole_page(p)); }
+  [[nodiscard]] Vec2 page(const Vec3& p) const { return drawing.shown.breaks.moved(whole_page(p)); }
   // Before parts of the view are moved together.
   [[nodiscard]] Vec2 whole_page(const Vec3& p) const { return Vec2(drawing.world_to_page * Vec4(p, 1)); }
   // Image of a direction.
@@ -71,7 +71,7 @@ DimensionText with_text(const AnchoredDimension& dimension, const MeasuredValue&
 // ISO 129-1. Returns false for other lengths.
 bool halve(MeasuredLength& length, const Sight& sight, const std::array<Vec2, 2>& unmoved) {
   constexpr double past = 6, slack = 0.1;  // mm
-  const drawing::Breaks& breaks = sight.drawing.breaks;
+  const drawing::Breaks& breaks = sight.drawing.shown.breaks;
   for (const int axis : {0, 1}) {
     if (std::abs(length.along[axis]) < 1 - max_tilt || !breaks.are_mirrored(unmoved[0], unmoved[1], axis, slack))
       continue;
@@ -86,7 +86,7 @@ bool halve(MeasuredLength& length, const Sight& sight, const std::array<Vec2, 2>
 }
 
 void expect_shown(const AnchoredDimension& dimension, const Sight& sight, const Vec3& point) {
-  if (!sight.drawing.breaks.keeps(sight.whole_page(point)))
+  if (!sight.drawing.shown.breaks.keeps(sight.whole_page(point)))
     refuse_measure(dimension, "the view '" + sight.drawing.name + "' leaves out the part that it measures",
                    "measure in another view, or change the breaks of this one");
 }
@@ -213,11 +213,10 @@ MeasuredDimension angular(const AnchoredDimension& dimension, const Sight& sight
 }
 
 // Of a circle in a view that leaves parts out, the longest arc that is drawn.
-void keep_shown_arc(MeasuredCircle& measured, const drawing::Breaks& breaks, const WorldCircle& circle,
-                    const Sight& sight) {
+void keep_shown_arc(MeasuredCircle& measured, const WorldCircle& circle, const Sight& sight) {
   const Vec2 centre = sight.whole_page(circle.centre);
   double sweep = 0;
-  for (const drawing::KeptPart& part : drawing::kept_parts(breaks)) {
+  for (const drawing::KeptPart& part : drawing::kept_parts(sight.drawing.shown.breaks)) {
     const Vec2 reach(2 * measured.radius);
     const Vec2 min = glm::max(part.min, centre - reach), max = glm::min(part.max, centre + reach);
     if (!(min.x < max.x && min.y < max.y)) continue;
@@ -236,7 +235,7 @@ MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, const Anc
   MeasuredCircle measured{sight.page(circle.centre), circle.radius * sight.millimetres(),     0,
                           2 * std::numbers::pi,      dimension.type == DimensionType::radius, dimension.is_label};
   measured.value = measured.is_radius ? circle.radius : 2 * circle.radius;
-  if (circle.whole && sight.drawing.breaks.any()) keep_shown_arc(measured, sight.drawing.breaks, circle, sight);
+  if (circle.whole && sight.drawing.shown.breaks.any()) keep_shown_arc(measured, circle, sight);
   if (circle.whole) return measured;
   std::optional<Vec2> before;
   const Vec2 whole_centre = sight.whole_page(circle.centre);
@@ -360,13 +359,14 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   const Vec2 side = std::abs(along.x) > std::abs(along.y) ? Vec2(0, -1) : Vec2(1, 0);
   std::array<Vec2, 2> ends{};
   if (!sight.drawing.segments.empty()) ends = ends_of_ink(sight.drawing, along, side);
-  const drawing::Breaks& breaks = sight.drawing.breaks;
+  const drawing::Breaks& breaks = sight.drawing.shown.breaks;
   std::array<Vec2, 2> whole_ends{breaks.restored(ends[0]), breaks.restored(ends[1])};
   complete_half(whole_ends, breaks, along);
   const double drawn = glm::dot(whole_ends[1] - whole_ends[0], along) / glm::length(image);
   // Lines of a mesh end where the mesh does; lines of its surfaces may reach as far as the surfaces. At either end, a
   // line may be drawn slightly displaced, or replaced by another.
-  const double beside = 2 * (sight.drawing.contours_moved + sight.drawing.joined_within) / glm::length(image);
+  const double beside =
+      2 * (sight.drawing.distances.contours_moved + sight.drawing.distances.joined_within) / glm::length(image);
   const double least = value - dimension.beyond_vertices - beside;
   if (!(drawn > 0) || drawn < least - whole_ink * value || drawn > value + beside + whole_ink * value)
     refuse_measure(dimension, "the view does not show all of the models along this axis",
