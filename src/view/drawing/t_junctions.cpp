@@ -479,7 +479,9 @@ std::vector<SettledEnds> move_t_junctions(const visibility::ResolvedView& lines,
   TurnedPieces turned(lines, paper, pieces, contours);
   for (const auto& change : changes)
     if (change) turned.apply(*change);
-  return turned.finish();
+  std::vector<SettledEnds> settled = turned.finish();
+  check(settled.size() == pieces.size(), "each piece tells whether its ends are settled");
+  return settled;
 }
 
 }  // namespace epura::drawing

@@ -51,6 +51,7 @@ PlannedCone dimensions_of_cone(const Planning& plan, const ConeFeature& cone, co
   const bool by_angle = has_angle(cone, glm::length(plan.box.size()));
   if (by_angle) {
     const NamedProjection* shown = view_of_angle(cone, plan.subject.features, plan.views);
+    check(shown != nullptr, "a cone that a view shows has a view of its angle");
     DimensionDescription angle = plan.dimension(DimensionType::angular, *shown, "<>");
     for (const Vec3& anchor : anchors_of_angle(cone, shown->projection)) angle.anchors.emplace_back(anchor);
     planned.angle_and_places.dimensions.push_back(std::move(angle));

@@ -161,6 +161,7 @@ Missing missing_doubly_curved(const world::PlacedPart& part, const Dimensioned& 
     const auto same = [&](const surfaces::PartSurface& other) { return surfaces::are_one(other, surface); };
     if (has_doubly_curved(face, sheet) || std::any_of(seen.begin(), seen.end(), same)) continue;
     seen.push_back(surface);
+    check(surface.radius > 0, "a sphere or torus has a radius");
     if (sphere)
       missing.add("sphere SR" + length(surface.radius), {});
     else

@@ -38,6 +38,7 @@ std::vector<FeaturePlace> places_of_axes(const DimensionSubject& subject, const 
     add(circle.centre, circle.axis, "pitch circle ⌀" + length(2 * circle.radius));
   for (const RoundEnd& end : table.round_ends) add(end.centre, end.axis, "round end R" + length(end.radius));
   for (const int number : table.channels) {
+    check(number >= 0 && number < static_cast<int>(features.arcs.size()), "a channel is an arc");
     const features::ArcFeature& arc = features.arcs[static_cast<std::size_t>(number)];
     add(arc.centre, arc.axis, "channel R" + length(arc.radius));
   }

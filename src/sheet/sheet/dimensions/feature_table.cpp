@@ -106,6 +106,7 @@ std::vector<FeatureSize> list_cone_ends(const PartFeatures& features, const Nota
 std::vector<FeatureSize> list_others(const PartFeatures& features, SizeKind kind, const Notation& notation) {
   std::vector<FeatureSize> sizes;
   const auto add = [&](int model, const Vec3& centre, const Vec3& axis, double value, const std::string& name) {
+    check(value > 0, "a feature has a radius or width");
     sizes.push_back({kind, static_cast<int>(sizes.size()), model, centre, axis, value, name, "<>"});
   };
   const auto length = [&](double value) { return length_text(value, notation); };

@@ -171,6 +171,7 @@ Planned hole_dimensions(const Planning& plan) {
   Planned planned;
   std::size_t labelled = 0;
   for (const HoleGroup& group : groups_of_holes(plan)) {
+    check(!group.empty(), "equal holes are one or more");
     const NamedProjection* along = plan.views.along(group.front()->axis, !group.front()->through);
     const NamedProjection* view = along != nullptr ? along : view_beside<HoleFeature>(plan.views, group, mouth_of);
     if (view == nullptr) continue;

@@ -233,6 +233,7 @@ std::vector<std::size_t> hexagons_of(const AnchoredDimension& dimension, const D
   const bool is_overall = dimension.type == DimensionType::overall;
   if (is_auxiliary(dimension) || dimension.arrangement || (!along && !is_overall)) return {};
   const auto measures_extent = [&](const features::HexagonFeature& hexagon) {
+    check(dimension.direction.has_value(), "an overall size has a direction");
     const int axis = axis_of(*dimension.direction);
     for (int other = 0; other < 3; ++other)
       if ((other == axis || subject.extents[std::size_t(axis)].is_same_as(subject.extents[std::size_t(other)])) &&

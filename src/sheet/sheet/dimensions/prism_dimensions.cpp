@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/error.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/axis_positions.hpp"
 #include "sheet/dimensions/equal_features.hpp"
@@ -50,6 +51,7 @@ Planned prism_dimensions(const Planning& plan) {
   const std::vector<TurnedPrism>& prisms = plan.table.prisms;
   for (const PrismGroup& group :
        groups_of<TurnedPrism>(prisms, [](const TurnedPrism&a, const TurnedPrism&b) { return are_equal(a, b); })) {
+    check(group.front()->widths[0] > 0 && group.front()->widths[1] > 0, "a prism has two widths");
     const NamedProjection* view = plan.views.along(group.front()->axis);
     if (view == nullptr) continue;
     for (const std::size_t side : {0U, 1U}) planned.dimensions.push_back(width_of(plan, *view, group, side));

@@ -88,6 +88,7 @@ Planned arc_positions(const Planning& plan) {
 Planned ball_positions(const Planning& plan) {
   Planned planned;
   for (const int number : plan.table.balls) {
+    check(number >= 0 && number < static_cast<int>(plan.subject.features.balls.size()), "a sphere is one of the part");
     const BallFeature& ball = plan.subject.features.balls[static_cast<std::size_t>(number)];
     const int group = static_cast<int>(plan.table.sizes.size()) + number;
     for (int axis = 0; axis < 3; ++axis) {

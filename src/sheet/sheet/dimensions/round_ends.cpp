@@ -91,6 +91,7 @@ std::vector<int> find_channels(const DimensionSubject& subject) {
       const auto face = std::find_if(part->faces.begin(), part->faces.end(),
                                      [&](const surfaces::PartFace& one) { return is_face_of(one, arcs[i]); });
       if (face == part->faces.end()) continue;
+      check(borders.size() == part->faces.size(), "each face has its borders");
       const auto& beside = borders[static_cast<std::size_t>(face - part->faces.begin())];
       if (std::none_of(beside.begin(), beside.end(), [](const features::FaceBorder& one) { return one.tangent; }))
         channels.push_back(static_cast<int>(i));

@@ -25,6 +25,7 @@ bool needs_text(const FeatureSize& size, const features::PartFeatures& features)
 // The sizes that a diameter or radius gives.
 Numbers sizes_of_circle(const AnchoredDimension& dimension, const DimensionSubject& subject,
                         const FeatureTable& table) {
+  check(!dimension.circles.empty(), "a diameter or radius is that of a circle");
   const bool many = repeats_of(dimension.text) > 1;
   const WorldCircle& circle = dimension.circles.front();
   std::vector<int> lists;

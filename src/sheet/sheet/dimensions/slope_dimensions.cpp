@@ -70,6 +70,7 @@ Planned dimensions_of_chamfers(const Planning& plan, const std::vector<BevelFeat
         plan.dimension(DimensionType::linear, *view, times(count_chamfers(plan, group)) + "<>×45°");
     dimension.direction = {DimensionDirection::horizontal, plan.wanted.where};
     for (const Vec3& end : shown->ends) dimension.anchors.emplace_back(end);
+    check(shown->leg() > 0, "a chamfer has a width");
     planned.dimensions.push_back(std::move(dimension));
     // The other ends are on the faces at the corner.
     for (const BevelFeature* chamfer : group)
