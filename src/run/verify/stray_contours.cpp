@@ -19,7 +19,7 @@ namespace epura::verify {
 namespace {
 
 // Places along a contour that has left its facets, by which the part that has is measured.
-constexpr int steps = 256;
+constexpr int steps_of_contour = 256;
 // A surface rises over a facet by an eighth of the facet's height times its turn to the next one; facets of unequal
 // height, and two directions in which it bends, take less than the rest.
 constexpr double max_rises = 8;
@@ -169,15 +169,15 @@ std::optional<report::OutlineFault> stray_part(const drawing::Segment& segment, 
   if (std::ranges::none_of(std::array{0.0, 0.5, 1.0}, [&](double s) { return away(s) > 0; })) return std::nullopt;
   int outside = 0;
   double farthest = 0, at = 0;
-  for (int i = 0; i < steps; ++i) {
-    const double s = (i + 0.5) / steps, beyond = away(s);
+  for (int i = 0; i < steps_of_contour; ++i) {
+    const double s = (i + 0.5) / steps_of_contour, beyond = away(s);
     if (!(beyond > 0)) continue;
     ++outside;
     if (beyond <= farthest) continue;
     farthest = beyond;
     at = s;
   }
-  const double length = glm::distance(segment.from, segment.to) * outside / steps;
+  const double length = glm::distance(segment.from, segment.to) * outside / steps_of_contour;
   const Vec2 place = segment.from + at * (segment.to - segment.from);
   return report::OutlineFault{"unfounded", place, length, segment.model, segment.edge, {}};
 }
