@@ -29,7 +29,7 @@ set(folders_pugixml svg compare)
 set(folders_rapidjson compare)
 set(folders_qpdf output)
 set(folders_microhttpd serve)
-set(folders_CLI app program)
+set(folders_CLI app)
 set(folders_toml\\+\\+ scene)
 set(folders_ft2build.h sheet output)
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <cstddef>
-#include <epura/scene.hpp>
+#include <epura/scene_types.hpp>
 #include <type_traits>
 
 namespace epura {

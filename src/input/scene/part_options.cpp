@@ -248,11 +248,11 @@ Options<ViewDescription> line_options() {
                     .flag = "--centre-of-gravity",
                     .help = "the symbol of the centre of gravity of the models, whose bodies are closed"},
                    &View::centre_of_gravity, truth()),
-      option<View>(
-          {.key = "centre_lines",
-           .help = "centre lines of bores, shafts, slots and pitch circles; type `auto` of dimensions needs them",
-           .usual = "as `--centre-lines` says"},
-          &View::centre_lines, truth()),
+      option<View>({.key = "centre_lines",
+                    .help = "centre lines of bores, shafts, slots and pitch circles; drawn in any case with dimensions "
+                            "of type `auto`",
+                    .usual = "as for the run"},
+                   &View::centre_lines, truth()),
       option<View>({.key = "near", .flag = "--near", .help = "omit what is nearer to the viewer than this depth"},
                    &View::near, any_number("")),
       option<View>({.key = "far", .flag = "--far", .help = "omit what is farther from the viewer than this depth"},

@@ -337,7 +337,7 @@ void append(world::World& world, const ModelCut& cut) {
   world.first_triangle.push_back(static_cast<int>(world.triangles.size()));
   const world::Placed& whole = cut.world.models[cut.model];
   world.models.push_back(
-      {std::make_shared<const mesh::Mesh>(cut.make_mesh()), whole.to_world, whole.part, whole.threads});
+      {std::make_shared<const mesh::Mesh>(cut.make_mesh()), whole.to_world, whole.part, whole.threads, whole.copy_of});
   if (!cut.world.wires.empty()) world::append_wires(world, *world.models.back().mesh, first);
 }
 

@@ -214,7 +214,7 @@ SplitWorld split_world(const world::World& world, const CuttingSurface& surface)
                                     splitter.regions().end());
     result.first_vertex.push_back(static_cast<int>(result.points.size()));
     result.first_triangle.push_back(static_cast<int>(result.triangles.size()));
-    result.models.push_back({mesh, placed.to_world, placed.part, placed.threads});
+    result.models.push_back({mesh, placed.to_world, placed.part, placed.threads, placed.copy_of});
     if (!world.wires.empty()) world::append_wires(result, *mesh, first);
   }
   return split;

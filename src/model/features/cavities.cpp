@@ -8,8 +8,6 @@
 
 namespace epura::features {
 
-namespace {}  // namespace
-
 bool Cavity::holds(const Vec3& point) const {
   const auto flat = [this](const Vec3& d) { return d - glm::dot(d, axis) * axis; };
   const Vec3 d = flat(point - centres[0]), along = flat(centres[1] - centres[0]);

@@ -254,6 +254,8 @@ int main(int count, char** arguments) {
   header += "\n}  // namespace epura\n";
   if (!is_sound) return 1;
   std::filesystem::create_directories(std::filesystem::path(arguments[1]).parent_path());
-  epura::write_file(arguments[1], header);
+  // An equal file keeps its time, so that nothing is compiled anew.
+  if (!std::filesystem::exists(arguments[1]) || epura::read_file(arguments[1]) != header)
+    epura::write_file(arguments[1], header);
   return 0;
 }

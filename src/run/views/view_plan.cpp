@@ -80,9 +80,8 @@ bool dimensions_features(const scene::SceneDescription& scene) {
 }
 
 bool has_centre_lines(const scene::SceneDescription& scene, const RunOptions& options) {
-  const auto asks = [](const scene::ViewDescription& view) { return view.centre_lines.value_or(false); };
-  return options.centre_lines || dimensions_features(scene) ||
-         std::any_of(scene.views.begin(), scene.views.end(), asks);
+  const auto has = [&](const scene::ViewDescription& view) { return view.centre_lines.value_or(options.centre_lines); };
+  return dimensions_features(scene) || std::any_of(scene.views.begin(), scene.views.end(), has);
 }
 
 std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options) {

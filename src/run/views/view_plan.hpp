@@ -25,7 +25,7 @@ bool dimensions_features(const scene::SceneDescription& scene);
 /// Throws Error{input}, or Error{plugin} for projections that do not exist.
 std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options);
 
-/// Whether a view has centre lines.
+/// Whether any view has centre lines: faces are recognised for them.
 bool has_centre_lines(const scene::SceneDescription& scene, const RunOptions& options);
 
 /// The views that are the plan and the elevation of an épura, by their numbers on the sheet.

@@ -10,8 +10,6 @@
 
 namespace epura::edges {
 
-namespace {}  // namespace
-
 const mesh::MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side) {
   const int first = around.world.first_vertex[around.model];
   return around.mesh().edge_between({side[0] - first, side[1] - first});

@@ -10,8 +10,6 @@
 
 namespace epura::visibility {
 
-namespace {}  // namespace
-
 CoverPlane::CoverPlane(const view::ProjectedScene& view, const view::ViewTriangle& triangle, const Vec2& half)
     : corner_(view.vertices[triangle.vertex[0]].at()) {
   const std::optional<Vec2> slope = slope_of(view, triangle);

@@ -120,8 +120,11 @@ Planned positions_of(const Planning& plan, std::span<const Vec3> centres, const 
   const NamedProjection* view = plan.views.along(axis);
   if (view == nullptr) view = plan.views.beside(*slanted, centres.front());
   for (const Vec3& centre : centres)
-    if (const features::PlaneFeature* face = face_around(plan, centre, axis); face != nullptr && view != nullptr)
-      planned.places.emplace_back(SlantedPlace{view, face, *slanted, centre, group});
+    if (const features::PlaneFeature* face = face_around(plan, centre, axis); face != nullptr && view != nullptr) {
+      // One direction for all that begins on a face.
+      const Vec3 direction = glm::dot(face->normal, axis) < 0 ? -*slanted : *slanted;
+      planned.places.emplace_back(SlantedPlace{view, face, direction, centre, group});
+    }
   return planned;
 }
 

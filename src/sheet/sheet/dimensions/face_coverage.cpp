@@ -74,8 +74,13 @@ class FaceCounter {
     if (is_between_round_ends(face)) return true;
     for (const HexagonChamfer& one : given_.hexagon_chamfers)
       if (one.is_face(plane.origin, plane.axis)) return given_.bevels[static_cast<std::size_t>(one.bevel)];
+    bool is_side = false;
     for (const KnownPrism& one : given_.prisms)
-      if (one.prism.has_side(plane.origin, plane.axis)) return one.is_given;
+      if (one.prism.has_side(plane.origin, plane.axis)) {
+        if (one.is_given) return true;
+        is_side = true;
+      }
+    if (is_side) return false;
     miss("inclined plane face", face, "place and angle");
     return false;
   }

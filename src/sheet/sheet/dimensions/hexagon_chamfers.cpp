@@ -55,13 +55,14 @@ int bevel_like(const PlaneBeside& plane, int model, const features::PartFeatures
 
 bool HexagonChamfer::is_face(const Vec3& origin, const Vec3& direction) const {
   return glm::dot(direction, normal) > 0 && features::are_parallel(direction, normal) &&
-         std::abs(glm::dot(origin - point, normal)) <= features::same_size * (1 + glm::length(point));
+         std::abs(glm::dot(origin - point, normal)) <= slack;
 }
 
 std::vector<HexagonChamfer> find_hexagon_chamfers(const DimensionSubject& subject) {
   std::vector<HexagonChamfer> chamfers;
   const features::PartFeatures& features = subject.features;
   const std::vector<world::Placed>& models = subject.world.models;
+  const double slack = features::same_size * glm::length(subject.world.box.size());
   for (std::size_t model = 0; model < models.size() && !features.hexagons.empty(); ++model) {
     const auto part = models[model].part == nullptr ? std::nullopt : world::place_part(models[model]);
     if (!part) continue;
@@ -69,7 +70,7 @@ std::vector<HexagonChamfer> find_hexagon_chamfers(const DimensionSubject& subjec
       const epura::surfaces::PartSurface& plane = face.surface;
       if (plane.kind != epura::surfaces::SurfaceKind::plane || is_parallel_to_world(plane.axis)) continue;
       if (const int bevel = bevel_like({plane.origin, plane.axis}, static_cast<int>(model), features); bevel >= 0)
-        chamfers.push_back({bevel, plane.origin, plane.axis});
+        chamfers.push_back({bevel, plane.origin, plane.axis, slack});
     }
   }
   return chamfers;

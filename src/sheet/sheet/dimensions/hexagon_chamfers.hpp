@@ -12,10 +12,13 @@ namespace epura::sheet {
 struct HexagonChamfer {
   int bevel;  ///< the number of the first one that is equal to it
   Vec3 point, normal;
+  double slack;  ///< between planes that are one
 
+  /// Whether it is the plane through a point with a direction outwards.
   [[nodiscard]] bool is_face(const Vec3& origin, const Vec3& direction) const;
 };
 
+/// Those of all models, in the order of their faces.
 std::vector<HexagonChamfer> find_hexagon_chamfers(const DimensionSubject& subject);
 
 }  // namespace epura::sheet

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/directions.hpp"
 #include "base/error.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/thread_notes.hpp"
@@ -190,14 +191,13 @@ class PictorialPlanner {
 }  // namespace
 
 const NamedProjection* only_pictorial(std::span<const NamedProjection> views, const std::string& name) {
-  constexpr double along_axis = 1e-6;
   const NamedProjection* pictorial = nullptr;
   for (const NamedProjection& view : views) {
     if (!name.empty() && view.name != name) continue;
     const Vec3 size = glm::abs(view.projection.n);
     const Vec3 oblique = glm::cross(glm::normalize(view.projection.projector), view.projection.n);
-    const bool is_plain = !view.projection.central && glm::length(oblique) < along_axis &&
-                          std::max({size.x, size.y, size.z}) > 1 - along_axis;
+    const bool is_plain = !view.projection.central && glm::length(oblique) < parallel_sine &&
+                          std::max({size.x, size.y, size.z}) > 1 - parallel_sine;
     if (is_plain) return nullptr;
     if (pictorial == nullptr && !view.projection.central && view.section == nullptr) pictorial = &view;
   }

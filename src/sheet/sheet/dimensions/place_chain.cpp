@@ -28,10 +28,9 @@ void PlaceChain::add(double at, const std::string& name) {
 
 bool PlaceChain::join(const PlaceJoin& join) {
   check(join.axis == axis_, "a chain is along one axis");
-  const double step = (join.to - join.from) / std::max(join.parts, 1);
+  const auto at = [&join](int i) { return join.from + (join.to - join.from) * i / join.parts; };
   bool is_new = true;
-  for (int i = 0; i < join.parts; ++i)
-    is_new = join_by_length(join.from + i * step, join.from + (i + 1) * step) && is_new;
+  for (int i = 0; i < join.parts; ++i) is_new = join_by_length(at(i), at(i + 1)) && is_new;
   const int i = index_of(join.from), j = index_of(join.to);
   if (join.parts == 0 && i >= 0 && j >= 0) sets_.join(i, j);
   return is_new;

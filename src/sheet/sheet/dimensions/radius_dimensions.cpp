@@ -119,8 +119,10 @@ Planned arc_dimensions(const Planning& plan) {
     if (view == nullptr || double(group.size()) * group.front()->radius < min_radius * largest ||
         in_view[view->name]++ >= max_radii)
       continue;
-    const auto* shown = uppermost<ArcFeature>(seen, *view, [](const ArcFeature& arc) { return arc.points[4]; });
-    check(shown->radius > 0 && shown->points.size() > 4, "an arc has a radius and a middle");
+    const auto* shown = uppermost<ArcFeature>(seen, *view, [](const ArcFeature& arc) {
+      check(arc.radius > 0 && arc.points.size() > 4, "an arc has a radius and a middle");
+      return arc.points[4];
+    });
     planned.dimensions.push_back(plan.dimension(DimensionType::radius, *view, times(group.size()) + "<>",
                                                 {shown->centre, shown->axis, shown->radius, shown->points}));
   }

@@ -142,6 +142,7 @@ std::vector<bool> given_sizes(const SizesOnSheet& on_sheet, const DimensionSubje
 }
 
 int max_dimensions(const FeatureSize& size, const FeatureTable& table) {
+  if (!size.is_round()) return 1;
   std::vector<int> lists{size.equal_to};
   for (const FeatureSize& one : table.sizes) {
     if (one.equal_to != size.equal_to) continue;

@@ -39,7 +39,7 @@ struct FacePair {
   int model;
   Vec3 axis, normal, across;  ///< the axis of the world to which both are parallel; perpendicular to each other
   Span along, beside;         ///< the normal, and `across`
-  double height;              ///< of their middle along the axis
+  Span height;                ///< along the axis, where both are
   bool inwards;
 };
 
@@ -59,7 +59,7 @@ bool is_slope(const PlaneFeature& plane, const features::PartFeatures& features)
 std::optional<FacePair> pair_of(const PlaneFeature& a, const PlaneFeature& b) {
   const int world = axis_beside(a.normal);
   if (a.model != b.model || world < 0 || glm::dot(a.normal, b.normal) > -1 + parallel * parallel) return std::nullopt;
-  FacePair pair{a.model, Mat3(1)[world], a.normal, {}, {}, {}, 0, false};
+  FacePair pair{a.model, Mat3(1)[world], a.normal, {}, {}, {}, {}, false};
   pair.across = glm::cross(pair.axis, pair.normal);
   const double at = glm::dot(a.corners.front(), pair.normal), other = glm::dot(b.corners.front(), pair.normal);
   pair.along = {std::min(at, other), std::max(at, other)};
@@ -67,26 +67,31 @@ std::optional<FacePair> pair_of(const PlaneFeature& a, const PlaneFeature& b) {
   pair.beside = span_along(a.corners, pair.across);
   const Span beside = span_along(b.corners, pair.across), height = span_along(a.corners, pair.axis),
              other_height = span_along(b.corners, pair.axis);
-  pair.height = height.middle();
+  pair.height = {std::max(height.from, other_height.from), std::min(height.to, other_height.to)};
   const double slack = same_size * (pair.along.size() + pair.beside.size());
   const bool ends_alike =
       std::abs(beside.from - pair.beside.from) <= slack && std::abs(beside.to - pair.beside.to) <= slack;
-  const bool overlap = std::min(height.to, other_height.to) > std::max(height.from, other_height.from);
-  return ends_alike && overlap && pair.along.size() > slack ? std::optional(pair) : std::nullopt;
+  return ends_alike && pair.height.size() > 0 && pair.along.size() > slack ? std::optional(pair) : std::nullopt;
 }
 
-// Rounded corners leave the sides shorter.
+// Rounded corners leave the sides shorter. The flats of a polygon, and the ends of one rib of several, are shorter than
+// half of what they would bound.
+bool is_side_of(const Span& side, const Span& width, double slack) {
+  return side.size() <= width.size() + slack && side.size() >= width.size() / 2;
+}
+
 std::optional<TurnedPrism> prism_of(const FacePair& a, const FacePair& b) {
   if (a.model != b.model || a.inwards != b.inwards || !are_parallel(a.axis, b.axis) ||
+      std::min(a.height.to, b.height.to) <= std::max(a.height.from, b.height.from) ||
       std::abs(glm::dot(a.normal, b.normal)) > parallel)
     return std::nullopt;
   const double way = glm::dot(a.across, b.normal) < 0 ? -1 : 1;
   const double middle = way * b.along.middle(), slack = same_size * (a.along.size() + b.along.size());
   const double other = glm::dot(b.across, a.normal) * b.beside.middle();
   if (std::abs(a.beside.middle() - middle) > slack || std::abs(a.along.middle() - other) > slack ||
-      a.beside.size() > b.along.size() + slack || b.beside.size() > a.along.size() + slack)
+      !is_side_of(a.beside, b.along, slack) || !is_side_of(b.beside, a.along, slack))
     return std::nullopt;
-  const Vec3 centre = a.along.middle() * a.normal + middle * a.across + a.height * a.axis;
+  const Vec3 centre = a.along.middle() * a.normal + middle * a.across + a.height.middle() * a.axis;
   return TurnedPrism{a.model, centre, a.axis, {a.normal, way * b.normal}, {a.along.size(), b.along.size()}, a.inwards};
 }
 
