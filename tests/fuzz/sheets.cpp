@@ -32,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& reason) { throw Error(ErrorKind::input, "scene", reason); }
+[[noreturn]] void refuse_sheet(const std::string& reason) { throw Error(ErrorKind::input, "scene", reason); }
 
 /// What scenes may name, by the last part of the name: small models, forms, logos and styles of the samples and of the
 /// golden drawings.
@@ -51,7 +51,7 @@ const std::map<std::string, fs::path>& known_files() {
 
 fs::path known_file(const std::string& name) {
   const auto found = known_files().find(fs::path(name).filename().string());
-  if (found == known_files().end()) refuse("unknown file");
+  if (found == known_files().end()) refuse_sheet("unknown file");
   return found->second;
 }
 
@@ -71,8 +71,8 @@ void find_model(scene::ModelDescription& model) {
   constexpr std::uintmax_t max_to_divide = 6000;  // bytes
   if (!parameters.empty() &&
       (fs::file_size(file) > max_to_divide || parameters.find_first_of("3456789") != parameters.npos))
-    refuse("too much for a fuzzer");
-  if (mesh::format_named(file.extension().string().substr(1)) == nullptr) refuse("no mesh");
+    refuse_sheet("too much for a fuzzer");
+  if (mesh::format_named(file.extension().string().substr(1)) == nullptr) refuse_sheet("no mesh");
   model.file.value = file.string() + parameters;
   model.content = std::make_shared<const std::string>(read_file(file));
 }
@@ -80,24 +80,24 @@ void find_model(scene::ModelDescription& model) {
 void find_files(scene::SheetDescription& sheet) {
   for (scene::LocatedText* file : {&sheet.form, &sheet.logo, &sheet.style})
     if (file->given()) file->value = known_file(**file).string();
-  if (sheet.font.given() && scene::names_font_file(*sheet.font)) refuse("a font of its own");
+  if (sheet.font.given() && scene::names_font_file(*sheet.font)) refuse_sheet("a font of its own");
 }
 
 scene::SceneDescription sheet_scene_of(const std::string& text) {
   constexpr std::size_t max_models = 6, max_views = 10, max_sheets = 4;
   const OwnFile file(text);
   scene::SceneDescription scene = scene::scene_of(scene::read_toml(file.path()));
-  if (scene.models.size() > max_models || scene.sheets.size() > max_sheets) refuse("too much for a fuzzer");
+  if (scene.models.size() > max_models || scene.sheets.size() > max_sheets) refuse_sheet("too much for a fuzzer");
   for (scene::ModelDescription& model : scene.models) find_model(model);
   for (scene::SheetDescription& sheet : scene.sheets) find_files(sheet);
   pipeline::complete_scene(scene);
   pipeline::complete_sheets(scene);
-  if (scene.views.size() > max_views) refuse("too much for a fuzzer");
+  if (scene.views.size() > max_views) refuse_sheet("too much for a fuzzer");
   const std::vector<projection::ProjectionEntry>& known = own_projections();
   for (const scene::ViewDescription& view : scene.views)
     if (view.projection.given() && std::none_of(known.begin(), known.end(),
                                                 [&](const auto& entry) { return entry.name == view.projection->name; }))
-      refuse("unknown projection");
+      refuse_sheet("unknown projection");
   return scene;
 }
 
