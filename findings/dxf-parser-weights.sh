@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# dxf-parser 1.1.2 of npm says that a spline is rational, and drops its weights (group 41), so that the exact arc of a quarter circle is
-# drawn as a parabola: three-dxf 1.3.1, which builds on it, has no weights to draw by.
+# dxf-parser 1.1.2 of npm says that a spline is rational, and drops its weights (group 41): what it gives of the exact arc of a quarter
+# circle is a parabola.
 # Believed: weights beside knots and control points, as group 73 and 72 announce them.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages dxf-parser@1.1.2
