@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts with rectangles turned against the world, open channels, and holes at angles, of known sizes, in
-// families.
+// Parts with rectangles turned against the world, conical bosses, open channels, and holes at angles, of known sizes,
+// in families.
 #pragma once
 
 #include <array>
@@ -18,6 +18,22 @@ inline Loop turned(Loop loop, const Vec2& about, double degrees) {
     p = about + Vec2(cosine(degrees) * off.x - sine(degrees) * off.y, sine(degrees) * off.x + cosine(degrees) * off.y);
   }
   return loop;
+}
+
+/// A plate of 6 with a frustum of a cone on it, away from its middle.
+inline std::vector<KnownPart> plates_with_conical_bosses() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double low = 8 + 0.5 * i, high = 4 + 0.25 * i, top = 16 + i;
+    const Vec2 size(70 + i, 50), place(25 + i, 19);
+    Plate plate(6);
+    plate.cell(square({0, 0}, size), {{circle(place, low, -135), 6}, {circle(place, high, -135), top}});
+    parts.push_back({"a cone of " + number(2 * low) + " on a plate",
+                     plate.obj(),
+                     {number(size.x), "50", number(top), "6", "⌀" + number(2 * low), "⌀" + number(2 * high),
+                      number(place.x), "19"}});
+  }
+  return parts;
 }
 
 /// A plate with a rectangular hole in its middle that is turned.

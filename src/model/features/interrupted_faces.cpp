@@ -43,12 +43,14 @@ bool are_one_turn(const RoundFace& a, const RoundFace& b) {
   const surfaces::PartSurface &s = a.face.surface, &t = b.face.surface;
   return s.kind == t.kind && a.face.inwards == b.face.inwards &&
          std::abs(s.radius - t.radius) <= same_size * s.radius && std::abs(s.minor - t.minor) <= same_size * s.minor &&
-         are_parallel(s.axis, t.axis) && glm::length(glm::cross(t.origin - s.origin, s.axis)) <= same_size * s.radius &&
+         std::abs(s.slope - t.slope) <= same_size && are_parallel(s.axis, t.axis) &&
+         glm::length(glm::cross(t.origin - s.origin, s.axis)) <= same_size * s.radius &&
          (s.kind == SurfaceKind::cylinder || glm::length(t.origin - s.origin) <= same_size * s.radius);
 }
 
 std::vector<InterruptedFace> find_interrupted(const std::vector<RoundFace>& round, SurfaceKind kind) {
-  check(kind == SurfaceKind::cylinder || kind == SurfaceKind::torus, "only these have one greatest circle");
+  check(kind == SurfaceKind::cylinder || kind == SurfaceKind::cone || kind == SurfaceKind::torus,
+        "only these have an axis");
   std::vector<char> done(round.size(), 0);
   std::vector<InterruptedFace> found;
   for (std::size_t i = 0; i < round.size(); ++i) {

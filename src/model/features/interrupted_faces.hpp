@@ -15,7 +15,7 @@ struct InterruptedFace {
   double from, to;         ///< heights of its ends along the axis of the first part, from its origin
 };
 
-/// Whether two faces are parts of one cylinder or torus.
+/// Whether two faces are parts of one cylinder, cone or torus.
 bool are_one_turn(const RoundFace& a, const RoundFace& b);
 
 /// Of one kind, in the order of their first parts.

@@ -188,12 +188,12 @@ std::vector<BallFeature> balls_of(const RoundFaces& of) {
 
 Cones cones_of(const RoundFaces& of) {
   Cones found;
-  for (const RoundFace& round : of.faces) {
+  const auto add = [&](const RoundFace& round, double begin, double end) {
+    if (round.face.inwards) return;
     const surfaces::PartSurface& surface = round.face.surface;
-    if (surface.kind != SurfaceKind::cone || round.face.inwards || !round.is_whole()) continue;
-    const double low = round.radius_at(round.from), high = round.radius_at(round.to);
+    const double low = round.radius_at(begin), high = round.radius_at(end);
     const bool rises = low < high;
-    const double from = rises ? round.from : round.to, to = rises ? round.to : round.from;
+    const double from = rises ? begin : end, to = rises ? end : begin;
     ConeFeature cone{of.model,
                      {round.at(from), round.at(to)},
                      {std::min(low, high), std::max(low, high)},
@@ -201,7 +201,11 @@ Cones cones_of(const RoundFaces& of) {
                      portable_atan2(std::abs(high - low), std::abs(to - from)) / degree};
     cone.rounded = rounded_ends(of, round, cone);
     (is_chamfer(of, round, cone) ? found.chamfers : found.others).push_back(cone);
-  }
+  };
+  for (const RoundFace& round : of.faces)
+    if (round.face.surface.kind == SurfaceKind::cone && round.is_whole()) add(round, round.from, round.to);
+  for (const InterruptedFace& one : find_interrupted(of.faces, SurfaceKind::cone))
+    add(of.faces[static_cast<std::size_t>(one.parts.front())], one.from, one.to);
   return found;
 }
 

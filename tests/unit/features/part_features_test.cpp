@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What slots leave of rounded edges, and from where flats of shafts are measured.
+// What slots leave of rounded edges and chamfers, and from where flats of shafts are measured.
 #include "features/part_features.hpp"
 
 #include <gtest/gtest.h>
@@ -70,6 +70,19 @@ TEST(FlatsFeature, AreMeasuredFromTheOtherSideOfTheirShaft) {
   expect({{5, false, 5}, {5, true, 12}, {6, true, 20}, {6, false, 30}}, -5, "across a step");
   expect({{5, true, 8}, {4.5, false, 10}, {5, true, 18}, {5, false, 30}}, -5, "on both sides of a groove");
   expect({{6, false, 5}, {5, true, 12}, {6, false, 20}}, -5, "not from a thicker part beside it");
+}
+
+// A shaft of radius 8 with a chamfer of 1 at its end, of which a keyway takes 60 degrees.
+TEST(ConeFeatures, MayBeInterrupted) {
+  for (const double sweep : {2 * pi, 5 * pi / 3}) {
+    const features::PartFeatures found =
+        features::find_part_features(world_of(revolved({{0, 0}, {8, 0}, {8, 20}, {7, 21}, {0, 21}}, 48, sweep)));
+    ASSERT_EQ(found.chamfers.size(), 1U) << sweep;
+    EXPECT_EQ(found.cones.size(), 0U) << sweep;
+    EXPECT_NEAR(found.chamfers[0].angle, 45, 1e-6) << sweep;
+    EXPECT_NEAR(found.chamfers[0].radii[0], 7, 1e-6) << sweep;
+    EXPECT_NEAR(found.chamfers[0].radii[1], 8, 1e-6) << sweep;
+  }
 }
 
 // A cap of 0.1 on a ball of 6 is as near to one with a radius of 6.06 as a thousandth.

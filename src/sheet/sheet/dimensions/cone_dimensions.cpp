@@ -2,12 +2,14 @@
 #include "sheet/dimensions/cone_dimensions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "features/tolerances.hpp"
+#include "sheet/dimensions/axis_positions.hpp"
 #include "sheet/dimensions/cone_angles.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 
@@ -38,6 +40,13 @@ Planned ends_of_cones(const Planning& plan, const std::vector<CylinderFeature>& 
   return planned;
 }
 
+// After those of sizes and spheres.
+int group_of_cone(const Planning& plan, const ConeFeature& cone) {
+  const features::PartFeatures& features = plan.subject.features;
+  return static_cast<int>(plan.table.sizes.size() + features.balls.size()) +
+         static_cast<int>(&cone - features.cones.data());
+}
+
 /// What is planned of one cone, and the ends that need a diameter.
 struct PlannedCone {
   Planned angle_and_places{};
@@ -66,6 +75,8 @@ PlannedCone dimensions_of_cone(const Planning& plan, const ConeFeature& cone, co
       planned.angle_and_places.places.emplace_back(Coordinate{
           &view, axis, circle.from[axis], circle.from + circle.radius * out, -1, circle.from - circle.radius * out});
   }
+  planned.angle_and_places.append(
+      positions_of(plan, std::array{cone.ends[1]}, cone.axis, plan.views.along(cone.axis), group_of_cone(plan, cone)));
   return planned;
 }
 

@@ -49,6 +49,8 @@ std::vector<FeaturePlace> places_of_axes(const DimensionSubject& subject, const 
       if (const features::BallFeature& ball = features.balls[static_cast<std::size_t>(number)];
           !ends_models(ball, axis, subject.extents[static_cast<std::size_t>(axis)]))
         places.push_back({axis, ball.centre[axis], "sphere SR" + length(ball.radius)});
+  for (const features::ConeFeature& cone : features.cones)
+    add(cone.ends[1], cone.axis, "cone ⌀" + length(2 * cone.radii[1]));
   for (const features::HexagonFeature& hexagon : features.hexagons)
     add(hexagon.centre, hexagon.axis, "hexagon " + length(hexagon.across_flats));
   return places;
