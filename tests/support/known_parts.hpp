@@ -292,7 +292,9 @@ inline Loop angle() {
 }
 
 inline std::string letters(int count) {
-  return plate({60, 60}, count, 1, 20, [](const Vec2& c) { return Hole{{cross_outline(c, 8, 2), 20}, {cross_outline(c, 8, 2), 18}}; });
+  return plate({60, 60}, count, 1, 20, [](const Vec2& c) {
+    return Hole{{cross_outline(c, 8, 2), 20}, {cross_outline(c, 8, 2), 18}};
+  });
 }
 
 // A cylinder with a rounded edge.

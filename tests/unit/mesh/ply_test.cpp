@@ -138,7 +138,9 @@ TEST(Ply, TextErrorsNameTheLine) {
 
 TEST(Ply, AShortRowIsSaidWhereItStands) {
   const std::string head = "ply\nformat ascii 1.0\n" + vertex_header + "property list uchar int marks\n" + face_header;
-  const auto error = [&](const std::string& rows) { return words_of_error([&] { soup_of(head + "end_header\n" + rows); }); };
+  const auto error = [&](const std::string& rows) {
+    return words_of_error([&] { soup_of(head + "end_header\n" + rows); });
+  };
   const auto short_row = [](int line, const std::string& property) {
     const std::string place = "m.ply:" + std::to_string(line);
     return place + " | " + place + ": the row ends too early: a number of '" + property + "' is missing | ";

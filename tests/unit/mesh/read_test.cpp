@@ -7,8 +7,8 @@
 namespace epura::read_test {
 namespace {
 
-using test::words_of_error;
 using test::Folder;
+using test::words_of_error;
 
 const std::string triangle_obj = "v 0 0 0\nv 1.5 0 0\nv 0 1 0\nf 1 2 3\n";
 const std::string triangle_off = "OFF\n3 1 0\n0 0 0\n1.5 0 0\n0 1 0\n3 0 1 2\n";

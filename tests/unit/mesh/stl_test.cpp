@@ -10,9 +10,9 @@ namespace epura::stl_test {
 namespace {
 
 using test::binary_stl;
-using test::words_of_error;
 using test::expect_valid;
 using test::Triangle;
+using test::words_of_error;
 
 std::vector<Triangle> cube() {
   std::vector<Triangle> triangles;
