@@ -134,11 +134,9 @@ class DeclaredFaces {
     const Reach reach = reach_of(face.surface, points, face.residual);
     face.from = reach.from;
     face.to = reach.to;
-    // Vertices inside a face make the gap between those of its borders look large.
-    const auto passes_gap = [&](int t) { return passes_over(face.surface, triangle(t).corners, reach.middle); };
-    const bool goes_around =
-        reach.sweep > 360 - widest_chord && std::any_of(triangles.begin(), triangles.end(), passes_gap);
-    face.sweep = goes_around ? 360 : reach.sweep;
+    face.sweep = sweep_around(face.surface, reach, [&](const auto& is_over) {
+      return std::any_of(triangles.begin(), triangles.end(), [&](int t) { return is_over(triangle(t).corners); });
+    });
   }
 
   // Returns the edges of the mesh along each declared edge, as far as they are borders.

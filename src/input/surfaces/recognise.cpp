@@ -98,18 +98,13 @@ class Result {
     const Reach reach = reach_of(region.surface, points, allowance_of(facets_, region.sagitta));
     face.from = reach.from / facets_.scale;
     face.to = reach.to / facets_.scale;
-    face.sweep = goes_around(region, reach) ? 360 : reach.sweep;
-  }
-
-  // Whether triangles pass over the gap between the vertices of a round face. Where these lie at random, as those of
-  // meshes for computations, the largest gap is many times the usual one.
-  [[nodiscard]] bool goes_around(const Region& region, const Reach& reach) const {
-    if (reach.sweep <= 360 - widest_chord) return false;
-    return std::any_of(region.facets.begin(), region.facets.end(), [&](int f) {
-      const auto triangles = facets_.triangles_of(f);
-      return std::any_of(triangles.begin(), triangles.end(), [&](int t) {
-        const auto& [a, b, c] = facets_.corners[t];
-        return passes_over(region.surface, {facets_.points[a], facets_.points[b], facets_.points[c]}, reach.middle);
+    face.sweep = sweep_around(region.surface, reach, [&](const auto& is_over) {
+      return std::any_of(region.facets.begin(), region.facets.end(), [&](int f) {
+        const auto triangles = facets_.triangles_of(f);
+        return std::any_of(triangles.begin(), triangles.end(), [&](int t) {
+          const auto& [a, b, c] = facets_.corners[t];
+          return is_over({facets_.points[a], facets_.points[b], facets_.points[c]});
+        });
       });
     });
   }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "surfaces/facets.hpp"
+#include "surfaces/limits.hpp"
 #include "surfaces/part_surface.hpp"
 
 namespace epura::surfaces {
@@ -66,10 +67,19 @@ struct Reach {
   double middle = 0;  ///< of the gap, radians
 };
 
+Reach reach_of(const PartSurface& surface, std::span<const Vec3> points, double allowance);
+
 /// Whether a triangle of a surface passes over an angle around its axis.
 bool passes_over(const PartSurface& surface, const std::array<Vec3, 3>& triangle, double angle);
 
-Reach reach_of(const PartSurface& surface, std::span<const Vec3> points, double allowance);
+/// The sweep of a face, degrees: 360 if triangles pass over the gap between its vertices. Where these lie at random, as
+/// those of meshes for computations, or inside the face, the largest gap is many times the usual one.
+/// `any_triangle(is_over)` returns whether is_over(corners) holds for a triangle of the face.
+template <class AnyTriangle>
+double sweep_around(const PartSurface& surface, const Reach& reach, const AnyTriangle& any_triangle) {
+  const auto is_over = [&](const std::array<Vec3, 3>& corners) { return passes_over(surface, corners, reach.middle); };
+  return reach.sweep > 360 - widest_chord && any_triangle(is_over) ? 360 : reach.sweep;
+}
 
 class RegionGrower {
  public:
