@@ -19,7 +19,7 @@ namespace {
 bool is_filled_by(const HoleFeature& hole, const CylinderFeature& shaft) {
   const double radius = hole.diameter / 2;
   if (shaft.inwards || !world::may_be_in(shaft.radius, radius) || !are_parallel(hole.axis, shaft.axis)) return false;
-  if (glm::length(glm::cross(shaft.from - hole.mouth, hole.axis)) > off_axis * radius) return false;
+  if (distance_from_line(shaft.from, hole.mouth, hole.axis) > off_axis * radius) return false;
   const auto [low, high] =
       std::minmax({glm::dot(shaft.from - hole.mouth, hole.axis), glm::dot(shaft.to - hole.mouth, hole.axis)});
   return high > -hole.depth.value_or(looks_into * hole.diameter) && low < 0;

@@ -181,7 +181,7 @@ std::vector<CentredRound> with_hexagon(const RoundPart& of, const HexagonFeature
   const double slack = slack_of(of.part.tolerance, hexagon.across_flats);
   const auto is_about = [&](const CentredRound& feature) {
     return glm::length(glm::cross(feature.axis, hexagon.axis)) <= nearly_parallel &&
-           glm::length(glm::cross(feature.rings.front().centre - hexagon.centre, hexagon.axis)) <= slack;
+           distance_from_line(feature.rings.front().centre, hexagon.centre, hexagon.axis) <= slack;
   };
   auto feature = std::find_if(features.begin(), features.end(), is_about);
   if (feature == features.end()) {

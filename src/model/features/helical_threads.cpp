@@ -338,7 +338,7 @@ Finds find_in(const Threaded& in, std::size_t face, Finds finds) {
 
 bool have_one_axis(const surfaces::PartSurface& surface, const surfaces::PartSurface& other) {
   return are_parallel(other.axis, surface.axis) &&
-         glm::length(glm::cross(surface.origin - other.origin, other.axis)) <= on_axis * surface.radius;
+         distance_from_line(surface.origin, other.origin, other.axis) <= on_axis * surface.radius;
 }
 
 }  // namespace

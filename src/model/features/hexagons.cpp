@@ -94,7 +94,7 @@ class FlatsAround {
 bool are_same_hexagon(const HexagonFeature& a, const HexagonFeature& b) {
   const double slack = 2 * same_size * a.across_flats;
   return std::abs(a.across_flats - b.across_flats) <= slack && a.inwards == b.inwards &&
-         glm::length(glm::cross(a.centre - b.centre, a.axis)) <= slack && glm::distance(a.axis, b.axis) <= parallel;
+         distance_from_line(a.centre, b.centre, a.axis) <= slack && glm::distance(a.axis, b.axis) <= parallel;
 }
 
 }  // namespace

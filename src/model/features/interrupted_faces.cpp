@@ -44,7 +44,7 @@ bool are_one_turn(const RoundFace& a, const RoundFace& b) {
   return s.kind == t.kind && a.face.inwards == b.face.inwards &&
          std::abs(s.radius - t.radius) <= same_size * s.radius && std::abs(s.minor - t.minor) <= same_size * s.minor &&
          std::abs(s.slope - t.slope) <= same_size && are_parallel(s.axis, t.axis) &&
-         glm::length(glm::cross(t.origin - s.origin, s.axis)) <= same_size * s.radius &&
+         distance_from_line(t.origin, s.origin, s.axis) <= same_size * s.radius &&
          (s.kind == SurfaceKind::cylinder || glm::length(t.origin - s.origin) <= same_size * s.radius);
 }
 

@@ -36,7 +36,7 @@ struct Cylinder {
   }
   /// Whether its axis leads through a point.
   [[nodiscard]] bool is_around(const Vec3& point) const {
-    return glm::length(glm::cross(point - surface().origin, surface().axis)) <= near_cylinder * surface().radius;
+    return distance_from_line(point, surface().origin, surface().axis) <= near_cylinder * surface().radius;
   }
   [[nodiscard]] std::string name() const {
     const Vec3 middle = surface().origin + (part_face->from + part_face->to) / 2 * surface().axis;
@@ -192,7 +192,7 @@ std::optional<Continuation> continuation_of(const world::PlacedPart& part, int c
     if (cone.surface.kind != SurfaceKind::cone || cone.inwards != face.inwards || cone.sweep < surfaces::whole_turn)
       continue;
     if (!are_parallel(cone.surface.axis, surface.axis)) continue;
-    if (glm::length(glm::cross(cone.surface.origin - end, surface.axis)) > slack) continue;
+    if (distance_from_line(cone.surface.origin, end, surface.axis) > slack) continue;
     const double way = glm::dot(cone.surface.axis, out) > 0 ? 1 : -1;
     const double near = way > 0 ? cone.from : cone.to, height = cone.to - cone.from;
     const double begin = glm::dot(cone.surface.origin + near * cone.surface.axis - end, out);

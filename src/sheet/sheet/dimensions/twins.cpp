@@ -60,7 +60,7 @@ std::vector<std::optional<Measure>> measures_of(const std::vector<DimensionDescr
 bool are_one_circle(const WorldCircle& a, const WorldCircle& b) {
   const double slack = 10 * same_size * a.radius;
   return std::abs(a.radius - b.radius) <= slack && are_parallel(a.axis, b.axis) &&
-         glm::length(glm::cross(b.centre - a.centre, a.axis)) <= slack;
+         features::distance_from_line(b.centre, a.centre, a.axis) <= slack;
 }
 
 // Whether two circles are those of holes that one note describes.
