@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/angle.hpp"
+#include "base/joined.hpp"
 #include "base/portable_math.hpp"
 #include "base/range.hpp"
 #include "features/bevels.hpp"
@@ -87,12 +88,6 @@ Threadable with_thread(const world::PlacedPart& part, const scene::ThreadedFace&
       cylinder.thread = thread;
   }
   return found;
-}
-
-template <class T>
-std::vector<T> joined(std::vector<T> all, std::vector<T> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(all));
-  return all;
 }
 
 // With what the round faces of a part and its holes are.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/joined.hpp"
 #include "base/text.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
@@ -52,11 +53,6 @@ struct Dimensioned {
   std::vector<bool> given;  ///< of each size in the table
 };
 
-Sentences together(Sentences some, const Sentences& more) {
-  some.insert(some.end(), more.begin(), more.end());
-  return some;
-}
-
 /// Places along each axis that dimensions join to the ends of the models.
 struct JoinedPlaces {
   std::array<std::vector<double>, 3> at{};
@@ -71,30 +67,26 @@ struct JoinedPlaces {
 
 std::vector<PlaceJoin> all_joins(const Dimensioned& sheet) {
   std::vector<PlaceJoin> joins;
-  const auto add = [&joins](std::vector<PlaceJoin> more) {
-    std::move(more.begin(), more.end(), std::back_inserter(joins));
-  };
   for (const DimensionsInView& view : sheet.views)
     for (const AnchoredDimension& dimension : view.dimensions)
-      add(joins_of(dimension, view, sheet.subject, sheet.table, sheet.notation));
-  add(joins_of_round_ends(sheet.on_sheet.radii, sheet.subject, sheet.table));
-  return joins;
+      joins = joined(std::move(joins), joins_of(dimension, view, sheet.subject, sheet.table, sheet.notation));
+  return joined(std::move(joins), joins_of_round_ends(sheet.on_sheet.radii, sheet.subject, sheet.table));
 }
 
 JoinedPlaces join_places(const Dimensioned& sheet) {
   const DimensionSubject& subject = sheet.subject;
-  JoinedPlaces joined{.slack = place_agrees * glm::length(subject.world.box.size())};
+  JoinedPlaces found{.slack = place_agrees * glm::length(subject.world.box.size())};
   const std::vector<FeaturePlace> places = places_of_features(subject, sheet.table, sheet.notation);
   std::vector<PlaceChain> chains;
   for (int axis = 0; axis < 3; ++axis)
-    chains.emplace_back(axis, subject.extents[std::size_t(axis)], places, joined.slack);
+    chains.emplace_back(axis, subject.extents[std::size_t(axis)], places, found.slack);
   for (const PlaceJoin& join : all_joins(sheet))
-    if (!chains[std::size_t(join.axis)].join(join) && !join.name.empty()) joined.repeated.push_back(join.name);
+    if (!chains[std::size_t(join.axis)].join(join) && !join.name.empty()) found.repeated.push_back(join.name);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    joined.at[axis] = chains[axis].joined();
-    joined.open = together(std::move(joined.open), chains[axis].open(sheet.notation));
+    found.at[axis] = chains[axis].joined();
+    found.open = joined(std::move(found.open), chains[axis].open(sheet.notation));
   }
-  return joined;
+  return found;
 }
 
 // Towards the side of the models on which it is: from there, nothing larger hides it.
@@ -161,7 +153,6 @@ Missing missing_doubly_curved(const world::PlacedPart& part, const Dimensioned& 
     const auto same = [&](const surfaces::PartSurface& other) { return surfaces::are_one(other, surface); };
     if (has_doubly_curved(face, sheet) || std::any_of(seen.begin(), seen.end(), same)) continue;
     seen.push_back(surface);
-    check(surface.radius > 0, "a sphere or torus has a radius");
     if (sphere)
       missing.add("sphere SR" + length(surface.radius), {});
     else
@@ -183,8 +174,8 @@ Missing missing_in_models(const Dimensioned& sheet) {
       continue;
     }
     const Missing of_model = missing_doubly_curved(*part, sheet);
-    missing.sentences = together(std::move(missing.sentences), of_model.sentences);
-    missing.views = together(std::move(missing.views), of_model.views);
+    missing.sentences = joined(std::move(missing.sentences), of_model.sentences);
+    missing.views = joined(std::move(missing.views), of_model.views);
   }
   return missing;
 }
@@ -192,10 +183,7 @@ Missing missing_in_models(const Dimensioned& sheet) {
 // Of a slope or a prism.
 template <class Feature>
 bool has_angle_in(std::span<const DimensionsInView> views, const Feature& feature) {
-  return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
-    return std::any_of(view.dimensions.begin(), view.dimensions.end(),
-                       [&](const AnchoredDimension& one) { return is_angle_of(one, feature); });
-  });
+  return any_dimension(views, [&](const AnchoredDimension& one) { return is_angle_of(one, feature); });
 }
 
 // Of each slope: by its angle, or by the places of its ends.
@@ -330,14 +318,14 @@ Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionS
   sheet.given = given_sizes(sheet.on_sheet, subject, sheet.table, notation);
   const JoinedPlaces places = join_places(sheet);
   const Missing sizes = missing_sizes(sheet), of_models = missing_in_models(sheet);
-  const TurnedCoverage turned = cover_turned(views, subject, sheet.table, notation);
+  const TurnedCoverage turned = cover_turned(views, subject, sheet.table, sheet.on_sheet, notation);
   FaceCoverage faces = cover_all_faces(sheet, places);
   Sentences missing = places.open;
   for (const Sentences& more :
        {sizes.sentences, of_models.sentences, turned.missing, missing_angles(sheet), faces.unaccounted})
-    missing = together(std::move(missing), more);
-  Coverage coverage{std::move(faces.counts), merged(missing), merged(together(places.repeated, repeated_sizes(sheet))),
-                    distinct(together(sizes.views, of_models.views))};
+    missing = joined(std::move(missing), more);
+  Coverage coverage{std::move(faces.counts), merged(missing), merged(joined(places.repeated, repeated_sizes(sheet))),
+                    distinct(joined(sizes.views, of_models.views))};
   if (!subject.features.holes.empty()) coverage.counts.push_back(count_holes(sheet, places, turned.holes));
   return coverage;
 }

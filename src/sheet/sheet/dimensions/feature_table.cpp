@@ -61,7 +61,7 @@ bool are_equal_sizes(const FeatureSize& a, const FeatureSize& b, const PartFeatu
 
 std::string name_of_hole(const features::HoleFeature& hole, const Notation& notation) {
   const auto length = [&](double value) { return length_text(value, notation); };
-  std::string name = "hole " + (hole.thread ? hole.thread->text : "⌀" + length(hole.diameter));
+  std::string name = "hole " + size_in_words(hole.thread, hole.diameter, notation);
   if (hole.depth) name += " ↧" + length(*hole.depth);
   if (hole.counterbore) name += " ⌴⌀" + length(hole.counterbore->diameter);
   if (hole.countersink) name += " ⌵⌀" + length(hole.countersink->diameter);
@@ -160,9 +160,8 @@ bool FeatureSize::is_at(const WorldCircle& circle) const {
 }
 
 std::size_t FeatureTable::first(SizeKind kind) const {
-  return static_cast<std::size_t>(
-      std::find_if(sizes.begin(), sizes.end(), [&](const FeatureSize& one) { return one.kind >= kind; }) -
-      sizes.begin());
+  const auto is_before = [kind](const FeatureSize& one) { return one.kind < kind; };
+  return static_cast<std::size_t>(std::partition_point(sizes.begin(), sizes.end(), is_before) - sizes.begin());
 }
 
 const FeatureSize& FeatureTable::size_of(SizeKind kind, std::size_t feature) const {
@@ -179,8 +178,7 @@ bool FeatureTable::is_radial(const features::HoleFeature& hole) const {
 }
 
 std::string name_of(const features::CylinderFeature& cylinder, const Notation& notation) {
-  const std::string size = cylinder.thread ? cylinder.thread->text : "⌀" + length_text(2 * cylinder.radius, notation);
-  return (cylinder.inwards ? "bore " : "cylinder ") + size;
+  return (cylinder.inwards ? "bore " : "cylinder ") + size_in_words(cylinder.thread, 2 * cylinder.radius, notation);
 }
 
 FeatureTable feature_table(const DimensionSubject& subject, const Notation& notation) {

@@ -21,9 +21,7 @@ using features::are_parallel;
 using features::HexagonFeature;
 using features::parallel;
 
-constexpr double same_width = 2e-4;  // relative
-
-bool are_same(double a, double b, double size) { return std::abs(a - b) <= same_width * size; }
+bool are_same(double a, double b, double size) { return std::abs(a - b) <= size_agrees * size; }
 
 /// A view, the normal of the flats between which it measures, and the direction in which the extension lines leave
 /// their ends.

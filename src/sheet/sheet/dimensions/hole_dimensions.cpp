@@ -127,7 +127,7 @@ TableGroup rows_of(const Planning& plan, HoleGroup group, const NamedProjection&
     check(hole.called() > 0, "a hole has a diameter");
     const auto [x, y] = place(&hole);
     const std::string label = letters + std::to_string(i + 1);
-    const std::string size = hole.thread ? hole.thread->text : "⌀" + plan.length(hole.diameter);
+    const std::string size = size_in_words(hole.thread, hole.diameter, plan.notation);
     found.rows.push_back({label, plan.length(x), plan.length(y), size + recesses_of(hole, plan.notation)});
     found.labels.dimensions.push_back(
         plan.dimension(DimensionType::diameter, view, label, {hole.mouth, hole.axis, hole.called() / 2, {}}));
@@ -171,7 +171,6 @@ Planned hole_dimensions(const Planning& plan) {
   Planned planned;
   std::size_t labelled = 0;
   for (const HoleGroup& group : groups_of_holes(plan)) {
-    check(!group.empty(), "equal holes are one or more");
     const NamedProjection* along = plan.views.along(group.front()->axis, !group.front()->through);
     const NamedProjection* view = along != nullptr ? along : view_beside<HoleFeature>(plan.views, group, mouth_of);
     if (view == nullptr) continue;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/joined.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/cone_angles.hpp"
 #include "sheet/dimensions/coordinates.hpp"
@@ -21,11 +22,6 @@ namespace {
 using features::are_parallel;
 using features::parallel;
 using Joins = std::vector<PlaceJoin>;
-
-Joins together(Joins some, const Joins& more) {
-  some.insert(some.end(), more.begin(), more.end());
-  return some;
-}
 
 double middle_of(const features::Extent& extent) { return (extent.from + extent.to) / 2; }
 
@@ -69,7 +65,7 @@ Joins joins_of_row(const Reading& of, int axis) {
   if (is_chain) std::sort(places.begin(), places.end());
   Joins joins;
   for (std::size_t i = 1; i < places.size(); ++i)
-    joins = together(std::move(joins), joins_between(of, axis, places[is_chain ? i - 1 : 0], places[i]));
+    joins = joined(std::move(joins), joins_between(of, axis, places[is_chain ? i - 1 : 0], places[i]));
   return joins;
 }
 
@@ -82,7 +78,7 @@ Joins joins_of_hexagons(const Reading& of) {
       if (std::abs(hexagon.axis[axis]) > parallel) continue;
       const double reach = hexagon.reach(Mat3(1)[axis]);
       check(reach > 0, "a hexagon reaches to either side of its axis");
-      joins = together(std::move(joins), sides_of(axis, hexagon.centre[axis], reach));
+      joins = joined(std::move(joins), sides_of(axis, hexagon.centre[axis], reach));
     }
   }
   return joins;
@@ -95,7 +91,7 @@ Joins joins_of_prisms(const Reading& of) {
     if (!is_width_of(of.dimension, prism, 0) && !is_width_of(of.dimension, prism, 1)) continue;
     for (int axis = 0; axis < 3; ++axis)
       if (std::abs(prism.axis[axis]) <= parallel)
-        joins = together(std::move(joins), sides_of(axis, prism.centre[axis], prism.reach(Mat3(1)[axis])));
+        joins = joined(std::move(joins), sides_of(axis, prism.centre[axis], prism.reach(Mat3(1)[axis])));
   }
   return joins;
 }
@@ -127,16 +123,16 @@ Joins joins_of_chamfers(const Reading& of) {
 Joins joins_of_length(const Reading& of) {
   const std::optional<Vec3> along = measured_along(of.dimension, of.view);
   if (!along) return {};
-  Joins joins = together(joins_of_hexagons(of), joins_of_prisms(of));
+  Joins joins = joined(joins_of_hexagons(of), joins_of_prisms(of));
   const int axis = world_axis(*along);
   if (axis < 0) return joins;
   const std::vector<Vec3>& points = of.dimension.points;
   joins =
-      together(std::move(joins), of.dimension.arrangement ? joins_of_row(of, axis)
-                                                          : joins_between(of, axis, points[0][axis], points[1][axis]));
+      joined(std::move(joins), of.dimension.arrangement ? joins_of_row(of, axis)
+                                                        : joins_between(of, axis, points[0][axis], points[1][axis]));
   if (of.dimension.type == DimensionType::aligned && of.is_of_many())
-    joins = together(std::move(joins), joins_of_slots(of, axis));
-  if (of.dimension.text.find("×45°") != std::string::npos) joins = together(std::move(joins), joins_of_chamfers(of));
+    joins = joined(std::move(joins), joins_of_slots(of, axis));
+  if (of.dimension.text.find("×45°") != std::string::npos) joins = joined(std::move(joins), joins_of_chamfers(of));
   return joins;
 }
 
@@ -163,7 +159,7 @@ Joins joins_of_overall(const Reading& of) {
   }
   for (int other = 0; other < 3 && extent.form == features::ExtentForm::diameter; ++other)
     if (std::abs(extent.axis[other]) <= parallel)
-      joins = together(std::move(joins), joins_beside_flats(of, other, extent));
+      joins = joined(std::move(joins), joins_beside_flats(of, other, extent));
   return joins;
 }
 
@@ -190,10 +186,10 @@ Joins joins_of_circles(const Reading& of) {
   for (const WorldCircle& circle : of.dimension.circles)
     for (int axis = 0; axis < 3; ++axis) {
       if (std::abs(circle.axis[axis]) > parallel) continue;
-      joins = together(std::move(joins), sides_of(axis, circle.centre[axis], circle.radius));
+      joins = joined(std::move(joins), sides_of(axis, circle.centre[axis], circle.radius));
       for (const FeatureSize& size : of.table.sizes)
         if (of.is_of_many() && size.is_equal(circle))
-          joins = together(std::move(joins), sides_of(axis, size.centre[axis], circle.radius));
+          joins = joined(std::move(joins), sides_of(axis, size.centre[axis], circle.radius));
       for (const features::HoleFeature& hole : of.subject.features.holes)
         if (lies_on(hole.mouth, circle) && are_parallel(hole.axis, circle.axis))
           joins.push_back({axis, circle.centre[axis], hole.mouth[axis]});

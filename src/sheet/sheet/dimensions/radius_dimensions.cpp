@@ -32,8 +32,8 @@ using features::RoundFeature;
 using scene::DimensionDescription;
 
 // The view along most of some arcs, and these.
-std::pair<const NamedProjection*, std::vector<const ArcFeature*>> max_seen(const ViewChoice& views,
-                                                                           const std::vector<const ArcFeature*>& arcs) {
+std::pair<const NamedProjection*, std::vector<const ArcFeature*>> view_of_most(
+    const ViewChoice& views, const std::vector<const ArcFeature*>& arcs) {
   std::pair<const NamedProjection*, std::vector<const ArcFeature*>> best{};
   for (const NamedProjection* view : views.all()) {
     std::vector<const ArcFeature*> seen;
@@ -74,14 +74,14 @@ scene::FeatureCircle outline_of(const BallFeature& ball, const projection::Proje
 
 Planned arc_positions(const Planning& plan) {
   Planned planned;
-  for (const RoundEnd& end : plan.table.round_ends)
-    planned.append(positions_of(plan, std::array{end.centre}, end.axis, plan.views.along(end.axis),
-                                static_cast<int>(plan.table.first(SizeKind::arc)) + end.arc));
-  for (const int number : plan.table.channels) {
-    const ArcFeature& channel = plan.subject.features.arcs[static_cast<std::size_t>(number)];
-    planned.append(positions_of(plan, std::array{channel.centre}, channel.axis, plan.views.along(channel.axis),
-                                static_cast<int>(plan.table.first(SizeKind::arc)) + number));
-  }
+  const std::vector<ArcFeature>& arcs = plan.subject.features.arcs;
+  const auto add = [&](int number) {
+    const ArcFeature& arc = arcs[static_cast<std::size_t>(number)];
+    planned.append(positions_of(plan, std::array{arc.centre}, arc.axis, plan.views.along(arc.axis),
+                                plan.group_of(SizeKind::arc, arcs, &arc)));
+  };
+  for (const RoundEnd& end : plan.table.round_ends) add(end.arc);
+  for (const int channel : plan.table.channels) add(channel);
   return planned;
 }
 
@@ -115,7 +115,7 @@ Planned arc_dimensions(const Planning& plan) {
   std::map<std::string, std::size_t> in_view;
   Planned planned;
   for (const auto& group : groups) {
-    const auto [view, seen] = max_seen(plan.views, group);
+    const auto [view, seen] = view_of_most(plan.views, group);
     if (view == nullptr || double(group.size()) * group.front()->radius < min_radius * largest ||
         in_view[view->name]++ >= max_radii)
       continue;

@@ -67,6 +67,11 @@ const NamedProjection* view_for(const scene::ThreadDescription& description, con
 
 std::string name_in_note(const std::optional<features::ThreadFeature>& thread) { return thread ? thread->text : "<>"; }
 
+std::string size_in_words(const std::optional<features::ThreadFeature>& thread, double diameter,
+                          const Notation& notation) {
+  return thread ? thread->text : "⌀" + length_text(diameter, notation);
+}
+
 std::vector<scene::DimensionDescription> thread_dimensions(std::span<const scene::ThreadDescription> threads,
                                                            std::span<const NamedProjection> views,
                                                            const features::PartFeatures& features,

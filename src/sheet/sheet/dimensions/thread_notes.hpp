@@ -15,6 +15,9 @@ namespace epura::sheet {
 
 /// What a hole is called in a note: "<>", which stands for its diameter, or the thread in it.
 std::string name_in_note(const std::optional<features::ThreadFeature>& thread);
+/// What it is called in a table or sentence: "⌀8", or the thread.
+std::string size_in_words(const std::optional<features::ThreadFeature>& thread, double diameter,
+                          const Notation& notation);
 
 /// Dimensions of the threads that have one of their own: of holes in a view along the axis, of shafts in one across it.
 /// Throws Error{input} for a given view that does not show the thread so.

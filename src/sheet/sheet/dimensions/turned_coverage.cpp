@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -20,21 +19,6 @@ namespace {
 
 using features::are_parallel;
 using features::same_size;
-
-bool any_dimension(std::span<const DimensionsInView> views,
-                   const std::function<bool(const AnchoredDimension&)>& is_wanted) {
-  return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
-    return std::any_of(view.dimensions.begin(), view.dimensions.end(), is_wanted);
-  });
-}
-
-// Whether holes in a table have coordinates instead of angles.
-bool has_label(std::span<const DimensionsInView> views, const features::HoleFeature& hole) {
-  return any_dimension(views, [&](const AnchoredDimension& dimension) {
-    return dimension.is_label &&
-           glm::distance(dimension.circles.front().centre, hole.mouth) <= same_size * hole.called();
-  });
-}
 
 // Whether a length along a slope begins or ends at a place.
 bool measures(const AnchoredDimension& dimension, const Vec3& along, const Vec3& place, double slack) {
@@ -53,25 +37,22 @@ bool measures(const AnchoredDimension& dimension, const Vec3& along, const Vec3&
 class TurnedFinder {
  public:
   TurnedFinder(std::span<const DimensionsInView> views, const DimensionSubject& subject, const FeatureTable& table,
-               const Notation& notation)
+               const SizesOnSheet& on_sheet, const Notation& notation)
       : views_(views),
         features_(subject.features),
         table_(table),
+        on_sheet_(on_sheet),
         notation_(notation),
         slack_(same_size * glm::length(subject.world.box.size())) {}
 
   TurnedCoverage find() {
     found_.holes.assign(features_.holes.size(), true);
-    std::vector<char> is_radial(features_.holes.size(), 0);
-    for (const RadialPattern& pattern : table_.radial) {
-      for (const features::HoleFeature* hole : pattern.holes) is_radial[number_of(hole)] = 1;
-      add_angles(directions_of(pattern));
-    }
+    for (const RadialPattern& pattern : table_.radial) add_angles(directions_of(pattern));
     for (std::size_t i = 0; i < features_.pitch_circles.size(); ++i)
       add_angles(directions_of(features_, static_cast<int>(i)));
     for (std::size_t i = 0; i < features_.holes.size(); ++i)
       if (const features::HoleFeature& hole = features_.holes[i];
-          is_radial[i] == 0 && !has_place(hole.mouth, hole.axis)) {
+          !table_.is_radial(hole) && !has_place(hole.mouth, hole.axis)) {
         found_.holes[i] = false;
         found_.missing.push_back(name_of(hole) + ": position along its slope");
       }
@@ -98,7 +79,7 @@ class TurnedFinder {
     bool any = false;
     for (std::size_t i = 0; around.are_even() && i < around.directions.size(); ++i) any = any || is_given(i);
     for (const std::size_t i : around.needed())
-      if (!any && !is_given(i) && !has_label(views_, *around.holes[i])) {
+      if (!any && !is_given(i) && !is_labelled(*around.holes[i], on_sheet_)) {
         found_.holes[number_of(around.holes[i])] = false;
         found_.missing.push_back(name_of(*around.holes[i]) + ": angle");
       }
@@ -115,6 +96,7 @@ class TurnedFinder {
   std::span<const DimensionsInView> views_;
   const features::PartFeatures& features_;
   const FeatureTable& table_;
+  const SizesOnSheet& on_sheet_;
   const Notation& notation_;
   double slack_;
   TurnedCoverage found_;
@@ -123,8 +105,8 @@ class TurnedFinder {
 }  // namespace
 
 TurnedCoverage cover_turned(std::span<const DimensionsInView> views, const DimensionSubject& subject,
-                            const FeatureTable& table, const Notation& notation) {
-  return TurnedFinder(views, subject, table, notation).find();
+                            const FeatureTable& table, const SizesOnSheet& on_sheet, const Notation& notation) {
+  return TurnedFinder(views, subject, table, on_sheet, notation).find();
 }
 
 }  // namespace epura::sheet

@@ -9,6 +9,7 @@
 
 #include "sheet/dimensions/coverage.hpp"
 #include "sheet/dimensions/feature_table.hpp"
+#include "sheet/dimensions/sizes_on_sheet.hpp"
 
 namespace epura::sheet {
 
@@ -19,6 +20,6 @@ struct TurnedCoverage {
 
 /// Angles of holes about an axis that their note does not give, and positions along the slopes on which features begin.
 TurnedCoverage cover_turned(std::span<const DimensionsInView> views, const DimensionSubject& subject,
-                            const FeatureTable& table, const Notation& notation);
+                            const FeatureTable& table, const SizesOnSheet& on_sheet, const Notation& notation);
 
 }  // namespace epura::sheet
