@@ -200,11 +200,10 @@ class ContourPieces {
 /// Visible lines near changes between visible and hidden, which may cross the contours there in front of them.
 class LinesInFront {
  public:
-  LinesInFront(const visibility::ResolvedView& lines, const view::PaperMap& paper, const std::vector<Piece>& pieces)
-      : lines_(lines), paper_(paper), pieces_(pieces) {}
-
-  /// Takes note of the lines that are near the ends of visible pieces.
-  void find_near(const std::vector<Step>& ends, const ContourPieces& contours) {
+  /// Those near the ends of visible pieces.
+  LinesInFront(const visibility::ResolvedView& lines, const view::PaperMap& paper, const std::vector<Piece>& pieces,
+               const ContourPieces& contours, const std::vector<Step>& ends)
+      : lines_(lines), paper_(paper), pieces_(pieces) {
     const search::BoundsTree<2> wanted(ends.size(), [&](std::size_t i) {
       const Vec2& end = end_of(pieces_[ends[i].piece], ends[i].ahead);
       return box_around(end, end, contours.reach(ends[i]));
@@ -469,8 +468,7 @@ std::vector<SettledEnds> move_t_junctions(const visibility::ResolvedView& lines,
   const ContourPieces contours(lines, paper, pieces);
   const std::vector<Step> ends = contours.hidden_ends();
   if (ends.empty()) return std::vector<SettledEnds>(pieces.size());
-  LinesInFront in_front(lines, paper, pieces);
-  in_front.find_near(ends, contours);
+  const LinesInFront in_front(lines, paper, pieces, contours, ends);
   const ChangeSearch search(contours, in_front);
   std::vector<std::optional<Change>> changes(ends.size());
   parallel_for(ends.size(), 64, [&](std::size_t begin, std::size_t end) {
