@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "library/describe_value.hpp"
-
 #include <limits>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "base/error.hpp"
+#include "library/describe_scene.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/toml_tree.hpp"
 

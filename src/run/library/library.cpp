@@ -12,7 +12,6 @@
 #include "compare/read_pictures.hpp"
 #include "drawing/drawing.hpp"
 #include "library/describe_scene.hpp"
-#include "library/describe_value.hpp"
 #include "library/guarded.hpp"
 #include "library/kept_plugins.hpp"
 #include "library/results.hpp"
