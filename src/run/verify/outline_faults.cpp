@@ -158,10 +158,10 @@ std::vector<Suspect> followed(const OutlineScan& on, std::vector<Suspect> suspec
 
 std::vector<char> are_faults(const OutlineScan& on, const std::vector<Suspect>& followed) {
   const auto is_long = [&](const Suspect& s) { return s.length >= on.least; };
-  const bool max_are_wrong = 2 * std::ranges::count_if(followed, is_long) > max_followed;
+  const bool most_are_wrong = 2 * std::ranges::count_if(followed, is_long) > max_followed;
   std::vector<char> faults;
   for (std::ptrdiff_t i = 0; i < std::ssize(followed); ++i)
-    faults.push_back(is_long(followed[i]) || (i >= max_followed && max_are_wrong) ? 1 : 0);
+    faults.push_back(is_long(followed[i]) || (i >= max_followed && most_are_wrong) ? 1 : 0);
   return faults;
 }
 
