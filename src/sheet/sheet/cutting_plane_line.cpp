@@ -187,13 +187,13 @@ void add_leg(Layer& layer, const Vec2& from, const Vec2& to, const LineWidths& w
 }
 
 /// What a cutting-plane line consists of, as boxes.
-struct Marks {
+struct PlaneMarks {
   std::vector<TurnedBox> arrows;  ///< and letters
   std::vector<TurnedBox> legs;    ///< of the line itself, with its wide ends
 };
 
-Marks marks_of(const Layer& line) {
-  Marks marks;
+PlaneMarks marks_of(const Layer& line) {
+  PlaneMarks marks;
   for (const Stroke& stroke : line.strokes)
     (stroke.dashes.dots > 0 ? marks.legs : marks.arrows).push_back(line_box(stroke.points[0], stroke.points[1]));
   for (const Fill& fill : line.fills) {
@@ -213,7 +213,7 @@ Marks marks_of(const Layer& line) {
 }
 
 // Lines may cross each other.
-bool do_meet(const Marks& a, const Marks& b) {
+bool do_meet(const PlaneMarks& a, const PlaneMarks& b) {
   const auto any = [](const std::vector<TurnedBox>& some, const std::vector<TurnedBox>& others) {
     return std::any_of(some.begin(), some.end(), [&](const TurnedBox& box) {
       return std::any_of(others.begin(), others.end(), [&](const TurnedBox& other) { return overlap(box, other); });
@@ -282,10 +282,10 @@ std::vector<std::optional<Layer>> cutting_plane_lines(const drawing::ViewDrawing
   // The arrows of the next row clear the letters of the one before.
   const double row = (letter_gap + 1 + letter_gap) * letter_widths * widths.narrow;
   std::vector<std::optional<Layer>> lines;
-  std::vector<Marks> taken;
+  std::vector<PlaneMarks> taken;
   for (const cut::CuttingSurface& surface : surfaces) {
     std::optional<Layer> line = cutting_plane_line(parent, surface, widths);
-    const auto is_met = [&line](const Marks& other) { return line && do_meet(marks_of(*line), other); };
+    const auto is_met = [&line](const PlaneMarks& other) { return line && do_meet(marks_of(*line), other); };
     for (int i = 1; i < max_rows && std::any_of(taken.begin(), taken.end(), is_met); ++i)
       line = cutting_plane_line(parent, surface, widths, i * row);
     if (line) taken.push_back(marks_of(*line));

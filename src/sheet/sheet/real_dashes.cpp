@@ -22,7 +22,7 @@ Vec2 point_at(const drawing::CurvePart& curve, double angle) {
 }
 
 /// A straight part of a stroke, or a curve, which knows its length up to each of its steps.
-struct Part {
+struct StrokePart {
   Vec2 from, to;
   std::optional<drawing::CurvePart> curve{};
   std::vector<double> lengths{};  ///< of a curve, at the ends of equal steps of its angle
@@ -37,8 +37,8 @@ constexpr double angle_step = std::numbers::pi / 180;
 
 int steps_of(double sweep) { return std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / angle_step))); }
 
-Part part_of(const drawing::CurvePart& curve) {
-  Part part{point_at(curve, curve.from), point_at(curve, curve.to), curve, {0}};
+StrokePart part_of(const drawing::CurvePart& curve) {
+  StrokePart part{point_at(curve, curve.from), point_at(curve, curve.to), curve, {0}};
   const int steps = steps_of(curve.to - curve.from);
   Vec2 last = part.from;
   for (int i = 1; i <= steps; ++i) {
@@ -49,7 +49,7 @@ Part part_of(const drawing::CurvePart& curve) {
   return part;
 }
 
-double Part::angle_at(double along) const {
+double StrokePart::angle_at(double along) const {
   const auto next = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, along);
   const double before = *std::prev(next), step = *next - before;
   const double steps =
@@ -58,7 +58,7 @@ double Part::angle_at(double along) const {
 }
 
 // Adds what lies between two distances from the beginning of this part.
-void Part::append_to(Stroke& dash, double begin, double end) const {
+void StrokePart::append_to(Stroke& dash, double begin, double end) const {
   const double whole = length();
   check(begin <= end && end <= whole, "a dash is within its part of the line");
   const auto at = [&](double along) { return whole > 0 ? from + along / whole * (to - from) : from; };
@@ -79,8 +79,8 @@ void Part::append_to(Stroke& dash, double begin, double end) const {
   dash.curves.push_back(piece);
 }
 
-std::vector<Part> parts_of(const Stroke& stroke) {
-  std::vector<Part> parts;
+std::vector<StrokePart> parts_of(const Stroke& stroke) {
+  std::vector<StrokePart> parts;
   Vec2 here = stroke.points.front();
   walk_stroke(
       stroke,
@@ -93,7 +93,7 @@ std::vector<Part> parts_of(const Stroke& stroke) {
         here = parts.back().to;
       });
   if (stroke.closed) parts.push_back({here, stroke.points.front()});
-  std::erase_if(parts, [](const Part& part) { return !(part.length() > 0); });
+  std::erase_if(parts, [](const StrokePart& part) { return !(part.length() > 0); });
   return parts;
 }
 
@@ -129,7 +129,7 @@ std::vector<Stroke> dashes_of(const Stroke& stroke) {
     if (now % 2 == 0 && dash.points.size() > 1) dashes.push_back(std::move(dash));
     dash = like;
   };
-  for (const Part& part : parts_of(stroke)) {
+  for (const StrokePart& part : parts_of(stroke)) {
     const double length = part.length();
     for (double at = 0; length - at > nothing;) {
       const double end = std::min(length, at + left);
