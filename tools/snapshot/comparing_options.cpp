@@ -56,7 +56,7 @@ scene::Options<SnapshotOptions> snapshot_options() {
       plugin_path_option<Snapshot>(&Snapshot::plugin_path),
       scene::option<Snapshot>(
           {.flag = "--threads", .help = "number of cases drawn at the same time, 0 for one per core", .usual = "0"},
-          &Snapshot::threads, scene::whole_number(0, 1024)),
+          &Snapshot::threads, pipeline::thread_count()),
   };
 }
 

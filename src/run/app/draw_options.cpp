@@ -10,6 +10,7 @@
 #include "app/command_line_options.hpp"
 #include "base/text.hpp"
 #include "output/format.hpp"
+#include "pipeline/run_values.hpp"
 #include "scene/cutting_plane.hpp"
 #include "scene/details.hpp"
 #include "scene/part_options.hpp"
@@ -39,18 +40,6 @@ scene::ValueKind<scene::DetailRequest> detail_request() {
 scene::ValueKind<explain::EdgeQuestion> edge_question() {
   return {{"text", "EDGE"},
           [](const scene::TomlValue& value) { return explain::parse_edge_question(scene::read_text(value)); }};
-}
-
-scene::ValueKind<double> curve_tolerance() {
-  scene::ValueForm form{"number, mm", "MM"};
-  form.implied = "0.01";
-  return {form, [](const scene::TomlValue& value) {
-            const std::string text = scene::read_text(value);
-            const auto tolerance = parse_number(text);
-            if (!tolerance || !(*tolerance > 0 && *tolerance <= 1))
-              scene::refuse(value, "'" + text + "' is not a tolerance", "give more than 0 and at most 1 mm");
-            return *tolerance;
-          }};
 }
 
 scene::ValueKind<pipeline::Visibility> visibility_kind() {
@@ -150,7 +139,7 @@ scene::Options<Draw> view_and_line_options() {
       scene::option<Draw>(
           {.flag = "--arcs",
            .help = "recognise circles, ellipses and their arcs whose corners lie within this tolerance"},
-          run(&pipeline::RunOptions::arcs), curve_tolerance()),
+          run(&pipeline::RunOptions::arcs), pipeline::arc_tolerance()),
       scene::option<Draw>(
           {.flag = "--centre-lines", .help = "add centre lines of bores, shafts, slots and pitch circles"},
           run(&pipeline::RunOptions::centre_lines), scene::truth()),
@@ -174,14 +163,14 @@ scene::Options<Draw> view_and_line_options() {
           {.flag = "--max-error",
            .help = "largest distance on paper between lines and those of the part: chooses facets, merging, arcs and "
                    "decimals, prints the error of each view, and refuses views that are farther off"},
-          run(&pipeline::RunOptions::max_error), scene::number_between(1e-12, 1e6, "mm").shown_as("MM")),
+          run(&pipeline::RunOptions::max_error), pipeline::max_error()),
       scene::option<Draw>(
           {.flag = "--error-note", .help = "state above the title block how far lines may be from those of the part"},
           run(&pipeline::RunOptions::error_note), scene::truth()),
       scene::option<Draw>({.flag = "--contact",
                            .help = "distance below which faces touch and do not hide each other",
                            .usual = "automatic"},
-                          run(&pipeline::RunOptions::contact), scene::number_between(0, HUGE_VAL, "")),
+                          run(&pipeline::RunOptions::contact), pipeline::contact_distance()),
   };
 }
 
@@ -243,7 +232,7 @@ scene::Options<Draw> question_options() {
           run(&pipeline::RunOptions::verify), scene::truth()),
       scene::option<Draw>(
           {.flag = "--verify-samples", .help = "number of random test points for --verify", .usual = "2000"},
-          run(&pipeline::RunOptions::verify_samples), scene::whole_number(1, 10'000'000)),
+          run(&pipeline::RunOptions::verify_samples), pipeline::verify_samples()),
       scene::option<Draw>(
           {.flag = "--explain",
            .help = "show which stages ran and why, and how many digits each view keeps, as 'epura explain' does"},
@@ -271,7 +260,7 @@ scene::Options<Draw> run_options() {
       scene::option<Draw>(
           {.flag = "--time-limit",
            .help = "time limit in seconds; draws the longest edges first and marks an incomplete drawing PARTIAL"},
-          run(&pipeline::RunOptions::time_limit), scene::number_between(0, HUGE_VAL, "s").shown_as("S")),
+          run(&pipeline::RunOptions::time_limit), pipeline::time_limit()),
   };
 }
 

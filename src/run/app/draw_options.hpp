@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/options.hpp"
+#include "pipeline/run_values.hpp"
 #include "scene/option.hpp"
 
 namespace epura {
@@ -22,7 +23,7 @@ scene::Options<DrawOptions> lint_options();
 template <class Command, class Member>
 scene::Option<Command> threads_option(Member threads) {
   return scene::option<Command>({.flag = "--threads", .help = "number of threads, 0 for all cores", .usual = "0"},
-                                threads, scene::whole_number(0, 1024));
+                                threads, pipeline::thread_count());
 }
 
 template <class Command>

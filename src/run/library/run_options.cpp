@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "library/run_options.hpp"
 
-#include <cmath>
 #include <string>
 
-#include "base/error.hpp"
-#include "base/largest_number.hpp"
-#include "base/text.hpp"
 #include "library/own_projections.hpp"
+#include "pipeline/run_values.hpp"
 
 namespace epura {
 
 namespace {
 
-double checked(double number, const std::string& where, double min, double max = largest_number) {
-  if (!std::isfinite(number)) throw Error(ErrorKind::input, where, "is not a finite number");
-  if (number < min || number > max)
-    throw Error(ErrorKind::input, where,
-                "is " + format_number(number) + ", allowed is " + format_number(min) + " to " + format_number(max));
-  return number;
+// The value of a member, as if it stood in a scene file.
+template <class T, class Number>
+T checked(const scene::ValueKind<T>& kind, Number number, const std::string& member) {
+  return kind.read(scene::TomlValue{member, "settings." + member, {}, static_cast<double>(number)});
 }
 
 }  // namespace
@@ -29,16 +24,16 @@ pipeline::RunOptions run_options_of(const Settings& settings) {
   options.projections = entries_of(settings.projections);
   options.allow_outside = settings.allow_outside;
   if (settings.wireframe) options.visibility = pipeline::Visibility::none;
-  if (settings.contact) options.contact = checked(*settings.contact, "settings.contact", 0);
-  if (settings.arcs) options.arcs = checked(*settings.arcs, "settings.arcs", 1e-6, 1);
+  if (settings.contact) options.contact = checked(pipeline::contact_distance(), *settings.contact, "contact");
+  if (settings.arcs) options.arcs = checked(pipeline::arc_tolerance(), *settings.arcs, "arcs");
   options.centre_lines = settings.centre_lines;
   if (settings.verify) {
     options.verify = true;
-    options.verify_samples = static_cast<int>(checked(*settings.verify, "settings.verify", 1, 1e7));
+    options.verify_samples = checked(pipeline::verify_samples(), *settings.verify, "verify");
   }
-  if (settings.time_limit) options.time_limit = checked(*settings.time_limit, "settings.time_limit", 0);
-  options.threads = static_cast<int>(checked(settings.threads, "settings.threads", 0, 1024));
-  if (settings.max_error) options.max_error = checked(*settings.max_error, "settings.max_error", 1e-12, 1e6);
+  if (settings.time_limit) options.time_limit = checked(pipeline::time_limit(), *settings.time_limit, "time_limit");
+  options.threads = checked(pipeline::thread_count(), settings.threads, "threads");
+  if (settings.max_error) options.max_error = checked(pipeline::max_error(), *settings.max_error, "max_error");
   options.error_note = settings.error_note;
   options.keeps_drawings = options.judges = true;
   return options;
