@@ -48,6 +48,7 @@ compare::PictureFile picture_of(const DrawnView& view) {
   const std::array<double, 16>& m = view.world_to_page;
   const Vec2 origin = Vec2(m[3], m[7]) / m[15];
   compare::PictureFile file;
+  file.is_in_place = true;
   compare::Picture& picture = file.pages.emplace_back();
   picture.looks = {{.name = "visible", .width = 0.5}, {.name = "hidden", .visible = false, .width = 0.25}};
   picture.views = {view.name};
