@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "compare/ink_parts.hpp"
 
 namespace epura::compare {
 
@@ -53,7 +54,8 @@ double length_of_form(const Form& form) {
   return step * std::hypot(static_cast<double>(std::get<3>(form)), static_cast<double>(std::get<4>(form)));
 }
 
-// The shift of most of the ink; nothing if no more ink agrees on it than stays where it is.
+// The shift on which most of the ink agrees: of lines in pairs that look alike, so that lines beside each other, or
+// pieces of circles, may vote for a shift that brings nothing together.
 Vec2 common_shift(const Places& before, const Places& after) {
   constexpr std::size_t max_alike = 12;  // of which nothing tells which is which
   std::map<std::pair<long long, long long>, Votes> votes;
@@ -68,11 +70,31 @@ Vec2 common_shift(const Places& before, const Places& after) {
         vote.sum += (b - a) * length;
       }
   }
-  const auto here = votes.find({0, 0});
   const auto best = std::max_element(votes.begin(), votes.end(),
                                      [](const auto& a, const auto& b) { return a.second.length < b.second.length; });
-  if (best == votes.end() || (here != votes.end() && best->second.length <= here->second.length)) return Vec2(0);
-  return best->second.sum / best->second.length;
+  return best == votes.end() ? Vec2(0) : best->second.sum / best->second.length;
+}
+
+Picture one_view(const Picture& picture, const std::string& name) {
+  Picture view = picture;
+  std::erase_if(view.pieces,
+                [&](const PicturePiece& piece) { return picture.views[static_cast<std::size_t>(piece.view)] != name; });
+  return view;
+}
+
+// Whether more ink of a view lies on the other's once it is shifted, however its lines are cut.
+bool brings_together(const Picture& before, const Picture& after, const Vec2& shift, double tolerance) {
+  const CommonLooks table = common_looks(before, after);
+  std::vector<InkPart> parts = seen_parts(before, table, table.of_before, false);
+  const std::vector<InkPart> others = seen_parts(after, table, table.of_after, false);
+  const auto length_in_common = [&] {
+    double length = 0;
+    for (const InkPart& part : divide(parts, others, tolerance).met) length += length_of(part);
+    return length;
+  };
+  const double here = length_in_common();
+  for (InkPart& part : parts) part.from += shift, part.to += shift;
+  return length_in_common() > here;
 }
 
 bool is_same(double a, double b, double tolerance) { return std::abs(a - b) <= 2 * tolerance + 1e-3; }
@@ -216,7 +238,9 @@ std::vector<Difference> align_views(Picture& before, const Picture& after, doubl
     const auto others = new_places.find(view);
     if (view.empty() || view == "sheet" || others == new_places.end()) continue;
     const Vec2 shift = common_shift(places, others->second);
-    if (glm::length(shift) <= std::max(step, tolerance)) continue;
+    const double same = std::max(step, tolerance);
+    if (glm::length(shift) <= same || !brings_together(one_view(before, view), one_view(after, view), shift, same))
+      continue;
     shifts[view] = shift;
     Difference& moved = found.emplace_back();
     moved.change = Change::moved;

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <numbers>
 #include <span>
 #include <string>
 #include <tuple>
@@ -84,6 +86,17 @@ TEST(Compare, TellsWhereALineIsMissingAndWhichEdgeItWas) {
             "1 difference above 0.001 mm: 1 removed\n");
 }
 
+// A polygon with corners on a circle.
+sheet::Stroke regular(const Vec2& centre, double radius, int corners) {
+  sheet::Stroke polygon;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    polygon.points.push_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  polygon.closed = true;
+  return polygon;
+}
+
 void move_view(sheet::Sheet& sheet, const Vec2& by) {
   for (const std::size_t layer : {hidden, visible, dimension}) {
     for (sheet::Stroke& stroke : sheet.layers[layer].strokes) move(stroke, by);
@@ -106,6 +119,31 @@ TEST(Compare, TellsAMovedViewOnce) {
       contains(compare::to_json(moved, 0.001, "a", "b"), R"("of": "view", "before": null, "after": null, "by")"));
   edited.layers[hidden].strokes.pop_back();
   EXPECT_EQ(changes(compare::compare(as_svg(plate()), as_svg(edited), 0.001)), "moved removed");
+}
+
+// Lines that differ by less than the tolerance may be of other lengths when these are rounded, and circles are cut into
+// other chords: then the only lines that look the same may be those that stand elsewhere.
+TEST(Compare, LeavesAViewWhereMostOfItsInkIs) {
+  const auto rows = [](double length, int corners, double row) {
+    sheet::Sheet sheet = plate();
+    for (int i = 0; i < 4; ++i)
+      sheet.layers[visible].strokes.push_back(line({30, 100 + 5 * i}, {30 + length, 100 + 5 * i}));
+    sheet.layers[visible].strokes.push_back(line({30, row}, {42, row}));
+    sheet.layers[visible].strokes.push_back(regular({60, 130}, 8, corners));
+    return sheet;
+  };
+  sheet::Sheet before = rows(49.9948, 1000, 125), after = rows(49.9952, 1200, 127.5);
+  for (sheet::Sheet* sheet : {&before, &after}) {
+    sheet->layers[hidden].strokes.clear();
+    sheet->layers[dimension] = {"front/dimension", {"dimension", 0.25}, {}};
+    auto& strokes = sheet->layers[visible].strokes;
+    strokes.erase(strokes.begin(), strokes.begin() + 3);  // of the plate
+  }
+  const compare::Comparison comparison = compare::compare(as_svg(before), as_svg(after), 0.002);
+  ASSERT_EQ(changes(comparison), "moved") << compare::format_comparison(comparison, 0.002);
+  EXPECT_FALSE(comparison.differences[0].is_view);
+  EXPECT_NEAR(comparison.differences[0].length, 12, 1e-3);
+  EXPECT_NEAR(comparison.differences[0].distance, 2.5, 1e-3);
 }
 
 // What the space of the models says is not changed.
