@@ -76,6 +76,45 @@ typedef struct epura_node {
   double transform[12]; /* rows of the 3x4 matrix that maps points of the node to its parent */
 } epura_node;
 
+/* What a requirement is. */
+enum {
+  EPURA_DIMENSION = 0, /* a size, distance or angle */
+  EPURA_TOLERANCE = 1, /* a geometric tolerance */
+  EPURA_DATUM = 2      /* a datum, or a target of one */
+};
+
+/* What `lower` and `upper` of a requirement are. */
+enum {
+  EPURA_NO_BOUNDS = 0,
+  EPURA_DEVIATIONS = 1, /* from the value */
+  EPURA_LIMITS = 2      /* values themselves */
+};
+
+/* What the file requires of the part: product and manufacturing information with a meaning, not its picture. Texts are
+ * UTF-8, or NULL: the file does not say. Lengths are in millimetres, angles in degrees, whatever unit coordinates have;
+ * NaN: none. */
+typedef struct epura_requirement {
+  uint32_t size;         /* sizeof(epura_requirement) */
+  uint32_t kind;         /* one of the numbers above */
+  const char* id;        /* the same whenever the file is read, as "#120"; no other requirement has it */
+  const char* type;      /* words: "diameter", "linear distance", "position", "surface profile", "datum target" */
+  const char* name;      /* by which the file calls it */
+  double value;          /* of the dimension, or width or diameter of the tolerance zone */
+  double lower, upper;   /* see `bounds` */
+  uint32_t bounds;       /* EPURA_NO_BOUNDS, EPURA_DEVIATIONS or EPURA_LIMITS */
+  uint32_t is_angle;     /* not 0: the value is an angle */
+  double unit;           /* in which the file states the value: millimetres or degrees; 0: not known */
+  int32_t decimals;      /* that the value has in this unit; -1: the file does not say */
+  uint32_t face_count;   /* number of faces that it belongs to */
+  const uint32_t* faces; /* two numbers for each: that of a shape, and that of a face in it, from 0 in order of calls */
+  const char* fit;       /* "H7" */
+  const char* modifiers; /* words with ", " between: "maximum material requirement", "theoretical", "all around" */
+  const char* zone;      /* shape of the tolerance zone or datum target: "cylindrical or circular" */
+  const char* datums;  /* of a datum: its letter; of a tolerance, in order: "A | B-C (maximum material requirement)" */
+  const char* above;   /* the id of the tolerance below whose frame this one stands: a composite tolerance */
+  const char* missing; /* what of it could not be read, as "a value, its characteristic" */
+} epura_requirement;
+
 /* The functions that the importer calls. Each returns 0, or another number if the host stops the reading: the content
  * is too large or inconsistent, or the run was cancelled. The importer must then return at once; the sentence that it
  * returns is ignored. */
@@ -113,6 +152,9 @@ typedef struct epura_sink {
    * quantised to integers, or printed with few decimals. The greatest one counts. If it is not called, the coordinates
    * themselves tell. */
   int (*step)(void* host, double distance);
+  /* What the file requires of the part, after the shapes whose faces it names. Optional on both sides: epura 0.2 and
+   * earlier have no such function, which `size` tells. */
+  int (*requirement)(void* host, const epura_requirement* requirement);
 } epura_sink;
 
 /* The file to read, and the required precision. */

@@ -105,6 +105,15 @@ class Sink {
   void step(double distance) {
     if (sink_.size >= offsetof(epura_sink, step) + sizeof sink_.step) expect(sink_.step(sink_.host, distance));
   }
+  /// Whether the host takes requirements. Older ones do not.
+  [[nodiscard]] bool takes_requirements() const {
+    return sink_.size >= offsetof(epura_sink, requirement) + sizeof sink_.requirement;
+  }
+  /// Older hosts ignore it.
+  void requirement(epura_requirement requirement) {
+    requirement.size = sizeof requirement;
+    if (takes_requirements()) expect(sink_.requirement(sink_.host, &requirement));
+  }
   void note(const std::string& sentence) { expect(sink_.note(sink_.host, sentence.c_str())); }
   void progress(double done) { expect(sink_.progress(sink_.host, done)); }
 

@@ -141,8 +141,12 @@ class Checker {
       return one.parent == two.parent && one.shape == two.shape && one.name == two.name &&
              one.transform == two.transform && one.colour == two.colour;
     };
+    const auto same_requirement = [](const Requirement& one, const Requirement& two) {
+      return one.id == two.id && one.type == two.type && one.datums == two.datums && one.faces == two.faces;
+    };
     return a.unit == b.unit && a.is_y_up == b.is_y_up && std::ranges::equal(a.shapes, b.shapes, same_shape) &&
-           std::ranges::equal(a.nodes, b.nodes, same_node);
+           std::ranges::equal(a.nodes, b.nodes, same_node) &&
+           std::ranges::equal(a.requirements, b.requirements, same_requirement);
   }
 
   template <class Check>

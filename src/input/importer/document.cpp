@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importer/document.hpp"
 
+#include <epura/importer_abi.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,6 +48,15 @@ bool is_sound(const Shape& shape) {
          are_ends(shape.wire_ends, shape.wire_vertices.size());
 }
 
+bool is_sound_requirement(const Requirement& requirement, const std::vector<Shape>& shapes) {
+  return requirement.kind <= EPURA_DATUM && requirement.bounds <= EPURA_LIMITS && -1 <= requirement.decimals &&
+         requirement.decimals <= max_decimals &&
+         std::all_of(requirement.faces.begin(), requirement.faces.end(), [&](const std::array<int, 2>& face) {
+           return 0 <= face[0] && face[0] < static_cast<int>(shapes.size()) && 0 <= face[1] &&
+                  face[1] < static_cast<int>(shapes[static_cast<std::size_t>(face[0])].faces.size());
+         });
+}
+
 // One function for both packing and unpacking, so that the two always agree.
 
 template <class Pack, class Value>
@@ -60,6 +71,16 @@ void pack_shape(Pack& pack, Value& shape) {
 template <class Pack, class Value>
 void pack_node(Pack& pack, Value& node) {
   pack(node.parent), pack(node.shape), pack(node.name), pack(node.transform), pack(node.colour);
+}
+
+template <class Pack, class Value>
+void pack_requirement(Pack& pack, Value& requirement) {
+  pack(requirement.kind), pack(requirement.bounds), pack(requirement.is_angle), pack(requirement.decimals);
+  pack(requirement.value), pack(requirement.lower), pack(requirement.upper), pack(requirement.unit);
+  for (auto* text : {&requirement.id, &requirement.type, &requirement.name, &requirement.fit, &requirement.modifiers,
+                     &requirement.zone, &requirement.datums, &requirement.above, &requirement.missing})
+    pack(*text);
+  pack(requirement.faces);
 }
 
 template <class Pack, class Value>
@@ -79,6 +100,9 @@ void expect_sound(const Document& document) {
     foreign::require(node.shape >= -1 && node.shape < static_cast<int>(document.shapes.size()),
                      "hands over a node with a shape that it does not hand over");
   }
+  foreign::require(std::all_of(document.requirements.begin(), document.requirements.end(),
+                               [&](const Requirement& one) { return is_sound_requirement(one, document.shapes); }),
+                   "corrupts its process");
 }
 
 void pack_document(Packer& pack, const Document& document) {
@@ -87,6 +111,8 @@ void pack_document(Packer& pack, const Document& document) {
   for (const Shape& shape : document.shapes) pack_shape(pack, shape);
   pack(document.nodes.size());
   for (const Node& node : document.nodes) pack_node(pack, node);
+  pack(document.requirements.size());
+  for (const Requirement& requirement : document.requirements) pack_requirement(pack, requirement);
 }
 
 Document unpack_document(Unpacker& unpack) {
@@ -96,6 +122,8 @@ Document unpack_document(Unpacker& unpack) {
   for (Shape& shape : document.shapes) pack_shape(unpack, shape);
   document.nodes.resize(unpack.count(1));
   for (Node& node : document.nodes) pack_node(unpack, node);
+  document.requirements.resize(unpack.count(1));
+  for (Requirement& requirement : document.requirements) pack_requirement(unpack, requirement);
   return document;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,18 @@ struct Node {
   int colour = no_colour;            ///< of everything below it
 };
 
+/// More decimals than a double has digits.
+inline constexpr int max_decimals = 16;
+
+/// See epura_requirement; its texts are empty where the file does not say.
+struct Requirement {
+  std::uint32_t kind, bounds;
+  int is_angle, decimals;
+  double value, lower, upper, unit;
+  std::string id{}, type{}, name{}, fit{}, modifiers{}, zone{}, datums{}, above{}, missing{};
+  std::vector<std::array<int, 2>> faces{};  ///< shape, and face of it
+};
+
 struct Document {
   double unit = 0;  ///< millimetres; 0: the file does not state it
   int is_y_up = 0;  ///< instead of z
@@ -53,6 +66,7 @@ struct Document {
   std::vector<Shape> shapes{};
   std::vector<Node> nodes{};
   std::vector<std::string> notes{};
+  std::vector<Requirement> requirements{};
 };
 
 /// Throws Error{plugin} for indices out of range: the process that sent them may be corrupted.

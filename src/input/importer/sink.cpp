@@ -55,6 +55,27 @@ PartSurface surface_of(const epura_face& face) {
   return surface;
 }
 
+// Without faces.
+Requirement requirement_of(const epura_requirement& told) {
+  return {.kind = told.kind,
+          .bounds = told.bounds,
+          .is_angle = told.is_angle != 0 ? 1 : 0,
+          .decimals = told.decimals,
+          .value = told.value,
+          .lower = told.bounds == EPURA_NO_BOUNDS ? std::nan("") : told.lower,
+          .upper = told.bounds == EPURA_NO_BOUNDS ? std::nan("") : told.upper,
+          .unit = told.unit,
+          .id = text_of(told.id),
+          .type = text_of(told.type),
+          .name = text_of(told.name),
+          .fit = text_of(told.fit),
+          .modifiers = text_of(told.modifiers),
+          .zone = text_of(told.zone),
+          .datums = text_of(told.datums),
+          .above = text_of(told.above),
+          .missing = text_of(told.missing)};
+}
+
 }  // namespace
 
 DocumentSink::DocumentSink(std::function<void(double)> tell)
@@ -75,7 +96,8 @@ DocumentSink::DocumentSink(std::function<void(double)> tell)
              &call<&DocumentSink::progress, double>,
              &call<&DocumentSink::rounding, uint32_t>,
              &call<&DocumentSink::colour, double, double, double>,
-             &call<&DocumentSink::step, double>} {}
+             &call<&DocumentSink::step, double>,
+             &call<&DocumentSink::requirement, const epura_requirement*>} {}
 
 template <auto member, class... A>
 int DocumentSink::call(void* host, A... arguments) noexcept {
@@ -237,6 +259,27 @@ int DocumentSink::colour(double red, double green, double blue) {
 int DocumentSink::step(double distance) {
   require(std::isfinite(distance) && distance > 0, "hands over a step of coordinates that is not positive");
   current().step = std::max(current().step, distance);
+  return 0;
+}
+
+int DocumentSink::requirement(const epura_requirement* told) {
+  require(told != nullptr && told->size >= sizeof(epura_requirement), "hands over no requirement where it says so");
+  expect_fewer(document_.requirements.size());
+  require(told->id != nullptr && *told->id != '\0' && ids_.insert(told->id).second,
+          "hands over a requirement whose id is empty or that of another one");
+  require(told->kind <= EPURA_DATUM && told->bounds <= EPURA_LIMITS,
+          std::string("hands over the requirement ") + told->id + " of unknown kind or with unknown bounds");
+  require(-1 <= told->decimals && told->decimals <= max_decimals,
+          std::string("hands over the requirement ") + told->id + " with decimals that no number has");
+  require(told->face_count == 0 || told->faces != nullptr,
+          std::string("hands over no faces of the requirement ") + told->id);
+  document_.requirements.push_back(requirement_of(*told));
+  for (uint32_t i = 0; i < told->face_count; ++i) {
+    const uint32_t shape = told->faces[2 * i], face = told->faces[2 * i + 1];
+    require(shape < document_.shapes.size() && face < document_.shapes[shape].faces.size(),
+            std::string("hands over the requirement ") + told->id + " with a face that it does not hand over");
+    document_.requirements.back().faces.push_back({static_cast<int>(shape), static_cast<int>(face)});
+  }
   return 0;
 }
 

@@ -5,6 +5,7 @@
 #include <epura/importer_abi.h>
 
 #include <functional>
+#include <set>
 #include <string>
 
 #include "importer/document.hpp"
@@ -39,6 +40,7 @@ class DocumentSink {
   int rounding(uint32_t kinds);
   int colour(double red, double green, double blue);
   int step(double distance);
+  int requirement(const epura_requirement* requirement);
 
   template <auto member, class... A>
   static int call(void* host, A... arguments) noexcept;
@@ -52,6 +54,7 @@ class DocumentSink {
   std::function<void(double)> tell_;
   std::string fault_;
   Begun begun_ = Begun::nothing;
+  std::set<std::string> ids_;  ///< of requirements
   epura_sink calls_;
 };
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importer/requirements.hpp"
+
+#include <algorithm>
+
+namespace epura::importer {
+
+namespace {
+
+// What became of each face of the file: neighbours on one surface are one face of the part. -1: it has no triangles.
+std::vector<int> faces_on_mesh(const Assembled& assembled, const mesh::Mesh& mesh, const surfaces::PartFaces& part) {
+  std::vector<int> face_of_declared(assembled.part.faces.size(), -1);
+  for (std::size_t t = 0; t < part.face_of_triangle.size(); ++t) {
+    const auto polygon = static_cast<std::size_t>(mesh.polygon[t]);
+    face_of_declared[static_cast<std::size_t>(assembled.part.face_of_polygon[polygon])] = part.face_of_triangle[t];
+  }
+  return face_of_declared;
+}
+
+ModelRequirement stated(const Requirement& told) {
+  return {.kind = static_cast<RequirementKind>(told.kind),
+          .bounds = static_cast<RequirementBounds>(told.bounds),
+          .is_angle = told.is_angle != 0,
+          .value = told.value,
+          .lower = told.lower,
+          .upper = told.upper,
+          .unit = told.unit,
+          .decimals = told.decimals,
+          .id = told.id,
+          .type = told.type,
+          .name = told.name,
+          .fit = told.fit,
+          .modifiers = told.modifiers,
+          .zone = told.zone,
+          .datums = told.datums,
+          .above = told.above,
+          .missing = told.missing};
+}
+
+}  // namespace
+
+std::vector<ModelRequirement> requirements_of(const Document& document, const Assembled& assembled,
+                                              const mesh::Mesh& mesh, const surfaces::PartFaces* part) {
+  std::vector<ModelRequirement> requirements;
+  std::vector<int> on_mesh;
+  if (part != nullptr && !document.requirements.empty()) on_mesh = faces_on_mesh(assembled, mesh, *part);
+  for (std::size_t i = 0; i < document.requirements.size(); ++i) {
+    ModelRequirement& requirement = requirements.emplace_back(stated(document.requirements[i]));
+    if (on_mesh.empty()) continue;
+    std::vector<int>& faces = requirement.faces;
+    for (const int declared : assembled.faces_of_requirements[i])
+      if (const int face = on_mesh[static_cast<std::size_t>(declared)]; face >= 0) faces.push_back(face);
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  }
+  return requirements;
+}
+
+std::size_t count_of(const std::vector<ModelRequirement>& requirements, RequirementKind kind) {
+  return static_cast<std::size_t>(std::count_if(requirements.begin(), requirements.end(),
+                                                [&](const ModelRequirement& one) { return one.kind == kind; }));
+}
+
+std::string counted_requirements(const std::vector<ModelRequirement>& requirements) {
+  constexpr std::array words{"dimension", "geometric tolerance", "datum"};
+  std::vector<std::string> counts;
+  for (std::size_t kind = 0; kind < words.size(); ++kind) {
+    const std::size_t count = count_of(requirements, static_cast<RequirementKind>(kind));
+    if (count > 0) counts.push_back(std::to_string(count) + " " + words[kind] + (count == 1 ? "" : "s"));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < counts.size() ? ", " : " and ") + counts[i];
+  return text;
+}
+
+}  // namespace epura::importer
