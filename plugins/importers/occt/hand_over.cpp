@@ -34,11 +34,69 @@ void hand_over(const std::optional<Colour>& colour, epura::plugin::Sink& sink) {
   if (colour) sink.colour((*colour)[0], (*colour)[1], (*colour)[2]);
 }
 
-void hand_over(const Body& body, const BodyMesh& mesh, epura::plugin::Sink& sink) {
+/// A shape and a face of it, for each place where a face is handed over.
+using FaceNumbers =
+    NCollection_DataMap<TopoDS_Shape, std::vector<std::array<std::uint32_t, 2>>, TopTools_ShapeMapHasher>;
+
+/// Numbers the faces that are handed over.
+class FaceCounter {
+ public:
+  void begin_shape() {
+    ++shapes_;
+    faces_ = 0;
+  }
+  void count(const TopoDS_Shape& face) {
+    const TopoDS_Shape key = face.Located(TopLoc_Location());
+    if (!numbers_.IsBound(key)) numbers_.Bind(key, {});
+    numbers_.ChangeFind(key).push_back({shapes_ - 1, faces_++});
+  }
+  [[nodiscard]] const FaceNumbers& numbers() const { return numbers_; }
+
+ private:
+  std::uint32_t shapes_ = 0, faces_ = 0;
+  FaceNumbers numbers_;
+};
+
+void hand_over(const Requirement& requirement, const FaceNumbers& numbers, epura::plugin::Sink& sink) {
+  std::vector<std::uint32_t> faces;
+  std::size_t lost = 0;
+  for (const TopoDS_Shape& face : requirement.faces) {
+    const auto* found = numbers.Seek(face.Located(TopLoc_Location()));
+    if (found == nullptr) ++lost;
+    if (found != nullptr)
+      for (const auto& number : *found) faces.insert(faces.end(), number.begin(), number.end());
+  }
+  std::string missing = requirement.missing;
+  if (lost > 0) missing += (missing.empty() ? "" : ", ") + counted(lost, "face") + " beside the drawn ones";
+  const auto text = [](const std::string& words) { return words.empty() ? nullptr : words.c_str(); };
+  sink.requirement({.size = sizeof(epura_requirement),
+                    .kind = requirement.kind,
+                    .id = requirement.id.c_str(),
+                    .type = text(requirement.type),
+                    .name = text(requirement.name),
+                    .value = requirement.value,
+                    .lower = requirement.lower,
+                    .upper = requirement.upper,
+                    .bounds = requirement.bounds,
+                    .is_angle = requirement.is_angle ? 1u : 0u,
+                    .unit = requirement.unit,
+                    .decimals = requirement.decimals,
+                    .face_count = static_cast<std::uint32_t>(faces.size() / 2),
+                    .faces = faces.data(),
+                    .fit = text(requirement.fit),
+                    .modifiers = text(requirement.modifiers),
+                    .zone = text(requirement.zone),
+                    .datums = text(requirement.datums),
+                    .above = text(requirement.above),
+                    .missing = text(missing)});
+}
+
+void hand_over(const Body& body, const BodyMesh& mesh, FaceCounter& counter, epura::plugin::Sink& sink) {
   sink.body(body.name);
   hand_over(body.colour, sink);
   sink.points(mesh.points);
   for (const Facets& facets : mesh.faces) {
+    counter.count(facets.face);
     sink.face(surface_of(facets.face));
     sink.triangles(facets.triangles);
   }
@@ -88,18 +146,20 @@ void note(const Totals& totals, std::vector<std::string>& notes) {
 void hand_over(Model& model, const Fineness& fineness, epura::plugin::Sink& sink) {
   sink.unit(1);
   Totals totals;
+  FaceCounter counter;
   const double done = share_of_reading + share_of_meshing;
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const Part& part = model.parts[i];
     sink.progress(done + (1 - done) * static_cast<double>(i) / static_cast<double>(model.parts.size()));
     sink.shape(part.name);
+    counter.begin_shape();
     hand_over(part.colour, sink);
     std::uint32_t points = 0;
     for (const Body& body : part.bodies) {
       const BodyMesh mesh = mesh_of(body.shape, points, fineness.deflection);
       totals.add(mesh);
       if (mesh.faces.empty()) continue;
-      hand_over(body, mesh, sink);
+      hand_over(body, mesh, counter, sink);
       points += static_cast<std::uint32_t>(mesh.points.size());
     }
     const WireMesh wires = mesh_of(part.wires, points, fineness);
@@ -116,6 +176,7 @@ void hand_over(Model& model, const Fineness& fineness, epura::plugin::Sink& sink
     sink.node(place.name, place.parent, place.part, rows_of(place.transform));
     hand_over(place.colour, sink);
   }
+  for (const Requirement& requirement : model.requirements) hand_over(requirement, counter.numbers(), sink);
   sink.progress(1);
 }
 

@@ -2,6 +2,8 @@
 // The content of a file after Open CASCADE has read it: parts, each once, and the tree of their positions.
 #pragma once
 
+#include <epura/importer_abi.h>
+
 #include <NCollection_DataMap.hxx>
 #include <NCollection_Map.hxx>
 #include <TopTools_ShapeMapHasher.hxx>
@@ -11,6 +13,7 @@
 #include <cstdint>
 #include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,11 +46,26 @@ struct Place {
   std::optional<Colour> colour{};  ///< instead of those of everything below
 };
 
+/// What the file requires of the part: a dimension, a tolerance or a datum. See epura_requirement.
+struct Requirement {
+  std::uint32_t kind = EPURA_DIMENSION;
+  std::string id{}, type{}, name{};
+  double value = std::numeric_limits<double>::quiet_NaN(), lower = value, upper = value;  ///< mm or degrees
+  std::uint32_t bounds = EPURA_NO_BOUNDS;
+  bool is_angle = false;
+  double unit = 0;  ///< of the file, mm or degrees
+  int decimals = -1;
+  std::string fit{}, modifiers{}, zone{}, datums{}, above{}, missing{};
+  std::vector<unsigned long long> items{};  ///< numbers of the faces, edges and points of the file that it belongs to
+  std::vector<TopoDS_Shape> faces{};        ///< those of them that are faces
+};
+
 /// Lengths in millimetres.
 struct Model {
   std::vector<Part> parts;
   std::vector<Place> places;
   std::vector<std::string> notes;  ///< sentences about repairs and omissions
+  std::vector<Requirement> requirements{};
 };
 
 /// Names and colours of shapes, without their locations.

@@ -93,6 +93,10 @@ void visit_statements(std::string_view text, const std::function<void(const Stat
 std::vector<std::string_view> arguments_of(std::string_view text) {
   text = trimmed(text);
   if (text.size() > 1 && text.front() == '(') text = text.substr(1, text.size() - 2);
+  return separated(text);
+}
+
+std::vector<std::string_view> separated(std::string_view text) {
   std::vector<std::string_view> arguments;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = find_outside(text, at, ',');

@@ -26,6 +26,9 @@ void visit_statements(std::string_view text, const std::function<void(const Stat
 /// The arguments of a record, or the elements of a list with its parentheses.
 std::vector<std::string_view> arguments_of(std::string_view text);
 
+/// The arguments of a record, of which the first may be a list.
+std::vector<std::string_view> separated(std::string_view text);
+
 /// The number of "#12"; 0 if it is none.
 unsigned long long reference_in(std::string_view text);
 

@@ -54,24 +54,17 @@ bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-bool begins_with(std::string_view text, std::string_view begin) { return text.substr(0, begin.size()) == begin; }
-
-// Tolerances of AP242 have a record of this kind, alone or beside one that says which.
-bool is_tolerance(std::string_view keyword) {
-  constexpr std::array<std::string_view, 15> characteristics{
-      "ANGULARITY", "CIRCULAR_RUNOUT", "COAXIALITY",      "CONCENTRICITY",    "CYLINDRICITY",
-      "FLATNESS",   "LINE_PROFILE",    "PARALLELISM",     "PERPENDICULARITY", "POSITION",
-      "ROUNDNESS",  "STRAIGHTNESS",    "SURFACE_PROFILE", "SYMMETRY",         "TOTAL_RUNOUT"};
-  if (keyword == "GEOMETRIC_TOLERANCE") return true;
-  return ends_with(keyword, "_TOLERANCE") &&
-         std::any_of(characteristics.begin(), characteristics.end(), [&](std::string_view one) {
-           return keyword.size() == one.size() + std::string_view("_TOLERANCE").size() && begins_with(keyword, one);
-         });
-}
-
-bool is_dimension(std::string_view keyword) {
-  return begins_with(keyword, "DIMENSIONAL_SIZE") || begins_with(keyword, "DIMENSIONAL_LOCATION") ||
-         keyword == "DIRECTED_DIMENSIONAL_LOCATION" || keyword == "ANGULAR_SIZE" || keyword == "ANGULAR_LOCATION";
+// What says more of requirements than `requirements_in_step` reads.
+bool is_unread_requirement(std::string_view keyword) {
+  constexpr std::array<std::string_view, 7> parts{"ZONE_DEFINITION",
+                                                  "ORIENTED_TOLERANCE_ZONE",
+                                                  "SURFACE_TEXTURE",
+                                                  "SURFACE_CONDITION",
+                                                  "DEFAULT_TOLERANCE_TABLE",
+                                                  "THREAD_FEATURE",
+                                                  "EXTERNALLY_DEFINED_DIMENSION"};
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](std::string_view part) { return keyword.find(part) != std::string_view::npos; });
 }
 
 bool is_of_triangles(std::string_view keyword) {
@@ -82,7 +75,7 @@ bool is_body(std::string_view keyword) {
   return ends_with(keyword, "_BREP") || keyword == "BREP_WITH_VOIDS" || keyword == "SHELL_BASED_SURFACE_MODEL";
 }
 
-/// Goes through the statements of a STEP file.
+/// Goes through the statements of a STEP file. Dimensions, tolerances and datums are read elsewhere.
 class StepCounter {
  public:
   void see(const Statement& statement) {
@@ -90,6 +83,7 @@ class StepCounter {
     for (const Record& record : statement.records) {
       if (const Thing* thing = thing_of(record.keyword)) things.insert(*thing);
       if (record.keyword == "DRAUGHTING_CALLOUT") ++callouts_;
+      if (is_unread_requirement(record.keyword)) ++unread_[std::string(record.keyword)];
       if (record.keyword == "PRESENTATION_LAYER_ASSIGNMENT") layers_.insert(statement.number);
       if (record.keyword == "INVISIBILITY") note_hidden(record.arguments);
       if (is_body(record.keyword)) bodies_.insert(statement.number);
@@ -104,6 +98,10 @@ class StepCounter {
     if (callouts_ > 0) counts[Thing::annotation] = callouts_;
     std::vector<std::string> sentences;
     if (std::string sentence = sentence_of(counts); !sentence.empty()) sentences.push_back(std::move(sentence));
+    std::string unread;
+    for (const auto& [keyword, count] : unread_)
+      unread += (unread.empty() ? "" : ", ") + std::to_string(count) + " " + keyword;
+    if (!unread.empty()) sentences.push_back("not read of what the file requires: " + unread);
     std::size_t layers = 0, bodies = 0;
     for (const unsigned long long item : hidden_) {
       layers += layers_.count(item);
@@ -121,19 +119,15 @@ class StepCounter {
 
  private:
   const Thing* thing_of(std::string_view keyword) {
-    static constexpr std::array<std::pair<std::string_view, Thing>, 9> exact{
-        {{"DATUM", Thing::datum},
-         {"COMMON_DATUM", Thing::datum},
-         {"CAMERA_MODEL_D3", Thing::view},
+    static constexpr std::array<std::pair<std::string_view, Thing>, 7> exact{
+        {{"CAMERA_MODEL_D3", Thing::view},
          {"CAMERA_MODEL_D3_MULTI_CLIPPING", Thing::view},
          {"CONSTRUCTIVE_GEOMETRY_REPRESENTATION", Thing::construction},
          {"ANNOTATION_OCCURRENCE", Thing::annotation},
          {"DRAUGHTING_ANNOTATION_OCCURRENCE", Thing::annotation},
          {"ANNOTATION_CURVE_OCCURRENCE", Thing::annotation},
          {"TESSELLATED_ANNOTATION_OCCURRENCE", Thing::annotation}}};
-    static constexpr Thing dimension = Thing::dimension, tolerance = Thing::tolerance, triangles = Thing::triangles;
-    if (is_dimension(keyword)) return &dimension;
-    if (is_tolerance(keyword)) return &tolerance;
+    static constexpr Thing triangles = Thing::triangles;
     if (is_of_triangles(keyword)) return &triangles;
     const auto found = std::find_if(exact.begin(), exact.end(), [&](const auto& row) { return row.first == keyword; });
     return found == exact.end() ? nullptr : &found->second;
@@ -152,6 +146,7 @@ class StepCounter {
 
   Counts counts_;
   std::size_t callouts_ = 0;
+  std::map<std::string, std::size_t> unread_;  ///< entities that say more of requirements
   std::set<unsigned long long> layers_, hidden_, bodies_;
   std::map<unsigned long long, unsigned long long> styled_;  ///< what styled items style
 };

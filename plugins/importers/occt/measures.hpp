@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values with units in a STEP file, in millimetres and degrees.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "step_graph.hpp"
+
+namespace occt {
+
+struct Measure {
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< mm or degrees; NaN: none, or its unit is not known
+  double unit = 0;                                          ///< of the file, in mm or degrees
+  bool is_angle = false;
+  int decimals = -1;      ///< that are to be shown in the unit of the file; -1: the file does not say
+  std::string name;       ///< "nominal value"
+  std::string qualifier;  ///< "maximum"
+};
+
+/// The measure with this number. Its value is NaN if there is none.
+Measure measure_of(const StepGraph& graph, EntityNumber number);
+
+/// Adds what these qualifiers say of a measure.
+void qualify(Measure& measure, const StepGraph& graph, const std::vector<EntityNumber>& qualifiers);
+
+/// The number at the beginning of a text, or in parentheses, as in "LENGTH_MEASURE(35.)"; NaN if there is none.
+double number_in(std::string_view text);
+
+}  // namespace occt

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "requirement_index.hpp"
+
+#include <array>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace occt {
+
+namespace {
+
+/// An entity that joins others: which of its arguments is the one, and which the others.
+struct Join {
+  std::string_view keyword;
+  std::size_t from, to;
+  References RequirementIndex::*table;
+};
+
+constexpr std::array<Join, 9> joins{
+    {{"GEOMETRIC_ITEM_SPECIFIC_USAGE", 2, 4, &RequirementIndex::items},
+     {"ITEM_IDENTIFIED_REPRESENTATION_USAGE", 2, 4, &RequirementIndex::items},
+     {"SHAPE_ASPECT_RELATIONSHIP", 2, 3, &RequirementIndex::parts},
+     {"SHAPE_ASPECT_DERIVING_RELATIONSHIP", 2, 3, &RequirementIndex::parts},
+     {"FEATURE_FOR_DATUM_TARGET_RELATIONSHIP", 2, 3, &RequirementIndex::parts},
+     {"DIMENSIONAL_CHARACTERISTIC_REPRESENTATION", 0, 1, &RequirementIndex::representations},
+     {"PLUS_MINUS_TOLERANCE", 1, 0, &RequirementIndex::bounds},
+     {"TOLERANCE_ZONE", 4, 5, &RequirementIndex::zones},
+     {"MEASURE_QUALIFICATION", 2, 3, &RequirementIndex::qualifiers}}};
+
+void add(RequirementIndex& index, const Join& join, const Record& record) {
+  const std::vector<EntityNumber> others = references_in(argument_of(record, join.to));
+  for (const EntityNumber one : references_in(argument_of(record, join.from))) {
+    std::vector<EntityNumber>& known = (index.*join.table)[one];
+    known.insert(known.end(), others.begin(), others.end());
+  }
+}
+
+// Frames of a composite tolerance stand one below the other.
+void add_composite(RequirementIndex& index, const Record& record) {
+  if (unquoted(argument_of(record, 0)).find("composite") == std::string::npos) return;
+  const EntityNumber upper = reference_in(argument_of(record, 2)), lower = reference_in(argument_of(record, 3));
+  if (upper != 0 && lower != 0) index.above[lower].push_back(upper);
+}
+
+bool is_datum_itself(const StepGraph& graph, EntityNumber number) {
+  const Statement* statement = graph.find(number);
+  return statement != nullptr && record_of(*statement, "DATUM") != nullptr;
+}
+
+// Programs relate features to their datums in either direction.
+void separate_datums(RequirementIndex& index, const StepGraph& graph) {
+  References parts;
+  for (const auto& [whole, some] : index.parts) {
+    for (const EntityNumber part : some) {
+      if (is_datum_itself(graph, part))
+        index.features[part].push_back(whole);
+      else if (is_datum_itself(graph, whole))
+        index.features[whole].push_back(part);
+      else
+        parts[whole].push_back(part);
+    }
+  }
+  index.parts = std::move(parts);
+  for (const auto& [datum, features] : index.features)
+    for (const EntityNumber feature : features) index.datums[feature].push_back(datum);
+}
+
+}  // namespace
+
+RequirementIndex index_of(const StepGraph& graph) {
+  RequirementIndex index;
+  for (const auto& [number, statement] : graph.statements()) {
+    for (const Record& record : statement.records) {
+      for (const Join& join : joins)
+        if (record.keyword == join.keyword) add(index, join, record);
+      if (record.keyword == "GEOMETRIC_TOLERANCE_RELATIONSHIP") add_composite(index, record);
+    }
+  }
+  separate_datums(index, graph);
+  return index;
+}
+
+std::vector<EntityNumber> items_of(const RequirementIndex& index, EntityNumber aspect) {
+  std::vector<EntityNumber> found, open{aspect};
+  std::set<EntityNumber> seen{aspect}, seen_items;
+  while (!open.empty()) {
+    const EntityNumber at = open.back();
+    open.pop_back();
+    if (const auto items = index.items.find(at); items != index.items.end())
+      for (const EntityNumber item : items->second)
+        if (seen_items.insert(item).second) found.push_back(item);
+    if (const auto parts = index.parts.find(at); parts != index.parts.end())
+      for (auto part = parts->second.rbegin(); part != parts->second.rend(); ++part)
+        if (seen.insert(*part).second) open.push_back(*part);
+  }
+  return found;
+}
+
+}  // namespace occt

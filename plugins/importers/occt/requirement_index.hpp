@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who refers to whom among the requirements of a STEP file.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "step_graph.hpp"
+
+namespace occt {
+
+using References = std::map<EntityNumber, std::vector<EntityNumber>>;
+
+/// Each table leads from the number of one entity to those of others.
+struct RequirementIndex {
+  References items;            ///< of a shape aspect: faces, edges and points
+  References parts;            ///< of a shape aspect: aspects of which it consists
+  References features;         ///< of a datum: its features and targets
+  References datums;           ///< of a feature or target
+  References representations;  ///< of a dimension
+  References bounds;           ///< of a dimension: TOLERANCE_VALUE, LIMITS_AND_FITS
+  References zones;            ///< of a tolerance: TOLERANCE_ZONE_FORM
+  References above;            ///< of a tolerance: the one in whose frame it stands below
+  References qualifiers;       ///< of a measure
+};
+
+RequirementIndex index_of(const StepGraph& graph);
+
+/// The items of an aspect and of all its parts, each once, in the order in which they are found. Aspects that contain
+/// themselves are followed once.
+std::vector<EntityNumber> items_of(const RequirementIndex& index, EntityNumber aspect);
+
+}  // namespace occt

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "requirements.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "measures.hpp"
+#include "requirement_index.hpp"
+
+namespace occt {
+
+namespace {
+
+constexpr std::string_view of_tolerance = "_TOLERANCE";
+
+/// Items of all requirements together. A file of some kilobytes may relate each of many dimensions to many faces.
+constexpr std::size_t max_items = 1'000'000;
+
+std::string lower_case(std::string text) {
+  for (char& c : text)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+void append(std::string& list, const std::string& word, std::string_view between = ", ") {
+  if (word.empty()) return;
+  if (!list.empty()) list += between;
+  list += word;
+}
+
+// "PERPENDICULARITY" of "PERPENDICULARITY_TOLERANCE"; empty for records that say something else of a tolerance.
+std::string_view characteristic_in(std::string_view keyword) {
+  constexpr std::array<std::string_view, 15> characteristics{
+      "ANGULARITY", "CIRCULAR_RUNOUT", "COAXIALITY",      "CONCENTRICITY",    "CYLINDRICITY",
+      "FLATNESS",   "LINE_PROFILE",    "PARALLELISM",     "PERPENDICULARITY", "POSITION",
+      "ROUNDNESS",  "STRAIGHTNESS",    "SURFACE_PROFILE", "SYMMETRY",         "TOTAL_RUNOUT"};
+  if (keyword.size() <= of_tolerance.size()) return {};
+  const std::string_view begin = keyword.substr(0, keyword.size() - of_tolerance.size());
+  const bool is_one = keyword.substr(begin.size()) == of_tolerance &&
+                      std::find(characteristics.begin(), characteristics.end(), begin) != characteristics.end();
+  return is_one ? begin : std::string_view();
+}
+
+// The attribute of a kind's own comes last, whether the record has those that it inherits or not.
+std::string_view last_argument_of(const Record& record) {
+  const std::vector<std::string_view> arguments = separated(record.arguments);
+  return arguments.empty() ? std::string_view() : arguments.back();
+}
+
+// Of an entity of several records, the one with the attributes that all dimensions have.
+const Record* dimension_in(const Statement& statement) {
+  for (const std::string_view whole : {"DIMENSIONAL_SIZE", "DIMENSIONAL_LOCATION"})
+    if (const Record* record = record_of(statement, whole)) return record;
+  const auto found = std::find_if(statement.records.begin(), statement.records.end(),
+                                  [](const Record& record) { return is_dimension(record.keyword); });
+  return found == statement.records.end() ? nullptr : &*found;
+}
+
+class RequirementReader {
+ public:
+  explicit RequirementReader(std::string_view text) : graph_(text), index_(index_of(graph_)) {}
+
+  std::vector<Requirement> read() {
+    std::vector<Requirement> found;
+    for (const auto& [number, statement] : graph_.statements()) {
+      Requirement requirement;
+      requirement.id = "#" + std::to_string(number);
+      if (const Record* dimension = dimension_in(statement)) {
+        read_dimension(number, *dimension, requirement);
+      } else if (has(statement, is_tolerance)) {
+        read_tolerance(number, statement, requirement);
+      } else if (const Record* datum = record_of(statement, "DATUM")) {
+        read_datum(number, *datum, requirement);
+      } else if (has(statement, is_datum)) {
+        read_target(number, statement, requirement);
+      } else {
+        continue;
+      }
+      found.push_back(std::move(requirement));
+    }
+    return found;
+  }
+
+ private:
+  static bool has(const Statement& statement, bool (*is_one)(std::string_view)) {
+    return std::any_of(statement.records.begin(), statement.records.end(),
+                       [&](const Record& record) { return is_one(record.keyword); });
+  }
+
+  const std::vector<EntityNumber>& listed(const References& table, EntityNumber number) const {
+    static const std::vector<EntityNumber> none;
+    const auto found = table.find(number);
+    return found == table.end() ? none : found->second;
+  }
+
+  Measure measure(EntityNumber number) const {
+    Measure measure = measure_of(graph_, number);
+    qualify(measure, graph_, listed(index_.qualifiers, number));
+    return measure;
+  }
+
+  void add_items(EntityNumber aspect, Requirement& requirement) {
+    for (const EntityNumber item : items_of(index_, aspect)) {
+      if (items_ == max_items) return append(requirement.missing, "further faces, which are too many");
+      requirement.items.push_back(item);
+      ++items_;
+    }
+  }
+
+  // Dimensions.
+
+  void read_dimension(EntityNumber number, const Record& record, Requirement& requirement) {
+    requirement.kind = EPURA_DIMENSION;
+    const bool is_size = record.keyword.find("SIZE") != std::string_view::npos;
+    requirement.is_angle = record.keyword.find("ANGULAR") != std::string_view::npos;
+    requirement.name = unquoted(argument_of(record, is_size ? 1 : 0));
+    requirement.type = lower_case(requirement.name);
+    if (requirement.type.empty()) requirement.type = words_of(record.keyword);
+    add_items(reference_in(argument_of(record, is_size ? 0 : 2)), requirement);
+    if (!is_size) add_items(reference_in(argument_of(record, 3)), requirement);
+    for (const EntityNumber representation : listed(index_.representations, number))
+      if (const Statement* statement = graph_.find(representation))
+        if (const Record* items = record_of(*statement, "SHAPE_DIMENSION_REPRESENTATION"))
+          read_values(references_in(argument_of(*items, 1)), 0, requirement);
+    for (const EntityNumber range : listed(index_.bounds, number)) read_bounds(range, requirement);
+    if (std::isnan(requirement.value) && requirement.bounds != EPURA_LIMITS) append(requirement.missing, "a value");
+    if (requirement.items.empty()) append(requirement.missing, "a face that it belongs to");
+  }
+
+  void read_values(const std::vector<EntityNumber>& items, int depth, Requirement& requirement) {
+    constexpr int deepest = 4;  // lists in lists, of which files have one
+    for (const EntityNumber item : items) {
+      const Statement* statement = graph_.find(item);
+      if (statement == nullptr || depth > deepest) continue;
+      if (const Record* list = record_of(*statement, "COMPOUND_REPRESENTATION_ITEM"))
+        read_values(references_in(list->arguments), depth + 1, requirement);
+      else if (const Record* note = record_of(*statement, "DESCRIPTIVE_REPRESENTATION_ITEM"))
+        append(requirement.modifiers, lower_case(unquoted(argument_of(*note, 1))));
+      else
+        take(measure(item), requirement);
+    }
+  }
+
+  static void take(const Measure& measure, Requirement& requirement) {
+    if (std::isnan(measure.value)) return append(requirement.missing, "the unit of a value");
+    requirement.is_angle = measure.is_angle;
+    requirement.unit = measure.unit;
+    requirement.decimals = std::max(requirement.decimals, measure.decimals);
+    const bool is_upper = measure.name.find("upper") != std::string::npos;
+    if (is_upper || measure.name.find("lower") != std::string::npos) {
+      (is_upper ? requirement.upper : requirement.lower) = measure.value;
+      requirement.bounds = EPURA_LIMITS;
+      return;
+    }
+    requirement.value = measure.value;
+    if (measure.qualifier != "designed") append(requirement.modifiers, lower_case(measure.qualifier));
+  }
+
+  void read_bounds(EntityNumber number, Requirement& requirement) const {
+    const Statement* statement = graph_.find(number);
+    const Record* range = statement == nullptr ? nullptr : record_of(*statement, "TOLERANCE_VALUE");
+    const Record* fit = statement == nullptr ? nullptr : record_of(*statement, "LIMITS_AND_FITS");
+    if (fit != nullptr) {
+      requirement.fit = unquoted(argument_of(*fit, 0)) + unquoted(argument_of(*fit, 2));
+    } else if (range != nullptr) {
+      const Measure lower = measure(reference_in(argument_of(*range, 0)));
+      const Measure upper = measure(reference_in(argument_of(*range, 1)));
+      if (std::isnan(lower.value) || std::isnan(upper.value))
+        return append(requirement.missing, "the values of its deviations");
+      requirement.lower = lower.value;
+      requirement.upper = upper.value;
+      requirement.bounds = EPURA_DEVIATIONS;
+    } else {
+      append(requirement.missing, "the range of its tolerance");
+    }
+  }
+
+  // Tolerances.
+
+  void read_tolerance(EntityNumber number, const Statement& statement, Requirement& requirement) {
+    requirement.kind = EPURA_TOLERANCE;
+    const Record* whole = record_of(statement, "GEOMETRIC_TOLERANCE");
+    for (const Record& record : statement.records) {
+      const std::string_view characteristic = characteristic_in(record.keyword);
+      if (!characteristic.empty()) requirement.type = words_of(characteristic);
+      if (whole == nullptr && !characteristic.empty()) {
+        whole = &record;  // tolerances without further records have the datums at their end
+        if (const std::string_view datums = argument_of(record, 4); !datums.empty()) read_datums(datums, requirement);
+      }
+      read_detail(record, requirement);
+    }
+    if (requirement.type.empty()) append(requirement.missing, "its characteristic");
+    if (whole == nullptr) return append(requirement.missing, "everything but its name");
+    requirement.name = unquoted(argument_of(*whole, 0));
+    const Measure magnitude = measure(reference_in(argument_of(*whole, 2)));
+    requirement.value = magnitude.value;
+    requirement.unit = magnitude.unit;
+    requirement.decimals = magnitude.decimals;
+    requirement.is_angle = magnitude.is_angle;
+    if (std::isnan(requirement.value)) append(requirement.missing, "a value");
+    find_place(reference_in(argument_of(*whole, 3)), requirement);
+    for (const EntityNumber form : listed(index_.zones, number))
+      if (const Statement* zone = graph_.find(form))
+        if (const Record* name = record_of(*zone, "TOLERANCE_ZONE_FORM"))
+          append(requirement.zone, lower_case(unquoted(argument_of(*name, 0))));
+    for (const EntityNumber above : listed(index_.above, number))
+      append(requirement.above, "#" + std::to_string(above));
+  }
+
+  // What a tolerance holds for: an aspect, what a dimension measures, or the whole part.
+  void find_place(EntityNumber aspect, Requirement& requirement) {
+    const Statement* statement = graph_.find(aspect);
+    if (statement != nullptr && record_of(*statement, "PRODUCT_DEFINITION_SHAPE") != nullptr)
+      return append(requirement.modifiers, "all over");
+    if (statement != nullptr)
+      for (const Record& record : statement->records) {
+        if (record.keyword == "ALL_AROUND_SHAPE_ASPECT") append(requirement.modifiers, "all around");
+        if (record.keyword == "BETWEEN_SHAPE_ASPECT") append(requirement.modifiers, "between");
+      }
+    if (const Record* size = statement == nullptr ? nullptr : record_of(*statement, "DIMENSIONAL_SIZE"))
+      add_items(reference_in(argument_of(*size, 0)), requirement);
+    add_items(aspect, requirement);
+    if (requirement.items.empty()) append(requirement.missing, "a face that it belongs to");
+  }
+
+  void read_detail(const Record& record, Requirement& requirement) const {
+    const std::string_view keyword = record.keyword;
+    if (keyword == "GEOMETRIC_TOLERANCE_WITH_DATUM_REFERENCE") {
+      read_datums(record.arguments, requirement);
+    } else if (keyword == "GEOMETRIC_TOLERANCE_WITH_MODIFIERS" || keyword == "MODIFIED_GEOMETRIC_TOLERANCE") {
+      for (const std::string& modifier : enumerations_in(record.arguments)) append(requirement.modifiers, modifier);
+    } else if (keyword == "GEOMETRIC_TOLERANCE_WITH_MAXIMUM_TOLERANCE") {
+      add_length("maximum", record, requirement);
+    } else if (keyword == "UNEQUALLY_DISPOSED_GEOMETRIC_TOLERANCE") {
+      add_length("unequally disposed", record, requirement);
+    } else if (keyword == "GEOMETRIC_TOLERANCE_WITH_DEFINED_UNIT") {
+      add_length("per unit of", record, requirement);
+    } else if (keyword != "GEOMETRIC_TOLERANCE" && characteristic_in(keyword).empty()) {
+      append(requirement.missing, std::string(keyword));
+    }
+  }
+
+  void add_length(const std::string& word, const Record& record, Requirement& requirement) const {
+    const Measure length = measure(reference_in(argument_of(record, 0)));
+    if (std::isnan(length.value)) return append(requirement.missing, "the length of '" + word + "'");
+    append(requirement.modifiers, word + " " + printed(length.value) + " mm");
+  }
+
+  static std::string printed(double value) {
+    constexpr int digits = 9;  // those of an exact number of inches
+    std::array<char, 32> text{};
+    return {text.data(),
+            std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr};
+  }
+
+  // Datums.
+
+  void read_datums(std::string_view list, Requirement& requirement) const {
+    std::vector<std::pair<long long, std::string>> ranked;  // references of AP203 and AP214 have a precedence
+    for (const EntityNumber number : references_in(list)) {
+      const Statement* statement = graph_.find(number);
+      if (statement == nullptr) continue;
+      if (const Record* system = record_of(*statement, "DATUM_SYSTEM")) {
+        for (const EntityNumber compartment : references_in(argument_of(*system, 4)))
+          append(requirement.datums, datum_text(compartment, 0), " | ");
+      } else if (const Record* one = old_reference(*statement)) {
+        std::string text = letter_of(reference_in(argument_of(*one, 1)));
+        if (const auto modifiers = enumerations_in(argument_of(*one, 2)); !modifiers.empty())
+          text += " (" + modifiers.front() + ")";
+        ranked.emplace_back(static_cast<long long>(number_in(argument_of(*one, 0))), std::move(text));
+      } else if (record_of(*statement, "DATUM") != nullptr) {
+        append(requirement.datums, letter_of(number), " | ");
+      }
+    }
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [rank, text] : ranked) append(requirement.datums, text, " | ");
+    if (requirement.datums.empty() || requirement.datums.find('?') != std::string::npos)
+      append(requirement.missing, "a datum that it refers to");
+  }
+
+  static const Record* old_reference(const Statement& statement) {
+    const Record* modified = record_of(statement, "REFERENCED_MODIFIED_DATUM");
+    return modified != nullptr ? modified : record_of(statement, "DATUM_REFERENCE");
+  }
+
+  [[nodiscard]] std::string letter_of(EntityNumber datum) const {
+    const Statement* statement = graph_.find(datum);
+    const Record* record = statement == nullptr ? nullptr : record_of(*statement, "DATUM");
+    const std::string letter = record == nullptr ? "" : unquoted(last_argument_of(*record));
+    return letter.empty() ? "?" : letter;
+  }
+
+  // "A", "A-B" of common datums, with modifiers in parentheses. The last two arguments are those that datum references
+  // have beyond other shape aspects.
+  [[nodiscard]] std::string datum_text(EntityNumber reference, int depth) const {
+    const Statement* statement = graph_.find(reference);
+    if (statement == nullptr || depth > 1) return "?";
+    const Record* record =
+        record_of(*statement, depth == 0 ? "DATUM_REFERENCE_COMPARTMENT" : "DATUM_REFERENCE_ELEMENT");
+    if (record == nullptr) return "?";
+    const std::string_view base = argument_of(*record, 4);
+    std::string text;
+    if (reference_in(base) != 0)
+      text = letter_of(reference_in(base));
+    else
+      for (const EntityNumber element : references_in(base)) append(text, datum_text(element, depth + 1), "-");
+    std::string modifiers;
+    for (const std::string& word : enumerations_in(argument_of(*record, 5))) append(modifiers, word);
+    for (const EntityNumber number : references_in(argument_of(*record, 5)))
+      if (const Statement* modifier = graph_.find(number))
+        for (const Record& with_value : modifier->records)
+          for (const std::string& word : enumerations_in(with_value.arguments))
+            append(modifiers, word + " " + printed(measure(references_in(with_value.arguments).front()).value) + " mm");
+    if (text.empty()) text = "?";
+    return modifiers.empty() ? text : text + " (" + modifiers + ")";
+  }
+
+  void read_datum(EntityNumber number, const Record& record, Requirement& requirement) {
+    requirement.kind = EPURA_DATUM;
+    requirement.type = "datum";
+    requirement.name = unquoted(argument_of(record, 0));
+    requirement.datums = letter_of(number);
+    add_items(number, requirement);
+    bool has_targets = false;
+    for (const EntityNumber feature : listed(index_.features, number)) {
+      const Statement* statement = graph_.find(feature);
+      const bool is_target = statement != nullptr && has(*statement, is_datum);
+      has_targets = has_targets || is_target;
+      if (!is_target) add_items(feature, requirement);
+    }
+    if (has_targets) append(requirement.modifiers, "targets");
+    if (requirement.items.empty() && !has_targets) append(requirement.missing, "a face that it belongs to");
+  }
+
+  void read_target(EntityNumber number, const Statement& statement, Requirement& requirement) {
+    const auto record = std::find_if(statement.records.begin(), statement.records.end(),
+                                     [](const Record& one) { return is_datum(one.keyword); });
+    requirement.kind = EPURA_DATUM;
+    requirement.type = "datum target";
+    requirement.name = unquoted(argument_of(*record, 0));
+    requirement.zone = lower_case(unquoted(argument_of(*record, 1)));
+    for (const EntityNumber datum : listed(index_.datums, number))
+      requirement.datums = letter_of(datum) + unquoted(last_argument_of(*record));
+    add_items(number, requirement);
+    if (requirement.datums.empty()) append(requirement.missing, "the datum that it is a target of");
+    if (record->keyword == "PLACED_DATUM_TARGET_FEATURE") append(requirement.missing, "the place and size of its area");
+  }
+
+  const StepGraph graph_;
+  const RequirementIndex index_;
+  std::size_t items_ = 0;
+};
+
+}  // namespace
+
+bool is_dimension(std::string_view keyword) {
+  constexpr std::array<std::string_view, 8> kinds{"DIMENSIONAL_SIZE",
+                                                  "DIMENSIONAL_SIZE_WITH_PATH",
+                                                  "DIMENSIONAL_LOCATION",
+                                                  "DIMENSIONAL_LOCATION_WITH_PATH",
+                                                  "ANGULAR_SIZE",
+                                                  "ANGULAR_LOCATION",
+                                                  "DIRECTED_DIMENSIONAL_LOCATION",
+                                                  "DIMENSIONAL_SIZE_WITH_DATUM_FEATURE"};
+  return std::find(kinds.begin(), kinds.end(), keyword) != kinds.end();
+}
+
+// Tolerances of AP242 have a record of this kind, alone or beside one that says which.
+bool is_tolerance(std::string_view keyword) {
+  return keyword == "GEOMETRIC_TOLERANCE" || !characteristic_in(keyword).empty();
+}
+
+bool is_datum(std::string_view keyword) {
+  return keyword == "DATUM" || keyword == "PLACED_DATUM_TARGET_FEATURE" || keyword == "DATUM_TARGET";
+}
+
+std::vector<Requirement> requirements_in_step(std::string_view text) { return RequirementReader(text).read(); }
+
+}  // namespace occt

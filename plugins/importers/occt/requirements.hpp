@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dimensions, geometric tolerances and datums of a STEP file (ISO 10303-242, ISO 10303-47), as its text states them.
+//
+// They are not taken from XCAF: Open CASCADE 7.6 loses the values of tolerances that are given as items of a
+// representation, does not convert nominal values of files in inches but their deviations, and knows no decimals.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "model.hpp"
+
+namespace occt {
+
+/// In the order of their numbers. All are there; what could not be read of one is said in `missing`.
+std::vector<Requirement> requirements_in_step(std::string_view text);
+
+bool is_dimension(std::string_view keyword);
+bool is_tolerance(std::string_view keyword);
+bool is_datum(std::string_view keyword);
+
+}  // namespace occt

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The statements of a STEP file that tell what the part is required to be, by number.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "part21.hpp"
+
+namespace occt {
+
+using EntityNumber = unsigned long long;
+
+class StepGraph {
+ public:
+  /// Keeps statements about shape aspects, dimensions, tolerances, datums, measures and units; geometry is skipped.
+  /// They refer to the text, which must remain.
+  explicit StepGraph(std::string_view text);
+
+  /// Null if the file has no such statement, or it is skipped.
+  [[nodiscard]] const Statement* find(EntityNumber number) const;
+  [[nodiscard]] const std::map<EntityNumber, Statement>& statements() const { return statements_; }
+
+ private:
+  std::map<EntityNumber, Statement> statements_;
+};
+
+/// The record of this kind; null if the statement has none.
+const Record* record_of(const Statement& statement, std::string_view keyword);
+
+/// The argument at this place, from 0; empty if there are fewer.
+std::string_view argument_of(const Record& record, std::size_t place);
+
+/// All numbers "#12" in a text, in its order.
+std::vector<EntityNumber> references_in(std::string_view text);
+
+/// The names of all enumerations ".MAXIMUM_MATERIAL." in a text, as words: "maximum material".
+std::vector<std::string> enumerations_in(std::string_view text);
+
+/// The text between apostrophes in UTF-8; empty if there are none.
+std::string unquoted(std::string_view text);
+
+/// "SURFACE_PROFILE" as "surface profile".
+std::string words_of(std::string_view keyword);
+
+}  // namespace occt

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// STEP files (AP242) of a box, written statement by statement, to which tests add what the part is required to be.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace epura::test {
+
+/// Numbers of statements to which others refer.
+inline constexpr int box_shape = 10, box_representation = 50, length_unit = 20, degree = 26;
+
+/// The numbers of the faces, each by its outward normal.
+enum BoxFace { left = 101, right, front, back, bottom, top };
+
+namespace step_box_detail {
+
+/// Corners are numbered by bits: 1 right, 2 back, 4 top.
+class Writer {
+ public:
+  explicit Writer(const std::array<double, 3>& size) : size_(size) {}
+
+  std::string faces() {
+    for (int corner = 0; corner < 8; ++corner) add_corner(corner);
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::array<int, 3> along{axis == 0, axis == 1, axis == 2};
+      add(360 + axis, "DIRECTION('',(" + real(along[0]) + "," + real(along[1]) + "," + real(along[2]) + "))");
+      add(364 + axis, "VECTOR('',#" + std::to_string(360 + axis) + ",1.)");
+      add(370 + axis, "DIRECTION('',(" + real(-along[0]) + "," + real(-along[1]) + "," + real(-along[2]) + "))");
+    }
+    for (int axis = 0; axis < 3; ++axis)
+      for (int side = 0; side < 2; ++side) add_face(axis, side);
+    return text_;
+  }
+
+ private:
+  static std::string real(double value) {
+    const std::string text = std::to_string(value);
+    return text.find('.') == std::string::npos ? text + "." : text;
+  }
+  void add(int number, const std::string& statement) {
+    text_ += "#" + std::to_string(number) + "=" + statement + ";\n";
+  }
+  void add_corner(int corner) {
+    std::string place;
+    for (int axis = 0; axis < 3; ++axis)
+      place += (axis > 0 ? "," : "") + real((corner >> axis & 1) != 0 ? size_[static_cast<std::size_t>(axis)] : 0);
+    add(200 + corner, "CARTESIAN_POINT('',(" + place + "))");
+    add(210 + corner, "VERTEX_POINT('',#" + std::to_string(200 + corner) + ")");
+  }
+  int edge(int from, int to) {
+    const auto ends = std::minmax(from, to);
+    const auto known = edges_.find(ends);
+    if (known != edges_.end()) return known->second;
+    const int number = 300 + 2 * static_cast<int>(edges_.size()), bit = ends.first ^ ends.second;
+    const int axis = bit == 1 ? 0 : bit == 2 ? 1 : 2;
+    add(number, "LINE('',#" + std::to_string(200 + ends.first) + ",#" + std::to_string(364 + axis) + ")");
+    add(number + 1, "EDGE_CURVE('',#" + std::to_string(210 + ends.first) + ",#" + std::to_string(210 + ends.second) +
+                        ",#" + std::to_string(number) + ",.T.)");
+    return edges_[ends] = number + 1;
+  }
+  void add_face(int axis, int side) {
+    const int one = 1 << (axis + 1) % 3, other = 1 << (axis + 2) % 3, at = side << axis;
+    // Counterclockwise as seen from outside.
+    std::array<int, 4> ring{at, at | one, at | one | other, at | other};
+    if (side == 0) std::swap(ring[1], ring[3]);
+    const int face = left + 2 * axis + side, base = 400 + 20 * (2 * axis + side);
+    std::string loop;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const int from = ring[i], to = ring[(i + 1) % ring.size()], number = base + static_cast<int>(i);
+      add(number, "ORIENTED_EDGE('',*,*,#" + std::to_string(edge(from, to)) + (from < to ? ",.T.)" : ",.F.)"));
+      loop += (i > 0 ? ",#" : "#") + std::to_string(number);
+    }
+    add(base + 4, "EDGE_LOOP('',(" + loop + "))");
+    add(base + 5, "FACE_OUTER_BOUND('',#" + std::to_string(base + 4) + ",.T.)");
+    add(base + 6, "AXIS2_PLACEMENT_3D('',#" + std::to_string(200 + at) + ",#" +
+                      std::to_string((side == 1 ? 360 : 370) + axis) + ",#" + std::to_string(360 + (axis + 1) % 3) +
+                      ")");
+    add(base + 7, "PLANE('',#" + std::to_string(base + 6) + ")");
+    add(face, "ADVANCED_FACE('',(#" + std::to_string(base + 5) + "),#" + std::to_string(base + 7) + ",.T.)");
+  }
+
+  const std::array<double, 3> size_;
+  std::map<std::pair<int, int>, int> edges_;
+  std::string text_;
+};
+
+}  // namespace step_box_detail
+
+/// A box with its least corner at the origin; `statements` have numbers from 1000.
+inline std::string step_box(const std::array<double, 3>& size, const std::string& statements, bool in_inches = false) {
+  const std::string millimetre = "(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n";
+  const std::string inch =
+      "(CONVERSION_BASED_UNIT('INCH',#23)LENGTH_UNIT()NAMED_UNIT(#24));\n"
+      "#23=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#25);\n"
+      "#24=DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n#25=" +
+      millimetre;
+  return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n"
+         "FILE_SCHEMA(('AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }'));\nENDSEC;\nDATA;\n"
+         "#1=APPLICATION_CONTEXT('managed model based 3d engineering');\n"
+         "#2=PRODUCT_CONTEXT('',#1,'mechanical');\n#3=PRODUCT_DEFINITION_CONTEXT('part definition',#1,'design');\n"
+         "#4=PRODUCT('box','box','',(#2));\n#5=PRODUCT_DEFINITION_FORMATION('','',#4);\n"
+         "#6=PRODUCT_DEFINITION('design','',#5,#3);\n#10=PRODUCT_DEFINITION_SHAPE('','',#6);\n"
+         "#11=SHAPE_DEFINITION_REPRESENTATION(#10,#50);\n#20=" +
+         (in_inches ? inch : millimetre) +
+         "#21=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));\n"
+         "#22=(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT());\n"
+         "#26=(CONVERSION_BASED_UNIT('DEGREE',#27)NAMED_UNIT(#28)PLANE_ANGLE_UNIT());\n"
+         "#27=PLANE_ANGLE_MEASURE_WITH_UNIT(PLANE_ANGLE_MEASURE(0.017453292519943295),#21);\n"
+         "#28=DIMENSIONAL_EXPONENTS(0.,0.,0.,0.,0.,0.,0.);\n"
+         "#29=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-5),#20,'distance_accuracy_value','');\n"
+         "#30=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#29))"
+         "GLOBAL_UNIT_ASSIGNED_CONTEXT((#20,#21,#22))REPRESENTATION_CONTEXT('',''));\n"
+         "#50=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#52),#30);\n"
+         "#52=MANIFOLD_SOLID_BREP('',#53);\n#53=CLOSED_SHELL('',(#101,#102,#103,#104,#105,#106));\n" +
+         step_box_detail::Writer(size).faces() + statements + "ENDSEC;\nEND-ISO-10303-21;\n";
+}
+
+/// A shape aspect with this number that is a face of the box; takes the next number, too.
+inline std::string step_aspect(int number, int face, const std::string& keyword = "SHAPE_ASPECT") {
+  const std::string own = std::to_string(number);
+  return "#" + own + "=" + keyword + "('','',#10,.T.);\n#" + std::to_string(number + 1) +
+         "=GEOMETRIC_ITEM_SPECIFIC_USAGE('','',#" + own + ",#50,#" + std::to_string(face) + ");\n";
+}
+
+/// A length in the unit of the file, as an item of a representation.
+inline std::string step_length(int number, const std::string& value, const std::string& name,
+                               const std::string& more = "") {
+  return "#" + std::to_string(number) +
+         "=(LENGTH_MEASURE_WITH_UNIT()MEASURE_REPRESENTATION_ITEM()MEASURE_WITH_UNIT(LENGTH_MEASURE(" + value +
+         "),#20)" + more + "REPRESENTATION_ITEM('" + name + "'));\n";
+}
+
+/// The values of a dimension, which are statements of these numbers, separated by commas; takes two numbers.
+inline std::string step_values(int number, int dimension, const std::string& items) {
+  const std::string own = std::to_string(number);
+  return "#" + own + "=SHAPE_DIMENSION_REPRESENTATION('',(" + items + "),#30);\n#" + std::to_string(number + 1) +
+         "=DIMENSIONAL_CHARACTERISTIC_REPRESENTATION(#" + std::to_string(dimension) + ",#" + own + ");\n";
+}
+
+}  // namespace epura::test

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+// What STEP files require of their parts: files with a box, in which every value is known.
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "importer/sink.hpp"
+#include "step_box.hpp"
+#include "support.hpp"
+
+namespace epura::test::requirements_test {
+namespace {
+
+using importer::ModelRequirement;
+using importer::ReadModel;
+using importer::RequirementBounds;
+using importer::RequirementKind;
+
+ReadModel read(const std::string& statements, bool in_inches = false) {
+  const Folder folder;
+  return read_by_importer(folder.file("box.step", step_box({40, 30, 20}, statements, in_inches)));
+}
+
+/// "right", "top": by their outward normals.
+std::string normals(const ReadModel& model, const ModelRequirement& requirement) {
+  std::string text;
+  for (const int face : requirement.faces) {
+    const Vec3 axis = model.part->faces.at(static_cast<std::size_t>(face)).surface.axis;
+    for (int k = 0; k < 3; ++k)
+      if (std::abs(axis[k]) > 0.99) text += std::string(axis[k] > 0 ? "+" : "-") + "xyz"[k];
+  }
+  return text;
+}
+
+const ModelRequirement& named(const ReadModel& model, const std::string& id) {
+  for (const ModelRequirement& one : model.requirements)
+    if (one.id == id) return one;
+  throw std::out_of_range("no requirement " + id);
+}
+
+// A width of 40 between left and right.
+const std::string width = step_aspect(1000, left) + step_aspect(1002, right) +
+                          "#1004=DIMENSIONAL_LOCATION('linear distance','',#1000,#1002);\n";
+
+TEST(Requirements, ADimensionHasItsDeviationsAndDigits) {
+  const ReadModel model =
+      read(width + step_length(1010, "40.", "nominal value", "QUALIFIED_REPRESENTATION_ITEM((#1011))") +
+           "#1011=VALUE_FORMAT_TYPE_QUALIFIER('NR2 2.3');\n" + step_values(1012, 1004, "#1010") +
+           step_length(1014, "-0.25", "") + step_length(1015, "0.125", "") +
+           "#1016=TOLERANCE_VALUE(#1014,#1015);\n#1017=PLUS_MINUS_TOLERANCE(#1016,#1004);\n");
+  ASSERT_EQ(model.requirements.size(), 1U);
+  const ModelRequirement& one = model.requirements.front();
+  EXPECT_EQ(one.id, "#1004");
+  EXPECT_EQ(one.kind, RequirementKind::dimension);
+  EXPECT_EQ(one.type, "linear distance");
+  EXPECT_EQ(one.value, 40);
+  EXPECT_EQ(one.bounds, RequirementBounds::deviations);
+  EXPECT_EQ(one.lower, -0.25);
+  EXPECT_EQ(one.upper, 0.125);
+  EXPECT_EQ(one.decimals, 3);
+  EXPECT_EQ(one.unit, 1);
+  EXPECT_EQ(normals(model, one), "-x+x");
+  EXPECT_EQ(one.missing, "");
+}
+
+TEST(Requirements, ADimensionHasLimitsOrAFit) {
+  const ReadModel model =
+      read(width + step_length(1010, "39.5", "lower limit") + step_length(1011, "40.5", "upper limit") +
+           step_values(1012, 1004, "#1010,#1011") + "#1020=DIMENSIONAL_SIZE(#1000,'diameter');\n" +
+           step_length(1021, "8.", "nominal value") +
+           "#1022=DESCRIPTIVE_REPRESENTATION_ITEM('dimensional note','auxiliary');\n" +
+           step_values(1023, 1020, "#1021,#1022") +
+           "#1025=LIMITS_AND_FITS('H','hole','7','');\n#1026=PLUS_MINUS_TOLERANCE(#1025,#1020);\n");
+  const ModelRequirement &limits = named(model, "#1004"), &fit = named(model, "#1020");
+  EXPECT_TRUE(std::isnan(limits.value));
+  EXPECT_EQ(limits.bounds, RequirementBounds::limits);
+  EXPECT_EQ(limits.lower, 39.5);
+  EXPECT_EQ(limits.upper, 40.5);
+  EXPECT_EQ(limits.missing, "");
+  EXPECT_EQ(fit.type, "diameter");
+  EXPECT_EQ(fit.value, 8);
+  EXPECT_EQ(fit.fit, "H7");
+  EXPECT_EQ(fit.modifiers, "auxiliary");
+  EXPECT_EQ(fit.bounds, RequirementBounds::none);
+}
+
+TEST(Requirements, LengthsInInchesBecomeMillimetresAndAnglesDegrees) {
+  const std::string angle =
+      "#1020=ANGULAR_LOCATION('angle','',#1000,#1002,.EQUAL.);\n"
+      "#1021=(MEASURE_REPRESENTATION_ITEM()MEASURE_WITH_UNIT(PLANE_ANGLE_MEASURE(60.),#26)PLANE_ANGLE_MEASURE_WITH_"
+      "UNIT()REPRESENTATION_ITEM('nominal value'));\n" +
+      step_values(1022, 1020, "#1021");
+  const ReadModel model = read(width + step_length(1010, "1.25", "nominal value") + step_values(1012, 1004, "#1010") +
+                                   "#1014=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(-0.008),#20);\n"
+                                   "#1015=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(0.008),#20);\n"
+                                   "#1016=TOLERANCE_VALUE(#1014,#1015);\n#1017=PLUS_MINUS_TOLERANCE(#1016,#1004);\n" +
+                                   angle,
+                               true);
+  const ModelRequirement &length = named(model, "#1004"), &turn = named(model, "#1020");
+  EXPECT_NEAR(length.value, 31.75, 1e-12);
+  EXPECT_NEAR(length.lower, -0.2032, 1e-12);
+  EXPECT_NEAR(length.upper, 0.2032, 1e-12);
+  EXPECT_EQ(length.unit, 25.4);
+  EXPECT_FALSE(length.is_angle);
+  EXPECT_NEAR(turn.value, 60, 1e-9);
+  EXPECT_TRUE(turn.is_angle);
+}
+
+TEST(Requirements, EveryKindOfGeometricToleranceIsRead) {
+  const std::array kinds{"ANGULARITY", "CIRCULAR_RUNOUT", "COAXIALITY",      "CONCENTRICITY",    "CYLINDRICITY",
+                         "FLATNESS",   "LINE_PROFILE",    "PARALLELISM",     "PERPENDICULARITY", "POSITION",
+                         "ROUNDNESS",  "STRAIGHTNESS",    "SURFACE_PROFILE", "SYMMETRY",         "TOTAL_RUNOUT"};
+  std::string statements = step_aspect(1000, top) + step_length(1002, "0.05", "");
+  int number = 1010;
+  for (const char* kind : kinds)
+    statements += "#" + std::to_string(number++) + "=(GEOMETRIC_TOLERANCE('" + kind + "','',#1002,#1000)" + kind +
+                  "_TOLERANCE());\n";
+  statements += "#1030=FLATNESS_TOLERANCE('','',#1002,#1000);\n";
+  const ReadModel model = read(statements);
+  ASSERT_EQ(model.requirements.size(), kinds.size() + 1);
+  for (const ModelRequirement& one : model.requirements) {
+    std::string words = one.id == "#1030" ? "FLATNESS" : one.name;
+    for (char& c : words) c = c == '_' ? ' ' : static_cast<char>(std::tolower(c));
+    EXPECT_EQ(one.type, words);
+    EXPECT_EQ(one.kind, RequirementKind::tolerance);
+    EXPECT_EQ(one.value, 0.05);
+    EXPECT_EQ(normals(model, one), "+z");
+    EXPECT_EQ(one.missing, "");
+  }
+}
+
+// Datums A at the bottom, B at the left and C in front, each by its feature.
+const std::string datums =
+    step_aspect(1100, bottom, "DATUM_FEATURE") + step_aspect(1102, left, "DATUM_FEATURE") +
+    step_aspect(1104, front, "DATUM_FEATURE") +
+    "#1110=DATUM('','',#10,.F.,'A');\n#1111=DATUM('','',#10,.F.,'B');\n#1112=DATUM('','',#10,.F.,'C');\n"
+    "#1113=SHAPE_ASPECT_RELATIONSHIP('','',#1100,#1110);\n#1114=SHAPE_ASPECT_RELATIONSHIP('','',#1102,#1111);\n"
+    "#1115=SHAPE_ASPECT_RELATIONSHIP('','',#1104,#1112);\n";
+
+TEST(Requirements, ADatumSystemKeepsItsOrderAndModifiers) {
+  const ReadModel model = read(
+      datums + step_aspect(1000, top) + step_length(1002, "0.4", "") +
+      "#1120=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,#1112,$);\n"
+      "#1121=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,#1110,(SIMPLE_DATUM_REFERENCE_MODIFIER(.MAXIMUM_MATERIAL_"
+      "REQUIREMENT.)));\n"
+      "#1122=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,#1111,$);\n"
+      "#1123=DATUM_SYSTEM('','',#10,.F.,(#1120,#1121,#1122));\n"
+      "#1124=(GEOMETRIC_TOLERANCE('','',#1002,#1000)GEOMETRIC_TOLERANCE_WITH_DATUM_REFERENCE((#1123))"
+      "GEOMETRIC_TOLERANCE_WITH_MODIFIERS((.MAXIMUM_MATERIAL_REQUIREMENT.,.FREE_STATE.))POSITION_TOLERANCE());\n"
+      "#1125=TOLERANCE_ZONE('','',#10,.F.,(#1124),#1126);\n#1126=TOLERANCE_ZONE_FORM('cylindrical or circular');\n");
+  const ModelRequirement& one = named(model, "#1124");
+  EXPECT_EQ(one.datums, "C | A (maximum material requirement) | B");
+  EXPECT_EQ(one.modifiers, "maximum material requirement, free state");
+  EXPECT_EQ(one.zone, "cylindrical or circular");
+  EXPECT_EQ(one.missing, "");
+  const std::map<std::string, std::string> places{{"#1110", "-z"}, {"#1111", "-x"}, {"#1112", "-y"}};
+  for (const auto& [id, normal] : places) EXPECT_EQ(normals(model, named(model, id)), normal);
+  EXPECT_EQ(named(model, "#1111").datums, "B");
+}
+
+TEST(Requirements, CommonDatumsAreOneReferenceAndFramesOfACompositeStandBelow) {
+  const ReadModel model = read(
+      datums + step_aspect(1000, top) + step_length(1002, "0.4", "") + step_length(1003, "0.1", "") +
+      "#1120=DATUM_REFERENCE_ELEMENT('','',#10,.F.,#1110,$);\n#1121=DATUM_REFERENCE_ELEMENT('','',#10,.F.,#1111,$);\n"
+      "#1122=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,COMMON_DATUM_LIST((#1120,#1121)),$);\n"
+      "#1123=DATUM_SYSTEM('','',#10,.F.,(#1122));\n"
+      "#1124=PERPENDICULARITY_TOLERANCE('','',#1002,#1000,(#1123));\n"
+      "#1125=(GEOMETRIC_TOLERANCE('','',#1003,#1000)PERPENDICULARITY_TOLERANCE());\n"
+      "#1126=GEOMETRIC_TOLERANCE_RELATIONSHIP('composite tolerance','',#1124,#1125);\n");
+  EXPECT_EQ(named(model, "#1124").datums, "A-B");
+  EXPECT_EQ(named(model, "#1124").above, "");
+  EXPECT_EQ(named(model, "#1125").above, "#1124");
+  EXPECT_EQ(named(model, "#1125").value, 0.1);
+}
+
+TEST(Requirements, WhatCannotBeReadIsSaid) {
+  const ReadModel model =
+      read("#1000=SHAPE_ASPECT('','',#10,.T.);\n#1001=DIMENSIONAL_SIZE(#1000,'diameter');\n" + step_aspect(1002, top) +
+           "#1004=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.),#22);\n#1005=FLATNESS_TOLERANCE('','',#1004,#1002);\n" +
+           step_length(1006, "0.1", "") +
+           "#1007=(GEOMETRIC_TOLERANCE('','',#1006,#1002)GEOMETRIC_TOLERANCE_WITH_DATUM_REFERENCE((#1008))"
+           "POSITION_TOLERANCE());\n#1008=DATUM_SYSTEM('','',#10,.F.,());\n" +
+           step_length(1021, "8.", "nominal value", "QUALIFIED_REPRESENTATION_ITEM((#1022))") +
+           "#1022=VALUE_FORMAT_TYPE_QUALIFIER('NR2 1.999999999');\n#1020=DIMENSIONAL_SIZE(#1002,'diameter');\n" +
+           step_values(1023, 1020, "#1021") + "#1010=PROJECTED_ZONE_DEFINITION(#1005,(#1002),#1002,#1006);\n");
+  EXPECT_EQ(named(model, "#1001").missing, "a value, a face that it belongs to");
+  EXPECT_EQ(named(model, "#1005").missing, "a value");
+  EXPECT_EQ(named(model, "#1020").decimals, -1);
+  EXPECT_EQ(named(model, "#1007").missing, "a datum that it refers to");
+  const std::vector<std::string>& notes = model.mesh.report.notes;
+  EXPECT_EQ(std::count(notes.begin(), notes.end(),
+                       "2 dimensions and 2 geometric tolerances of the file are not drawn: epura requirements lists "
+                       "what the file requires"),
+            1);
+  EXPECT_EQ(std::count(notes.begin(), notes.end(), "not read of what the file requires: 1 PROJECTED_ZONE_DEFINITION"),
+            1);
+}
+
+TEST(Requirements, ADatumReferenceToItselfIsSaid) {
+  const ReadModel model = read(
+      "#1120=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,COMMON_DATUM_LIST((#1121)),$);\n"
+      "#1121=DATUM_REFERENCE_ELEMENT('','',#10,.F.,COMMON_DATUM_LIST((#1121)),$);\n"
+      "#1123=DATUM_SYSTEM('','',#10,.F.,(#1120));\n" +
+      step_aspect(1000, top) + step_length(1002, "0.4", "") +
+      "#1124=PERPENDICULARITY_TOLERANCE('','',#1002,#1000,(#1123));\n");
+  EXPECT_EQ(named(model, "#1124").missing, "a datum that it refers to");
+}
+
+TEST(Requirements, AspectsThatContainEachOtherAreFollowedOnce) {
+  const ReadModel model = read(step_aspect(1000, top) + step_aspect(1002, bottom) +
+                               "#1004=SHAPE_ASPECT_RELATIONSHIP('','',#1000,#1002);\n"
+                               "#1005=SHAPE_ASPECT_RELATIONSHIP('','',#1002,#1000);\n" +
+                               step_length(1006, "0.4", "") + "#1007=FLATNESS_TOLERANCE('','',#1006,#1000);\n");
+  EXPECT_EQ(named(model, "#1007").faces.size(), 2U);
+}
+
+TEST(Requirements, AHundredThousandAreReadInTime) {
+  constexpr int many = 100'000;
+  constexpr double seconds = 60;  // 14 without optimisation, on a busy machine
+  std::string statements = step_aspect(1000, top) + step_length(1002, "0.4", "");
+  for (int i = 0; i < many; ++i)
+    statements += "#" + std::to_string(2000 + i) + "=FLATNESS_TOLERANCE('','',#1002,#1000);\n";
+  const auto begin = std::chrono::steady_clock::now();
+  const ReadModel model = read(statements);
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), seconds);
+  EXPECT_EQ(model.requirements.size(), static_cast<std::size_t>(many));
+  EXPECT_EQ(normals(model, model.requirements.back()), "+z");
+}
+
+// The border of the importer.
+
+epura_requirement flatness(const char* id) {
+  epura_requirement told{};
+  told.size = sizeof told;
+  told.kind = EPURA_TOLERANCE;
+  told.id = id;
+  told.type = "flatness";
+  told.value = 0.1;
+  told.decimals = -1;
+  return told;
+}
+
+std::string fault_of(const epura_requirement& told) {
+  importer::DocumentSink sink([](double) {});
+  const epura_sink& calls = sink.calls();
+  const epura_face plane{sizeof(epura_face), EPURA_PLANE, {0, 0, 0}, {0, 0, 1}, 0, 0, 0};
+  EXPECT_EQ(calls.shape(calls.host, "plate"), 0);
+  EXPECT_EQ(calls.face(calls.host, &plane), 0);
+  const epura_requirement first = flatness("first");
+  EXPECT_EQ(calls.requirement(calls.host, &first), 0);
+  const int answer = calls.requirement(calls.host, &told);
+  EXPECT_EQ(answer != 0, !sink.fault().empty());
+  return sink.fault();
+}
+
+TEST(Requirements, TheBorderTakesSoundOnesAlone) {
+  const std::array<std::uint32_t, 2> known{0, 0}, unknown{0, 1};
+  epura_requirement told = flatness("second");
+  told.face_count = 1;
+  told.faces = known.data();
+  EXPECT_EQ(fault_of(told), "");
+  told.faces = unknown.data();
+  EXPECT_EQ(fault_of(told), "hands over the requirement second with a face that it does not hand over");
+  EXPECT_EQ(fault_of(flatness("first")), "hands over a requirement whose id is empty or that of another one");
+  EXPECT_EQ(fault_of(flatness("")), "hands over a requirement whose id is empty or that of another one");
+  epura_requirement strange = flatness("second");
+  strange.kind = 7;
+  EXPECT_EQ(fault_of(strange), "hands over the requirement second of unknown kind or with unknown bounds");
+  epura_requirement exact = flatness("second");
+  exact.decimals = 1'000'000'000;
+  EXPECT_EQ(fault_of(exact), "hands over the requirement second with decimals that no number has");
+}
+
+}  // namespace
+}  // namespace epura::test::requirements_test
