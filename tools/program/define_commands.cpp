@@ -23,16 +23,17 @@ const ProgramTexts& program_texts() {
           "hidden lines exactly, and writes drawings to scale: SVG, PDF, PS, EPS, PNG, DXF, HTML "
           "and JSON. Scene files (TOML) describe whole sheets with several views, sections, dimensions and "
           "a title block.",
-      .exit_codes = {{0, "success"},
-                     {found_wrong_exit_code,
-                      "differences found (compare, snapshot) or errors found (lint, --verify, plugins check, views "
-                      "beyond their sheet), or jobs failed (batch)"},
-                     {2, "wrong input"},
-                     {3, "plugin error"},
-                     {4, "cannot write"},
-                     {partial_exit_code, "partial drawing, or no drawing in time (--time-limit)"},
-                     {broken_exit_code, "epura itself is wrong"},
-                     {130, "cancelled"}},
+      .exit_codes =
+          {{0, "success"},
+           {found_wrong_exit_code,
+            "differences found (compare, snapshot) or errors found (lint, --verify, plugins check, views "
+            "beyond their sheet), requirements that are not read whole (requirements), or jobs failed (batch)"},
+           {2, "wrong input"},
+           {3, "plugin error"},
+           {4, "cannot write"},
+           {partial_exit_code, "partial drawing, or no drawing in time (--time-limit)"},
+           {broken_exit_code, "epura itself is wrong"},
+           {130, "cancelled"}},
       .environment = {{"EPURA_PLUGIN_PATH",
                        "Folders with plugins, separated by colons. They are searched after those of "
                        "--plugin-path and before those of the program."},
@@ -63,6 +64,10 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
       define_command(add("batch", "draw many models, each in a process of its own, and only those that changed"),
                      batch_options, batch),
       define_command(add("info", "describe a model: size, bodies, faces, holes, repairs"), info_options, info),
+      define_command(
+          add("requirements",
+              "list what a model requires: dimensions, tolerances and datums of STEP AP242, with their faces"),
+          requirements_options, requirements),
       define_command(add("compare", "report the visible differences between two drawings, models or scenes"),
                      compare_options, compare_files),
       define_command(add("snapshot", "draw cases and compare them with expected drawings"), snapshot_options, snapshot),

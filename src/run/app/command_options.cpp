@@ -46,6 +46,20 @@ scene::Options<InfoOptions> info_options() {
   };
 }
 
+scene::Options<RequirementsOptions> requirements_options() {
+  using Ledger = RequirementsOptions;
+  return {
+      scene::option<Ledger>(
+          {.flag = "models", .help = "model files, as of 'epura draw'", .required = true, .repeatable = true},
+          &Ledger::models, file_name("MODEL...")),
+      plugin_path_option<Ledger>(&Ledger::plugin_path),
+      scene::option<Ledger>({.flag = "--json", .help = "the same as JSON; - for standard output"}, &Ledger::json,
+                            file_name("FILE")),
+      scene::option<Ledger>({.flag = "--csv", .help = "the same as a table; - for standard output"}, &Ledger::csv,
+                            file_name("FILE")),
+  };
+}
+
 scene::Options<PluginsOptions> plugins_options() {
   using Plugins = PluginsOptions;
   return {

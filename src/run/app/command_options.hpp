@@ -8,6 +8,7 @@
 namespace epura {
 
 scene::Options<InfoOptions> info_options();
+scene::Options<RequirementsOptions> requirements_options();
 scene::Options<PluginsOptions> plugins_options();
 scene::Options<PictureOptions> picture_options();
 scene::Options<CheckPluginOptions> check_plugin_options();

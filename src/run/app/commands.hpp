@@ -22,5 +22,7 @@ int check_importer(const CheckImporterOptions& options);
 int new_projection(const NewProjectionOptions& options);
 int new_scene(const NewSceneOptions& options);
 int info(const InfoOptions& options);
+/// Lists what models require. Returns `found_wrong_exit_code` if some requirement could not be read whole.
+int requirements(const RequirementsOptions& options);
 
 }  // namespace epura

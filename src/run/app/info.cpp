@@ -13,6 +13,7 @@
 
 #include "app/commands.hpp"
 #include "app/part_tree.hpp"
+#include "app/requirement_words.hpp"
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
@@ -49,6 +50,7 @@ struct ModelInfo {
   bool is_declared = false;  ///< faces are declared by the file; otherwise recognised
   std::vector<surfaces::Hole> holes;
   std::vector<importer::TreePart> tree;
+  std::vector<importer::ModelRequirement> requirements;
   std::vector<world::Solid> solids;             ///< in millimetres if the unit is known, or else in that of the file
   std::optional<world::MassProperties> mass{};  ///< of all bodies, if they are closed
 
@@ -87,7 +89,8 @@ ModelInfo info_of(const std::string& path, const InfoOptions& options) {
   const importer::ReadModel read =
       importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path});
   const mesh::Mesh& mesh = read.mesh;
-  ModelInfo info{mesh.report, features::box_of(mesh), read.unit, std::nullopt, {}, 0, false, {}, read.tree, {}};
+  ModelInfo info{mesh.report, features::box_of(mesh), read.unit, std::nullopt, {}, 0, false, {},
+                 read.tree,   read.requirements,      {}};
   info.part = read.part != nullptr ? *read.part : surfaces::recognise_faces(mesh);
   info.shared_borders = count_shared(mesh, info.part);
   info.is_declared = read.part != nullptr;
@@ -321,6 +324,7 @@ std::string text_of(const ModelInfo& info) {
     text += line_of("edges", edges_text(info));
     text += holes_text(info.holes, rounded);
   }
+  for (const auto& [kind, line] : requirement_lines(info.requirements)) text += line_of(kind, line);
   std::vector<std::string> repairs = repairs_of(report);
   for (const world::Solid& solid : info.solids)
     if (solid.turned)
@@ -396,6 +400,15 @@ std::string json_of(const ModelInfo& info) {
           number("open", count_open(info)) + number("shared", info.shared_borders) + "}";
   text += ",\n   \"holes\": " + json_list(
                                     info.holes, [](const auto& h) { return json_of(h); }, ",\n    ");
+  if (!info.requirements.empty()) {
+    text += ",\n   \"requirements\": {";
+    for (const auto kind :
+         {importer::RequirementKind::dimension, importer::RequirementKind::tolerance, importer::RequirementKind::datum})
+      text += (kind == importer::RequirementKind::dimension ? "" : ", ") +
+              json_string(importer::requirement_kind_names[static_cast<std::size_t>(kind)]) + ": " +
+              std::to_string(count_of(info.requirements, kind));
+    text += "}";
+  }
   return text + ",\n   \"repairs\": " + json_list(repairs_of(report), json_string) + "}";
 }
 

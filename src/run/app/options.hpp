@@ -105,6 +105,12 @@ struct NewSceneOptions {
   std::vector<std::filesystem::path> plugin_path;
 };
 
+struct RequirementsOptions {
+  std::vector<std::string> models;
+  std::vector<std::filesystem::path> plugin_path;
+  std::string json, csv;  ///< files to write; empty: none
+};
+
 struct InfoOptions {
   std::vector<std::string> models;
   std::vector<std::filesystem::path> plugin_path;

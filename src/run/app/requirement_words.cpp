@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/requirement_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "base/text.hpp"
+
+namespace epura {
+
+namespace {
+
+using importer::ModelRequirement;
+using importer::RequirementBounds;
+using importer::RequirementKind;
+
+constexpr double inch = 25.4;
+
+// What the file writes, where that is in a unit with a name; otherwise millimetres and degrees.
+bool has_own_unit(const ModelRequirement& one) {
+  return one.is_angle ? one.unit == 1 : one.unit == 1 || one.unit == inch;
+}
+
+std::string unit_of(const ModelRequirement& one) { return one.is_angle ? "°" : one.unit == inch ? " in" : " mm"; }
+
+std::string number_of(const ModelRequirement& one, double value) {
+  constexpr int digits = 9;  // beyond them, values differ from what the file writes only by their conversion
+  return format_rounded(has_own_unit(one) ? value / one.unit : value, digits);
+}
+
+// With all decimals, also zeros.
+std::string with_decimals(double value, int decimals) {
+  std::string text = format_fixed(value, decimals);
+  if (decimals == 0) return text;
+  if (text.find('.') == std::string::npos) text += '.';
+  text.resize(std::max(text.size(), text.find('.') + 1 + static_cast<std::size_t>(decimals)), '0');
+  return text;
+}
+
+std::string value_of(const ModelRequirement& one) {
+  return one.decimals >= 0 && has_own_unit(one) ? with_decimals(one.value / one.unit, one.decimals)
+                                                : number_of(one, one.value);
+}
+
+std::string with_sign(const ModelRequirement& one, double value) {
+  return (value < 0 ? "" : "+") + number_of(one, value);
+}
+
+std::string bounds_of(const ModelRequirement& one) {
+  if (one.bounds == RequirementBounds::none) return "";
+  if (one.bounds == RequirementBounds::limits)
+    return " from " + number_of(one, one.lower) + " to " + number_of(one, one.upper);
+  if (one.lower == -one.upper) return " ±" + number_of(one, one.upper);
+  return " " + with_sign(one, one.lower) + "/" + with_sign(one, one.upper);
+}
+
+}  // namespace
+
+std::string sentence_of(const ModelRequirement& one) {
+  std::string text = one.type.empty() ? "tolerance" : one.type;
+  if (one.kind == RequirementKind::datum) text += " " + one.datums;
+  if (std::isfinite(one.value)) text += " " + value_of(one);
+  text += one.fit.empty() ? "" : " " + one.fit;
+  text += bounds_of(one);
+  if (std::isfinite(one.value) || one.bounds == RequirementBounds::limits) text += unit_of(one);
+  if (one.kind == RequirementKind::tolerance && !one.datums.empty()) text += " to " + one.datums;
+  if (!one.zone.empty()) text += ", " + one.zone;
+  if (!one.modifiers.empty()) text += ", " + one.modifiers;
+  if (!one.above.empty()) text += ", below " + one.above;
+  return text;
+}
+
+std::vector<std::pair<std::string, std::string>> requirement_lines(const std::vector<ModelRequirement>& requirements) {
+  constexpr std::array<std::pair<RequirementKind, const char*>, 3> kinds{{{RequirementKind::dimension, "dimensions"},
+                                                                          {RequirementKind::tolerance, "tolerances"},
+                                                                          {RequirementKind::datum, "datums"}}};
+  std::vector<std::pair<std::string, std::string>> lines;
+  for (const auto& [kind, word] : kinds) {
+    std::map<std::string, std::size_t> types;
+    std::string letters;
+    for (const ModelRequirement& one : requirements) {
+      if (one.kind != kind) continue;
+      ++types[one.type.empty() ? "of unknown type" : one.type];
+      letters += (letters.empty() ? "" : ", ") + one.datums;
+    }
+    if (types.empty()) continue;
+    std::string list;
+    for (const auto& [type, count] : types) list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + type;
+    lines.emplace_back(
+        word, std::to_string(count_of(requirements, kind)) + ": " + (kind == RequirementKind::datum ? letters : list));
+  }
+  return lines;
+}
+
+}  // namespace epura

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What people read of requirements.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "importer/requirements.hpp"
+
+namespace epura {
+
+/// "diameter 35 -0.2/+0 mm", "position 0.75 mm to A | B | C", in the unit and with the decimals of the file.
+std::string sentence_of(const importer::ModelRequirement& requirement);
+
+/// For each kind, how many there are and of which types: {"dimensions", "12: 9 diameter, 2 linear distance, 1 angle"}.
+std::vector<std::pair<std::string, std::string>> requirement_lines(
+    const std::vector<importer::ModelRequirement>& requirements);
+
+}  // namespace epura

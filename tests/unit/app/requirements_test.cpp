@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// epura requirements, and what epura info and epura draw say of them.
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "../output/json_reader.hpp"
+#include "errors.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+#include "step_box.hpp"
+
+namespace epura::test::requirements_command_test {
+namespace {
+
+// A height of 20 -0.1/+0.3 and a flatness of 0.05 of the top, and a hole that is not there.
+std::string some_requirements() {
+  return step_aspect(1000, bottom) + step_aspect(1002, top) +
+         "#1004=DIMENSIONAL_LOCATION('linear distance','',#1000,#1002);\n" +
+         step_length(1010, "20.", "nominal value", "QUALIFIED_REPRESENTATION_ITEM((#1011))") +
+         "#1011=VALUE_FORMAT_TYPE_QUALIFIER('NR2 2.2');\n" + step_values(1012, 1004, "#1010") +
+         step_length(1014, "-0.1", "") + step_length(1015, "0.3", "") +
+         "#1016=TOLERANCE_VALUE(#1014,#1015);\n#1017=PLUS_MINUS_TOLERANCE(#1016,#1004);\n" +
+         step_length(1020, "0.05", "") + "#1021=FLATNESS_TOLERANCE('flat, \"top\"','',#1020,#1002);\n";
+}
+
+const std::string hole = "#1030=SHAPE_ASPECT('','',#10,.T.);\n#1031=DIMENSIONAL_SIZE(#1030,'diameter');\n";
+
+class RequirementsCommand : public testing::Test {
+ protected:
+  Outcome run(const std::vector<std::string>& words, const std::string& statements, bool in_inches = false) {
+    folder_.file("box.step", step_box({40, 30, 20}, statements, in_inches));
+    return epura(words, folder_ / "");
+  }
+  [[nodiscard]] std::string text(const std::string& file) const { return read_file(folder_ / file); }
+
+ private:
+  Folder folder_;
+};
+
+TEST_F(RequirementsCommand, ListsThemInWords) {
+  const Outcome listed = run({"requirements", "box.step"}, some_requirements());
+  if (contains(listed.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
+  EXPECT_EQ(listed.code, 0) << listed.err;
+  EXPECT_TRUE(
+      std::regex_search(listed.out, std::regex("  #1004 +linear distance 20\\.00 -0\\.1/\\+0\\.3 mm; faces \\d \\d\n")))
+      << listed.out;
+  EXPECT_TRUE(std::regex_search(listed.out, std::regex("  #1021 +flatness 0\\.05 mm; face \\d\n"))) << listed.out;
+  EXPECT_TRUE(contains(listed.out, "  1 dimension and 1 geometric tolerance; none is drawn yet\n")) << listed.out;
+}
+
+TEST_F(RequirementsCommand, KeepsTheUnitOfTheFile) {
+  const Outcome listed = run({"requirements", "box.step"}, some_requirements(), true);
+  if (contains(listed.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
+  EXPECT_TRUE(contains(listed.out, "linear distance 20.00 -0.1/+0.3 in; faces")) << listed.out;
+}
+
+TEST_F(RequirementsCommand, SaysWhatIsMissingByItsExitCode) {
+  const Outcome listed = run({"requirements", "box.step"}, some_requirements() + hole);
+  if (contains(listed.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
+  EXPECT_EQ(listed.code, 1);
+  EXPECT_TRUE(contains(listed.out, "diameter; no face; not read: a value, a face that it belongs to\n")) << listed.out;
+}
+
+TEST_F(RequirementsCommand, WritesJsonAndCsv) {
+  const Outcome listed = run({"requirements", "box.step", "--json", "a.json", "--csv", "a.csv"}, some_requirements());
+  if (contains(listed.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
+  EXPECT_EQ(listed.code, 0) << listed.err;
+  const Json json = JsonReader(text("a.json")).read();
+  EXPECT_EQ(json["epura_requirements"].text, "1");
+  const Json all = json["models"].items.at(0)["requirements"];
+  ASSERT_EQ(all.items.size(), 2U);
+  const Json &height = all.items[0], &flatness = all.items[1];
+  EXPECT_EQ(height["id"].text, "#1004");
+  EXPECT_EQ(height["kind"].text, "dimension");
+  EXPECT_EQ(height["value"].number(), 20);
+  EXPECT_EQ(height["lower"].number(), -0.1);
+  EXPECT_EQ(height["upper"].number(), 0.3);
+  EXPECT_EQ(height["bounds"].text, "deviations");
+  EXPECT_EQ(height["decimals"].text, "2");
+  EXPECT_EQ(height["faces"].items.size(), 2U);
+  EXPECT_EQ(flatness["kind"].text, "tolerance");
+  EXPECT_EQ(flatness["value"].number(), 0.05);
+  EXPECT_EQ(flatness["name"].text, "flat, \"top\"");
+  EXPECT_EQ(flatness["faces"].items.size(), 1U);
+  const std::string csv = text("a.csv");
+  EXPECT_TRUE(csv.starts_with("model,id,kind,type,name,value,lower,upper,bounds,unit,decimals,")) << csv;
+  EXPECT_TRUE(contains(csv, "box.step,#1004,dimension,linear distance,linear distance,20,-0.1,0.3,deviations,1,2,,"))
+      << csv;
+  EXPECT_TRUE(contains(csv, "box.step,#1021,tolerance,flatness,\"flat, \"\"top\"\"\",0.05,,,none,1,,,")) << csv;
+}
+
+TEST_F(RequirementsCommand, InfoCountsThemAndADrawingSaysThatTheyAreNotDrawn) {
+  const Outcome info = run({"info", "box.step"}, some_requirements());
+  if (contains(info.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
+  EXPECT_TRUE(contains(info.out, "  dimensions 1: 1 linear distance\n")) << info.out;
+  EXPECT_TRUE(contains(info.out, "  tolerances 1: 1 flatness\n")) << info.out;
+  const Outcome drawn = run({"draw", "box.step", "-o", "a.svg"}, some_requirements());
+  EXPECT_EQ(drawn.code, 0);
+  EXPECT_TRUE(contains(drawn.err,
+                       "1 dimension and 1 geometric tolerance of the file are not drawn: epura requirements "
+                       "lists what the file requires"))
+      << drawn.err;
+}
+
+TEST_F(RequirementsCommand, SaysWhereThereAreNone) {
+  const Outcome listed = run({"requirements", sample("bracket.obj")}, "");
+  EXPECT_EQ(listed.code, 0) << listed.err;
+  EXPECT_TRUE(contains(listed.out, "the file states no requirements that are read\n")) << listed.out;
+}
+
+}  // namespace
+}  // namespace epura::test::requirements_command_test
