@@ -59,7 +59,7 @@ std::string bounds_of(const ModelRequirement& one) {
 
 }  // namespace
 
-std::string sentence_of(const ModelRequirement& one) {
+std::string requirement_sentence(const ModelRequirement& one) {
   std::string text = one.type.empty() ? "tolerance" : one.type;
   if (one.kind == RequirementKind::datum) text += " " + one.datums;
   if (std::isfinite(one.value)) text += " " + value_of(one);

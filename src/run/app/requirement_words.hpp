@@ -11,7 +11,7 @@
 namespace epura {
 
 /// "diameter 35 -0.2/+0 mm", "position 0.75 mm to A | B | C", in the unit and with the decimals of the file.
-std::string sentence_of(const importer::ModelRequirement& requirement);
+std::string requirement_sentence(const importer::ModelRequirement& requirement);
 
 /// For each kind, how many there are and of which types: {"dimensions", "12: 9 diameter, 2 linear distance, 1 angle"}.
 std::vector<std::pair<std::string, std::string>> requirement_lines(

@@ -142,7 +142,7 @@ std::string text_of(const Ledger& ledger) {
   for (const ModelRequirement& one : ledger.requirements) {
     std::string id = one.id;
     id.resize(std::max<std::size_t>(8, id.size() + 1), ' ');
-    text += "  " + id + one_line(sentence_of(one));
+    text += "  " + id + one_line(requirement_sentence(one));
     text += one.faces.empty() ? "; no face" : (one.faces.size() == 1 ? "; face " : "; faces ") + faces_text(one);
     if (!one.missing.empty()) text += "; not read: " + one_line(one.missing);
     text += "\n";
