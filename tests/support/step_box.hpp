@@ -9,11 +9,8 @@
 
 namespace epura::test {
 
-/// Numbers of statements to which others refer.
-inline constexpr int box_shape = 10, box_representation = 50, length_unit = 20, degree = 26;
-
 /// The numbers of the faces, each by its outward normal.
-enum BoxFace { left = 101, right, front, back, bottom, top };
+enum BoxFace { left_face = 101, right_face, front_face, back_face, bottom_face, top_face };
 
 namespace step_box_detail {
 
@@ -66,7 +63,7 @@ class Writer {
     // Counterclockwise as seen from outside.
     std::array<int, 4> ring{at, at | one, at | one | other, at | other};
     if (side == 0) std::swap(ring[1], ring[3]);
-    const int face = left + 2 * axis + side, base = 400 + 20 * (2 * axis + side);
+    const int face = left_face + 2 * axis + side, base = 400 + 20 * (2 * axis + side);
     std::string loop;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const int from = ring[i], to = ring[(i + 1) % ring.size()], number = base + static_cast<int>(i);
@@ -89,7 +86,8 @@ class Writer {
 
 }  // namespace step_box_detail
 
-/// A box with its least corner at the origin; `statements` have numbers from 1000.
+/// A box with its least corner at the origin; `statements` have numbers from 1000, and may refer to the shape #10, its
+/// representation #50 in the context #30, the unit of length #20 and degrees #26.
 inline std::string step_box(const std::array<double, 3>& size, const std::string& statements, bool in_inches = false) {
   const std::string millimetre = "(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n";
   const std::string inch =

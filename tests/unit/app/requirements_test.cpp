@@ -15,7 +15,7 @@ namespace {
 
 // A height of 20 -0.1/+0.3 and a flatness of 0.05 of the top, and a hole that is not there.
 std::string some_requirements() {
-  return step_aspect(1000, bottom) + step_aspect(1002, top) +
+  return step_aspect(1000, bottom_face) + step_aspect(1002, top_face) +
          "#1004=DIMENSIONAL_LOCATION('linear distance','',#1000,#1002);\n" +
          step_length(1010, "20.", "nominal value", "QUALIFIED_REPRESENTATION_ITEM((#1011))") +
          "#1011=VALUE_FORMAT_TYPE_QUALIFIER('NR2 2.2');\n" + step_values(1012, 1004, "#1010") +

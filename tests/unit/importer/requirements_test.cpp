@@ -39,7 +39,7 @@ const ModelRequirement& named(const ReadModel& model, const std::string& id) {
 }
 
 // A width of 40 between left and right.
-const std::string width = step_aspect(1000, left) + step_aspect(1002, right) +
+const std::string width = step_aspect(1000, left_face) + step_aspect(1002, right_face) +
                           "#1004=DIMENSIONAL_LOCATION('linear distance','',#1000,#1002);\n";
 
 TEST(Requirements, ADimensionHasItsDeviationsAndDigits) {
@@ -110,7 +110,7 @@ TEST(Requirements, EveryKindOfGeometricToleranceIsRead) {
   const std::array kinds{"ANGULARITY", "CIRCULAR_RUNOUT", "COAXIALITY",      "CONCENTRICITY",    "CYLINDRICITY",
                          "FLATNESS",   "LINE_PROFILE",    "PARALLELISM",     "PERPENDICULARITY", "POSITION",
                          "ROUNDNESS",  "STRAIGHTNESS",    "SURFACE_PROFILE", "SYMMETRY",         "TOTAL_RUNOUT"};
-  std::string statements = step_aspect(1000, top) + step_length(1002, "0.05", "");
+  std::string statements = step_aspect(1000, top_face) + step_length(1002, "0.05", "");
   int number = 1010;
   for (const char* kind : kinds)
     statements += "#" + std::to_string(number++) + "=(GEOMETRIC_TOLERANCE('" + kind + "','',#1002,#1000)" + kind +
@@ -131,15 +131,15 @@ TEST(Requirements, EveryKindOfGeometricToleranceIsRead) {
 
 // Datums A at the bottom, B at the left and C in front, each by its feature.
 const std::string datums =
-    step_aspect(1100, bottom, "DATUM_FEATURE") + step_aspect(1102, left, "DATUM_FEATURE") +
-    step_aspect(1104, front, "DATUM_FEATURE") +
+    step_aspect(1100, bottom_face, "DATUM_FEATURE") + step_aspect(1102, left_face, "DATUM_FEATURE") +
+    step_aspect(1104, front_face, "DATUM_FEATURE") +
     "#1110=DATUM('','',#10,.F.,'A');\n#1111=DATUM('','',#10,.F.,'B');\n#1112=DATUM('','',#10,.F.,'C');\n"
     "#1113=SHAPE_ASPECT_RELATIONSHIP('','',#1100,#1110);\n#1114=SHAPE_ASPECT_RELATIONSHIP('','',#1102,#1111);\n"
     "#1115=SHAPE_ASPECT_RELATIONSHIP('','',#1104,#1112);\n";
 
 TEST(Requirements, ADatumSystemKeepsItsOrderAndModifiers) {
   const ReadModel model = read(
-      datums + step_aspect(1000, top) + step_length(1002, "0.4", "") +
+      datums + step_aspect(1000, top_face) + step_length(1002, "0.4", "") +
       "#1120=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,#1112,$);\n"
       "#1121=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,#1110,(SIMPLE_DATUM_REFERENCE_MODIFIER(.MAXIMUM_MATERIAL_"
       "REQUIREMENT.)));\n"
@@ -160,7 +160,7 @@ TEST(Requirements, ADatumSystemKeepsItsOrderAndModifiers) {
 
 TEST(Requirements, CommonDatumsAreOneReferenceAndFramesOfACompositeStandBelow) {
   const ReadModel model = read(
-      datums + step_aspect(1000, top) + step_length(1002, "0.4", "") + step_length(1003, "0.1", "") +
+      datums + step_aspect(1000, top_face) + step_length(1002, "0.4", "") + step_length(1003, "0.1", "") +
       "#1120=DATUM_REFERENCE_ELEMENT('','',#10,.F.,#1110,$);\n#1121=DATUM_REFERENCE_ELEMENT('','',#10,.F.,#1111,$);\n"
       "#1122=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,COMMON_DATUM_LIST((#1120,#1121)),$);\n"
       "#1123=DATUM_SYSTEM('','',#10,.F.,(#1122));\n"
@@ -174,15 +174,15 @@ TEST(Requirements, CommonDatumsAreOneReferenceAndFramesOfACompositeStandBelow) {
 }
 
 TEST(Requirements, WhatCannotBeReadIsSaid) {
-  const ReadModel model =
-      read("#1000=SHAPE_ASPECT('','',#10,.T.);\n#1001=DIMENSIONAL_SIZE(#1000,'diameter');\n" + step_aspect(1002, top) +
-           "#1004=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.),#22);\n#1005=FLATNESS_TOLERANCE('','',#1004,#1002);\n" +
-           step_length(1006, "0.1", "") +
-           "#1007=(GEOMETRIC_TOLERANCE('','',#1006,#1002)GEOMETRIC_TOLERANCE_WITH_DATUM_REFERENCE((#1008))"
-           "POSITION_TOLERANCE());\n#1008=DATUM_SYSTEM('','',#10,.F.,());\n" +
-           step_length(1021, "8.", "nominal value", "QUALIFIED_REPRESENTATION_ITEM((#1022))") +
-           "#1022=VALUE_FORMAT_TYPE_QUALIFIER('NR2 1.999999999');\n#1020=DIMENSIONAL_SIZE(#1002,'diameter');\n" +
-           step_values(1023, 1020, "#1021") + "#1010=PROJECTED_ZONE_DEFINITION(#1005,(#1002),#1002,#1006);\n");
+  const ReadModel model = read(
+      "#1000=SHAPE_ASPECT('','',#10,.T.);\n#1001=DIMENSIONAL_SIZE(#1000,'diameter');\n" + step_aspect(1002, top_face) +
+      "#1004=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.),#22);\n#1005=FLATNESS_TOLERANCE('','',#1004,#1002);\n" +
+      step_length(1006, "0.1", "") +
+      "#1007=(GEOMETRIC_TOLERANCE('','',#1006,#1002)GEOMETRIC_TOLERANCE_WITH_DATUM_REFERENCE((#1008))"
+      "POSITION_TOLERANCE());\n#1008=DATUM_SYSTEM('','',#10,.F.,());\n" +
+      step_length(1021, "8.", "nominal value", "QUALIFIED_REPRESENTATION_ITEM((#1022))") +
+      "#1022=VALUE_FORMAT_TYPE_QUALIFIER('NR2 1.999999999');\n#1020=DIMENSIONAL_SIZE(#1002,'diameter');\n" +
+      step_values(1023, 1020, "#1021") + "#1010=PROJECTED_ZONE_DEFINITION(#1005,(#1002),#1002,#1006);\n");
   EXPECT_EQ(named(model, "#1001").missing, "a value, a face that it belongs to");
   EXPECT_EQ(named(model, "#1005").missing, "a value");
   EXPECT_EQ(named(model, "#1020").decimals, -1);
@@ -201,13 +201,13 @@ TEST(Requirements, ADatumReferenceToItselfIsSaid) {
       "#1120=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,COMMON_DATUM_LIST((#1121)),$);\n"
       "#1121=DATUM_REFERENCE_ELEMENT('','',#10,.F.,COMMON_DATUM_LIST((#1121)),$);\n"
       "#1123=DATUM_SYSTEM('','',#10,.F.,(#1120));\n" +
-      step_aspect(1000, top) + step_length(1002, "0.4", "") +
+      step_aspect(1000, top_face) + step_length(1002, "0.4", "") +
       "#1124=PERPENDICULARITY_TOLERANCE('','',#1002,#1000,(#1123));\n");
   EXPECT_EQ(named(model, "#1124").missing, "a datum that it refers to");
 }
 
 TEST(Requirements, AspectsThatContainEachOtherAreFollowedOnce) {
-  const ReadModel model = read(step_aspect(1000, top) + step_aspect(1002, bottom) +
+  const ReadModel model = read(step_aspect(1000, top_face) + step_aspect(1002, bottom_face) +
                                "#1004=SHAPE_ASPECT_RELATIONSHIP('','',#1000,#1002);\n"
                                "#1005=SHAPE_ASPECT_RELATIONSHIP('','',#1002,#1000);\n" +
                                step_length(1006, "0.4", "") + "#1007=FLATNESS_TOLERANCE('','',#1006,#1000);\n");
@@ -217,7 +217,7 @@ TEST(Requirements, AspectsThatContainEachOtherAreFollowedOnce) {
 TEST(Requirements, AHundredThousandAreReadInTime) {
   constexpr int many = 100'000;
   constexpr double seconds = 60;  // 14 without optimisation, on a busy machine
-  std::string statements = step_aspect(1000, top) + step_length(1002, "0.4", "");
+  std::string statements = step_aspect(1000, top_face) + step_length(1002, "0.4", "");
   for (int i = 0; i < many; ++i)
     statements += "#" + std::to_string(2000 + i) + "=FLATNESS_TOLERANCE('','',#1002,#1000);\n";
   const auto begin = std::chrono::steady_clock::now();
