@@ -12,6 +12,8 @@ bool Cavity::holds(const Vec3& point) const {
   const auto flat = [this](const Vec3& d) { return d - glm::dot(d, axis) * axis; };
   const Vec3 d = flat(point - centres[0]), along = flat(centres[1] - centres[0]);
   const double square = glm::dot(along, along);
+  const double slack = (within_cavity - 1) * radius, depth = glm::dot(centres[0] - point, axis);
+  if (depth < -slack || depth > reach + slack) return false;
   const double t = square > 0 ? std::clamp(glm::dot(d, along) / square, 0.0, 1.0) : 0;
   return glm::length(d - t * along) <= within_cavity * radius;
 }
@@ -29,11 +31,11 @@ std::vector<Cavity> cavities_of(const PartFeatures& features, int model) {
     double widest = hole.diameter;
     if (hole.counterbore) widest = hole.counterbore->diameter;
     if (hole.countersink) widest = hole.countersink->diameter;
-    cavities.push_back({{hole.mouth, hole.mouth}, hole.axis, widest / 2, true, static_cast<int>(i)});
+    cavities.push_back({{hole.mouth, hole.mouth}, hole.axis, widest / 2, hole.reach, true, static_cast<int>(i)});
   }
   for (std::size_t i = 0; i < features.slots.size(); ++i)
     if (const SlotFeature& slot = features.slots[i]; slot.model == model)
-      cavities.push_back({slot.centres, slot.axis, slot.radius, false, static_cast<int>(i)});
+      cavities.push_back({slot.centres, slot.axis, slot.radius, slot.reach, false, static_cast<int>(i)});
   return cavities;
 }
 

@@ -10,11 +10,12 @@
 
 namespace epura::features {
 
-/// Within `radius` of the segment between two points, along the axis.
+/// Within `radius` of the segment between two points, down from there.
 struct Cavity {
-  std::array<Vec3, 2> centres;
-  Vec3 axis;
+  std::array<Vec3, 2> centres;  ///< where it begins
+  Vec3 axis;                    ///< unit, out of the material
   double radius;
+  double reach;  ///< against the axis
   bool is_hole;  ///< otherwise a slot; a plane across the axis of a hole belongs to it
   int number;    ///< in PartFeatures
 

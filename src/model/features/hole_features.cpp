@@ -52,6 +52,7 @@ class HoleReader {
     }
     const double mouth = pieces.front().begin;
     HoleFeature design{model_, first.origin - mouth * axis, axis, 0, !shut_low && !shut_high};
+    design.reach = end_of(pieces) - mouth;
     const bool certain = !(shut_low && shut_high);
     if (certain && interpret(pieces, design)) {
       if (!design.through && has_plane(axis, glm::dot(design.mouth, axis))) design.depth = end_of_bore(pieces) - mouth;

@@ -174,8 +174,11 @@ std::vector<SlotFeature> slots_of(const CentredFeatures& centred) {
   for (const CentredSlot& slot : centred.slots) {
     const CentredRound &one = slot.ends[0], &other = slot.ends[1];
     if (one.enclosed && other.enclosed)
-      slots.push_back(
-          {one.model, {one.rings.back().centre, other.rings.back().centre}, one.axis, one.rings.back().radius});
+      slots.push_back({one.model,
+                       {one.rings.back().centre, other.rings.back().centre},
+                       one.axis,
+                       one.rings.back().radius,
+                       glm::dot(one.rings.back().centre - one.rings.front().centre, one.axis)});
   }
   for (SlotFeature& slot : slots) {
     Vec3 along = slot.centres[1] - slot.centres[0];

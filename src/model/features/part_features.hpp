@@ -41,6 +41,7 @@ struct HoleFeature {
   std::optional<Recess> counterbore{}, countersink{};
   int pitch_circle = -1;  ///< index in PartFeatures
   std::optional<ThreadFeature> thread{};
+  double reach = 0;  ///< from the mouth to the end of its round faces, with the point of a drill
 
   /// Diameter by which it is called.
   [[nodiscard]] double called() const { return thread ? thread->diameter : diameter; }
@@ -71,6 +72,7 @@ struct SlotFeature {
   std::array<Vec3, 2> centres;  ///< of its ends, where it begins
   Vec3 axis;                    ///< unit
   double radius;                ///< of its ends
+  double reach = 0;             ///< of its ends along the axis, from where it begins
 };
 
 /// Part of a cylinder of less than a turn: a fillet or a rounded corner.
