@@ -108,6 +108,29 @@ bool is_chamfer(const RoundFaces& of, const RoundFace& round, const ConeFeature&
   return plane && cylinder;
 }
 
+// Of cylinders that are no shafts or bores, the faces that stand for all of one cylinder: a groove may part it.
+std::vector<std::size_t> firsts_of_arcs(const RoundFaces& of) {
+  std::vector<char> done(of.faces.size(), 0);
+  for (const InterruptedFace& one : find_interrupted(of.faces, SurfaceKind::cylinder))
+    for (const int part : one.parts) done[static_cast<std::size_t>(part)] = 1;
+  std::vector<std::size_t> firsts;
+  for (std::size_t i = 0; i < of.faces.size(); ++i) {
+    if (of.faces[i].face.surface.kind != SurfaceKind::cylinder || done[i] != 0) continue;
+    double sweep = 0, longest = 0;
+    std::size_t first = i;
+    for (std::size_t j = i; j < of.faces.size(); ++j) {
+      const double own = of.faces[j].face.sweep;
+      if (j != i && (done[j] != 0 || !are_one_turn(of.faces[i], of.faces[j]))) continue;
+      done[j] = 1;
+      sweep += own;
+      if (own > longest) first = j;
+      longest = std::max(longest, own);
+    }
+    if (sweep >= shortest_arc && longest <= longest_arc) firsts.push_back(first);
+  }
+  return firsts;
+}
+
 }  // namespace
 
 std::vector<CylinderFeature> shafts_of(const RoundFaces& of) {
@@ -131,12 +154,9 @@ std::vector<CylinderFeature> shafts_of(const RoundFaces& of) {
 
 std::vector<ArcFeature> arcs_of(const RoundFaces& of, const std::vector<SlotFeature>& slots) {
   std::vector<ArcFeature> arcs;
-  for (const RoundFace& round : of.faces) {
+  for (const std::size_t number : firsts_of_arcs(of)) {
+    const RoundFace& round = of.faces[number];
     const surfaces::PartSurface& surface = round.face.surface;
-    if (surface.kind != SurfaceKind::cylinder || round.face.sweep < shortest_arc || round.face.sweep > longest_arc)
-      continue;
-    const auto shares = [&](const RoundFace& other) { return &other != &round && are_one_turn(round, other); };
-    if (std::any_of(of.faces.begin(), of.faces.end(), shares)) continue;
     ArcFeature arc{of.model, round.at(round.to), snapped(surface.axis), surface.radius, {}, round.face.inwards};
     if (is_end_of_slot(slots, arc)) continue;
     constexpr int steps = 8;
