@@ -13,6 +13,7 @@
 #include "dimensions_support.hpp"
 #include "shapes.hpp"
 #include "sheet/dimensions/place_chain.hpp"
+#include "sheet/dimensions/slope_dimensions.hpp"
 #include "sheet/dimensions/turned_prisms.hpp"
 
 namespace epura::test::coverage_test {
@@ -81,6 +82,30 @@ TEST(Coverage, TurnedPrismsAreTwoPairsOfFacesAboutOneMiddle) {
   EXPECT_NEAR(prisms[0].reach({1, 0, 0}), 6 * std::sqrt(3) / 2 + 4 * 0.5, 1e-12);
   features.inclined.pop_back();
   EXPECT_TRUE(sheet::find_turned_prisms(features).empty()) << "three sides are no prism";
+}
+
+// An angle counts for what it measures: a leg is in a side, or in the middle between two, and reaches the prism. Of
+// slopes, it is in their plane.
+TEST(Coverage, AnAngleIsThatOfWhatItTouches) {
+  const Vec3 u(std::sqrt(3) / 2, 0.5, 0), v(-0.5, std::sqrt(3) / 2, 0), x(1, 0, 0), middle(5, 6, 0);
+  const sheet::TurnedPrism prism{0, middle, {0, 0, 1}, {u, v}, {12, 8}, true};
+  const auto angle = [](const Vec3& corner, const Vec3& one, const Vec3& other) {
+    sheet::AnchoredDimension dimension{};
+    dimension.type = DimensionType::angular;
+    dimension.points = {corner, corner + 5.0 * one, corner + 5.0 * other};
+    return dimension;
+  };
+  EXPECT_TRUE(sheet::is_angle_of(angle(middle, x, u), prism));
+  EXPECT_TRUE(sheet::is_angle_of(angle(middle + 4.0 * v, u, x), prism)) << "in a side";
+  EXPECT_FALSE(sheet::is_angle_of(angle(middle + 2.0 * v, u, x), prism)) << "in no side";
+  EXPECT_FALSE(sheet::is_angle_of(angle(middle + Vec3(0, 30, 0), x, u), prism)) << "of another thing";
+  EXPECT_FALSE(sheet::is_angle_of(angle(middle + 20.0 * u, x, u), prism)) << "beyond it";
+  EXPECT_FALSE(sheet::is_angle_of(angle(middle, v, u), prism)) << "not from the axes";
+  const features::BevelFeature slope{0,     1,  {Vec3(20, 0, 5), Vec3(15, 0, 20)}, {0, 2}, 300,
+                                     false, {}, glm::normalize(Vec3(3, 0, 1))};
+  const Vec3 side = glm::normalize(slope.ends[1] - slope.ends[0]);
+  EXPECT_TRUE(sheet::is_angle_of(angle(slope.ends[0], {0, 0, 1}, side), slope));
+  EXPECT_FALSE(sheet::is_angle_of(angle(slope.ends[0] + Vec3(9, 0, 0), {0, 0, 1}, side), slope));
 }
 
 }  // namespace

@@ -180,17 +180,23 @@ Missing missing_in_models(const Dimensioned& sheet) {
   return missing;
 }
 
-// Of a slope or a prism.
+// Of a slope or a prism, by a dimension of its own, or by "2×" at one that is equal to it.
 template <class Feature>
-bool has_angle_in(std::span<const DimensionsInView> views, const Feature& feature) {
-  return any_dimension(views, [&](const AnchoredDimension& one) { return is_angle_of(one, feature); });
+bool has_angle_in(std::span<const DimensionsInView> views, const Feature& feature, const std::vector<Feature>& all) {
+  return any_dimension(views, [&](const AnchoredDimension& one) {
+    return is_angle_of(one, feature) ||
+           (repeats_of(one.text) > 1 && std::any_of(all.begin(), all.end(), [&](const Feature& other) {
+              return are_equal(other, feature) && is_angle_of(one, other);
+            }));
+  });
 }
 
 // Of each slope: by its angle, or by the places of its ends.
 std::vector<bool> slopes_given(const Dimensioned& sheet, const JoinedPlaces& places) {
+  const std::vector<features::BevelFeature>& bevels = sheet.subject.features.bevels;
   std::vector<bool> given;
-  for (const features::BevelFeature& bevel : sheet.subject.features.bevels) {
-    bool is_known = !has_angle(bevel, sheet.subject) || has_angle_in(sheet.views, bevel);
+  for (const features::BevelFeature& bevel : bevels) {
+    bool is_known = !has_angle(bevel, sheet.subject) || has_angle_in(sheet.views, bevel, bevels);
     for (int axis = 0; axis < 3 && !has_angle(bevel, sheet.subject); ++axis)
       for (const Vec3& end : bevel.ends) is_known = is_known && (axis == bevel.along || places.has(axis, end[axis]));
     given.push_back(is_known);
@@ -199,12 +205,13 @@ std::vector<bool> slopes_given(const Dimensioned& sheet, const JoinedPlaces& pla
 }
 
 Sentences missing_angles(const Dimensioned& sheet) {
+  const std::vector<features::BevelFeature>& bevels = sheet.subject.features.bevels;
   Sentences missing;
-  for (const features::BevelFeature& bevel : sheet.subject.features.bevels)
-    if (has_angle(bevel, sheet.subject) && !has_angle_in(sheet.views, bevel))
+  for (const features::BevelFeature& bevel : bevels)
+    if (has_angle(bevel, sheet.subject) && !has_angle_in(sheet.views, bevel, bevels))
       missing.push_back("slope of " + format_rounded(bevel.area, 4) + " mm²: angle");
   for (const TurnedPrism& prism : sheet.table.prisms)
-    if (!has_angle_in(sheet.views, prism))
+    if (!has_angle_in(sheet.views, prism, sheet.table.prisms))
       missing.push_back(std::string("turned ") + (prism.inwards ? "hole" : "boss") + ": angle");
   return missing;
 }
@@ -251,8 +258,8 @@ std::vector<KnownPrism> known_prisms(const Dimensioned& sheet) {
   const std::size_t first = sheet.table.first(SizeKind::side);
   for (std::size_t i = 0; i < sheet.table.prisms.size(); ++i) {
     const TurnedPrism& prism = sheet.table.prisms[i];
-    prisms.push_back(
-        {prism, sheet.given[first + 2 * i] && sheet.given[first + 2 * i + 1] && has_angle_in(sheet.views, prism)});
+    prisms.push_back({prism, sheet.given[first + 2 * i] && sheet.given[first + 2 * i + 1] &&
+                                 has_angle_in(sheet.views, prism, sheet.table.prisms)});
   }
   return prisms;
 }

@@ -100,6 +100,10 @@ bool is_angle_of(const AnchoredDimension& dimension, const BevelFeature& slope) 
   return false;
 }
 
+bool are_equal(const BevelFeature& a, const BevelFeature& b) {
+  return a.model == b.model && a.along == b.along && features::are_parallel(glm::abs(a.normal), glm::abs(b.normal));
+}
+
 Planned slope_dimensions(const Planning& plan) {
   std::vector<BevelFeature> chamfers, slopes;
   for (const BevelFeature& bevel : plan.subject.features.bevels) {

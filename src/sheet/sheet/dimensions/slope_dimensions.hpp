@@ -14,6 +14,9 @@ bool has_angle(const features::BevelFeature& slope, const DimensionSubject& subj
 /// Whether a dimension is the angle between a slope and an axis of the world.
 bool is_angle_of(const AnchoredDimension& dimension, const features::BevelFeature& slope);
 
+/// Whether the angle of one slope can stand for that of the other, as in "2× 60°".
+bool are_equal(const features::BevelFeature& a, const features::BevelFeature& b);
+
 /// Chamfered corners have a note; other slopes have an angle or the positions of their ends, those of the largest ones
 /// first.
 Planned slope_dimensions(const Planning& plan);

@@ -111,6 +111,15 @@ bool TurnedPrism::has_side(const Vec3& point, const Vec3& normal) const {
   return false;
 }
 
+bool TurnedPrism::is_beside(const Vec3& from, const Vec3& to, std::size_t side) const {
+  const Vec3 &along = normals[side], &across = normals[1 - side];
+  if (!are_parallel(glm::normalize(to - from), along)) return false;
+  const double off = std::abs(glm::dot(from - centre, across));
+  if (off > same_size * widths[1 - side] && !are_same(off, widths[1 - side] / 2)) return false;
+  const double begin = glm::dot(from - centre, along), end = glm::dot(to - centre, along);
+  return std::min(begin, end) < widths[side] / 2 && std::max(begin, end) > -widths[side] / 2;
+}
+
 bool TurnedPrism::is_whole(const std::array<features::Extent, 3>& extents) const {
   for (int across = 0; across < 3; ++across) {
     if (std::abs(axis[across]) > parallel) continue;
@@ -168,12 +177,13 @@ bool is_width_of(const AnchoredDimension& dimension, const TurnedPrism& prism, s
 bool is_angle_of(const AnchoredDimension& dimension, const TurnedPrism& prism) {
   if (dimension.type != DimensionType::angular) return false;
   check(dimension.points.size() == 3, "an angle has a corner and two legs");
-  const std::array<Vec3, 2> legs{glm::normalize(dimension.points[1] - dimension.points[0]),
-                                 glm::normalize(dimension.points[2] - dimension.points[0])};
-  for (const std::size_t leg : {0U, 1U})
-    if (features::axis_along(legs[1 - leg]) >= 0 &&
-        (are_parallel(legs[leg], prism.normals[0]) || are_parallel(legs[leg], prism.normals[1])))
+  const Vec3& corner = dimension.points[0];
+  for (const std::size_t leg : {1U, 2U}) {
+    const Vec3& end = dimension.points[leg];
+    if (features::axis_along(glm::normalize(dimension.points[3 - leg] - corner)) >= 0 &&
+        (prism.is_beside(corner, end, 0) || prism.is_beside(corner, end, 1)))
       return true;
+  }
   return false;
 }
 

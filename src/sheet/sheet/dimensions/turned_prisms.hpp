@@ -22,6 +22,8 @@ struct TurnedPrism {
   [[nodiscard]] double reach(const Vec3& direction) const;
   /// Whether a plane is one of its sides.
   [[nodiscard]] bool has_side(const Vec3& point, const Vec3& normal) const;
+  /// Whether a line from one point to another runs along a normal, in a side or in the middle between the two.
+  [[nodiscard]] bool is_beside(const Vec3& from, const Vec3& to, std::size_t side) const;
   /// Whether it is what the size of the models is along both axes of the world across its own.
   [[nodiscard]] bool is_whole(const std::array<features::Extent, 3>& extents) const;
   /// The axis of the world, in either direction, that is nearest to the first normal.
