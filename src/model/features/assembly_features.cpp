@@ -10,6 +10,7 @@
 
 #include "features/tolerances.hpp"
 #include "world/explosion_order.hpp"
+#include "world/mass.hpp"
 
 namespace epura::features {
 
@@ -60,13 +61,22 @@ void add_levels(std::vector<LevelFeature>& levels, const Box& part, const Box& w
     }
 }
 
+// With names, or closed: a cracked surface is in pieces, too.
+bool has_several_bodies(const world::Placed& placed) {
+  const mesh::Mesh& mesh = placed.mesh->whole();
+  if (mesh.report.body_names.size() > 1) return true;
+  if (std::all_of(mesh.body.begin(), mesh.body.end(), [](int body) { return body == 0; })) return false;
+  const std::vector<world::Solid> solids = world::solids_of(mesh, placed.to_world);
+  return std::count_if(solids.begin(), solids.end(), [](const world::Solid& one) { return one.fault.empty(); }) > 1;
+}
+
 }  // namespace
 
 bool is_assembly(const world::World& world) {
   std::size_t models = 0;
   for (const world::Placed& placed : world.models) {
     if (placed.mesh->triangle_count() == 0) continue;
-    if (placed.mesh->report.body_names.size() > 1) return true;
+    if (has_several_bodies(placed)) return true;
     ++models;
   }
   return models > 1;

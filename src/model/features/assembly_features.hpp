@@ -7,7 +7,7 @@
 
 namespace epura::features {
 
-/// Whether there are several models, or a file with several bodies that have names.
+/// Whether there are several models, or a file with several bodies that are closed or have names.
 bool is_assembly(const world::World& world);
 
 /// Of the features of an assembly, holes in which no other part is; and the ends of its parts as levels, without those
