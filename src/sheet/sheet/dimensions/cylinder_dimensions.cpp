@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/axis_positions.hpp"
@@ -44,6 +45,40 @@ Planned ends_of_threads(const CylinderGroup& group, const NamedProjection& view)
   return planned;
 }
 
+bool are_coaxial(const CylinderFeature& a, const CylinderFeature& b) {
+  return a.model == b.model && a.inwards == b.inwards && are_parallel(a.axis, b.axis) &&
+         features::distance_from_line(b.from, a.from, a.axis) <= features::same_size * std::max(a.radius, b.radius);
+}
+
+// Whether what lies between two equal cylinders on one axis is a groove, and no collar or shoulder.
+bool are_parted_by_groove(const CylinderFeature& a, const CylinderFeature& b,
+                          const std::vector<CylinderFeature>& cylinders) {
+  if (!are_coaxial(a, b)) return false;
+  const auto middle = [&](const CylinderFeature& one) { return glm::dot((one.from + one.to) / 2.0, a.axis); };
+  const auto [low, high] = std::minmax({middle(a), middle(b)});
+  bool any = false;
+  for (const CylinderFeature& one : cylinders) {
+    if (!are_coaxial(a, one) || middle(one) <= low || middle(one) >= high || are_same(one.radius, a.radius)) continue;
+    if ((one.radius > a.radius) != a.inwards) return false;
+    any = true;
+  }
+  return any;
+}
+
+// Those that grooves part are one.
+std::size_t count_cylinders(const CylinderGroup& group, const std::vector<CylinderFeature>& cylinders) {
+  DisjointSets sets(group.size());
+  std::size_t count = group.size();
+  for (std::size_t i = 0; i < group.size(); ++i)
+    for (std::size_t j = i + 1; j < group.size(); ++j) {
+      const int one = static_cast<int>(i), other = static_cast<int>(j);
+      if (sets.root(one) == sets.root(other) || !are_parted_by_groove(*group[i], *group[j], cylinders)) continue;
+      sets.join(one, other);
+      --count;
+    }
+  return count;
+}
+
 Planned dimensions_of_equal(const Planning& plan, const CylinderGroup& group) {
   Planned planned;
   const Vec3& axis = group.front()->axis;
@@ -57,9 +92,10 @@ Planned dimensions_of_equal(const Planning& plan, const CylinderGroup& group) {
   if (view == nullptr) return planned;
   const CylinderFeature& shown = *uppermost<CylinderFeature>(group, *view, end);
   check(shown.called() > 0, "a cylinder has a radius");
-  planned.dimensions.push_back(plan.dimension(DimensionType::diameter, *view,
-                                              times(group.size()) + name_in_note(shown.thread),
-                                              {end(shown), axis, shown.called(), {}}));
+  planned.dimensions.push_back(
+      plan.dimension(DimensionType::diameter, *view,
+                     times(count_cylinders(group, plan.subject.features.cylinders)) + name_in_note(shown.thread),
+                     {end(shown), axis, shown.called(), {}}));
   if (across != nullptr) planned.append(ends_of_threads(group, *across));
   std::vector<Vec3> centres;
   for (const CylinderFeature* cylinder : group) centres.push_back(cylinder->from);
