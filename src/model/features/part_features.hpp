@@ -110,6 +110,9 @@ struct RoundFeature {
   double radius;                  ///< of its section
   std::array<double, 2> angles;   ///< ends of its section, degrees counterclockwise from outwards towards the axis
   std::vector<Sector> sectors{};  ///< what slots have left of it; empty for a full turn
+  /// Whether an edge around the axis ends its section, so that its neighbours do not tell where it is: a groove, a
+  /// bead.
+  bool has_edge = false;
 
   /// Whether it is there in a direction from the axis.
   [[nodiscard]] bool reaches(const Vec3& out) const { return turn_from(out) <= 0; }

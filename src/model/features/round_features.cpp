@@ -52,6 +52,26 @@ bool is_rest_of(const RoundFace& round, const RoundFace& first) {
   return surfaces::are_one(round.face.surface, first.face.surface) && round.face.inwards == first.face.inwards;
 }
 
+// Whether a border of a torus that is no tangent one runs around its axis, as the ends of slots do not.
+bool has_edge_around(const RoundFaces& of, const RoundFace& round) {
+  const mesh::Mesh& mesh = of.placed().mesh->whole();
+  const surfaces::PartSurface& torus = round.face.surface;
+  const auto height = [&](int vertex) {
+    return glm::dot(of.world.points[of.world.first_vertex[of.model] + vertex] - torus.origin, torus.axis);
+  };
+  const double slack = slack_of(of.part.tolerance, torus.minor);
+  for (const surfaces::PartBorder& border : of.placed().part->borders) {
+    if (border.kind == surfaces::BorderKind::tangent || !border.closed) continue;
+    if (border.faces[0] != round.number && border.faces[1] != round.number) continue;
+    const auto is_level = [&](int edge) {
+      const auto& [a, b] = mesh.edges[static_cast<std::size_t>(edge)].vertex;
+      return std::abs(height(a) - height(b)) <= slack;
+    };
+    if (std::all_of(border.edges.begin(), border.edges.end(), is_level)) return true;
+  }
+  return false;
+}
+
 RoundFeature round_of(const RoundFaces& of, const RoundFace& round) {
   const surfaces::PartSurface& surface = round.face.surface;
   std::vector<double> angles;
@@ -71,6 +91,7 @@ RoundFeature round_of(const RoundFaces& of, const RoundFace& round) {
   RoundFeature made{of.model,       surface.origin, surface.axis,
                     surface.radius, surface.minor,  {from, from + 360 - largest}};
   if (!round.is_whole()) made.sectors.push_back(sector_of(round));
+  made.has_edge = round.is_whole() && has_edge_around(of, round);
   return made;
 }
 

@@ -18,6 +18,7 @@
 #include "sheet/dimensions/planning.hpp"
 #include "sheet/dimensions/prism_dimensions.hpp"
 #include "sheet/dimensions/radius_dimensions.hpp"
+#include "sheet/dimensions/ring_dimensions.hpp"
 #include "sheet/dimensions/slope_dimensions.hpp"
 
 namespace epura::sheet {
@@ -76,6 +77,7 @@ Planned dimensions_of_features(const Planning& plan, std::span<const NamedProjec
   planned.append(ball_dimensions(plan, planned.dimensions));
   planned.append(chamfer_dimensions(plan));
   planned.append(cone_dimensions(plan));
+  planned.append(ring_dimensions(plan));
   planned.append(slope_dimensions(plan));
   return planned;
 }

@@ -51,6 +51,8 @@ std::vector<FeaturePlace> places_of_axes(const DimensionSubject& subject, const 
         places.push_back({axis, ball.centre[axis], "sphere SR" + length(ball.radius)});
   for (const features::ConeFeature& cone : features.cones)
     add(cone.ends[1], cone.axis, "cone ⌀" + length(2 * cone.radii[1]));
+  for (std::size_t i = table.first(SizeKind::ring); i < table.first(SizeKind::side); ++i)
+    for (int axis = 0; axis < 3; ++axis) places.push_back({axis, table.sizes[i].centre[axis], table.sizes[i].name});
   for (const features::HexagonFeature& hexagon : features.hexagons)
     add(hexagon.centre, hexagon.axis, "hexagon " + length(hexagon.across_flats));
   return places;

@@ -12,6 +12,7 @@
 #include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/hole_table.hpp"
 #include "sheet/dimensions/placed_balls.hpp"
+#include "sheet/dimensions/ring_dimensions.hpp"
 #include "sheet/dimensions/thread_notes.hpp"
 
 namespace epura::sheet {
@@ -55,6 +56,11 @@ bool are_equal_sizes(const FeatureSize& a, const FeatureSize& b, const PartFeatu
     case SizeKind::slot:
     case SizeKind::side:
       return are_equal_circles(a, b);
+    case SizeKind::ring:
+      return are_equal_circles(a, b) &&
+             both(features.rounds, [](const features::RoundFeature& one, const features::RoundFeature& other) {
+               return are_same(one.radius, other.radius);
+             });
   }
   return false;
 }
@@ -116,6 +122,13 @@ std::vector<FeatureSize> list_others(const PartFeatures& features, SizeKind kind
   if (kind == SizeKind::slot)
     for (const features::SlotFeature& one : features.slots)
       add(one.model, one.centres[1], one.axis, one.radius, "slot R" + length(one.radius));
+  if (kind == SizeKind::ring)
+    for (const int number : find_rings(features)) {
+      const features::RoundFeature& one = features.rounds[static_cast<std::size_t>(number)];
+      add(one.model, one.centre, one.axis, one.ring,
+          "ring ⌀" + length(2 * one.ring) + " of a torus R" + length(one.radius));
+      sizes.back().feature = number;
+    }
   if (kind == SizeKind::arc)
     for (const features::ArcFeature& one : features.arcs)
       add(one.model, one.centre, one.axis, one.radius, "radius R" + length(one.radius));
@@ -191,7 +204,7 @@ FeatureTable feature_table(const DimensionSubject& subject, const Notation& nota
   // The drawing of an assembly gives the places of its parts alone.
   if (!features::is_assembly(subject.world)) table.prisms = find_turned_prisms(features);
   for (const SizeKind kind : {SizeKind::hole, SizeKind::cylinder, SizeKind::pitch_circle, SizeKind::cone_end,
-                              SizeKind::slot, SizeKind::arc, SizeKind::hexagon}) {
+                              SizeKind::slot, SizeKind::arc, SizeKind::hexagon, SizeKind::ring}) {
     const auto begin = static_cast<int>(table.sizes.size());
     for (FeatureSize& size : list_sizes(features, kind, notation)) {
       size.equal_to = static_cast<int>(table.sizes.size());

@@ -23,11 +23,12 @@ inline constexpr double size_agrees = 2e-4;  // relative
 /// Whether two sizes are the same on a drawing.
 bool agree(double a, double b);
 
-enum class SizeKind : unsigned char { hole, cylinder, pitch_circle, cone_end, slot, arc, hexagon, side };
+enum class SizeKind : unsigned char { hole, cylinder, pitch_circle, cone_end, slot, arc, hexagon, ring, side };
 
 struct FeatureSize {
   SizeKind kind;
-  int feature;  ///< its number among those of this kind; of a cone_end, of its cone; of a side, of its prism
+  int feature;  ///< its number among those of this kind; of a cone_end, of its cone; of a ring, of
+                ///< its torus; of a side, of its prism
   int model;
   Vec3 centre, axis;  ///< the axis is a unit vector
   double value;       ///< radius; of a hexagon, half across flats; of a side, half of the width across
