@@ -50,19 +50,26 @@ Planned overall_sizes(const Planning& plan, std::span<const NamedProjection> vie
   return planned;
 }
 
-// The radius of a round end is half of the width of a bar.
-Planned middles_of_bars(const Planning& plan) {
+// The radius of a round end is half of the width of a bar, and its distance from the faces that are tangent to it.
+Planned places_beside_round_ends(const Planning& plan) {
   Planned planned;
   for (const RoundEnd& end : plan.table.round_ends)
-    for (int axis = 0; axis < 3; ++axis)
-      if (end.ends_models(axis, 0, plan.extent(axis)) && end.ends_models(axis, 1, plan.extent(axis)))
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool low = end.ends_models(axis, 0, plan.extent(axis)), high = end.ends_models(axis, 1, plan.extent(axis));
+      if ((low && high) || (low && end.has_side(axis, 0)) || (high && end.has_side(axis, 1)))
         planned.places.emplace_back(KnownPlace{axis, end.centre[axis]});
+    }
+  for (const std::vector<RoundEnd>* ends : {&plan.table.round_ends, &plan.table.channels})
+    for (const RoundEnd& end : *ends)
+      for (int axis = 0; axis < 3 && plan.views.along(end.axis) != nullptr; ++axis)
+        for (const int side : {0, 1})
+          if (end.has_side(axis, side)) planned.places.emplace_back(KnownPlace{axis, end.at_side(axis, side)});
   return planned;
 }
 
 Planned dimensions_of_features(const Planning& plan, std::span<const NamedProjection> views) {
   Planned planned = overall_sizes(plan, views);
-  planned.append(middles_of_bars(plan));
+  planned.append(places_beside_round_ends(plan));
   planned.append(hexagon_dimensions(plan));
   planned.append(radial_hole_dimensions(plan));
   planned.append(hole_dimensions(plan));

@@ -37,10 +37,9 @@ std::vector<FeaturePlace> places_of_axes(const DimensionSubject& subject, const 
   for (const features::PitchCircleFeature& circle : features.pitch_circles)
     add(circle.centre, circle.axis, "pitch circle ⌀" + length(2 * circle.radius));
   for (const RoundEnd& end : table.round_ends) add(end.centre, end.axis, "round end R" + length(end.radius));
-  for (const int number : table.channels) {
-    check(number >= 0 && number < static_cast<int>(features.arcs.size()), "a channel is an arc");
-    const features::ArcFeature& arc = features.arcs[static_cast<std::size_t>(number)];
-    add(arc.centre, arc.axis, "channel R" + length(arc.radius));
+  for (const RoundEnd& channel : table.channels) {
+    check(channel.radius > 0, "a channel is an arc");
+    add(channel.centre, channel.axis, "channel R" + length(channel.radius));
   }
   for (const TurnedPrism& prism : table.prisms)
     add(prism.centre, prism.axis, prism.inwards ? "turned hole" : "turned boss");

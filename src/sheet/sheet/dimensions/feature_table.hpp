@@ -48,8 +48,8 @@ struct FeatureSize {
 struct FeatureTable {
   std::vector<FeatureSize> sizes{};  ///< by kind and feature; of a prism, two
   std::vector<RoundEnd> round_ends{};
-  std::vector<int> channels{};  ///< numbers of arcs, as of find_channels
-  std::vector<int> balls{};     ///< numbers of spheres, as of find_placed_balls
+  std::vector<RoundEnd> channels{};
+  std::vector<int> balls{};  ///< numbers of spheres, as of find_placed_balls
   std::vector<TurnedPrism> prisms{};
   std::vector<HexagonChamfer> hexagon_chamfers{};
   std::vector<RadialPattern> radial{};

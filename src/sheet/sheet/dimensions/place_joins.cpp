@@ -275,13 +275,17 @@ std::vector<PlaceJoin> joins_of(const AnchoredDimension& dimension, const Dimens
 std::vector<PlaceJoin> joins_of_round_ends(std::span<const double> radii, const DimensionSubject& subject,
                                            const FeatureTable& table) {
   Joins joins;
-  for (const RoundEnd& end : table.round_ends) {
+  for (const RoundEnd& end : joined(table.round_ends, table.channels)) {
     const auto is_it = [&end](double radius) { return agree(radius, end.radius); };
     if (std::none_of(radii.begin(), radii.end(), is_it)) continue;
     for (int axis = 0; axis < 3; ++axis)
-      for (const int side : {0, 1})
-        if (const features::Extent& extent = subject.extents[std::size_t(axis)]; end.ends_models(axis, side, extent))
+      for (const int side : {0, 1}) {
+        const features::Extent& extent = subject.extents[std::size_t(axis)];
+        if (end.ends_models(axis, side, extent))
           joins.push_back({axis, end.centre[axis], side == 0 ? extent.from : extent.to});
+        else if (end.has_side(axis, side))
+          joins.push_back({axis, end.centre[axis], end.at_side(axis, side)});
+      }
   }
   return joins;
 }

@@ -81,7 +81,7 @@ Planned arc_positions(const Planning& plan) {
                                 plan.group_of(SizeKind::arc, arcs, &arc)));
   };
   for (const RoundEnd& end : plan.table.round_ends) add(end.arc);
-  for (const int channel : plan.table.channels) add(channel);
+  for (const RoundEnd& channel : plan.table.channels) add(channel.arc);
   return planned;
 }
 

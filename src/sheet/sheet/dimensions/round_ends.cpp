@@ -37,6 +37,13 @@ bool has_hole(const features::PartFeatures& features, const RoundEnd& end) {
          });
 }
 
+RoundEnd end_of(const features::ArcFeature& arc, int number) {
+  check(arc.points.size() == 9, "an arc has its ends and its middle");
+  const Vec3 middle = (arc.points[4] - arc.centre) / arc.radius;
+  const double half = degrees_between(middle, (arc.points[0] - arc.centre) / arc.radius);
+  return {arc.centre, arc.axis, arc.radius, middle, half, number};
+}
+
 bool is_face_of(const surfaces::PartFace& face, const features::ArcFeature& arc) {
   return face.surface.kind == surfaces::SurfaceKind::cylinder && face.inwards &&
          features::are_same(face.surface.radius, arc.radius) && features::are_parallel(face.surface.axis, arc.axis) &&
@@ -48,6 +55,11 @@ bool is_face_of(const surfaces::PartFace& face, const features::ArcFeature& arc)
 
 bool RoundEnd::bulges(int along, int side) const {
   return degrees_between(middle, (side == 0 ? -1.0 : 1.0) * Mat3(1)[along]) <= half - slack_degrees;
+}
+
+bool RoundEnd::has_side(int along, int side) const {
+  return is_tangent && std::abs(axis[along]) <= features::parallel && !bulges(along, side) &&
+         degrees_between(middle, (side == 0 ? -1.0 : 1.0) * Mat3(1)[along]) <= half + slack_degrees;
 }
 
 bool RoundEnd::ends_models(int along, int side, const features::Extent& extent) const {
@@ -63,24 +75,16 @@ bool RoundEnd::ends_models(int along, int side, const features::Extent& extent) 
 std::vector<RoundEnd> find_round_ends(const features::PartFeatures& features) {
   std::vector<RoundEnd> ends;
   for (std::size_t i = 0; i < features.arcs.size(); ++i) {
-    const features::ArcFeature& arc = features.arcs[i];
-    if (arc.inwards) continue;
-    check(arc.points.size() == 9, "an arc has its ends and its middle");
-    const Vec3 middle = (arc.points[4] - arc.centre) / arc.radius;
-    const RoundEnd end{arc.centre,
-                       arc.axis,
-                       arc.radius,
-                       middle,
-                       degrees_between(middle, (arc.points[0] - arc.centre) / arc.radius),
-                       static_cast<int>(i)};
+    if (features.arcs[i].inwards) continue;
+    const RoundEnd end = end_of(features.arcs[i], static_cast<int>(i));
     if (is_half_turn(end.half) || has_hole(features, end)) ends.push_back(end);
   }
   return ends;
 }
 
-std::vector<int> find_channels(const DimensionSubject& subject) {
+std::vector<RoundEnd> find_channels(const DimensionSubject& subject) {
   const std::vector<features::ArcFeature>& arcs = subject.features.arcs;
-  std::vector<int> channels;
+  std::vector<RoundEnd> channels;
   for (std::size_t model = 0; model < subject.world.models.size() && !arcs.empty(); ++model) {
     const world::Placed& placed = subject.world.models[model];
     const auto part = placed.part == nullptr ? std::nullopt : world::place_part(placed);
@@ -93,8 +97,10 @@ std::vector<int> find_channels(const DimensionSubject& subject) {
       if (face == part->faces.end()) continue;
       check(borders.size() == part->faces.size(), "each face has its borders");
       const auto& beside = borders[static_cast<std::size_t>(face - part->faces.begin())];
-      if (std::none_of(beside.begin(), beside.end(), [](const features::FaceBorder& one) { return one.tangent; }))
-        channels.push_back(static_cast<int>(i));
+      RoundEnd channel = end_of(arcs[i], static_cast<int>(i));
+      channel.is_tangent =
+          std::any_of(beside.begin(), beside.end(), [](const features::FaceBorder& one) { return one.tangent; });
+      if (!channel.is_tangent || is_half_turn(channel.half)) channels.push_back(channel);
     }
   }
   return channels;
