@@ -222,25 +222,35 @@ bool holds(const CylinderFeature& shaft, const Vec3& p) {
          distance_from_line(p, shaft.from, shaft.axis) <= shaft.radius + slack;
 }
 
+// Up to the circle at its larger end.
+bool holds(const ConeFeature& cone, const Vec3& p) {
+  const double slack = same_size * cone.radii[1], along = glm::dot(p - cone.ends[0], cone.axis);
+  const auto [low, high] = std::minmax({0.0, glm::dot(cone.ends[1] - cone.ends[0], cone.axis)});
+  return along >= low - slack && along <= high + slack &&
+         distance_from_line(p, cone.ends[0], cone.axis) <= cone.radii[1] + slack;
+}
+
 bool are_coaxial(const CylinderFeature& a, const CylinderFeature& b) {
   return !a.inwards && !b.inwards && are_parallel(a.axis, b.axis) &&
          distance_from_line(b.from, a.from, a.axis) <= same_size * std::max(a.radius, b.radius);
 }
 
 // Whether a level is cut into a shaft, beside its axis, and reaches across it: no side of a keyway. Steps and grooves
-// divide the shaft into several.
-bool is_cut_into(const LevelFeature& level, const CylinderFeature& shaft,
-                 const std::vector<CylinderFeature>& cylinders) {
+// divide the shaft into several, and chamfers end them.
+bool is_cut_into(const LevelFeature& level, const CylinderFeature& shaft, const PartFeatures& features) {
   const double slack = same_size * shaft.radius;
   if (shaft.inwards || std::abs(shaft.axis[level.axis]) > parallel) return false;
   if (std::abs(level.at - shaft.from[level.axis]) <= slack) return false;
   if (std::none_of(level.points.begin(), level.points.end(), [&](const Vec3& p) { return holds(shaft, p); }))
     return false;
   std::vector<const CylinderFeature*> line;
-  for (const CylinderFeature& other : cylinders)
+  for (const CylinderFeature& other : features.cylinders)
     if (are_coaxial(shaft, other)) line.push_back(&other);
-  const auto is_inside = [&line](const Vec3& p) {
-    return std::any_of(line.begin(), line.end(), [&p](const CylinderFeature* one) { return holds(*one, p); });
+  const auto is_inside = [&](const Vec3& p) {
+    return std::any_of(line.begin(), line.end(), [&p](const CylinderFeature* one) { return holds(*one, p); }) ||
+           std::any_of(features.chamfers.begin(), features.chamfers.end(), [&](const ConeFeature& chamfer) {
+             return are_parallel(chamfer.axis, shaft.axis) && holds(chamfer, p);
+           });
   };
   if (!std::all_of(level.points.begin(), level.points.end(), is_inside)) return false;
   const Vec3 across = glm::cross(shaft.axis, Mat3(1)[level.axis]);
@@ -250,12 +260,11 @@ bool is_cut_into(const LevelFeature& level, const CylinderFeature& shaft,
 }
 
 // Of several shafts around a level, the thinnest counts.
-std::vector<LevelFeature> with_other_sides(std::vector<LevelFeature> levels,
-                                           const std::vector<CylinderFeature>& cylinders) {
+std::vector<LevelFeature> with_other_sides(std::vector<LevelFeature> levels, const PartFeatures& features) {
   for (LevelFeature& level : levels) {
     const CylinderFeature* thinnest = nullptr;
-    for (const CylinderFeature& shaft : cylinders)
-      if ((thinnest == nullptr || shaft.radius < thinnest->radius) && is_cut_into(level, shaft, cylinders))
+    for (const CylinderFeature& shaft : features.cylinders)
+      if ((thinnest == nullptr || shaft.radius < thinnest->radius) && is_cut_into(level, shaft, features))
         thinnest = &shaft;
     if (thinnest == nullptr) continue;
     const double middle = thinnest->from[level.axis];
@@ -340,7 +349,7 @@ PartFeatures find_part_features(const world::World& world, const Progress& progr
   std::stable_sort(found.levels.begin(), found.levels.end(), [](const LevelFeature& a, const LevelFeature& b) {
     return std::pair(a.axis, a.at) < std::pair(b.axis, b.at);
   });
-  found.levels = with_other_sides(std::move(found.levels), found.cylinders);
+  found.levels = with_other_sides(std::move(found.levels), found);
   return found;
 }
 
