@@ -19,6 +19,7 @@
 #include "features/engraving.hpp"
 #include "features/face_borders.hpp"
 #include "features/hole_features.hpp"
+#include "features/opposite_sides.hpp"
 #include "features/place_threads.hpp"
 #include "features/plane_faces.hpp"
 #include "features/round_features.hpp"
@@ -122,8 +123,7 @@ std::vector<LevelFeature> levels_of(const PartInWorld& of, const std::vector<Cav
 }
 
 // One for each place along an axis, without those at the ends of the models.
-std::vector<LevelFeature> merged(std::vector<LevelFeature> levels, const world::World& world) {
-  const double slack = same_level * glm::length(world.box.size());
+std::vector<LevelFeature> merged(std::vector<LevelFeature> levels, const world::World& world, double slack) {
   const Box box = box_of_faces(world);
   std::vector<LevelFeature> places;
   for (LevelFeature& level : levels) {
@@ -332,6 +332,7 @@ bool has_coaxial_outline(const PartFeatures& features, const CylinderFeature& ci
 
 PartFeatures find_part_features(const world::World& world, const Progress& progress) {
   PartFeatures found;
+  std::vector<AxialFace> axial;
   const CentredFeatures centred = find_centred_features(world, 30, progress);
   found.slots = slots_of(centred);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
@@ -341,15 +342,18 @@ PartFeatures find_part_features(const world::World& world, const Progress& progr
     if (!part) continue;
     world::PlacedPart unlettered = without_letters(world.models[model], std::move(*part));
     std::vector<PlaneFace> planes = find_plane_faces(world, model, unlettered);
+    axial = joined(std::move(axial), find_axial_faces(model, planes));
     const PartInWorld of{world, model, std::move(unlettered), std::move(planes)};
     found = with_planes(of, with_round(of, std::move(found)));
   }
-  found.levels = merged(std::move(found.levels), world);
+  const double slack = same_level * glm::length(world.box.size());
+  found.levels = merged(std::move(found.levels), world, slack);
   found = with_pitch_circles(centred, std::move(found));
   std::stable_sort(found.levels.begin(), found.levels.end(), [](const LevelFeature& a, const LevelFeature& b) {
     return std::pair(a.axis, a.at) < std::pair(b.axis, b.at);
   });
   found.levels = with_other_sides(std::move(found.levels), found);
+  found.levels = with_opposite_sides(std::move(found.levels), axial, slack);
   return found;
 }
 

@@ -144,6 +144,8 @@ struct LevelFeature {
   std::vector<Vec3> points;  ///< corners of the faces
   /// Of a flat or the floor of a keyway: the place of the shaft's other side, from which it is measured.
   std::optional<double> other_side{};
+  /// Of one side of a groove, rib, pocket or boss: the place of the side opposite.
+  std::optional<double> partner{};
 };
 
 /// A plane face that is parallel to one axis of the world only: a chamfered corner, or a slope.

@@ -173,6 +173,21 @@ Coordinate Coordinates::base_of(const Coordinate& coordinate) const {
   return base;
 }
 
+// The side of its groove or rib that is nearer to the end of the models, if it has a place of its own: the width begins
+// there.
+std::optional<Coordinate> Coordinates::nearer_side(const Coordinate& coordinate) const {
+  const double end = datums_[coordinate.axis].at;
+  if (!coordinate.partner || std::abs(*coordinate.partner - end) >= std::abs(coordinate.at - end)) return std::nullopt;
+  const auto side = std::find_if(coordinates_.begin(), coordinates_.end(), [&](const Coordinate& other) {
+    return other.axis == coordinate.axis && std::abs(other.at - *coordinate.partner) <= slack_;
+  });
+  if (side != coordinates_.end() && side->view == coordinate.view) return *side;
+  if (side == coordinates_.end() && !is_known(coordinate.axis, *coordinate.partner)) return std::nullopt;
+  Coordinate beside = coordinate;
+  beside.at = beside.point[beside.axis] = beside.opposite[beside.axis] = *coordinate.partner;
+  return beside;
+}
+
 void Coordinates::add_row(std::vector<Coordinate> row, const std::string& where, const Notation& notation,
                           std::vector<scene::DimensionDescription>& dimensions) const {
   const features::Extent& extent = subject_.extents[row.front().axis];
@@ -187,8 +202,9 @@ void Coordinates::add_row(std::vector<Coordinate> row, const std::string& where,
           break;
         }
   std::erase_if(row, [&](const Coordinate& coordinate) {
-    if (coordinate.from) dimensions.push_back(distance_along(base_of(coordinate), coordinate, where));
-    return coordinate.from.has_value();
+    const std::optional<Coordinate> base = coordinate.from ? base_of(coordinate) : nearer_side(coordinate);
+    if (base) dimensions.push_back(distance_along(*base, coordinate, where));
+    return base.has_value();
   });
   if (row.empty()) return;
   const Coordinate base = base_of(row.front());

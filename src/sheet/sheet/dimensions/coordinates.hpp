@@ -19,10 +19,11 @@ struct Coordinate {
   const NamedProjection* view;
   int axis;
   double at;
-  Vec3 point;                    ///< where its extension line begins, as the view shows it
-  int group = -1;                ///< of equal holes, which may be equally spaced: its first size; -1 for steps
-  Vec3 opposite{point};          ///< where it begins if the dimension line is above or on the left
-  std::optional<double> from{};  ///< place that it is measured from, beside it, instead of the end of the models
+  Vec3 point;                       ///< where its extension line begins, as the view shows it
+  int group = -1;                   ///< of equal holes, which may be equally spaced: its first size; -1 for steps
+  Vec3 opposite{point};             ///< where it begins if the dimension line is above or on the left
+  std::optional<double> from{};     ///< place that it is measured from, beside it, instead of the end of the models
+  std::optional<double> partner{};  ///< of one side of a groove or rib: the place of the other one
 };
 
 /// Returns the axis of the world, 0 to 2, to which a unit vector is parallel; -1 if there is none.
@@ -56,12 +57,13 @@ class Coordinates {
   void add(const Coordinate& coordinate);
 
   /// Dimensions of all coordinates in the arrangement that is wanted; without one, parallel, and with a common origin
-  /// where these would be more than `max_parallel`.
+  /// where these would be more than `max_parallel`. Parallel ones give grooves and ribs a place and a width.
   [[nodiscard]] std::vector<scene::DimensionDescription> dimensions(const scene::DimensionDescription& wanted,
                                                                     const Notation& notation) const;
 
  private:
   [[nodiscard]] Coordinate base_of(const Coordinate& coordinate) const;
+  [[nodiscard]] std::optional<Coordinate> nearer_side(const Coordinate& coordinate) const;
   [[nodiscard]] std::vector<scene::DimensionDescription> arranged(std::span<const Coordinate> coordinates,
                                                                   DimensionArrangement arrangement,
                                                                   const std::string& where) const;

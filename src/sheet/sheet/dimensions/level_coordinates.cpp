@@ -75,7 +75,7 @@ std::vector<Coordinate> level_coordinates(const DimensionSubject& subject, const
       return glm::dot(a, towards) < glm::dot(b, towards);
     });
     by_view[{view->name, level.axis}].emplace_back(
-        -level.area, Coordinate{view, level.axis, level.at, *low, -1, *high, level.other_side});
+        -level.area, Coordinate{view, level.axis, level.at, *low, -1, *high, level.other_side, level.partner});
   }
   std::vector<Coordinate> coordinates;
   for (auto& [key, levels] : by_view) {
