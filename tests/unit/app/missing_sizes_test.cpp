@@ -6,6 +6,7 @@
 
 #include "drawn_texts.hpp"
 #include "folder.hpp"
+#include "grooved_parts.hpp"
 #include "program.hpp"
 #include "sloped_parts.hpp"
 #include "turned_parts.hpp"
@@ -61,6 +62,16 @@ TEST_F(MissingSizes, OfTurnedHoles) {
 }
 TEST_F(MissingSizes, OfChamferedHexagons) { expect_known(chamfered_hexagons()); }
 TEST_F(MissingSizes, OfDimples) { expect_known(plates_with_dimples()); }
+TEST_F(MissingSizes, OfGrooves) { expect_known(blocks_with_grooves()); }
+TEST_F(MissingSizes, OfRibs) { expect_known(bases_with_ribs()); }
+TEST_F(MissingSizes, OfPockets) { expect_known(plates_with_pockets()); }
+TEST_F(MissingSizes, OfBossesOverBores) { expect_known(bosses_over_bores()); }
+TEST_F(MissingSizes, OfRoundTopsThatAGrooveParts) { expect_known(parted_round_tops()); }
+TEST_F(MissingSizes, OfBossesWithRingGrooves) { expect_known(bosses_with_ring_grooves()); }
+TEST_F(MissingSizes, OfOpenSlots) { expect_known(blocks_with_open_slots()); }
+TEST_F(MissingSizes, OfLugs) { expect_known(bases_with_lugs()); }
+TEST_F(MissingSizes, OfOpenKeyways) { expect_known(shafts_with_open_keyways()); }
+TEST_F(MissingSizes, OfRingGrooves) { expect_known(plates_with_ring_grooves()); }
 TEST_F(MissingSizes, OfTurnedBlocks) { expect_known(turned_blocks()); }
 
 }  // namespace
