@@ -34,6 +34,7 @@
 #include "face_mesh.hpp"
 #include "readers.hpp"
 #include "session.hpp"
+#include "turning_edges.hpp"
 
 namespace occt {
 
@@ -127,6 +128,7 @@ void mesh(const TopoDS_Shape& shape, const IMeshTools_Parameters& parameters,
   mesher.SetShape(shape);
   mesher.ChangeParameters() = parameters;
   const Handle(IMeshTools_Context) context = new BRepMesh_Context(parameters.MeshAlgo);
+  context->SetEdgeDiscret(new TurningEdges);
   context->SetFaceDiscret(new BRepMesh_FaceDiscret(algorithms));
   const Handle(Stage) stage = new Stage(progress.sink, progress.from, progress.to);
   mesher.Perform(context, stage->Start());

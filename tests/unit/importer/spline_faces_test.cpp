@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Facets of B-spline faces that Open CASCADE writes here.
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepTools.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColStd_Array2OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "support.hpp"
+
+namespace epura::test::spline_faces_test {
+namespace {
+
+importer::ReadModel read(const Folder& folder, const Handle(Geom_BSplineSurface) & surface, const char* deflection) {
+  const std::string path = (folder / "face.brep").string();
+  EXPECT_TRUE(BRepTools::Write(BRepBuilderAPI_MakeFace(surface, 1e-7).Shape(), path.c_str()));
+  return importer::read_model(path, {{"deflection", deflection}}, {.plugin_path = {EPURA_TEST_IMPORTERS}});
+}
+
+// x^2 + y^2 - z^2 / 2 = 200 between two circles of radius 20, the upper one turned by 90 degrees. The seam is straight,
+// and the surface turns along it.
+Handle(Geom_BSplineSurface) hyperboloid() {
+  constexpr int count = 9;
+  const double across[count][2]{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
+  TColgp_Array2OfPnt poles(1, count, 1, 2);
+  TColStd_Array2OfReal weights(1, count, 1, 2);
+  for (int i = 1; i <= count; ++i) {
+    const auto& [x, y] = across[i - 1];
+    poles(i, 1) = gp_Pnt(20 * x, 20 * y, -20);
+    poles(i, 2) = gp_Pnt(-20 * y, 20 * x, 20);
+    weights(i, 1) = weights(i, 2) = i % 2 == 1 ? 1 : std::sqrt(0.5);
+  }
+  TColStd_Array1OfReal around(1, 5), along(1, 2);
+  TColStd_Array1OfInteger times_around(1, 5), times_along(1, 2);
+  for (int i = 1; i <= 5; ++i) {
+    around(i) = i;
+    times_around(i) = i == 1 || i == 5 ? 3 : 2;
+  }
+  for (int i = 1; i <= 2; ++i) {
+    along(i) = i;
+    times_along(i) = 2;
+  }
+  return new Geom_BSplineSurface(poles, weights, around, along, times_around, times_along, 2, 1);
+}
+
+// Both lie on the ruling from (20, 0, -20) to (0, 20, 20).
+bool is_on_seam(const Vec3& p) { return std::abs(p.x + p.y - 20) < 1e-6 && std::abs(p.x + p.z / 2 - 10) < 1e-6; }
+
+TEST(SplineFaces, FacetsAtTheSeamOfARuledFaceFaceAsItDoes) {
+  const Folder folder;
+  const importer::ReadModel model = read(folder, hyperboloid(), "0.01");
+  int at_seam = 0;
+  for (int t = 0; t < model.mesh.report.triangles; ++t) {
+    std::array<Vec3, 3> at{};
+    for (std::size_t i = 0; i < 3; ++i) at[i] = model.mesh.point(model.mesh.triangle(t)[i]);
+    if (std::count_if(at.begin(), at.end(), is_on_seam) < 2) continue;
+    ++at_seam;
+    const Vec3 facet = glm::normalize(glm::cross(at[1] - at[0], at[2] - at[0]));
+    for (const Vec3& p : at) {
+      const Vec3 normal = glm::normalize(Vec3(p.x, p.y, -p.z / 2));
+      EXPECT_GT(std::abs(glm::dot(facet, normal)), std::cos(20 * std::numbers::pi / 180)) << p.x << ' ' << p.z;
+    }
+  }
+  // The normal turns by 71 degrees from end to end.
+  EXPECT_GE(at_seam, 8);
+}
+
+}  // namespace
+}  // namespace epura::test::spline_faces_test
