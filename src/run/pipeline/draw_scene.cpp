@@ -130,10 +130,9 @@ void Run::find_heights(const world::World& world) {
   declares_surfaces = std::all_of(world.models.begin(), world.models.end(), [](const world::Placed& placed) {
     return placed.part != nullptr && placed.part->declared;
   });
-  constexpr double part = 0.1;  // of the time left
   progress.begin("judging facets");
   try {
-    heights = world::facet_heights(world, progress.with_part_of_the_time(part));
+    heights = world::facet_heights(world, progress.with_part_of_the_time(part_for_judging));
   } catch (const OutOfTime& cut) {
     gathered.report.partial.add_stage(cut.stage);
   }

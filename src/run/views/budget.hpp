@@ -42,6 +42,9 @@ struct Budget {
   }
 };
 
+/// The part of the time left that is spent on how exact a drawing is.
+constexpr double part_for_judging = 0.1;
+
 /// So few lines take negligible time.
 constexpr std::size_t few_lines = 64;
 /// Work that is repeated for fewer lines is repeated for the longest eighth of them.

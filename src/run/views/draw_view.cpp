@@ -184,6 +184,7 @@ class ViewRun {
   void hide_folds();
   visibility::HiddenSpans hidden_in_time();
   bool keep_longest(const std::string& stage, std::size_t lines);
+  [[nodiscard]] drawing::DrawingOptions drawing_options(double least_crease) const;
   drawing::ViewDrawing drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges, double least_crease,
                                 const Progress& progress) const;
   DrawnLines draw_lines(const view::PaperMap& paper);
@@ -359,11 +360,13 @@ void ViewRun::hide_folds() {
   }
 }
 
+drawing::DrawingOptions ViewRun::drawing_options(double least_crease) const {
+  return {options_.name, options_.keep_hidden(), options_.leave_out.hidden, near_lines(options_), least_crease};
+}
+
 drawing::ViewDrawing ViewRun::drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges,
                                        double least_crease, const Progress& progress) const {
-  const drawing::DrawingOptions options{options_.name, options_.keep_hidden(), options_.leave_out.hidden,
-                                        near_lines(options_), least_crease};
-  return drawing::make_drawing({input_.world, view_, edges, hidden_}, paper, options, progress);
+  return drawing::make_drawing({input_.world, view_, edges, hidden_}, paper, drawing_options(least_crease), progress);
 }
 
 // Draws only the longest edges if there is no time for all.
@@ -414,8 +417,14 @@ std::optional<report::ViewError> ViewRun::judged(const DrawnLines& lines, const 
   if (input_.heights == nullptr) return std::nullopt;
   const bool is_whole = input_.section == nullptr && !options_.exploded &&
                         input_.heights->of_triangle.size() == input_.world.triangles.size();
-  return error_of_view({input_.world, *input_.heights, is_whole, view_, drawn_, paper, lines.drawing}, lines.curves,
-                       !options_.wireframe);
+  double merged = lines.drawing.distances.joined_within;
+  try {
+    merged = drawing::merged_by({input_.world, view_, drawn_, hidden_}, paper, drawing_options(options_.least_crease),
+                                lines.drawing, budget_.run.with_part_of_the_time(part_for_judging));
+  } catch (const OutOfTime&) {  // the bound stays
+  }
+  return error_of_view({input_.world, *input_.heights, is_whole, view_, drawn_, hidden_, paper, lines.drawing, merged},
+                       lines.curves, !options_.wireframe);
 }
 
 // The view of the cut models, in the same place. It has no lines if there is no time for them.

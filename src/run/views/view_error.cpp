@@ -5,12 +5,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/limits.hpp"
+#include "drawing/moved_contours.hpp"
 #include "drawing/near_lines.hpp"
 #include "report/format.hpp"
 #include "view/condition.hpp"
@@ -73,39 +76,118 @@ class Judge {
   }
 
   /// Where a surface curves both ways, its contour may end in a cusp, which facets do not have: theirs turns back
-  /// there, up to a facet before. Contours drawn on the surface have their own measure.
+  /// there, by a side of a facet too early or too late. Contours drawn on the surface have their own measure.
   void add_cusps(report::ViewError& error) const {
-    struct Leg {
-      int from;
-      Vec2 along;
-      double facet;  ///< longest side beside it
-    };
-    std::vector<Leg> legs;
-    for (const edges::FeatureEdge& edge : judged_.edges.edges) {
-      if (edge.kind != EdgeKind::contour || edge.mesh_edge < 0 || edge.shown[0] >= 0 || edge.shown[1] >= 0) continue;
-      const world::Placed& placed = judged_.world.models[static_cast<std::size_t>(edge.model)];
-      const std::span<const int> beside =
-          placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]);
-      const int first = judged_.world.first_triangle[static_cast<std::size_t>(edge.model)];
-      if (beside.size() != 2 || !judged_.is_whole) continue;
-      if (!is_inside(placed, edge.mesh_edge, {first + beside[0], first + beside[1]})) continue;
-      double facet = 0;
-      for (const int triangle : beside)
-        if (is_saddle(edge.model, triangle)) facet = std::max(facet, longest_side(first + triangle));
-      if (!(facet > 0)) continue;
-      const Vec2 along = place_of(edge.vertex[1]) - place_of(edge.vertex[0]);
-      facet *= std::max(stretch_at(edge.vertex[0]), stretch_at(edge.vertex[1]));
-      legs.push_back({edge.vertex[0], along, facet});
-      legs.push_back({edge.vertex[1], -along, facet});
-    }
+    if (!judged_.is_whole) return;
+    std::vector<Leg> legs = legs_of_saddles();
+    if (legs.empty()) return;
+    const std::vector<char> rims = vertices_of_rims();
+    std::erase_if(legs, [&](const Leg& leg) { return rims[static_cast<std::size_t>(leg.from)] != 0; });
     std::stable_sort(legs.begin(), legs.end(), [](const Leg& a, const Leg& b) { return a.from < b.from; });
     double& largest = error[ErrorTerm::contours];
     for (std::size_t i = 0; i < legs.size(); ++i)
       for (std::size_t j = i + 1; j < legs.size() && legs[j].from == legs[i].from; ++j)
-        if (glm::dot(legs[i].along, legs[j].along) > 0) largest = std::max({largest, legs[i].facet, legs[j].facet});
+        if (glm::dot(legs[i].along, legs[j].along) > 0)
+          for (const Leg& leg : {legs[i], legs[j]})
+            if (leg.is_seen) largest = std::max(largest, leg.off);
+  }
+
+  /// Contours drawn on the surface are hidden as those of facets: where they begin to be seen, they are off by as much
+  /// as they were moved there.
+  void add_moved(report::ViewError& error) const {
+    std::vector<char> seen_at(judged_.view.vertices.size(), 0), hidden_at(judged_.view.vertices.size(), 0);
+    std::vector<std::pair<int, int>> moved;  // vertices, and where they are drawn
+    for (std::size_t e = 0; e < judged_.edges.edges.size(); ++e) {
+      const edges::FeatureEdge& edge = judged_.edges.edges[e];
+      if (!drawing::is_moved(edge)) continue;
+      const SeenEnds seen = seen_ends(e);
+      for (std::size_t end = 0; end < 2; ++end) {
+        const auto vertex = static_cast<std::size_t>(edge.vertex[end]);
+        if (seen.at[end] || seen.changes) seen_at[vertex] = 1;
+        if (!seen.at[end] || seen.changes) hidden_at[vertex] = 1;
+        if (edge.shown[end] >= 0) moved.emplace_back(edge.vertex[end], edge.shown[end]);
+      }
+    }
+    double& largest = error[ErrorTerm::contours];
+    for (const auto& [vertex, shown] : moved)
+      if (seen_at[static_cast<std::size_t>(vertex)] != 0 && hidden_at[static_cast<std::size_t>(vertex)] != 0)
+        largest = std::max(largest, glm::distance(place_of(shown), place_of(vertex)));
+    largest = std::min(largest, judged_.drawing.distances.contours_moved);
   }
 
  private:
+  /// A contour of facets, from one of its ends.
+  struct Leg {
+    int from;
+    Vec2 along;    ///< on paper, mm
+    double off;    ///< by which it may end too early or too late, mm
+    bool is_seen;  ///< in part
+  };
+  /// Where a line is visible.
+  struct SeenEnds {
+    std::array<bool, 2> at{};
+    bool changes = false;  ///< in between
+  };
+
+  [[nodiscard]] SeenEnds seen_ends(std::size_t edge) const {
+    SeenEnds seen;
+    bool any = false, all = true;
+    judged_.hidden.visit_parts(edge, [&](double from, double to, bool visible) {
+      seen.at[0] = seen.at[0] || (visible && from == 0);
+      seen.at[1] = seen.at[1] || (visible && to == 1);
+      any = any || visible;
+      all = all && visible;
+    });
+    seen.changes = any && !all;
+    return seen;
+  }
+
+  // Those that are drawn where the facets are, on surfaces that curve both ways. A facet that is turned over by chance
+  // has no contour of its surface.
+  [[nodiscard]] std::vector<Leg> legs_of_saddles() const {
+    std::vector<Leg> legs;
+    for (std::size_t e = 0; e < judged_.edges.edges.size(); ++e) {
+      const edges::FeatureEdge& edge = judged_.edges.edges[e];
+      const bool is_drawn_there = edge.shown[0] < 0 && edge.shown[1] < 0 && !edge.by_chance;
+      if (edge.kind != EdgeKind::contour || edge.mesh_edge < 0 || !is_drawn_there) continue;
+      const world::Placed& placed = judged_.world.models[static_cast<std::size_t>(edge.model)];
+      const std::span<const int> beside =
+          placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]);
+      const int first = judged_.world.first_triangle[static_cast<std::size_t>(edge.model)];
+      if (beside.size() != 2 || !is_inside(placed, edge.mesh_edge, {first + beside[0], first + beside[1]})) continue;
+      if (std::none_of(beside.begin(), beside.end(), [&](int one) { return is_saddle(edge.model, one); })) continue;
+      const Vec2 along = place_of(edge.vertex[1]) - place_of(edge.vertex[0]);
+      const SeenEnds seen = seen_ends(e);
+      const bool is_seen = seen.at[0] || seen.at[1] || seen.changes;
+      double off = glm::length(along);
+      // Whole facets of an unknown surface face the wrong way.
+      if (placed.part == nullptr)
+        for (const int one : beside)
+          off = std::max(off,
+                         longest_side(first + one) * std::max(stretch_at(edge.vertex[0]), stretch_at(edge.vertex[1])));
+      legs.push_back({edge.vertex[0], along, off, is_seen});
+      legs.push_back({edge.vertex[1], -along, off, is_seen});
+    }
+    return legs;
+  }
+
+  // By vertex: whether a surface ends there, and contours with it.
+  [[nodiscard]] std::vector<char> vertices_of_rims() const {
+    std::vector<char> rims(judged_.view.vertices.size(), 0);
+    for (std::size_t m = 0; m < judged_.world.models.size(); ++m) {
+      const world::Placed& placed = judged_.world.models[m];
+      const int first = judged_.world.first_triangle[m], before = judged_.world.first_vertex[m];
+      for (std::size_t e = 0; e < placed.mesh->edges.size(); ++e) {
+        const std::span<const int> beside = placed.mesh->triangles_of(placed.mesh->edges[e]);
+        if (beside.size() == 2 && (placed.part == nullptr || is_inside(placed, static_cast<std::ptrdiff_t>(e),
+                                                                       {first + beside[0], first + beside[1]})))
+          continue;
+        for (const int vertex : placed.mesh->edges[e].vertex) rims[static_cast<std::size_t>(before + vertex)] = 1;
+      }
+    }
+    return rims;
+  }
+
   /// On paper, mm, from the middle of the view.
   [[nodiscard]] Vec2 place_of(int vertex) const {
     const view::PageVertex& at = judged_.view.vertices[vertex];
@@ -275,13 +357,13 @@ report::ViewError error_of_view(const ViewToJudge& judged, const drawing::CurveR
   const double size = judged.view.extent * judged.paper.scale;
   const view::Condition condition =
       view::condition_of(judged.view.projection, judged.world.box, judged.world.one_rounding);
-  error[ErrorTerm::contours] = judged.drawing.distances.contours_moved;
+  judge.add_moved(error);
   judge.add_cusps(error);
   error[ErrorTerm::file] = condition.moved_by_files * size;
   error[ErrorTerm::map] = condition.number * rounding * size;
   error[ErrorTerm::grid] = judged.drawing.distances.coincident + drawing::on_line_mm;
   error[ErrorTerm::hiding] = hides ? guaranteed_part * size : 0;
-  error[ErrorTerm::merging] = judged.drawing.distances.joined_within;
+  error[ErrorTerm::merging] = judged.merged;
   error[ErrorTerm::curves] = curves.deviation + curves.bulge;
   return error;
 }

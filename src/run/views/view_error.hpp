@@ -14,6 +14,7 @@
 #include "view/projected_scene.hpp"
 #include "views/messages.hpp"
 #include "views/options.hpp"
+#include "visibility/visibility.hpp"
 #include "world/facet_heights.hpp"
 
 namespace epura::pipeline {
@@ -25,8 +26,10 @@ struct ViewToJudge {
   bool is_whole;                       ///< nothing is cut or moved: triangles are those of `heights`
   const view::ProjectedScene& view;
   const edges::FeatureEdges& edges;
+  const visibility::HiddenSpans& hidden;
   const view::PaperMap& paper;
   const drawing::ViewDrawing& drawing;
+  double merged;  ///< drawing::merged_by
 };
 
 /// Returns all terms except `writing`. `hides` is false for wireframes.

@@ -54,7 +54,7 @@ inline constexpr std::array<ErrorTermRow, 10> error_terms{{
     {"map", Evidence::bound, 0, "rounding in the projection", "move the model or the viewer"},
     {"grid", Evidence::bound, 0, "lines that coincide on the page lattice", "draw a part of the scene"},
     {"hiding", Evidence::bound, 0, "spans too short to decide whether they are hidden", "draw a part of the scene"},
-    {"merging", Evidence::bound, 0.2, "lines left out beside others", "lower --join-within"},
+    {"merging", Evidence::measured, 0.2, "lines left out beside others", "lower --join-within"},
     {"curves", Evidence::measured, 0.35, "arcs instead of chords", "lower --arcs, or leave it out"},
     {"writing", Evidence::bound, 0.05, "rounding in the file that is written", "raise --decimals, or --dpi"},
 }};

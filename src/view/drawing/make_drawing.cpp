@@ -15,6 +15,7 @@
 #include "drawing/facet_doubts.hpp"
 #include "drawing/forwards.hpp"
 #include "drawing/ink.hpp"
+#include "drawing/ink_distance.hpp"
 #include "drawing/limits.hpp"
 #include "drawing/meet_contours.hpp"
 #include "drawing/moved_contours.hpp"
@@ -246,6 +247,33 @@ double longest_spurious_change(double near, double moved) {
   return std::max(unseen_up_to * near, std::min(seen_from * near, moved));
 }
 
+// All pieces with ink, before any of them is left out beside another.
+std::vector<Piece> unmerged_pieces(const visibility::ResolvedView& lines, const view::PaperMap& paper,
+                                   const DrawingOptions& options, const Progress& progress) {
+  const bool keep_hidden = options.hidden || !options.leave_out;
+  const double moved = lines.drawn.moved * paper.scale;
+  std::vector<Piece> pieces = pieces_of(lines, paper, keep_hidden, progress);
+  settle_doubts(pieces, options.near.distance > 0 ? std::max(options.near.distance, moved) : 0, progress);
+  meet_contours(lines, paper, 4 * coincidence_on_paper(lines.view, paper).tolerance, pieces);
+  if (!keep_hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
+  check(keep_hidden || std::ranges::all_of(pieces, &Piece::visible),
+        "hidden pieces are kept only where they are asked for");
+  find_looks(pieces, lines, options.near);
+  vote_on_visibility(pieces, are_moved(pieces, lines), longest_spurious_change(options.near.distance, moved), progress);
+  return pieces;
+}
+
+// The pieces of a drawing, by place alone.
+std::vector<Piece> pieces_of(const ViewDrawing& drawing, const NearLines& near) {
+  std::vector<Piece> pieces;
+  pieces.reserve(drawing.segments.size());
+  for (const Segment& s : drawing.segments)
+    pieces.push_back({s.from, s.to, s.visible, !near.strength || near.strength(s.model, s.body, s.kind, s.visible) >= 0,
+                      s.kind, -1, s.t});
+  check(pieces.size() == drawing.segments.size(), "every line of a drawing is a piece");
+  return pieces;
+}
+
 }  // namespace
 
 Vec2 position_on_paper(const view::ProjectedScene& view, const view::PaperMap& paper, const edges::FeatureEdge& edge,
@@ -288,17 +316,8 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
 
   const Coincidence limits = coincidence_on_paper(view, paper);
   progress.begin("merging lines");
-  const bool keep_hidden = options.hidden || !options.leave_out;
-  std::vector<Piece> pieces = pieces_of(lines, paper, keep_hidden, progress);
+  std::vector<Piece> pieces = unmerged_pieces(lines, paper, options, progress);
   drawing.distances.contours_moved = lines.drawn.moved * paper.scale;
-  settle_doubts(pieces,
-                options.near.distance > 0 ? std::max(options.near.distance, drawing.distances.contours_moved) : 0,
-                progress);
-  meet_contours(lines, paper, 4 * limits.tolerance, pieces);
-  if (!keep_hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
-  find_looks(pieces, lines, options.near);
-  vote_on_visibility(pieces, are_moved(pieces, lines),
-                     longest_spurious_change(options.near.distance, drawing.distances.contours_moved), progress);
   if (options.near.distance > 0)
     drawing.distances.joined_within = draw_circles_once(lines, paper, limits.min, pieces, progress);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
@@ -329,6 +348,18 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
     drawing.box.max = max;
   }
   return drawing;
+}
+
+double merged_by(const visibility::ResolvedView& lines, const view::PaperMap& paper, const DrawingOptions& options,
+                 const ViewDrawing& drawing, const Progress& progress) {
+  const double most = drawing.distances.joined_within, unseen = std::min(most, drawing.distances.unseen);
+  // Short creases are left out as asked, and their ink is missed.
+  if (most <= unseen || options.least_crease > 0) return most;
+  std::vector<Piece> before = unmerged_pieces(lines, paper, options, progress);
+  if (!options.hidden) std::erase_if(before, [](const Piece& piece) { return !piece.visible; });
+  const double precision = unseen_up_to * drawing.distances.unseen;
+  check(precision > 0, "ink is left out beside other ink only within a distance");
+  return std::max(unseen, ink_distance(before, pieces_of(drawing, options.near), precision, most, progress));
 }
 
 }  // namespace epura::drawing
