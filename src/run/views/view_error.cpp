@@ -121,7 +121,7 @@ class Judge {
     int from;
     Vec2 along;    ///< on paper, mm
     double off;    ///< by which it may end too early or too late, mm
-    bool is_seen;  ///< in part
+    bool is_seen;  ///< there; of an unknown surface, in part
   };
   /// Where a line is visible.
   struct SeenEnds {
@@ -158,15 +158,15 @@ class Judge {
       if (std::none_of(beside.begin(), beside.end(), [&](int one) { return is_saddle(edge.model, one); })) continue;
       const Vec2 along = place_of(edge.vertex[1]) - place_of(edge.vertex[0]);
       const SeenEnds seen = seen_ends(e);
-      const bool is_seen = seen.at[0] || seen.at[1] || seen.changes;
+      const bool in_part = placed.part == nullptr && (seen.at[0] || seen.at[1] || seen.changes);
       double off = glm::length(along);
       // Whole facets of an unknown surface face the wrong way.
       if (placed.part == nullptr)
         for (const int one : beside)
           off = std::max(off,
                          longest_side(first + one) * std::max(stretch_at(edge.vertex[0]), stretch_at(edge.vertex[1])));
-      legs.push_back({edge.vertex[0], along, off, is_seen});
-      legs.push_back({edge.vertex[1], -along, off, is_seen});
+      legs.push_back({edge.vertex[0], along, off, seen.at[0] || in_part});
+      legs.push_back({edge.vertex[1], -along, off, seen.at[1] || in_part});
     }
     return legs;
   }
