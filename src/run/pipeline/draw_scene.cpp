@@ -126,7 +126,7 @@ struct TooCoarse {
 };
 
 void Run::find_heights(const world::World& world) {
-  if (!options.judges && !options.max_error && !options.error_note) return;
+  if (!options.judges && !options.max_error && !options.error_note && !options.verify) return;
   declares_surfaces = std::all_of(world.models.begin(), world.models.end(), [](const world::Placed& placed) {
     return placed.part != nullptr && placed.part->declared;
   });

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/vec.hpp"
 #include "drawing/view_drawing.hpp"
 
 namespace epura::verify {

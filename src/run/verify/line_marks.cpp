@@ -29,6 +29,7 @@ LineMarks::LineMarks(const ScanScene& scene, const FoldRule& rule, const ScanLin
                      const MetByLine& met)
     : scene_(scene),
       rule_(rule),
+      line_(line),
       limits_(limits),
       slice_(cut(scene, line, met.triangles)),
       wires_(rule.options().wire ? cut_wires(scene, line, met.wires) : std::vector<WireCrossing>()),
@@ -174,32 +175,36 @@ bool LineMarks::is_vague(const Change& change) const {
          (change.right >= 0 && scene_.is_vague(slice_.pieces[change.right].triangle));
 }
 
-void LineMarks::add_marks(const Change& change, std::vector<LineMark>& marks) const {
+LineMarks::Jump LineMarks::jump_at(const Change& change) const {
   const auto depth = [&](int piece) { return piece < 0 ? -HUGE_VAL : slice_.pieces[piece].depth_at(change.u); };
   const auto slope = [&](int piece) { return piece < 0 ? 0 : std::abs(slice_.pieces[piece].slope()); };
-  const auto triangle = [&](int piece) { return piece < 0 ? -1 : slice_.pieces[piece].triangle; };
-  const auto mark = [&](int crossing, bool jump) {
-    const auto edge = crossing < 0 ? std::array{-1, -1} : slice_.crossings[crossing].edge;
-    if (marks.empty() || marks.back().u != change.u || marks.back().edge != edge)
-      marks.push_back({change.u, jump, edge, {triangle(change.left), triangle(change.right)}});
-  };
   const bool left = depth(change.left) >= depth(change.right);
   const int front = left ? change.left : change.right, back = left ? change.right : change.left;
   const double step = depth(front) - depth(back);
   const double rounding = edge_on * limits_.quantum * (slope(front) + slope(back));
-  const int end = crossing_at(front, change.u);
-  if (step > clear_step * limits_.contact + rounding) {
+  return {front, back, step, step > clear_step * limits_.contact + rounding, crossing_at(front, change.u)};
+}
+
+void LineMarks::add_marks(const Change& change, std::vector<LineMark>& marks) const {
+  const auto mark = [&](int crossing, bool jump) {
+    const auto edge = crossing < 0 ? std::array{-1, -1} : slice_.crossings[crossing].edge;
+    if (marks.empty() || marks.back().u != change.u || marks.back().edge != edge)
+      marks.push_back({change.u, jump, edge, {triangle_of(change.left), triangle_of(change.right)}});
+  };
+  const auto [front, back, step, is_clear, end] = jump_at(change);
+  if (is_clear) {
     if (end >= 0 && !continues(end, back) && !is_fold_of_face(end, back, step) &&
         !scene_.is_left_out(slice_.crossings[end].edge) && !scene_.is_at_limit(slice_.crossings[end].edge) &&
         rule_.outline(slice_.crossings[end].edge) == Need::asked)
       mark(end, true);
   } else if (end == goes_on && crossing_at(back, change.u) == goes_on) {
     const double contact = clear_step * limits_.contact / scene_.page;
-    if (rule_.crossing(triangle(front), triangle(back), contact) == Need::asked) mark(-1, false);
+    if (rule_.crossing(triangle_of(front), triangle_of(back), contact) == Need::asked) mark(-1, false);
   }
+  const double nearest = slice_.pieces[front].depth_at(change.u);
   for (const int piece : {change.left, change.right}) {
     const int crossing = crossing_at(piece, change.u);
-    if (crossing >= 0 && slice_.crossings[crossing].depth >= depth(front) && need_at(crossing) == Need::asked)
+    if (crossing >= 0 && slice_.crossings[crossing].depth >= nearest && need_at(crossing) == Need::asked)
       mark(crossing, false);
   }
 }
@@ -211,6 +216,108 @@ std::vector<LineMark> LineMarks::asked() const {
   for (const WireCrossing& crossing : wires_)
     if (is_surely_seen(crossing)) marks.push_back({crossing.u, false, crossing.wire, {-1, -1}});
   return marks;
+}
+
+std::vector<LineMark> LineMarks::jumps() const {
+  std::vector<LineMark> marks;
+  for (const Change& change : changes(-HUGE_VAL, HUGE_VAL)) {
+    const Jump jump = jump_at(change);
+    if (is_vague(change) || !jump.is_clear || jump.end < 0) continue;
+    const std::array<int, 2>& edge = slice_.crossings[jump.end].edge;
+    if (!scene_.is_at_limit(edge) && rule_.outline(edge) == Need::asked)
+      marks.push_back({change.u, true, edge, {triangle_of(change.left), triangle_of(change.right)}});
+  }
+  return marks;
+}
+
+// Where both pieces that end at a crossing lie on one side of it: the triangle of the nearer one. Beside a triangle
+// that is a line on the page, the other one.
+int LineMarks::front_of_fold(int crossing) const {
+  const auto ends = slice_.ends_at(crossing);
+  if (ends.size() != 2) return -1;
+  const SlicePiece &one = slice_.pieces[ends[0].piece], &two = slice_.pieces[ends[1].piece];
+  const double line = edge_on * limits_.quantum;
+  if (one.width() <= line || two.width() <= line) return one.width() >= two.width() ? one.triangle : two.triangle;
+  if (ends[0].end != ends[1].end) return -1;
+  const double u = slice_.crossings[crossing].u, width = std::min(one.width(), two.width());
+  const double beside = ends[0].end == 0 ? u + width : u - width;
+  return one.depth_at(beside) >= two.depth_at(beside) ? one.triangle : two.triangle;
+}
+
+EdgePlace LineMarks::place_of(int crossing) const {
+  const std::array<int, 2>& edge = slice_.crossings[crossing].edge;
+  const auto aside = [&](int v) {
+    const Vec3& p = scene_.local[v];
+    return scene_.page * glm::dot(line_.across(), Vec2(p)) -
+           glm::dot(line_.across(), line_.middle) * (1 - scene_.k * p.z);
+  };
+  const double from = aside(edge[0]), to = aside(edge[1]);
+  return {edge, from / (from - to)};
+}
+
+// Up to two pieces to both sides of a fold.
+std::vector<EdgePlace> LineMarks::path_around(int crossing) const {
+  std::vector<EdgePlace> path{place_of(crossing)};
+  for (const PieceEnd& start : slice_.ends_at(crossing)) {
+    PieceEnd way = start;
+    for (int step = 0; step < 2; ++step) {
+      const int far = slice_.pieces[way.piece].crossing[1 - way.end];
+      if (far < 0) break;
+      path.push_back(place_of(far));
+      const auto ends = slice_.ends_at(far);
+      const auto next = std::ranges::find_if(ends, [&](const PieceEnd& end) { return end.piece != way.piece; });
+      if (next == ends.end()) break;
+      way = *next;
+    }
+  }
+  return path;
+}
+
+// Whether two pieces change places somewhere between two positions; only of those that are seen there. Neighbours in a
+// surface do not.
+bool LineMarks::pieces_cross(double from, double to, bool seen) const {
+  std::vector<const SlicePiece*> there;
+  for (const SlicePiece& piece : slice_.pieces)
+    if (piece.u[0] < to && piece.u[1] > from && piece.width() > 0) there.push_back(&piece);
+  for (std::size_t i = 0; i < there.size(); ++i)
+    for (std::size_t j = i + 1; j < there.size(); ++j) {
+      const double low = std::max({from, there[i]->u[0], there[j]->u[0]});
+      const double high = std::min({to, there[i]->u[1], there[j]->u[1]});
+      if (!(low < high)) continue;
+      const double at_low = there[i]->depth_at(low) - there[j]->depth_at(low);
+      const double at_high = there[i]->depth_at(high) - there[j]->depth_at(high);
+      if (at_low * at_high > 0 || std::max(std::abs(at_low), std::abs(at_high)) <= clear_step * limits_.contact)
+        continue;
+      const auto& own = scene_.world.triangles[there[i]->triangle];
+      if (std::ranges::any_of(scene_.world.triangles[there[j]->triangle],
+                              [&](int v) { return std::ranges::count(own, v) > 0; }))
+        continue;
+      if (!seen || is_seen(low, there[i]->depth_at(low)) || is_seen(high, there[i]->depth_at(high))) return true;
+    }
+  return false;
+}
+
+Around LineMarks::around(double u, double reach) const {
+  const double from = u - reach, to = u + reach;
+  Around around;
+  for (auto part = std::ranges::lower_bound(seen_, from, {}, &SeenPart::to); part != seen_.end() && part->from <= to;
+       ++part)
+    around.is_vague = around.is_vague || scene_.is_vague(slice_.pieces[part->piece].triangle);
+  for (const Change& change : changes(from, to))
+    around.at_limit = around.at_limit || (change.left >= 0 && crossing_at(change.left, change.u) == cut_there) ||
+                      (change.right >= 0 && crossing_at(change.right, change.u) == cut_there);
+  const auto [first, last] = crossings_between(from, to);
+  for (int i = first; i < last; ++i) {
+    const SliceCrossing& crossing = slice_.crossings[i];
+    MetEdge met{crossing.edge, is_seen(crossing.u, crossing.depth), front_of_fold(i)};
+    if (met.front >= 0) met.path = path_around(i);
+    around.edges.push_back(std::move(met));
+  }
+  around.wire =
+      std::ranges::any_of(wires_, [&](const WireCrossing& crossing) { return std::abs(crossing.u - u) <= reach; });
+  around.seen_crossing = pieces_cross(from, to, true);
+  around.any_crossing = around.seen_crossing || pieces_cross(from, to, false);
+  return around;
 }
 
 bool LineMarks::is_break(const Change& change) const {

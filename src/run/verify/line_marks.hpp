@@ -20,6 +20,29 @@ struct LineMark {
   std::array<int, 2> triangles;  ///< seen to the left and right of the position; -1: nothing
 };
 
+/// Where a line crosses an edge of the mesh.
+struct EdgePlace {
+  std::array<int, 2> edge;
+  double t;  ///< in space, 0 to 1
+};
+
+/// An edge of the mesh that a line crosses.
+struct MetEdge {
+  std::array<int, 2> edge;
+  bool is_seen;
+  int front;  ///< where the surface turns away from the viewer, its triangle that is nearer to the viewer; otherwise -1
+  std::vector<EdgePlace> path{};  ///< there: the edges that the line crosses on the surface around it
+};
+
+/// What is found near a position of a line, whoever asks for it.
+struct Around {
+  std::vector<MetEdge> edges;
+  bool is_vague = false;                             ///< rounding makes positions uncertain
+  bool at_limit = false;                             ///< a depth limit ends a surface that is seen
+  bool wire = false;                                 ///< a line of a file
+  bool seen_crossing = false, any_crossing = false;  ///< two surfaces cross or touch: what is seen, or behind it
+};
+
 /// What may meet one line: numbers of the world.
 struct MetByLine {
   std::span<const int> triangles, wires;
@@ -38,6 +61,10 @@ class LineMarks {
             const MetByLine& met);
 
   [[nodiscard]] std::vector<LineMark> asked() const;
+  /// Positions at which the depth of what is seen jumps at an edge of the mesh, whether the surface goes on behind it
+  /// or not.
+  [[nodiscard]] std::vector<LineMark> jumps() const;
+  [[nodiscard]] Around around(double u, double reach) const;
   /// Whether a line of some kind is permitted within `reach` mm of a position. The kind matters in two respects: a line
   /// within a surface may lie at any edge, and the position of an intersection of faces that hardly cross is uncertain.
   [[nodiscard]] bool allows(EdgeKind kind, double u, double reach) const;
@@ -57,6 +84,19 @@ class LineMarks {
     int left, right;
   };
 
+  // A change at which depth jumps: the edge of the nearer piece that ends there.
+  struct Jump {
+    int front, back;
+    double depth;  ///< by how much
+    bool is_clear;
+    int end;  ///< crossing; otherwise cut_there or goes_on
+  };
+
+  [[nodiscard]] Jump jump_at(const Change& change) const;
+  [[nodiscard]] int front_of_fold(int crossing) const;
+  [[nodiscard]] EdgePlace place_of(int crossing) const;
+  [[nodiscard]] std::vector<EdgePlace> path_around(int crossing) const;
+  [[nodiscard]] bool pieces_cross(double from, double to, bool seen) const;
   [[nodiscard]] const PieceEnd* end_of(int crossing, int triangle) const;
   [[nodiscard]] bool is_edge_on(const std::array<int, 2>& edge, int triangle) const;
   [[nodiscard]] Beyond beyond(int crossing, int triangle, FoldRule::Needle needle) const;
@@ -71,12 +111,14 @@ class LineMarks {
   [[nodiscard]] bool is_surely_seen(const WireCrossing& crossing) const;
   [[nodiscard]] bool faces_meet(double u, double reach) const;
   [[nodiscard]] bool is_vague(const Change& change) const;
+  [[nodiscard]] int triangle_of(int piece) const { return piece < 0 ? -1 : slice_.pieces[piece].triangle; }
   [[nodiscard]] std::vector<Change> changes(double from, double to) const;
   [[nodiscard]] std::array<int, 2> crossings_between(double from, double to) const;
   void add_marks(const Change& change, std::vector<LineMark>& marks) const;
 
   const ScanScene& scene_;
   const FoldRule& rule_;
+  ScanLine line_;
   MarkLimits limits_;
   Slice slice_;
   std::vector<WireCrossing> wires_;  ///< that may be drawn

@@ -95,10 +95,14 @@ std::array<int, 2> LineScan::edge_of(int segment) const {
 LineFindings LineScan::judge(const ScanLine& line, const MetByLine& met, std::span<const int> segments) const {
   const LineMarks marks(scene_, rule_, line, limits_, met);
   LineFindings findings;
-  for (const LineMark& mark : marks.asked()) {
-    const Vec2 place = line.position(mark.u);
-    if (std::abs(mark.u) <= line.reach && window_.contains(place)) findings.asked.push_back({place, mark});
-  }
+  const auto keep = [&](const std::vector<LineMark>& found, std::vector<AskedLine>& list) {
+    for (const LineMark& mark : found) {
+      const Vec2 place = line.position(mark.u);
+      if (std::abs(mark.u) <= line.reach && window_.contains(place)) list.push_back({place, mark});
+    }
+  };
+  keep(marks.asked(), findings.asked);
+  keep(marks.jumps(), findings.jumps);
   std::vector<Cut> cuts;
   for (const int segment : segments) {
     if (scene_.is_hidden_by_facets(edge_of(segment))) continue;
@@ -142,10 +146,11 @@ void LineScan::find_doubled(const LineMarks& marks, std::vector<InkCrossing>& in
         settle(ink[i], ink[j]);
 }
 
-// Calls `through(shape, meet)` for all triangles and segments, and judges the lines that they meet.
-template <class Through>
-std::vector<LineFindings> LineScan::scan(const std::vector<ScanLine>& lines, const Through& through,
-                                         const Progress& progress) const {
+// Calls `through(shape, meet)` for all triangles and segments, and `judge(line, met, segments)` for the lines that they
+// meet.
+template <class Through, class Judge>
+auto LineScan::scan(const std::vector<ScanLine>& lines, const Through& through, const Judge& judge,
+                    const Progress& progress) const {
   const auto gather = [&](std::size_t count, const auto& visit) {
     std::vector<std::vector<std::pair<int, int>>> pairs((count + chunk - 1) / chunk);
     parallel_for(pairs.size(), 1, progress, [&](std::size_t first, std::size_t last) {
@@ -166,20 +171,16 @@ std::vector<LineFindings> LineScan::scan(const std::vector<ScanLine>& lines, con
     const drawing::Segment& ink = input_.drawing.segments[number];
     if (ink.visible && !drawing::is_link(ink)) through(segment(number), meet);
   });
-  std::vector<LineFindings> findings(lines.size());
+  std::vector<decltype(judge(lines[0], MetByLine{}, segments.of(0)))> findings(lines.size());
   parallel_for(lines.size(), 1, progress, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
-      findings[i] = judge(lines[i], {triangles.of(i), wires.of(i)}, segments.of(i));
+      findings[i] = judge(lines[i], MetByLine{triangles.of(i), wires.of(i)}, segments.of(i));
   });
   return findings;
 }
 
-std::vector<LineFindings> LineScan::along(const LineBundle& bundle, const Progress& progress) const {
-  return scan(
-      bundle.lines(), [&](PageShape shape, const auto& meet) { bundle.through(shape, meet); }, progress);
-}
-
-std::vector<LineFindings> LineScan::along(const std::vector<ScanLine>& lines, const Progress& progress) const {
+template <class Judge>
+auto LineScan::scan_short(const std::vector<ScanLine>& lines, const Judge& judge, const Progress& progress) const {
   std::vector<Extent> extents;
   for (const ScanLine& line : lines) {
     const Vec2 half = line.reach * glm::abs(line.along);
@@ -197,6 +198,26 @@ std::vector<LineFindings> LineScan::along(const std::vector<ScanLine>& lines, co
         grid.overlapping(extent, [&](int line) {
           if (lies_on_both_sides(lines[line], shape)) meet(line);
         });
+      },
+      judge, progress);
+}
+
+std::vector<LineFindings> LineScan::along(const LineBundle& bundle, const Progress& progress) const {
+  return scan(
+      bundle.lines(), [&](PageShape shape, const auto& meet) { bundle.through(shape, meet); },
+      [&](const auto&... met) { return judge(met...); }, progress);
+}
+
+std::vector<LineFindings> LineScan::along(const std::vector<ScanLine>& lines, const Progress& progress) const {
+  return scan_short(
+      lines, [&](const auto&... met) { return judge(met...); }, progress);
+}
+
+std::vector<Around> LineScan::around(const std::vector<ScanLine>& lines, double reach, const Progress& progress) const {
+  return scan_short(
+      lines,
+      [&](const ScanLine& line, const MetByLine& met, std::span<const int>) {
+        return LineMarks(scene_, rule_, line, limits_, met).around(0, reach);
       },
       progress);
 }

@@ -28,6 +28,7 @@ struct InkCrossing {
 
 struct LineFindings {
   std::vector<AskedLine> asked;
+  std::vector<AskedLine> jumps;  ///< see LineMarks::jumps
   std::vector<InkCrossing> ink;
 };
 
@@ -41,6 +42,10 @@ class LineScan {
   /// One entry for each of many short lines. Throws OutOfTime.
   [[nodiscard]] std::vector<LineFindings> along(const std::vector<ScanLine>& lines, const Progress& progress) const;
 
+  /// What is within `reach` of the middles of short lines. Throws OutOfTime.
+  [[nodiscard]] std::vector<Around> around(const std::vector<ScanLine>& lines, double reach,
+                                           const Progress& progress) const;
+
   /// The ends of visible ink, mm from ScanScene::origin.
   [[nodiscard]] std::array<Vec2, 2> segment(int number) const;
   /// Total lengths on the page, in mm, which determine how often random lines cut triangles and visible ink. No
@@ -49,9 +54,11 @@ class LineScan {
   [[nodiscard]] double length_of_ink() const;
 
  private:
-  template <class Through>
-  [[nodiscard]] std::vector<LineFindings> scan(const std::vector<ScanLine>& lines, const Through& through,
-                                               const Progress& progress) const;
+  template <class Through, class Judge>
+  [[nodiscard]] auto scan(const std::vector<ScanLine>& lines, const Through& through, const Judge& judge,
+                          const Progress& progress) const;
+  template <class Judge>
+  [[nodiscard]] auto scan_short(const std::vector<ScanLine>& lines, const Judge& judge, const Progress& progress) const;
   [[nodiscard]] LineFindings judge(const ScanLine& line, const MetByLine& met, std::span<const int> segments) const;
   void find_doubled(const LineMarks& marks, std::vector<InkCrossing>& ink) const;
   [[nodiscard]] bool shape_of(int triangle, std::array<Vec2, 3>& shape) const;

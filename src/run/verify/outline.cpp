@@ -26,7 +26,7 @@ constexpr std::array names{"missing", "unfounded", "doubled"};
 /// What lines across the page find.
 struct Scanned {
   report::OutlineCheck check{};
-  std::vector<AskedLine> asked{};
+  std::vector<AskedLine> asked{}, jumps{};
   Suspects suspects{};
 };
 
@@ -71,6 +71,7 @@ Scanned noted(const OutlineScan& on, const LineFindings& findings, Scanned found
   if (!on.options.complete) return found;
   found.check.asked += static_cast<int>(findings.asked.size());
   found.asked.insert(found.asked.end(), findings.asked.begin(), findings.asked.end());
+  found.jumps.insert(found.jumps.end(), findings.jumps.begin(), findings.jumps.end());
   return found;
 }
 
@@ -145,8 +146,7 @@ std::vector<report::OutlineFault> worst_of(const OutlineScan& on, const std::vec
 
 }  // namespace
 
-report::OutlineCheck verify_outline(const VerifyInput& input, const Tolerance& tolerance,
-                                    const OutlineOptions& options) {
+OutlineFindings scan_outline(const VerifyInput& input, const Tolerance& tolerance, const OutlineOptions& options) {
   if (input.world.triangles.empty() && input.world.wires.empty()) return {};
   const OutlineScan on(input, tolerance, options);
   Scanned scanned = scan_page(on);
@@ -165,7 +165,14 @@ report::OutlineCheck verify_outline(const VerifyInput& input, const Tolerance& t
   if (check.asked + check.ink > 0)
     check.at_most = greatest_share(check.wrong(), check.asked + check.ink, stated_confidence);
   check.worst = worst_of(on, suspects);
-  return check;
+  std::vector<AskedLine> needs = std::move(scanned.asked);
+  needs.insert(needs.end(), scanned.jumps.begin(), scanned.jumps.end());
+  return {std::move(check), std::move(needs)};
+}
+
+report::OutlineCheck verify_outline(const VerifyInput& input, const Tolerance& tolerance,
+                                    const OutlineOptions& options) {
+  return scan_outline(input, tolerance, options).check;
 }
 
 }  // namespace epura::verify

@@ -11,11 +11,13 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "base/progress.hpp"
 #include "projection/projection.hpp"
 #include "report/verification.hpp"
 #include "verify/cover.hpp"
+#include "verify/line_scan.hpp"
 #include "verify/verify_input.hpp"
 
 namespace epura::verify {
@@ -28,7 +30,15 @@ struct OutlineOptions {
   Progress progress{};
 };
 
+struct OutlineFindings {
+  report::OutlineCheck check;
+  std::vector<AskedLine> needs;  ///< positions that require a line, and where depth jumps
+};
+
 /// Throws OutOfTime.
+OutlineFindings scan_outline(const VerifyInput& input, const Tolerance& tolerance, const OutlineOptions& options);
+
+/// The check alone.
 report::OutlineCheck verify_outline(const VerifyInput& input, const Tolerance& tolerance,
                                     const OutlineOptions& options);
 

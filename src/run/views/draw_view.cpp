@@ -16,8 +16,8 @@
 #include "drawing/symmetry.hpp"
 #include "drawing/thin.hpp"
 #include "edges/crossing_candidates.hpp"
+#include "verify/ink_judge.hpp"
 #include "verify/outline.hpp"
-#include "verify/stray_contours.hpp"
 #include "verify/verify.hpp"
 #include "views/breaks.hpp"
 #include "views/details.hpp"
@@ -117,6 +117,12 @@ drawing::CurveReport curves_of(const ViewOptions& options, const world::World& w
   return drawing::draw_exactly(world, drawing, limits, progress);
 }
 
+// How far ink may be from what it shows. What is merely estimated is no error to be forgiven: the judge of ink looks
+// for contours and crossings where they are.
+double error_of_ink(const report::ViewError& error) {
+  return error.total() - error[report::ErrorTerm::contours] - error[report::ErrorTerm::intersections];
+}
+
 struct DrawnLines {
   drawing::ViewDrawing drawing;
   drawing::CurveReport curves;
@@ -147,10 +153,9 @@ class ViewRun {
     if (!input_.traces.empty() && !options_.detail)
       lines.drawing.aids.traces = budget_.or_nothing([&](const Progress& progress) { return traces(paper, progress); });
     watch_.lap("drawing");
-    auto verification =
-        budget_.or_nothing([&](const Progress& progress) { return verified(lines.drawing, paper, progress); });
-    if (options_.verify) watch_.lap("verify");
     std::optional<report::ViewError> error = judged(lines, paper);
+    auto verification = budget_.or_nothing([&](const Progress& progress) { return verified(lines, error, progress); });
+    if (options_.verify) watch_.lap("verify");
     for (const BrokenOutSection& one : input_.broken_out) break_out(lines, one, verification, error);
     if (options_.detail) show_detail(lines);
     const double unsymmetric = options_.breaks.any() ? break_view(lines) : 0;
@@ -197,10 +202,8 @@ class ViewRun {
   void show_detail(DrawnLines& lines);
   double break_view(DrawnLines& lines);
   std::vector<std::array<Vec2, 2>> traces(const view::PaperMap& paper, const Progress& progress);
-  std::optional<report::Verification> verified(const drawing::ViewDrawing& drawing, const view::PaperMap& paper,
+  std::optional<report::Verification> verified(const DrawnLines& lines, const std::optional<report::ViewError>& error,
                                                const Progress& progress) const;
-  report::Verification verified(const edges::FeatureEdges& edges, const drawing::ViewDrawing& drawing,
-                                const view::PaperMap& paper, const Progress& progress) const;
   [[nodiscard]] verify::Tolerance tolerance_on(const view::PaperMap& paper) const {
     return {view_.extent * paper.scale, view_.contact.touching * paper.scale};
   }
@@ -511,35 +514,34 @@ std::vector<std::array<Vec2, 2>> ViewRun::traces(const view::PaperMap& paper, co
   return visible;
 }
 
-std::optional<report::Verification> ViewRun::verified(const drawing::ViewDrawing& drawing, const view::PaperMap& paper,
-                                                      const Progress& progress) const {
+// Contours that are drawn at their position on the surface are tested at their position on the mesh first, and creases
+// also if the user leaves them out; then all ink where it is.
+std::optional<report::Verification> ViewRun::verified(const DrawnLines& lines,
+                                                      const std::optional<report::ViewError>& error,
+                                                      const Progress& until) const {
   if (!options_.verify) return std::nullopt;
-  if (!(drawn_.moved > 0) && !(options_.least_crease > 0)) return verified(drawn_, drawing, paper, progress);
-  // Contours that are drawn at their position on the surface are tested at their position on the mesh, and for staying
-  // beside it; creases also if the user leaves them out.
+  Progress progress = until;
+  progress.begin("verifying");
+  const view::PaperMap paper = view::make_paper_map(view_, input_.place.scale, input_.place.shift);
+  const bool are_moved = drawn_.moved > 0 || options_.least_crease > 0;
   edges::FeatureEdges in_mesh = drawn_;
   in_mesh.moved = 0;
   for (edges::FeatureEdge& edge : in_mesh.edges) edge.shown = {-1, -1};
-  report::Verification found = verified(in_mesh, drawn_on(paper, in_mesh, 0, progress), paper, progress);
-  const verify::VerifyInput as_drawn{input_.world, view_.projection, options_.limits, drawn_, hidden_, drawing};
-  verify::add_stray_contours(as_drawn, tolerance_on(paper), found.outline, progress);
-  return found;
-}
-
-report::Verification ViewRun::verified(const edges::FeatureEdges& edges, const drawing::ViewDrawing& drawing,
-                                       const view::PaperMap& paper, const Progress& until) const {
-  Progress progress = until;
-  progress.begin("verifying");
-  const bool keep_hidden = options_.keep_hidden(), complete = partial_.stages.empty();
+  const drawing::ViewDrawing mesh_lines = are_moved ? drawn_on(paper, in_mesh, 0, progress) : lines.drawing;
+  const verify::VerifyInput input{input_.world, view_.projection, options_.limits, in_mesh, hidden_, mesh_lines};
   const verify::Tolerance tolerance = tolerance_on(paper);
-  const verify::VerifyInput input{input_.world, view_.projection, options_.limits, edges, hidden_, drawing};
-  report::Verification found = verify::verify(input, tolerance, *options_.verify, keep_hidden, progress);
+  report::Verification found = verify::verify(input, tolerance, *options_.verify, options_.keep_hidden(), progress);
   // A given window cuts lines off; otherwise it is the box of everything visible, and lines lie on its border.
   const double margin = view_.window_given ? 0 : 0.01 * view_.extent;
   const auto to_page = [&](const Vec2& corner) { return paper.origin + paper.scale * (corner - view_.middle); };
   const projection::Window window{to_page(view_.window.min - margin), to_page(view_.window.max + margin)};
-  found.outline =
-      verify::verify_outline(input, tolerance, {options_.edges, *options_.verify, complete, window, progress});
+  const verify::OutlineOptions how{options_.edges, *options_.verify, partial_.stages.empty(), window, progress};
+  verify::OutlineFindings outline = verify::scan_outline(input, tolerance, how);
+  found.outline = std::move(outline.check);
+  if (!error) return found;
+  const verify::VerifyInput as_drawn{input_.world, view_.projection, options_.limits, drawn_, hidden_, lines.drawing};
+  found.ink =
+      verify::judge_ink(as_drawn, tolerance, {how, error_of_ink(*error), !(options_.least_crease > 0)}, outline.needs);
   return found;
 }
 

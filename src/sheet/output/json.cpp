@@ -310,6 +310,18 @@ std::string outline_of(const report::OutlineCheck& outline) {
          ",\n    \"worst\": " + json_lines(outline.worst, fault_of, "\n     ") + "}";
 }
 
+std::string unjudged_of(const report::Unjudged& one) {
+  return "{\"reason\": " + json_string(one.reason) + ", \"length\": " + number(one.length) + "}";
+}
+
+std::string ink_of(const report::InkCheck& ink) {
+  return "{\"error\": " + number(ink.error) + ", \"length\": " + number(ink.length) +
+         ", \"judged\": " + number(ink.judged) + ", \"by_surfaces\": " + number(ink.by_surfaces) +
+         ", \"unjudged\": " + json_list(ink.unjudged, unjudged_of) + ", \"unfounded\": " + number(ink.unfounded) +
+         ", \"missing\": " + number(ink.missing) + ", \"faults\": " + number(ink.faults) +
+         ",\n    \"worst\": " + json_lines(ink.worst, fault_of, "\n     ") + "}";
+}
+
 std::string verification_of(const report::Verification& found) {
   return "{\"points\": " + number(found.points) + ", \"decided\": " + number(found.decided) +
          ", \"either_way\": " + number(found.either_way) + ", \"wrong\": " + number(found.wrong) +
@@ -318,7 +330,7 @@ std::string verification_of(const report::Verification& found) {
          ", \"undecided\": " + number(found.undecided) + ", \"untested\": " + number(found.untested) +
          ",\n   \"strata\": " + json_lines(found.strata, stratum_of, "\n    ") +
          ",\n   \"worst\": " + json_lines(found.worst, offence_of, "\n    ") +
-         ",\n   \"outline\": " + outline_of(found.outline) + "}";
+         ",\n   \"outline\": " + outline_of(found.outline) + ",\n   \"ink\": " + ink_of(found.ink) + "}";
 }
 
 std::string condition_of_view(const report::ViewCondition& view) {

@@ -58,6 +58,18 @@ std::string format_outline(const OutlineCheck& outline) {
   return text;
 }
 
+std::string format_ink(const InkCheck& ink) {
+  if (!(ink.length > 0)) return {};
+  std::string text = "ink: " + millimetres(ink.judged) + " of " + millimetres(ink.length) + " (" +
+                     percent(ink.judged / ink.length) + ") judged where it is drawn, " + millimetres(ink.by_surfaces) +
+                     " of it by surfaces, to within " + millimetres(ink.error) + ": " + millimetres(ink.unfounded) +
+                     " without reason, " + millimetres(ink.missing) + " missing";
+  for (const Unjudged& one : ink.unjudged) text += "; not judged: " + millimetres(one.length) + " of " + one.reason;
+  text += "\n";
+  for (const OutlineFault& fault : ink.worst) text += "wrong: " + what_of(fault) + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string format_verification(const Verification& v) {
@@ -71,7 +83,7 @@ std::string format_verification(const Verification& v) {
           "\n";
   for (const Mismatch& mismatch : v.worst)
     text += "wrong: " + position_of(mismatch) + " is " + mismatch.what + ", but " + reason_of(mismatch) + "\n";
-  text += format_outline(v.outline);
+  text += format_outline(v.outline) + format_ink(v.ink);
   if (!v.is_conclusive())
     text +=
         "inconclusive: more than half of the points are undecided, so this proves nothing; turn the view a little, or "

@@ -63,6 +63,25 @@ struct OutlineCheck {
   [[nodiscard]] int wrong() const { return missing + unfounded + doubled; }
 };
 
+/// Ink that was not judged, and why.
+struct Unjudged {
+  std::string reason;  ///< "lines of threads"
+  double length;       ///< mm
+};
+
+/// The ink that the user gets, judged where it is: whether there is a reason for it, and whether it is complete.
+struct InkCheck {
+  double error = 0;                 ///< how far lines may be from their reasons, mm
+  double length = 0;                ///< of all ink, mm
+  double judged = 0;                ///< of it, mm
+  double by_surfaces = 0;           ///< of what was judged: ink of models whose surfaces are known, mm
+  std::vector<Unjudged> unjudged;   ///< the rest
+  double unfounded = 0;             ///< ink without a reason, mm
+  double missing = 0;               ///< lines that triangles and surfaces require, but that have no ink, mm
+  int faults = 0;                   ///< stretches of both
+  std::vector<OutlineFault> worst;  ///< longest first, at most ten
+};
+
 struct Verification {
   int samples = 0;             ///< random points, on which the estimates are based
   int points = 0;              ///< all points tested: also the middles and both sides of the ends of the spans that
@@ -77,8 +96,9 @@ struct Verification {
   std::vector<Stratum> strata;
   std::vector<Mismatch> worst;  ///< longest spans first, at most ten
   OutlineCheck outline;
+  InkCheck ink;
 
-  [[nodiscard]] int errors() const { return wrong + outline.wrong(); }
+  [[nodiscard]] int errors() const { return wrong + outline.wrong() + ink.faults; }
   /// Whether so many points tell something of the drawing that their being right says that it is right.
   [[nodiscard]] bool is_conclusive() const { return 2 * (decided + either_way) >= points; }
   [[nodiscard]] bool is_right() const { return errors() == 0 && is_conclusive(); }
