@@ -216,7 +216,8 @@ class InkJudge {
     return without;
   }
 
-  // Of those, the places at which rays see a change.
+  // Of those, the places beside which rays see a change that has no ink, either: the contour of a surface may be as far
+  // from that of its facets as the ink is from it.
   [[nodiscard]] std::vector<AskedLine> confirmed(const std::vector<AskedLine>& without) const {
     std::vector<Band> bands;
     std::vector<const AskedLine*> asked;
@@ -229,9 +230,13 @@ class InkJudge {
     }
     const std::vector<SeenAcross> seen =
         see_across(written_, options_.outline.edges, check_.error, bands, options_.outline.progress);
+    std::vector<Expected> places;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+      places.push_back({bands[i].middle + seen[i].at * bands[i].across, true});
+    const std::vector<bool> inked = find_ink(lines_, places, check_.error);
     std::vector<AskedLine> found;
     for (std::size_t i = 0; i < asked.size(); ++i)
-      if (seen[i].front_changes) found.push_back(*asked[i]);
+      if (seen[i].front_changes && !inked[i]) found.push_back(*asked[i]);
     return found;
   }
 

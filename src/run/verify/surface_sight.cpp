@@ -77,7 +77,7 @@ class RayCaster {
   [[nodiscard]] std::vector<std::vector<int>> triangles_near(const std::vector<Vec2>& places,
                                                              const Progress& progress) const;
   [[nodiscard]] std::vector<Hit> hits(const Vec2& place, std::vector<int> triangles) const;
-  [[nodiscard]] SeenAcross compare(const std::vector<std::vector<Hit>>& rays) const;
+  [[nodiscard]] SeenAcross compare(const std::vector<std::vector<Hit>>& rays, double half) const;
 
  private:
   [[nodiscard]] std::optional<std::array<Vec3, 3>> on_page(int triangle) const;
@@ -86,7 +86,7 @@ class RayCaster {
   void meet_facet(const Vec2& place, int triangle, const Group& group, std::vector<Hit>& hits) const;
   [[nodiscard]] double depth_of_error() const { return error_ * depth_per_length_ / per_length_; }
   void meet_face(const Ray& ray, std::span<const int> triangles, int face, std::vector<Hit>& hits) const;
-  [[nodiscard]] bool differ(const std::vector<std::vector<Hit>>& rays, std::size_t layer) const;
+  [[nodiscard]] std::vector<int> changes(const std::vector<std::vector<Hit>>& rays, std::size_t layer) const;
   [[nodiscard]] bool folds(const Hit& a, const Hit& b) const;
 
   const VerifyInput& input_;
@@ -231,35 +231,42 @@ bool RayCaster::folds(const Hit& a, const Hit& b) const {
   return angle > (a.face < 0 || b.face < 0 ? options_.crease_angle : options_.part_angle);
 }
 
-bool RayCaster::differ(const std::vector<std::vector<Hit>>& rays, std::size_t layer) const {
+// The rays after which this layer changes.
+std::vector<int> RayCaster::changes(const std::vector<std::vector<Hit>>& rays, std::size_t layer) const {
+  std::vector<int> list;
   std::vector<double> steps;
   double doubt = 0;
   for (std::size_t i = 0; i + 1 < rays.size(); ++i) {
-    const bool is_there = rays[i].size() > layer;
-    if (is_there != (rays[i + 1].size() > layer)) return true;
-    if (!is_there) {
-      steps.push_back(0);
-      continue;
-    }
+    const bool is_there = rays[i].size() > layer, goes_on = rays[i + 1].size() > layer;
+    steps.push_back(0);
+    if (is_there != goes_on) list.push_back(static_cast<int>(i));
+    if (!is_there || !goes_on) continue;
     const Hit &a = rays[i][layer], &b = rays[i + 1][layer];
-    if (folds(a, b)) return true;
-    steps.push_back(std::abs(a.depth - b.depth));
+    if (folds(a, b)) list.push_back(static_cast<int>(i));
+    steps.back() = std::abs(a.depth - b.depth);
     doubt = std::max({doubt, a.doubt, b.doubt});
   }
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const double before = i > 0 ? steps[i - 1] : 0, after = i + 1 < steps.size() ? steps[i + 1] : 0;
-    if (steps[i] > jump * std::max(before, after) + 2 * doubt + depth_of_error()) return true;
+    if (steps[i] > jump * std::max(before, after) + 2 * doubt + depth_of_error()) list.push_back(static_cast<int>(i));
   }
-  return false;
+  return list;
 }
 
-SeenAcross RayCaster::compare(const std::vector<std::vector<Hit>>& rays) const {
+SeenAcross RayCaster::compare(const std::vector<std::vector<Hit>>& rays, double half) const {
   std::size_t most = 0;
   for (const auto& hits : rays) most = std::max(most, hits.size());
   SeenAcross seen;
-  seen.front_changes = differ(rays, 0);
+  double nearest = HUGE_VAL;
+  for (const int ray : changes(rays, 0)) {
+    const double at = half * ((2.0 * ray + 1) / (rays_of_band - 1) - 1);
+    if (std::abs(at) < nearest) seen.at = at;
+    nearest = std::min(nearest, std::abs(at));
+  }
+  seen.front_changes = nearest < HUGE_VAL;
   seen.any_changes = seen.front_changes;
-  for (std::size_t layer = 1; layer < most && !seen.any_changes; ++layer) seen.any_changes = differ(rays, layer);
+  for (std::size_t layer = 1; layer < most && !seen.any_changes; ++layer)
+    seen.any_changes = !changes(rays, layer).empty();
   return seen;
 }
 
@@ -281,7 +288,7 @@ std::vector<SeenAcross> see_across(const VerifyInput& input, const edges::EdgeOp
         std::vector<std::vector<Hit>> rays;
         for (std::size_t k = i * rays_of_band; k < (i + 1) * rays_of_band; ++k)
           rays.push_back(caster.hits(places[k], near[k]));
-        seen[from + i] = caster.compare(rays);
+        seen[from + i] = caster.compare(rays, bands[from + i].half);
       }
     });
   }

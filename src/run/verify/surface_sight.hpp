@@ -23,6 +23,7 @@ struct Band {
 struct SeenAcross {
   bool front_changes = false;  ///< what is seen
   bool any_changes = false;    ///< the same, or anything behind it
+  double at = 0;               ///< where what is seen changes, nearest to the middle: along `across`, mm
 };
 
 /// Facets within `error` mm of a ray tell where faces end. Throws OutOfTime.
