@@ -187,7 +187,8 @@ class InkJudge {
       };
       while (end < places.size() && goes_on()) ++end;
       const double length = step * static_cast<double>(end - i);
-      if (length > least_errors * check_.error) {
+      // A single place does not tell how long it is.
+      if (end - i > 1 && length > least_errors * check_.error) {
         const InkPlace& middle = places[i + (end - i) / 2];
         const drawing::Segment origin = origin_of(middle);
         check_.unfounded += length;

@@ -101,10 +101,7 @@ bool PartEyes::folds_at(const Model& model, const mesh::MeshEdge& edge) const {
   for (const int v : edge.vertex)
     angle = std::max(angle, between_planes(normal_at(model, v, one), normal_at(model, v, two)));
   if (angle <= options_.part_angle) return false;
-  const auto is_flat = [&](int f) {
-    return model.part->faces[static_cast<std::size_t>(f)].surface.kind == surfaces::SurfaceKind::plane;
-  };
-  return model.part->declared || is_flat(one) || is_flat(two) || is_fold_of_facets(model, edge);
+  return model.part->declared || is_fold_of_facets(model, edge);
 }
 
 // Whether facets fold at an edge by more than on both sides of it.
@@ -116,19 +113,29 @@ bool PartEyes::is_fold_of_facets(const Model& model, const mesh::MeshEdge& edge)
   return fold > options_.part_angle && fold > clearly_more * beside;
 }
 
-// How much the face of a triangle turns beyond it, about an edge of the triangle.
+// How much the face of a triangle turns beyond it, about an edge of the triangle: from facet to facet, to the second
+// one, since the next may be the other half of a quadrilateral.
 double PartEyes::turn_beside(const Model& model, const mesh::MeshEdge& edge, int triangle) const {
   const auto face = [&](int t) { return model.part->face_of_triangle[static_cast<std::size_t>(t)]; };
   const Vec3 axis = glm::normalize(model.point(edge.vertex[1]) - model.point(edge.vertex[0]));
-  const auto corner = model.mesh->triangle(triangle);
   double turn = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto [a, b] = std::minmax(corner[i], corner[(i + 1) % 3]);
-    const mesh::MeshEdge* side = model.mesh->edge_between({a, b});
-    if (side == nullptr || side == &edge || side->count != 2) continue;
-    for (const int other : model.mesh->triangles_of(*side))
-      if (other != triangle && face(other) == face(triangle))
-        turn = std::max(turn, angle_about(axis, normal_of(model, triangle), normal_of(model, other)));
+  std::vector<int> ring{triangle};
+  for (int step = 0; step < 2; ++step) {
+    std::vector<int> next;
+    for (const int t : ring) {
+      const auto corner = model.mesh->triangle(t);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [a, b] = std::minmax(corner[i], corner[(i + 1) % 3]);
+        const mesh::MeshEdge* side = model.mesh->edge_between({a, b});
+        if (side == nullptr || side == &edge || side->count != 2) continue;
+        for (const int other : model.mesh->triangles_of(*side)) {
+          if (other == t || face(other) != face(triangle)) continue;
+          turn = std::max(turn, angle_about(axis, normal_of(model, t), normal_of(model, other)));
+          next.push_back(other);
+        }
+      }
+    }
+    ring = std::move(next);
   }
   return turn;
 }

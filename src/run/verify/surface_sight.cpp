@@ -228,7 +228,10 @@ bool RayCaster::folds(const Hit& a, const Hit& b) const {
   if (a.face == b.face) return false;
   const double angle =
       degrees * std::atan2(glm::length(glm::cross(a.normal, b.normal)), std::abs(glm::dot(a.normal, b.normal)));
-  return angle > (a.face < 0 || b.face < 0 ? options_.crease_angle : options_.part_angle);
+  // Between faces that were merely recognised, only facets know of a smaller fold (PartEyes).
+  const world::Placed& placed = input_.world.models[static_cast<std::size_t>(a.model)];
+  const bool is_declared = a.face >= 0 && b.face >= 0 && placed.part->declared;
+  return angle > (is_declared ? options_.part_angle : options_.crease_angle);
 }
 
 // The rays after which this layer changes.
