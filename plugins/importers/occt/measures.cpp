@@ -127,4 +127,11 @@ Measure measure_of(const StepGraph& graph, EntityNumber number) {
   return measure;
 }
 
+std::string printed_length(double value) {
+  constexpr int digits = 9;
+  std::array<char, 32> text{};
+  return {text.data(),
+          std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr};
+}
+
 }  // namespace occt

@@ -27,4 +27,7 @@ void qualify(Measure& measure, const StepGraph& graph, const std::vector<EntityN
 /// The number at the beginning of a text, or in parentheses, as in "LENGTH_MEASURE(35.)"; NaN if there is none.
 double number_in(std::string_view text);
 
+/// A length in mm, with the digits of an exact number of inches.
+std::string printed_length(double value);
+
 }  // namespace occt

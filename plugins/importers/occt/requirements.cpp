@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "datum_references.hpp"
 #include "measures.hpp"
 #include "requirement_index.hpp"
 
@@ -25,12 +26,6 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-void append(std::string& list, const std::string& word, std::string_view between = ", ") {
-  if (word.empty()) return;
-  if (!list.empty()) list += between;
-  list += word;
-}
-
 // "PERPENDICULARITY" of "PERPENDICULARITY_TOLERANCE"; empty for records that say something else of a tolerance.
 std::string_view characteristic_in(std::string_view keyword) {
   constexpr std::array<std::string_view, 15> characteristics{
@@ -42,12 +37,6 @@ std::string_view characteristic_in(std::string_view keyword) {
   const bool is_one = keyword.substr(begin.size()) == of_tolerance &&
                       std::find(characteristics.begin(), characteristics.end(), begin) != characteristics.end();
   return is_one ? begin : std::string_view();
-}
-
-// The attribute of a kind's own comes last, whether the record has those that it inherits or not.
-std::string_view last_argument_of(const Record& record) {
-  const std::vector<std::string_view> arguments = separated(record.arguments);
-  return arguments.empty() ? std::string_view() : arguments.back();
 }
 
 // Of an entity of several records, the one with the attributes that all dimensions have.
@@ -246,83 +235,22 @@ class RequirementReader {
   void add_length(const std::string& word, const Record& record, Requirement& requirement) const {
     const Measure length = measure(reference_in(argument_of(record, 0)));
     if (std::isnan(length.value)) return append(requirement.missing, "the length of '" + word + "'");
-    append(requirement.modifiers, word + " " + printed(length.value) + " mm");
-  }
-
-  static std::string printed(double value) {
-    constexpr int digits = 9;  // those of an exact number of inches
-    std::array<char, 32> text{};
-    return {text.data(),
-            std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr};
+    append(requirement.modifiers, word + " " + printed_length(length.value) + " mm");
   }
 
   // Datums.
 
   void read_datums(std::string_view list, Requirement& requirement) const {
-    std::vector<std::pair<long long, std::string>> ranked;  // references of AP203 and AP214 have a precedence
-    for (const EntityNumber number : references_in(list)) {
-      const Statement* statement = graph_.find(number);
-      if (statement == nullptr) continue;
-      if (const Record* system = record_of(*statement, "DATUM_SYSTEM")) {
-        for (const EntityNumber compartment : references_in(argument_of(*system, 4)))
-          append(requirement.datums, datum_text(compartment, 0), " | ");
-      } else if (const Record* one = old_reference(*statement)) {
-        std::string text = letter_of(reference_in(argument_of(*one, 1)));
-        if (const auto modifiers = enumerations_in(argument_of(*one, 2)); !modifiers.empty())
-          text += " (" + modifiers.front() + ")";
-        ranked.emplace_back(static_cast<long long>(number_in(argument_of(*one, 0))), std::move(text));
-      } else if (record_of(*statement, "DATUM") != nullptr) {
-        append(requirement.datums, letter_of(number), " | ");
-      }
-    }
-    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& [rank, text] : ranked) append(requirement.datums, text, " | ");
+    requirement.datums = datum_references(graph_, list);
     if (requirement.datums.empty() || requirement.datums.find('?') != std::string::npos)
       append(requirement.missing, "a datum that it refers to");
-  }
-
-  static const Record* old_reference(const Statement& statement) {
-    const Record* modified = record_of(statement, "REFERENCED_MODIFIED_DATUM");
-    return modified != nullptr ? modified : record_of(statement, "DATUM_REFERENCE");
-  }
-
-  [[nodiscard]] std::string letter_of(EntityNumber datum) const {
-    const Statement* statement = graph_.find(datum);
-    const Record* record = statement == nullptr ? nullptr : record_of(*statement, "DATUM");
-    const std::string letter = record == nullptr ? "" : unquoted(last_argument_of(*record));
-    return letter.empty() ? "?" : letter;
-  }
-
-  // "A", "A-B" of common datums, with modifiers in parentheses. The last two arguments are those that datum references
-  // have beyond other shape aspects.
-  [[nodiscard]] std::string datum_text(EntityNumber reference, int depth) const {
-    const Statement* statement = graph_.find(reference);
-    if (statement == nullptr || depth > 1) return "?";
-    const Record* record =
-        record_of(*statement, depth == 0 ? "DATUM_REFERENCE_COMPARTMENT" : "DATUM_REFERENCE_ELEMENT");
-    if (record == nullptr) return "?";
-    const std::string_view base = argument_of(*record, 4);
-    std::string text;
-    if (reference_in(base) != 0)
-      text = letter_of(reference_in(base));
-    else
-      for (const EntityNumber element : references_in(base)) append(text, datum_text(element, depth + 1), "-");
-    std::string modifiers;
-    for (const std::string& word : enumerations_in(argument_of(*record, 5))) append(modifiers, word);
-    for (const EntityNumber number : references_in(argument_of(*record, 5)))
-      if (const Statement* modifier = graph_.find(number))
-        for (const Record& with_value : modifier->records)
-          for (const std::string& word : enumerations_in(with_value.arguments))
-            append(modifiers, word + " " + printed(measure(references_in(with_value.arguments).front()).value) + " mm");
-    if (text.empty()) text = "?";
-    return modifiers.empty() ? text : text + " (" + modifiers + ")";
   }
 
   void read_datum(EntityNumber number, const Record& record, Requirement& requirement) {
     requirement.kind = EPURA_DATUM;
     requirement.type = "datum";
     requirement.name = unquoted(argument_of(record, 0));
-    requirement.datums = letter_of(number);
+    requirement.datums = letter_of(graph_, number);
     add_items(number, requirement);
     bool has_targets = false;
     for (const EntityNumber feature : listed(index_.features, number)) {
@@ -343,7 +271,7 @@ class RequirementReader {
     requirement.name = unquoted(argument_of(*record, 0));
     requirement.zone = lower_case(unquoted(argument_of(*record, 1)));
     for (const EntityNumber datum : listed(index_.datums, number))
-      requirement.datums = letter_of(datum) + unquoted(last_argument_of(*record));
+      requirement.datums = letter_of(graph_, datum) + unquoted(last_argument_of(*record));
     add_items(number, requirement);
     if (requirement.datums.empty()) append(requirement.missing, "the datum that it is a target of");
     if (record->keyword == "PLACED_DATUM_TARGET_FEATURE") append(requirement.missing, "the place and size of its area");

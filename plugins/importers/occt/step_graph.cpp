@@ -126,4 +126,15 @@ std::string unquoted(std::string_view text) {
   return plain;
 }
 
+std::string_view last_argument_of(const Record& record) {
+  const std::vector<std::string_view> arguments = separated(record.arguments);
+  return arguments.empty() ? std::string_view() : arguments.back();
+}
+
+void append(std::string& list, std::string_view word, std::string_view between) {
+  if (word.empty()) return;
+  if (!list.empty()) list += between;
+  list += word;
+}
+
 }  // namespace occt

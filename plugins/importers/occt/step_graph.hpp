@@ -33,6 +33,10 @@ const Record* record_of(const Statement& statement, std::string_view keyword);
 /// The argument at this place, from 0; empty if there are fewer.
 std::string_view argument_of(const Record& record, std::size_t place);
 
+/// The last argument, which a kind has of its own, whether the record has those that it inherits or not; empty if there
+/// are none.
+std::string_view last_argument_of(const Record& record);
+
 /// All numbers "#12" in a text, in its order.
 std::vector<EntityNumber> references_in(std::string_view text);
 
@@ -44,5 +48,8 @@ std::string unquoted(std::string_view text);
 
 /// "SURFACE_PROFILE" as "surface profile".
 std::string words_of(std::string_view keyword);
+
+/// Adds a word to a list of them, unless it is empty.
+void append(std::string& list, std::string_view word, std::string_view between = ", ");
 
 }  // namespace occt
