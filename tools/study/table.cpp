@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/csv.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "sheet/lettering.hpp"
@@ -10,13 +11,6 @@
 namespace epura::study {
 
 namespace {
-
-std::string quoted_csv(const std::string& cell) {
-  if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
-  std::string text = "\"";
-  for (const char c : cell) text += c == '"' ? "\"\"" : std::string(1, c);
-  return text + "\"";
-}
 
 std::string quoted_json(const std::string& cell) {
   std::string text = "\"";
@@ -41,7 +35,7 @@ std::string to_csv(const Table& table) {
   std::vector<std::string> names;
   for (const Table::Column& column : table.columns) names.push_back(column.name);
   const auto line = [](const std::vector<std::string>& cells) {
-    return joined(cells, ",", [&](std::size_t i) { return quoted_csv(cells[i]); }) + "\r\n";
+    return joined(cells, ",", [&](std::size_t i) { return csv_field(cells[i]); }) + "\r\n";
   };
   std::string text = line(names);
   for (const auto& row : table.rows) text += line(row);

@@ -2,6 +2,7 @@
 #include "datum_references.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -30,9 +31,10 @@ std::string modifiers_of(const StepGraph& graph, const Record& reference) {
     if (statement == nullptr) continue;
     for (const Record& record : statement->records) {
       const std::vector<EntityNumber> values = references_in(record.arguments);
+      const double length = values.empty() ? std::nan("") : measure_of(graph, values.front()).value;
+      const std::string text = std::isnan(length) ? "?" : printed_length(length) + " mm";
       for (const std::string& word : enumerations_in(record.arguments))
-        append(modifiers,
-               values.empty() ? word : word + " " + printed_length(measure_of(graph, values.front()).value) + " mm");
+        append(modifiers, values.empty() ? word : word + " " + text);
     }
   }
   return modifiers;
@@ -67,7 +69,7 @@ std::string letter_of(const StepGraph& graph, EntityNumber datum) {
 
 std::string datum_references(const StepGraph& graph, std::string_view list) {
   std::string datums;
-  std::vector<std::pair<long long, std::string>> ranked;  // of AP203 and AP214, which state a precedence
+  std::vector<std::pair<double, std::string>> ranked;  // of AP203 and AP214, which state a precedence
   for (const EntityNumber number : references_in(list)) {
     const Statement* statement = graph.find(number);
     if (statement == nullptr) continue;
@@ -78,7 +80,8 @@ std::string datum_references(const StepGraph& graph, std::string_view list) {
       std::string text = letter_of(graph, reference_in(argument_of(*one, 1)));
       if (const auto modifiers = enumerations_in(argument_of(*one, 2)); !modifiers.empty())
         text += " (" + modifiers.front() + ")";
-      ranked.emplace_back(static_cast<long long>(number_in(argument_of(*one, 0))), std::move(text));
+      const double rank = number_in(argument_of(*one, 0));
+      ranked.emplace_back(std::isnan(rank) ? 0 : rank, std::move(text));
     } else if (record_of(*statement, "DATUM") != nullptr) {
       append(datums, letter_of(graph, number), " | ");
     }

@@ -71,7 +71,7 @@ std::optional<UnitOfMeasure> unit_of(const StepGraph& graph, EntityNumber number
   if (const Record* si = record_of(*statement, "SI_UNIT")) return si_unit(*si);
   const Record* conversion = record_of(*statement, "CONVERSION_BASED_UNIT");
   if (conversion == nullptr) return std::nullopt;
-  const Statement* factor = graph.find(reference_in(separated(conversion->arguments).back()));
+  const Statement* factor = graph.find(reference_in(last_argument_of(*conversion)));
   const auto parts = factor == nullptr ? std::nullopt : parts_of_measure(*factor);
   if (!parts) return std::nullopt;
   std::optional<UnitOfMeasure> unit = unit_of(graph, reference_in(parts->second), depth + 1);

@@ -81,15 +81,19 @@ RequirementIndex index_of(const StepGraph& graph) {
   return index;
 }
 
-std::vector<EntityNumber> items_of(const RequirementIndex& index, EntityNumber aspect) {
+std::vector<EntityNumber> items_of(const RequirementIndex& index, EntityNumber aspect, std::size_t& left) {
   std::vector<EntityNumber> found, open{aspect};
   std::set<EntityNumber> seen{aspect}, seen_items;
-  while (!open.empty()) {
+  while (!open.empty() && left > 0) {
     const EntityNumber at = open.back();
     open.pop_back();
+    --left;
     if (const auto items = index.items.find(at); items != index.items.end())
-      for (const EntityNumber item : items->second)
-        if (seen_items.insert(item).second) found.push_back(item);
+      for (const EntityNumber item : items->second) {
+        if (left == 0 || !seen_items.insert(item).second) continue;
+        found.push_back(item);
+        --left;
+      }
     if (const auto parts = index.parts.find(at); parts != index.parts.end())
       for (auto part = parts->second.rbegin(); part != parts->second.rend(); ++part)
         if (seen.insert(*part).second) open.push_back(*part);

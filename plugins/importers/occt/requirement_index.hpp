@@ -27,7 +27,7 @@ struct RequirementIndex {
 RequirementIndex index_of(const StepGraph& graph);
 
 /// The items of an aspect and of all its parts, each once, in the order in which they are found. Aspects that contain
-/// themselves are followed once.
-std::vector<EntityNumber> items_of(const RequirementIndex& index, EntityNumber aspect);
+/// themselves are followed once. Each aspect and each item takes one of `left`; with none left, the rest is left out.
+std::vector<EntityNumber> items_of(const RequirementIndex& index, EntityNumber aspect, std::size_t& left);
 
 }  // namespace occt

@@ -5,6 +5,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "datum_references.hpp"
@@ -17,7 +19,7 @@ namespace {
 
 constexpr std::string_view of_tolerance = "_TOLERANCE";
 
-/// Items of all requirements together. A file of some kilobytes may relate each of many dimensions to many faces.
+/// Aspects and items of all requirements together. A file of some kilobytes may relate each of many dimensions to many.
 constexpr std::size_t max_items = 1'000'000;
 
 std::string lower_case(std::string text) {
@@ -92,11 +94,9 @@ class RequirementReader {
   }
 
   void add_items(EntityNumber aspect, Requirement& requirement) {
-    for (const EntityNumber item : items_of(index_, aspect)) {
-      if (items_ == max_items) return append(requirement.missing, "further faces, which are too many");
-      requirement.items.push_back(item);
-      ++items_;
-    }
+    const std::vector<EntityNumber> items = items_of(index_, aspect, items_left_);
+    requirement.items.insert(requirement.items.end(), items.begin(), items.end());
+    if (items_left_ == 0) append(requirement.missing, "further faces, which are too many");
   }
 
   // Dimensions.
@@ -113,19 +113,21 @@ class RequirementReader {
     for (const EntityNumber representation : listed(index_.representations, number))
       if (const Statement* statement = graph_.find(representation))
         if (const Record* items = record_of(*statement, "SHAPE_DIMENSION_REPRESENTATION"))
-          read_values(references_in(argument_of(*items, 1)), 0, requirement);
+          read_values(references_in(argument_of(*items, 1)), requirement);
     for (const EntityNumber range : listed(index_.bounds, number)) read_bounds(range, requirement);
     if (std::isnan(requirement.value) && requirement.bounds != EPURA_LIMITS) append(requirement.missing, "a value");
     if (requirement.items.empty()) append(requirement.missing, "a face that it belongs to");
   }
 
-  void read_values(const std::vector<EntityNumber>& items, int depth, Requirement& requirement) {
-    constexpr int deepest = 4;  // lists in lists, of which files have one
-    for (const EntityNumber item : items) {
+  // Lists in lists come at the end. What a list holds twice, or itself, counts once.
+  void read_values(std::vector<EntityNumber> items, Requirement& requirement) {
+    std::set<EntityNumber> seen;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const EntityNumber item = items[i];
       const Statement* statement = graph_.find(item);
-      if (statement == nullptr || depth > deepest) continue;
+      if (statement == nullptr || !seen.insert(item).second) continue;
       if (const Record* list = record_of(*statement, "COMPOUND_REPRESENTATION_ITEM"))
-        read_values(references_in(list->arguments), depth + 1, requirement);
+        std::ranges::copy(references_in(list->arguments), std::back_inserter(items));
       else if (const Record* note = record_of(*statement, "DESCRIPTIVE_REPRESENTATION_ITEM"))
         append(requirement.modifiers, lower_case(unquoted(argument_of(*note, 1))));
       else
@@ -279,7 +281,7 @@ class RequirementReader {
 
   const StepGraph graph_;
   const RequirementIndex index_;
-  std::size_t items_ = 0;
+  std::size_t items_left_ = max_items;
 };
 
 }  // namespace

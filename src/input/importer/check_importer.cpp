@@ -142,7 +142,13 @@ class Checker {
              one.transform == two.transform && one.colour == two.colour;
     };
     const auto same_requirement = [](const Requirement& one, const Requirement& two) {
-      return one.id == two.id && one.type == two.type && one.datums == two.datums && one.faces == two.faces;
+      const auto same_number = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+      return one.kind == two.kind && one.bounds == two.bounds && one.is_angle == two.is_angle &&
+             one.decimals == two.decimals && same_number(one.value, two.value) && same_number(one.lower, two.lower) &&
+             same_number(one.upper, two.upper) && same_number(one.unit, two.unit) && one.id == two.id &&
+             one.type == two.type && one.name == two.name && one.fit == two.fit && one.modifiers == two.modifiers &&
+             one.zone == two.zone && one.datums == two.datums && one.above == two.above && one.missing == two.missing &&
+             one.faces == two.faces;
     };
     return a.unit == b.unit && a.is_y_up == b.is_y_up && std::ranges::equal(a.shapes, b.shapes, same_shape) &&
            std::ranges::equal(a.nodes, b.nodes, same_node) &&

@@ -53,14 +53,14 @@ std::string bounds_of(const ModelRequirement& one) {
   if (one.bounds == RequirementBounds::none) return "";
   if (one.bounds == RequirementBounds::limits)
     return " from " + number_of(one, one.lower) + " to " + number_of(one, one.upper);
-  if (one.lower == -one.upper) return " ±" + number_of(one, one.upper);
+  if (one.upper >= 0 && one.lower == -one.upper) return " ±" + number_of(one, one.upper);
   return " " + with_sign(one, one.lower) + "/" + with_sign(one, one.upper);
 }
 
 }  // namespace
 
 std::string requirement_sentence(const ModelRequirement& one) {
-  std::string text = one.type.empty() ? "tolerance" : one.type;
+  std::string text(one.type.empty() ? importer::requirement_kind_names[static_cast<std::size_t>(one.kind)] : one.type);
   if (one.kind == RequirementKind::datum) text += " " + one.datums;
   if (std::isfinite(one.value)) text += " " + value_of(one);
   text += one.fit.empty() ? "" : " " + one.fit;

@@ -9,6 +9,7 @@
 
 #include "app/commands.hpp"
 #include "app/requirement_words.hpp"
+#include "base/csv.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "importer/read_model.hpp"
@@ -92,19 +93,12 @@ std::string json_of(const std::vector<Ledger>& ledgers) {
 
 // CSV (RFC 4180).
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string csv_number(double value) { return std::isfinite(value) ? format_number(value) : std::string(); }
 
 std::string csv_of(const std::vector<Ledger>& ledgers) {
   std::string csv =
-      "model,id,kind,type,name,value,lower,upper,bounds,unit,decimals,fit,modifiers,zone,datums,above,faces,drawn,"
-      "reason\r\n";
+      "model,id,kind,type,name,value,lower,upper,bounds,is_angle,unit,decimals,fit,modifiers,zone,datums,above,faces,"
+      "drawn,reason,missing\r\n";
   for (const Ledger& ledger : ledgers) {
     for (const ModelRequirement& one : ledger.requirements) {
       const std::vector<std::string> fields{
@@ -117,6 +111,7 @@ std::string csv_of(const std::vector<Ledger>& ledgers) {
           csv_number(one.lower),
           csv_number(one.upper),
           std::string(importer::requirement_bounds_names[static_cast<std::size_t>(one.bounds)]),
+          one.is_angle ? "yes" : "no",
           one.unit > 0 ? csv_number(one.unit) : "",
           one.decimals < 0 ? "" : std::to_string(one.decimals),
           one.fit,
@@ -126,7 +121,8 @@ std::string csv_of(const std::vector<Ledger>& ledgers) {
           one.above,
           faces_text(one),
           "no",
-          reason_of(one)};
+          reason_of(one),
+          one.missing};
       for (std::size_t i = 0; i < fields.size(); ++i) csv += (i == 0 ? "" : ",") + csv_field(fields[i]);
       csv += "\r\n";
     }

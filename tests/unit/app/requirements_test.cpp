@@ -84,10 +84,10 @@ TEST_F(RequirementsCommand, WritesJsonAndCsv) {
   EXPECT_EQ(flatness["name"].text, "flat, \"top\"");
   EXPECT_EQ(flatness["faces"].items.size(), 1U);
   const std::string csv = text("a.csv");
-  EXPECT_TRUE(csv.starts_with("model,id,kind,type,name,value,lower,upper,bounds,unit,decimals,")) << csv;
-  EXPECT_TRUE(contains(csv, "box.step,#1004,dimension,linear distance,linear distance,20,-0.1,0.3,deviations,1,2,,"))
+  EXPECT_TRUE(csv.starts_with("model,id,kind,type,name,value,lower,upper,bounds,is_angle,unit,decimals,")) << csv;
+  EXPECT_TRUE(contains(csv, "box.step,#1004,dimension,linear distance,linear distance,20,-0.1,0.3,deviations,no,1,2,,"))
       << csv;
-  EXPECT_TRUE(contains(csv, "box.step,#1021,tolerance,flatness,\"flat, \"\"top\"\"\",0.05,,,none,1,,,")) << csv;
+  EXPECT_TRUE(contains(csv, "box.step,#1021,tolerance,flatness,\"flat, \"\"top\"\"\",0.05,,,none,no,1,,,")) << csv;
 }
 
 TEST_F(RequirementsCommand, InfoCountsThemAndADrawingSaysThatTheyAreNotDrawn) {
