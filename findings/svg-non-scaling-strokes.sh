@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # makerjs 0.19.2 writes SVG with lines of "0.25mm" and vector-effect="non-scaling-stroke", whatever the unit of the model. librsvg
 # 2.54.7 ignores the effect: of that PDF the lines are 0.94 mm wide for a model in millimetres, and 24 mm for one in inches, which
-# leaves nothing of the part to see. Believed: 0.25 mm, as browsers show it.
+# leaves nothing of the part to see. Believed: 0.25 mm, as SVG 2 asks.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages makerjs@0.19.2
 debian_packages librsvg2-bin=2.54.7+dfsg-1~deb12u2 poppler-utils=22.12.0-2+deb12u3
