@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Dia 0.97.3 (Debian's 20220525) reads of a DXF in millimetres a line of 100 as 100 cm, leaves LWPOLYLINE and SPLINE out, draws what
 # stands in a block once, at the origin and not where it is inserted, makes hidden lines solid, and an ellipse 40 x 20 one of 0.5 x 10
-# elsewhere. It ends with success, and its messages name no lost entity. Believed: what it cannot read is named; GDAL 3.6.2 reads all
+# elsewhere. It ends with success. Believed: what it cannot read is named; GDAL 3.6.2 reads all
 # of it.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 debian_packages dia=0.97.3+git20220525-5 gdal-bin=3.6.2+dfsg-1+b2 python3-ezdxf=0.18.1-1

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # FreeCAD 0.20.2 writes one placed part into STEP or IGES (Import.export, its usual exporter) at the origin and unturned; the same
-# part together with another stands where it is, and so does one by Part.export. A preference, off at first, keeps the place. Nothing
+# part together with another stands where it is, and so does one by Part.export. Nothing
 # is said. Believed: the file has the part where the model has it, however many are chosen.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 debian_packages libfreecad-python3-0.20=0.20.2+dfsg1-4+deb12u1

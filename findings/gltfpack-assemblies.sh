@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # gltfpack 1.3.0 joins the parts of an assembly that have one material into one mesh and then gives that 14 bits for its whole length:
-# in an assembly of 10 m, parts of 10 to 15 mm come out up to 0.3 mm too short or too long, a little elsewhere, and most names are
-# gone. A part alone keeps its size. glTF-Transform 4.5.1 does the same by join and quantize. The help names 14 bits, not of what.
+# in an assembly of 10 m, parts of 10 to 15 mm come out some tenths of a millimetre too short or too long, a little elsewhere, and most
+# names are gone. A part alone keeps its size. glTF-Transform 4.5.1 does the same by join and quantize. The help names 14 bits, not of what.
 # Believed: of each part.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages gltfpack@1.3.0 @gltf-transform/core@4.5.1 @gltf-transform/extensions@4.5.1 @gltf-transform/functions@4.5.1

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # @loaders.gl/obj 4.4.5 puts the ends of lines (l) and the points (p) of an OBJ, as CAD programs write for edges and centres, among
-# the corners of its triangles: all facets behind a line are made of corners of different ones. Of a tetrahedron with one line before
-# its faces two facets are left, with one point none. It gives no sign, mode says triangles (4). Believed: they are left out, or given
-# apart, as three.js does.
+# the corners of its triangles: facets behind a line are made of corners of different ones. Of a tetrahedron with one line before
+# its faces two facets are right, by chance, with one point none. It gives no sign, mode says triangles (4). Believed: they are left
+# out, or given apart.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages @loaders.gl/core@4.4.5 @loaders.gl/obj@4.4.5
 cat >lines.mjs <<'JS'

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # three 0.187.0: PLYLoader reads faces of three and four corners and drops those of more without a word: of a hexagonal bar whose
 # sides are quads the ends are missing, half of its surface. In a file of such faces only, what is left has no faces, and is drawn as
-# triangles of any three corners in a row.  Believed: PLY has polygons, as its name says.
+# triangles of any three corners in a row. Believed: PLY has polygons, as its name says.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages three@0.187.0
 cat >bar.mjs <<'JS'
