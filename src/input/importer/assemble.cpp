@@ -33,7 +33,9 @@ struct Occurrence {
 
 class Assembler {
  public:
-  explicit Assembler(const Document& document) : document_(document), first_faces_(document.shapes.size()) {}
+  explicit Assembler(const Document& document) : document_(document) {
+    result_.first_faces.resize(document.shapes.size());
+  }
 
   Assembled assemble(const std::string& format) {
     result_.soup.format = format;
@@ -52,8 +54,6 @@ class Assembler {
     if (std::find(result_.part.face_of_polygon.begin(), result_.part.face_of_polygon.end(), -1) !=
         result_.part.face_of_polygon.end())
       result_.part = {};
-    else
-      find_required_faces();
     std::vector<std::optional<Colour>>& colours = result_.soup.body_colours;
     if (std::none_of(colours.begin(), colours.end(), [](const auto& colour) { return colour.has_value(); }))
       colours.clear();
@@ -61,14 +61,6 @@ class Assembler {
   }
 
  private:
-  void find_required_faces() {
-    for (const Requirement& requirement : document_.requirements) {
-      std::vector<int>& faces = result_.faces_of_requirements.emplace_back();
-      for (const auto& [shape, face] : requirement.faces)
-        for (const int first : first_faces_[static_cast<std::size_t>(shape)]) faces.push_back(first + face);
-    }
-  }
-
   // A program prints all shapes in one way, but quantises each by its own size. Surfaces of a part are exact.
   void find_steps() {
     mesh::Points all;
@@ -270,7 +262,7 @@ class Assembler {
   void add_part(const Shape& shape, const Mat4& to_file, int first_point) {
     surfaces::DeclaredPart& part = result_.part;
     const auto first_face = static_cast<int>(part.faces.size());
-    first_faces_[static_cast<std::size_t>(&shape - document_.shapes.data())].push_back(first_face);
+    result_.first_faces[static_cast<std::size_t>(&shape - document_.shapes.data())].push_back(first_face);
     const std::optional<double> scale = surfaces::similarity_scale(to_file);
     for (const PartSurface& surface : shape.faces)
       part.faces.push_back(scale ? surfaces::moved(surface, to_file, *scale) : PartSurface{});
@@ -282,8 +274,7 @@ class Assembler {
   }
 
   const Document& document_;
-  std::vector<std::vector<int>> first_faces_;  ///< of each shape, where it stands
-  std::vector<double> steps_;                  ///< of the coordinates of each shape
+  std::vector<double> steps_;  ///< of the coordinates of each shape
   const std::size_t max_triangles_ = max_triangles();
   std::size_t placed_triangles_ = 0;
   Assembled result_;

@@ -30,8 +30,8 @@ struct Assembled {
   std::vector<TreePart> tree;
   /// Empty if some polygon belongs to no face: faces must then be recognised.
   surfaces::DeclaredPart part;
-  /// By requirement of the document: faces of `part`, of all occurrences of their shapes.
-  std::vector<std::vector<int>> faces_of_requirements;
+  /// By shape of the document: the number in `part` of its first face, wherever it stands.
+  std::vector<std::vector<int>> first_faces;
 };
 
 /// Lengths are in the unit of the file. Names of bodies combine the name of the node or its shape with that of the

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
+
 namespace epura::importer {
 
 namespace {
@@ -41,6 +43,8 @@ ModelRequirement stated(const Requirement& told) {
 
 std::vector<ModelRequirement> requirements_of(const Document& document, const Assembled& assembled,
                                               const mesh::Mesh& mesh, const surfaces::PartFaces* part) {
+  constexpr std::size_t max_required = 100'000'000;  // faces, wherever they stand
+  std::size_t required = 0;
   std::vector<ModelRequirement> requirements;
   std::vector<int> on_mesh;
   if (part != nullptr && !document.requirements.empty()) on_mesh = faces_on_mesh(assembled, mesh, *part);
@@ -48,8 +52,13 @@ std::vector<ModelRequirement> requirements_of(const Document& document, const As
     ModelRequirement& requirement = requirements.emplace_back(stated(document.requirements[i]));
     if (on_mesh.empty()) continue;
     std::vector<int>& faces = requirement.faces;
-    for (const int declared : assembled.faces_of_requirements[i])
-      if (const int face = on_mesh[static_cast<std::size_t>(declared)]; face >= 0) faces.push_back(face);
+    for (const auto& [shape, face] : document.requirements[i].faces) {
+      const std::vector<int>& first_faces = assembled.first_faces[static_cast<std::size_t>(shape)];
+      if ((required += first_faces.size()) > max_required)
+        throw Error(ErrorKind::input, "", "requires something of more faces than a file can", "leave requirements out");
+      for (const int first : first_faces)
+        if (const int on_part = on_mesh[static_cast<std::size_t>(first + face)]; on_part >= 0) faces.push_back(on_part);
+    }
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   }

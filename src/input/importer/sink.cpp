@@ -280,6 +280,9 @@ int DocumentSink::requirement(const epura_requirement* told) {
             std::string("hands over the requirement ") + told->id + " with a face that it does not hand over");
     document_.requirements.back().faces.push_back({static_cast<int>(shape), static_cast<int>(face)});
   }
+  auto& faces = document_.requirements.back().faces;
+  std::ranges::sort(faces);
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return 0;
 }
 
