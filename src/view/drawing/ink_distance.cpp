@@ -2,11 +2,14 @@
 #include "drawing/ink_distance.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <tuple>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "base/range.hpp"
 #include "search/bounds_tree.hpp"
 
 namespace epura::drawing {
@@ -18,7 +21,7 @@ auto key_of(const Piece& p) { return std::tuple(p.from.x, p.from.y, p.to.x, p.to
 bool is_before(const Piece& a, const Piece& b) { return key_of(a) < key_of(b); }
 
 // Drawn pieces, by place.
-std::vector<Piece> ink_of(const std::vector<Piece>& pieces) {
+std::vector<Piece> drawn_by_place(const std::vector<Piece>& pieces) {
   std::vector<Piece> ink;
   ink.reserve(pieces.size());
   for (const Piece& piece : pieces)
@@ -27,12 +30,24 @@ std::vector<Piece> ink_of(const std::vector<Piece>& pieces) {
   return ink;
 }
 
-/// Measures how far pieces are from ink.
+// Ink that is in order of its place, in rows: what is near on the page is near in the list, too.
+std::vector<Piece> in_rows(std::vector<Piece> ink) {
+  Range heights;
+  for (const Piece& piece : ink) heights.add(piece.from.y);
+  const double rows = std::sqrt(static_cast<double>(ink.size()));
+  const auto row_of = [&](const Piece& piece) {
+    return heights.size() > 0 ? std::floor(rows * ((piece.from.y - heights.from) / heights.size())) : 0;
+  };
+  std::stable_sort(ink.begin(), ink.end(), [&](const Piece& a, const Piece& b) { return row_of(a) < row_of(b); });
+  return ink;
+}
+
+/// Measures how far pieces are from ink, which is in order of its place.
 class DistanceFrom {
  public:
-  DistanceFrom(const std::vector<Piece>& ink, double precision, double most)
-      : ink_(ink), precision_(precision), most_(most), tree_(ink.size(), [&](std::size_t i) {
-          const Vec2 low = glm::min(ink[i].from, ink[i].to), high = glm::max(ink[i].from, ink[i].to);
+  DistanceFrom(std::vector<Piece> ink, double precision, double most)
+      : ink_(in_rows(std::move(ink))), precision_(precision), most_(most), tree_(ink_.size(), [&](std::size_t i) {
+          const Vec2 low = glm::min(ink_[i].from, ink_[i].to), high = glm::max(ink_[i].from, ink_[i].to);
           return search::Bounds<2>{{{low.x, high.x}, {low.y, high.y}}};
         }) {}
 
@@ -41,7 +56,7 @@ class DistanceFrom {
     halve(nearest(piece.from), nearest(piece.to));
   }
 
-  /// Never too small.
+  /// To within the precision.
   [[nodiscard]] double farthest() const { return farthest_ > 0 ? std::min(most_, farthest_ + precision_) : 0; }
 
  private:
@@ -79,7 +94,7 @@ class DistanceFrom {
     halve(middle, to);
   }
 
-  const std::vector<Piece>& ink_;
+  std::vector<Piece> ink_;
   double precision_, most_;
   search::BoundsTree<2> tree_;
   bool is_visible_ = true;
@@ -104,7 +119,7 @@ double farthest_from(const std::vector<Piece>& ink, const std::vector<Piece>& pi
 double ink_distance(const std::vector<Piece>& before, const std::vector<Piece>& after, double precision, double most,
                     const Progress& progress) {
   check(precision > 0, "what is halved has a least length");
-  const std::vector<Piece> one = ink_of(before), other = ink_of(after);
+  const std::vector<Piece> one = drawn_by_place(before), other = drawn_by_place(after);
   return std::max(farthest_from(one, other, precision, most, progress),
                   farthest_from(other, one, precision, most, progress));
 }

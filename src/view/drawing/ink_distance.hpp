@@ -12,8 +12,8 @@
 
 namespace epura::drawing {
 
-/// Returns the distance between what is drawn of two sets of pieces, mm, to the given precision; it is never too small,
-/// nor more than `most`. Visible ink is compared with visible ink, hidden ink with any. Throws OutOfTime.
+/// Returns the distance between what is drawn of two sets of pieces, mm, to within the given precision and not more
+/// than `most`. Visible ink is compared with visible ink, hidden ink with any. Throws OutOfTime.
 double ink_distance(const std::vector<Piece>& before, const std::vector<Piece>& after, double precision, double most,
                     const Progress& progress = {});
 
