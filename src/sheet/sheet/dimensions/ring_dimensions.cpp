@@ -65,9 +65,15 @@ Planned ring_dimensions(const Planning& plan) {
     const NamedProjection* across = plan.views.across(first.axis, first.centre);
     check(!group.empty() && first.has_edge, "a ring is a groove or a bead");
     if (across == nullptr) continue;
-    if (std::none_of(group.begin(), group.end(), [&](const FeatureSize* one) { return is_known(plan, *one); }))
-      planned.dimensions.push_back(plan.dimension(DimensionType::diameter, *across, times(group.size()) + "<>",
-                                                  {first.centre, first.axis, first.ring, {}}));
+    RingGroup unknown = group;
+    std::erase_if(unknown, [&](const FeatureSize* one) { return is_known(plan, *one); });
+    if (!unknown.empty()) {
+      const RoundFeature& shown = round_of(plan, *unknown.front());
+      const NamedProjection* view = plan.views.across(shown.axis, shown.centre);
+      planned.dimensions.push_back(plan.dimension(DimensionType::diameter, view != nullptr ? *view : *across,
+                                                  times(unknown.size()) + "<>",
+                                                  {shown.centre, shown.axis, shown.ring, {}}));
+    }
     for (const FeatureSize* size : group) {
       const RoundFeature& ring = round_of(plan, *size);
       planned.places.emplace_back(height_of(ring, *across));
