@@ -177,7 +177,8 @@ Coordinate Coordinates::base_of(const Coordinate& coordinate) const {
 // there.
 std::optional<Coordinate> Coordinates::nearer_side(const Coordinate& coordinate) const {
   const double end = datums_[coordinate.axis].at;
-  if (!coordinate.partner || std::abs(*coordinate.partner - end) >= std::abs(coordinate.at - end)) return std::nullopt;
+  if (!coordinate.partner || std::abs(*coordinate.partner - end) >= std::abs(coordinate.at - end) - slack_)
+    return std::nullopt;
   const auto side = std::find_if(coordinates_.begin(), coordinates_.end(), [&](const Coordinate& other) {
     return other.axis == coordinate.axis && std::abs(other.at - *coordinate.partner) <= slack_;
   });
