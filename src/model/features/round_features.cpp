@@ -52,24 +52,32 @@ bool is_rest_of(const RoundFace& round, const RoundFace& first) {
   return surfaces::are_one(round.face.surface, first.face.surface) && round.face.inwards == first.face.inwards;
 }
 
-// Whether a border of a torus that is no tangent one runs around its axis, as the ends of slots do not.
-bool has_edge_around(const RoundFaces& of, const RoundFace& round) {
+// Whether a border runs around the axis of a torus, as the ends of slots do not.
+bool is_around(const surfaces::PartBorder& border, const surfaces::PartSurface& torus, const RoundFaces& of) {
   const mesh::Mesh& mesh = of.placed().mesh->whole();
-  const surfaces::PartSurface& torus = round.face.surface;
   const auto height = [&](int vertex) {
     return glm::dot(of.world.points[of.world.first_vertex[of.model] + vertex] - torus.origin, torus.axis);
   };
   const double slack = slack_of(of.part.tolerance, torus.minor);
+  return border.closed && std::all_of(border.edges.begin(), border.edges.end(), [&](int edge) {
+           const auto& [a, b] = mesh.edges[static_cast<std::size_t>(edge)].vertex;
+           return std::abs(height(a) - height(b)) <= slack;
+         });
+}
+
+// By face of the part: whether it is a torus, and a border that is no tangent one runs around its axis.
+std::vector<char> tori_with_edges(const RoundFaces& of) {
+  std::vector<char> have(of.part.faces.size(), 0);
   for (const surfaces::PartBorder& border : of.placed().part->borders) {
-    if (border.kind == surfaces::BorderKind::tangent || !border.closed) continue;
-    if (border.faces[0] != round.number && border.faces[1] != round.number) continue;
-    const auto is_level = [&](int edge) {
-      const auto& [a, b] = mesh.edges[static_cast<std::size_t>(edge)].vertex;
-      return std::abs(height(a) - height(b)) <= slack;
-    };
-    if (std::all_of(border.edges.begin(), border.edges.end(), is_level)) return true;
+    if (border.kind == surfaces::BorderKind::tangent) continue;
+    for (const int number : border.faces) {
+      if (number < 0 || have[static_cast<std::size_t>(number)] != 0) continue;
+      const surfaces::PartSurface& surface = of.part.faces[static_cast<std::size_t>(number)].surface;
+      if (surface.kind == SurfaceKind::torus && is_around(border, surface, of))
+        have[static_cast<std::size_t>(number)] = 1;
+    }
   }
-  return false;
+  return have;
 }
 
 RoundFeature round_of(const RoundFaces& of, const RoundFace& round) {
@@ -91,7 +99,6 @@ RoundFeature round_of(const RoundFaces& of, const RoundFace& round) {
   RoundFeature made{of.model,       surface.origin, surface.axis,
                     surface.radius, surface.minor,  {from, from + 360 - largest}};
   if (!round.is_whole()) made.sectors.push_back(sector_of(round));
-  made.has_edge = round.is_whole() && has_edge_around(of, round);
   return made;
 }
 
@@ -129,6 +136,12 @@ bool is_chamfer(const RoundFaces& of, const RoundFace& round, const ConeFeature&
   return plane && cylinder;
 }
 
+// Whether two parts of one cylinder are beside each other around its axis, not along it.
+bool are_side_by_side(const RoundFace& a, const RoundFace& b) {
+  const double turn = portable_atan2(glm::length(glm::cross(a.middle, b.middle)), glm::dot(a.middle, b.middle));
+  return turn / degree > std::max(a.face.sweep, b.face.sweep) / 2;
+}
+
 // Of cylinders that are no shafts or bores, the faces that stand for all of one cylinder: a groove may part it.
 std::vector<std::size_t> firsts_of_arcs(const RoundFaces& of) {
   std::vector<char> done(of.faces.size(), 0);
@@ -137,17 +150,20 @@ std::vector<std::size_t> firsts_of_arcs(const RoundFaces& of) {
   std::vector<std::size_t> firsts;
   for (std::size_t i = 0; i < of.faces.size(); ++i) {
     if (of.faces[i].face.surface.kind != SurfaceKind::cylinder || done[i] != 0) continue;
-    double sweep = 0, longest = 0;
-    std::size_t first = i;
-    for (std::size_t j = i; j < of.faces.size(); ++j) {
-      const double own = of.faces[j].face.sweep;
-      if (j != i && (done[j] != 0 || !are_one_turn(of.faces[i], of.faces[j]))) continue;
-      done[j] = 1;
-      sweep += own;
-      if (own > longest) first = j;
-      longest = std::max(longest, own);
+    std::vector<std::size_t> parts;
+    for (std::size_t j = i; j < of.faces.size(); ++j)
+      if (j == i || (done[j] == 0 && are_one_turn(of.faces[i], of.faces[j]))) parts.push_back(j);
+    std::stable_sort(parts.begin(), parts.end(),
+                     [&](std::size_t a, std::size_t b) { return of.faces[a].face.sweep > of.faces[b].face.sweep; });
+    double sweep = 0;
+    for (std::size_t j = 0; j < parts.size(); ++j) {
+      const RoundFace& part = of.faces[parts[j]];
+      done[parts[j]] = 1;
+      if (std::all_of(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(j),
+                      [&](std::size_t other) { return are_side_by_side(of.faces[other], part); }))
+        sweep += part.face.sweep;
     }
-    if (sweep >= shortest_arc && longest <= longest_arc) firsts.push_back(first);
+    if (sweep >= shortest_arc && of.faces[parts.front()].face.sweep <= longest_arc) firsts.push_back(parts.front());
   }
   return firsts;
 }
@@ -194,10 +210,12 @@ std::vector<ArcFeature> arcs_of(const RoundFaces& of, const std::vector<SlotFeat
 
 std::vector<RoundFeature> rounds_of(const RoundFaces& of) {
   std::vector<RoundFeature> rounds;
+  const std::vector<char> have_edges = tori_with_edges(of);
   std::vector<char> done(of.faces.size(), 0);
   for (std::size_t i = 0; i < of.faces.size(); ++i) {
     if (of.faces[i].face.surface.kind != SurfaceKind::torus || done[i] != 0) continue;
     RoundFeature round = round_of(of, of.faces[i]);
+    round.has_edge = of.faces[i].is_whole() && have_edges[static_cast<std::size_t>(of.faces[i].number)] != 0;
     double sum = of.faces[i].face.sweep;
     for (std::size_t j = i + 1; j < of.faces.size(); ++j) {
       if (done[j] != 0 || of.faces[i].is_whole() || !is_rest_of(of.faces[j], of.faces[i])) continue;
