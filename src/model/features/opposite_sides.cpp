@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <tuple>
+#include <utility>
 
-#include "base/error.hpp"
 #include "features/tolerances.hpp"
 
 namespace epura::features {
@@ -31,23 +31,37 @@ bool are_one_behind_the_other(const AxialFace& a, const AxialFace& b, double sla
   return alike && all_have_an_end;
 }
 
+// Those of one body that are square to one axis are opposite only to each other.
+std::tuple<int, int, int> family_of(const AxialFace& face) { return {face.model, face.body, face.axis}; }
+
 bool are_opposite(const AxialFace& a, const AxialFace& b, double slack) {
-  return a.model == b.model && a.body == b.body && a.axis == b.axis && a.is_high != b.is_high &&
-         std::abs(a.at - b.at) > slack && are_one_behind_the_other(a, b, slack);
+  return a.is_high != b.is_high && std::abs(a.at - b.at) > slack && are_one_behind_the_other(a, b, slack);
 }
 
-// The levels on which faces are, by face; the number of levels for those that are on none.
-std::vector<std::size_t> levels_of_faces(const std::vector<LevelFeature>& levels, std::span<const AxialFace> faces,
-                                         double slack) {
-  std::vector<std::size_t> numbers;
-  for (const AxialFace& face : faces) {
-    const auto level = std::find_if(levels.begin(), levels.end(), [&](const LevelFeature& one) {
-      return one.axis == face.axis && std::abs(one.at - face.at) <= slack;
-    });
-    numbers.push_back(static_cast<std::size_t>(level - levels.begin()));
-  }
-  check(numbers.size() == faces.size(), "each face is on a level or on none");
-  return numbers;
+// The level on which a face is, or the number of levels.
+std::size_t level_of(const std::vector<LevelFeature>& levels, const AxialFace& face, double slack) {
+  const auto level = std::lower_bound(
+      levels.begin(), levels.end(), std::pair(face.axis, face.at - slack),
+      [](const LevelFeature& one, const std::pair<int, double>& least) { return std::pair(one.axis, one.at) < least; });
+  const bool is_on_it = level != levels.end() && level->axis == face.axis && level->at <= face.at + slack;
+  return is_on_it ? static_cast<std::size_t>(level - levels.begin()) : levels.size();
+}
+
+/// A face on a level.
+struct Side {
+  const AxialFace* face;
+  std::size_t level;
+};
+
+// By family.
+std::vector<Side> sides_on_levels(const std::vector<LevelFeature>& levels, std::span<const AxialFace> faces,
+                                  double slack) {
+  std::vector<Side> sides;
+  for (const AxialFace& face : faces)
+    if (const std::size_t level = level_of(levels, face, slack); level < levels.size()) sides.push_back({&face, level});
+  std::stable_sort(sides.begin(), sides.end(),
+                   [](const Side& a, const Side& b) { return family_of(*a.face) < family_of(*b.face); });
+  return sides;
 }
 
 }  // namespace
@@ -66,13 +80,13 @@ std::vector<AxialFace> find_axial_faces(int model, std::span<const PlaneFace> fa
 
 std::vector<LevelFeature> with_opposite_sides(std::vector<LevelFeature> levels, std::span<const AxialFace> faces,
                                               double slack) {
-  const std::vector<std::size_t> numbers = levels_of_faces(levels, faces, slack);
+  const std::vector<Side> sides = sides_on_levels(levels, faces, slack);
   std::vector<SidePair> pairs;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    for (std::size_t j = i + 1; j < faces.size() && numbers[i] < levels.size(); ++j)
-      if (numbers[j] < levels.size() && are_opposite(faces[i], faces[j], slack)) {
-        const auto [low, high] = faces[i].at < faces[j].at ? std::tuple(i, j) : std::tuple(j, i);
-        pairs.push_back({faces[high].at - faces[low].at, numbers[low], numbers[high]});
+  for (auto one = sides.begin(); one != sides.end(); ++one)
+    for (auto other = one + 1; other != sides.end() && family_of(*other->face) == family_of(*one->face); ++other)
+      if (are_opposite(*one->face, *other->face, slack)) {
+        const auto& [low, high] = one->face->at < other->face->at ? std::pair(*one, *other) : std::pair(*other, *one);
+        pairs.push_back({high.face->at - low.face->at, low.level, high.level});
       }
   std::sort(pairs.begin(), pairs.end(), [](const SidePair& a, const SidePair& b) {
     return std::tuple(a.width, a.low, a.high) < std::tuple(b.width, b.low, b.high);
