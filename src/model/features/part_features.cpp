@@ -230,11 +230,6 @@ bool holds(const ConeFeature& cone, const Vec3& p) {
          distance_from_line(p, cone.ends[0], cone.axis) <= cone.radii[1] + slack;
 }
 
-bool are_coaxial(const CylinderFeature& a, const CylinderFeature& b) {
-  return !a.inwards && !b.inwards && are_parallel(a.axis, b.axis) &&
-         distance_from_line(b.from, a.from, a.axis) <= same_size * std::max(a.radius, b.radius);
-}
-
 // Whether a level is cut into a shaft, beside its axis, and reaches across it: no side of a keyway. Steps and grooves
 // divide the shaft into several, and chamfers end them.
 bool is_cut_into(const LevelFeature& level, const CylinderFeature& shaft, const PartFeatures& features) {
@@ -245,7 +240,7 @@ bool is_cut_into(const LevelFeature& level, const CylinderFeature& shaft, const 
     return false;
   std::vector<const CylinderFeature*> line;
   for (const CylinderFeature& other : features.cylinders)
-    if (are_coaxial(shaft, other)) line.push_back(&other);
+    if (are_on_one_axis(shaft, other)) line.push_back(&other);
   const auto is_inside = [&](const Vec3& p) {
     return std::any_of(line.begin(), line.end(), [&p](const CylinderFeature* one) { return holds(*one, p); }) ||
            std::any_of(features.chamfers.begin(), features.chamfers.end(), [&](const ConeFeature& chamfer) {
@@ -311,6 +306,11 @@ bool are_equal(const HoleFeature& a, const HoleFeature& b) {
          a.depth.has_value() == b.depth.has_value() && are_same(a.depth.value_or(0), b.depth.value_or(0)) &&
          are_same_recess(a.counterbore, b.counterbore) && are_same_recess(a.countersink, b.countersink) &&
          are_same_thread(a.thread, b.thread);
+}
+
+bool are_on_one_axis(const CylinderFeature& a, const CylinderFeature& b) {
+  return a.model == b.model && a.inwards == b.inwards && are_parallel(a.axis, b.axis) &&
+         distance_from_line(b.from, a.from, a.axis) <= same_size * std::max(a.radius, b.radius);
 }
 
 bool has_coaxial_outline(const PartFeatures& features, const CylinderFeature& circle) {

@@ -193,6 +193,9 @@ struct PartFeatures {
   std::vector<PlaneFeature> inclined{};
 };
 
+/// Whether two cylinders of one model, both outwards or both inwards, have one axis.
+bool are_on_one_axis(const CylinderFeature& a, const CylinderFeature& b);
+
 /// Whether a shaft or boss of the same model, or the corners of a hexagon, have this axis and radius.
 bool has_coaxial_outline(const PartFeatures& features, const CylinderFeature& circle);
 

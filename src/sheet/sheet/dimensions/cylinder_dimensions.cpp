@@ -19,6 +19,7 @@ namespace epura::sheet {
 
 namespace {
 
+using features::are_on_one_axis;
 using features::are_parallel;
 using features::are_same;
 using features::CylinderFeature;
@@ -45,20 +46,21 @@ Planned ends_of_threads(const CylinderGroup& group, const NamedProjection& view)
   return planned;
 }
 
-bool are_coaxial(const CylinderFeature& a, const CylinderFeature& b) {
-  return a.model == b.model && a.inwards == b.inwards && are_parallel(a.axis, b.axis) &&
-         features::distance_from_line(b.from, a.from, a.axis) <= features::same_size * std::max(a.radius, b.radius);
-}
+double length_of(const CylinderFeature& cylinder) { return glm::distance(cylinder.from, cylinder.to); }
 
-// Whether what lies between two equal cylinders on one axis is a groove, and no collar or shoulder.
+// Whether what lies between two equal cylinders on one axis is a groove, and no collar or shoulder: it is not longer
+// than the shorter one.
 bool are_parted_by_groove(const CylinderFeature& a, const CylinderFeature& b,
                           const std::vector<CylinderFeature>& cylinders) {
-  if (!are_coaxial(a, b)) return false;
+  if (!are_on_one_axis(a, b)) return false;
   const auto middle = [&](const CylinderFeature& one) { return glm::dot((one.from + one.to) / 2.0, a.axis); };
   const auto [low, high] = std::minmax({middle(a), middle(b)});
+  const double apart = high - low - (length_of(a) + length_of(b)) / 2;
+  if (apart > (1 + features::same_size) * std::min(length_of(a), length_of(b))) return false;
   bool any = false;
   for (const CylinderFeature& one : cylinders) {
-    if (!are_coaxial(a, one) || middle(one) <= low || middle(one) >= high || are_same(one.radius, a.radius)) continue;
+    if (!are_on_one_axis(a, one) || middle(one) <= low || middle(one) >= high || are_same(one.radius, a.radius))
+      continue;
     if ((one.radius > a.radius) != a.inwards) return false;
     any = true;
   }
