@@ -84,6 +84,7 @@ bool is_assembly(const world::World& world) {
 
 PartFeatures assembly_features(const world::World& world, const PartFeatures& all) {
   PartFeatures features;
+  features.of_assembly = true;
   for (const HoleFeature& hole : all.holes)
     if (std::none_of(all.cylinders.begin(), all.cylinders.end(),
                      [&](const CylinderFeature& shaft) { return is_filled_by(hole, shaft); }))
@@ -103,7 +104,7 @@ PartFeatures assembly_features(const world::World& world, const PartFeatures& al
 
 PartFeatures features_to_dimension(const world::World& world, const Progress& progress) {
   PartFeatures features = find_part_features(world, progress);
-  return is_assembly(world) ? assembly_features(world, features) : features;
+  return features.of_assembly ? assembly_features(world, features) : features;
 }
 
 }  // namespace epura::features

@@ -13,6 +13,7 @@
 #include "base/joined.hpp"
 #include "base/portable_math.hpp"
 #include "base/range.hpp"
+#include "features/assembly_features.hpp"
 #include "features/bevels.hpp"
 #include "features/cavities.hpp"
 #include "features/centred_features.hpp"
@@ -353,7 +354,9 @@ PartFeatures find_part_features(const world::World& world, const Progress& progr
     return std::pair(a.axis, a.at) < std::pair(b.axis, b.at);
   });
   found.levels = with_other_sides(std::move(found.levels), found);
-  found.levels = with_opposite_sides(std::move(found.levels), axial, slack);
+  found.of_assembly = is_assembly(world);
+  // The levels of an assembly are the ends of its parts.
+  if (!found.of_assembly) found.levels = with_opposite_sides(std::move(found.levels), axial, slack);
   return found;
 }
 

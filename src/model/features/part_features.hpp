@@ -191,6 +191,7 @@ struct PartFeatures {
   std::vector<BevelFeature> bevels{};
   std::vector<HexagonFeature> hexagons{};
   std::vector<PlaneFeature> inclined{};
+  bool of_assembly = false;  ///< as is_assembly of the world
 };
 
 /// Whether two cylinders of one model, both outwards or both inwards, have one axis.

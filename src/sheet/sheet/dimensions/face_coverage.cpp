@@ -7,7 +7,6 @@
 #include <cstddef>
 
 #include "base/text.hpp"
-#include "features/assembly_features.hpp"
 #include "features/face_owners.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/coordinates.hpp"
@@ -148,7 +147,7 @@ class FaceCounter {
 
 FaceCoverage cover_faces(const DimensionSubject& subject, std::span<const RoundEnd> ends, const GivenSizes& given,
                          const Notation& notation) {
-  if (features::is_assembly(subject.world)) return {};
+  if (subject.features.of_assembly) return {};
   return FaceCounter(subject, ends, given, notation).count();
 }
 

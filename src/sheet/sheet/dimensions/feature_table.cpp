@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "base/error.hpp"
-#include "features/assembly_features.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
@@ -202,7 +201,7 @@ FeatureTable feature_table(const DimensionSubject& subject, const Notation& nota
                      .hexagon_chamfers = find_hexagon_chamfers(subject),
                      .radial = find_radial_patterns(features)};
   // The drawing of an assembly gives the places of its parts alone.
-  if (!features::is_assembly(subject.world)) table.prisms = find_turned_prisms(features);
+  if (!features.of_assembly) table.prisms = find_turned_prisms(features);
   for (const SizeKind kind : {SizeKind::hole, SizeKind::cylinder, SizeKind::pitch_circle, SizeKind::cone_end,
                               SizeKind::slot, SizeKind::arc, SizeKind::hexagon, SizeKind::ring}) {
     const auto begin = static_cast<int>(table.sizes.size());
