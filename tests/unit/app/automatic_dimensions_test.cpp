@@ -484,6 +484,7 @@ std::string ball(double x, double radius, int first) {
     }
   for (int i = 0; i < across; ++i)
     for (int j = 0; j < around; ++j) {
+      if (i == 0 && j == 0) continue;  // a gap: several balls that are closed would be an assembly
       const auto at = [&](int row, int column) {
         return " " + std::to_string(first + row * around + (row % across == 0 ? 0 : column % around));
       };

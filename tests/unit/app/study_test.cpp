@@ -71,7 +71,7 @@ TEST(MaxError, IsRefusedWhereItCannotBeKept) {
   };
   refused(draw_within("0.1"), "lines of view 'isometric' may be off by ");
   refused(draw_within("0.1"), "hint: export the model with finer facets, or draw it from STEP");
-  refused(draw_within("2.5", {"--join-within", "1"}), "may be off by ");
+  refused(draw_within("1.9", {"--join-within", "1"}), "may be off by ");
   refused(draw_within("0.1", {"--visibility", "none"}), "omit --visibility none");
   refused(draw_within("0"), "--max-error: is 0");
 }

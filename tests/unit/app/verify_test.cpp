@@ -31,13 +31,20 @@ TEST(Verify, TheReportHoldsIt) {
   const Json& found = json["report"]["verify"];
   EXPECT_EQ(
       found.keys(),
-      "points decided either_way wrong samples length misclassified at_most undecided untested strata worst outline");
+      "points decided either_way wrong samples length misclassified at_most undecided untested strata worst outline "
+      "ink");
   const Json& outline = found["outline"];
   EXPECT_EQ(outline.keys(), "lines asked missing ink unfounded doubled undecided length at_most worst");
   EXPECT_GT(outline["asked"].number(), 150);
   EXPECT_GT(outline["ink"].number(), 150);
   EXPECT_LT(outline["at_most"].number(), 0.02);
   EXPECT_TRUE(outline["worst"].items.empty());
+  const Json& ink = found["ink"];
+  EXPECT_EQ(ink.keys(), "error length judged by_surfaces unjudged unfounded missing faults worst");
+  EXPECT_GT(ink["length"].number(), 1000);
+  EXPECT_EQ(ink["judged"].number(), ink["length"].number());
+  EXPECT_EQ(ink["by_surfaces"].number(), ink["length"].number());
+  EXPECT_EQ(ink["faults"].number(), 0);
   EXPECT_GE(found["samples"].number(), 300);
   EXPECT_GT(found["points"].number(), found["samples"].number());
   EXPECT_EQ(found["wrong"].number(), 0);
