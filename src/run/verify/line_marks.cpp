@@ -192,6 +192,7 @@ void LineMarks::add_marks(const Change& change, std::vector<LineMark>& marks) co
       marks.push_back({change.u, jump, edge, {triangle_of(change.left), triangle_of(change.right)}});
   };
   const auto [front, back, step, is_clear, end] = jump_at(change);
+  if (front < 0) return;  // a depth that is no number
   if (is_clear) {
     if (end >= 0 && !continues(end, back) && !is_fold_of_face(end, back, step) &&
         !scene_.is_left_out(slice_.crossings[end].edge) && !scene_.is_at_limit(slice_.crossings[end].edge) &&
@@ -252,7 +253,7 @@ EdgePlace LineMarks::place_of(int crossing) const {
            glm::dot(line_.across(), line_.middle) * (1 - scene_.k * p.z);
   };
   const double from = aside(edge[0]), to = aside(edge[1]);
-  return {edge, from / (from - to)};
+  return {edge, from / (from - to), -1};
 }
 
 // Up to two pieces to both sides of a fold.
@@ -264,6 +265,7 @@ std::vector<EdgePlace> LineMarks::path_around(int crossing) const {
       const int far = slice_.pieces[way.piece].crossing[1 - way.end];
       if (far < 0) break;
       path.push_back(place_of(far));
+      path.back().triangle = slice_.pieces[way.piece].triangle;
       const auto ends = slice_.ends_at(far);
       const auto next = std::ranges::find_if(ends, [&](const PieceEnd& end) { return end.piece != way.piece; });
       if (next == ends.end()) break;

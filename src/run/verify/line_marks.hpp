@@ -23,7 +23,8 @@ struct LineMark {
 /// Where a line crosses an edge of the mesh.
 struct EdgePlace {
   std::array<int, 2> edge;
-  double t;  ///< in space, 0 to 1
+  double t;           ///< in space, 0 to 1
+  int triangle = -1;  ///< through which the line leads to it; -1: it begins there
 };
 
 /// An edge of the mesh that a line crosses.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/angle.hpp"
 #include "verify/ray_hits.hpp"
 
 namespace epura::verify {
@@ -18,13 +17,9 @@ constexpr double clearly_more = 1.5;
 // The sine of the angle between a normal and the facets' plane below which a flat face is seen edge-on.
 constexpr double seen_edge_on = 1e-6;
 
-double between_planes(const Vec3& a, const Vec3& b) {
-  return degrees * std::atan2(glm::length(glm::cross(a, b)), std::abs(glm::dot(a, b)));
-}
-
 // From one plane to another, about an edge of both; in degrees, whichever way they face.
 double angle_about(const Vec3& axis, const Vec3& a, const Vec3& b) {
-  return between_planes(a - glm::dot(a, axis) * axis, b - glm::dot(b, axis) * axis);
+  return angle_between_planes(a - glm::dot(a, axis) * axis, b - glm::dot(b, axis) * axis);
 }
 
 }  // namespace
@@ -99,7 +94,7 @@ bool PartEyes::folds_at(const Model& model, const mesh::MeshEdge& edge) const {
   const int one = face(triangles[0]), two = face(triangles[1]);
   double angle = 0;
   for (const int v : edge.vertex)
-    angle = std::max(angle, between_planes(normal_at(model, v, one), normal_at(model, v, two)));
+    angle = std::max(angle, angle_between_planes(normal_at(model, v, one), normal_at(model, v, two)));
   if (angle <= options_.part_angle) return false;
   return model.part->declared || is_fold_of_facets(model, edge);
 }
@@ -151,6 +146,7 @@ bool PartEyes::has_contour(int model, const MetEdge& met, int face, bool visible
   double least = HUGE_VAL, most = -HUGE_VAL, grows = 0;
   Vec3 start(0), outwards(0), towards(0);
   for (const EdgePlace& place : met.path) {
+    if (place.triangle >= 0 && face_of(place.triangle) != face) continue;  // beyond the face
     const auto [a, b] = place.edge;
     const Vec3 from = of.point(a - first), at = from + place.t * (of.point(b - first) - from);
     Vec3 normal(0);

@@ -25,7 +25,7 @@ enum class Ground {
 
 class PartEyes {
  public:
-  /// `towards` is the centre of projection, or the direction of the viewer. The arguments must outlive it.
+  /// The world and the projection must outlive it.
   PartEyes(const world::World& world, const projection::Projection& projection, const edges::EdgeOptions& options);
 
   /// Whether the faces of the part that a triangle belongs to are known.

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/angle.hpp"
+
 namespace epura::verify {
 
 namespace {
@@ -130,6 +132,10 @@ Vec3 normal_on(const PartSurface& surface, const Vec3& point) {
   }
   const double length = glm::length(normal);
   return length > 0 ? normal / length : Vec3(0);
+}
+
+double angle_between_planes(const Vec3& a, const Vec3& b) {
+  return degrees * std::atan2(glm::length(glm::cross(a, b)), std::abs(glm::dot(a, b)));
 }
 
 }  // namespace epura::verify

@@ -29,4 +29,7 @@ std::vector<double> ray_hits(const surfaces::PartSurface& surface, const Ray& ra
 /// apex and for free forms.
 Vec3 normal_on(const surfaces::PartSurface& surface, const Vec3& point);
 
+/// Between planes with these normals, of any length, whichever way they face; in degrees, 0 to 90.
+double angle_between_planes(const Vec3& a, const Vec3& b);
+
 }  // namespace epura::verify
