@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
-#include "base/angle.hpp"
 #include "base/nearest.hpp"
 #include "base/parallel.hpp"
 #include "drawing/drawing.hpp"
@@ -21,7 +21,7 @@ namespace {
 using surfaces::SurfaceKind;
 
 constexpr int rays_of_band = 17;
-constexpr std::size_t triangles_at_once = 4096, bands_at_once = 512;
+constexpr std::size_t triangles_at_once = 4096, bands_at_once = 8192;
 // Depth jumps between two rays if it changes this many times as much as between neighbouring pairs of rays. Where a
 // sphere begins, it changes 2.4 times as much: the first of steps of a square root.
 constexpr double jump = 6;
@@ -60,6 +60,14 @@ struct Group {
   SurfaceKind kind;
 };
 
+// Where the rays of a band meet the page.
+std::vector<Vec2> places_of(const Band& band) {
+  std::vector<Vec2> places;
+  for (int k = 0; k < rays_of_band; ++k)
+    places.push_back(band.middle + band.half * (2.0 * k / (rays_of_band - 1) - 1) * band.across);
+  return places;
+}
+
 class RayCaster {
  public:
   RayCaster(const VerifyInput& input, const edges::EdgeOptions& options, double error)
@@ -68,18 +76,23 @@ class RayCaster {
         map_(input.drawing.world_to_page),
         to_world_(glm::inverse(map_)),
         error_(error) {
-    const Vec4 middle = map_ * Vec4(input.world.box.centre(), 1);
+    Vec4 middle = map_ * Vec4(input.world.box.centre(), 1);
+    if (!(middle.w > 0)) middle = map_ * Vec4(input.projection.point, 1);  // the centre is behind the viewer
     depth_ = middle.z / middle.w;
-    per_length_ = glm::length(linear_row(map_, 0)) / middle.w;
-    depth_per_length_ = glm::length(linear_row(map_, 2) - depth_ * linear_row(map_, 3)) / std::abs(middle.w);
+    const Vec3 of_w = linear_row(map_, 3);
+    per_length_ = glm::length(linear_row(map_, 0) - middle.x / middle.w * of_w) / std::abs(middle.w);
+    depth_per_length_ = glm::length(linear_row(map_, 2) - depth_ * of_w) / std::abs(middle.w);
   }
 
-  [[nodiscard]] std::vector<std::vector<int>> triangles_near(const std::vector<Vec2>& places,
+  /// By band.
+  [[nodiscard]] std::vector<std::vector<int>> triangles_near(std::span<const Band> bands,
                                                              const Progress& progress) const;
-  [[nodiscard]] std::vector<Hit> hits(const Vec2& place, std::vector<int> triangles) const;
-  [[nodiscard]] SeenAcross compare(const std::vector<std::vector<Hit>>& rays, double half) const;
+  [[nodiscard]] SeenAcross look(const Band& band, const std::vector<int>& triangles) const;
 
  private:
+  [[nodiscard]] std::vector<Hit> hits(const Vec2& place, std::vector<int> triangles) const;
+  [[nodiscard]] SeenAcross compare(const std::vector<std::vector<Hit>>& rays, double half) const;
+  [[nodiscard]] std::optional<Extent> extent_of(int triangle) const;
   [[nodiscard]] std::optional<std::array<Vec3, 3>> on_page(int triangle) const;
   [[nodiscard]] Ray ray_at(const Vec2& place) const;
   [[nodiscard]] int face_of(int model, int triangle) const;
@@ -119,29 +132,41 @@ int RayCaster::face_of(int model, int triangle) const {
   return placed.part->face_of_triangle[static_cast<std::size_t>(triangle - input_.world.first_triangle[model])];
 }
 
-std::vector<std::vector<int>> RayCaster::triangles_near(const std::vector<Vec2>& places,
-                                                        const Progress& progress) const {
+// On the page, widened by the error.
+std::optional<Extent> RayCaster::extent_of(int triangle) const {
+  const auto shape = on_page(triangle);
+  if (!shape) return std::nullopt;
+  Extent box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL), 0, 0};
+  for (const Vec3& corner : *shape) {
+    box.min = glm::min(box.min, Vec2(corner) - error_);
+    box.max = glm::max(box.max, Vec2(corner) + error_);
+  }
+  return box;
+}
+
+std::vector<std::vector<int>> RayCaster::triangles_near(std::span<const Band> bands, const Progress& progress) const {
   std::vector<Extent> extents;
-  for (const Vec2& place : places) extents.push_back({place, place, 0, 0});
+  for (const Band& band : bands) {
+    Extent box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL), 0, 0};
+    for (const Vec2& place : places_of(band)) {
+      box.min = glm::min(box.min, place);
+      box.max = glm::max(box.max, place);
+    }
+    extents.push_back(box);
+  }
   const ProbeGrid grid(extents);
   const std::size_t count = input_.world.triangles.size();
   std::vector<std::vector<std::pair<int, int>>> found((count + triangles_at_once - 1) / triangles_at_once);
   parallel_for(found.size(), 1, progress, [&](std::size_t first, std::size_t last) {
     for (std::size_t part = first; part < last; ++part)
       for (std::size_t t = part * triangles_at_once; t < std::min((part + 1) * triangles_at_once, count); ++t) {
-        const auto shape = on_page(static_cast<int>(t));
-        if (!shape) continue;
-        Extent box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL), 0, 0};
-        for (const Vec3& corner : *shape) {
-          box.min = glm::min(box.min, Vec2(corner) - error_);
-          box.max = glm::max(box.max, Vec2(corner) + error_);
-        }
-        grid.overlapping(box, [&](int place) { found[part].emplace_back(place, static_cast<int>(t)); });
+        if (const auto box = extent_of(static_cast<int>(t)))
+          grid.overlapping(*box, [&](int band) { found[part].emplace_back(band, static_cast<int>(t)); });
       }
   });
-  std::vector<std::vector<int>> near(places.size());
+  std::vector<std::vector<int>> near(bands.size());
   for (const auto& part : found)
-    for (const auto& [place, triangle] : part) near[static_cast<std::size_t>(place)].push_back(triangle);
+    for (const auto& [band, triangle] : part) near[static_cast<std::size_t>(band)].push_back(triangle);
   return near;
 }
 
@@ -226,8 +251,7 @@ std::vector<Hit> RayCaster::hits(const Vec2& place, std::vector<int> triangles) 
 bool RayCaster::folds(const Hit& a, const Hit& b) const {
   if (a.model != b.model) return true;
   if (a.face == b.face) return false;
-  const double angle =
-      degrees * std::atan2(glm::length(glm::cross(a.normal, b.normal)), std::abs(glm::dot(a.normal, b.normal)));
+  const double angle = angle_between_planes(a.normal, b.normal);
   // Between faces that were merely recognised, only facets know of a smaller fold (PartEyes).
   const world::Placed& placed = input_.world.models[static_cast<std::size_t>(a.model)];
   const bool is_declared = a.face >= 0 && b.face >= 0 && placed.part->declared;
@@ -273,6 +297,21 @@ SeenAcross RayCaster::compare(const std::vector<std::vector<Hit>>& rays, double 
   return seen;
 }
 
+SeenAcross RayCaster::look(const Band& band, const std::vector<int>& triangles) const {
+  std::vector<Extent> extents;
+  for (const int t : triangles) extents.push_back(extent_of(t).value_or(Extent{}));
+  std::vector<std::vector<Hit>> rays;
+  for (const Vec2& place : places_of(band)) {
+    std::vector<int> near;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const Vec2 &min = extents[i].min, &max = extents[i].max;
+      if (min.x <= place.x && place.x <= max.x && min.y <= place.y && place.y <= max.y) near.push_back(triangles[i]);
+    }
+    rays.push_back(hits(place, std::move(near)));
+  }
+  return compare(rays, band.half);
+}
+
 }  // namespace
 
 std::vector<SeenAcross> see_across(const VerifyInput& input, const edges::EdgeOptions& options, double error,
@@ -280,19 +319,10 @@ std::vector<SeenAcross> see_across(const VerifyInput& input, const edges::EdgeOp
   const RayCaster caster(input, options, error);
   std::vector<SeenAcross> seen(bands.size());
   for (std::size_t from = 0; from < bands.size(); from += bands_at_once) {
-    const std::size_t count = std::min(bands_at_once, bands.size() - from);
-    std::vector<Vec2> places;
-    for (std::size_t i = from; i < from + count; ++i)
-      for (int k = 0; k < rays_of_band; ++k)
-        places.push_back(bands[i].middle + bands[i].half * (2.0 * k / (rays_of_band - 1) - 1) * bands[i].across);
-    const std::vector<std::vector<int>> near = caster.triangles_near(places, progress);
-    parallel_for(count, 1, progress, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        std::vector<std::vector<Hit>> rays;
-        for (std::size_t k = i * rays_of_band; k < (i + 1) * rays_of_band; ++k)
-          rays.push_back(caster.hits(places[k], near[k]));
-        seen[from + i] = caster.compare(rays, bands[from + i].half);
-      }
+    const std::span<const Band> some{bands.data() + from, std::min(bands_at_once, bands.size() - from)};
+    const std::vector<std::vector<int>> near = caster.triangles_near(some, progress);
+    parallel_for(some.size(), 1, progress, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) seen[from + i] = caster.look(some[i], near[i]);
     });
   }
   return seen;
