@@ -2,16 +2,18 @@
 #include "verify/ink_judge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <map>
-#include <set>
-#include <string>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "base/nearest.hpp"
 #include "drawing/drawing.hpp"
-#include "verify/ink.hpp"
+#include "verify/missing_lines.hpp"
 #include "verify/outline_faults.hpp"
 #include "verify/part_eyes.hpp"
 #include "verify/surface_sight.hpp"
@@ -21,10 +23,8 @@ namespace epura::verify {
 namespace {
 
 constexpr std::size_t max_faults_told = 10;
-// A fault counts from this many times the error on: both ends of a line may be off by that much.
-constexpr double least_errors = 2;
-// Places along an edge without ink at which it is asked how much of it lacks it.
-constexpr int places_of_edge = 32;
+// So many places are judged together, for what is found around them takes memory.
+constexpr std::size_t places_at_once = 65536;
 
 /// A place on ink.
 struct InkPlace {
@@ -73,7 +73,12 @@ class InkJudge {
 
   report::InkCheck run(std::span<const AskedLine> needs) {
     judge_places();
-    if (options_.outline.complete) look_for_missing(needs);
+    if (options_.outline.complete)
+      for (const report::OutlineFault& fault : missing_lines(on_, options_, check_.error, needs)) {
+        check_.missing += fault.length;
+        ++check_.faults;
+        check_.worst.push_back(fault);
+      }
     std::ranges::stable_sort(check_.worst, std::greater{}, &report::OutlineFault::length);
     check_.worst.resize(std::min(check_.worst.size(), max_faults_told));
     return std::move(check_);
@@ -130,7 +135,7 @@ class InkJudge {
     return is_founded(around, line(place).visible) ? Verdict::founded : Verdict::unfounded;
   }
 
-  [[nodiscard]] std::vector<Verdict> verdicts(const std::vector<InkPlace>& places) const {
+  [[nodiscard]] std::vector<Verdict> verdicts(std::span<const InkPlace> places) const {
     std::vector<ScanLine> lines;
     for (const InkPlace& place : places) lines.push_back({place.at - on_.scene.origin, across(place), check_.error});
     const std::vector<Around> around = on_.scan.around(lines, check_.error, options_.outline.progress);
@@ -156,7 +161,10 @@ class InkJudge {
     if (!(check_.length > 0)) return;
     const double step = check_.length / options_.outline.samples;
     const std::vector<InkPlace> places = spread(step);
-    const std::vector<Verdict> found = verdicts(places);
+    std::vector<Verdict> found;
+    for (std::size_t from = 0; from < places.size(); from += places_at_once)
+      for (const Verdict one : verdicts({places.data() + from, std::min(places_at_once, places.size() - from)}))
+        found.push_back(one);
     std::map<Verdict, int> count;
     int known = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -173,8 +181,15 @@ class InkJudge {
     tell_stretches(places, found, step);
   }
 
+  /// Ink without a reason.
+  struct Stretch {
+    InkPlace middle;
+    double length;  ///< mm
+  };
+
   // Neighbouring places without a reason are one fault.
   void tell_stretches(const std::vector<InkPlace>& places, const std::vector<Verdict>& found, double step) {
+    std::vector<Stretch> stretches;
     for (std::size_t i = 0; i < places.size();) {
       if (found[i] != Verdict::unfounded) {
         ++i;
@@ -189,129 +204,27 @@ class InkJudge {
       const double length = step * static_cast<double>(end - i);
       // A single place does not tell how long it is.
       if (end - i > 1 && length > least_errors * check_.error) {
-        const InkPlace& middle = places[i + (end - i) / 2];
-        const drawing::Segment origin = origin_of(middle);
+        stretches.push_back({places[i + (end - i) / 2], length});
         check_.unfounded += length;
         ++check_.faults;
-        check_.worst.push_back(
-            {"unfounded", middle.at, length, on_.input.world.number_in_scene(origin.model), origin.edge, {}});
       }
       i = end;
     }
+    std::ranges::stable_sort(stretches, std::greater{}, &Stretch::length);
+    if (stretches.size() > max_faults_told) stretches.resize(max_faults_told);
+    for (const auto& [middle, length] : stretches) {
+      const drawing::Segment& origin = origin_of(middle);
+      check_.worst.push_back(
+          {"unfounded", middle.at, length, on_.input.world.number_in_scene(origin.model), origin.edge, {}});
+    }
   }
 
-  // The segment whose line a place is on.
+  // The segment whose line a place is on; a visible one if the ink is visible.
   [[nodiscard]] const drawing::Segment& origin_of(const InkPlace& place) const {
-    const auto away = [&](const drawing::Segment& s) { return distance_to_segment(place.at, s.from, s.to); };
+    const auto away = [&](const drawing::Segment& s) {
+      return std::pair(line(place).visible && !s.visible, distance_to_segment(place.at, s.from, s.to));
+    };
     return *std::ranges::min_element(user_.segments, {}, away);
-  }
-
-  [[nodiscard]] std::vector<AskedLine> without_ink(std::span<const AskedLine> needs) const {
-    std::vector<Expected> places;
-    for (const AskedLine& need : needs) places.push_back({need.place + on_.scene.origin, true});
-    const std::vector<bool> inked = find_ink(lines_, places, check_.error);
-    std::vector<AskedLine> without;
-    for (std::size_t i = 0; i < needs.size(); ++i)
-      if (!inked[i] && needs[i].mark.edge[0] >= 0 && (needs[i].mark.jump || options_.creases))
-        without.push_back(needs[i]);
-    return without;
-  }
-
-  // Of those, the places beside which rays see a change that has no ink, either: the contour of a surface may be as far
-  // from that of its facets as the ink is from it.
-  [[nodiscard]] std::vector<AskedLine> confirmed(const std::vector<AskedLine>& without) const {
-    std::vector<Band> bands;
-    std::vector<const AskedLine*> asked;
-    for (const AskedLine& one : without) {
-      const auto ends = on_.scene.line_of(one.mark.edge);
-      if (!ends || !(glm::distance((*ends)[0], (*ends)[1]) > 0)) continue;
-      const Vec2 way = glm::normalize((*ends)[1] - (*ends)[0]);
-      bands.push_back({one.place + on_.scene.origin, {-way.y, way.x}, least_errors * check_.error});
-      asked.push_back(&one);
-    }
-    const std::vector<SeenAcross> seen =
-        see_across(written_, options_.outline.edges, check_.error, bands, options_.outline.progress);
-    std::vector<Expected> places;
-    for (std::size_t i = 0; i < asked.size(); ++i)
-      places.push_back({bands[i].middle + seen[i].at * bands[i].across, true});
-    const std::vector<bool> inked = find_ink(lines_, places, check_.error);
-    std::vector<AskedLine> found;
-    for (std::size_t i = 0; i < asked.size(); ++i)
-      if (seen[i].front_changes && !inked[i]) found.push_back(*asked[i]);
-    return found;
-  }
-
-  // How much of each edge lacks ink, mm.
-  [[nodiscard]] std::map<std::array<int, 2>, double> lacking(const std::set<std::array<int, 2>>& edges) const {
-    std::vector<ScanLine> lines;
-    std::vector<std::array<int, 2>> of;
-    for (const std::array<int, 2>& edge : edges) {
-      const auto ends = on_.scene.line_of(edge);
-      const Vec2 way = glm::normalize((*ends)[1] - (*ends)[0]);
-      for (int i = 0; i < places_of_edge; ++i) {
-        lines.push_back(
-            {(*ends)[0] + (i + 0.5) / places_of_edge * ((*ends)[1] - (*ends)[0]), {-way.y, way.x}, 4 * on_.reach});
-        of.push_back(edge);
-      }
-    }
-    const std::vector<LineFindings> findings = on_.scan.along(lines, options_.outline.progress);
-    std::vector<AskedLine> needs;
-    for (std::size_t i = 0; i < findings.size(); ++i)
-      for (const auto* list : {&findings[i].asked, &findings[i].jumps}) {
-        const auto own = std::ranges::find_if(*list, [&](const AskedLine& one) { return one.mark.edge == of[i]; });
-        if (own == list->end()) continue;
-        needs.push_back(*own);
-        break;
-      }
-    std::map<std::array<int, 2>, double> lengths;
-    for (const AskedLine& one : confirmed(without_ink(needs))) {
-      const auto ends = on_.scene.line_of(one.mark.edge);
-      lengths[one.mark.edge] += glm::distance((*ends)[0], (*ends)[1]) / places_of_edge;
-    }
-    return lengths;
-  }
-
-  void look_for_missing(std::span<const AskedLine> needs) {
-    std::set<std::array<int, 2>> edges;
-    for (const AskedLine& one : confirmed(without_ink(needs))) edges.insert(one.mark.edge);
-    if (edges.empty()) return;
-    std::map<std::array<int, 2>, double> left = lacking(edges);
-    while (!left.empty()) tell_missing(left);
-  }
-
-  // Takes the longest edge, and those that are joined to it.
-  void tell_missing(std::map<std::array<int, 2>, double>& left) {
-    const auto longest = std::ranges::max_element(left, {}, [](const auto& one) { return one.second; });
-    const std::array<int, 2> at = longest->first;
-    double length = 0;
-    std::vector<int> ends{at[0]};
-    std::set<int> met{at[0]};
-    while (!ends.empty()) {
-      const int vertex = ends.back();
-      ends.pop_back();
-      for (auto one = left.begin(); one != left.end();) {
-        const auto& edge = one->first;
-        if (edge[0] != vertex && edge[1] != vertex) {
-          ++one;
-          continue;
-        }
-        for (const int v : edge)
-          if (met.insert(v).second) ends.push_back(v);
-        length += one->second;
-        one = left.erase(one);
-      }
-    }
-    if (!(length > least_errors * check_.error)) return;
-    const auto place = on_.scene.line_of(at);
-    const int model = on_.rule.sheets_at(at).model, first = on_.input.world.first_vertex[model];
-    check_.missing += length;
-    ++check_.faults;
-    check_.worst.push_back({"missing",
-                            0.5 * ((*place)[0] + (*place)[1]) + on_.scene.origin,
-                            length,
-                            on_.input.world.number_in_scene(model),
-                            {at[0] - first, at[1] - first},
-                            {}});
   }
 
   const drawing::ViewDrawing& user_;

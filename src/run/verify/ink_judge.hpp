@@ -8,7 +8,6 @@
 // drawing has none within that error, rays must confirm that what is seen changes there.
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "base/progress.hpp"
