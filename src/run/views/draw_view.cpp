@@ -123,6 +123,15 @@ double error_of_ink(const report::ViewError& error) {
   return error.total() - error[report::ErrorTerm::contours] - error[report::ErrorTerm::intersections];
 }
 
+report::InkCheck unjudged(const drawing::ViewDrawing& drawing, const std::string& what) {
+  report::InkCheck check;
+  for (const drawing::Chain& chain : drawing.chains)
+    for (std::size_t i = chain.closed ? 0 : 1; i < chain.points.size(); ++i)
+      check.length += glm::distance(chain.points[(i > 0 ? i : chain.points.size()) - 1], chain.points[i]);
+  if (check.length > 0) check.unjudged.push_back({what, check.length});
+  return check;
+}
+
 struct DrawnLines {
   drawing::ViewDrawing drawing;
   drawing::CurveReport curves;
@@ -524,11 +533,17 @@ std::optional<report::Verification> ViewRun::verified(const DrawnLines& lines,
   progress.begin("verifying");
   const view::PaperMap paper = view::make_paper_map(view_, input_.place.scale, input_.place.shift);
   const bool are_moved = drawn_.moved > 0 || options_.least_crease > 0;
-  edges::FeatureEdges in_mesh = drawn_;
-  in_mesh.moved = 0;
-  for (edges::FeatureEdge& edge : in_mesh.edges) edge.shown = {-1, -1};
-  const drawing::ViewDrawing mesh_lines = are_moved ? drawn_on(paper, in_mesh, 0, progress) : lines.drawing;
-  const verify::VerifyInput input{input_.world, view_.projection, options_.limits, in_mesh, hidden_, mesh_lines};
+  std::optional<edges::FeatureEdges> in_mesh;
+  std::optional<drawing::ViewDrawing> mesh_lines;
+  if (are_moved) {
+    in_mesh = drawn_;
+    in_mesh->moved = 0;
+    for (edges::FeatureEdge& edge : in_mesh->edges) edge.shown = {-1, -1};
+    mesh_lines = drawn_on(paper, *in_mesh, 0, progress);
+  }
+  const verify::VerifyInput input{input_.world,    view_.projection,
+                                  options_.limits, in_mesh ? *in_mesh : drawn_,
+                                  hidden_,         mesh_lines ? *mesh_lines : lines.drawing};
   const verify::Tolerance tolerance = tolerance_on(paper);
   report::Verification found = verify::verify(input, tolerance, *options_.verify, options_.keep_hidden(), progress);
   // A given window cuts lines off; otherwise it is the box of everything visible, and lines lie on its border.
@@ -538,10 +553,18 @@ std::optional<report::Verification> ViewRun::verified(const DrawnLines& lines,
   const verify::OutlineOptions how{options_.edges, *options_.verify, partial_.stages.empty(), window, progress};
   verify::OutlineFindings outline = verify::scan_outline(input, tolerance, how);
   found.outline = std::move(outline.check);
-  if (!error) return found;
+  if (!error) {
+    found.ink = unjudged(lines.drawing, "lines, as their error is not known");
+    return found;
+  }
   const verify::VerifyInput as_drawn{input_.world, view_.projection, options_.limits, drawn_, hidden_, lines.drawing};
-  found.ink =
-      verify::judge_ink(as_drawn, tolerance, {how, error_of_ink(*error), !(options_.least_crease > 0)}, outline.needs);
+  try {
+    found.ink = verify::judge_ink(as_drawn, tolerance, {how, error_of_ink(*error), !(options_.least_crease > 0)},
+                                  outline.needs);
+  } catch (const OutOfTime& cut) {
+    budget_.partial.add_stage(cut.stage);
+    found.ink = unjudged(lines.drawing, "lines, as time ran out");
+  }
   return found;
 }
 
