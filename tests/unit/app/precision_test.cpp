@@ -2,11 +2,13 @@
 // What files with few digits give: a drawing, a warning that says how many are left, or a refusal.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/file.hpp"
 #include "base/text.hpp"
