@@ -22,7 +22,7 @@ using MeshLine = std::array<int, 2>;
 // Places along an edge without ink at which it is asked how much of it lacks it.
 constexpr int places_of_edge = 32;
 // So many edges are divided together, for what is found at their places takes memory.
-constexpr std::size_t edges_at_once = 256;
+constexpr std::size_t edges_divided_at_once = 256;
 
 class MissingLines {
  public:
@@ -34,9 +34,9 @@ class MissingLines {
     for (const AskedLine& one : confirmed(without_ink(needs))) edges.insert(one.mark.edge);
     const std::vector<MeshLine> list(edges.begin(), edges.end());
     std::vector<Lacking> lacking;
-    for (std::size_t from = 0; from < list.size(); from += edges_at_once)
+    for (std::size_t from = 0; from < list.size(); from += edges_divided_at_once)
       for (const auto& [edge, length] :
-           lengths_without_ink({list.data() + from, std::min(edges_at_once, list.size() - from)}))
+           lengths_without_ink({list.data() + from, std::min(edges_divided_at_once, list.size() - from)}))
         lacking.push_back({edge, length});
     return joined(std::move(lacking));
   }
