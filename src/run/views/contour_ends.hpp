@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far contours may end, or begin to be seen, from where those of the surfaces do.
+#pragma once
+
+#include "views/view_error.hpp"
+
+namespace epura::pipeline {
+
+/// Returns the largest distance on paper, mm.
+double off_at_ends_of_contours(const ViewToJudge& judged);
+
+}  // namespace epura::pipeline
