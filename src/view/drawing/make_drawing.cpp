@@ -357,6 +357,9 @@ double merged_by(const visibility::ResolvedView& lines, const view::PaperMap& pa
   if (most <= unseen || options.least_crease > 0) return most;
   std::vector<Piece> before = unmerged_pieces(lines, paper, options, progress);
   if (!options.hidden) std::erase_if(before, [](const Piece& piece) { return !piece.visible; });
+  // Measuring is worth less than a tenth of a second.
+  constexpr std::size_t max_measured = 20'000;
+  if (before.size() > max_measured) return most;
   const double precision = unseen_up_to * drawing.distances.unseen;
   check(precision > 0, "ink is left out beside other ink only within a distance");
   return std::max(unseen, ink_distance(before, pieces_of(drawing, options.near), precision, most, progress));
