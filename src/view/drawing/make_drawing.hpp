@@ -39,8 +39,8 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
                          const DrawingOptions& options, const Progress& progress = {});
 
 /// Returns how far merging moved the ink of a drawing that these made, mm: the distance of Hausdorff between what is
-/// drawn and all lines, at most LineDistances::joined_within, which stands for it in drawings of very many pieces. Throws
-/// OutOfTime.
+/// drawn and all lines, at most LineDistances::joined_within, which stands for it in drawings of very many pieces.
+/// Throws OutOfTime.
 double merged_by(const visibility::ResolvedView& lines, const view::PaperMap& paper, const DrawingOptions& options,
                  const ViewDrawing& drawing, const Progress& progress = {});
 
