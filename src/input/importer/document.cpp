@@ -49,8 +49,8 @@ bool is_sound(const Shape& shape) {
 }
 
 bool is_sound_requirement(const Requirement& requirement, const std::vector<Shape>& shapes) {
-  return requirement.kind <= EPURA_DATUM && requirement.bounds <= EPURA_LIMITS && -1 <= requirement.decimals &&
-         requirement.decimals <= max_decimals &&
+  return requirement.kind <= RequirementKind::datum && requirement.bounds <= RequirementBounds::limits &&
+         -1 <= requirement.decimals && requirement.decimals <= max_decimals &&
          std::all_of(requirement.faces.begin(), requirement.faces.end(), [&](const std::array<int, 2>& face) {
            return 0 <= face[0] && face[0] < static_cast<int>(shapes.size()) && 0 <= face[1] &&
                   face[1] < static_cast<int>(shapes[static_cast<std::size_t>(face[0])].faces.size());

@@ -6,8 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "epura/importer_abi.h"
 #include "foreign/packing.hpp"
 #include "mesh/soup.hpp"
 #include "surfaces/declared_part.hpp"
@@ -49,12 +51,36 @@ struct Node {
 /// More decimals than a double has digits.
 inline constexpr int max_decimals = 16;
 
-/// See epura_requirement; its texts are empty where the file does not say.
-struct Requirement {
-  std::uint32_t kind, bounds;
-  int is_angle, decimals;
-  double value, lower, upper, unit;
-  std::string id{}, type{}, name{}, fit{}, modifiers{}, zone{}, datums{}, above{}, missing{};
+enum class RequirementKind : std::uint32_t {
+  dimension = EPURA_DIMENSION,
+  tolerance = EPURA_TOLERANCE,
+  datum = EPURA_DATUM
+};
+/// Indexed by RequirementKind.
+inline constexpr std::array<std::string_view, 3> requirement_kind_names{"dimension", "tolerance", "datum"};
+
+enum class RequirementBounds : std::uint32_t {
+  none = EPURA_NO_BOUNDS,
+  deviations = EPURA_DEVIATIONS,
+  limits = EPURA_LIMITS
+};
+/// Indexed by RequirementBounds.
+inline constexpr std::array<std::string_view, 3> requirement_bounds_names{"none", "deviations", "limits"};
+
+/// A dimension, a geometric tolerance or a datum, as the file states it. Lengths are in millimetres, angles in degrees;
+/// NaN: the file does not say. For the texts see epura_requirement; empty: the file does not say.
+struct StatedRequirement {
+  RequirementKind kind;
+  RequirementBounds bounds;
+  int is_angle;
+  int decimals;  ///< of the value in the unit of the file; -1: the file does not say
+  double value, lower, upper;
+  double unit;  ///< of the file, in millimetres or degrees; 0: not known
+  std::string id{}, type{}, name{}, fit{}, modifiers{}, zone{}, datums{}, above{};
+  std::string missing{};  ///< what of it could not be read
+};
+
+struct Requirement : StatedRequirement {
   std::vector<std::array<int, 2>> faces{};  ///< shape, and face of it
 };
 

@@ -2,6 +2,7 @@
 #include "importer/requirements.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/error.hpp"
 
@@ -19,26 +20,6 @@ std::vector<int> faces_on_mesh(const Assembled& assembled, const mesh::Mesh& mes
   return face_of_declared;
 }
 
-ModelRequirement stated(const Requirement& told) {
-  return {.kind = static_cast<RequirementKind>(told.kind),
-          .bounds = static_cast<RequirementBounds>(told.bounds),
-          .is_angle = told.is_angle != 0,
-          .value = told.value,
-          .lower = told.lower,
-          .upper = told.upper,
-          .unit = told.unit,
-          .decimals = told.decimals,
-          .id = told.id,
-          .type = told.type,
-          .name = told.name,
-          .fit = told.fit,
-          .modifiers = told.modifiers,
-          .zone = told.zone,
-          .datums = told.datums,
-          .above = told.above,
-          .missing = told.missing};
-}
-
 }  // namespace
 
 std::vector<ModelRequirement> requirements_of(const Document& document, const Assembled& assembled,
@@ -49,7 +30,7 @@ std::vector<ModelRequirement> requirements_of(const Document& document, const As
   std::vector<int> on_mesh;
   if (part != nullptr && !document.requirements.empty()) on_mesh = faces_on_mesh(assembled, mesh, *part);
   for (std::size_t i = 0; i < document.requirements.size(); ++i) {
-    ModelRequirement& requirement = requirements.emplace_back(stated(document.requirements[i]));
+    ModelRequirement& requirement = requirements.emplace_back(ModelRequirement{document.requirements[i]});
     if (on_mesh.empty()) continue;
     std::vector<int>& faces = requirement.faces;
     for (const auto& [shape, face] : document.requirements[i].faces) {

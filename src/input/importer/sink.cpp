@@ -57,23 +57,25 @@ PartSurface surface_of(const epura_face& face) {
 
 // Without faces.
 Requirement requirement_of(const epura_requirement& told) {
-  return {.kind = told.kind,
-          .bounds = told.bounds,
-          .is_angle = told.is_angle != 0 ? 1 : 0,
-          .decimals = told.decimals,
-          .value = told.value,
-          .lower = told.bounds == EPURA_NO_BOUNDS ? std::nan("") : told.lower,
-          .upper = told.bounds == EPURA_NO_BOUNDS ? std::nan("") : told.upper,
-          .unit = told.unit,
-          .id = text_of(told.id),
-          .type = text_of(told.type),
-          .name = text_of(told.name),
-          .fit = text_of(told.fit),
-          .modifiers = text_of(told.modifiers),
-          .zone = text_of(told.zone),
-          .datums = text_of(told.datums),
-          .above = text_of(told.above),
-          .missing = text_of(told.missing)};
+  const auto bounds = static_cast<RequirementBounds>(told.bounds);
+  return {{.kind = static_cast<RequirementKind>(told.kind),
+           .bounds = bounds,
+           .is_angle = told.is_angle != 0 ? 1 : 0,
+           .decimals = told.decimals,
+           .value = told.value,
+           .lower = bounds == RequirementBounds::none ? std::nan("") : told.lower,
+           .upper = bounds == RequirementBounds::none ? std::nan("") : told.upper,
+           .unit = told.unit,
+           .id = text_of(told.id),
+           .type = text_of(told.type),
+           .name = text_of(told.name),
+           .fit = text_of(told.fit),
+           .modifiers = text_of(told.modifiers),
+           .zone = text_of(told.zone),
+           .datums = text_of(told.datums),
+           .above = text_of(told.above),
+           .missing = text_of(told.missing)},
+          {}};
 }
 
 }  // namespace
