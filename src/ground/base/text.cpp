@@ -101,6 +101,18 @@ std::string format_fixed(double value, int decimals) {
   return text;
 }
 
+std::string format_with_zeros(double value, int decimals) {
+  std::string text = format_fixed(value, decimals);
+  if (decimals == 0) return text;
+  std::size_t point = text.find('.');
+  if (point == std::string::npos) {
+    point = text.size();
+    text += '.';
+  }
+  text.append(static_cast<std::size_t>(decimals) - (text.size() - point - 1), '0');
+  return text;
+}
+
 std::string format_rounded(double value, int digits) {
   std::array<char, 64> buffer{};
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value == 0 ? 0.0 : value,

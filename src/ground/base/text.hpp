@@ -28,6 +28,9 @@ void append_number(std::string& text, double value);
 std::string format_fixed(double value, int decimals);
 void append_fixed(std::string& text, double value, int decimals);
 
+/// The same with all decimals, also zeros: "20.000".
+std::string format_with_zeros(double value, int decimals);
+
 /// Formats with at most `digits` significant digits, for people; never "-0".
 std::string format_rounded(double value, int digits);
 

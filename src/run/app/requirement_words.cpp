@@ -31,17 +31,8 @@ std::string number_of(const ModelRequirement& one, double value) {
   return format_rounded(has_own_unit(one) ? value / one.unit : value, digits);
 }
 
-// With all decimals, also zeros.
-std::string with_decimals(double value, int decimals) {
-  std::string text = format_fixed(value, decimals);
-  if (decimals == 0) return text;
-  if (text.find('.') == std::string::npos) text += '.';
-  text.resize(std::max(text.size(), text.find('.') + 1 + static_cast<std::size_t>(decimals)), '0');
-  return text;
-}
-
 std::string value_of(const ModelRequirement& one) {
-  return one.decimals >= 0 && has_own_unit(one) ? with_decimals(one.value / one.unit, one.decimals)
+  return one.decimals >= 0 && has_own_unit(one) ? format_with_zeros(one.value / one.unit, one.decimals)
                                                 : number_of(one, one.value);
 }
 

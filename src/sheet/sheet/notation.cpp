@@ -15,14 +15,7 @@ constexpr int angle_decimals = 2;
 
 // "0.5" -> ".500"
 std::string inches_text(double inches, int decimals) {
-  std::string text = format_fixed(inches, decimals);
-  if (decimals == 0) return text;
-  std::size_t point = text.find('.');
-  if (point == std::string::npos) {
-    point = text.size();
-    text += '.';
-  }
-  text.append(static_cast<std::size_t>(decimals) - (text.size() - point - 1), '0');
+  const std::string text = format_with_zeros(inches, decimals);
   return text.starts_with("0.") ? text.substr(1) : text;
 }
 

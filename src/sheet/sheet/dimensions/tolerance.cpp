@@ -80,15 +80,7 @@ Tolerance fit_of(std::string_view text, const std::string& where) {
 
 // With all decimals: "20.000". ISO 129-1 wants the same number for both limits.
 std::string padded(double value, int decimals, const Notation& notation) {
-  std::string text = format_fixed(value, decimals);
-  if (decimals > 0) {
-    std::size_t point = text.find('.');
-    if (point == std::string::npos) {
-      point = text.size();
-      text += '.';
-    }
-    text.append(static_cast<std::size_t>(decimals) - (text.size() - point - 1), '0');
-  }
+  std::string text = format_with_zeros(value, decimals);
   if (notation.unit == Unit::in && text.starts_with("0.")) text.erase(0, 1);
   return with_decimal_sign(text, notation.sign);
 }
