@@ -2,9 +2,11 @@
 // `epura requirements`: the ledger of what model files require of their parts.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -53,32 +55,82 @@ std::vector<std::string> listed(std::string_view text, std::string_view separato
   return items;
 }
 
-std::string faces_text(const ModelRequirement& requirement) {
+std::string faces_text(const std::vector<int>& faces) {
   std::string text;
-  for (const int face : requirement.faces) text += (text.empty() ? "" : " ") + std::to_string(face);
+  for (const int face : faces) text += (text.empty() ? "" : " ") + std::to_string(face);
   return text;
 }
 
-// JSON.
+/// A list that is one text, and what separates its items there.
+struct TextList {
+  std::string text;
+  std::string_view separator;
+};
+
+/// Nothing where the file does not say.
+using FieldValue = std::variant<std::monostate, std::string, double, bool, TextList, std::vector<int>>;
+
+FieldValue given(const std::string& text) { return text.empty() ? FieldValue() : FieldValue(text); }
+FieldValue given(double number) { return std::isfinite(number) ? FieldValue(number) : FieldValue(); }
+
+/// A field of JSON and a column of CSV.
+struct Field {
+  std::string_view name;
+  FieldValue (*value)(const ModelRequirement& one);
+};
+
+const std::vector<Field>& fields() {
+  using One = const ModelRequirement&;
+  static const std::vector<Field> all{
+      {"id", [](One one) { return given(one.id); }},
+      {"kind",
+       [](One one) { return FieldValue(std::string(importer::requirement_kind_names[std::size_t(one.kind)])); }},
+      {"type", [](One one) { return given(one.type); }},
+      {"name", [](One one) { return given(one.name); }},
+      {"value", [](One one) { return given(one.value); }},
+      {"lower", [](One one) { return given(one.lower); }},
+      {"upper", [](One one) { return given(one.upper); }},
+      {"bounds",
+       [](One one) { return FieldValue(std::string(importer::requirement_bounds_names[std::size_t(one.bounds)])); }},
+      {"is_angle", [](One one) { return FieldValue(one.is_angle != 0); }},
+      {"unit", [](One one) { return one.unit > 0 ? given(one.unit) : FieldValue(); }},
+      {"decimals", [](One one) { return one.decimals >= 0 ? given(double(one.decimals)) : FieldValue(); }},
+      {"fit", [](One one) { return given(one.fit); }},
+      {"modifiers",
+       [](One one) {
+         return FieldValue(TextList{one.modifiers, ", "});
+       }},
+      {"zone", [](One one) { return given(one.zone); }},
+      {"datums",
+       [](One one) {
+         return FieldValue(TextList{one.datums, " | "});
+       }},
+      {"above", [](One one) { return given(one.above); }},
+      {"faces", [](One one) { return FieldValue(one.faces); }},
+      {"drawn", [](One) { return FieldValue(false); }},
+      {"reason", [](One one) { return given(reason_of(one)); }},
+      {"missing", [](One one) { return given(one.missing); }}};
+  return all;
+}
+
+struct JsonValue {
+  std::string operator()(std::monostate) const { return "null"; }
+  std::string operator()(const std::string& text) const { return json_string(text); }
+  std::string operator()(double number) const { return json_number(number); }
+  std::string operator()(bool is_so) const { return is_so ? "true" : "false"; }
+  std::string operator()(const TextList& list) const {
+    return json_list(listed(list.text, list.separator), json_string);
+  }
+  std::string operator()(const std::vector<int>& numbers) const {
+    return json_list(numbers, [](int number) { return std::to_string(number); });
+  }
+};
 
 std::string json_of(const ModelRequirement& one) {
-  const auto text = [](const char* key, const std::string& words) {
-    return std::string(", \"") + key + "\": " + (words.empty() ? "null" : json_string(words));
-  };
-  std::string json = "{\"id\": " + json_string(one.id) + ", \"kind\": " +
-                     json_string(importer::requirement_kind_names[static_cast<std::size_t>(one.kind)]) +
-                     text("type", one.type) + text("name", one.name);
-  json += ", \"value\": " + json_number(one.value) + ", \"lower\": " + json_number(one.lower) +
-          ", \"upper\": " + json_number(one.upper) +
-          ", \"bounds\": " + json_string(importer::requirement_bounds_names[static_cast<std::size_t>(one.bounds)]);
-  json += std::string(", \"is_angle\": ") + (one.is_angle ? "true" : "false") +
-          ", \"unit\": " + (one.unit > 0 ? json_number(one.unit) : "null") +
-          ", \"decimals\": " + (one.decimals < 0 ? "null" : std::to_string(one.decimals));
-  json += text("fit", one.fit) + ", \"modifiers\": " + json_list(listed(one.modifiers, ", "), json_string) +
-          text("zone", one.zone) + ", \"datums\": " + json_list(listed(one.datums, " | "), json_string) +
-          text("above", one.above);
-  json += ", \"faces\": " + json_list(one.faces, [](int face) { return std::to_string(face); });
-  return json + ", \"drawn\": false, \"reason\": " + json_string(reason_of(one)) + text("missing", one.missing) + "}";
+  std::string json;
+  for (const Field& field : fields())
+    json += (json.empty() ? "{" : ", ") + json_string(field.name) + ": " + std::visit(JsonValue{}, field.value(one));
+  return json + "}";
 }
 
 std::string json_of(const std::vector<Ledger>& ledgers) {
@@ -91,42 +143,25 @@ std::string json_of(const std::vector<Ledger>& ledgers) {
   return "{\"epura_requirements\": 1, \"models\": " + output::json_lines(ledgers, write, "\n  ") + "}\n";
 }
 
-// CSV (RFC 4180).
-
-std::string csv_number(double value) { return std::isfinite(value) ? format_number(value) : std::string(); }
+struct CsvValue {
+  std::string operator()(std::monostate) const { return {}; }
+  std::string operator()(const std::string& text) const { return csv_field(text); }
+  std::string operator()(double number) const { return format_number(number); }
+  std::string operator()(bool is_so) const { return is_so ? "yes" : "no"; }
+  std::string operator()(const TextList& list) const { return csv_field(list.text); }
+  std::string operator()(const std::vector<int>& numbers) const { return faces_text(numbers); }
+};
 
 std::string csv_of(const std::vector<Ledger>& ledgers) {
-  std::string csv =
-      "model,id,kind,type,name,value,lower,upper,bounds,is_angle,unit,decimals,fit,modifiers,zone,datums,above,faces,"
-      "drawn,reason,missing\r\n";
-  for (const Ledger& ledger : ledgers) {
+  std::string csv = "model";
+  for (const Field& field : fields()) csv.append(",").append(field.name);
+  csv += "\r\n";
+  for (const Ledger& ledger : ledgers)
     for (const ModelRequirement& one : ledger.requirements) {
-      const std::vector<std::string> fields{
-          ledger.model,
-          one.id,
-          std::string(importer::requirement_kind_names[static_cast<std::size_t>(one.kind)]),
-          one.type,
-          one.name,
-          csv_number(one.value),
-          csv_number(one.lower),
-          csv_number(one.upper),
-          std::string(importer::requirement_bounds_names[static_cast<std::size_t>(one.bounds)]),
-          one.is_angle ? "yes" : "no",
-          one.unit > 0 ? csv_number(one.unit) : "",
-          one.decimals < 0 ? "" : std::to_string(one.decimals),
-          one.fit,
-          one.modifiers,
-          one.zone,
-          one.datums,
-          one.above,
-          faces_text(one),
-          "no",
-          reason_of(one),
-          one.missing};
-      for (std::size_t i = 0; i < fields.size(); ++i) csv += (i == 0 ? "" : ",") + csv_field(fields[i]);
+      csv += csv_field(ledger.model);
+      for (const Field& field : fields()) csv += "," + std::visit(CsvValue{}, field.value(one));
       csv += "\r\n";
     }
-  }
   return csv;
 }
 
@@ -139,7 +174,7 @@ std::string text_of(const Ledger& ledger) {
     std::string id = one.id;
     id.resize(std::max<std::size_t>(8, id.size() + 1), ' ');
     text += "  " + id + one_line(requirement_sentence(one));
-    text += one.faces.empty() ? "; no face" : (one.faces.size() == 1 ? "; face " : "; faces ") + faces_text(one);
+    text += one.faces.empty() ? "; no face" : (one.faces.size() == 1 ? "; face " : "; faces ") + faces_text(one.faces);
     if (!one.missing.empty()) text += "; not read: " + one_line(one.missing);
     text += "\n";
   }
