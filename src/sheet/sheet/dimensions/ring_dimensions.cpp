@@ -49,16 +49,11 @@ std::vector<int> find_rings(const features::PartFeatures& features) {
 }
 
 Planned ring_dimensions(const Planning& plan) {
-  std::vector<RingGroup> groups;
-  for (std::size_t i = plan.table.first(SizeKind::ring); i < plan.table.first(SizeKind::side); ++i) {
-    const FeatureSize& size = plan.table.sizes[i];
-    const auto same = std::find_if(groups.begin(), groups.end(),
-                                   [&](const RingGroup& group) { return group.front()->equal_to == size.equal_to; });
-    if (same == groups.end())
-      groups.push_back({&size});
-    else
-      same->push_back(&size);
-  }
+  const std::vector<FeatureSize>& sizes = plan.table.sizes;
+  const auto at = [&](SizeKind kind) { return sizes.begin() + static_cast<std::ptrdiff_t>(plan.table.first(kind)); };
+  const std::vector<FeatureSize> rings(at(SizeKind::ring), at(SizeKind::side));
+  const std::vector<RingGroup> groups = groups_of<FeatureSize>(
+      rings, [](const FeatureSize& one, const FeatureSize& other) { return one.equal_to == other.equal_to; });
   Planned planned;
   for (const RingGroup& group : groups) {
     const RoundFeature& first = round_of(plan, *group.front());
