@@ -353,12 +353,11 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
 double merged_by(const visibility::ResolvedView& lines, const view::PaperMap& paper, const DrawingOptions& options,
                  const ViewDrawing& drawing, const Progress& progress) {
   const double most = drawing.distances.joined_within, unseen = std::min(most, drawing.distances.unseen);
-  // Short creases are left out as asked, and their ink is missed.
-  if (most <= unseen || options.least_crease > 0) return most;
+  // Measuring is worth less than a tenth of a second. Short creases are left out as asked, and their ink is missed.
+  constexpr std::size_t max_measured = 20'000;
+  if (most <= unseen || options.least_crease > 0 || drawing.segments.size() > max_measured) return most;
   std::vector<Piece> before = unmerged_pieces(lines, paper, options, progress);
   if (!options.hidden) std::erase_if(before, [](const Piece& piece) { return !piece.visible; });
-  // Measuring is worth less than a tenth of a second.
-  constexpr std::size_t max_measured = 20'000;
   if (before.size() > max_measured) return most;
   const double precision = unseen_up_to * drawing.distances.unseen;
   check(precision > 0, "ink is left out beside other ink only within a distance");
