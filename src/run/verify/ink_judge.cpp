@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/nearest.hpp"
+#include "drawing/chain_lines.hpp"
 #include "drawing/drawing.hpp"
 #include "verify/missing_lines.hpp"
 #include "verify/outline_faults.hpp"
@@ -47,12 +48,11 @@ drawing::ViewDrawing written_lines(const drawing::ViewDrawing& drawing) {
     piece.visible = chain.visible;
     piece.kind = chain.kind;
     piece.t = {0, 1};
-    const std::size_t count = chain.points.size() - (chain.closed ? 0 : 1);
-    for (std::size_t i = 0; i < count; ++i) {
-      piece.from = chain.points[i];
-      piece.to = chain.points[(i + 1) % chain.points.size()];
+    drawing::visit_lines(chain, [&](const Vec2& from, const Vec2& to) {
+      piece.from = from;
+      piece.to = to;
       lines.segments.push_back(piece);
-    }
+    });
   }
   return lines;
 }

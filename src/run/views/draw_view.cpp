@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "drawing/broken_out.hpp"
+#include "drawing/chain_lines.hpp"
 #include "drawing/clip_drawing.hpp"
 #include "drawing/cut_faces.hpp"
 #include "drawing/drawing.hpp"
@@ -126,8 +127,7 @@ double error_of_ink(const report::ViewError& error) {
 report::InkCheck unjudged(const drawing::ViewDrawing& drawing, const std::string& what) {
   report::InkCheck check;
   for (const drawing::Chain& chain : drawing.chains)
-    for (std::size_t i = chain.closed ? 0 : 1; i < chain.points.size(); ++i)
-      check.length += glm::distance(chain.points[(i > 0 ? i : chain.points.size()) - 1], chain.points[i]);
+    drawing::visit_lines(chain, [&](const Vec2& from, const Vec2& to) { check.length += glm::distance(from, to); });
   if (check.length > 0) check.unjudged.push_back({what, check.length});
   return check;
 }

@@ -11,9 +11,9 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/parallel.hpp"
+#include "drawing/chain_lines.hpp"
 #include "drawing/drawing.hpp"
 #include "search/choose_grid.hpp"
-#include "sheet/chain_lines.hpp"
 
 namespace epura::sheet {
 
@@ -42,7 +42,7 @@ Crossings::Crossings(std::span<const drawing::Chain> chains, std::vector<std::si
   if (asked_.empty()) return;
   for (std::size_t i = 0; i < chains.size(); ++i)
     if (!edges::is_within_surface(chains[i].kind))
-      visit_lines(chains[i], [&](const Vec2& from, const Vec2& to) { lines_.push_back({from, to, i}); });
+      drawing::visit_lines(chains[i], [&](const Vec2& from, const Vec2& to) { lines_.push_back({from, to, i}); });
   // At most one cell for each line, and not so many that lines would pass through too many of them.
   grid_ = search::grid_over_lines(lines_, {static_cast<double>(lines_.size()), 1e-3, 8, 0});
   fill(wanted_cells(progress), progress);
@@ -53,7 +53,7 @@ std::vector<char> Crossings::wanted_cells(const Progress& progress) const {
   std::vector<char> cells(static_cast<std::size_t>(grid_.count()), 0);
   parallel_for(asked_.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      visit_lines(chains_[asked_[i]], [&](const Vec2& from, const Vec2& to) {
+      drawing::visit_lines(chains_[asked_[i]], [&](const Vec2& from, const Vec2& to) {
         search::visit_cells(grid_, from, to, touching, [&](int cell, double, double) {
           std::atomic_ref(cells[cell]).store(1, std::memory_order_relaxed);
         });
@@ -87,7 +87,7 @@ std::vector<double> Crossings::along(std::size_t chain, double apart) const {
   std::vector<double> found;
   if (!std::binary_search(asked_.begin(), asked_.end(), chain)) return found;
   double travelled = 0;
-  visit_lines(chains_[chain], [&](const Vec2& from, const Vec2& to) {
+  drawing::visit_lines(chains_[chain], [&](const Vec2& from, const Vec2& to) {
     search::visit_cells(grid_, from, to, touching, [&](int cell, double, double) {
       for (const int number : lines_of_cells_[static_cast<std::size_t>(cell)]) {
         const Line& line = lines_[number];

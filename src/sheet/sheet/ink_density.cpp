@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "drawing/chain_lines.hpp"
 #include "drawing/drawing.hpp"
-#include "sheet/chain_lines.hpp"
 
 namespace epura::sheet {
 
@@ -35,7 +35,7 @@ search::CellGrid grid_over(std::span<const drawing::Chain> chains, double side) 
 /// Calls visit(cell, length) for the part of each line of a chain in each cell.
 template <class Visit>
 void visit_parts(const search::CellGrid& grid, const drawing::Chain& chain, const Visit& visit) {
-  visit_lines(chain, [&](const Vec2& from, const Vec2& to) {
+  drawing::visit_lines(chain, [&](const Vec2& from, const Vec2& to) {
     const double length = glm::distance(from, to);
     search::visit_cells(grid, from, to, 0, [&](int cell, double s, double t) { visit(cell, (t - s) * length); });
   });

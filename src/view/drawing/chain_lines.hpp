@@ -6,13 +6,14 @@
 
 #include "drawing/drawing.hpp"
 
-namespace epura::sheet {
+namespace epura::drawing {
 
 /// Calls visit(from, to) for each line in order.
 template <class Visit>
 void visit_lines(const drawing::Chain& chain, const Visit& visit) {
+  if (chain.points.empty()) return;
   const std::size_t lines = chain.points.size() - (chain.closed ? 0 : 1);
   for (std::size_t i = 0; i < lines; ++i) visit(chain.points[i], chain.points[(i + 1) % chain.points.size()]);
 }
 
-}  // namespace epura::sheet
+}  // namespace epura::drawing
