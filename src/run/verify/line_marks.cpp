@@ -275,14 +275,14 @@ std::vector<EdgePlace> LineMarks::path_around(int crossing) const {
   return path;
 }
 
-// Whether two pieces change places somewhere between two positions; only of those that are seen there. Neighbours in a
+// Notes whether two pieces change places somewhere between two positions, and whether that is seen. Neighbours in a
 // surface do not.
-bool LineMarks::pieces_cross(double from, double to, bool seen) const {
+void LineMarks::note_crossings(double from, double to, Around& around) const {
   std::vector<const SlicePiece*> there;
   for (const SlicePiece& piece : slice_.pieces)
     if (piece.u[0] < to && piece.u[1] > from && piece.width() > 0) there.push_back(&piece);
   for (std::size_t i = 0; i < there.size(); ++i)
-    for (std::size_t j = i + 1; j < there.size(); ++j) {
+    for (std::size_t j = i + 1; j < there.size() && !around.seen_crossing; ++j) {
       const double low = std::max({from, there[i]->u[0], there[j]->u[0]});
       const double high = std::min({to, there[i]->u[1], there[j]->u[1]});
       if (!(low < high)) continue;
@@ -294,9 +294,9 @@ bool LineMarks::pieces_cross(double from, double to, bool seen) const {
       if (std::ranges::any_of(scene_.world.triangles[there[j]->triangle],
                               [&](int v) { return std::ranges::count(own, v) > 0; }))
         continue;
-      if (!seen || is_seen(low, there[i]->depth_at(low)) || is_seen(high, there[i]->depth_at(high))) return true;
+      around.any_crossing = true;
+      around.seen_crossing = is_seen(low, there[i]->depth_at(low)) || is_seen(high, there[i]->depth_at(high));
     }
-  return false;
 }
 
 Around LineMarks::around(double u, double reach) const {
@@ -317,8 +317,7 @@ Around LineMarks::around(double u, double reach) const {
   }
   around.wire =
       std::ranges::any_of(wires_, [&](const WireCrossing& crossing) { return std::abs(crossing.u - u) <= reach; });
-  around.seen_crossing = pieces_cross(from, to, true);
-  around.any_crossing = around.seen_crossing || pieces_cross(from, to, false);
+  note_crossings(from, to, around);
   return around;
 }
 

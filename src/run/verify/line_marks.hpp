@@ -97,7 +97,7 @@ class LineMarks {
   [[nodiscard]] int front_of_fold(int crossing) const;
   [[nodiscard]] EdgePlace place_of(int crossing) const;
   [[nodiscard]] std::vector<EdgePlace> path_around(int crossing) const;
-  [[nodiscard]] bool pieces_cross(double from, double to, bool seen) const;
+  void note_crossings(double from, double to, Around& around) const;
   [[nodiscard]] const PieceEnd* end_of(int crossing, int triangle) const;
   [[nodiscard]] bool is_edge_on(const std::array<int, 2>& edge, int triangle) const;
   [[nodiscard]] Beyond beyond(int crossing, int triangle, FoldRule::Needle needle) const;

@@ -170,9 +170,4 @@ OutlineFindings scan_outline(const VerifyInput& input, const Tolerance& toleranc
   return {std::move(check), std::move(needs)};
 }
 
-report::OutlineCheck verify_outline(const VerifyInput& input, const Tolerance& tolerance,
-                                    const OutlineOptions& options) {
-  return scan_outline(input, tolerance, options).check;
-}
-
 }  // namespace epura::verify

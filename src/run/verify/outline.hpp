@@ -38,8 +38,4 @@ struct OutlineFindings {
 /// Throws OutOfTime.
 OutlineFindings scan_outline(const VerifyInput& input, const Tolerance& tolerance, const OutlineOptions& options);
 
-/// The check alone.
-report::OutlineCheck verify_outline(const VerifyInput& input, const Tolerance& tolerance,
-                                    const OutlineOptions& options);
-
 }  // namespace epura::verify

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_access.hpp>
 #include <optional>
 #include <span>
 #include <utility>
@@ -41,7 +42,7 @@ struct Hit {
   Vec3 normal;  ///< in the world, unit
 };
 
-Vec3 linear_row(const Mat4& m, int i) { return Vec3(glm::transpose(m)[i]); }
+Vec3 linear_row(const Mat4& m, int i) { return Vec3(glm::row(m, i)); }
 
 double distance_to_triangle(const Vec3& p, const std::array<Vec3, 3>& corner) {
   const auto& [a, b, c] = corner;

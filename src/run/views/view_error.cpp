@@ -13,7 +13,6 @@
 #include "base/text.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/limits.hpp"
-#include "drawing/moved_contours.hpp"
 #include "drawing/near_lines.hpp"
 #include "report/format.hpp"
 #include "view/condition.hpp"

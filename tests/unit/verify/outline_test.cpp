@@ -22,7 +22,8 @@ constexpr int samples = 2000;
 report::OutlineCheck checked(const Result& r, const verify::OutlineOptions& options = {{}, samples},
                              const view::ViewLimits& limits = {}) {
   const verify::Tolerance tolerance{r.view.extent, r.view.contact.touching};
-  return verify::verify_outline({r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing}, tolerance, options);
+  return verify::scan_outline({r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing}, tolerance, options)
+      .check;
 }
 
 std::string told(const report::OutlineCheck& outline) {
