@@ -2,6 +2,8 @@
 // The content of a file as an importer returns it: shapes, and a tree with their positions.
 #pragma once
 
+#include <epura/importer_abi.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include "epura/importer_abi.h"
 #include "foreign/packing.hpp"
 #include "mesh/soup.hpp"
 #include "surfaces/declared_part.hpp"
