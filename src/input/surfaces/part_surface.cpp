@@ -264,12 +264,15 @@ Vec2 profile_of(const PartSurface& surface, const Vec3& point) {
   return {polar.radius, polar.height};
 }
 
-Vec3 normal_near(const PartSurface& s, const Vec3& point) {
-  if (s.kind == SurfaceKind::plane) return s.axis;
-  if (s.kind == SurfaceKind::free_form) return Vec3(0);
+Vec3 normal_near(const PartSurface& s, const Vec3& point) { return nearness_of(s, point).normal; }
+
+Nearness nearness_of(const PartSurface& s, const Vec3& point) {
+  if (s.kind == SurfaceKind::plane) return {signed_distance(s, point), s.axis};
+  if (s.kind == SurfaceKind::free_form) return {0, Vec3(0)};
   const Beside there = beside(s, point);
   // There is no normal at an apex.
-  return s.kind == SurfaceKind::cone && there.polar.outwards == Vec3(0) ? Vec3(0) : there.normal;
+  const bool is_at_apex = s.kind == SurfaceKind::cone && there.polar.outwards == Vec3(0);
+  return {there.distance, is_at_apex ? Vec3(0) : there.normal};
 }
 
 double residual_of(const PartSurface& surface, std::span<const Vec3> points) {

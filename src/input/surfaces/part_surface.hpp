@@ -57,6 +57,13 @@ Vec2 profile_of(const PartSurface& surface, const Vec3& point);
 /// Returns the unit normal near a point, outwards as above; zero if there is none.
 Vec3 normal_near(const PartSurface& surface, const Vec3& point);
 
+/// A surface near a point, as the two above tell it.
+struct Nearness {
+  double distance;
+  Vec3 normal;
+};
+Nearness nearness_of(const PartSurface& surface, const Vec3& point);
+
 /// Returns the largest distance of the points from the surface.
 double residual_of(const PartSurface& surface, std::span<const Vec3> points);
 

@@ -39,11 +39,15 @@ double angle_of(const PartSurface& surface, const Vec3& point, bool around_tube)
   return angle < 0 ? angle + full_turn : angle;
 }
 
-// Returns the normal near a vertex; zero where the allowance leaves it open: that close to the apex of a cone.
+// Whether the allowance leaves open how the surface faces at a vertex: that close to the apex of a cone.
+bool is_at_apex(const PartSurface& surface, const Vec3& point, double allowance) {
+  return surface.kind == SurfaceKind::cone &&
+         glm::length(glm::cross(surface.axis, point - surface.origin)) <= still_open * allowance;
+}
+
+// Returns the normal near a vertex; zero where it is open.
 Vec3 normal_at_vertex(const PartSurface& surface, const Vec3& point, double allowance) {
-  const bool is_at_apex = surface.kind == SurfaceKind::cone &&
-                          glm::length(glm::cross(surface.axis, point - surface.origin)) <= still_open * allowance;
-  return is_at_apex ? Vec3(0) : normal_near(surface, point);
+  return is_at_apex(surface, point, allowance) ? Vec3(0) : normal_near(surface, point);
 }
 
 /// Whether a facet is too thin for its normal to mean anything: narrower than the arcs that the tessellation leaves
@@ -58,14 +62,16 @@ bool has_no_say(const Facets& facets, int facet, const PartSurface& surface, dou
 
 bool approximates(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta) {
   const Facet& f = facets.facets[facet];
-  for (const int v : facets.supports_of(facet))
-    if (!(std::abs(signed_distance(surface, facets.points[v])) <= allowance)) return false;
-  if (has_no_say(facets, facet, surface, sagitta)) return true;
+  bool faces_away = false;
   for (const int v : facets.supports_of(facet)) {
-    const Vec3 normal = normal_at_vertex(surface, facets.points[v], allowance);
-    if (normal != Vec3(0) && std::abs(glm::dot(normal, f.normal)) < min_agreement) return false;
+    const Nearness near = nearness_of(surface, facets.points[v]);
+    if (!(std::abs(near.distance) <= allowance)) return false;
+    faces_away = faces_away || (near.normal != Vec3(0) && std::abs(glm::dot(near.normal, f.normal)) < min_agreement &&
+                                !is_at_apex(surface, facets.points[v], allowance));
   }
-  return sagitta == 0 || std::abs(signed_distance(surface, f.middle)) <= max_sagittas * sagitta + allowance;
+  if (has_no_say(facets, facet, surface, sagitta)) return true;
+  return !faces_away &&
+         (sagitta == 0 || std::abs(signed_distance(surface, f.middle)) <= max_sagittas * sagitta + allowance);
 }
 
 bool is_chord(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta) {

@@ -2,6 +2,7 @@
 #include "surfaces/round_regions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <deque>
@@ -69,7 +70,6 @@ class Search {
         failures_(facets.facets.size(), 0),
         neighbours_(facets, found_.region_of),
         guesser_(facets, wanted),
-        in_ring_(facets.facets.size(), 0),
         grower_(facets, found_.region_of, found_.regions) {
     found_.region_of.assign(facets.facets.size(), -1);
   }
@@ -79,6 +79,7 @@ class Search {
     ++stage_;
     next_ = 0;
     std::fill(failures_.begin(), failures_.end(), char(0));
+    first_valid_ = rejections_;
   }
 
   /// Tries the next facets up to `end`, given the effort so far.
@@ -141,14 +142,26 @@ class Search {
     origins_.push_back({stage_, seed});
     for (const int f : region.facets) found_.region_of[f] = static_cast<int>(found_.regions.size());
     found_.regions.push_back(std::move(region));
+    first_valid_ = rejections_;
   }
 
-  void remember_ring(const Region& region, int seed) {
-    if (in_ring_[region.facets.front()] != 0) return;
-    const auto simpler = grower_.simpler_than(region);
-    if (!simpler) return;
-    for (const int f : region.facets) in_ring_[f] = 1;
-    rings_.push_back({*simpler, region.facets, seed});
+  // A region that is not evident would grow from most of its facets.
+  void reject(const Region& region, int seed) {
+    std::vector<int>& in = rejected_[static_cast<std::size_t>(region.surface.kind)];
+    in.resize(facets_.facets.size(), -1);
+    for (const int f : region.facets) in[f] = rejections_;
+    ++rejections_;
+    if (region.surface.kind != SurfaceKind::sphere) return;
+    if (const auto simpler = grower_.simpler_than(region)) rings_.push_back({*simpler, region.facets, seed});
+  }
+
+  /// Whether all that speaks for a guess lies in one region of this kind that was rejected.
+  [[nodiscard]] bool is_rejected(const Guess& guess, std::span<const int> nearby) const {
+    const std::vector<int>& in = rejected_[static_cast<std::size_t>(guess.surface.kind)];
+    const int rejection = in.empty() ? -1 : in[guess.seeds.front()];
+    const auto is_there = [&](int f) { return in[f] == rejection; };
+    return rejection >= first_valid_ && std::ranges::all_of(guess.seeds, is_there) &&
+           std::cmp_greater_equal(std::ranges::count_if(nearby, is_there), guess.explained);
   }
 
   std::optional<Region> cone_along(std::span<const int> facets) {
@@ -171,6 +184,7 @@ class Search {
     const std::vector<int> nearby = neighbours_.around(facet, beside);
     const std::vector<Guess> guesses = guesser_.guesses_at(facet, beside.all(), nearby);
     for (const Guess& g : guesses) {
+      if (is_rejected(g, nearby)) continue;
       auto region = grower_.grow(g.surface, g.seeds);
       // No cone was tried where a cylinder explains all facets nearby.
       if (!region && guesses.size() == 1 && g.surface.kind == SurfaceKind::cylinder) region = cone_along(nearby);
@@ -179,7 +193,7 @@ class Search {
         keep(or_cone(std::move(*region)), facet);
         return true;
       }
-      if (region->surface.kind == SurfaceKind::sphere) remember_ring(*region, facet);
+      reject(*region, facet);
     }
     // Facets about as large as the seed would hardly do better.
     for (const int f : nearby) {
@@ -200,7 +214,10 @@ class Search {
   SmoothNeighbours neighbours_;
   Guesser guesser_;
   std::vector<Ring> rings_;
-  std::vector<char> in_ring_;  ///< whether a facet is in one of the rings
+  /// By kind of surface and facet, the number of the last region that was not evident; -1 for none.
+  std::array<std::vector<int>, surface_kind_names.size()> rejected_;
+  int rejections_ = 0;
+  int first_valid_ = 0;  ///< earlier rejections may not hold any more: regions that were found since prove others
   RegionGrower grower_;
 };
 
