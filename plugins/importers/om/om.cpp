@@ -6,11 +6,15 @@
 #include <cstdint>
 #include <epura/importer_plugin.hpp>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "chunks.hpp"
 
 namespace epura::plugin {
 
@@ -122,7 +126,9 @@ struct Om {
   }
 
   static void read(const Source& source, Sink& sink) {
-    std::ifstream file(source.path, std::ios::binary);
+    std::ifstream whole(source.path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(whole), std::istreambuf_iterator<char>()};
+    std::istringstream file(om::needed_chunks(bytes));
     file.unsetf(std::ios::skipws);
     Surface surface;
     Receiver receiver(surface, file);

@@ -91,6 +91,38 @@ TEST(Om, ReadsFilesWithoutHalfEdges) {
   EXPECT_EQ(report.misoriented_edges, 2);
 }
 
+// A box with texture, states and a property, which are read past: as is, then with each bit of the first header of a
+// chunk turned, at some of which OpenMesh ends the process.
+TEST(Om, DamagedHeadersAreRefusedByName) {
+  auto surface = box<FloatMesh>();
+  surface.request_face_status();
+  OpenMesh::VPropHandleT<double> property;
+  surface.add_property(property, "temperature");
+  surface.property(property).set_persistent(true);
+  OpenMesh::IO::Options options = OpenMesh::IO::Options::Status;
+  options += OpenMesh::IO::Options::Custom;
+  std::string whole = bytes_of(surface, options);
+  constexpr std::size_t header = 16, chunk = 2;
+  whole.insert(header + chunk + 8 * 3 * sizeof(float), "\x40\x0E" + std::string(8 * 2 * sizeof(float), 'x'));
+  EXPECT_EQ(read(whole).mesh.report.faces, 6);
+  for (std::size_t bit = 8 * header; bit < 8 * (header + chunk); ++bit) {
+    std::string bytes = whole;
+    bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ (1 << bit % 8));
+    try {
+      read(bytes);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::input) << "bit " << bit << ": " << error.what();
+    }
+  }
+  std::string flat = bytes_of(box<FloatMesh>());
+  flat[header + 1] = 0x0E;
+  EXPECT_EQ(refusal(flat), "is damaged: chunk 1 has 2 numbers for each point, colour or direction instead of 3");
+  std::string random = flat;
+  random[header] = 0x14;
+  random[header + 1] = 0x16;
+  EXPECT_EQ(refusal(random), "is damaged: chunk 1 is of a kind that OpenMesh does not write");
+}
+
 TEST(Om, DamagedFilesAreRefused) {
   const std::string whole = bytes_of(box<DoubleMesh>());
   EXPECT_EQ(refusal(whole.substr(0, 100)), "ends too early");
