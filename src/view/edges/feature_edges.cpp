@@ -15,6 +15,7 @@
 #include "edges/tangent_edges.hpp"
 #include "edges/walls.hpp"
 #include "view/page_height.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::edges {
 
@@ -53,6 +54,17 @@ std::vector<char> moved_vertices(const EdgeSurroundings& around) {
   return moved;
 }
 
+// How far a triangle may be off the plane of its neighbour and still lie in it. Where faces of a part are recognised,
+// this is what vertices may be off them: needles folded back in a face are no better than its vertices.
+double flat_within(const EdgeSurroundings& around) {
+  const world::Placed& placed = around.world.models[static_cast<std::size_t>(around.model)];
+  double distance = around.world.rounding;
+  if (placed.part != nullptr)
+    if (const auto scale = world::similarity_scale(placed.to_world))
+      distance = std::max(distance, placed.part->tolerance * *scale);
+  return std::max(flatness, distance * around.normalisation);
+}
+
 /// The triangles that decide about an edge, with their corners beside it and their normals there.
 struct Pair {
   int first, second;
@@ -73,6 +85,7 @@ struct EdgeJudge {
   double edge_on;                   ///< distance in cells up to which a corner counts as lying on the line of an edge
   double edge_on_grid;              ///< the same for vertices that files do not round
   const std::vector<char>& moved;   ///< moved_vertices
+  double flat;                      ///< flat_within
 
   [[nodiscard]] const mesh::Mesh& mesh() const { return around.mesh(); }
 
@@ -168,7 +181,7 @@ struct EdgeJudge {
     if (!(glm::dot(n1, n2) < 0)) return false;
     const double height = glm::length(n2) / glm::length(around.point(edge[1]) - around.point(edge[0]));
     const double sine = glm::length(glm::cross(n1, n2)) / (glm::length(n1) * glm::length(n2));
-    return sine * height <= std::max(flatness, around.world.rounding * around.normalisation);
+    return sine * height <= flat;
   }
 
   // The triangle that continues the surface if the triangle at the edge is folded over and the next one is folded back
@@ -381,7 +394,8 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
                         seen_edge_on,
                         view::page_resolution(around.world, view) / view.cell,
                         view::grid_resolution(view) / view.cell,
-                        moved};
+                        moved,
+                        flat_within(around)};
   const auto& edges = around.world.models[around.model].mesh->edges;
   check(is_tangent.empty() || is_tangent.size() == around.mesh().edges.size(), "every edge is tangent or not");
   const bool has_weak = part == nullptr && options.crease && options.weak_angle < options.crease_angle;
