@@ -299,9 +299,21 @@ void LineMarks::note_crossings(double from, double to, Around& around) const {
     }
 }
 
+// Whether a face that is a line on the page is seen where a depth limit cuts it.
+bool LineMarks::is_cut_edge_on(double from, double to) const {
+  return std::ranges::any_of(slice_.pieces, [&](const SlicePiece& piece) {
+    if (piece.width() > edge_on * limits_.quantum || piece.u[0] > to || piece.u[1] < from) return false;
+    const auto is_seen_cut = [&](int end) {
+      return piece.crossing[end] == cut_there && is_seen(piece.u[end], piece.depth[end]);
+    };
+    return is_seen_cut(0) || is_seen_cut(1);
+  });
+}
+
 Around LineMarks::around(double u, double reach) const {
   const double from = u - reach, to = u + reach;
   Around around;
+  around.at_limit = is_cut_edge_on(from, to);
   for (auto part = std::ranges::lower_bound(seen_, from, {}, &SeenPart::to); part != seen_.end() && part->from <= to;
        ++part)
     around.is_vague = around.is_vague || scene_.is_vague(slice_.pieces[part->piece].triangle);
@@ -378,6 +390,7 @@ bool LineMarks::allows(EdgeKind kind, double u, double reach) const {
        part != seen_.end() && part->from <= u + reach; ++part)
     if (scene_.is_vague(slice_.pieces[part->piece].triangle)) return true;
   if (std::ranges::any_of(changes(u - reach, u + reach), [&](const Change& c) { return is_break(c); })) return true;
+  if (is_cut_edge_on(u - reach, u + reach)) return true;
   const auto [first, last] = crossings_between(u - reach, u + reach);
   for (int i = first; i < last; ++i) {
     if (!is_seen(slice_.crossings[i].u, slice_.crossings[i].depth)) continue;

@@ -307,6 +307,20 @@ TEST(Outline, LimitsOfDepthAreRespected) {
   }
 }
 
+// A wall seen edge-on that a limit cuts above the slope through which it stands: all of it is one line.
+TEST(Outline, WallsThatLimitsOfDepthCutAreLines) {
+  const Shape wall_in_slope{
+      {{2, 1.5, 0}, {2, 1, 3}, {2, 1.5, 3}, {3, 0, 0}, {1, 0, 2}, {3, 3, 1}}, {{0, 1, 2}, {4, 5, 3}}, {}};
+  for (const double height : {1.45, 1.5, 2.0}) {
+    const view::ViewLimits limits{-height, {}};
+    const Result r = draw(world_of(wall_in_slope), from_above(), {}, limits);
+    const auto is_of_wall = [](const drawing::Segment& s) { return s.kind == EdgeKind::intersection; };
+    EXPECT_TRUE(std::ranges::any_of(r.drawing.segments, is_of_wall)) << height;
+    const report::OutlineCheck found = checked(r, {{}, samples}, limits);
+    EXPECT_EQ(found.wrong(), 0) << height << ": " << told(found);
+  }
+}
+
 // Edges inside flat faces, in the plane of the limit.
 TEST(Outline, LimitsOfDepthMayRunAlongEdges) {
   projection::Projection oblique = orthographic({0, -1, 0});
