@@ -13,6 +13,9 @@ enum class UpAxis { z, y };
 /// Source of edges: the recognised faces of the part (where there are any), or the mesh alone.
 enum class Surfaces { automatic, mesh };
 
+/// Which requirements of a model file are drawn: all, dimensions only, or geometric tolerances with their datums only.
+enum class Pmi { all, dimensions, tolerances, none };
+
 enum class HiddenLines { none, dashed, solid };
 
 /// Pattern of cut faces: none (outline only), general (equal lines; ANSI31), steel (pairs of lines; ANSI32), bronze

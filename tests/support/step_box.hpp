@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// STEP files (AP242) of a box, written statement by statement, to which tests add what the part is required to be.
+// STEP files (AP242) of a box or a shaft, written statement by statement, to which tests add what the part is required
+// to be.
 #pragma once
 
 #include <array>
@@ -10,7 +11,7 @@
 namespace epura::test {
 
 /// The numbers of the faces, each by its outward normal.
-enum BoxFace { left_face = 101, right_face, front_face, back_face, bottom_face, top_face };
+enum BoxFace { left_face = 101, right_face, front_face, back_face, bottom_face, top_face, round_face };
 
 namespace step_box_detail {
 
@@ -86,9 +87,10 @@ class Writer {
 
 }  // namespace step_box_detail
 
-/// A box with its least corner at the origin; `statements` have numbers from 1000, and may refer to the shape #10, its
+/// A solid whose shell has these faces. `statements` have numbers from 1000, and may refer to the shape #10, its
 /// representation #50 in the context #30, the unit of length #20 and degrees #26.
-inline std::string step_box(const std::array<double, 3>& size, const std::string& statements, bool in_inches = false) {
+inline std::string step_solid(const std::string& shell, const std::string& faces, const std::string& statements,
+                              bool in_inches) {
   const std::string millimetre = "(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n";
   const std::string inch =
       "(CONVERSION_BASED_UNIT('INCH',#23)LENGTH_UNIT()NAMED_UNIT(#24));\n"
@@ -112,8 +114,39 @@ inline std::string step_box(const std::array<double, 3>& size, const std::string
          "#30=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#29))"
          "GLOBAL_UNIT_ASSIGNED_CONTEXT((#20,#21,#22))REPRESENTATION_CONTEXT('',''));\n"
          "#50=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#52),#30);\n"
-         "#52=MANIFOLD_SOLID_BREP('',#53);\n#53=CLOSED_SHELL('',(#101,#102,#103,#104,#105,#106));\n" +
-         step_box_detail::Writer(size).faces() + statements + "ENDSEC;\nEND-ISO-10303-21;\n";
+         "#52=MANIFOLD_SOLID_BREP('',#53);\n#53=CLOSED_SHELL('',(" +
+         shell + "));\n" + faces + statements + "ENDSEC;\nEND-ISO-10303-21;\n";
+}
+
+/// A box with its least corner at the origin.
+inline std::string step_box(const std::array<double, 3>& size, const std::string& statements, bool in_inches = false) {
+  return step_solid("#101,#102,#103,#104,#105,#106", step_box_detail::Writer(size).faces(), statements, in_inches);
+}
+
+/// A cylinder from the origin along z.
+inline std::string step_shaft(double radius, double height, const std::string& statements) {
+  const std::string r = std::to_string(radius), h = std::to_string(height);
+  return step_solid(
+      "#105,#106,#107",
+      "#200=CARTESIAN_POINT('',(0.,0.,0.));\n#201=CARTESIAN_POINT('',(0.,0.," + h + "));\n#202=CARTESIAN_POINT('',(" +
+          r + ",0.,0.));\n#203=CARTESIAN_POINT('',(" + r + ",0.," + h +
+          "));\n#204=DIRECTION('',(0.,0.,1.));\n#205=DIRECTION('',(1.,0.,0.));\n#206=DIRECTION('',(0.,0.,-1.));\n"
+          "#210=VERTEX_POINT('',#202);\n#211=VERTEX_POINT('',#203);\n"
+          "#220=AXIS2_PLACEMENT_3D('',#200,#204,#205);\n#221=AXIS2_PLACEMENT_3D('',#201,#204,#205);\n"
+          "#222=AXIS2_PLACEMENT_3D('',#200,#206,#205);\n#230=CIRCLE('',#220," +
+          r + ");\n#231=CIRCLE('',#221," + r +
+          ");\n#232=VECTOR('',#204,1.);\n#233=LINE('',#202,#232);\n#240=EDGE_CURVE('',#210,#210,#230,.T.);\n"
+          "#241=EDGE_CURVE('',#211,#211,#231,.T.);\n#242=EDGE_CURVE('',#210,#211,#233,.T.);\n"
+          "#250=ORIENTED_EDGE('',*,*,#240,.T.);\n#251=ORIENTED_EDGE('',*,*,#242,.T.);\n"
+          "#252=ORIENTED_EDGE('',*,*,#241,.F.);\n#253=ORIENTED_EDGE('',*,*,#242,.F.);\n"
+          "#254=ORIENTED_EDGE('',*,*,#240,.F.);\n#255=ORIENTED_EDGE('',*,*,#241,.T.);\n"
+          "#260=EDGE_LOOP('',(#250,#251,#252,#253));\n#261=EDGE_LOOP('',(#254));\n#262=EDGE_LOOP('',(#255));\n"
+          "#270=FACE_OUTER_BOUND('',#260,.T.);\n#271=FACE_OUTER_BOUND('',#261,.T.);\n"
+          "#272=FACE_OUTER_BOUND('',#262,.T.);\n#280=CYLINDRICAL_SURFACE('',#220," +
+          r +
+          ");\n#281=PLANE('',#222);\n#282=PLANE('',#221);\n#107=ADVANCED_FACE('',(#270),#280,.T.);\n"
+          "#105=ADVANCED_FACE('',(#271),#281,.T.);\n#106=ADVANCED_FACE('',(#272),#282,.T.);\n",
+      statements, false);
 }
 
 /// A shape aspect with this number that is a face of the box; takes the next number, too.

@@ -27,7 +27,8 @@ const ProgramTexts& program_texts() {
           {{0, "success"},
            {found_wrong_exit_code,
             "differences found (compare, snapshot) or errors found (lint, --verify, plugins check, views "
-            "beyond their sheet), requirements that are not read whole (requirements), or jobs failed (batch)"},
+            "beyond their sheet), requirements that are not drawn (draw) or not read whole (requirements), or jobs "
+            "failed (batch)"},
            {2, "wrong input"},
            {3, "plugin error"},
            {4, "cannot write"},

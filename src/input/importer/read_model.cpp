@@ -182,9 +182,6 @@ ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, 
       model.part = std::make_shared<surfaces::PartFaces>(
           surfaces::part_of(model.mesh, assembled.part, surfaces::RecogniseOptions().tangent_angle));
     model.requirements = requirements_of(document, assembled, model.mesh, model.part.get());
-    if (const std::string required = counted_requirements(model.requirements); !required.empty())
-      model.mesh.report.notes.push_back(required + " of the file " + (model.requirements.size() == 1 ? "is" : "are") +
-                                        " not drawn: epura requirements lists what the file requires");
     if (document.unit > 0) model.unit = document.unit;
     model.is_y_up = document.is_y_up != 0;
     model.tree = std::move(assembled.tree);

@@ -42,6 +42,11 @@ struct Words<Surfaces> {
 };
 
 template <>
+struct Words<Pmi> {
+  static constexpr std::array list{"all", "dimensions", "tolerances", "none"};
+};
+
+template <>
 struct Words<HiddenLines> {
   static constexpr std::array list{"none", "dashed", "solid"};
 };

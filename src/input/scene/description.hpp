@@ -34,6 +34,7 @@ struct ModelDescription {
   Located<LineRole> line;       ///< role of its visible lines
   Located<HiddenLines> hidden;  ///< by default as in the view
   Located<Surfaces> surfaces;   ///< by default automatic
+  Located<Pmi> pmi{};           ///< by default all if the scene has dimensions or symbols, otherwise none
   Located<bool> drawn;          ///< by default true
   Located<double> density{};    ///< kg/m³, of bodies whose style has none
 };
@@ -125,6 +126,12 @@ struct FeatureCircle {
   std::vector<Vec3> arc{};  ///< points in order along an arc, two or more; empty for a whole circle
 };
 
+/// A number that a model file states, with its decimals: millimetres, inches or degrees.
+struct StatedValue {
+  double value;
+  int decimals;
+};
+
 /// A dimension in a view, attached to the model. ISO 129-1.
 struct DimensionDescription {
   std::string where;  ///< for errors
@@ -144,6 +151,9 @@ struct DimensionDescription {
   Located<DimensionArrangement> arrangement{};  ///< auto, and linear with several places; baseline by default
   LocatedText name{};                           ///< to which datums and tolerance frames refer
   Located<bool> limits{};                       ///< whether limits of size are written; false by default
+  std::optional<StatedValue> stated{};          ///< instead of the measured value; not in scene files
+  bool is_exact = false;                        ///< theoretically, which a frame says; not in scene files
+  std::string requirement{};                    ///< of a model file, by its id, that this draws; not in scene files
 };
 
 template <>
@@ -168,6 +178,7 @@ struct CalloutDescription {
   Located<LeaderEnd> end{};    ///< by default an arrow on a line, otherwise a dot
   Located<Vec2> at{};          ///< upper left corner, mm from the lower left corner of the sheet; by default chosen
   Located<int> sheet{};        ///< without a leader: number of its sheet, from 1; by default the first
+  std::string requirement{};   ///< of a model file, by its id, that this draws; not in scene files
   std::variant<NoteText, ToleranceFrame, DatumFeature, SurfaceTexture> content{};
 };
 

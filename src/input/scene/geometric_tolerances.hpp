@@ -79,6 +79,8 @@ struct ToleranceFrame {
   std::vector<std::string> letters{};  ///< of the datums
   std::string above{};                 ///< text above the frame: "4×"
   std::vector<ToleranceFrame> also{};  ///< further ones of the same feature, below it; their letters are here, too
+  bool all_around = false;             ///< a circle on the leader; not in scene files
+  bool is_composite = false;           ///< below another one, whose symbol is that of both; not in scene files
 };
 
 /// A datum feature, marked by a triangle.

@@ -16,6 +16,9 @@ namespace epura {
 
 int exit_code_of(const DrawnFiles& drawn) {
   if (drawn.is_wrong() || drawn.report.cut_off) return found_wrong_exit_code;
+  const std::vector<report::RequirementRow>& rows = drawn.report.requirements;
+  const auto is_missing = [](const report::RequirementRow& row) { return row.is_missing(); };
+  if (std::any_of(rows.begin(), rows.end(), is_missing)) return found_wrong_exit_code;
   return drawn.report.partial.stages.empty() ? 0 : partial_exit_code;
 }
 

@@ -153,6 +153,10 @@ scene::Options<Draw> view_and_line_options() {
                                    "or one line with a common origin",
                            .usual = "single dimensions, equal distances as one"},
                           &Draw::arrangement, scene::choice<DimensionArrangement>().shown_as("KIND")),
+      scene::option<Draw>({.flag = "--allow-missing-requirements",
+                           .help = "accept sheets that lack some of what the model files require, which is told; exit "
+                                   "code 1 otherwise"},
+                          run(&pipeline::RunOptions::allow_missing), scene::truth()),
       scene::option<Draw>({.flag = "--parts-list",
                            .help = "add a list of the parts above the title block, and their numbers in the views"},
                           &Draw::parts_list, scene::truth()),

@@ -13,10 +13,10 @@
 
 #include "app/commands.hpp"
 #include "app/part_tree.hpp"
-#include "app/requirement_words.hpp"
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
+#include "composition/requirement_words.hpp"
 #include "features/unit_guess.hpp"
 #include "importer/read_model.hpp"
 #include "output/json_text.hpp"
@@ -324,7 +324,7 @@ std::string text_of(const ModelInfo& info) {
     text += line_of("edges", edges_text(info));
     text += holes_text(info.holes, rounded);
   }
-  for (const auto& [kind, line] : requirement_lines(info.requirements)) text += line_of(kind, line);
+  for (const auto& [kind, line] : pipeline::requirement_lines(info.requirements)) text += line_of(kind, line);
   std::vector<std::string> repairs = repairs_of(report);
   for (const world::Solid& solid : info.solids)
     if (solid.turned)

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "app/commands.hpp"
-#include "app/requirement_words.hpp"
 #include "base/csv.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
+#include "composition/requirement_words.hpp"
 #include "importer/read_model.hpp"
 #include "output/json_text.hpp"
 #include "pipeline/targets.hpp"
@@ -37,12 +37,6 @@ Ledger ledger_of(const std::string& model, const RequirementsOptions& options) {
   const importer::ModelRequest request = importer::parse_model_request(model);
   return {request.path,
           importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path}).requirements};
-}
-
-// Why no sheet shows it.
-std::string reason_of(const ModelRequirement& requirement) {
-  const std::string reason = "requirements of files are not drawn yet";
-  return requirement.missing.empty() ? reason : reason + "; not read: " + requirement.missing;
 }
 
 std::vector<std::string> listed(std::string_view text, std::string_view separator) {
@@ -107,8 +101,6 @@ const std::vector<Field>& fields() {
        }},
       {"above", [](One one) { return given(one.above); }},
       {"faces", [](One one) { return FieldValue(one.faces); }},
-      {"drawn", [](One) { return FieldValue(false); }},
-      {"reason", [](One one) { return given(reason_of(one)); }},
       {"missing", [](One one) { return given(one.missing); }}};
   return all;
 }
@@ -173,12 +165,12 @@ std::string text_of(const Ledger& ledger) {
   for (const ModelRequirement& one : ledger.requirements) {
     std::string id = one.id;
     id.resize(std::max<std::size_t>(8, id.size() + 1), ' ');
-    text += "  " + id + one_line(requirement_sentence(one));
+    text += "  " + id + one_line(pipeline::requirement_sentence(one));
     text += one.faces.empty() ? "; no face" : (one.faces.size() == 1 ? "; face " : "; faces ") + faces_text(one.faces);
     if (!one.missing.empty()) text += "; not read: " + one_line(one.missing);
     text += "\n";
   }
-  return text + "  " + importer::counted_requirements(ledger.requirements) + "; none is drawn yet\n";
+  return text + "  " + importer::counted_requirements(ledger.requirements) + "\n";
 }
 
 bool is_incomplete(const Ledger& ledger) {

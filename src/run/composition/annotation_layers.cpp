@@ -245,13 +245,17 @@ void add_layers(AnnotationLayers& result, sheet::Neighbours& around, sheet::Call
 // Datums and frames in line with dimension lines, which show that they mean an axis or median plane (ISO 5459). Where
 // arrows are outside, one makes room.
 std::vector<sheet::Callout> attach(sheet::PlacedLayer& placed, std::span<const scene::CalloutDescription> attached,
-                                   const sheet::DimensionStyle& style) {
+                                   const sheet::DimensionStyle& style, std::vector<std::string>& unplaced) {
   std::vector<sheet::Callout> callouts;
   std::vector<int> replaced;
   for (const scene::CalloutDescription& one : attached) {
     std::vector<sheet::DimensionEnd>& ends = placed.ends[*one.dimension];
     std::stable_sort(ends.begin(), ends.end(),
                      [](const auto& a, const auto& b) { return !a.arrow.has_value() && b.arrow.has_value(); });
+    if (ends.empty() && !one.requirement.empty()) {
+      unplaced.push_back(one.requirement);
+      continue;
+    }
     if (ends.empty())
       throw Error(ErrorKind::input, one.dimension.where,
                   "dimension '" + *one.dimension + "' has no free end of a straight dimension line for " + name_of(one),
@@ -307,6 +311,14 @@ std::string first_of(const std::vector<std::string>& texts) {
   return list;
 }
 
+// Dimensions without room, without anything to measure, and without time.
+std::vector<std::size_t> numbers_undrawn(const sheet::PlacedLayer& placed, std::size_t count) {
+  std::vector<std::size_t> numbers = placed.unseen;
+  for (const std::size_t number : placed.left_out) numbers.push_back(number);
+  for (std::size_t number = placed.count; number < count; ++number) numbers.push_back(number);
+  return numbers;
+}
+
 void tell_left_out(AnnotationLayers& result, const sheet::PlacedLayer& placed, std::size_t count,
                    const std::string& view) {
   if (placed.left_out.empty()) return;
@@ -357,6 +369,8 @@ std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neig
   result.fans += placed.fans;
   for (const std::size_t number : placed.left_out) result.left_out[of.view].push_back(wanted.numbers[number]);
   for (const std::size_t number : placed.unseen) result.unseen[of.view].push_back(wanted.numbers[number]);
+  for (const std::size_t number : numbers_undrawn(placed, wanted.dimensions.size()))
+    result.unplaced.push_back(wanted.dimensions[number].requirement);
   const std::size_t undrawn = wanted.dimensions.size() - placed.count;
   if (undrawn > 0) {
     budget.partial.add_stage("placing dimensions");
@@ -366,7 +380,7 @@ std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neig
     result.warnings.push_back("dimensions of the view '" + drawing.name +
                               "' extend beyond the sheet\n  hint: use a smaller scale or a larger sheet");
   std::vector<sheet::Callout> attached;
-  if (undrawn == 0) attached = attach(placed, annotations.attached, style);
+  if (undrawn == 0) attached = attach(placed, annotations.attached, style, result.unplaced);
   add_boxes(around.boxes, placed.layer, style.lettering);
   for (const sheet::Text& text : placed.layer.texts) around.texts.push_back(sheet::box_of(text, style.lettering));
   result.layers.push_back(std::move(placed.layer));
@@ -381,10 +395,12 @@ void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const She
                   std::span<const ViewResult> views, const sheet::DimensionStyle& style, CalloutsOfViews attached) {
   for (std::size_t i = 0; i < views.size(); ++i) {
     std::vector<sheet::Callout> callouts = std::move(attached[i]);
-    const std::size_t before = callouts.size();
-    for (const ViewCallout& callout : input.annotations[i].callouts) {
-      callouts.push_back(drawn(callout.description, style));
-      callouts.back().target = input.targets[i][callouts.size() - before - 1];
+    for (std::size_t k = 0; k < input.annotations[i].callouts.size(); ++k) {
+      const scene::CalloutDescription& description = input.annotations[i].callouts[k].description;
+      if (!input.targets[i][k]) result.unplaced.push_back(description.requirement);
+      if (!input.targets[i][k]) continue;
+      callouts.push_back(drawn(description, style));
+      callouts.back().target = input.targets[i][k];
     }
     if (callouts.empty()) continue;
     const drawing::ViewDrawing& drawing = views[i].drawing;
@@ -392,7 +408,9 @@ void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const She
     add_centre_lines(neighbours.boxes, views[i]);
     sheet::CalloutLayers layers = sheet::callout_layers(drawing.name, style);
     const sheet::CalloutFaults faults = sheet::place_callouts(layers, callouts, drawing, style, neighbours);
-    for (const std::string& name : faults.without_place) {
+    for (const std::size_t number : faults.without_place) {
+      const std::string& name = callouts[number].name;
+      result.unplaced.push_back(callouts[number].requirement);
       result.warnings.push_back("there is no place for " + name + " around the view '" + drawing.name +
                                 "'\n  hint: use a larger sheet or a smaller scale, or give its position, 'at'");
       result.findings.push_back({report::FindingKind::off_sheet, drawing.name, "there is no place for " + name});

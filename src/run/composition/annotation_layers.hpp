@@ -19,6 +19,7 @@ struct AnnotationLayers {
   std::vector<std::vector<sheet::Layer>> constructions;  ///< by view, to be painted first
   std::vector<std::vector<std::size_t>> left_out;  ///< by view: numbers of dimensions for which the sheet has no room
   std::vector<std::vector<std::size_t>> unseen;    ///< by view: of those that measure what the view does not show
+  std::vector<std::string> unplaced{};             ///< requirements of dimensions and callouts that are not drawn
   std::size_t without_room = 0;                    ///< notes, symbols, tables, rows of hole tables, likewise
   std::size_t fans = 0;                            ///< as in sheet::PlacedLayer
   std::vector<std::string> warnings;

@@ -176,7 +176,13 @@ CalloutTargets find_targets(const world::World& world, const drawing::ViewDrawin
     const Vec2 at = drawing.shown.breaks.moved(points[i].at);
     const bool is_inside = at.x >= drawing.box.min.x && at.y >= drawing.box.min.y && at.x <= drawing.box.max.x &&
                            at.y <= drawing.box.max.y && drawing.shown.breaks.keeps(points[i].at);
-    if (!is_partial) expect_shown(callouts[i], at, drawing, lines[i] || (depths[i] && is_inside));
+    const bool is_shown = lines[i] || (depths[i] && is_inside);
+    const bool needs_line = std::holds_alternative<scene::DatumFeature>(callouts[i].description.content);
+    if (!callouts[i].description.requirement.empty() && !(needs_line ? lines[i].has_value() : is_shown)) {
+      found.targets.emplace_back();
+      continue;
+    }
+    if (!is_partial) expect_shown(callouts[i], at, drawing, is_shown);
     sheet::CalloutTarget target{at, end_of(callouts[i].description, lines[i].has_value())};
     if (lines[i]) {
       const bool right = sides[2 * i].has_value(), left = sides[2 * i + 1].has_value();
@@ -214,6 +220,7 @@ sheet::Callout drawn(const scene::CalloutDescription& callout, const sheet::Dime
   };
   sheet::Callout result = std::visit(Draw{style, callout.to.given()}, callout.content);
   result.name = name_of(callout);
+  result.requirement = callout.requirement;
   result.at = callout.at.value;
   return result;
 }

@@ -2,6 +2,7 @@
 // Notes and symbols with leaders: what they point at, in views that are drawn.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -24,13 +25,15 @@ struct ViewCallout {
 std::string name_of(const scene::CalloutDescription& callout);
 
 struct CalloutTargets {
-  std::vector<sheet::CalloutTarget> targets;  ///< in the order of the callouts
-  std::vector<std::string> warnings;          ///< of points that the view hides
+  /// In the order of the callouts; nothing where the view does not show the point of a requirement.
+  std::vector<std::optional<sheet::CalloutTarget>> targets;
+  std::vector<std::string> warnings;  ///< of points that the view hides
 };
 
 /// Where the leaders of a view end; by default with an arrow on a line and with a dot on a face. `world` is what the
 /// view shows. Throws Error{input} for points that the view does not show: outside of its bodies and lines, left out,
-/// or behind the viewer; and for datums that are not on a line; but not in a partial view, which may lack that line.
+/// or behind the viewer; and for datums that are not on a line; but not in a partial view, which may lack that line,
+/// and not for requirements of files, for which nobody chose the point.
 CalloutTargets find_targets(const world::World& world, const drawing::ViewDrawing& drawing,
                             std::span<const ViewCallout> callouts, bool is_partial);
 

@@ -270,6 +270,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
   finished.is_crowded = !beside.warnings.empty();
   finished.without_room = beside.without_room;
+  finished.unplaced = beside.unplaced;
   finished.fans = beside.fans;
   if (beside.leaves_out_more_than(input.max_left_out)) {
     finished.left_out = std::move(beside.left_out);

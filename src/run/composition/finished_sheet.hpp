@@ -26,6 +26,7 @@ struct FinishedSheet {
   std::vector<std::vector<std::size_t>> unseen{};    ///< by view: of those that measure what the view does not show
   std::string answers{};                             ///< to the questions about its edges
   std::optional<int> next_size{};                    ///< as in SheetPlan
+  std::vector<std::string> unplaced{};               ///< requirements of dimensions and callouts that are not drawn
   std::size_t without_room = 0;                      ///< notes, symbols, tables, rows of hole tables
   std::size_t fans = 0;                              ///< as in sheet::PlacedLayer
   bool is_crowded = false;                           ///< something has no place on it, or a worse one

@@ -70,9 +70,9 @@ struct SheetInput {
   const scene::SceneDescription& scene;
   const SheetOfViews& views;
   const SheetPlan& plan;
-  const std::vector<Annotations>& annotations;                ///< by view
-  std::vector<std::vector<sheet::CalloutTarget>> targets{};   ///< of callouts, by view
-  std::vector<std::vector<sheet::BalloonTarget>> balloons{};  ///< by view
+  const std::vector<Annotations>& annotations;                              ///< by view
+  std::vector<std::vector<std::optional<sheet::CalloutTarget>>> targets{};  ///< of callouts, by view
+  std::vector<std::vector<sheet::BalloonTarget>> balloons{};                ///< by view
   std::optional<std::size_t> max_left_out{};  ///< dimensions without room; with more, the sheet is of no use
 
   [[nodiscard]] const scene::SheetDescription& sheet() const {

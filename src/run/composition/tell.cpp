@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 #include "composition/layout.hpp"
 #include "drawing/drawing.hpp"
 #include "report/format.hpp"
@@ -43,6 +44,22 @@ std::string sentence_of_scale(const SheetPlan& plan) {
 }
 
 }  // namespace
+
+void tell_of_requirements(const Messages& messages, const std::vector<report::RequirementRow>& rows, bool is_allowed) {
+  constexpr std::size_t most = 20;
+  std::size_t drawn = 0, missing = 0;
+  std::string list;
+  for (const report::RequirementRow& row : rows) {
+    if (row.is_drawn()) ++drawn;
+    if (row.is_missing() && ++missing <= most) list += "\n  " + one_line(row.id + " " + row.what + ": " + row.why);
+  }
+  if (missing > most) list += "\n  and " + std::to_string(missing - most) + " others, which the JSON has";
+  const std::string all = std::to_string(drawn + missing) + " requirements of the models ";
+  if (missing == 0 && drawn > 0) messages.print("all " + all + "are drawn\n");
+  if (missing > 0)
+    messages.warn(std::to_string(missing) + " of the " + all + (missing == 1 ? "is" : "are") + " not drawn:" + list +
+                  (is_allowed ? "" : "\n  hint: --allow-missing-requirements accepts this"));
+}
 
 void tell_of_scales(const Messages& messages, const SheetPlan& plan, const scene::SheetDescription& sheet,
                     const SheetOfViews& views) {

@@ -33,6 +33,9 @@ void warn_about(const Messages& messages, const report::ViewCondition& view);
 /// Warns of characters missing from the font.
 void warn_about(const Messages& messages, const sheet::Sheet& sheet);
 
+/// Tells which requirements of model files the sheets lack, and why; it is a fault unless that is allowed.
+void tell_of_requirements(const Messages& messages, const std::vector<report::RequirementRow>& rows, bool is_allowed);
+
 /// A line about the precision of the map of a view.
 std::string format_condition(const report::ViewCondition& view);
 

@@ -87,6 +87,7 @@ struct Run {
   bool refers_to_models = false;                         ///< for free forms
   std::map<const world::World*, std::optional<KnownIntersections>> intersections{};
   PartsByModel known_parts{};
+  std::vector<FileRequirements> required{};
 
   double fineness = 1;  ///< of imported surfaces, as a multiple of what --max-error usually needs
   std::optional<world::FacetHeights> heights{};
@@ -267,6 +268,7 @@ PreparedSheet Run::prepare_sheet(const ShownWorlds& worlds, SheetOfViews views) 
   views.epura = epura_views(scene.sheets[static_cast<std::size_t>(views.sheet)], views, seen);
   expect_constructions(views, seen);
   views.items = items_of(whole, views);
+  state_requirements(scene, required, {views, seen, worlds});
   std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
   std::vector<sheet::DimensionsInView> anchored;
   if (options.lint) anchored = anchored_dimensions(whole, views, seen, annotations);
@@ -303,7 +305,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
   std::string answers_of_sheet;
   CoarseMeshes coarse(scene, known_parts);
   std::vector<std::vector<std::optional<SeenPoint>>> items_seen(seen.size());
-  std::vector<std::vector<sheet::CalloutTarget>> targets;
+  std::vector<std::vector<std::optional<sheet::CalloutTarget>>> targets;
   report::Partial partial;
   const Budget budget{progress, progress, partial};
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -515,15 +517,11 @@ void place_threads(world::World& world, const scene::SceneDescription& scene) {
   features::place_threads(world, scene.threads, positions);
 }
 
-// Whether a sheet has more than pictures: these show helical threads as they are.
-bool shows_parts(const SheetOfViews& views) {
-  return std::any_of(views.plans.begin(), views.plans.end(),
-                     [](const PlannedView& plan) { return plan.entry.family == "orthographic"; });
-}
-
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
   ReadWorld read = read_models(scene, reading_of(scene, options, fineness), gathered.report.meshes, messages, progress);
   parts = std::move(read.parts);
+  required = std::move(read.required);
+  choose_unit(scene, required);
   scene.explosions = std::move(read.explosions);
   world::World world = std::move(read.world);
   watch.lap("read");
@@ -544,7 +542,9 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   for (SheetOfViews sheet : sheets) {
     sheet.states_error = options.error_note;
     finished.push_back(draw_best_sheet(worlds, std::move(sheet)));
+    take_back(required, finished.back().unplaced);
   }
+  gathered.report.requirements = end_ledger(required, messages, options.allow_missing);
   if (options.lint) {
     add_uncovered_sizes(gathered.report, worlds.main(), scene, gathered.dimensioned, progress);
     add_all(gathered.report.findings, undefined_free_forms(worlds.main(), scene, refers_to_models));

@@ -151,6 +151,18 @@ void warn_about(const Messages& messages, const mesh::MeshReport& report, bool s
   for (const std::string& note : report.notes) messages.warn(report.name + ": " + note);
 }
 
+// With the ledger of what the file of a model requires, or that it is not wanted.
+void take_requirements(std::vector<FileRequirements>& required, const scene::SceneDescription& scene, int model,
+                       KeptModel& read, mesh::MeshReport& report) {
+  std::vector<importer::ModelRequirement>& all = read.rest.requirements;
+  if (all.empty()) return;
+  if (wanted_requirements(scene, scene.models[static_cast<std::size_t>(model)]) == Pmi::none)
+    report.notes.push_back(importer::counted_requirements(all) + " of the file " + (all.size() == 1 ? "is" : "are") +
+                           " not drawn: epura requirements lists what the file requires, --pmi all draws it");
+  required.push_back({model, std::move(all), read.rest.part});
+  begin_ledger(required.back(), scene);
+}
+
 }  // namespace
 
 Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double fineness) {
@@ -189,6 +201,7 @@ ReadWorld read_models(const scene::SceneDescription& scene, const Reading& readi
   std::vector<world::Placed> placed;
   std::vector<std::vector<scene::StyleDescription>> styles;
   std::vector<std::vector<importer::BodyPart>> parts;
+  std::vector<FileRequirements> required;
   KeptModels own;
   KeptModels& kept = reading.kept == nullptr ? own : *reading.kept;
   std::vector<KeptModel> all;
@@ -212,12 +225,13 @@ ReadWorld read_models(const scene::SceneDescription& scene, const Reading& readi
     if (!drawn) continue;
     if (description.surfaces.value_or(Surfaces::automatic) == Surfaces::automatic) placed.back().part = model.rest.part;
     reports.push_back(placed.back().mesh->report);
+    take_requirements(required, scene, static_cast<int>(i), model, reports.back());
     warn_about(messages, reports.back(), says_wires);
   }
   world::World world = world::make_world(std::move(placed), wants_wires(scene));
   world.styles = std::move(styles);
   world::expect_usable(world);
-  return {std::move(world), std::move(parts), std::move(patterns.explosions), without_unit};
+  return {std::move(world), std::move(parts), std::move(patterns.explosions), std::move(required), without_unit};
 }
 
 void doubt_unit(const Messages& messages, const scene::SceneDescription& scene, const world::World& world,

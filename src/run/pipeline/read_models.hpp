@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "composition/state_requirements.hpp"
 #include "importer/read_model.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/description.hpp"
@@ -29,6 +30,7 @@ struct ReadWorld {
   world::World world;
   std::vector<std::vector<importer::BodyPart>> parts{};  ///< of the bodies of each model
   std::vector<scene::ExplodeDescription> explosions{};   ///< of the scene, for bodies by their own names
+  std::vector<FileRequirements> required{};              ///< of models that are drawn
   int without_unit = -1;  ///< the first model whose unit neither its file nor the user states; -1: none
 };
 

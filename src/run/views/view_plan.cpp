@@ -133,6 +133,11 @@ sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::V
   return styles;
 }
 
+bool shows_parts(const SheetOfViews& views) {
+  return std::any_of(views.plans.begin(), views.plans.end(),
+                     [](const PlannedView& plan) { return plan.entry.family == "orthographic"; });
+}
+
 std::vector<SheetOfViews> views_by_sheet(const scene::SceneDescription& scene, const std::vector<PlannedView>& plans) {
   std::vector<SheetOfViews> sheets;
   for (int sheet = 0; sheet < static_cast<int>(scene.sheets.size()); ++sheet) {

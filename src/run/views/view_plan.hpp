@@ -51,6 +51,9 @@ struct SheetOfViews {
   std::optional<EpuraViews> epura{};  ///< if they have that layout
 };
 
+/// Whether a sheet has more than pictures: these show helical threads as they are.
+bool shows_parts(const SheetOfViews& views);
+
 /// In the order of the sheets; a sheet may have no views.
 std::vector<SheetOfViews> views_by_sheet(const scene::SceneDescription& scene, const std::vector<PlannedView>& plans);
 

@@ -356,6 +356,15 @@ std::string error_of_view(report::ViewError error) {
   return text + "]}";
 }
 
+std::string requirement_of(const report::RequirementRow& row) {
+  const auto or_null = [](const std::string& text) { return text.empty() ? std::string("null") : json_string(text); };
+  return "{\"model\": " + json_string(row.model) + ", \"id\": " + json_string(row.id) +
+         ", \"kind\": " + json_string(row.kind) + ", \"what\": " + json_string(row.what) +
+         ", \"wanted\": " + (row.wanted ? "true" : "false") + ", \"view\": " + or_null(row.view) +
+         ", \"sheet\": " + (row.sheet > 0 ? std::to_string(row.sheet) : "null") + ", \"zone\": " + or_null(row.zone) +
+         ", \"reason\": " + or_null(row.why) + "}";
+}
+
 std::string report_of(const report::Report& report) {
   std::string text = "{\"meshes\": " + json_lines(report.meshes, mesh_of, "\n   ") +
                      ",\n  \"plan\": " + json_lines(report.plan, step_of, "\n   ");
@@ -370,6 +379,8 @@ std::string report_of(const report::Report& report) {
   if (report.verification) text += ",\n  \"verify\": " + verification_of(*report.verification);
   if (!report.conditions.empty())
     text += ",\n  \"condition\": " + json_lines(report.conditions, condition_of_view, "\n   ");
+  if (!report.requirements.empty())
+    text += ",\n  \"requirements\": " + json_lines(report.requirements, requirement_of, "\n   ");
   return text + "}";
 }
 

@@ -85,6 +85,23 @@ struct SizeCount {
   int given, all;
 };
 
+/// What a model file requires, and where the sheets say so.
+struct RequirementRow {
+  std::string model;   ///< its name in dimensions
+  std::string id;      ///< in the file
+  std::string kind;    ///< "dimension", "tolerance" or "datum"
+  std::string what;    ///< in words
+  std::string view{};  ///< that shows it; empty: none does
+  int sheet = 0;       ///< from 1; 0: none
+  std::string zone{};  ///< of the sheet, "B4"; empty without a frame with zones
+  std::string why{};   ///< it is not drawn, or not all of it
+  bool wanted = true;  ///< the sheets are to show it
+
+  [[nodiscard]] bool is_drawn() const { return !view.empty(); }
+  /// Whether the drawing lacks it.
+  [[nodiscard]] bool is_missing() const { return wanted && !is_drawn(); }
+};
+
 struct Report {
   std::vector<mesh::MeshReport> meshes;
   std::vector<PlanStep> plan;
@@ -97,6 +114,7 @@ struct Report {
   std::vector<Finding> findings{};                      ///< of the dimensions, if requested
   std::vector<SizeCount> sizes{};                       ///< with findings
   std::vector<std::string> views_to_add{};              ///< projections that show what has no dimension, with findings
+  std::vector<RequirementRow> requirements{};           ///< of model files, in their order
   bool cut_off = false;                                 ///< views extend beyond the paper
 };
 

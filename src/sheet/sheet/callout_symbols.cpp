@@ -118,16 +118,18 @@ double height_of(const scene::ToleranceFrame& frame) {
 
 namespace {
 
-// One frame, with its lower left corner at the origin. Sets the width.
-Callout single_frame(const scene::ToleranceFrame& frame, const DimensionStyle& style) {
-  const double h = style.text, height = frame_height * h;
+// One frame, with its lower left corner at the origin. Its symbol is that of so many frames, of which it is the upper
+// one; 0: the symbol is that of a frame above. Sets the width.
+Callout single_frame(const scene::ToleranceFrame& frame, int rows, const DimensionStyle& style) {
+  const double h = style.text, height = frame_height * h, below = (rows - 1) * height;
   Callout callout;
-  SymbolReader(callout, {h, h}, h).draw(scene::row_of(frame.characteristic).symbol);
-  callout.strokes.push_back(line({height, 0}, {height, height}));
+  if (rows > 0) SymbolReader(callout, {h, h - below / 2}, h).draw(scene::row_of(frame.characteristic).symbol);
+  if (rows > 0) callout.strokes.push_back(line({height, 0}, {height, height}));
   double right = add_cell(callout, frame.zone, height, style);
   for (const scene::FrameCell& datum : frame.datums) right = add_cell(callout, datum, right, style);
   // The right side is that of the outline.
-  callout.strokes.back() = outline({{0, 0}, {right, height}});
+  callout.strokes.back() = outline({{rows == 1 ? 0 : height, 0}, {right, height}});
+  if (rows > 1) callout.strokes.push_back(outline({{0, -below}, {height, height}}));
   callout.size = {right, height};
   return callout;
 }
@@ -161,15 +163,23 @@ Callout tolerance_frame(const scene::ToleranceFrame& frame, const DimensionStyle
   Callout callout;
   callout.form = LeaderForm::landing;
   callout.attach = bottom + h;
-  add_above(callout, single_frame(frame, style), bottom);
+  callout.all_around = frame.all_around;
+  const auto rows_from = [&frame](std::size_t first) {
+    int rows = 1;
+    while (first < frame.also.size() && frame.also[first].is_composite) ++first, ++rows;
+    return rows;
+  };
+  add_above(callout, single_frame(frame, rows_from(0), style), bottom);
   for (std::size_t i = 0; i < frame.also.size(); ++i)
-    add_above(callout, single_frame(frame.also[i], style), bottom - height * static_cast<double>(i + 1));
+    add_above(callout, single_frame(frame.also[i], frame.also[i].is_composite ? 0 : rows_from(i + 1), style),
+              bottom - height * static_cast<double>(i + 1));
   if (!frame.above.empty()) {
     callout.texts.push_back(
         {with_own_signs(frame.above, style), {0, bottom + height + above_frame * h}, h, 0, Align::left, "tolerance"});
     callout.size.x = std::max(callout.size.x, style.lettering.width(frame.above, h));
   }
   callout.size.y = height_of(frame) * h;
+  check(callout.size.y > bottom, "frames below the first one are within");
   return callout;
 }
 

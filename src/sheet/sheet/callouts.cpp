@@ -100,6 +100,23 @@ void add_bent_datums(std::vector<Spot>& spots, const Callout& callout, double le
   }
 }
 
+// In line with a dimension line, then across it: where there is no other place.
+void add_bent_in_line(std::vector<Spot>& spots, const Callout& callout, double length, double landing) {
+  constexpr double for_bend = 1e4;  // mm
+  const Vec2 elbow = callout.target->point + shortest_leader * *callout.target->normal;
+  for (const double side : {1.0, -1.0}) {
+    const Vec2 along = side * left_of(*callout.target->normal);
+    for (const bool to_right : {true, false}) {
+      if (!is_upright(along) && to_right != along.x > 0) continue;
+      Spot spot = spot_at(callout, elbow + length * along, to_right, is_level(along) ? 0 : landing);
+      spot.leader.insert(spot.leader.begin() + 1, elbow);
+      spot.cost = length + for_bend;
+      check(spot.leader.front() == callout.target->point, "a leader begins at its target");
+      spots.push_back(std::move(spot));
+    }
+  }
+}
+
 // The possible places with leaders of this length.
 std::vector<Spot> spots_of(const Callout& callout, double length, double landing) {
   constexpr double for_inside = 25, for_oblique = 12, for_slant_of_frame = 40;  // mm
@@ -117,7 +134,10 @@ std::vector<Spot> spots_of(const Callout& callout, double length, double landing
     add(*normal, 0);
     if (!callout.target->is_border) add(-*normal, 0);
   }
-  if (callout.target->in_line && callout.form != LeaderForm::datum) return spots;
+  if (callout.target->in_line && callout.form != LeaderForm::datum) {
+    if (normal) add_bent_in_line(spots, callout, length, landing);
+    return spots;
+  }
   if (callout.form == LeaderForm::datum) {
     if (normal) add_bent_datums(spots, callout, length, landing);
     return spots;
@@ -250,6 +270,8 @@ void draw_callout(CalloutLayers& layers, const Callout& callout, const Spot& spo
   Stroke& leader = layers.notes.strokes.emplace_back();
   for (const Vec2& p : spot.leader)
     if (leader.points.empty() || leader.points.back() != p) leader.points.push_back(p);
+  constexpr double around = 0.5;  // heights of capitals. ISO 1101
+  if (callout.all_around) layers.symbols.strokes.push_back(circle_at(spot.leader[1], around * style.text));
   if (callout.form == LeaderForm::datum)
     layers.notes.fills.push_back(datum_triangle(target, along, style));
   else if (target.end == LeaderEnd::arrow)
@@ -392,7 +414,7 @@ CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> cal
         draw_callout(layers, callout, *spot, style);
         ++placed;
       } else {
-        faults.without_place.push_back(callout.name);
+        faults.without_place.push_back(static_cast<std::size_t>(&callout - callouts.data()));
       }
     }
   check(placed + faults.without_place.size() == callouts.size(), "every callout is placed or reported");

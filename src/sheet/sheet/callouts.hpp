@@ -31,7 +31,8 @@ enum class LeaderForm { reference, landing, datum };
 
 /// A text or symbol; its lower left corner is the origin until it has its place. Millimetres.
 struct Callout {
-  std::string name{};  ///< for messages
+  std::string name{};         ///< for messages
+  std::string requirement{};  ///< of a model file that it draws
   std::vector<Text> texts{};
   std::vector<Stroke> strokes{};  ///< as wide as the lines of the lettering
   std::vector<Fill> fills{};
@@ -41,6 +42,7 @@ struct Callout {
   std::optional<CalloutTarget> target{};  ///< without one, it has no leader
   std::optional<CalloutTarget> other{};   ///< where the leader may end instead
   std::optional<Vec2> at{};               ///< its upper left corner, if that is given
+  bool all_around = false;                ///< a circle at the bend of its leader
 };
 
 /// The layers of a view with callouts: leaders with texts, and the lines of symbols.
@@ -67,7 +69,7 @@ double callout_room(double height);
 
 /// What `place_callouts` could not do.
 struct CalloutFaults {
-  std::vector<std::string> without_place;  ///< names of those that are left out
+  std::vector<std::size_t> without_place;  ///< numbers of those that are left out
   std::vector<std::string> crossings;      ///< names of those at a given position on something else
 };
 

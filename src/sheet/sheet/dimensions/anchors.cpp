@@ -133,6 +133,8 @@ AnchoredDimension anchored(const world::World& world, Asked& asked, const scene:
                               description.text.value_or(""),
                               tolerance_of(description)};
   dimension.name = description.name.value_or("");
+  dimension.stated = description.stated;
+  dimension.is_exact = description.is_exact;
   if (description.circle) {
     const scene::FeatureCircle& circle = *description.circle;
     dimension.is_label = description.is_label;

@@ -45,6 +45,8 @@ struct AnchoredDimension {
   double beyond_vertices = 0;                         ///< how much more they measure than the mesh, which is drawn
   std::optional<DimensionArrangement> arrangement{};  ///< of a linear dimension between several places
   std::string name{};                                 ///< by which datums and frames refer to it; may be empty
+  std::optional<scene::StatedValue> stated{};         ///< instead of the measured value
+  bool is_exact = false;                              ///< theoretically
 };
 
 /// The position of an anchor. Throws Error{input} with `where` as the location for vertices that do not exist or that

@@ -18,6 +18,7 @@ struct TextPiece {
 
 struct DimensionText {
   std::vector<TextPiece> pieces;
+  bool framed = false;  ///< theoretically exact. ISO 1101
 
   DimensionText() = default;
   DimensionText(std::string line) { add(std::move(line)); }  // NOLINT(google-explicit-constructor): most are lines

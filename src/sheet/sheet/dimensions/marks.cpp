@@ -132,6 +132,16 @@ void add_pieces(PlacedDimension& dimension, const DimensionText& text, const Tex
   check(std::abs(written - style.width(text)) <= 1e-9 * (1 + written), "a text is as wide as its pieces");
 }
 
+// Around a text of this size.
+void add_frame(PlacedDimension& dimension, const TextPosition& at, const Vec2& size, const DimensionStyle& style) {
+  constexpr double around = 0.25;  // heights of capitals: less than what is between a text and its dimension line
+  const Vec2 up = left_of(at.read), half = size / 2.0 + around * style.text;
+  const Vec2 middle = at.middle + (at.rise + size.y / 2) * up;
+  std::vector<Vec2>& corners = dimension.strokes.emplace_back().points;
+  for (const Vec2& corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1), Vec2(-1, -1)})
+    corners.push_back(middle + corner.x * half.x * at.read + corner.y * half.y * up);
+}
+
 }  // namespace
 
 void set_text(PlacedDimension& dimension, const DimensionText& text, const TextPosition& at,
@@ -143,6 +153,7 @@ void set_text(PlacedDimension& dimension, const DimensionText& text, const TextP
     dimension.texts.push_back(
         {text.line(), at.middle + at.rise * left_of(at.read), style.text, degrees, Align::middle, "dimension"});
   const double height = style.height(text);
+  if (text.framed) add_frame(dimension, at, {style.width(text), height}, style);
   dimension.text_boxes.push_back({at.middle + (at.rise + height / 2) * left_of(at.read),
                                   at.read,
                                   {style.width(text) / 2 + air * style.text, height / 2 + air * style.text}});

@@ -49,8 +49,10 @@ struct Sight {
   [[nodiscard]] double millimetres() const { return glm::length(page_of(drawing.projection.u)); }  // per unit of length
 };
 
-DimensionText with_text(const AnchoredDimension& dimension, const MeasuredValue& measured, const Notation& notation) {
-  const DimensionText value = text_of(measured, dimension.tolerance, notation);
+DimensionText with_text(const AnchoredDimension& dimension, MeasuredValue measured, const Notation& notation) {
+  measured.stated = dimension.stated;
+  DimensionText value = text_of(measured, dimension.tolerance, notation);
+  value.framed = dimension.is_exact;
   if (dimension.text.empty()) return value;
   constexpr std::string_view sign = "<>";
   DimensionText text;
@@ -64,6 +66,8 @@ DimensionText with_text(const AnchoredDimension& dimension, const MeasuredValue&
     refuse_measure(dimension, "the text has no value for the tolerance",
                    "write <> where the value belongs, or omit the text");
   text.add(dimension.text.substr(begin));
+  text.framed = dimension.is_exact;
+  check(begin <= dimension.text.size(), "what follows the value is the rest of the text");
   return text;
 }
 

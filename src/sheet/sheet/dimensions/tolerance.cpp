@@ -99,15 +99,23 @@ int needed_decimals(double value) {
 // The number as it is written, in the unit of dimensions, so that limits agree with it to the last digit.
 double written_value(const MeasuredValue& measured, const Notation& notation) {
   constexpr int angle_decimals = 2;
+  if (measured.stated) return measured.stated->value;
   const double value = measured.is_angle || notation.unit == Unit::mm
                            ? measured.value
                            : measured.value / scene::millimetres(notation.unit);
   return parse_number(format_fixed(value, measured.is_angle ? angle_decimals : notation.decimals)).value_or(value);
 }
 
+std::string number_text(const MeasuredValue& measured, const Notation& notation) {
+  if (measured.stated)
+    return padded(measured.stated->value, measured.stated->decimals, notation) + (measured.is_angle ? "°" : "");
+  return measured.is_angle ? angle_text(measured.value, notation) : length_text(measured.value, notation);
+}
+
 TextPiece limits_of(const MeasuredValue& measured, Deviations deviations, int decimals, const Notation& notation) {
   const double value = written_value(measured, notation);
-  const int all = std::min(max_decimals, std::max(decimals, needed_decimals(value)));
+  const int own = measured.stated ? measured.stated->decimals : needed_decimals(value);
+  const int all = std::min(max_decimals, std::max(decimals, own));
   const std::string unit = measured.is_angle ? "°" : "";
   return {padded(value + deviations.upper, all, notation) + unit,
           padded(value + deviations.lower, all, notation) + unit};
@@ -169,8 +177,7 @@ Tolerance parse_tolerance(std::string_view text, const std::string& where) {
 
 DimensionText text_of(const MeasuredValue& measured, const std::optional<Tolerance>& tolerance,
                       const Notation& notation) {
-  DimensionText text(measured.sign + (measured.is_angle ? angle_text(measured.value, notation)
-                                                        : length_text(measured.value, notation)));
+  DimensionText text(measured.sign + number_text(measured, notation));
   if (!tolerance) return text;
   if (tolerance->is_fit()) {
     add_fit(text, measured, *tolerance, notation);

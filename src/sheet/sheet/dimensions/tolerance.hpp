@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/description.hpp"
 #include "sheet/dimensions/dimension_text.hpp"
 #include "sheet/dimensions/fits.hpp"
 #include "sheet/notation.hpp"
@@ -31,6 +32,7 @@ struct MeasuredValue {
   double value;        ///< mm, or degrees
   std::string sign{};  ///< before the number: "R", "⌀"
   bool is_angle = false;
+  std::optional<scene::StatedValue> stated{};  ///< written instead of it
 };
 
 /// The value as written, with its tolerance: "20", "20 ±0.1", "20 H7"; deviations that differ, and limits, are stacked.

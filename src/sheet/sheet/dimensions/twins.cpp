@@ -98,6 +98,56 @@ bool is_replacement(const DimensionDescription& given, const DimensionDescriptio
   return given.text->rfind('(', 0) != 0 && repeats_of(*given.text) == repeats_of(automatic.text.value_or(""));
 }
 
+/// Dimensions with what they measure.
+struct MeasuredGiven {
+  std::span<DimensionDescription* const> given;
+  const std::vector<std::optional<Measure>>& measures;
+};
+
+// Leaves the features of which others say the size out of a note for several.
+void leave_to_others(DimensionDescription& automatic, int count, const MeasuredGiven& of,
+                     const features::PartFeatures& features) {
+  const std::string text = automatic.text.value_or("");
+  const int all = repeats_of(text);
+  if (count == 0 || all <= count || !automatic.circle) return;
+  const scene::FeatureCircle circle = *automatic.circle;
+  const WorldCircle own{circle.centre, circle.axis, circle.radius, {}, true};
+  const auto is_given = [&](const WorldCircle& one) {
+    return std::any_of(of.given.begin(), of.given.end(), [&](const DimensionDescription* given) {
+      return !given->requirement.empty() && given->circle &&
+             are_one_circle({given->circle->centre, given->circle->axis, given->circle->radius, {}, true}, one);
+    });
+  };
+  for (const features::HoleFeature& hole : features.holes) {
+    const WorldCircle other{hole.mouth, hole.axis, hole.called() / 2, {}, true};
+    if (!is_given(own) || is_given(other) || !are_of_equal_holes(own, other, features)) continue;
+    automatic.circle->centre = hole.mouth;
+    break;
+  }
+  automatic.text.value = times(static_cast<std::size_t>(all - count)) + text.substr(times(std::size_t(all)).size());
+}
+
+// Requirements of a file say themselves for how many features they hold: they replace a dimension of features for all
+// of which they are, and say the rest of what it says behind them, as its depth.
+bool is_required(DimensionDescription& automatic, const Measure& measure, const MeasuredGiven& of,
+                 const features::PartFeatures& features, double slack) {
+  std::vector<DimensionDescription*> same;
+  int count = 0;
+  for (std::size_t j = 0; j < of.given.size(); ++j) {
+    if (of.given[j]->requirement.empty() || !of.measures[j] || !are_one(measure, *of.measures[j], features, slack))
+      continue;
+    count += repeats_of(of.given[j]->text.value_or(""));
+    if (of.measures[j]->circle.has_value() == measure.circle.has_value()) same.push_back(of.given[j]);
+  }
+  const std::string text = automatic.text.value_or("<>");
+  if (count < repeats_of(text)) leave_to_others(automatic, count, of, features);
+  if (count < repeats_of(text)) return false;
+  const std::size_t sign = text.find("<>");
+  for (DimensionDescription* one : same)
+    if (sign != std::string::npos) one->text.value.value() += text.substr(sign + 2);
+  return true;
+}
+
 }  // namespace
 
 void replace_twins(std::vector<DimensionDescription>& automatic, std::span<DimensionDescription* const> given,
@@ -110,9 +160,13 @@ void replace_twins(std::vector<DimensionDescription>& automatic, std::span<Dimen
   check(of_given.size() == given.size() && of_automatic.size() == automatic.size(), "each dimension has a measure");
   const double slack = same_size * glm::length(world.box.size());
   std::vector<char> replaced(automatic.size(), 0);
-  for (std::size_t i = 0; i < automatic.size(); ++i)
+  for (std::size_t i = 0; i < automatic.size(); ++i) {
+    if (of_automatic[i] && is_required(automatic[i], *of_automatic[i], {given, of_given}, features, slack))
+      replaced[i] = 1;
     for (std::size_t j = 0; j < given.size() && replaced[i] == 0; ++j) {
-      if (!of_automatic[i] || !of_given[j] || !are_one(*of_automatic[i], *of_given[j], features, slack)) continue;
+      if (!of_automatic[i] || !of_given[j] || !given[j]->requirement.empty() ||
+          !are_one(*of_automatic[i], *of_given[j], features, slack))
+        continue;
       const bool same_kind = of_automatic[i]->circle.has_value() == of_given[j]->circle.has_value();
       if (!is_replacement(*given[j], automatic[i], same_kind)) continue;
       // A size with a tolerance is not auxiliary.
@@ -121,6 +175,7 @@ void replace_twins(std::vector<DimensionDescription>& automatic, std::span<Dimen
         given[j]->text = automatic[i].text;
       replaced[i] = 1;
     }
+  }
   std::size_t number = 0;
   std::erase_if(automatic, [&](const DimensionDescription&) { return replaced[number++] != 0; });
 }

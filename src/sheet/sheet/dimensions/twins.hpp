@@ -16,7 +16,8 @@ namespace epura::sheet {
 /// Removes automatic dimensions whose size others give: a length between the same places, a diameter or radius of the
 /// circle of the same feature or of an equal hole, or a diameter as a length across it. One without a text takes over
 /// that of the automatic one, as "4× <> ↧12"; a text that counts other features than the automatic one is no
-/// replacement. Rows stay. All name their views.
+/// replacement, and requirements of files are one only for all of its features together. Rows stay. All name their
+/// views.
 void replace_twins(std::vector<scene::DimensionDescription>& automatic,
                    std::span<scene::DimensionDescription* const> given, const world::World& world,
                    const features::PartFeatures& features, std::span<const NamedProjection> views);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/requirement_words.hpp"
+#include "composition/requirement_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 namespace {
 
@@ -18,8 +18,8 @@ using importer::RequirementBounds;
 using importer::RequirementKind;
 
 constexpr double inch = 25.4;
+constexpr int max_digits = 9;  // beyond them, values differ from what the file writes only by their conversion
 
-// What the file writes, where that is in a unit with a name; otherwise millimetres and degrees.
 bool has_own_unit(const ModelRequirement& one) {
   return one.is_angle ? one.unit == 1 : one.unit == 1 || one.unit == inch;
 }
@@ -27,8 +27,7 @@ bool has_own_unit(const ModelRequirement& one) {
 std::string unit_of(const ModelRequirement& one) { return one.is_angle ? "°" : one.unit == inch ? " in" : " mm"; }
 
 std::string number_of(const ModelRequirement& one, double value) {
-  constexpr int digits = 9;  // beyond them, values differ from what the file writes only by their conversion
-  return format_rounded(has_own_unit(one) ? value / one.unit : value, digits);
+  return format_rounded(value / written_unit(one), max_digits);
 }
 
 std::string value_of(const ModelRequirement& one) {
@@ -49,6 +48,15 @@ std::string bounds_of(const ModelRequirement& one) {
 }
 
 }  // namespace
+
+double written_unit(const ModelRequirement& one) { return has_own_unit(one) ? one.unit : 1; }
+
+int needed_decimals(double written) {
+  const std::string text = format_rounded(written, max_digits);
+  const std::size_t point = text.find('.');
+  return point == std::string::npos || text.find('e') != std::string::npos ? 0
+                                                                           : static_cast<int>(text.size() - point - 1);
+}
 
 std::string requirement_sentence(const ModelRequirement& one) {
   std::string text(one.type.empty() ? importer::requirement_kind_names[static_cast<std::size_t>(one.kind)] : one.type);
@@ -86,4 +94,4 @@ std::vector<std::pair<std::string, std::string>> requirement_lines(const std::ve
   return lines;
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -8,7 +8,13 @@
 
 #include "importer/requirements.hpp"
 
-namespace epura {
+namespace epura::pipeline {
+
+/// Millimetres or degrees in the unit in which its numbers are written: that of the file, where it has a name.
+double written_unit(const importer::ModelRequirement& requirement);
+
+/// How many decimals a number needs to be what the file states.
+int needed_decimals(double written);
 
 /// "diameter 35 -0.2/+0 mm", "position 0.75 mm to A | B | C", in the unit and with the decimals of the file.
 std::string requirement_sentence(const importer::ModelRequirement& requirement);
@@ -17,4 +23,4 @@ std::string requirement_sentence(const importer::ModelRequirement& requirement);
 std::vector<std::pair<std::string, std::string>> requirement_lines(
     const std::vector<importer::ModelRequirement>& requirements);
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "composition/requirement_texts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/text.hpp"
+#include "composition/requirement_words.hpp"
+#include "scene/choices.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+using importer::ModelRequirement;
+using importer::RequirementBounds;
+
+/// The word of a file, and the sign of drawings.
+struct Sign {
+  std::string_view word, sign;
+};
+
+// Behind a size. ISO 14405-1.
+constexpr std::array size_signs{Sign{"envelope requirement", "(E)"},
+                                Sign{"independency", "(I)"},
+                                Sign{"two point size", "(LP)"},
+                                Sign{"local size defined by a sphere", "(LS)"},
+                                Sign{"least squares association criterion", "(GG)"},
+                                Sign{"maximum inscribed association criterion", "(GX)"},
+                                Sign{"minimum circumscribed association criterion", "(GN)"},
+                                Sign{"circumference diameter", "(CC)"},
+                                Sign{"area diameter", "(CA)"},
+                                Sign{"volume diameter", "(CV)"},
+                                Sign{"maximum size", "(SX)"},
+                                Sign{"minimum size", "(SN)"},
+                                Sign{"average size", "(SA)"},
+                                Sign{"median size", "(SM)"},
+                                Sign{"mid range size", "(SD)"},
+                                Sign{"range of sizes", "(SR)"},
+                                Sign{"any cross section", "ACS"},
+                                Sign{"specific fixed cross section", "SCS"},
+                                Sign{"common tolerance", "CT"},
+                                Sign{"continuous feature", "<CF>"},
+                                Sign{"statistical", "<ST>"},
+                                Sign{"statistical tolerance", "<ST>"},
+                                Sign{"free state condition", "(F)"},
+                                Sign{"minimum", "min."},
+                                Sign{"maximum", "max."}};
+
+// In a circle behind a tolerance or a datum. ISO 1101, ISO 2692, ISO 10579.
+constexpr std::array circled_signs{Sign{"maximum material requirement", "M"}, Sign{"least material requirement", "L"},
+                                   Sign{"maximum material condition", "M"},   Sign{"least material condition", "L"},
+                                   Sign{"reciprocity requirement", "R"},      Sign{"free state", "F"},
+                                   Sign{"free state condition", "F"},         Sign{"tangent plane", "T"},
+                                   Sign{"regardless of feature size", "S"}};
+
+// Without one.
+constexpr std::array plain_signs{Sign{"common zone", "CZ"}, Sign{"separate requirement", "SZ"},
+                                 Sign{"not convex", "NC"}, Sign{"statistical tolerance", "<ST>"}};
+
+constexpr std::array signs_above{Sign{"any cross section", "ACS"},  Sign{"line element", "LE"},
+                                 Sign{"each radial element", "LE"}, Sign{"major diameter", "MD"},
+                                 Sign{"minor diameter", "LD"},      Sign{"pitch diameter", "PD"}};
+
+// Empty if there is none.
+template <std::size_t count>
+std::string sign_of(const std::array<Sign, count>& signs, std::string_view word) {
+  const auto found = std::find_if(signs.begin(), signs.end(), [&](const Sign& one) { return one.word == word; });
+  return found == signs.end() ? std::string() : std::string(found->sign);
+}
+
+// Whether fonts have all characters of a file's word.
+bool is_plain(std::string_view word) {
+  return std::all_of(word.begin(), word.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+std::string no_sign_for(std::string_view word) { return "there is no sign for '" + std::string(word) + "'"; }
+
+std::vector<std::string> items_of(std::string_view text, std::string_view separator) {
+  std::vector<std::string> items;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(separator), text.size());
+    items.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + separator.size(), text.size()));
+  }
+  return items;
+}
+
+bool is_in(const ModelRequirement& one, Unit unit) {
+  return one.is_angle != 0 || written_unit(one) == scene::millimetres(unit);
+}
+
+// What stands behind numbers that are not in the unit of the sheet.
+std::string unit_behind(const ModelRequirement& one, Unit unit) {
+  if (is_in(one, unit)) return "";
+  return written_unit(one) == 1 ? " mm" : " in";
+}
+
+/// Deviations as a scene states them.
+struct Deviations {
+  double upper, lower;
+  int decimals;
+
+  [[nodiscard]] std::string text() const {
+    const auto with_sign = [this](double value) {
+      const std::string number = format_with_zeros(std::abs(value), decimals);
+      return value == 0 ? std::string("0") : (value < 0 ? "-" : "+") + number;
+    };
+    if (upper == -lower) return "±" + format_with_zeros(upper, decimals);
+    return with_sign(upper) + " " + with_sign(lower);
+  }
+};
+
+// Numbers of inches have all decimals of their tolerance, and the other way round. ASME Y14.5.
+void use_equal_decimals(scene::StatedValue& value, Deviations& deviations) {
+  value.decimals = deviations.decimals = std::max(value.decimals, deviations.decimals);
+}
+
+std::string write_bounds(scene::DimensionDescription& dimension, const ModelRequirement& one) {
+  const double unit = written_unit(one), lower = one.lower / unit, upper = one.upper / unit;
+  if (!(upper > lower)) return "its limits permit no size";
+  const bool are_limits = one.bounds == RequirementBounds::limits;
+  if (!dimension.stated && are_limits) dimension.stated = {lower, std::max(needed_decimals(lower), one.decimals)};
+  if (!dimension.stated) return "the file has deviations without a value";
+  const double from = are_limits ? dimension.stated->value : 0;
+  Deviations deviations{upper - from, lower - from, std::max(needed_decimals(upper), needed_decimals(lower))};
+  if (dimension.stated->value + deviations.lower <= 0) return "its lower limit is not above 0";
+  if (unit != 1) use_equal_decimals(*dimension.stated, deviations);
+  dimension.tolerance = {deviations.text(), dimension.where};
+  dimension.limits = {are_limits, dimension.where};
+  return "";
+}
+
+// "0.1/10 M U 0.2": the width or diameter of the zone, and its modifiers. Those that have a place elsewhere stay in
+// `left`.
+scene::FrameCell zone_cell(const ModelRequirement& one, Unit unit, std::vector<std::string>& left) {
+  const double by = written_unit(one);
+  const auto number = [&](double value, int decimals) {
+    std::string text = format_with_zeros(value, std::max(decimals, needed_decimals(value)));
+    if (unit == Unit::in && text.starts_with("0.")) text.erase(0, 1);
+    return text;
+  };
+  const bool is_sphere = one.zone.find("spher") != std::string::npos;
+  const bool is_round = is_sphere || one.zone.find("cylind") != std::string::npos || one.zone == "within a circle";
+  std::string width = (is_sphere ? "S⌀" : is_round ? "⌀" : "") + number(one.value / by, one.decimals);
+  scene::FrameCell cell(1);
+  for (const std::string& word : items_of(one.modifiers, ", ")) {
+    const auto length = [&](std::string_view before) -> std::string {
+      if (!word.starts_with(before) || !word.ends_with(" mm")) return "";
+      const auto mm = parse_number(std::string_view(word).substr(before.size(), word.size() - before.size() - 3));
+      return mm ? number(*mm / by, 0) : "";
+    };
+    if (const std::string sign = sign_of(circled_signs, word); !sign.empty())
+      cell.push_back({sign, true});
+    else if (const std::string plain = sign_of(plain_signs, word); !plain.empty())
+      cell.push_back({plain});
+    else if (const std::string unit_length = length("per unit of "); !unit_length.empty())
+      width += "/" + unit_length;
+    else if (const std::string uneven = length("unequally disposed "); !uneven.empty())
+      cell.insert(cell.end(), {{"U", true}, {uneven}});
+    else if (const std::string most = length("maximum "); !most.empty())
+      cell.push_back({most + " max."});
+    else
+      left.push_back(word);
+  }
+  cell.front().text = width + unit_behind(one, unit);
+  return cell;
+}
+
+// A datum of a frame: "B-C (maximum material requirement)".
+std::string write_datum(scene::ToleranceFrame& frame, std::string_view text) {
+  const std::size_t bracket = std::min(text.find(" ("), text.size());
+  const std::string letters(text.substr(0, bracket));
+  scene::FrameCell& cell = frame.datums.emplace_back();
+  cell.push_back({letters});
+  for (const std::string& letter : items_of(letters, "-")) frame.letters.push_back(letter);
+  if (letters.find('?') != std::string::npos || !is_plain(letters)) return "a datum that it refers to is not read";
+  if (bracket == text.size()) return "";
+  for (const std::string& word : items_of(text.substr(bracket + 2, text.size() - bracket - 3), ", ")) {
+    const std::string sign = sign_of(circled_signs, word);
+    if (sign.empty()) return no_sign_for(word);
+    cell.push_back({sign, true});
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string write_value(scene::DimensionDescription& dimension, const ModelRequirement& one, Unit unit) {
+  const double written = one.value / written_unit(one);
+  if (std::isfinite(written))
+    dimension.stated = scene::StatedValue{written, std::max(one.decimals, needed_decimals(written))};
+  if (one.bounds != RequirementBounds::none)
+    if (const std::string why = write_bounds(dimension, one); !why.empty()) return why;
+  std::string before, after = (one.fit.empty() ? "" : " " + one.fit) + unit_behind(one, unit);
+  if (!is_plain(one.fit)) return no_sign_for(one.fit);
+  bool is_auxiliary = false;
+  for (const std::string& word : items_of(one.modifiers, ", ")) {
+    const std::string sign = sign_of(size_signs, word);
+    if (word == "theoretical" || word == "basic")
+      dimension.is_exact = true;
+    else if (word == "auxiliary" || word == "reference")
+      is_auxiliary = true;
+    else if (word == "square")
+      before = "□" + before;
+    else if (word == "controlled radius")
+      before = "C" + before;
+    else if (sign.empty())
+      return no_sign_for(word);
+    else
+      after += " " + sign;
+  }
+  const std::string text = before + "<>" + after;
+  dimension.text = {is_auxiliary ? "(" + text + ")" : text, dimension.where};
+  return "";
+}
+
+std::string write_frame(scene::ToleranceFrame& frame, const ModelRequirement& one, Unit unit) {
+  std::string name = one.type == "coaxiality"        ? "concentricity"
+                     : one.type == "circular runout" ? "circular-run-out"
+                     : one.type == "total runout"    ? "total-run-out"
+                                                     : one.type;
+  std::replace(name.begin(), name.end(), ' ', '-');
+  const auto row = std::find_if(scene::characteristics.begin(), scene::characteristics.end(),
+                                [&](const scene::CharacteristicRow& known) { return known.name == name; });
+  if (row == scene::characteristics.end()) return "there is no characteristic '" + one.type + "'";
+  if (!std::isfinite(one.value) || one.value < 0) return "the file gives its zone no width";
+  frame.characteristic = row->characteristic;
+  std::vector<std::string> words;
+  frame.zone = zone_cell(one, unit, words);
+  for (const std::string& datum : items_of(one.datums, " | "))
+    if (const std::string why = write_datum(frame, datum); !why.empty()) return why;
+  for (const std::string& word : words) {
+    const std::string sign = sign_of(signs_above, word);
+    if (!is_plain(word)) return no_sign_for(word);
+    if (word == "all around")
+      frame.all_around = true;
+    else
+      add_above(frame, sign.empty() ? word : sign);
+  }
+  return "";
+}
+
+void add_above(scene::ToleranceFrame& frame, const std::string& words) {
+  frame.above += (frame.above.empty() ? "" : ", ") + words;
+}
+
+}  // namespace epura::pipeline

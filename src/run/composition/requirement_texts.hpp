@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Requirements of model files in the signs of drawings. ISO 129-1, ISO 14405-1, ISO 1101.
+#pragma once
+
+#include <string>
+
+#include "importer/requirements.hpp"
+#include "scene/description.hpp"
+
+namespace epura::pipeline {
+
+/// Writes the value, tolerance and modifiers of a requirement into a dimension, with the digits of the file: numbers in
+/// another unit than `unit`, that of the sheet, have their unit behind them. Returns why that is not possible; empty if
+/// it is done.
+std::string write_value(scene::DimensionDescription& dimension, const importer::ModelRequirement& requirement,
+                        Unit unit);
+
+/// Writes a geometric tolerance into a frame. Returns the same.
+std::string write_frame(scene::ToleranceFrame& frame, const importer::ModelRequirement& requirement, Unit unit);
+
+/// Adds words to a list that stands above a frame: "4×, between".
+void add_above(scene::ToleranceFrame& frame, const std::string& words);
+
+}  // namespace epura::pipeline

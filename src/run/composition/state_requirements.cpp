@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "composition/state_requirements.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "composition/requirement_texts.hpp"
+#include "composition/requirement_words.hpp"
+#include "composition/stated_symbols.hpp"
+#include "composition/tell.hpp"
+#include "features/tolerances.hpp"
+#include "scene/body_styles.hpp"
+#include "scene/choices.hpp"
+#include "sheet/dimensions/equal_features.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+using importer::ModelRequirement;
+using importer::RequirementKind;
+
+constexpr const char* of_size = "it means the middle of its faces, whose dimension is not drawn";
+
+bool shows_an_axis(const projection::Projection& seen) {
+  constexpr double in_plane = 1e-3;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(seen.n[axis]) <= in_plane) return true;
+  return false;
+}
+
+bool is_orthographic(const projection::Projection& seen) {
+  return !seen.central &&
+         glm::length(glm::cross(seen.projector, seen.n)) <= features::parallel * glm::length(seen.projector);
+}
+
+// Views in which dimensions are true and everything is in its place; sections last, as for automatic dimensions.
+std::vector<FaceView> views_for_requirements(const SheetToState& sheet) {
+  std::vector<FaceView> views;
+  for (const bool is_section : {false, true})
+    for (std::size_t i = 0; i < sheet.seen.size(); ++i) {
+      const scene::ViewDescription& view = sheet.views.descriptions[i];
+      const ViewOptions& options = sheet.views.plans[i].options;
+      const projection::Projection& seen = sheet.seen[i].projection;
+      const bool is_moved = view.detail.given() || options.exploded || options.turned || options.breaks.any();
+      if (view.section.given() != is_section || is_moved || !is_orthographic(seen) || !shows_an_axis(seen)) continue;
+      views.emplace_back(*view.name, seen, sheet.worlds.seen_in(view));
+    }
+  return views;
+}
+
+// By which dimensions and callouts know what they draw.
+std::string key_of(const FileRequirements& file, const std::string& id) {
+  return std::to_string(file.model) + ":" + id;
+}
+
+bool gives_value(const ModelRequirement& one) {
+  return std::isfinite(one.value) || one.bounds == importer::RequirementBounds::limits;
+}
+
+bool is_wanted(RequirementKind kind, Pmi wanted) {
+  if (wanted == Pmi::dimensions) return kind == RequirementKind::dimension;
+  if (wanted == Pmi::tolerances) return kind != RequirementKind::dimension;
+  return wanted == Pmi::all;
+}
+
+/// States the requirements of one file on a sheet.
+class Statement {
+ public:
+  Statement(scene::SceneDescription& scene, FileRequirements& file, const RequirementSubject& subject, int sheet)
+      : scene_(scene), file_(file), subject_(subject), sheet_(sheet), places_(subject) {}
+
+  void add_all() {
+    for (const bool has_value : {true, false})
+      for (std::size_t i = 0; i < file_.all.size(); ++i)
+        if (file_.all[i].kind == RequirementKind::dimension && is_open(i) && gives_value(file_.all[i]) == has_value)
+          add_dimension(i);
+    unite_equal();
+    for (scene::DimensionDescription& dimension : dimensions_) scene_.dimensions.push_back(std::move(dimension));
+    for (std::size_t i = 0; i < file_.all.size(); ++i)
+      if (file_.all[i].kind == RequirementKind::datum && is_open(i)) add_datum(i);
+    for (std::vector<std::size_t>& stack : stacks_of(file_.all)) {
+      std::erase_if(stack, [this](std::size_t i) { return !is_open(i); });
+      if (!stack.empty()) add_frame(stack);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool is_open(std::size_t i) const { return file_.rows[i].is_missing(); }
+  [[nodiscard]] std::string where(std::size_t i) const {
+    return "requirement " + file_.all[i].id + " of " + file_.rows[i].model;
+  }
+
+  void set_drawn(std::size_t i, const std::string& view) {
+    file_.rows[i].view = view;
+    file_.rows[i].sheet = sheet_;
+    file_.rows[i].why.clear();
+  }
+
+  // A dimension without a value says nothing more than another of the same faces.
+  [[nodiscard]] bool is_said(std::size_t i) {
+    const ModelRequirement& one = file_.all[i];
+    for (std::size_t k = 0; k < file_.all.size() && !gives_value(one); ++k) {
+      const ModelRequirement& other = file_.all[k];
+      if (!gives_value(other) || other.type != one.type || other.faces != one.faces || !file_.rows[k].is_drawn())
+        continue;
+      set_drawn(i, file_.rows[k].view);
+      file_.rows[i].why = "the file gives no value: it is that of " + other.id;
+      return true;
+    }
+    return false;
+  }
+
+  void add_dimension(std::size_t i) {
+    if (is_said(i)) return;
+    StatedDimension stated = state_dimension(file_.all[i], subject_, where(i));
+    file_.rows[i].why = stated.why;
+    if (!stated.why.empty()) return;
+    set_drawn(i, *stated.dimension.view);
+    stated.dimension.requirement = key_of(file_, file_.all[i].id);
+    const ModelRequirement& one = file_.all[i];
+    if (!gives_value(one)) file_.rows[i].why = "the file gives no value: it has that of the model";
+    if (stated.is_straight) places_.add_dimension(one.faces, stated.dimension);
+    dimensions_.push_back(std::move(stated.dimension));
+  }
+
+  // Those of equal circles in one view become one, "2× ⌀8"; ids of all are those of the first.
+  void unite_equal() {
+    const auto are_equal = [](const scene::DimensionDescription& a, const scene::DimensionDescription& b) {
+      if (!a.circle || !b.circle || *a.type != *b.type || *a.view != *b.view) return false;
+      const bool same_value =
+          a.stated.has_value() == b.stated.has_value() &&
+          (!a.stated || (a.stated->value == b.stated->value && a.stated->decimals == b.stated->decimals));
+      return same_value && a.text.value == b.text.value && a.tolerance.value == b.tolerance.value &&
+             a.limits.value == b.limits.value && features::are_parallel(a.circle->axis, b.circle->axis) &&
+             features::are_same(a.circle->radius, b.circle->radius);
+    };
+    std::vector<scene::DimensionDescription> united;
+    std::vector<std::size_t> counts;
+    for (scene::DimensionDescription& one : dimensions_) {
+      const auto same =
+          std::find_if(united.begin(), united.end(), [&](const auto& other) { return are_equal(other, one); });
+      if (same == united.end()) {
+        united.push_back(std::move(one));
+        counts.push_back(1);
+        continue;
+      }
+      ++counts[static_cast<std::size_t>(same - united.begin())];
+      same->requirement += " " + one.requirement;
+    }
+    for (std::size_t i = 0; i < united.size(); ++i)
+      if (counts[i] > 1) {
+        std::string& text = united[i].text.value.value();
+        const auto each = static_cast<std::size_t>(sheet::repeats_of(text));
+        if (each > 1) text.erase(0, sheet::times(each).size());
+        text = sheet::times(each * counts[i]) + text;
+      }
+    dimensions_ = std::move(united);
+  }
+
+  void add_datum(std::size_t i) {
+    const ModelRequirement& one = file_.all[i];
+    std::string& why = file_.rows[i].why;
+    if (one.type == "datum target" || one.modifiers.find("targets") != std::string::npos) {
+      why = "datum targets are not drawn yet";
+      return;
+    }
+    if (one.faces.empty()) return;
+    const auto has_letter = [&](const scene::CalloutDescription& callout) {
+      const auto* datum = std::get_if<scene::DatumFeature>(&callout.content);
+      return datum != nullptr && datum->letter == one.datums;
+    };
+    if (std::any_of(scene_.callouts.begin(), scene_.callouts.end(), has_letter)) {
+      why = "the sheets have a datum " + one.datums + " already";
+      return;
+    }
+    scene::CalloutDescription callout;
+    callout.where = where(i);
+    callout.requirement = key_of(file_, one.id);
+    callout.content = scene::DatumFeature{one.datums};
+    const bool is_placed = places_.place(callout, one.faces, SymbolPlaces::Ends::line);
+    if (is_placed && !callout.dimension.given() && face_places(one.faces, subject_.part).size() > 1) {
+      why = of_size;
+      return;
+    }
+    if (!is_placed) {
+      why = "no orthographic view of the sheet shows a line of its faces: add a view or a section";
+      return;
+    }
+    set_drawn(i, *callout.view);
+    scene_.callouts.push_back(std::move(callout));
+  }
+
+  // Whether tolerances of two planes mean the plane in the middle.
+  [[nodiscard]] bool is_of_size(const std::vector<std::size_t>& stack) const {
+    const int face = file_.all[stack.front()].faces.front();
+    return subject_.part.faces[static_cast<std::size_t>(face)].surface.kind == surfaces::SurfaceKind::plane &&
+           std::any_of(stack.begin(), stack.end(), [this](std::size_t i) {
+             return file_.all[i].type == "position" || file_.all[i].type == "symmetry";
+           });
+  }
+
+  // Returns why it has no place.
+  std::string place_frame(scene::CalloutDescription& callout, const std::vector<std::size_t>& stack) {
+    const std::vector<int>& faces = file_.all[stack.front()].faces;
+    auto& frame = std::get<scene::ToleranceFrame>(callout.content);
+    using Ends = SymbolPlaces::Ends;
+    if (!places_.place(callout, faces, frame.all_around ? Ends::lines_of_all : Ends::anything)) return not_seen;
+    const std::size_t count = face_places(faces, subject_.part).size();
+    if (callout.dimension.given() || count == 1) return "";
+    if (is_of_size(stack)) return of_size;
+    if (!frame.all_around) frame.above = sheet::times(count) + frame.above;
+    while (frame.above.ends_with(' ')) frame.above.pop_back();
+    return "";
+  }
+
+  void add_frame(std::vector<std::size_t>& stack) {
+    std::vector<std::pair<std::size_t, std::string>> refused;
+    scene::CalloutDescription callout;
+    callout.where = where(stack.front());
+    callout.content = frame_of(file_.all, stack, subject_, refused);
+    for (auto& [number, why] : refused) file_.rows[number].why = std::move(why);
+    if (stack.empty() || file_.all[stack.front()].faces.empty()) return;
+    const std::string why = place_frame(callout, stack);
+    for (const std::size_t i : stack) {
+      callout.requirement += (callout.requirement.empty() ? "" : " ") + key_of(file_, file_.all[i].id);
+      if (why.empty())
+        set_drawn(i, *callout.view);
+      else
+        file_.rows[i].why = why;
+    }
+    if (why.empty()) scene_.callouts.push_back(std::move(callout));
+  }
+
+  scene::SceneDescription& scene_;
+  FileRequirements& file_;
+  const RequirementSubject& subject_;
+  int sheet_;
+  SymbolPlaces places_;
+  std::vector<scene::DimensionDescription> dimensions_{};
+};
+
+}  // namespace
+
+Pmi wanted_requirements(const scene::SceneDescription& scene, const scene::ModelDescription& model) {
+  const bool is_annotated = !scene.dimensions.empty() || !scene.callouts.empty();
+  return model.pmi.value_or(is_annotated ? Pmi::all : Pmi::none);
+}
+
+void begin_ledger(FileRequirements& file, const scene::SceneDescription& scene) {
+  const scene::ModelDescription& model = scene.models[static_cast<std::size_t>(file.model)];
+  const Pmi wanted = wanted_requirements(scene, model);
+  for (const ModelRequirement& one : file.all) {
+    report::RequirementRow& row = file.rows.emplace_back();
+    row.model = scene::name_of(model);
+    row.id = one.id;
+    row.kind = importer::requirement_kind_names[static_cast<std::size_t>(one.kind)];
+    row.what = requirement_sentence(one);
+    row.wanted = is_wanted(one.kind, wanted);
+    if (!row.wanted)
+      row.why = model.pmi.given() ? "--pmi " + std::string(scene::word_of(wanted)) + " leaves it out"
+                                  : "the sheets have no dimensions and symbols";
+    else if (one.faces.empty())
+      row.why = one.missing.empty() ? "it belongs to no face of the model" : "not read: " + one.missing;
+    else
+      row.why = not_seen;
+  }
+}
+
+void choose_unit(scene::SceneDescription& scene, const std::vector<FileRequirements>& files) {
+  bool any = false, all = true;
+  for (const FileRequirements& file : files)
+    for (std::size_t i = 0; i < file.all.size(); ++i) {
+      if (!file.rows[i].wanted || file.all[i].is_angle || !std::isfinite(file.all[i].value)) continue;
+      any = true;
+      all = all && written_unit(file.all[i]) != 1;
+    }
+  if (!any || !all) return;
+  for (scene::SheetDescription& sheet : scene.sheets)
+    if (!sheet.dimension_unit.given()) sheet.dimension_unit = {Unit::in, "the unit of requirements"};
+}
+
+void state_requirements(scene::SceneDescription& scene, std::vector<FileRequirements>& files,
+                        const SheetToState& sheet) {
+  const auto is_open = [](const FileRequirements& file) {
+    return std::any_of(file.rows.begin(), file.rows.end(), [](const auto& row) { return row.is_missing(); });
+  };
+  if (std::none_of(files.begin(), files.end(), is_open)) return;
+  const std::vector<FaceView> views = views_for_requirements(sheet);
+  const world::World& world = sheet.worlds.main();
+  const Unit unit = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)].dimension_unit.value_or(Unit::mm);
+  for (FileRequirements& file : files) {
+    const world::Placed& placed = world.models[static_cast<std::size_t>(file.model)];
+    const auto part = file.part != nullptr && placed.part == file.part ? world::place_part(placed) : std::nullopt;
+    if (part) {
+      const RequirementSubject subject{world, file.model, *part, views, unit};
+      Statement(scene, file, subject, sheet.views.sheet + 1).add_all();
+      continue;
+    }
+    for (report::RequirementRow& row : file.rows)
+      if (row.is_missing()) row.why = "the faces of the file are not those that are drawn";
+  }
+}
+
+void take_back(std::vector<FileRequirements>& files, const std::vector<std::string>& keys) {
+  for (const std::string& list : keys)
+    for (const std::string_view key : split(list, ' '))
+      for (FileRequirements& file : files)
+        for (report::RequirementRow& row : file.rows)
+          if (key_of(file, row.id) == key && row.is_drawn()) {
+            row.view.clear();
+            row.sheet = 0;
+            row.why = "there is no place for it in the view";
+          }
+}
+
+std::vector<report::RequirementRow> end_ledger(const std::vector<FileRequirements>& files, const Messages& messages,
+                                               bool allow_missing) {
+  std::vector<report::RequirementRow> rows;
+  for (const FileRequirements& file : files) rows.insert(rows.end(), file.rows.begin(), file.rows.end());
+  tell_of_requirements(messages, rows, allow_missing);
+  if (allow_missing)
+    for (report::RequirementRow& row : rows) row.wanted = false;
+  return rows;
+}
+
+}  // namespace epura::pipeline

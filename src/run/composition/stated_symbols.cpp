@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "composition/stated_symbols.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "composition/requirement_texts.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+using importer::ModelRequirement;
+using importer::RequirementKind;
+
+// Two leaders to one face do not end at one point: of its better marks, the one that is farthest from others.
+const SeenMark& least_crowded(const std::vector<SeenMark>& marks, const std::vector<Vec3>& taken) {
+  constexpr double enough = 0.3;  // of the best worth
+  const SeenMark* best = &marks.front();
+  if (taken.empty()) return *best;
+  double farthest = -1;
+  for (const SeenMark& mark : marks) {
+    if (mark.on_line != marks.front().on_line || mark.worth < enough * marks.front().worth) continue;
+    double nearest = HUGE_VAL;
+    for (const Vec3& other : taken) nearest = std::min(nearest, glm::length(other - mark.point));
+    if (nearest <= farthest) continue;
+    farthest = nearest;
+    best = &mark;
+  }
+  return *best;
+}
+
+bool is_better(const SeenMark& one, const SeenMark& other) {
+  constexpr double clearly = 1.01;
+  if (one.on_line != other.on_line) return one.on_line;
+  return one.worth > clearly * other.worth;
+}
+
+}  // namespace
+
+void SymbolPlaces::add_dimension(const std::vector<int>& faces, const scene::DimensionDescription& dimension) {
+  dimensions_.emplace(faces, Attachment{*dimension.name, *dimension.view});
+}
+
+bool SymbolPlaces::place(scene::CalloutDescription& callout, const std::vector<int>& faces, Ends ends) {
+  if (const auto of = dimensions_.find(faces); of != dimensions_.end() && of->second.ends > 0) {
+    --of->second.ends;
+    callout.dimension = {of->second.dimension, callout.where};
+    callout.view = {of->second.view, callout.where};
+    return true;
+  }
+  const FaceView* best = nullptr;
+  std::vector<SeenMark> marks;
+  for (const FaceView& view : subject_.views) {
+    std::vector<SeenMark> here;
+    bool has_all = true;
+    for (const int face : faces) {
+      std::vector<SeenMark> of_face =
+          view.marks_on({subject_.model, face}, subject_.part.faces[static_cast<std::size_t>(face)]);
+      has_all = has_all && !of_face.empty() && of_face.front().on_line;
+      if (!of_face.empty() && (here.empty() || is_better(of_face.front(), here.front()))) here = std::move(of_face);
+    }
+    if (here.empty() || (ends == Ends::line && !here.front().on_line) || (ends == Ends::lines_of_all && !has_all))
+      continue;
+    if (best != nullptr && !is_better(here.front(), marks.front())) continue;
+    best = &view;
+    marks = std::move(here);
+  }
+  if (best == nullptr) return false;
+  std::vector<Vec3>& taken = taken_[best->name()];
+  const SeenMark& mark = least_crowded(marks, taken);
+  taken.push_back(mark.point);
+  callout.view = {best->name(), callout.where};
+  callout.to = {scene::LeaderTarget(scene::Anchor(mark.point)), callout.where};
+  return true;
+}
+
+std::vector<std::vector<std::size_t>> stacks_of(const std::vector<ModelRequirement>& all) {
+  std::vector<std::vector<std::size_t>> stacks;
+  const auto stack_with = [&](const auto& is_it) {
+    return std::find_if(stacks.begin(), stacks.end(), [&](const std::vector<std::size_t>& stack) {
+      return std::any_of(stack.begin(), stack.end(), [&](std::size_t i) { return is_it(all[i]); });
+    });
+  };
+  const auto add = [&](std::size_t i, bool is_composite) {
+    const ModelRequirement& one = all[i];
+    const auto stack = stack_with([&](const ModelRequirement& other) {
+      return is_composite ? other.id == one.above : !one.faces.empty() && other.faces == one.faces;
+    });
+    if (stack == stacks.end())
+      stacks.push_back({i});
+    else
+      stack->push_back(i);
+  };
+  for (const bool is_composite : {false, true})
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].kind == RequirementKind::tolerance && all[i].above.empty() != is_composite) add(i, is_composite);
+  return stacks;
+}
+
+scene::ToleranceFrame frame_of(const std::vector<ModelRequirement>& all, std::vector<std::size_t>& stack,
+                               const RequirementSubject& subject,
+                               std::vector<std::pair<std::size_t, std::string>>& refused) {
+  scene::ToleranceFrame whole;
+  std::vector<std::size_t> written;
+  for (const std::size_t i : stack) {
+    scene::ToleranceFrame frame;
+    if (std::string why = write_frame(frame, all[i], subject.unit); !why.empty()) {
+      refused.emplace_back(i, std::move(why));
+      continue;
+    }
+    written.push_back(i);
+    if (written.size() == 1) {
+      whole = std::move(frame);
+      continue;
+    }
+    // Below the one to which the frames belong, words would stand on its lines.
+    if (!frame.above.empty()) add_above(whole, frame.above);
+    frame.above.clear();
+    frame.is_composite = !all[i].above.empty();
+    whole.letters.insert(whole.letters.end(), frame.letters.begin(), frame.letters.end());
+    whole.also.push_back(std::move(frame));
+  }
+  stack = std::move(written);
+  return whole;
+}
+
+}  // namespace epura::pipeline

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Geometric tolerances and datums that model files require -> tolerance frames and datums as scenes have them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "composition/stated_dimensions.hpp"
+
+namespace epura::pipeline {
+
+/// Chooses where frames and datums stand: in line with dimensions of the same faces that are straight, otherwise on
+/// lines of their faces, or for frames on the faces, in the view that shows most of them.
+class SymbolPlaces {
+ public:
+  explicit SymbolPlaces(const RequirementSubject& subject) : subject_(subject) {}
+
+  /// A dimension of these faces that is straight.
+  void add_dimension(const std::vector<int>& faces, const scene::DimensionDescription& dimension);
+
+  /// What a view must show of the faces: anything of one, a line of one, or, for what holds all around, lines of all.
+  enum class Ends { anything, line, lines_of_all };
+
+  /// Returns whether there is a place. Sets the view, and the dimension or the end of the leader.
+  bool place(scene::CalloutDescription& callout, const std::vector<int>& faces, Ends ends);
+
+ private:
+  struct Attachment {
+    std::string dimension, view;
+    int ends = 2;  ///< left free
+  };
+
+  const RequirementSubject& subject_;
+  std::map<std::vector<int>, Attachment> dimensions_{};
+  std::map<std::string, std::vector<Vec3>> taken_{};  ///< ends of leaders, by view
+};
+
+/// The tolerances of `all` that one frame shows: those of the same faces stand below each other, composite ones below
+/// theirs. Numbers of requirements, in their order.
+std::vector<std::vector<std::size_t>> stacks_of(const std::vector<importer::ModelRequirement>& all);
+
+/// Writes a stack; the numbers and sentences of those that have no frame are added to `refused`.
+scene::ToleranceFrame frame_of(const std::vector<importer::ModelRequirement>& all, std::vector<std::size_t>& stack,
+                               const RequirementSubject& subject,
+                               std::vector<std::pair<std::size_t, std::string>>& refused);
+
+}  // namespace epura::pipeline

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// Requirements of model files on sheets, and the ledger in which nothing is lost.
+#include <gtest/gtest.h>
+
+#include "../output/json_reader.hpp"
+#include "errors.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+#include "step_box.hpp"
+
+namespace epura::test::pmi_test {
+namespace {
+
+// A value of a dimension with digits: "20.00".
+std::string size(int number, int dimension, const std::string& value, const std::string& digits) {
+  const std::string item = std::to_string(number), format = std::to_string(number + 1);
+  return step_length(number, value, "nominal value", "QUALIFIED_REPRESENTATION_ITEM((#" + format + "))") + "#" +
+         format + "=VALUE_FORMAT_TYPE_QUALIFIER('NR2 " + digits + "');\n" +
+         step_values(number + 2, dimension, "#" + item);
+}
+
+std::string deviations(int number, int dimension, const std::string& lower, const std::string& upper) {
+  const auto n = [number](int more) { return std::to_string(number + more); };
+  return step_length(number, lower, "") + step_length(number + 1, upper, "") + "#" + n(2) + "=TOLERANCE_VALUE(#" +
+         n(0) + ",#" + n(1) + ");\n#" + n(3) + "=PLUS_MINUS_TOLERANCE(#" + n(2) + ",#" + std::to_string(dimension) +
+         ");\n";
+}
+
+// A datum that is a face of the box; takes three numbers.
+std::string datum(int number, int face, const std::string& letter) {
+  const auto n = [number](int more) { return std::to_string(number + more); };
+  return step_aspect(number, face, "DATUM_FEATURE") + "#" + n(2) + "=DATUM('','',#10,.F.,'" + letter + "');\n#" + n(3) +
+         "=SHAPE_ASPECT_RELATIONSHIP('','',#" + n(0) + ",#" + n(2) + ");\n";
+}
+
+// Height of 20.00 -0.1/+0.3 between bottom and top.
+const std::string height = step_aspect(1000, bottom_face) + step_aspect(1002, top_face) +
+                           "#1004=DIMENSIONAL_LOCATION('linear distance','',#1000,#1002);\n" +
+                           size(1010, 1004, "20.", "2.2") + deviations(1014, 1004, "-0.1", "0.3");
+
+class Pmi : public testing::Test {
+ protected:
+  // Draws a model as SVG and JSON.
+  Outcome draw(const std::string& model, std::vector<std::string> more = {}) {
+    folder_.file("part.step", model);
+    std::vector<std::string> words{"draw", "part.step", "--views", "front,top,left", "--sheet",    "A3",
+                                   "-o",   "a.svg",     "-o",      "a.json",         "--svg-text", "text"};
+    words.insert(words.end(), more.begin(), more.end());
+    Outcome drawn = epura(words, folder_ / "");
+    has_importer_ = !contains(drawn.err, "install the package");
+    return drawn;
+  }
+  Outcome draw_box(const std::string& statements, std::vector<std::string> more = {"--pmi", "all"}, bool inch = false) {
+    return draw(step_box({40, 30, 20}, statements, inch), std::move(more));
+  }
+  // How often the sheet says it.
+  [[nodiscard]] int says(const std::string& text) const {
+    const std::string svg = read_file(folder_ / "a.svg"), whole = ">" + text + "<";
+    int count = 0;
+    for (std::size_t at = svg.find(whole); at != std::string::npos; at = svg.find(whole, at + 1)) ++count;
+    return count;
+  }
+  [[nodiscard]] Json ledger() const {
+    return JsonReader(read_file(folder_ / "a.json")).read()["report"]["requirements"];
+  }
+  [[nodiscard]] Json row(const std::string& id) const {
+    for (const Json& one : ledger().items)
+      if (one["id"].text == id) return one;
+    throw std::out_of_range("no requirement " + id);
+  }
+
+  Folder folder_;
+  bool has_importer_ = true;
+};
+
+#define EXPECT_IMPORTER() \
+  if (!has_importer_) GTEST_SKIP() << "there is no importer of STEP"
+
+TEST_F(Pmi, ADimensionHasTheDigitsAndDeviationsOfItsFile) {
+  const Outcome drawn = draw_box(height);
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "all 1 requirements of the models are drawn")) << drawn.err;
+  EXPECT_EQ(says("20.00 "), 1);
+  EXPECT_EQ(says("+0.3"), 1);
+  EXPECT_EQ(says("-0.1"), 1);
+  EXPECT_EQ(row("#1004")["view"].text, "front");
+  EXPECT_EQ(row("#1004")["reason"].type, 'n');
+}
+
+TEST_F(Pmi, AnAutomaticDimensionOfTheSameIsOneWithIt) {
+  const Outcome drawn = draw_box(height, {"--dimensions", "auto"});
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(says("20.00 "), 1);
+  EXPECT_EQ(says("20"), 0);
+  EXPECT_EQ(says("40"), 1);
+  EXPECT_EQ(says("30"), 1);
+}
+
+TEST_F(Pmi, PicturesHaveNoneUnlessAsked) {
+  const Outcome drawn = draw_box(height, {});
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0);
+  EXPECT_TRUE(contains(drawn.err, "1 dimension of the file is not drawn")) << drawn.err;
+  EXPECT_EQ(says("20.00 "), 0);
+  EXPECT_EQ(row("#1004")["wanted"].type, 'f');
+  EXPECT_EQ(draw_box(height, {"--dimensions", "auto", "--pmi", "none"}).code, 0);
+  EXPECT_EQ(says("20"), 1);
+}
+
+TEST_F(Pmi, LimitsFitsAndInchesAreWrittenAsInTheFile) {
+  const std::string width = step_aspect(1100, left_face) + step_aspect(1102, right_face) +
+                            "#1104=DIMENSIONAL_LOCATION('linear distance','',#1100,#1102);\n" +
+                            step_length(1105, "39.5", "lower limit") + step_length(1106, "40.25", "upper limit") +
+                            step_values(1107, 1104, "#1105,#1106");
+  const Outcome drawn = draw_box(width);
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(says("39.50"), 1);
+  EXPECT_EQ(says("40.25"), 1);
+  EXPECT_EQ(draw_box(height, {"--pmi", "all", "--scale", "1:20"}, true).code, 0);
+  EXPECT_EQ(says("20.00 "), 1);
+  EXPECT_EQ(draw_box(height, {"--pmi", "all", "--scale", "1:20", "--dimension-unit", "mm"}, true).code, 0);
+  EXPECT_EQ(says(" in"), 1);
+  const std::string fit = "#1030=SHAPE_ASPECT('','',#10,.T.);\n" + step_aspect(1040, round_face) +
+                          "#1042=DIMENSIONAL_SIZE(#1040,'diameter');\n" + size(1050, 1042, "12.", "2.1") +
+                          "#1060=LIMITS_AND_FITS('h','shaft','6','');\n#1061=PLUS_MINUS_TOLERANCE(#1060,#1042);\n";
+  EXPECT_EQ(draw(step_shaft(6, 30, fit), {"--pmi", "all"}).code, 0);
+  EXPECT_EQ(says("⌀12.0 h6"), 1);
+}
+
+// A tolerance of each kind on the top, with zones from 0.0101 on, to the datum T.
+TEST_F(Pmi, EveryCharacteristicHasItsFrame) {
+  const std::vector<std::string> plain{"FLATNESS",     "STRAIGHTNESS", "ROUNDNESS",
+                                       "CYLINDRICITY", "LINE_PROFILE", "SURFACE_PROFILE"};
+  const std::vector<std::string> related{"PARALLELISM", "PERPENDICULARITY", "ANGULARITY",
+                                         "POSITION",    "CONCENTRICITY",    "COAXIALITY",
+                                         "SYMMETRY",    "CIRCULAR_RUNOUT",  "TOTAL_RUNOUT"};
+  std::string text =
+      step_aspect(1000, top_face) + datum(1100, bottom_face, "T") +
+      "#1110=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,#1102,$);\n#1111=DATUM_SYSTEM('','',#10,.F.,(#1110));\n";
+  int number = 1200, zone = 101;
+  std::vector<std::string> ids;
+  const auto add = [&](const std::string& name, const std::string& datums) {
+    const std::string n = std::to_string(number), value = std::to_string(number + 1);
+    text += step_length(number + 1, "0.0" + std::to_string(zone++), "") + "#" + n + "=" + name + "_TOLERANCE('','',#" +
+            value + ",#1000" + datums + ");\n";
+    ids.push_back("#" + n);
+    number += 2;
+  };
+  for (const std::string& name : plain) add(name, "");
+  for (const std::string& name : related) add(name, ",(#1111)");
+  const Outcome drawn = draw_box(text, {"--pmi", "all", "--sheet", "A2"});
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  for (int width = 101; width < zone; ++width)
+    EXPECT_EQ(says(std::string(width == 110 ? "0.011" : "0.0" + std::to_string(width))), 1) << width << drawn.err;
+  EXPECT_EQ(says("T"), 1 + static_cast<int>(related.size()));
+  for (const std::string& id : ids) EXPECT_NE(row(id)["view"].type, 'n') << id;
+}
+
+TEST_F(Pmi, WhatHasNoFaceOrDisagreesIsToldAndNotDrawn) {
+  const std::string dangling =
+      "#1030=SHAPE_ASPECT('','',#10,.T.);\n#1031=DIMENSIONAL_SIZE(#1030,'diameter');\n" + size(1040, 1031, "8.", "2.1");
+  const std::string wrong = step_aspect(1100, left_face) + step_aspect(1102, right_face) +
+                            "#1104=DIMENSIONAL_LOCATION('linear distance','',#1100,#1102);\n" +
+                            size(1110, 1104, "41.", "2.1");
+  const Outcome drawn = draw_box(height + dangling + wrong);
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 1) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "2 of the 3 requirements of the models are not drawn:")) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "#1104 linear distance 41.0 mm: the model measures 40 at its faces")) << drawn.err;
+  EXPECT_EQ(row("#1031")["view"].type, 'n');
+  EXPECT_EQ(row("#1031")["reason"].text, "not read: a face that it belongs to");
+  EXPECT_EQ(says("41.0"), 0);
+  EXPECT_EQ(draw_box(height + dangling, {"--pmi", "all", "--allow-missing-requirements"}).code, 0);
+}
+
+TEST_F(Pmi, AFaceThatNoViewShowsIsAReason) {
+  folder_.file("part.step", step_box({40, 30, 20}, height));
+  const Outcome drawn =
+      epura({"draw", "part.step", "--views", "top,isometric", "--pmi", "all", "-o", "a.json"}, folder_ / "");
+  if (contains(drawn.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
+  EXPECT_EQ(drawn.code, 1);
+  EXPECT_EQ(row("#1004")["reason"].text, "no orthographic view of the sheet shows its faces: add a view or a section");
+}
+
+}  // namespace
+}  // namespace epura::test::pmi_test
