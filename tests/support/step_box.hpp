@@ -3,6 +3,7 @@
 // to be.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string>

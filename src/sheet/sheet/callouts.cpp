@@ -107,7 +107,7 @@ void add_bent_in_line(std::vector<Spot>& spots, const Callout& callout, double l
   for (const double side : {1.0, -1.0}) {
     const Vec2 along = side * left_of(*callout.target->normal);
     for (const bool to_right : {true, false}) {
-      if (!is_upright(along) && to_right != along.x > 0) continue;
+      if (!is_upright(along) && to_right != (along.x > 0)) continue;
       Spot spot = spot_at(callout, elbow + length * along, to_right, is_level(along) ? 0 : landing);
       spot.leader.insert(spot.leader.begin() + 1, elbow);
       spot.cost = length + for_bend;

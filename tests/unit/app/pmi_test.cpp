@@ -177,6 +177,50 @@ TEST_F(Pmi, WhatHasNoFaceOrDisagreesIsToldAndNotDrawn) {
   EXPECT_EQ(draw_box(height + dangling, {"--pmi", "all", "--allow-missing-requirements"}).code, 0);
 }
 
+// A frame of two rows with one symbol, and the signs of a zone, its modifier and the datums.
+TEST_F(Pmi, ACompositeToleranceIsOneFrame) {
+  const std::string position =
+      datum(1100, bottom_face, "T") + step_aspect(1000, round_face) + step_length(1002, "0.4", "") +
+      step_length(1003, "0.15", "") +
+      "#1110=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,#1102,$);\n#1111=DATUM_SYSTEM('','',#10,.F.,(#1110));\n"
+      "#1124=(GEOMETRIC_TOLERANCE('','',#1002,#1000)GEOMETRIC_TOLERANCE_WITH_DATUM_REFERENCE((#1111))"
+      "GEOMETRIC_TOLERANCE_WITH_MODIFIERS((.MAXIMUM_MATERIAL_REQUIREMENT.))POSITION_TOLERANCE());\n"
+      "#1125=(GEOMETRIC_TOLERANCE('','',#1003,#1000)POSITION_TOLERANCE());\n"
+      "#1126=GEOMETRIC_TOLERANCE_RELATIONSHIP('composite tolerance','',#1124,#1125);\n"
+      "#1130=TOLERANCE_ZONE('','',#10,.F.,(#1124,#1125),#1131);\n#1131=TOLERANCE_ZONE_FORM('cylindrical or "
+      "circular');\n";
+  const std::string size = "#1042=DIMENSIONAL_SIZE(#1000,'diameter');\n" + pmi_test::size(1050, 1042, "12.", "2.2");
+  const Outcome drawn = draw(step_shaft(6, 30, position + size), {"--pmi", "all"});
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(says("⌀12.00"), 1);
+  EXPECT_EQ(says("⌀0.4"), 1);
+  EXPECT_EQ(says("⌀0.15"), 1);
+  EXPECT_EQ(says("M"), 1);
+  EXPECT_EQ(says("T"), 2);
+  EXPECT_EQ(row("#1125")["view"].text, "front");
+}
+
+TEST_F(Pmi, ASheetWithoutRoomLosesNothingInSilence) {
+  std::string text;
+  for (int i = 0; i < 12; ++i)
+    text += step_aspect(1100 + 10 * i, left_face + i % 6) +
+            step_length(1102 + 10 * i, "0.0" + std::to_string(21 + i), "") + "#" + std::to_string(1103 + 10 * i) + "=" +
+            (i < 6 ? "FLATNESS" : "STRAIGHTNESS") + "_TOLERANCE('','',#" + std::to_string(1102 + 10 * i) + ",#" +
+            std::to_string(1100 + 10 * i) + ");\n";
+  const Outcome drawn = draw_box(text, {"--pmi", "all", "--sheet", "150x110", "--scale", "1:1"});
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 1) << drawn.err;
+  int shown = 0, told = 0;
+  for (const Json& one : ledger().items) {
+    const bool is_shown = one["view"].type != 'n';
+    shown += is_shown ? says(one["what"].text.substr(one["what"].text.find("0.0"), 5)) : 0;
+    told += !is_shown && contains(drawn.err, one["id"].text + " " + one["what"].text) ? 1 : 0;
+  }
+  EXPECT_GT(told, 0);
+  EXPECT_EQ(shown + told, 12) << drawn.err;
+}
+
 TEST_F(Pmi, AFaceThatNoViewShowsIsAReason) {
   folder_.file("part.step", step_box({40, 30, 20}, height));
   const Outcome drawn =
