@@ -85,3 +85,78 @@ extent() {  # FILE
   awk '{ sub(/^v /, "") } NF == 3 && /^[-0-9]/ { for (i = 1; i <= 3; ++i) { if (!n || $i < low[i]) low[i] = $i; if (!n || $i > high[i]) high[i] = $i }; n = 1 }
        END { printf "%g..%g %g..%g %g..%g\n", low[1], high[1], low[2], high[2], low[3], high[3] }' "$1"
 }
+
+# Compiles against Debian's Open CASCADE below "$work/root": occt_program SOURCE LIBRARY...
+occt_program() {
+  local source=$1
+  shift
+  c++ -std=c++17 -w -I root/usr/include/opencascade "$source" -L root/usr/lib/x86_64-linux-gnu "${@/#/-l}" -o "${source%.cpp}"
+}
+
+# A STEP file of AP242: a box of 40 x 30 x 20 mm in the unit MM or INCH, and what the statements on standard input say of it. They find
+# the unit of length as #346, the context of sizes as #345, the shape of the product as #4, the box as #10 and its faces as #331 (top) and #338 (bottom).
+step_with_pmi() {  # FILE UNIT
+  cat >box.cpp <<'CPP'
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Writer.hxx>
+
+int main(int, char** words) {
+  STEPControl_Writer writer;
+  Interface_Static::SetCVal("write.step.unit", words[2]);
+  Interface_Static::SetIVal("write.step.schema", 5);
+  writer.Transfer(BRepPrimAPI_MakeBox(40, 30, 20).Shape(), STEPControl_AsIs);
+  return writer.Write(words[1]) != IFSelect_RetDone;
+}
+CPP
+  [ -x box ] || occt_program box.cpp TKSTEP TKXSBase TKPrim TKTopAlgo TKBRep TKMath TKernel
+  ./box box.step "$2" >/dev/null
+  { sed '$d' box.step | sed '$d'; cat; printf 'ENDSEC;\nEND-ISO-10303-21;\n'; } >"$1"
+}
+
+# Says of each dimension and tolerance of a STEP file what Open CASCADE's document (XCAF) has of it.
+read_pmi() {  # FILE
+  cat >pmi.cpp <<'CPP'
+#include <STEPCAFControl_Reader.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDocStd_Document.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDimTolObjects_DimensionObject.hxx>
+#include <XCAFDimTolObjects_GeomToleranceObject.hxx>
+#include <XCAFDoc_DimTolTool.hxx>
+#include <XCAFDoc_Dimension.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_GeomTolerance.hxx>
+#include <cstdio>
+
+int main(int, char** words) {
+  Handle(TDocStd_Document) document;
+  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+  STEPCAFControl_Reader reader;
+  reader.SetGDTMode(true);
+  if (reader.ReadFile(words[1]) != IFSelect_RetDone || !reader.Transfer(document)) return 1;
+  const Handle(XCAFDoc_DimTolTool) tool = XCAFDoc_DocumentTool::DimTolTool(document->Main());
+  TDF_LabelSequence dimensions, tolerances;
+  tool->GetDimensionLabels(dimensions);
+  for (const TDF_Label& label : dimensions) {
+    Handle(XCAFDoc_Dimension) found;
+    label.FindAttribute(XCAFDoc_Dimension::GetID(), found);
+    const Handle(XCAFDimTolObjects_DimensionObject) it = found->GetObject();
+    int before = 0, after = 0;
+    it->GetNbOfDecimalPlaces(before, after);
+    std::printf("%s: %.4f", it->GetSemanticName()->ToCString(), it->GetValue());
+    if (it->IsDimWithPlusMinusTolerance()) std::printf(", upper %.4f, lower %.4f", it->GetUpperTolValue(), it->GetLowerTolValue());
+    if (it->IsDimWithRange()) std::printf(", between %.4f and %.4f", it->GetLowerBound(), it->GetUpperBound());
+    std::printf(", %d decimals\n", after);
+  }
+  tool->GetGeomToleranceLabels(tolerances);
+  for (const TDF_Label& label : tolerances) {
+    Handle(XCAFDoc_GeomTolerance) found;
+    label.FindAttribute(XCAFDoc_GeomTolerance::GetID(), found);
+    std::printf("%s: %.4f\n", found->GetObject()->GetSemanticName()->ToCString(), found->GetObject()->GetValue());
+  }
+}
+CPP
+  [ -x pmi ] || occt_program pmi.cpp TKXDESTEP TKXCAF TKSTEP TKXSBase TKLCAF TKCAF TKCDF TKBRep TKMath TKernel
+  ./pmi "$1" | grep -a ': [0-9]'
+}
