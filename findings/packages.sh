@@ -160,3 +160,76 @@ CPP
   [ -x pmi ] || occt_program pmi.cpp TKXDESTEP TKXCAF TKSTEP TKXSBase TKLCAF TKCAF TKCDF TKBRep TKMath TKernel
   ./pmi "$1" | grep -a ': [0-9]'
 }
+
+# Writes a glTF file of a box of 10 mm and the nodes, which are numbered from 0 and of which the scene has the first: gltf FILE NODE...
+gltf() {
+  python3 - "$@" <<'PY'
+import base64, json, struct, sys
+corners = [[(i >> axis & 1) / 100 for axis in range(3)] for i in range(8)]
+facets = [0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5]
+data = struct.pack("<24f36H", *sum(corners, []), *facets)
+nodes = [json.loads(node) for node in sys.argv[2:]]
+children = {child for node in nodes for child in node.get("children", [])}
+json.dump({
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [i for i in range(len(nodes)) if i not in children]}], "nodes": nodes,
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3", "min": [0, 0, 0], "max": [0.01, 0.01, 0.01]},
+                  {"bufferView": 1, "componentType": 5123, "count": 36, "type": "SCALAR"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 96}, {"buffer": 0, "byteOffset": 96, "byteLength": 72}],
+    "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
+}, open(sys.argv[1], "w"))
+PY
+}
+
+# Says of each part of a glTF file what Open CASCADE's document has of it: its box in millimetres, and its volume.
+read_gltf() {  # FILE
+  cat >parts.cpp <<'CPP'
+#include <BRep_Tool.hxx>
+#include <RWGltf_CafReader.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <algorithm>
+#include <cstdio>
+
+int main(int, char** words) {
+  Handle(TDocStd_Document) document;
+  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+  RWGltf_CafReader reader;
+  reader.SetSystemLengthUnit(0.001);
+  reader.SetFileCoordinateSystem(RWMesh_CoordinateSystem_Zup);
+  reader.SetSystemCoordinateSystem(RWMesh_CoordinateSystem_Zup);
+  reader.SetDocument(document);
+  if (!reader.Perform(words[1], Message_ProgressRange())) return 1;
+  TDF_LabelSequence labels;
+  XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(labels);
+  for (const TDF_Label& label : labels)
+    for (TopExp_Explorer at(XCAFDoc_ShapeTool::GetShape(label), TopAbs_FACE); at.More(); at.Next()) {
+      TopLoc_Location place;
+      const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(TopoDS::Face(at.Current()), place);
+      double low[3] = {1e9, 1e9, 1e9}, high[3] = {-1e9, -1e9, -1e9}, volume = 0;
+      for (int i = 1; i <= mesh->NbTriangles(); ++i) {
+        gp_XYZ corners[3];
+        for (int k = 0; k < 3; ++k) corners[k] = mesh->Node(mesh->Triangle(i).Value(k + 1)).Transformed(place.Transformation()).XYZ();
+        volume += corners[0].Dot(corners[1].Crossed(corners[2])) / 6;
+        for (const gp_XYZ& corner : corners)
+          for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], corner.Coord(axis + 1));
+            high[axis] = std::max(high[axis], corner.Coord(axis + 1));
+          }
+      }
+      if (at.Current().Orientation() == TopAbs_REVERSED) volume = -volume;
+      std::printf("part from");
+      for (double value : low) std::printf(" %.1f", value + 0.0);
+      std::printf(" to");
+      for (double value : high) std::printf(" %.1f", value + 0.0);
+      std::printf(", %.0f mm3\n", volume);
+    }
+}
+CPP
+  [ -x parts ] || occt_program parts.cpp TKRWMesh TKXCAF TKLCAF TKCAF TKCDF TKBRep TKTopAlgo TKMath TKernel
+  ./parts "$1" | grep -a ' mm3'
+}
