@@ -83,7 +83,7 @@ TEST_F(Callouts, AreLeftOutWhereThereIsNoPlace) {
   around.paper = box;
   around.boxes = {sheet::turned_box(box)};
   const std::vector<sheet::Callout> notes{note("NOTE", {140, 100})};
-  EXPECT_EQ(sheet::place_callouts(layers, notes, view, style, around).without_place, std::vector<std::string>{"NOTE"});
+  EXPECT_EQ(sheet::place_callouts(layers, notes, view, style, around).without_place, std::vector<std::size_t>{0});
   EXPECT_TRUE(layer.texts.empty());
   EXPECT_TRUE(layer.strokes.empty());
 }
