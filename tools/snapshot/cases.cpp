@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <system_error>
 
 #include "app/run_epura.hpp"
 #include "base/error.hpp"
@@ -88,7 +89,8 @@ std::vector<SnapshotCase> find_cases(const std::vector<std::string>& folders) {
   std::vector<SnapshotCase> cases;
   for (const std::string& name : folders) {
     const fs::path folder = fs::path(name).lexically_normal();
-    if (!fs::is_directory(folder)) throw Error(ErrorKind::input, name, "is not a folder");
+    std::error_code unreadable;  // such as a name that is too long
+    if (!fs::is_directory(folder, unreadable)) throw Error(ErrorKind::input, name, "is not a folder");
     const fs::path root = fs::canonical(folder);
     const std::size_t before = cases.size();
     const bool ends_in_slash = folder.filename().empty();

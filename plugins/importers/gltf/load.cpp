@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -169,7 +170,9 @@ class Companions {
     const fs::path path(uri);
     const bool leaves = path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
     // A symbolic link may lead outside, too.
-    const fs::path whole = fs::weakly_canonical(folder_ / path);
+    std::error_code unreadable;
+    const fs::path whole = fs::weakly_canonical(folder_ / path, unreadable);
+    refuse_if(static_cast<bool>(unreadable), "cannot be opened: " + unreadable.message());
     const bool is_inside =
         std::mismatch(folder_.begin(), folder_.end(), whole.begin(), whole.end()).first == folder_.end();
     refuse_if(!may_leave_ && (leaves || !is_inside), "lies outside its folder");

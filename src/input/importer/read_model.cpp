@@ -11,6 +11,7 @@
 #include <new>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -303,7 +304,8 @@ ReadModel read_model(const fs::path& path, const foreign::Assignments& parameter
   try {
     return rounded(mesh::read_mesh(path, progress, others), subdivision, progress);
   } catch (const Error& error) {
-    if (error.kind() != ErrorKind::input || !fs::is_regular_file(path)) throw;
+    std::error_code unreadable;  // such as a name that is too long
+    if (error.kind() != ErrorKind::input || !fs::is_regular_file(path, unreadable)) throw;
     if (std::optional<ReadModel> model = read_misnamed(source, options, progress)) return *std::move(model);
     throw;
   }

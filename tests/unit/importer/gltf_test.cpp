@@ -201,6 +201,9 @@ TEST(Gltf, BuffersBesideTheFileAreRead) {
   EXPECT_EQ(volume_of(read_by_importer(folder.file("m.gltf", file.json(true))).mesh), 1);
   file.uri = "missing.bin";
   EXPECT_EQ(refusal_of(folder.file("m.gltf", file.json(true))), "refers to 'missing.bin', which is not there");
+  file.uri = std::string(300, 'a');
+  EXPECT_TRUE(
+      refusal_of(folder.file("m.gltf", file.json(true))).ends_with("which cannot be opened: File name too long"));
 }
 
 TEST(Gltf, NothingOutsideTheFolderIsOpened) {

@@ -220,6 +220,8 @@ TEST(ImporterProcess, WrongFilesAndParametersAreToldWithTheirPlace) {
   EXPECT_EQ(told([&] { read_by("good", file, {{"colour", "3"}}); }), "plain:colour: no such parameter");
   EXPECT_EQ(told([&] { read_by("good", folder.file("e.dat", "")); }), (folder / "e.dat").string() + ": is empty");
   EXPECT_TRUE(contains(told([&] { read_by("good", folder / "none.plain"); }), "none.plain: cannot read"));
+  EXPECT_TRUE(
+      contains(told([&] { read_by("good", folder / (std::string(300, 'a') + ".obj")); }), "a.obj: cannot read"));
   if (!std::filesystem::exists(EPURA_TEST_IMPORTERS "/opencascade.so")) {
     EXPECT_EQ(told([&] { read_by("good", folder.file("a.step", "x"), {}); }),
               (folder / "a.step").string() + ": no importer for '.step' is installed");

@@ -248,6 +248,7 @@ TEST(SnapshotCommand, RefusesFoldersWithoutCases) {
   };
   EXPECT_TRUE(contains(refusal("cases/models"), "contains no case"));
   EXPECT_TRUE(contains(refusal("missing"), "is not a folder"));
+  EXPECT_TRUE(contains(refusal(std::string(300, 'a')), "is not a folder"));
   EXPECT_EQ(epura({"snapshot", "cases/cube-isometric"}, suite.folder / "").code, 0);
 }
 
