@@ -39,16 +39,6 @@ Ledger ledger_of(const std::string& model, const RequirementsOptions& options) {
           importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path}).requirements};
 }
 
-std::vector<std::string> listed(std::string_view text, std::string_view separator) {
-  std::vector<std::string> items;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(separator), text.size());
-    items.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + separator.size(), text.size()));
-  }
-  return items;
-}
-
 std::string faces_text(const std::vector<int>& faces) {
   std::string text;
   for (const int face : faces) text += (text.empty() ? "" : " ") + std::to_string(face);
@@ -111,7 +101,7 @@ struct JsonValue {
   std::string operator()(double number) const { return json_number(number); }
   std::string operator()(bool is_so) const { return is_so ? "true" : "false"; }
   std::string operator()(const TextList& list) const {
-    return json_list(listed(list.text, list.separator), json_string);
+    return json_list(pipeline::items_of(list.text, list.separator), json_string);
   }
   std::string operator()(const std::vector<int>& numbers) const {
     return json_list(numbers, [](int number) { return std::to_string(number); });

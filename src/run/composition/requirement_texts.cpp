@@ -80,16 +80,6 @@ bool is_plain(std::string_view word) {
 
 std::string no_sign_for(std::string_view word) { return "there is no sign for '" + std::string(word) + "'"; }
 
-std::vector<std::string> items_of(std::string_view text, std::string_view separator) {
-  std::vector<std::string> items;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(separator), text.size());
-    items.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + separator.size(), text.size()));
-  }
-  return items;
-}
-
 bool is_in(const ModelRequirement& one, Unit unit) {
   return one.is_angle != 0 || written_unit(one) == scene::millimetres(unit);
 }

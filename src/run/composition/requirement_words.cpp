@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "scene/choices.hpp"
 
 namespace epura::pipeline {
 
@@ -17,14 +18,15 @@ using importer::ModelRequirement;
 using importer::RequirementBounds;
 using importer::RequirementKind;
 
-constexpr double inch = 25.4;
 constexpr int max_digits = 9;  // beyond them, values differ from what the file writes only by their conversion
 
+bool is_in_inches(const ModelRequirement& one) { return one.unit == scene::millimetres(Unit::in); }
+
 bool has_own_unit(const ModelRequirement& one) {
-  return one.is_angle ? one.unit == 1 : one.unit == 1 || one.unit == inch;
+  return one.is_angle ? one.unit == 1 : one.unit == 1 || is_in_inches(one);
 }
 
-std::string unit_of(const ModelRequirement& one) { return one.is_angle ? "°" : one.unit == inch ? " in" : " mm"; }
+std::string unit_of(const ModelRequirement& one) { return one.is_angle ? "°" : is_in_inches(one) ? " in" : " mm"; }
 
 std::string number_of(const ModelRequirement& one, double value) {
   return format_rounded(value / written_unit(one), max_digits);
@@ -56,6 +58,16 @@ int needed_decimals(double written) {
   const std::size_t point = text.find('.');
   return point == std::string::npos || text.find('e') != std::string::npos ? 0
                                                                            : static_cast<int>(text.size() - point - 1);
+}
+
+std::vector<std::string> items_of(std::string_view text, std::string_view separator) {
+  std::vector<std::string> items;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(separator), text.size());
+    items.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + separator.size(), text.size()));
+  }
+  return items;
 }
 
 std::string requirement_sentence(const ModelRequirement& one) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,9 @@ double written_unit(const importer::ModelRequirement& requirement);
 
 /// How many decimals a number needs to be what the file states.
 int needed_decimals(double written);
+
+/// The items of a list that is one text, such as the modifiers and datums of a requirement; none of an empty one.
+std::vector<std::string> items_of(std::string_view text, std::string_view separator);
 
 /// "diameter 35 -0.2/+0 mm", "position 0.75 mm to A | B | C", in the unit and with the decimals of the file.
 std::string requirement_sentence(const importer::ModelRequirement& requirement);
