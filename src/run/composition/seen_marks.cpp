@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "surfaces/limits.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::pipeline {
@@ -13,8 +14,6 @@ namespace {
 
 // In sizes of the models: depths of facets that meet differ by less, and beside a line, its faces begin.
 constexpr double depth_slack = 1e-3, beside_line = 2e-4;
-
-constexpr double edge_on = 1e-3;  // sine of the angle between a face and the direction of view
 
 // The edges of some triangles that belong to one of them only.
 std::vector<std::array<int, 2>> borders_of(const world::World& world, const std::vector<std::size_t>& triangles) {
@@ -34,11 +33,22 @@ std::vector<std::array<int, 2>> borders_of(const world::World& world, const std:
 bool is_seen_edge_on(const surfaces::PartFace& face, const Vec3& n) {
   using surfaces::SurfaceKind;
   const double along = std::abs(glm::dot(face.surface.axis, n));
-  if (face.surface.kind == SurfaceKind::plane) return along <= edge_on;
-  return face.surface.kind == SurfaceKind::cylinder && along >= 1 - edge_on * edge_on;
+  if (face.surface.kind == SurfaceKind::plane) return along <= max_tilt;
+  return face.surface.kind == SurfaceKind::cylinder && along >= 1 - max_tilt * max_tilt;
 }
 
 }  // namespace
+
+TrianglesByFace triangles_by_face(const world::World& world, std::size_t model) {
+  const world::Placed& placed = world.models[model];
+  if (placed.part == nullptr) return {};
+  TrianglesByFace triangles(placed.part->faces.size());
+  const std::vector<int> faces = world::faces_of_triangles(placed);
+  const auto first = static_cast<std::size_t>(world.first_triangle[model]);
+  for (std::size_t t = 0; t < faces.size(); ++t)
+    if (faces[t] >= 0) triangles[static_cast<std::size_t>(faces[t])].push_back(first + t);
+  return triangles;
+}
 
 FaceView::FaceView(std::string name, projection::Projection projection, const world::World& world)
     : name_(std::move(name)),
@@ -51,8 +61,8 @@ FaceView::FaceView(std::string name, projection::Projection projection, const wo
     const auto [low, high] = std::minmax({page[0].y, page[1].y, page[2].y});
     return search::Bounds<2>{{{left, right}, {low, high}}};
   });
-  for (const world::Placed& placed : world_.models)
-    face_of_triangle_.push_back(placed.part == nullptr ? std::vector<int>() : world::faces_of_triangles(placed));
+  for (std::size_t model = 0; model < world_.models.size(); ++model)
+    triangles_.push_back(triangles_by_face(world_, model));
 }
 
 FaceView::Corners FaceView::corners_of(std::size_t triangle) const {
@@ -93,17 +103,6 @@ double FaceView::clarity_of_edge(const Vec3& page, const Vec2& across) const {
   return clarity;
 }
 
-std::vector<std::size_t> FaceView::triangles_of(const FaceName& name) const {
-  std::vector<std::size_t> triangles;
-  const auto model = static_cast<std::size_t>(name.model);
-  if (model >= face_of_triangle_.size()) return triangles;
-  const std::vector<int>& faces = face_of_triangle_[model];
-  const auto first = static_cast<std::size_t>(world_.first_triangle[model]);
-  for (std::size_t t = 0; t < faces.size(); ++t)
-    if (faces[t] == name.face) triangles.push_back(first + t);
-  return triangles;
-}
-
 void FaceView::add_line(std::vector<SeenMark>& marks, const Vec3& from, const Vec3& to) const {
   const Vec3 a = on_page(from), b = on_page(to);
   const Vec2 along = Vec2(b) - Vec2(a);
@@ -118,10 +117,9 @@ void FaceView::add_line(std::vector<SeenMark>& marks, const Vec3& from, const Ve
 
 // The outlines of a full cylinder that is seen from the side.
 void FaceView::add_outlines(std::vector<SeenMark>& marks, const surfaces::PartFace& face) const {
-  constexpr double full_turn = 359.9;  // degrees
   const surfaces::PartSurface& surface = face.surface;
-  if (surface.kind != surfaces::SurfaceKind::cylinder || face.inwards || face.sweep < full_turn) return;
-  if (std::abs(glm::dot(surface.axis, projection_.n)) > edge_on) return;
+  if (surface.kind != surfaces::SurfaceKind::cylinder || face.inwards || face.sweep < surfaces::whole_turn) return;
+  if (std::abs(glm::dot(surface.axis, projection_.n)) > max_tilt) return;
   const Vec3 out = surface.radius * glm::normalize(glm::cross(surface.axis, projection_.n));
   for (const Vec3& side : {out, -out})
     add_line(marks, surface.origin + face.from * surface.axis + side, surface.origin + face.to * surface.axis + side);
@@ -138,7 +136,9 @@ void FaceView::add_areas(std::vector<SeenMark>& marks, const std::vector<std::si
 
 std::vector<SeenMark> FaceView::marks_on(const FaceName& name, const surfaces::PartFace& face) const {
   std::vector<SeenMark> marks;
-  const std::vector<std::size_t> triangles = triangles_of(name);
+  const auto model = static_cast<std::size_t>(name.model), number = static_cast<std::size_t>(name.face);
+  if (model >= triangles_.size() || number >= triangles_[model].size()) return marks;
+  const std::vector<std::size_t>& triangles = triangles_[model][number];
   if (triangles.empty()) return marks;
   if (is_seen_edge_on(face, projection_.n)) {
     for (const auto& [from, to] : borders_of(world_, triangles))

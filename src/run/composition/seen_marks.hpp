@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,6 +16,13 @@
 #include "world/world.hpp"
 
 namespace epura::pipeline {
+
+/// Sine of the tilt up to which faces are seen edge-on and lengths are true: it shortens by half a millionth.
+inline constexpr double max_tilt = 1e-3;
+
+/// Numbers of the triangles of the world on each face of a model; none without recognised faces.
+using TrianglesByFace = std::vector<std::vector<std::size_t>>;
+TrianglesByFace triangles_by_face(const world::World& world, std::size_t model);
 
 /// A face of a model, by their numbers.
 struct FaceName {
@@ -56,7 +64,6 @@ class FaceView {
   [[nodiscard]] std::optional<double> depth_at(const Vec2& place) const;
   [[nodiscard]] bool is_nearest(const Vec3& page) const;
   [[nodiscard]] double clarity_of_edge(const Vec3& page, const Vec2& across) const;
-  [[nodiscard]] std::vector<std::size_t> triangles_of(const FaceName& name) const;
   void add_line(std::vector<SeenMark>& marks, const Vec3& from, const Vec3& to) const;
   void add_outlines(std::vector<SeenMark>& marks, const surfaces::PartFace& face) const;
   void add_areas(std::vector<SeenMark>& marks, const std::vector<std::size_t>& triangles) const;
@@ -65,8 +72,8 @@ class FaceView {
   projection::Projection projection_;
   const world::World& world_;
   search::BoundsTree<2> tree_;
-  double slack_;                                    ///< by which depths of one place may differ
-  std::vector<std::vector<int>> face_of_triangle_;  ///< by model
+  double slack_;                            ///< by which depths of one place may differ
+  std::vector<TrianglesByFace> triangles_;  ///< by model
 };
 
 }  // namespace epura::pipeline

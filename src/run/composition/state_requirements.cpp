@@ -14,6 +14,7 @@
 #include "features/tolerances.hpp"
 #include "scene/body_styles.hpp"
 #include "scene/choices.hpp"
+#include "sheet/dimensions/coordinates.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 
 namespace epura::pipeline {
@@ -26,15 +27,9 @@ using importer::RequirementKind;
 constexpr const char* of_size = "it means the middle of its faces, whose dimension is not drawn";
 
 bool shows_an_axis(const projection::Projection& seen) {
-  constexpr double in_plane = 1e-3;
   for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(seen.n[axis]) <= in_plane) return true;
+    if (std::abs(seen.n[axis]) <= max_tilt) return true;
   return false;
-}
-
-bool is_orthographic(const projection::Projection& seen) {
-  return !seen.central &&
-         glm::length(glm::cross(seen.projector, seen.n)) <= features::parallel * glm::length(seen.projector);
 }
 
 // Views in which dimensions are true and everything is in its place; sections last, as for automatic dimensions.
@@ -46,7 +41,7 @@ std::vector<FaceView> views_for_requirements(const SheetToState& sheet) {
       const ViewOptions& options = sheet.views.plans[i].options;
       const projection::Projection& seen = sheet.seen[i].projection;
       const bool is_moved = view.detail.given() || options.exploded || options.turned || options.breaks.any();
-      if (view.section.given() != is_section || is_moved || !is_orthographic(seen) || !shows_an_axis(seen)) continue;
+      if (view.section.given() != is_section || is_moved || !sheet::is_plain(seen) || !shows_an_axis(seen)) continue;
       views.emplace_back(*view.name, seen, sheet.worlds.seen_in(view));
     }
   return views;
@@ -296,7 +291,8 @@ void state_requirements(scene::SceneDescription& scene, std::vector<FileRequirem
     const world::Placed& placed = world.models[static_cast<std::size_t>(file.model)];
     const auto part = file.part != nullptr && placed.part == file.part ? world::place_part(placed) : std::nullopt;
     if (part) {
-      const RequirementSubject subject{world, file.model, *part, views, unit};
+      const TrianglesByFace triangles = triangles_by_face(world, static_cast<std::size_t>(file.model));
+      const RequirementSubject subject{world, file.model, *part, triangles, views, unit};
       Statement(scene, file, subject, sheet.views.sheet + 1).add_all();
       continue;
     }

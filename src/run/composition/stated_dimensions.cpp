@@ -15,6 +15,7 @@
 #include "composition/requirement_words.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
+#include "surfaces/limits.hpp"
 
 namespace epura::pipeline {
 
@@ -25,9 +26,6 @@ using importer::RequirementBounds;
 using surfaces::PartFace;
 using surfaces::SurfaceKind;
 
-constexpr double full_turn = 359.9;  // degrees
-constexpr double perpendicular = 1e-3;
-
 bool has_word(const std::string& text, std::string_view word) { return text.find(word) != std::string::npos; }
 
 const PartFace& face_of(const RequirementSubject& subject, int face) {
@@ -35,12 +33,16 @@ const PartFace& face_of(const RequirementSubject& subject, int face) {
 }
 
 std::vector<Vec3> points_of(const RequirementSubject& subject, const std::vector<int>& faces) {
+  std::vector<std::size_t> triangles;
+  for (const int face : faces) {
+    const std::vector<std::size_t>& more = subject.triangles[static_cast<std::size_t>(face)];
+    triangles.insert(triangles.end(), more.begin(), more.end());
+  }
+  std::sort(triangles.begin(), triangles.end());
   std::vector<Vec3> points;
-  const auto first = static_cast<std::size_t>(subject.world.first_triangle[static_cast<std::size_t>(subject.model)]);
-  for (std::size_t t = 0; t < subject.part.face_of_triangle.size(); ++t)
-    if (std::find(faces.begin(), faces.end(), subject.part.face_of_triangle[t]) != faces.end())
-      for (const int vertex : subject.world.triangles[first + t])
-        points.push_back(subject.world.points[static_cast<std::size_t>(vertex)]);
+  for (const std::size_t t : triangles)
+    for (const int vertex : subject.world.triangles[t])
+      points.push_back(subject.world.points[static_cast<std::size_t>(vertex)]);
   return points;
 }
 
@@ -94,7 +96,7 @@ StatedDimension written(scene::DimensionDescription dimension, const ModelRequir
 // In order along a face that is less than a full turn; empty for others.
 std::vector<Vec3> arc_of(const PartFace& face, const std::vector<Vec3>& points, double along) {
   constexpr int steps = 16;
-  if (face.sweep >= full_turn || points.empty()) return {};
+  if (face.sweep >= surfaces::whole_turn || points.empty()) return {};
   const Vec3& axis = face.surface.axis;
   const Vec3 centre = face.surface.origin + along * axis;
   const Vec3 off = points.front() - centre, u = glm::normalize(off - glm::dot(off, axis) * axis);
@@ -135,9 +137,9 @@ CircleView view_of_circle(const std::vector<std::vector<int>>& places, const Req
       const PartFace& face = face_of(subject, places[i].front());
       const bool is_ball = face.surface.kind == SurfaceKind::sphere;
       const double along = std::abs(glm::dot(face.surface.axis, view.projection().n));
-      const bool across = !is_ball && along <= perpendicular;
-      if (!is_ball && !across && along < 1 - perpendicular * perpendicular) continue;
-      if (across && (is_radius || face.sweep < full_turn)) continue;
+      const bool across = !is_ball && along <= max_tilt;
+      if (!is_ball && !across && along < 1 - max_tilt * max_tilt) continue;
+      if (across && (is_radius || face.sweep < surfaces::whole_turn)) continue;
       const int seen = rank_of(marks_in(view, subject, places[i]));
       const int rank = seen == 0 ? 0 : 2 * seen + (across == !face.inwards ? 3 : 0);
       if (rank <= most) continue;
@@ -261,7 +263,7 @@ StatedDimension state_length(scene::DimensionDescription dimension, const ModelR
   const FaceView* view = nullptr;
   int most = 0;
   for (const FaceView& candidate : subject.views) {
-    if (std::abs(glm::dot(direction, candidate.projection().n)) > perpendicular) continue;
+    if (std::abs(glm::dot(direction, candidate.projection().n)) > max_tilt) continue;
     const int first = rank_of(marks_in(candidate, subject, places[0]));
     const int second = first == 0 ? 0 : rank_of(marks_in(candidate, subject, places[1]));
     if (second == 0 || first + second <= most) continue;
@@ -309,7 +311,7 @@ StatedDimension state_angle(scene::DimensionDescription dimension, const ModelRe
     legs[1] = -legs[1];
   }
   for (const FaceView& view : subject.views) {
-    if (std::abs(glm::dot(axis, view.projection().n)) < 1 - perpendicular * perpendicular) continue;
+    if (std::abs(glm::dot(axis, view.projection().n)) < 1 - max_tilt * max_tilt) continue;
     if (rank_of(marks_in(view, subject, places[0])) == 0 || rank_of(marks_in(view, subject, places[1])) == 0) continue;
     dimension.view = {view.name(), dimension.where};
     dimension.type = {DimensionType::angular, dimension.where};

@@ -18,6 +18,7 @@ struct RequirementSubject {
   const world::World& world;
   int model;
   const world::PlacedPart& part;
+  const TrianglesByFace& triangles;
   std::span<const FaceView> views;
   Unit unit;  ///< of dimensions on the sheet
 };
