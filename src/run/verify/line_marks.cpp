@@ -33,7 +33,9 @@ LineMarks::LineMarks(const ScanScene& scene, const FoldRule& rule, const ScanLin
       limits_(limits),
       slice_(cut(scene, line, met.triangles)),
       wires_(rule.options().wire ? cut_wires(scene, line, met.wires) : std::vector<WireCrossing>()),
-      seen_(upper_envelope(slice_)) {}
+      seen_(upper_envelope(slice_)) {
+  find_cuts_edge_on();
+}
 
 // The changes between `from` and `to`.
 std::vector<LineMarks::Change> LineMarks::changes(double from, double to) const {
@@ -299,15 +301,19 @@ void LineMarks::note_crossings(double from, double to, Around& around) const {
     }
 }
 
-// Whether a face that is a line on the page is seen where a depth limit cuts it.
-bool LineMarks::is_cut_edge_on(double from, double to) const {
-  return std::ranges::any_of(slice_.pieces, [&](const SlicePiece& piece) {
-    if (piece.width() > edge_on * limits_.quantum || piece.u[0] > to || piece.u[1] < from) return false;
+// Finds where faces that are lines on the page are seen where a depth limit cuts them.
+void LineMarks::find_cuts_edge_on() {
+  for (const SlicePiece& piece : slice_.pieces) {
+    if (piece.width() > edge_on * limits_.quantum) continue;
     const auto is_seen_cut = [&](int end) {
       return piece.crossing[end] == cut_there && is_seen(piece.u[end], piece.depth[end]);
     };
-    return is_seen_cut(0) || is_seen_cut(1);
-  });
+    if (is_seen_cut(0) || is_seen_cut(1)) cuts_edge_on_.push_back(piece.u);
+  }
+}
+
+bool LineMarks::is_cut_edge_on(double from, double to) const {
+  return std::ranges::any_of(cuts_edge_on_, [&](const auto& u) { return u[0] <= to && u[1] >= from; });
 }
 
 Around LineMarks::around(double u, double reach) const {

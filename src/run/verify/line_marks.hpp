@@ -111,6 +111,7 @@ class LineMarks {
   [[nodiscard]] bool is_seen(double u, double depth) const;
   [[nodiscard]] bool is_surely_seen(const WireCrossing& crossing) const;
   [[nodiscard]] bool faces_meet(double u, double reach) const;
+  void find_cuts_edge_on();
   [[nodiscard]] bool is_cut_edge_on(double from, double to) const;
   [[nodiscard]] bool is_vague(const Change& change) const;
   [[nodiscard]] int triangle_of(int piece) const { return piece < 0 ? -1 : slice_.pieces[piece].triangle; }
@@ -125,6 +126,7 @@ class LineMarks {
   Slice slice_;
   std::vector<WireCrossing> wires_;  ///< that may be drawn
   std::vector<SeenPart> seen_;
+  std::vector<std::array<double, 2>> cuts_edge_on_{};  ///< their ends along the line
 };
 
 }  // namespace epura::verify
