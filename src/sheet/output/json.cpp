@@ -361,8 +361,8 @@ std::string requirement_of(const report::RequirementRow& row) {
   return "{\"model\": " + json_string(row.model) + ", \"id\": " + json_string(row.id) +
          ", \"kind\": " + json_string(row.kind) + ", \"what\": " + json_string(row.what) +
          ", \"wanted\": " + (row.wanted ? "true" : "false") + ", \"view\": " + or_null(row.view) +
-         ", \"sheet\": " + (row.sheet > 0 ? std::to_string(row.sheet) : "null") + ", \"zone\": " + or_null(row.zone) +
-         ", \"reason\": " + or_null(row.why) + "}";
+         ", \"sheet\": " + (row.sheet > 0 ? std::to_string(row.sheet) : "null") + ", \"reason\": " + or_null(row.why) +
+         "}";
 }
 
 std::string report_of(const report::Report& report) {

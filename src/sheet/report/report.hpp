@@ -93,7 +93,6 @@ struct RequirementRow {
   std::string what;    ///< in words
   std::string view{};  ///< that shows it; empty: none does
   int sheet = 0;       ///< from 1; 0: none
-  std::string zone{};  ///< of the sheet, "B4"; empty without a frame with zones
   std::string why{};   ///< it is not drawn, or not all of it
   bool wanted = true;  ///< the sheets are to show it
 
