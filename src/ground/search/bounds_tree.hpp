@@ -14,6 +14,14 @@ namespace epura::search {
 template <std::size_t measures>
 using Bounds = std::array<std::array<double, 2>, measures>;
 
+/// Whether both have a value of each measure in common.
+template <std::size_t measures>
+bool meet(const Bounds<measures>& a, const Bounds<measures>& b) {
+  for (std::size_t i = 0; i < measures; ++i)
+    if (a[i][0] > b[i][1] || a[i][1] < b[i][0]) return false;
+  return true;
+}
+
 /// Halves the items repeatedly in their given order, which is therefore the order of visiting.
 template <std::size_t measures>
 class BoundsTree {
@@ -32,7 +40,7 @@ class BoundsTree {
   /// returns false. `visit` may narrow the wanted bounds.
   template <class Visit>
   void visit(const Bounds<measures>& wanted, Visit visit) const {
-    visit_where([&](const Bounds<measures>& bounds) { return meet(bounds, wanted); }, visit);
+    visit_where([&](const Bounds<measures>& bounds) { return meet<measures>(bounds, wanted); }, visit);
   }
 
   /// The same for items with bounds for which `may_hold(bounds)` is true. It must also be true for all bounds that
@@ -44,12 +52,6 @@ class BoundsTree {
 
  private:
   static constexpr std::size_t leaf = 8;  // maximum number of items that are not divided
-
-  static bool meet(const Bounds<measures>& a, const Bounds<measures>& b) {
-    for (std::size_t i = 0; i < measures; ++i)
-      if (a[i][0] > b[i][1] || a[i][1] < b[i][0]) return false;
-    return true;
-  }
 
   // Nodes are in heap order.
   template <class BoundsOf>

@@ -5,33 +5,21 @@
 #include <map>
 #include <tuple>
 
-#include "base/parallel.hpp"
 
 namespace epura::explain {
 
 namespace {
 
-constexpr std::size_t grain = 4096;
-
 // Rounding moves vertices by less than a cell of the page grid.
 template <class Vertices>
-projection::Window box_of(const view::ProjectedScene& view, const Vertices& vertices) {
-  projection::Window box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
+TriangleBoxes::Box box_of(const view::ProjectedScene& view, const Vertices& vertices) {
+  Vec2 min(HUGE_VAL), max(-HUGE_VAL);
   for (const int v : vertices) {
     const Vec2 place(view.vertices[v].x, view.vertices[v].y);
-    box.min = glm::min(box.min, place - view.cell);
-    box.max = glm::max(box.max, place + view.cell);
+    min = glm::min(min, place - view.cell);
+    max = glm::max(max, place + view.cell);
   }
-  return box;
-}
-
-template <class Make>
-std::vector<projection::Window> boxes(std::size_t count, Make make) {
-  std::vector<projection::Window> made(count);
-  parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) made[i] = make(i);
-  });
-  return made;
+  return {{{min.x, max.x}, {min.y, max.y}}};
 }
 
 // Returns the distance of a triangle in front of a point, along the line of sight through it; 0 if that lies in its
@@ -48,20 +36,9 @@ double ahead_of(const ExplainInput& drawn_view, int triangle, const Vec3& point)
 
 }  // namespace
 
-TriangleBoxes::TriangleBoxes(const view::ProjectedScene& view) {
-  levels_.push_back(
-      boxes(view.triangles.size(), [&](std::size_t i) { return box_of(view, view.triangles[i].vertex); }));
-  while (levels_.back().size() > run) {
-    const std::vector<projection::Window>& below = levels_.back();
-    levels_.push_back(boxes((below.size() + run - 1) / run, [&](std::size_t i) {
-      projection::Window box = below[i * run];
-      for (std::size_t j = i * run; j < std::min((i + 1) * run, below.size()); ++j) {
-        box.min = glm::min(box.min, below[j].min);
-        box.max = glm::max(box.max, below[j].max);
-      }
-      return box;
-    }));
-  }
+TriangleBoxes::TriangleBoxes(const view::ProjectedScene& view) : boxes_(view.triangles.size()) {
+  for (std::size_t i = 0; i < boxes_.size(); ++i) boxes_[i] = box_of(view, view.triangles[i].vertex);
+  tree_ = search::BoundsTree<2>(boxes_.size(), [&](std::size_t i) { return boxes_[i]; });
 }
 
 std::vector<Occlusion> find_hiders(const ExplainInput& drawn_view, const TriangleBoxes& boxes, std::size_t e) {

@@ -74,10 +74,10 @@ TEST(TriangleBoxes, FindAllTrianglesThatMeetABoxAndNoOthers) {
   const double unit = view.map.normalisation;
   std::vector<int> met;
   const auto page = [&](double x) { return (x - 149.75) * unit; };
-  boxes.meeting({{page(99.6), -unit}, {page(101.1), unit}}, [&](int t) { met.push_back(view.triangles[t].source); });
+  boxes.meeting({{{page(99.6), page(101.1)}, {-unit, unit}}}, [&](int t) { met.push_back(view.triangles[t].source); });
   EXPECT_EQ(met, (std::vector<int>{200, 201, 202, 203}));
   met.clear();
-  boxes.meeting({{page(0), 2 * unit}, {page(300), 3 * unit}}, [&](int t) { met.push_back(t); });
+  boxes.meeting({{{page(0), page(300)}, {2 * unit, 3 * unit}}}, [&](int t) { met.push_back(t); });
   EXPECT_TRUE(met.empty());
 }
 
