@@ -32,8 +32,10 @@ class LinesAt {
 
   /// The numbers of all lines within the margin of a place, and of some others near it, ascending.
   [[nodiscard]] std::span<const int> operator()(const Vec2& place) const {
-    return by_cell_[static_cast<std::size_t>(grid_.cell(grid_.column(place.x), grid_.row(place.y)))];
+    return in_cell(grid_.cell(grid_.column(place.x), grid_.row(place.y)));
   }
+  [[nodiscard]] const CellGrid& grid() const { return grid_; }
+  [[nodiscard]] std::span<const int> in_cell(int cell) const { return by_cell_[static_cast<std::size_t>(cell)]; }
 
  private:
   static constexpr std::size_t grain = 1024;

@@ -34,6 +34,13 @@ void take_nearer(std::optional<Vec2>& nearest, const std::optional<Vec2>& place,
   if (place && (!nearest || glm::distance(*place, end) < glm::distance(*nearest, end))) nearest = place;
 }
 
+std::vector<search::LinesAt::Line> facets_of(const std::vector<DrawnLine>& all) {
+  std::vector<search::LinesAt::Line> lines;
+  lines.reserve(all.size());
+  for (const DrawnLine& line : all) lines.push_back(line.facets);
+  return lines;
+}
+
 }  // namespace
 
 std::vector<DrawnLine> drawn_lines(const std::vector<Chain>& chains, const std::vector<std::vector<Vec2>>& facets) {
@@ -66,7 +73,7 @@ DrawnLines::DrawnLines(std::vector<DrawnLine> all, double near, double touching)
     : all_(std::move(all)),
       near_(near),
       touching_(touching),
-      cells_(all_.size(), near, [&](std::size_t i) { return all_[i].facets; }) {}
+      at_(facets_of(all_), near) {}
 
 bool DrawnLines::is_at(const DrawnLine& one, const Vec2& place) const {
   return distance_to_segment(place, one.facets[0], one.facets[1]) <= near_;
@@ -74,13 +81,13 @@ bool DrawnLines::is_at(const DrawnLine& one, const Vec2& place) const {
 
 template <class Visit>
 void DrawnLines::visit_others_at(const Vec2& end, const DrawnLine& line, const Visit& visit) const {
-  for (const std::size_t i : cells_.at(end))
+  for (const int i : at_(end))
     if (!is_own(all_[i], line, end, near_) && is_at(all_[i], end)) visit(i);
 }
 
 bool DrawnLines::has_arc_through(const Vec2& place, const Vec2& end) const {
-  const auto here = cells_.at(end);
-  return std::any_of(here.begin(), here.end(), [&](std::size_t i) {
+  const std::span<const int> here = at_(end);
+  return std::any_of(here.begin(), here.end(), [&](int i) {
     return all_[i].is_arc && is_at(all_[i], end) && all_[i].drawn.distance(place) <= touching_;
   });
 }
@@ -88,7 +95,7 @@ bool DrawnLines::has_arc_through(const Vec2& place, const Vec2& end) const {
 std::optional<Vec2> DrawnLines::touch_of_contour(const CurvePart& arc, const std::array<Vec2, 2>& line) const {
   std::optional<Vec2> nearest;
   for (const Vec2& place : line)
-    for (const std::size_t i : cells_.at(place)) {
+    for (const int i : at_(place)) {
       const DrawnLine& one = all_[i];
       if (one.chain >= 0 || !is_at(one, place) || one.drawn.distance(line[0]) <= near_) continue;
       if (PageCurve(one.facets[0], one.facets[1]).distance(line[0]) <= near_)

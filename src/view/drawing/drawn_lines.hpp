@@ -9,7 +9,7 @@
 
 #include "drawing/drawing.hpp"
 #include "drawing/page_curve.hpp"
-#include "search/lines_by_cell.hpp"
+#include "search/lines_at.hpp"
 
 namespace epura::drawing {
 
@@ -57,7 +57,7 @@ class DrawnLines {
 
   std::vector<DrawnLine> all_;
   double near_, touching_;
-  search::LinesByCell cells_;
+  search::LinesAt at_;
 };
 
 }  // namespace epura::drawing

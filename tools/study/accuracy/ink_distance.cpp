@@ -2,12 +2,11 @@
 #include "study/accuracy/ink_distance.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "base/nearest.hpp"
-#include "search/lines_by_cell.hpp"
+#include "search/lines_at.hpp"
 
 namespace epura::study {
 
@@ -21,10 +20,7 @@ double distance_to(const InkLine& line, const Vec2& p) { return distance_to_segm
 /// Ink by cells of the paper.
 class InkGrid {
  public:
-  explicit InkGrid(const std::vector<InkLine>& ink)
-      : ink_(ink), cells_(ink.size(), 0, [&](std::size_t i) {
-          return std::array{ink[i].from, ink[i].to};
-        }) {}
+  explicit InkGrid(const std::vector<InkLine>& ink) : ink_(ink), cells_(lines_of(ink), negligible) {}
 
   struct Nearest {
     double distance = HUGE_VAL;
@@ -39,7 +35,7 @@ class InkGrid {
     for (int ring = 0; ring <= std::max(grid.columns, grid.rows); ++ring) {
       if (ring > 0 && (ring - 1) * std::min(grid.side.x, grid.side.y) > nearest.distance) break;
       visit_ring(column, row, ring, [&](int cell) {
-        for (const std::size_t i : cells_.in_cell(cell)) {
+        for (const int i : cells_.in_cell(cell)) {
           const InkLine& line = ink_[i];
           const double distance = distance_to(line, place);
           if (distance < nearest.distance) nearest = {distance, line};
@@ -50,6 +46,12 @@ class InkGrid {
   }
 
  private:
+  static std::vector<search::LinesAt::Line> lines_of(const std::vector<InkLine>& ink) {
+    std::vector<search::LinesAt::Line> lines;
+    for (const InkLine& line : ink) lines.push_back({line.from, line.to});
+    return lines;
+  }
+
   template <class Visit>
   void visit_ring(int column, int row, int ring, const Visit& visit_one) const {
     const search::CellGrid& grid = cells_.grid();
@@ -61,7 +63,7 @@ class InkGrid {
   }
 
   const std::vector<InkLine>& ink_;
-  search::LinesByCell cells_;
+  search::LinesAt cells_;
 };
 
 // Distance changes no faster than position, and the distance from one line of ink is greatest at an end of another
