@@ -41,7 +41,7 @@ std::vector<FaceView> views_for_requirements(const SheetToState& sheet) {
       const ViewOptions& options = sheet.views.plans[i].options;
       const projection::Projection& seen = sheet.seen[i].projection;
       const bool is_moved = view.detail.given() || options.exploded || options.turned || options.breaks.any();
-      if (view.section.given() != is_section || is_moved || !sheet::is_plain(seen) || !shows_an_axis(seen)) continue;
+      if (view.section.given() != is_section || is_moved || !is_orthographic(seen) || !shows_an_axis(seen)) continue;
       views.emplace_back(*view.name, seen, sheet.worlds.seen_in(view));
     }
   return views;

@@ -22,10 +22,7 @@ std::optional<std::size_t> find_view(const SheetOfViews& sheet, const std::strin
 std::string words_of(const Vec3& v) { return format_number(v.x) + "," + format_number(v.y) + "," + format_number(v.z); }
 
 void expect_true_length(const scene::ViewDescription& view, const projection::Projection& parent, const Vec3& from) {
-  constexpr double parallel = 1e-9;
-  const bool orthographic =
-      !parent.central && glm::length(glm::cross(glm::normalize(parent.projector), parent.n)) <= parallel;
-  if (orthographic && std::abs(glm::dot(from, parent.n)) <= parallel) return;
+  if (is_orthographic(parent) && std::abs(glm::dot(from, parent.n)) <= parallel_sine) return;
   throw Error(ErrorKind::input, view.from.where,
               "view '" + *view.of + "' does not show the direction " + words_of(*view.from) + " in true length",
               "choose a parent that looks along a perpendicular direction");

@@ -223,11 +223,6 @@ std::optional<SeenThread> seen_thread(const world::World& world, int model, cons
   return thread;
 }
 
-bool is_orthographic(const projection::Projection& projection) {
-  return !projection.central &&
-         glm::length(glm::cross(projection.projector, projection.n)) <= 1e-9 * glm::length(projection.projector);
-}
-
 bool is_along(const projection::Projection& projection, const SeenThread& thread) {
   return glm::length(glm::cross(projection.n, thread.axis())) <= parallel_sine;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/directions.hpp"
 #include "base/vec.hpp"
 
 namespace epura::projection {
@@ -34,5 +35,11 @@ struct Projection {
   double front = std::numeric_limits<double>::infinity();  ///< n-coordinate of the front clipping plane
   double back = -std::numeric_limits<double>::infinity();
 };
+
+/// Whether its projectors are parallel, and perpendicular to the plane: lengths in that are seen true.
+inline bool is_orthographic(const Projection& projection) {
+  const Vec3& along = projection.projector;
+  return !projection.central && glm::length(glm::cross(along, projection.n)) <= parallel_sine * glm::length(along);
+}
 
 }  // namespace epura::projection

@@ -86,11 +86,6 @@ int world_axis(const Vec3& direction) {
   return -1;
 }
 
-bool is_plain(const projection::Projection& projection) {
-  return !projection.central &&
-         glm::length(glm::cross(projection.projector, projection.n)) <= 1e-9 * glm::length(projection.projector);
-}
-
 Coordinates::Coordinates(const DimensionSubject& subject, std::span<const RoundEnd> ends,
                          std::span<const NamedProjection* const> views)
     : subject_(subject),

@@ -29,9 +29,6 @@ struct Coordinate {
 /// Returns the axis of the world, 0 to 2, to which a unit vector is parallel; -1 if there is none.
 int world_axis(const Vec3& direction);
 
-/// Whether a view shows lengths parallel to its plane in true length.
-bool is_plain(const projection::Projection& projection);
-
 /// The largest number of parallel dimensions of one direction in a view: more stand too far from what they measure.
 inline constexpr std::size_t max_parallel = 8;
 

@@ -30,8 +30,7 @@ struct Sight {
   const drawing::ViewDrawing& drawing;
   const Notation& notation;
   const Vec3 n = drawing.projection.n;
-  const bool orthographic =
-      glm::length(glm::cross(drawing.projection.projector, n)) <= 1e-9 * glm::length(drawing.projection.projector);
+  const bool orthographic = projection::is_orthographic(drawing.projection);
 
   [[nodiscard]] Vec2 page(const Vec3& p) const { return drawing.shown.breaks.moved(whole_page(p)); }
   // Before parts of the view are moved together.

@@ -16,14 +16,14 @@ namespace {
 
 bool is_seen_along(const Vec3& axis, std::span<const DimensionsInView> views) {
   return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
-    return is_plain(view.projection) && !view.turned_about && features::are_parallel(view.projection.n, axis);
+    return is_orthographic(view.projection) && !view.turned_about && features::are_parallel(view.projection.n, axis);
   });
 }
 
 bool is_seen_beside(const Vec3& axis, std::span<const DimensionsInView> views) {
   return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
     if (view.turned_about) return features::are_parallel(*view.turned_about, axis);
-    return is_plain(view.projection) && std::abs(glm::dot(view.projection.n, axis)) <= features::parallel;
+    return is_orthographic(view.projection) && std::abs(glm::dot(view.projection.n, axis)) <= features::parallel;
   });
 }
 

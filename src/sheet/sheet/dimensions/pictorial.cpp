@@ -195,10 +195,7 @@ const NamedProjection* only_pictorial(std::span<const NamedProjection> views, co
   for (const NamedProjection& view : views) {
     if (!name.empty() && view.name != name) continue;
     const Vec3 size = glm::abs(view.projection.n);
-    const Vec3 oblique = glm::cross(glm::normalize(view.projection.projector), view.projection.n);
-    const bool is_plain = !view.projection.central && glm::length(oblique) < parallel_sine &&
-                          std::max({size.x, size.y, size.z}) > 1 - parallel_sine;
-    if (is_plain) return nullptr;
+    if (is_orthographic(view.projection) && std::max({size.x, size.y, size.z}) > 1 - parallel_sine) return nullptr;
     if (pictorial == nullptr && !view.projection.central && view.section == nullptr) pictorial = &view;
   }
   return pictorial;

@@ -50,7 +50,7 @@ ThreadGroup group_of(int number, const features::PartFeatures& features, const N
 
 // Whether a view shows the circle, or, if it need not, the diameter of a cylinder with this axis.
 bool shows(const NamedProjection& view, const Vec3& axis, bool along) {
-  if (!is_plain(view.projection) || view.aligned()) return false;
+  if (!is_orthographic(view.projection) || view.aligned()) return false;
   const double tilt = glm::length(glm::cross(view.projection.n, axis));
   return along ? tilt <= parallel : std::abs(glm::dot(view.projection.n, axis)) <= parallel;
 }

@@ -12,7 +12,7 @@ using features::are_parallel;
 
 ViewChoice::ViewChoice(const scene::DimensionDescription& wanted, std::span<const NamedProjection> views) {
   for (const NamedProjection& view : views) {
-    if (wanted.view.value_or(view.name) != view.name || !is_plain(view.projection)) continue;
+    if (wanted.view.value_or(view.name) != view.name || !is_orthographic(view.projection)) continue;
     if (!view.aligned())
       views_.push_back(&view);
     else if (are_parallel(view.projection.n, view.section->plane.normal))
