@@ -46,13 +46,17 @@ endfunction()
 set(EPURA_DISTRICTS ground input model view sheet run)
 list(TRANSFORM EPURA_DISTRICTS PREPEND ${PROJECT_SOURCE_DIR}/src/)
 
-# epura_stage(NAME sources... [LINK libraries...]): one folder of a district of src/ as one static library.
+# epura_stage(NAME [FAST_TO_BUILD] sources... [LINK libraries...]): one folder of a district of src/ as one static library.
+# What reads options and starts others takes no time itself; nearly half of its compiling would go into optimizing it.
 function(epura_stage name)
-  cmake_parse_arguments(STAGE "" "" "LINK" ${ARGN})
+  cmake_parse_arguments(STAGE "FAST_TO_BUILD" "" "LINK" ${ARGN})
   add_library(epura_${name} STATIC ${STAGE_UNPARSED_ARGUMENTS})
   epura_compile_together(epura_${name})
   target_include_directories(epura_${name} PUBLIC ${EPURA_DISTRICTS} ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(epura_${name} PUBLIC ${STAGE_LINK})
+  if(STAGE_FAST_TO_BUILD)
+    target_compile_options(epura_${name} PRIVATE -O1)
+  endif()
   if(EPURA_COVERAGE STREQUAL "all" OR name IN_LIST EPURA_COVERAGE)
     # Optimized as far as lines keep code of their own.
     target_compile_options(epura_${name} PRIVATE --coverage -Og -Wno-error)
