@@ -23,7 +23,8 @@ debian_packages() {  # NAME=VERSION...
     case $archive in */libc6_*) ;; *) dpkg-deb --extract "$archive" root ;; esac
   done
   export PATH=$work/root/usr/bin:$PATH
-  export LD_LIBRARY_PATH=$library:$work/root/lib/x86_64-linux-gnu:$library/blas:$library/lapack:$library/pulseaudio
+  export LD_LIBRARY_PATH=$library:$work/root/lib/x86_64-linux-gnu:$library/blas:$library/lapack:$library/pulseaudio:$work/root/usr/lib
+  LD_LIBRARY_PATH+=:$work/root/usr/lib/freecad-python3/lib
 }
 
 # Fails, and shows the difference, if what stands on standard input is not what the file has.
