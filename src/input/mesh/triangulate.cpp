@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/vec.hpp"
 #include "mesh/simple_rings.hpp"
@@ -100,6 +101,7 @@ class EarClipper {
     for (int i = 0; i < count; ++i) {
       next_[i] = i + 1 == count ? 0 : i + 1;
       previous_[i] = i == 0 ? count - 1 : i - 1;
+      open_.insert(open_.end(), i);
     }
   }
 
@@ -111,6 +113,8 @@ class EarClipper {
       at = choose(at, left);
       take(previous_[at], at, next_[at]);
       corners_.remove(at);
+      open_.erase(at);
+      open_.insert({previous_[at], next_[at]});
       next_[previous_[at]] = next_[at];
       previous_[next_[at]] = previous_[at];
       at = next_[at];
@@ -121,6 +125,8 @@ class EarClipper {
   /// The first ear, beginning at `start`. A polygon that crosses itself may have none: then a corner without area or,
   /// failing that, any convex one.
   int choose(int start, std::size_t left) {
+    if (const int ear = first_ear(start); ear >= 0) return ear;
+    // Where the polygon crosses itself, a cut may also free a corner that is no neighbour.
     int flat = -1, convex = -1, at = start;
     for (std::size_t i = 0; i < left && work_ < max_work; ++i, at = next_[at], ++work_) {
       if (is_ear(at)) return at;
@@ -129,6 +135,16 @@ class EarClipper {
       if (size > 0 && convex < 0) convex = at;
     }
     return flat >= 0 ? flat : convex >= 0 ? convex : start;
+  }
+
+  /// The first ear in `open_`, beginning at `start`, or -1.
+  int first_ear(int start) {
+    for (auto at = open_.lower_bound(start); !open_.empty() && work_ < max_work; ++work_) {
+      if (at == open_.end()) at = open_.begin();
+      if (is_ear(*at)) return *at;
+      at = open_.erase(at);
+    }
+    return -1;
   }
 
   /// Whether the corner is strictly convex, its diagonal is inside the polygon at both ends, and no other corner is in
@@ -159,6 +175,8 @@ class EarClipper {
   const std::vector<Vec2>& p_;
   std::vector<int> next_, previous_;
   CornerGrid corners_;
+  /// The corners that may be ears: a corner that is none becomes one only when a neighbour is cut.
+  std::set<int> open_;
   long long work_ = 0;
 };
 

@@ -77,6 +77,15 @@ void expect_no_turned_triangle(const Polygon& polygon) {
   EXPECT_GE(*std::min_element(found.begin(), found.end()), 0);
 }
 
+// Its only ears are at its ends, on either side in turn.
+TEST(Triangulate, ALongZigzagIsCoveredThroughout) {
+  constexpr int teeth = 40000;
+  Polygon zigzag;
+  for (int k = 0; k <= teeth; ++k) zigzag.push_back({1.0 * k, 4.0 * (k % 2)});
+  for (int k = teeth; k >= 0; --k) zigzag.push_back({1.0 * k, 4.0 * (k % 2) + 1});
+  expect_no_turned_triangle(zigzag);
+}
+
 // Its line touches corners and runs back on itself, so there is no ear at first.
 TEST(Triangulate, WithoutAnEarACornerWithoutAreaIsCut) {
   expect_no_turned_triangle({{3, 3}, {0, 3}, {1, 3}, {3, 1}});
