@@ -96,7 +96,7 @@ PageEdge OccluderGrid::sightline(const Piece& piece) const {
 }
 
 OccluderGrid::Content OccluderGrid::whole_page() const {
-  Content content{{}, copies_.others(), HUGE_VAL, 0};
+  Content content{{}, copies_.others(), HUGE_VAL, 0, 0};
   for (const int e : copies_.other_edges(view_, edges_, progress_)) content.pieces.push_back({e, 0, 1});
   return content;
 }
@@ -276,7 +276,7 @@ std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Co
     if (pairs_in(level, load, cell) <= max_pairs) continue;
     level.full.resize(static_cast<std::size_t>(grid.count()), -1);
     level.full[cell] = static_cast<int>(parts.size());
-    Content part{{}, {}, pairs_in(level, load, cell), idle};
+    Content part{{}, {}, pairs_in(level, load, cell), idle, 0};
     for (const Candidate& candidate : level.candidates[static_cast<std::size_t>(cell)])
       part.triangles.push_back(candidate.triangle());
     parts.push_back(std::move(part));
@@ -311,13 +311,24 @@ bool OccluderGrid::leaves_few_tries(const CandidateTree& tree, const std::vector
   return 2 * good > sampled_edges;
 }
 
+// Returns what is left for idle divisions, and shares it out among the parts.
+double OccluderGrid::share_out(const Content& content, int idle, std::vector<Content>& parts) {
+  double handed_on = 0;
+  for (const Content& part : parts) handed_on += part.size();
+  const double left = idle > 0 ? content.spare - handed_on : deepest_level * handed_on;
+  for (Content& part : parts) part.spare = left * (part.size() / handed_on);
+  return left;
+}
+
 // Full cells get a tree if that leaves few tests; otherwise they are divided if that saves work.
 void OccluderGrid::relieve_full_cells(const Content& content, const CellLoad& load, int idle, int depth,
                                       Level& level) const {
   // One idle division is tolerated (the arms of an L are separated only by the second). Where very many pairs are left,
-  // any number is, until the cells are as small as the L is wide.
-  const bool may_divide = depth < deepest_level && !(idle > 1 && content.pairs < many_pairs);
+  // any number is, until the cells are as small as the L is wide, unless every part has nearly all edges and triangles
+  // again, as where very many coincide.
   std::vector<Content> parts = contents_of_full_cells(content, load, idle, level);
+  const double left = share_out(content, idle, parts);
+  const bool may_divide = depth < deepest_level && (idle <= 1 || (content.pairs >= many_pairs && left > 0));
   std::vector<double> saved(parts.size(), 0);
   level.children.resize(parts.size());
   level.trees.resize(parts.size());

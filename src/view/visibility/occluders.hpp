@@ -101,6 +101,9 @@ class OccluderGrid {
     std::vector<int> triangles;  ///< of the view
     double pairs;                ///< number of pairs of edge and triangle to be tested without further division
     int idle;                    ///< number of divisions in succession that left nearly as many pairs
+    double spare;                ///< pieces and triangles that they may yet hand on to their parts
+
+    [[nodiscard]] double size() const { return static_cast<double>(pieces.size() + triangles.size()); }
   };
   struct CellLoad {
     std::vector<double> deepest;  ///< by cell: least depth of the pieces that the cover does not hide
@@ -143,6 +146,7 @@ class OccluderGrid {
   void drop_covered(Level& level) const;
   [[nodiscard]] std::vector<Content> contents_of_full_cells(const Content& content, const CellLoad& load, int idle,
                                                             Level& level) const;
+  static double share_out(const Content& content, int idle, std::vector<Content>& parts);
   [[nodiscard]] bool leaves_few_tries(const CandidateTree& tree, const std::vector<Piece>& pieces) const;
   void relieve_full_cells(const Content& content, const CellLoad& load, int idle, int depth, Level& level) const;
 

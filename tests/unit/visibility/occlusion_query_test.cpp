@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <random>
 #include <utility>
 
@@ -76,6 +77,25 @@ TEST(OcclusionQuery, TriesFewTrianglesOfEqualPartsBehindOneAnother) {
   for (const Vec3& towards_viewer : {Vec3(1, -1, 1), Vec3(0.3, -0.8, 0.5), Vec3(0, 0, 1)})
     EXPECT_LT(tries_of_an_edge(world_of(copies), orthographic(towards_viewer, {0, 1, 0.1})), 50);
   EXPECT_LT(tries_of_an_edge(world_of(copies), perspective({3, -2, 9}, {0, 0, 0}, {3, -2, 9}, {0, 0, 1})), 50);
+}
+
+// How often the search for occluders asks for the time: once for each piece or triangle of each cell that is divided.
+long steps_of_grid(const world::World& world) {
+  const Result r = draw(world, from_above());
+  std::atomic<long> steps = 0;
+  ProgressBoard board([&] { return static_cast<double>(0 * ++steps); });
+  const visibility::OccluderGrid occluders(r.world, r.view, r.drawn.edges, visibility::Covers::any, Progress(board, 1));
+  return steps;
+}
+
+// However small cells are, nearly all of them are in each.
+TEST(OcclusionQuery, CellsOfCopiesSideBySideAreNotDividedWithoutEnd) {
+  const auto copies = [](int count) {
+    Shape shape;
+    for (int i = 0; i < count; ++i) shape.add(box({1e-9 * i, 0, 0}, {1 + 1e-9 * i, 1, 1}));
+    return world_of(shape);
+  };
+  EXPECT_LT(steps_of_grid(copies(1400)), 4 * steps_of_grid(copies(700)));
 }
 
 constexpr int many = 4000;
