@@ -47,7 +47,7 @@ inline std::vector<KnownPart> bases_with_ribs() {
 inline std::vector<KnownPart> plates_with_pockets() {
   std::vector<KnownPart> parts;
   for (int i = 0; i < many_variants; ++i) {
-    const Vec2 size(80 + i, 50), low(11 + i, 9 + 0.5 * i), pocket(24.3 + 0.5 * i, 14 + 0.25 * i);
+    const Vec2 size(80 + i, 50), low(11 + i, 9 + 0.5 * i), pocket(24 + 0.5 * i, 14 + 0.25 * i);
     const double floor = 12 + 0.25 * i;
     Plate plate(20);
     plate.cell(square({0, 0}, size), {{square(low, pocket), 20}, {square(low, pocket), floor}});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -80,13 +81,13 @@ class Counting {
   double step_, counted_, doubt_, bits_ = 0;
 };
 
-LatticeStep counted_in(const std::vector<Distance>& distances, int divisor, double doubt) {
+// Nothing if they lie on no such lattice, or as well by chance.
+std::optional<Counting> counted_in(const std::vector<Distance>& distances, int divisor, double doubt) {
   Counting counting(distances.front().length / divisor, divisor, doubt);
   for (std::size_t i = 1; i < distances.size(); ++i)
-    if (!counting.add(distances[i])) return {};
-  const bool is_certain =
-      counting.bits() - std::log2(divisor) >= min_lattice_bits && counting.counted() >= fewest_lattice_steps;
-  return is_certain ? counting.step() : LatticeStep{};
+    if (!counting.add(distances[i])) return std::nullopt;
+  if (counting.bits() - std::log2(divisor) < min_lattice_bits) return std::nullopt;
+  return counting;
 }
 
 }  // namespace
@@ -97,7 +98,9 @@ LatticeStep lattice_of(const Points& points, double noise) {
   if (distances.empty()) return {};
   for (int divisor = 1; divisor <= max_divisors; ++divisor) {
     if (distances.front().length < 4 * doubt * divisor) break;
-    if (const LatticeStep step = counted_in(distances, divisor, doubt); step.length > 0) return step;
+    // What lies on a coarse lattice lies on all of its divisions, too, which tell nothing.
+    if (const auto counting = counted_in(distances, divisor, doubt))
+      return counting->counted() >= fewest_lattice_steps ? counting->step() : LatticeStep{};
   }
   return {};
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -125,7 +126,7 @@ double decimals_of(const Points& points, const std::vector<double>& sizes, const
 }
 
 // The place of the last digit of the largest coordinates, if all coordinates have the same number of digits: smaller
-// ones then have more decimals, which the largest lack although they need all digits.
+// ones then have more decimals, which the largest lack, and both need all digits.
 double digits_of(const Points& points, const std::vector<double>& sizes) {
   const auto all_have = [&](int digits) {
     return all_coordinates(points, [&](double c) { return has_digits(c, digits); });
@@ -138,7 +139,9 @@ double digits_of(const Points& points, const std::vector<double>& sizes) {
   if (largest == sizes.rend()) return 0;
   const int place = first_place(*largest);
   const double last = power_of_ten(place - digits + 1);
-  const auto is_finer = [&](double size) { return std::abs(size / last - std::nearbyint(size / last)) > 0x1p-10; };
+  const auto is_finer = [&](double size) {
+    return needs_all(size) && std::abs(size / last - std::nearbyint(size / last)) > 0x1p-10;
+  };
   const auto is_telling = [&](double size) { return size >= power_of_ten(place) && needs_all(size); };
   const bool rounded =
       count_in(sizes, is_telling) >= least_telling && std::any_of(sizes.begin(), sizes.end(), is_finer);
@@ -146,9 +149,10 @@ double digits_of(const Points& points, const std::vector<double>& sizes) {
 }
 
 // A step of three digits, such as 0.05 or 25.4, or a binary fraction, in the unit of the file, or in another one before
-// it was converted.
+// it was converted; or such a length in equal parts, since programs put vertices evenly on straight sides.
 bool is_chosen(const LatticeStep& step) {
   constexpr int bits = 8;
+  constexpr int most_parts = 24;
   constexpr double inch = 25.4, foot = 12;  // mm, inches
   // Millimetres in inches and feet, inches in feet, millimetres, centimetres and metres.
   constexpr std::array factors{1.0, inch, inch * foot, foot, 1 / inch, 10 / inch, 1000 / inch};
@@ -160,7 +164,8 @@ bool is_chosen(const LatticeStep& step) {
     };
     return is_whole(power_of_ten(first_place(length) - 2)) || is_whole(std::ldexp(1, std::ilogb(length) - bits));
   };
-  return std::any_of(factors.begin(), factors.end(), is_round);
+  const auto parts = std::views::iota(1, most_parts + 1);
+  return std::any_of(factors.begin(), factors.end(), is_round) || std::any_of(parts.begin(), parts.end(), is_round);
 }
 
 }  // namespace

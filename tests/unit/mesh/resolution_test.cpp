@@ -124,9 +124,26 @@ TEST(Resolution, IsNothingForFullDoublesOrChosenNumbers) {
   mesh::Points small;  // one decimal, as people type it
   for (int i = 0; i < 200; ++i) small.push_back({i * 0.1, i * i % 13 * 0.7, 3});
   EXPECT_EQ(resolved(small), 0);
+  mesh::Points thin;  // of five digits where it is long, but small ones need fewer
+  for (int i = 0; i < 16000; ++i) thin.push_back({i * 0.01, i % 2 * 0.01, i % 3 * 0.002});
+  EXPECT_EQ(resolved(thin), 0);
   // One vertex with many digits says nothing of the others.
   grid[7][0] = 1.234567;
   EXPECT_EQ(resolved(grid), 0);
+}
+
+// Vertices spaced evenly along the sides of a plate and of its pocket, all in whole millimetres: multiples of a sixth.
+TEST(Resolution, IsNothingForLengthsInEqualParts) {
+  for (const double size : {1.0, 10.0}) {
+    mesh::Points points;
+    for (int i = 0; i < 12; ++i) {
+      for (const double x : {0.0, 80.0}) points.push_back({x * size, 50 * size * i / 12, 20});
+      for (const double y : {0.0, 50.0}) points.push_back({80 * size * i / 12, y * size, 20});
+      for (const double x : {11.0, 35.0}) points.push_back({x * size, 9 * size + 14 * size * i / 12, 12});
+      for (const double y : {9.0, 23.0}) points.push_back({11 * size + 24 * size * i / 12, y * size, 12});
+    }
+    EXPECT_EQ(resolved(points), 0) << size;
+  }
 }
 
 /// Points on a lattice of 2^bits - 1 steps across the largest side, which begins anywhere.
