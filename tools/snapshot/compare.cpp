@@ -48,9 +48,9 @@ int compare_files(const CompareOptions& options) {
   const auto [before, after] = pictures_to_compare(options);
   const compare::Comparison comparison = compare::compare(before, after, options.tolerance);
   const std::string words = compare::format_comparison(comparison, options.tolerance);
-  const bool same = comparison.differences.empty();
+  const bool same = comparison.is_same();
   std::vector<std::string> outputs = pipeline::files_of(targets, comparison.pages.size());
-  for (const std::string& file : {options.json, is_html(options.overlay) ? options.overlay : ""})
+  for (const std::string& file : {options.json, options.markdown, is_html(options.overlay) ? options.overlay : ""})
     if (!file.empty()) outputs.push_back(file);
   pipeline::refuse_overwriting(outputs, {options.before, options.after});
   write_overlay(targets, comparison);
@@ -59,7 +59,10 @@ int compare_files(const CompareOptions& options) {
                compare::overlay_page(options.before + " | " + options.after, words, before, after, comparison));
   if (!options.json.empty())
     pipeline::write({options.json, compare::to_json(comparison, options.tolerance, options.before, options.after)}, {});
-  if (options.json != "-") std::fputs(words.c_str(), stdout);
+  if (!options.markdown.empty())
+    pipeline::write(
+        {options.markdown, compare::to_markdown(comparison, options.tolerance, options.before, options.after)}, {});
+  if (options.json != "-" && options.markdown != "-") std::fputs(words.c_str(), stdout);
   return same ? 0 : 1;
 }
 

@@ -17,7 +17,7 @@ struct CompareOptions {
   std::vector<std::filesystem::path> plugin_path;
   bool allow_outside = false;
   double tolerance = 0.001;   ///< mm
-  std::string json, overlay;  ///< files to write; empty: none
+  std::string json, markdown, overlay;  ///< files to write; empty: none
 };
 
 scene::Options<CompareOptions> compare_options();

@@ -27,6 +27,7 @@ namespace fs = std::filesystem;
 struct Drawn {
   compare::PictureFile pictures;  ///< one page for each sheet
   std::vector<pipeline::FinishedSheet> sheets;
+  std::vector<report::RequirementRow> requirements;
 };
 
 scene::SceneDescription described(const std::string& file, const CompareOptions& options) {
@@ -46,7 +47,7 @@ Drawn draw_scene(const scene::SceneDescription& scene, const std::string& file, 
   run.keeps_drawings = true;
   pipeline::Stopwatch watch;
   pipeline::DrawnScene drawn = pipeline::draw_scene(scene, run, {messages, {}, watch});
-  Drawn result{{}, std::move(drawn.sheets)};
+  Drawn result{{}, std::move(drawn.sheets), drawn.report.requirements};
   const std::vector<pipeline::Target> target = pipeline::targets_of({file}, "");
   for (const pipeline::FileBytes& sheet : pipeline::encode_all(target, result.sheets, {}, drawn.report, {})) {
     compare::PictureFile read = compare::pictures_of(sheet.bytes, file);
@@ -122,6 +123,7 @@ std::array<compare::PictureFile, 2> pictures_to_compare(const CompareOptions& op
   set_scale(other, scale);
   Drawn before = draw_scene(one, format, options, warnings()), after = draw_scene(other, format, options, warnings());
   place_as(before, after);
+  for (Drawn* const drawn : {&before, &after}) drawn->pictures.requirements = std::move(drawn->requirements);
   return {std::move(before.pictures), std::move(after.pictures)};
 }
 

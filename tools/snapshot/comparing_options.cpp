@@ -32,6 +32,9 @@ scene::Options<CompareOptions> compare_options() {
           &Compare::overlay, file_name("FILE")),
       scene::option<Compare>({.flag = "--json", .help = "differences as JSON; - for standard output"}, &Compare::json,
                              file_name("FILE")),
+      scene::option<Compare>(
+          {.flag = "--markdown", .help = "differences as a comment of at most 20 lines; - for standard output"},
+          &Compare::markdown, file_name("FILE")),
       plugin_path_option<Compare>(&Compare::plugin_path),
       allow_outside_option<Compare>(&Compare::allow_outside),
   };

@@ -77,6 +77,7 @@ Comparison compare(const PictureFile& before, const PictureFile& after, double t
   for (std::size_t i = 0; i < std::max(before.pages.size(), after.pages.size()); ++i)
     compare_page(page_of(before, i, any_pdf), page_of(after, i, any_pdf), tolerance,
                  before.is_in_place || after.is_in_place, comparison);
+  comparison.requirements = compare_requirements(before.requirements, after.requirements);
   return comparison;
 }
 

@@ -35,6 +35,11 @@ struct Difference {
   double old_length = 0;
 };
 
+/// A requirement of a model that another revision of it states in other words; empty where one has none like it.
+struct RequirementChange {
+  std::string before, after;
+};
+
 /// How an item is painted: a moved line is `removed` at its old and `added` at its new position.
 enum class Mark { same, changed, removed, added };
 
@@ -60,6 +65,9 @@ struct Comparison {
   std::vector<PageComparison> pages{};
   bool compares_texts = true;
   std::size_t followers = 0;  ///< differences that are not in the list, because they follow from sizes that changed
+  std::vector<RequirementChange> requirements{};
+
+  [[nodiscard]] bool is_same() const { return differences.empty() && requirements.empty(); }
 };
 
 /// mm; an item farther away has not moved: it was removed there and added here.
@@ -74,8 +82,17 @@ inline constexpr double max_moved = 5;
 /// Throws Error{input} for JSON with another format.
 Comparison compare(const PictureFile& before, const PictureFile& after, double tolerance);
 
+/// What the models of one revision require and those of the other do not, in words: changed, removed, then added.
+/// Numbers of faces and, where nothing else is like it, ids may change with every export, so neither counts.
+std::vector<RequirementChange> compare_requirements(std::vector<report::RequirementRow> before,
+                                                    std::vector<report::RequirementRow> after);
+
 /// One line for each difference, and a last line with their number.
 std::string format_comparison(const Comparison& comparison, double tolerance);
+
+/// The same as Markdown for a comment on a change, of at most 20 lines.
+std::string to_markdown(const Comparison& comparison, double tolerance, const std::string& before,
+                        const std::string& after);
 
 /// The same in machine-readable form (docs/formats.md); `before` and `after` are the names of the files.
 std::string to_json(const Comparison& comparison, double tolerance, const std::string& before,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare/picture.hpp"
+#include "report/report.hpp"
 
 namespace epura::compare {
 
@@ -16,6 +17,7 @@ struct PictureFile {
   bool is_pdf = false;   ///< texts are not read, and dash patterns are unknown
   std::vector<Picture> pages{};
   bool is_in_place = false;  ///< what has not changed in space stands where it stands in the other file
+  std::vector<report::RequirementRow> requirements{};  ///< of models that were drawn to be compared
 };
 
 /// Whether a file is a readable drawing, by its extension.

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 #include "compare/align_views.hpp"
 #include "compare/comparison.hpp"
 #include "output/json_text.hpp"
@@ -65,10 +66,27 @@ std::array<int, kinds> counts(const Comparison& comparison) {
   return counts;
 }
 
+std::string_view name_of(const RequirementChange& change) {
+  return change.before.empty() ? "added" : change.after.empty() ? "removed" : "changed";
+}
+
+std::string format_change(const RequirementChange& change) {
+  std::string text(name_of(change));
+  text.resize(11, ' ');
+  text += "requirement: " + one_line(change.before);
+  return text + (change.before.empty() || change.after.empty() ? "" : " -> ") + one_line(change.after);
+}
+
 std::string point(const Vec2& p) { return output::json_list(std::array{p.x, p.y}, output::json_number); }
 
+std::string text_or_null(const std::string& text) { return text.empty() ? "null" : output::json_string(text); }
+
+std::string json_of(const RequirementChange& change) {
+  return "{\"change\": " + output::json_string(name_of(change)) + ", \"before\": " + text_or_null(change.before) +
+         ", \"after\": " + text_or_null(change.after) + "}";
+}
+
 std::string json_of(const Difference& d) {
-  const auto text_or_null = [](const std::string& text) { return text.empty() ? "null" : output::json_string(text); };
   std::string json = "{\"change\": " + output::json_string(name_of(d.change)) +
                      ", \"page\": " + std::to_string(d.page) + ", \"view\": " + text_or_null(d.view) + ", \"of\": " +
                      (d.change == Change::size ? "\"sheet\""
@@ -90,6 +108,9 @@ std::string json_of(const Difference& d) {
 std::string format_comparison(const Comparison& comparison, double tolerance) {
   std::string text;
   for (const Difference& d : comparison.differences) text += format_difference(d, comparison.pages.size() > 1) + "\n";
+  for (const RequirementChange& change : comparison.requirements) text += format_change(change) + "\n";
+  if (const std::size_t number = comparison.requirements.size(); number > 0)
+    text += std::to_string(number) + (number == 1 ? " requirement differs\n" : " requirements differ\n");
   if (!comparison.compares_texts) text += "texts of PDF files are not compared\n";
   if (text.empty() || comparison.differences.empty())
     return text + "no differences above " + format_number(tolerance) + " mm\n";
@@ -109,19 +130,35 @@ std::string format_comparison(const Comparison& comparison, double tolerance) {
   return text + "\n";
 }
 
+std::string to_markdown(const Comparison& comparison, double tolerance, const std::string& before,
+                        const std::string& after) {
+  constexpr std::size_t max_listed = 16;  // with the heading, the number and what is left out, 20 lines
+  const std::string words = format_comparison(comparison, tolerance);
+  std::vector<std::string_view> lines = split(words, '\n');
+  std::erase(lines, std::string_view());
+  std::string text = "**" + before + " → " + after + "**: " + std::string(lines.back()) + "\n\n";
+  lines.pop_back();
+  for (std::size_t i = 0; i < std::min(lines.size(), max_listed); ++i)
+    text.append("- `").append(lines[i]).append("`\n");
+  if (lines.size() > max_listed) text += "- and " + std::to_string(lines.size() - max_listed) + " more\n";
+  return text;
+}
+
 std::string to_json(const Comparison& comparison, double tolerance, const std::string& before,
                     const std::string& after) {
   std::string json = "{\"epura_compare\": 1, \"before\": " + output::json_string(before) +
                      ", \"after\": " + output::json_string(after) +
                      ",\n \"tolerance\": " + output::json_number(tolerance) +
-                     ", \"same\": " + (comparison.differences.empty() ? "true" : "false") +
+                     ", \"same\": " + (comparison.is_same() ? "true" : "false") +
                      ", \"texts_compared\": " + (comparison.compares_texts ? "true" : "false") +
                      ", \"following\": " + std::to_string(comparison.followers) + ",\n \"counts\": {";
   const std::array<int, kinds> count = counts(comparison);
   for (std::size_t i = 0; i < kinds; ++i)
     json +=
         (i > 0 ? ", " : "") + output::json_string(name_of(static_cast<Change>(i))) + ": " + std::to_string(count[i]);
-  return json + "},\n \"differences\": " + output::json_lines(comparison.differences, json_of, "\n  ") + "}\n";
+  const auto write = [](const auto& one) { return json_of(one); };
+  return json + "},\n \"differences\": " + output::json_lines(comparison.differences, write, "\n  ") +
+         ",\n \"requirements\": " + output::json_lines(comparison.requirements, write, "\n  ") + "}\n";
 }
 
 }  // namespace epura::compare

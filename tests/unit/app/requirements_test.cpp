@@ -32,6 +32,12 @@ class RequirementsCommand : public testing::Test {
     folder_.file("box.step", step_box({40, 30, 20}, statements, in_inches));
     return epura(words, folder_ / "");
   }
+  // With the last one.
+  Outcome compare_with(const std::string& statements, std::vector<std::string> options) {
+    folder_.file("next.step", step_box({40, 30, 20}, statements, false));
+    options.insert(options.begin(), {"compare", "box.step", "next.step"});
+    return epura(options, folder_ / "");
+  }
   [[nodiscard]] std::string text(const std::string& file) const { return read_file(folder_ / file); }
 
  private:
@@ -107,6 +113,33 @@ TEST_F(RequirementsCommand, SaysWhereThereAreNone) {
   const Outcome listed = run({"requirements", sample("bracket.obj")}, "");
   EXPECT_EQ(listed.code, 0) << listed.err;
   EXPECT_TRUE(contains(listed.out, "the file states no requirements that are read\n")) << listed.out;
+}
+
+// The next revision: another deviation, no flatness, and the order and the ids of all that stays changed.
+TEST_F(RequirementsCommand, AreComparedBetweenRevisions) {
+  run({"requirements", "box.step"}, some_requirements());
+  const std::string flatness = "#1021=FLATNESS_TOLERANCE";
+  std::string next = some_requirements();
+  next.erase(next.find(flatness));
+  next.replace(next.find("0.3"), 3, "0.2");
+  next = std::regex_replace(next, std::regex("#10([0-9]{2})\\b"), "#17$1");
+  const Outcome listed = compare_with(next, {"--json", "a.json", "--markdown", "a.md"});
+  if (contains(listed.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
+  EXPECT_EQ(listed.code, 1) << listed.err;
+  EXPECT_EQ(listed.out,
+            "changed    requirement: linear distance 20.00 -0.1/+0.3 mm -> linear distance 20.00 -0.1/+0.2 mm\n"
+            "removed    requirement: flatness 0.05 mm\n"
+            "2 requirements differ\n"
+            "no differences above 0.001 mm\n");
+  const Json json = JsonReader(text("a.json")).read();
+  EXPECT_EQ(json["same"].text, "false");
+  ASSERT_EQ(json["requirements"].items.size(), 2U);
+  EXPECT_EQ(json["requirements"].items[1]["change"].text, "removed");
+  EXPECT_EQ(json["requirements"].items[1]["before"].text, "flatness 0.05 mm");
+  EXPECT_TRUE(contains(text("a.md"), "- `removed    requirement: flatness 0.05 mm`\n")) << text("a.md");
+  const Outcome same = compare_with(some_requirements(), {});
+  EXPECT_EQ(same.code, 0) << same.out;
+  EXPECT_EQ(same.out, "no differences above 0.001 mm\n");
 }
 
 }  // namespace
