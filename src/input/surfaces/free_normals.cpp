@@ -90,7 +90,7 @@ std::optional<FreeNormals::Normal> FreeNormals::at(int facet, int vertex) const 
     sum += (p.z - height) * (p.z - height);
   }
   const Vec3 direction = glm::normalize(guess - (*found)[0] * across[0] - (*found)[1] * across[1]);
-  if (!finite(direction) || glm::dot(direction, guess) < crease_cosine) return std::nullopt;
+  if (!finite(direction) || glm::dot(direction, guess) < min_fold_cosine) return std::nullopt;
   return Normal{direction, 4 * std::sqrt(sum / static_cast<double>(vertices.size()))};
 }
 

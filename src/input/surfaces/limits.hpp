@@ -19,8 +19,8 @@ namespace epura::surfaces {
 inline constexpr double smooth_cosine = 0.7;
 inline constexpr double coarse_fold = 0.185;       ///< 21 degrees: folds inside faces are rarely larger
 inline constexpr double max_smooth = 0.277;        ///< 31 degrees: folds of free forms are no larger
-inline constexpr double min_fold_cosine = 0.62;    ///< of 51.7 degrees: a region does not spread over a sharper fold
-inline constexpr double crease_cosine = 0.6;       ///< of 53.1 degrees: a paraboloid does not extend over a crease
+/// Of 51.7 degrees: neither a region nor a paraboloid extends over a sharper fold.
+inline constexpr double min_fold_cosine = 0.62;
 inline constexpr double fading_cosine = 0.766;     ///< of 40 degrees: sharper edges inside a free form fade out at ends
 inline constexpr double tangent_cosine = 0.99966;  ///< of 1.5 degrees: a neighbour continues an arc without an edge
 inline constexpr double certain_edge_tangent = 1;  ///< of 45 degrees: a sharper mesh edge is one of the part
