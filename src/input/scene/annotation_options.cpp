@@ -37,8 +37,14 @@ Options<DimensionWords> dimension_options() {
   using Words = DimensionWords;
   using Dimension = DimensionDescription;
   return {
-      option<Words>({.key = "type", .help = "type of the dimension", .required = true},
+      option<Words>({.key = "type", .help = "type of the dimension; required without `match`"},
                     in_description(&Dimension::type), choice<DimensionType>()),
+      option<Words>(
+          {.key = "match",
+           .help = "automatic sizes that get the tolerance, limits, text, offset and name given here, by their "
+                   "text on the sheet: `⌀8`, `4× ⌀8*`, `40`; `*` stands for any text. `view`, `type` and "
+                   "`direction` choose among them"},
+          in_description(&Dimension::match), any_text()),
       option<Words>({.key = "view", .help = "name of the view", .usual = "first view"},
                     in_description(&Dimension::view), any_text()),
       option<Words>({.key = "direction",
@@ -59,7 +65,9 @@ Options<DimensionWords> dimension_options() {
       option<Words>({.key = "offset",
                      .help = "distance on paper from the anchors to the dimension line; its sign selects the side"},
                     in_description(&Dimension::offset), number_between(-longest_side, longest_side, "mm")),
-      option<Words>({.key = "text", .help = "text instead of the measured value; `<>` stands for that value"},
+      option<Words>({.key = "text",
+                     .help = "text instead of the measured value; `<>` stands for that value, with `match` for the "
+                             "text that the size has without it"},
                     in_description(&Dimension::text), any_text()),
       option<Words>({.key = "tolerance",
                      .help = "deviations, `±0.1` or `+0.2 -0.1`, in the unit of dimensions; or a class or fit of ISO "

@@ -163,6 +163,7 @@ struct Words<LeaderEnd> {
 
 /// Where a leader ends: on the models, or on the sheet, mm from its lower left corner.
 using LeaderTarget = std::variant<Anchor, Vec2>;
+  LocatedText match{};                          ///< texts of automatic sizes, which get what else it says: fnmatch
 
 /// Lines of text.
 struct NoteText {

@@ -122,8 +122,27 @@ void add_places(DimensionDescription& dimension, const DimensionWords& words, co
 }
 
 // Throws Error{input} for keys that belong to other types.
+// Automatic sizes have their places, and get what can be said of them.
+void expect_match(const DimensionWords& words) {
+  const DimensionDescription& dimension = words.description;
+  const std::string where = dimension.match.where;
+  if (!words.anchors.empty() || dimension.holes.given() || dimension.arrangement.given())
+    refuse_input(where, "a dimension with 'match' changes sizes that have their places",
+                 "omit 'match', or the keys that say what is measured and how it is arranged");
+  if (dimension.type.value == DimensionType::automatic)
+    refuse_input(dimension.type.where, "no single size is of type 'auto'", "omit 'type', or name that of the size");
+  if (!dimension.tolerance.given() && !dimension.text.given() && !dimension.offset.given() && !dimension.name.given())
+    refuse_input(where, "nothing is said of the sizes that match",
+                 "add a 'tolerance', a 'text', an 'offset', a 'name'");
+  if (dimension.name.given() && !dimension.view.given())
+    refuse_input(dimension.name.where, "a size with a name needs its view", "add 'view'");
+}
+
 void expect_keys_of_type(const DimensionDescription& dimension) {
   const DimensionType type = *dimension.type;
+  if (!dimension.type.given())
+    refuse_input(dimension.where, "[[dimension]] lacks 'type'",
+                 "type of the dimension; or 'match' for automatic sizes");
   const std::string has_no = "a dimension of type '" + std::string(word_of(type)) + "' has no '";
   if (dimension.holes.given() && type != DimensionType::automatic)
     refuse_input(dimension.holes.where, has_no + "holes'", "it belongs to type 'auto'");
@@ -133,10 +152,14 @@ void expect_keys_of_type(const DimensionDescription& dimension) {
 
 DimensionDescription dimension_of(const DimensionWords& words, const Subjects& subjects) {
   DimensionDescription dimension = words.description;
-  expect_keys_of_type(dimension);
+  if (dimension.match.given())
+    expect_match(words);
+  else
+    expect_keys_of_type(dimension);
   // Views of the command line are not known yet.
   if (!subjects.views.empty()) refuse_unknown(dimension.view, subjects.views, "view");
   if (dimension.arrangement.given() && *dimension.type == DimensionType::linear) {
+  if (dimension.match.given()) return dimension;
     add_places(dimension, words, subjects);
     return dimension;
   }

@@ -118,6 +118,7 @@ scene::SceneDescription describe(const DrawOptions& options) {
       options.dimensions.value_or(AutomaticDimensions::overall) == AutomaticDimensions::overall)
     throw Error(ErrorKind::input, options.arrangement.where, "needs automatic dimensions", "add --dimensions auto");
   if (options.dimensions.given()) add_dimensions(scene, options);
+  scene.dimensions.insert(scene.dimensions.end(), options.tolerances.begin(), options.tolerances.end());
   if (options.parts_list && !scene.parts_list) scene.parts_list = scene::PartsListDescription{"--parts-list"};
   complete(scene, options);
   return scene;

@@ -37,6 +37,21 @@ scene::ValueKind<scene::DetailRequest> detail_request() {
           [](const scene::TomlValue& value) { return scene::parse_detail(scene::read_text(value), value.where); }};
 }
 
+// "⌀8=H7": the text of an automatic size, and its tolerance.
+scene::ValueKind<scene::DimensionDescription> size_with_tolerance() {
+  return {{"text", "SIZE=TOLERANCE"}, [](const scene::TomlValue& value) {
+            const std::string text = scene::read_text(value);
+            const std::size_t sign = text.rfind('=');
+            if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
+              scene::refuse(value, "'" + text + "' is not a size with its tolerance", "for example ⌀8=H7 or 40=±0.1");
+            scene::DimensionDescription dimension;
+            dimension.where = value.where + " " + text;
+            dimension.match = {text.substr(0, sign), dimension.where};
+            dimension.tolerance = {text.substr(sign + 1), dimension.where};
+            return dimension;
+          }};
+}
+
 scene::ValueKind<explain::EdgeQuestion> edge_question() {
   return {{"text", "EDGE"},
           [](const scene::TomlValue& value) { return explain::parse_edge_question(scene::read_text(value)); }};
@@ -153,6 +168,11 @@ scene::Options<Draw> view_and_line_options() {
                                    "or one line with a common origin",
                            .usual = "single dimensions, equal distances as one"},
                           &Draw::arrangement, scene::choice<DimensionArrangement>().shown_as("KIND")),
+      scene::option<Draw>({.flag = "--tolerance",
+                           .help = "tolerance or fit of the automatic dimensions with this text, e.g. ⌀8=H7, 40=±0.1; "
+                                   "repeat for more",
+                           .repeatable = true},
+                          &Draw::tolerances, size_with_tolerance()),
       scene::option<Draw>({.flag = "--allow-missing-requirements",
                            .help = "accept sheets that lack some of what the model files require, which is told; exit "
                                    "code 1 otherwise"},

@@ -50,6 +50,7 @@ struct DrawOptions {
   scene::Located<double> explode;
   scene::Located<AutomaticDimensions> dimensions;
   scene::Located<DimensionArrangement> arrangement{};
+  std::vector<scene::DimensionDescription> tolerances{};  ///< of automatic dimensions, with `match`
   bool parts_list = false;
   output::VectorOptions vector;
   pipeline::RunOptions run;

@@ -15,6 +15,7 @@
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/automatic.hpp"
+#include "sheet/dimensions/matches.hpp"
 #include "sheet/dimensions/overall.hpp"
 #include "sheet/dimensions/pictorial.hpp"
 #include "sheet/dimensions/thread_notes.hpp"
@@ -128,6 +129,35 @@ void replace_found(std::vector<std::vector<scene::DimensionDescription>>& found,
     sheet::replace_twins(of_view, given, world, features, projections);
 }
 
+template <class Element>
+void append(std::vector<Element>& to, std::vector<Element> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(to));
+}
+
+// Automatic dimensions of which the scene says more are asked for: little room is no reason to leave them out.
+void match_found(std::vector<std::vector<scene::DimensionDescription>>& found, std::vector<Annotations>& annotations,
+                 const world::World& world, const scene::SceneDescription& scene,
+                 std::span<const sheet::NamedProjection> projections, const sheet::Notation& notation) {
+  std::vector<scene::DimensionDescription> wishes;
+  for (const scene::DimensionDescription& one : scene.dimensions)
+    if (one.match.given()) wishes.push_back(one);
+  if (wishes.empty()) return;
+  const auto is_overall = [](const auto& one) { return one.type.value == DimensionType::overall; };
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    Annotations& of_view = annotations[i];
+    std::vector<scene::DimensionDescription> overall;
+    std::copy_if(of_view.dimensions.begin(), of_view.dimensions.end(), std::back_inserter(overall), is_overall);
+    std::erase_if(of_view.dimensions, is_overall);
+    for (auto* automatic : {&overall, &found[i]}) {
+      sheet::Matches matches = sheet::take_matches(*automatic, wishes, world, projections, notation);
+      append(of_view.dimensions, std::move(matches.matched));
+      append(of_view.matched, std::move(matches.met));
+      append(of_view.sizes, std::move(matches.sizes));
+    }
+    append(of_view.dimensions, std::move(overall));
+  }
+}
+
 void add_dimensions(std::vector<Annotations>& annotations, const world::World& world,
                     const scene::SceneDescription& scene, const SheetOfViews& sheet,
                     std::span<const view::ProjectedScene> seen, const SectionSurfaces& sections) {
@@ -137,6 +167,7 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
   const auto here = [&views](const std::string& name) {
     return std::find_if(views.begin(), views.end(), [&](const scene::ViewDescription& v) { return *v.name == name; });
   };
+  const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
   std::vector<std::vector<scene::DimensionDescription>> found(views.size());
   const auto add_to = [&](const scene::DimensionDescription& dimension, bool is_given) {
     const auto view = here(view_of(dimension, scene));
@@ -152,12 +183,12 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
     return view < views.size() && is_left_out(dimension, world, sheet.plans[view].options.breaks, seen[view]);
   };
   if (!scene.threads.empty() && sheet.sheet == 0 && !dimensions_features(scene)) {
-    const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
     for (const scene::DimensionDescription& one :
          sheet::thread_dimensions(scene.threads, projections, features::find_part_features(world), notation))
       if (!is_outside(one)) add(one);
   }
   for (const scene::DimensionDescription& dimension : scene.dimensions) {
+    if (dimension.match.given()) continue;
     if (!is_open(dimension)) {
       add(dimension);
     } else if (dimension.view.given() ? here(*dimension.view) != views.end() : sheet.sheet == 0) {
@@ -165,13 +196,11 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
       const auto expanded = [&] {
         if (const auto* view = sheet::only_pictorial(projections, dimension.view.value_or(""))) {
           const features::PartFeatures features = features::features_to_dimension(world);
-          const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
           return sheet::pictorial_dimensions(dimension, *view, {world, features, *extents}, notation);
         }
         if (*dimension.type == DimensionType::overall)
           return sheet::overall_dimensions(dimension, projections, *extents);
         const features::PartFeatures features = features::features_to_dimension(world);
-        const sheet::Notation notation = notation_of(world, scene.sheets[static_cast<std::size_t>(sheet.sheet)]);
         sheet::AutomaticPlan plan =
             sheet::automatic_dimensions(dimension, projections, {world, features, *extents}, notation);
         for (sheet::HoleTable& table : plan.tables)
@@ -183,6 +212,7 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
     }
   }
   replace_found(found, annotations, world, projections);
+  match_found(found, annotations, world, scene, projections, notation);
   for (std::size_t i = 0; i < views.size(); ++i) {
     std::vector<scene::DimensionDescription>& dimensions = annotations[i].dimensions;
     annotations[i].found = found[i].size();

@@ -35,6 +35,8 @@ struct Annotations {
   std::vector<scene::CalloutDescription> attached{};    ///< in line with dimensions of this view
   bool balloons = false;                                ///< the view may have balloons
   std::optional<Vec3> centre_of_gravity{};              ///< of the models, if its symbol is wanted
+  std::vector<std::string> sizes{};    ///< if the scene says more of automatic ones by their text: these texts
+  std::vector<std::string> matched{};  ///< where the scene says what is met here
 };
 
 /// By view of the sheet; `seen` has the projected views in the same order. A dimension without a view belongs to the

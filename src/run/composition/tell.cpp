@@ -84,6 +84,18 @@ void tell_of_scales(const Messages& messages, const SheetPlan& plan, const scene
   if (!unusual.empty()) messages.warn("not a scale of ISO 5455: " + unusual);
 }
 
+void warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, std::vector<std::string> sizes,
+                       const std::vector<std::string>& matched) {
+  std::sort(sizes.begin(), sizes.end());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+  for (const scene::DimensionDescription& wish : scene.dimensions) {
+    if (!wish.match.given() || std::find(matched.begin(), matched.end(), wish.where) != matched.end()) continue;
+    messages.warn(wish.match.where + ": no automatic size is '" + *wish.match + "'\n  hint: " +
+                  (sizes.empty() ? "there are none without a [[dimension]] of type auto or overall, or --dimensions"
+                                 : did_you_mean(*wish.match, sizes)));
+  }
+}
+
 void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewInput& input) {
   if (!result.drawing.segments.empty() || !result.partial.stages.empty()) return;
   if (const auto& detail = input.options.detail)

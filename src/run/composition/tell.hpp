@@ -21,6 +21,11 @@ void warn_about(const Messages& messages, const SheetPlan& plan);
 void tell_of_scales(const Messages& messages, const SheetPlan& plan, const scene::SheetDescription& sheet,
                     const SheetOfViews& views);
 
+/// For each [[dimension]] whose pattern no automatic size matches: `sizes` are their texts, `matched` the places of the
+/// others.
+void warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, std::vector<std::string> sizes,
+                       const std::vector<std::string>& matched);
+
 /// Warns of a view without lines of the selected kinds, or without any in its window. Throws Error{input} for a view
 /// that should have lines, but has lost all of them in the rounding of coordinates.
 void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewInput& input);

@@ -62,6 +62,7 @@ struct Gathered {
   bool has_lines = false;
   std::string answers{};
   std::vector<sheet::DimensionsInView> dimensioned{};  ///< for lint
+  std::vector<std::string> sizes{}, matched{};         ///< as in Annotations
 };
 
 /// A sheet before its views are positioned.
@@ -270,6 +271,10 @@ PreparedSheet Run::prepare_sheet(const ShownWorlds& worlds, SheetOfViews views) 
   views.items = items_of(whole, views);
   state_requirements(scene, required, {views, seen, worlds});
   std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
+  for (const Annotations& of_view : annotations) {
+    gathered.sizes.insert(gathered.sizes.end(), of_view.sizes.begin(), of_view.sizes.end());
+    gathered.matched.insert(gathered.matched.end(), of_view.matched.begin(), of_view.matched.end());
+  }
   std::vector<sheet::DimensionsInView> anchored;
   if (options.lint) anchored = anchored_dimensions(whole, views, seen, annotations);
   return {std::move(views), std::move(seen), std::move(annotations), std::move(anchored)};
@@ -539,6 +544,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   const ShownWorlds worlds(std::move(world), scene, messages, progress);
   if (!scene.explosions.empty() || !worlds.surfaces().empty()) watch.lap("section");
   std::vector<FinishedSheet> finished;
+  warn_of_unmatched(messages, scene, gathered.sizes, gathered.matched);
   for (SheetOfViews sheet : sheets) {
     sheet.states_error = options.error_note;
     finished.push_back(draw_best_sheet(worlds, std::move(sheet)));

@@ -8,7 +8,6 @@
 
 #include "base/error.hpp"
 #include "features/tolerances.hpp"
-#include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 
 namespace epura::sheet {
@@ -27,13 +26,10 @@ struct Measure {
   bool across = false;  ///< whether a diameter and a length across its circle may be one
 };
 
-std::optional<Vec3> direction_of(const DimensionDescription& description, const AnchoredDimension& dimension,
-                                 std::span<const NamedProjection> views) {
-  if (dimension.type == DimensionType::overall) return Mat3(1)[axis_of(*dimension.direction)];
-  if (dimension.type == DimensionType::aligned) return glm::normalize(dimension.points[1] - dimension.points[0]);
+std::optional<Vec3> direction_in_views(const DimensionDescription& description, const AnchoredDimension& dimension,
+                                       std::span<const NamedProjection> views) {
   for (const NamedProjection& view : views)
-    if (description.view.value_or("") == view.name)
-      return *dimension.direction == DimensionDirection::horizontal ? view.projection.u : view.projection.v;
+    if (description.view.value_or("") == view.name) return direction_of(dimension, view);
   return std::nullopt;
 }
 
@@ -43,7 +39,7 @@ std::optional<Measure> measure_of(const DimensionDescription& description, const
   if (dimension.type == DimensionType::diameter || dimension.type == DimensionType::radius)
     return Measure{dimension.circles.front(), Vec3(0), 0, 0, dimension.type == DimensionType::diameter};
   if (dimension.type == DimensionType::angular || dimension.type == DimensionType::arc) return std::nullopt;
-  const std::optional<Vec3> along = direction_of(description, dimension, views);
+  const std::optional<Vec3> along = direction_in_views(description, dimension, views);
   if (!along) return std::nullopt;
   const bool across = dimension.type != DimensionType::overall || dimension.form == features::ExtentForm::diameter;
   return Measure{{}, *along, glm::dot(dimension.points[0], *along), glm::dot(dimension.points[1], *along), across};
@@ -149,6 +145,12 @@ bool is_required(DimensionDescription& automatic, const Measure& measure, const 
 }
 
 }  // namespace
+
+Vec3 direction_of(const AnchoredDimension& dimension, const NamedProjection& view) {
+  if (dimension.type == DimensionType::overall) return Mat3(1)[axis_of(*dimension.direction)];
+  if (dimension.type == DimensionType::aligned) return glm::normalize(dimension.points[1] - dimension.points[0]);
+  return *dimension.direction == DimensionDirection::horizontal ? view.projection.u : view.projection.v;
+}
 
 void replace_twins(std::vector<DimensionDescription>& automatic, std::span<DimensionDescription* const> given,
                    const world::World& world, const features::PartFeatures& features,

@@ -8,10 +8,14 @@
 
 #include "features/part_features.hpp"
 #include "scene/description.hpp"
+#include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/named_projection.hpp"
 #include "world/world.hpp"
 
 namespace epura::sheet {
+
+/// In which a length is measured; length 1.
+Vec3 direction_of(const AnchoredDimension& dimension, const NamedProjection& view);
 
 /// Removes automatic dimensions whose size others give: a length between the same places, a diameter or radius of the
 /// circle of the same feature or of an equal hole, or a diameter as a length across it. One without a text takes over
