@@ -38,27 +38,26 @@ std::map<std::array<int, 2>, Box> boxes_of_bodies(const world::World& world) {
   return boxes;
 }
 
-// A level at each end of a part that is within the assembly.
+// A level where a part within the assembly begins: its size is for its own drawing.
 void add_levels(std::vector<LevelFeature>& levels, const Box& part, const Box& whole) {
   const double slack = 1e-6 * glm::length(whole.size());
-  for (int axis = 0; axis < 3; ++axis)
-    for (const double at : {part.min[axis], part.max[axis]}) {
-      const auto is_there = [&](const LevelFeature& level) {
-        return level.axis == axis && std::abs(level.at - at) <= slack;
-      };
-      if (at <= whole.min[axis] + slack || at >= whole.max[axis] - slack) continue;
-      auto level = std::find_if(levels.begin(), levels.end(), is_there);
-      if (level == levels.end()) level = levels.insert(levels.end(), {axis, at, 0, {}});
-      const Vec3 size = part.size();
-      level->area += size[(axis + 1) % 3] * size[(axis + 2) % 3];
-      for (int corner = 0; corner < 4; ++corner) {
-        Vec3 point = part.min;
-        point[axis] = at;
-        if ((corner & 1) != 0) point[(axis + 1) % 3] = part.max[(axis + 1) % 3];
-        if ((corner & 2) != 0) point[(axis + 2) % 3] = part.max[(axis + 2) % 3];
-        level->points.push_back(point);
-      }
+  for (int axis = 0; axis < 3; ++axis) {
+    const double at = part.min[axis];
+    const auto is_there = [&](const LevelFeature& level) {
+      return level.axis == axis && std::abs(level.at - at) <= slack;
+    };
+    if (at <= whole.min[axis] + slack) continue;
+    auto level = std::find_if(levels.begin(), levels.end(), is_there);
+    if (level == levels.end()) level = levels.insert(levels.end(), {axis, at, 0, {}});
+    const Vec3 size = part.size();
+    level->area += size[(axis + 1) % 3] * size[(axis + 2) % 3];
+    for (int corner = 0; corner < 4; ++corner) {
+      Vec3 point = part.min;
+      if ((corner & 1) != 0) point[(axis + 1) % 3] = part.max[(axis + 1) % 3];
+      if ((corner & 2) != 0) point[(axis + 2) % 3] = part.max[(axis + 2) % 3];
+      level->points.push_back(point);
     }
+  }
 }
 
 // With names, or closed: a cracked surface is in pieces, too.

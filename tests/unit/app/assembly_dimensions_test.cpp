@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Automatic dimensions of assemblies: overall sizes, and where the parts are.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "drawn_texts.hpp"
+#include "errors.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+
+namespace epura::test::assembly_dimensions_test {
+namespace {
+
+// A box from one corner to another, as a closed body; `first` is the number of its first corner.
+std::string box(const Vec3& low, const Vec3& high, int first) {
+  std::string text;
+  for (int i = 0; i < 8; ++i)
+    text += "v " + format_number(((i & 1) != 0 ? high : low).x) + " " + format_number(((i & 2) != 0 ? high : low).y) +
+            " " + format_number(((i & 4) != 0 ? high : low).z) + "\n";
+  for (const auto& face :
+       {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    text += "f";
+    for (const int corner : face) text += " " + std::to_string(first + corner);
+    text += "\n";
+  }
+  return text;
+}
+
+// A part has its place where it begins, once; its size is for its own drawing.
+TEST(AssemblyDimensions, AreOverallSizesAndPlacesOfParts) {
+  const Folder folder;
+  folder.file("two.obj", box({0, 0, 0}, {40, 20, 10}, 1) + box({12, 5, 10}, {21, 14, 26}, 9));
+  for (const char* command : {"draw", "lint"}) {
+    std::vector<std::string> words{command, "two.obj", "--views", "front,top,left", "--dimensions", "auto"};
+    if (words.front() == "draw") words.insert(words.end(), {"-o", "x.svg"});
+    const Outcome run = epura(words, folder / "");
+    EXPECT_EQ(run.code, 0) << run.out << run.err;
+  }
+  EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted({"40", "20", "26", "12", "5", "10"}));
+}
+
+}  // namespace
+}  // namespace epura::test::assembly_dimensions_test
