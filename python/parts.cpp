@@ -25,12 +25,12 @@ from dataclasses import KW_ONLY, dataclass
 from datetime import date as Date
 from typing import Any, Literal, Mapping, Optional, Sequence, Union
 
-#: (model, vertex), or {"point": (x, y, z)}
-Anchor = Union[Sequence[Union[int, str]], Mapping[str, Sequence[float]]]
+#: (model, vertex), {"point": (x, y, z)}, or a feature: "hole 3", (model, "hole 3")
+Anchor = Union[str, Sequence[Union[int, str]], Mapping[str, Sequence[float]]]
 )";
 
 /// What the classes of scene files hold is their type, by the beginning of the name of their form.
-constexpr std::array<std::pair<const char*, const char*>, 20> types{{
+constexpr std::array<std::pair<const char*, const char*>, 21> types{{
     {"true or false", "bool"},
     {"text, or rows of a matrix", "Union[str, Sequence[Sequence[float]]]"},
     {"text or date", "Union[str, Date]"},
@@ -41,6 +41,7 @@ constexpr std::array<std::pair<const char*, const char*>, 20> types{{
     {"whole number", "int"},
     {"number", "float"},
     {"[[x, y, z], ...]", "Sequence[Sequence[float]]"},
+    {"[x, y, z], or a feature", "Union[str, Sequence[Union[int, float, str]]]"},
     {"[x, y, z]", "Sequence[float]"},
     {"[x, y]", "Sequence[float]"},
     {"`#rgb`", "str"},

@@ -35,11 +35,11 @@ struct Break {
   double from = 0, to = 0;
 };
 
-/// A model and a vertex of it, both counted from 0; or a point of the world.
-using DimensionAnchor = std::variant<std::array<int, 2>, std::array<double, 3>>;
+/// A model and a vertex of it, both counted from 0; or a point of the world; or a feature of the only model, "hole 3".
+using DimensionAnchor = std::variant<std::array<int, 2>, std::array<double, 3>, std::string>;
 
 /// Where a leader ends: likewise on the models; or on the sheet, mm from its lower left corner.
-using LeaderTarget = std::variant<std::array<int, 2>, std::array<double, 3>, std::array<double, 2>>;
+using LeaderTarget = std::variant<std::array<int, 2>, std::array<double, 3>, std::array<double, 2>, std::string>;
 
 /// Largest scale that fits, largest standard scale that fits (ISO 5455), or millimetres on paper per unit.
 enum class AutomaticScale { fit, standard };

@@ -22,6 +22,13 @@
 
 namespace epura::scene {
 
+/// A feature of a model by the name that `epura info` gives it, "hole 3", instead of a point. Its point is that of the
+/// feature once the models are read.
+struct FeatureName {
+  std::string text{};                         ///< empty: none
+  std::variant<int, std::string> model = -1;  ///< its number or name; -1: the only one
+};
+
 struct ModelDescription {
   LocatedText file;                                           ///< in a scene file, relative to its folder
   std::vector<std::pair<std::string, std::string>> import{};  ///< parameters of the file's importer and their values
@@ -78,13 +85,15 @@ struct SectionDescription {
   Located<std::vector<Vec3>> path{};  ///< corners of the cutting-plane line, instead of a point
   Located<bool> aligned{};            ///< true: the planes of the path are turned into one; false by default
   Located<bool> beyond{};             ///< true by default; false: only cut faces, without what is behind them
+  Located<FeatureName> at{};          ///< instead of the point
 };
 
 /// A revolved section: the cut face at a point, turned into the picture and drawn on a view, in its place. ISO 128-3.
 struct RevolvedDescription {
-  LocatedText view{};      ///< name of the view; by default the first view that shows no detail
-  Located<Vec3> point{};   ///< of the world, inside the cut face
-  Located<Vec3> normal{};  ///< of the cutting plane, which the view sees edge-on
+  LocatedText view{};         ///< name of the view; by default the first view that shows no detail
+  Located<Vec3> point{};      ///< of the world, inside the cut face
+  Located<Vec3> normal{};     ///< of the cutting plane, which the view sees edge-on
+  Located<FeatureName> at{};  ///< instead of the point
 };
 
 /// A broken-out section: inside a closed line of a view, the models are cut by a plane parallel to the picture.
@@ -94,6 +103,7 @@ struct BrokenOutDescription {
   Located<Vec3> point{};                 ///< of the world, on the plane
   Located<double> radius{};              ///< of a closed line around the point, in the unit of the world
   Located<std::vector<Vec3>> outline{};  ///< instead: points of the world through which the line runs in the view
+  Located<FeatureName> at{};             ///< instead of the point
 };
 
 /// A part of a view, to be shown by another view at a larger scale: a circle or an upright rectangle in its plane.
@@ -102,8 +112,9 @@ struct DetailDescription {
   LocatedText name;    ///< "X"
   LocatedText view{};  ///< name of its parent; by default the first view that shows no detail
   Located<Vec3> centre{};
-  Located<double> radius{};  ///< of a circle, in the unit of the world
-  Located<Vec2> size{};      ///< width and height of a rectangle, likewise
+  Located<double> radius{};   ///< of a circle, in the unit of the world
+  Located<Vec2> size{};       ///< width and height of a rectangle, likewise
+  Located<FeatureName> at{};  ///< instead of the centre
 };
 
 /// Bodies moved apart in exploded views: by a vector, or outwards by a factor of their distance.
@@ -116,8 +127,9 @@ struct ExplodeDescription {
   Located<bool> trace{};  ///< a line from its place to the moved body; by default if it moves along its axis
 };
 
-/// Vertex `second` of model `first`, both counted from 0 as in the drawing JSON; or a point of the world.
-using Anchor = std::variant<std::array<int, 2>, Vec3>;
+/// Vertex `second` of model `first`, both counted from 0 as in the drawing JSON; or a point of the world; or a feature,
+/// in whose place its point stands once the models are read.
+using Anchor = std::variant<std::array<int, 2>, Vec3, FeatureName>;
 
 /// A circle of a recognised feature, or an arc of it. Units of the world.
 struct FeatureCircle {
@@ -151,6 +163,7 @@ struct DimensionDescription {
   Located<DimensionArrangement> arrangement{};  ///< auto, and linear with several places; baseline by default
   LocatedText name{};                           ///< to which datums and tolerance frames refer
   Located<bool> limits{};                       ///< whether limits of size are written; false by default
+  LocatedText match{};                          ///< texts of automatic sizes, which get what else it says: fnmatch
   std::optional<StatedValue> stated{};          ///< instead of the measured value; not in scene files
   bool is_exact = false;                        ///< theoretically, which a frame says; not in scene files
   std::string requirement{};                    ///< of a model file, by its id, that this draws; not in scene files
@@ -163,7 +176,6 @@ struct Words<LeaderEnd> {
 
 /// Where a leader ends: on the models, or on the sheet, mm from its lower left corner.
 using LeaderTarget = std::variant<Anchor, Vec2>;
-  LocatedText match{};                          ///< texts of automatic sizes, which get what else it says: fnmatch
 
 /// Lines of text.
 struct NoteText {

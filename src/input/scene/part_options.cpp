@@ -112,13 +112,31 @@ Options<StyleDescription> style_options() {
   };
 }
 
+namespace {
+
+// A point of the world, or a feature instead.
+template <class Part, class Member>
+Option<Part> point_option(OptionInfo info, Member member) {
+  Option<Part> one = option<Part>(std::move(info), member, triple_of_numbers(""));
+  one.form.name += ", or a feature";
+  one.read = [member, read_point = one.read](Part& part, const TomlValue& value) {
+    std::optional<FeatureName> feature = read_feature(value);
+    if (!feature) return read_point(part, value);
+    assign(std::invoke(member, part), Vec3(0), value.where);
+    part.at = {std::move(feature), value.where};
+  };
+  return one;
+}
+
+}  // namespace
+
 Options<SectionDescription> section_options() {
   using Section = SectionDescription;
   return {
       option<Section>({.key = "name", .help = "name to which views refer, such as `A`", .required = true},
                       &Section::name, any_text()),
-      option<Section>({.key = "point", .help = "point on the cutting plane", .usual = "[0, 0, 0]"}, &Section::point,
-                      triple_of_numbers("")),
+      point_option<Section>({.key = "point", .help = "point on the cutting plane", .usual = "[0, 0, 0]"},
+                            &Section::point),
       option<Section>(
           {.key = "normal", .help = "normal that points to the side that is removed", .usual = "[0, -1, 0]"},
           &Section::normal, direction()),
@@ -143,8 +161,8 @@ Options<DetailDescription> detail_options() {
                      any_text()),
       option<Detail>({.key = "view", .help = "name of the view that it enlarges", .usual = "first view"}, &Detail::view,
                      any_text()),
-      option<Detail>({.key = "centre", .help = "point of the world in its middle", .required = true}, &Detail::centre,
-                     triple_of_numbers("")),
+      point_option<Detail>({.key = "centre", .help = "point of the world in its middle", .required = true},
+                           &Detail::centre),
       option<Detail>({.key = "radius", .help = "radius of a circle around it"}, &Detail::radius, positive_number()),
       option<Detail>({.key = "size", .help = "width and height of a rectangle around it, instead of a circle"},
                      &Detail::size, positive_pair()),
@@ -156,9 +174,9 @@ Options<BrokenOutDescription> broken_out_options() {
   return {
       option<BrokenOut>({.key = "view", .help = "name of the view", .usual = "first view"}, &BrokenOut::view,
                         any_text()),
-      option<BrokenOut>(
+      point_option<BrokenOut>(
           {.key = "point", .help = "point on the cutting plane, which is parallel to the picture", .required = true},
-          &BrokenOut::point, triple_of_numbers("")),
+          &BrokenOut::point),
       option<BrokenOut>({.key = "radius", .help = "radius of the freehand line around the point"}, &BrokenOut::radius,
                         positive_number()),
       option<BrokenOut>(
@@ -172,8 +190,7 @@ Options<RevolvedDescription> revolved_options() {
   return {
       option<Revolved>({.key = "view", .help = "name of the view on which it is drawn", .usual = "first view"},
                        &Revolved::view, any_text()),
-      option<Revolved>({.key = "point", .help = "point inside the cut face", .required = true}, &Revolved::point,
-                       triple_of_numbers("")),
+      point_option<Revolved>({.key = "point", .help = "point inside the cut face", .required = true}, &Revolved::point),
       option<Revolved>({.key = "normal",
                         .help = "normal of the cutting plane, such as the direction of a bar or a spoke; it is seen in "
                                 "true length",

@@ -103,6 +103,7 @@ struct Subjects {
 
 Anchor anchor_of(const AnchorWords& words, const Subjects& subjects) {
   if (words.point) return *words.point;
+  if (!words.feature.text.empty()) return words.feature;
   const int model = model_of(words, subjects.numbers, static_cast<int>(subjects.models.size()));
   if (!subjects.models[std::size_t(model)].drawn.value_or(true))
     refuse_input(words.where, "the model is not drawn and has no vertices", "give the position as {point = [x, y, z]}");
@@ -121,7 +122,6 @@ void add_places(DimensionDescription& dimension, const DimensionWords& words, co
                  "points = [{point = [x, y, z]}, ...]");
 }
 
-// Throws Error{input} for keys that belong to other types.
 // Automatic sizes have their places, and get what can be said of them.
 void expect_match(const DimensionWords& words) {
   const DimensionDescription& dimension = words.description;
@@ -138,11 +138,12 @@ void expect_match(const DimensionWords& words) {
     refuse_input(dimension.name.where, "a size with a name needs its view", "add 'view'");
 }
 
+// Throws Error{input} for keys that belong to other types.
 void expect_keys_of_type(const DimensionDescription& dimension) {
-  const DimensionType type = *dimension.type;
   if (!dimension.type.given())
     refuse_input(dimension.where, "[[dimension]] lacks 'type'",
                  "type of the dimension; or 'match' for automatic sizes");
+  const DimensionType type = *dimension.type;
   const std::string has_no = "a dimension of type '" + std::string(word_of(type)) + "' has no '";
   if (dimension.holes.given() && type != DimensionType::automatic)
     refuse_input(dimension.holes.where, has_no + "holes'", "it belongs to type 'auto'");
@@ -158,8 +159,8 @@ DimensionDescription dimension_of(const DimensionWords& words, const Subjects& s
     expect_keys_of_type(dimension);
   // Views of the command line are not known yet.
   if (!subjects.views.empty()) refuse_unknown(dimension.view, subjects.views, "view");
-  if (dimension.arrangement.given() && *dimension.type == DimensionType::linear) {
   if (dimension.match.given()) return dimension;
+  if (dimension.arrangement.given() && *dimension.type == DimensionType::linear) {
     add_places(dimension, words, subjects);
     return dimension;
   }
@@ -170,7 +171,7 @@ DimensionDescription dimension_of(const DimensionWords& words, const Subjects& s
                                     [&key](const auto& anchor) { return anchor.first == key; });
     if (found == words.anchors.end())
       refuse_input(dimension.where, "a dimension of type '" + type + "' lacks '" + key + "'",
-                   "[model, vertex] or {point = [x, y, z]}");
+                   "[model, vertex], {point = [x, y, z]} or a feature, \"hole 3\"");
     dimension.anchors.push_back(anchor_of(found->second, subjects));
   }
   for (const auto& [key, anchor] : words.anchors)

@@ -206,12 +206,14 @@ AnchorWords read_vertex(const TomlValue& value, const std::vector<TomlValue>& el
   return anchor;
 }
 
+constexpr const char* anchor_forms = "[model, vertex], {point = [x, y, z]} or a feature, \"hole 3\"";
+
 AnchorWords read_anchor(const TomlValue& value) {
+  if (std::optional<FeatureName> feature = read_feature(value)) return {value.where, {}, -1, {}, std::move(*feature)};
   if (const auto* list = std::get_if<TomlList>(&value.content)) return read_vertex(value, list->values);
   const auto* table = std::get_if<TomlTable>(&value.content);
-  if (table == nullptr) refuse_kind(value, "[model, vertex] or {point = [x, y, z]}");
-  if (table->values.size() != 1 || table->values[0].key != "point")
-    refuse(value, "is not an anchor", "[model, vertex] or {point = [x, y, z]}");
+  if (table == nullptr) refuse_kind(value, anchor_forms);
+  if (table->values.size() != 1 || table->values[0].key != "point") refuse(value, "is not an anchor", anchor_forms);
   return {value.where, {}, -1, read_vector<Vec3>(table->values[0])};
 }
 
@@ -433,6 +435,35 @@ ValueKind<std::vector<std::vector<std::string>>> rows_of_texts() {
             if (rows.empty()) refuse(value, "has no rows");
             return rows;
           }};
+}
+
+std::pair<std::string, std::size_t> parse_feature(const std::string& text, const std::string& where) {
+  const std::vector<std::string_view> words = split(text, ' ');
+  const auto number = words.size() == 2 ? parse_integer(words[1]) : std::nullopt;
+  if (!number || *number < 1 || (words[0] != "hole" && words[0] != "face"))
+    throw Error(ErrorKind::input, where, "'" + text + "' is not a feature",
+                "write \"hole 3\" or \"face 12\": epura info and epura new-scene number them");
+  return {std::string(words[0]), static_cast<std::size_t>(*number)};
+}
+
+std::optional<FeatureName> read_feature(const TomlValue& value) {
+  FeatureName feature;
+  std::string where = value.where;
+  if (std::holds_alternative<std::string>(value.content)) {
+    feature.text = read_text(value);
+  } else {
+    const auto* list = std::get_if<TomlList>(&value.content);
+    if (list == nullptr || list->values.size() != 2 || !std::holds_alternative<std::string>(list->values[1].content))
+      return std::nullopt;
+    feature.text = read_text(list->values[1]);
+    where = list->values[1].where;
+    if (std::holds_alternative<std::string>(list->values[0].content))
+      feature.model = read_text(list->values[0]);
+    else
+      feature.model = read_whole(list->values[0], 0);
+  }
+  parse_feature(feature.text, where);
+  return feature;
 }
 
 std::vector<LocatedText> each_word(const TomlValue& value) {

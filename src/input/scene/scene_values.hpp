@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -63,6 +64,7 @@ struct AnchorWords {
   std::variant<int, std::string> model;  ///< number or name
   int vertex = -1;
   std::optional<Vec3> point;  ///< instead of a vertex
+  FeatureName feature{};      ///< likewise
 };
 
 /// Where a leader ends, with an unresolved model.
@@ -89,7 +91,7 @@ ValueKind<PaperChoice> paper_choice();
 ValueKind<EdgeKinds> edge_kinds();
 ValueKind<ConstructionChoice> construction_choice();  ///< a list of constructions
 ValueKind<BreakChoice> break_choice();                ///< "auto", or a list of places
-ValueKind<AnchorWords> anchor();                      ///< [model, vertex] or {point = [x, y, z]}
+ValueKind<AnchorWords> anchor();                      ///< [model, vertex], {point = [x, y, z]} or a feature
 ValueKind<std::vector<AnchorWords>> list_of_anchors();
 ValueKind<LeaderWords> leader_target();            ///< an anchor, or {page = [x, y]}
 ValueKind<std::vector<std::string>> text_lines();  ///< a list of texts, or a text with line breaks
@@ -114,6 +116,12 @@ ValueKind<Enum> choice() {
   return {std::move(form),
           [all, count](const TomlValue& value) { return static_cast<Enum>(read_word(value, all) % count); }};
 }
+
+/// "hole 3" or "face 12": what it is, and its number from 1. Throws Error{input} with `where` as the location.
+std::pair<std::string, std::size_t> parse_feature(const std::string& text, const std::string& where);
+
+/// A feature from a text, or from a list of a model and a text; nothing for other values.
+std::optional<FeatureName> read_feature(const TomlValue& value);
 
 /// Returns a text, which must not be empty.
 std::string read_text(const TomlValue& value);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,7 +24,7 @@
 #include "pipeline/targets.hpp"
 #include "scene/choices.hpp"
 #include "sheet/notation.hpp"
-#include "surfaces/holes.hpp"
+#include "surfaces/numbers.hpp"
 #include "surfaces/recognise.hpp"
 #include "world/mass.hpp"
 
@@ -53,6 +54,8 @@ struct ModelInfo {
   std::vector<importer::ModelRequirement> requirements;
   std::vector<world::Solid> solids;             ///< in millimetres if the unit is known, or else in that of the file
   std::optional<world::MassProperties> mass{};  ///< of all bodies, if they are closed
+  std::vector<int> face_numbers{};              ///< of the faces of the part
+  std::vector<Vec3> face_middles{};             ///< likewise
 
   [[nodiscard]] bool closed() const { return report.triangles > 0 && report.open_edges == 0; }
 };
@@ -96,6 +99,8 @@ ModelInfo info_of(const std::string& path, const InfoOptions& options) {
   info.is_declared = read.part != nullptr;
   info.report.name = request.path;
   info.holes = surfaces::find_holes(mesh, info.part);
+  info.face_numbers = surfaces::numbers_in(surfaces::numbered_faces(mesh, info.part));
+  info.face_middles = surfaces::middles_of_faces(mesh, info.part);
   if (!read.unit) info.guessed_unit = features::guess_unit(info.box, info.part);
   measure(info, mesh, options.density);
   return info;
@@ -215,6 +220,7 @@ std::string faces_text(const ModelInfo& info, const Rounded& rounded) {
   std::string text = line_of("faces", std::to_string(info.part.faces.size()) + "; " + percent(info.part.recognised) +
                                           (info.is_declared ? " of the area is plane or round, as the file says"
                                                             : " of the area is recognised"));
+  int before = 0;  // faces are numbered kind by kind
   for (const surfaces::SurfaceKind kind : kinds) {
     const auto k = static_cast<std::size_t>(kind);
     const auto count = static_cast<int>(std::count_if(info.part.faces.begin(), info.part.faces.end(),
@@ -223,6 +229,10 @@ std::string faces_text(const ModelInfo& info, const Rounded& rounded) {
     std::string what = counted(count, one[k], many[k]);
     if (kind != surfaces::SurfaceKind::plane && kind != surfaces::SurfaceKind::free_form)
       what += ": " + radii_text(info.part, kind, rounded);
+    std::vector<int> numbers(static_cast<std::size_t>(count));
+    std::iota(numbers.begin(), numbers.end(), before + 1);
+    what += "; " + surfaces::numbers_text("face", numbers);
+    before += count;
     text += line_of("", what);
   }
   return text;
@@ -251,18 +261,25 @@ std::string hole_text(const surfaces::Hole& hole, const Rounded& rounded) {
 // Equal holes share a line.
 std::string holes_text(const std::vector<surfaces::Hole>& holes, const Rounded& rounded) {
   if (holes.empty()) return line_of("holes", "none");
-  std::vector<std::pair<std::string, std::vector<Vec3>>> groups;
-  for (const surfaces::Hole& hole : holes) {
+  struct Equal {
+    std::string text;
+    std::vector<int> numbers;
+    std::vector<Vec3> positions;
+  };
+  std::vector<Equal> groups;
+  const std::vector<int> order = surfaces::numbered_holes(holes);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const surfaces::Hole& hole = holes[static_cast<std::size_t>(order[i])];
     const std::string text = hole_text(hole, rounded);
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == text; });
-    if (same == groups.end())
-      groups.push_back({text, {hole.from}});
-    else
-      same->second.push_back(hole.from);
+    auto same = std::find_if(groups.begin(), groups.end(), [&](const Equal& one) { return one.text == text; });
+    if (same == groups.end()) same = groups.insert(groups.end(), {text, {}, {}});
+    same->numbers.push_back(static_cast<int>(i) + 1);
+    same->positions.push_back(surfaces::mouth_of(hole));
   }
   std::string text = line_of("holes", std::to_string(holes.size()));
-  for (const auto& [what, positions] : groups) {
-    std::string line = positions.size() > 1 ? std::to_string(positions.size()) + " x " + what : what;
+  for (const auto& [what, numbers, positions] : groups) {
+    std::string line = surfaces::numbers_text("hole", numbers) + ": " +
+                       (positions.size() > 1 ? std::to_string(positions.size()) + " x " + what : what);
     for (std::size_t i = 0; i < std::min(positions.size(), max_positions); ++i)
       line += (i == 0 ? ", from " : ", ") + rounded(positions[i]);
     if (positions.size() > max_positions) line += ", ...";
@@ -337,9 +354,10 @@ std::string text_of(const ModelInfo& info) {
 
 // JSON. Areas of huge models may exceed the range of doubles: null.
 
-std::string json_of(const surfaces::PartFace& face) {
+std::string json_of(const surfaces::PartFace& face, int face_number, const Vec3& middle) {
   const surfaces::PartSurface& s = face.surface;
-  std::string text = "{\"kind\": " + json_string(surfaces::surface_kind_names[static_cast<std::size_t>(s.kind)]) +
+  std::string text = "{\"number\": " + std::to_string(face_number) + ", \"middle\": " + json_vector(middle) +
+                     ", \"kind\": " + json_string(surfaces::surface_kind_names[static_cast<std::size_t>(s.kind)]) +
                      ", \"body\": " + std::to_string(face.body) + ", \"triangles\": " + std::to_string(face.triangles) +
                      ", \"area\": " + json_number(face.area);
   if (s.kind == surfaces::SurfaceKind::free_form) return text + "}";
@@ -356,9 +374,10 @@ std::string json_of(const surfaces::PartFace& face) {
   return text + ", \"residual\": " + json_number(face.residual) + ", \"sagitta\": " + json_number(face.sagitta) + "}";
 }
 
-std::string json_of(const surfaces::Hole& hole) {
-  return "{\"diameters\": " + json_list(hole.diameters, json_number) + ", \"from\": " + json_vector(hole.from) +
-         ", \"to\": " + json_vector(hole.to) + ", \"through\": " + (hole.through ? "true" : "false") +
+std::string json_of(const surfaces::Hole& hole, int hole_number) {
+  return "{\"number\": " + std::to_string(hole_number) + ", \"diameters\": " + json_list(hole.diameters, json_number) +
+         ", \"from\": " + json_vector(hole.from) + ", \"to\": " + json_vector(hole.to) +
+         ", \"through\": " + (hole.through ? "true" : "false") +
          ", \"faces\": " + json_list(hole.faces, [](int f) { return std::to_string(f); }) + "}";
 }
 
@@ -393,13 +412,24 @@ std::string json_of(const ModelInfo& info) {
   text += ",\n   \"parts\": " + tree_json(info.tree);
   text += ",\n   \"tolerance\": " + json_number(info.part.tolerance) +
           ", \"recognised\": " + json_number(info.part.recognised);
+  const auto number_of = [](const std::vector<int>& numbers, const auto& list, const auto& one) {
+    return numbers[static_cast<std::size_t>(&one - list.data())];
+  };
   text += ",\n   \"part_faces\": " + json_list(
-                                         info.part.faces, [](const auto& f) { return json_of(f); }, ",\n    ");
+                                         info.part.faces,
+                                         [&](const surfaces::PartFace& f) {
+                                           return json_of(f, number_of(info.face_numbers, info.part.faces, f),
+                                                          info.face_middles[std::size_t(&f - info.part.faces.data())]);
+                                         },
+                                         ",\n    ");
   text += ",\n   \"part_edges\": {\"sharp\": " + std::to_string(count_borders(info.part, surfaces::BorderKind::sharp)) +
           number("tangent", count_borders(info.part, surfaces::BorderKind::tangent)) +
           number("open", count_open(info)) + number("shared", info.shared_borders) + "}";
-  text += ",\n   \"holes\": " + json_list(
-                                    info.holes, [](const auto& h) { return json_of(h); }, ",\n    ");
+  const std::vector<int> hole_numbers = surfaces::numbers_in(surfaces::numbered_holes(info.holes));
+  text += ",\n   \"holes\": " +
+          json_list(
+              info.holes, [&](const surfaces::Hole& h) { return json_of(h, number_of(hole_numbers, info.holes, h)); },
+              ",\n    ");
   if (!info.requirements.empty()) {
     text += ",\n   \"requirements\": {";
     for (const auto kind :

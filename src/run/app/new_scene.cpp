@@ -20,7 +20,7 @@
 #include "importer/read_model.hpp"
 #include "pipeline/complete_scene.hpp"
 #include "pipeline/read_models.hpp"
-#include "surfaces/holes.hpp"
+#include "surfaces/numbers.hpp"
 
 namespace epura {
 
@@ -28,14 +28,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t max_holes = 20, max_bodies = 40;  // lines that a person reads
-constexpr int position_digits = 7;                      // of positions
-constexpr double position_step = 1e-6;                  // mm; what is below is left by computing
+constexpr std::size_t max_holes = 20, max_lines = 40;  // lines that a person reads
+constexpr int position_digits = 7;                     // of positions
+constexpr double position_step = 1e-6;                 // mm; what is below is left by computing
 
-/// A hole in the world, in mm, and the others like it.
+/// A hole in the world, in mm, and the numbers of all that are like it.
 struct EqualHoles {
   surfaces::Hole first;
-  int count = 0;
+  std::vector<int> numbers{};
+
+  [[nodiscard]] std::string name() const { return "hole " + std::to_string(numbers.front()); }
 };
 
 // TOML 1.0: a basic string.
@@ -63,11 +65,13 @@ std::string axis_of(const surfaces::Hole& hole) {
   return "along an axis that is none of the world";
 }
 
-std::vector<surfaces::Hole> holes_in_world(const world::Placed& placed) {
+// In the order of their numbers.
+std::vector<surfaces::Hole> holes_in_world(const world::Placed& placed, const surfaces::PartFaces& part) {
   const auto scale = surfaces::similarity_scale(placed.to_world);
   if (!scale) return {};
-  const surfaces::PartFaces part = placed.part != nullptr ? *placed.part : surfaces::recognise_faces(*placed.mesh);
-  std::vector<surfaces::Hole> holes = surfaces::find_holes(*placed.mesh, part);
+  const std::vector<surfaces::Hole> found = surfaces::find_holes(*placed.mesh, part);
+  std::vector<surfaces::Hole> holes;
+  for (const int number : surfaces::numbered_holes(found)) holes.push_back(found[static_cast<std::size_t>(number)]);
   for (surfaces::Hole& hole : holes) {
     for (double& diameter : hole.diameters) diameter *= *scale;
     for (Vec3* end : {&hole.from, &hole.to}) *end = Vec3(placed.to_world * Vec4(*end, 1));
@@ -83,38 +87,32 @@ std::vector<EqualHoles> groups_of(const std::vector<surfaces::Hole>& holes) {
     return text;
   };
   std::vector<std::pair<std::string, EqualHoles>> groups;
-  for (const surfaces::Hole& hole : holes) {
-    const std::string text = text_of(hole);
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    const std::string text = text_of(holes[i]);
     auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == text; });
-    if (same == groups.end()) same = groups.insert(groups.end(), {text, {hole}});
-    ++same->second.count;
+    if (same == groups.end()) same = groups.insert(groups.end(), {text, {holes[i]}});
+    same->second.numbers.push_back(static_cast<int>(i) + 1);
   }
   std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.second.count, a.second.first.diameters.back()) >
-           std::pair(b.second.count, b.second.first.diameters.back());
+    return std::pair(a.second.numbers.size(), a.second.first.diameters.back()) >
+           std::pair(b.second.numbers.size(), b.second.first.diameters.back());
   });
   std::vector<EqualHoles> equal;
   for (auto& [text, group] : groups) equal.push_back(std::move(group));
   return equal;
 }
 
-// On the rim where the hole begins.
-Vec3 rim_of(const surfaces::Hole& hole) {
-  const Vec3 axis = glm::normalize(hole.to - hole.from);
-  const Vec3 across = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
-  return hole.from + hole.diameters.back() / 2 * across;
-}
-
 std::string hole_text(const EqualHoles& group) {
   const surfaces::Hole& hole = group.first;
-  std::string text = "# ";
-  if (group.count > 1) text += std::to_string(group.count) + " x ";
+  const std::size_t count = group.numbers.size();
+  std::string text = "# " + surfaces::numbers_text("hole", group.numbers) + ": ";
+  if (count > 1) text += std::to_string(count) + " x ";
   for (std::size_t i = 0; i < hole.diameters.size(); ++i)
     text += (i > 0 ? " and " : "") + std::string("Ø") + format_rounded(hole.diameters[i], 5);
   text += hole.through ? ", through" : ", " + format_rounded(glm::distance(hole.from, hole.to), 5) + " deep";
-  text += ", " + axis_of(hole) + (group.count > 1 ? ", one of them" : "") + " from " + triple(hole.from) + "\n";
-  return text + "#[[dimension]]\n#type = \"diameter\"\n#at = {point = " + triple(rim_of(hole)) +
-         "}\n#tolerance = \"H7\"\n";
+  text +=
+      ", " + axis_of(hole) + (count > 1 ? ", the first one" : "") + " from " + triple(surfaces::mouth_of(hole)) + "\n";
+  return text + "#[[dimension]]\n#type = \"diameter\"\n#at = \"" + group.name() + "\"\n#tolerance = \"H7\"\n";
 }
 
 std::string holes_text(const std::vector<EqualHoles>& groups) {
@@ -133,20 +131,37 @@ std::string section_text(const std::vector<EqualHoles>& groups, const Box& box) 
     return a.first.diameters.back() < b.first.diameters.back();
   });
   const bool has_hole = largest != groups.end();
-  const Vec3 point = has_hole ? largest->first.from : box.centre();
+  const std::string point = has_hole ? toml_text(largest->name()) : triple(box.centre());
   return std::string("\n# A section through ") + (has_hole ? "the largest hole" : "the middle") +
-         ". The side to which the normal points is removed.\n#[[section]]\n#name = \"A\"\n#point = " + triple(point) +
+         ". The side to which the normal points is removed.\n#[[section]]\n#name = \"A\"\n#point = " + point +
          "\n#normal = [0, -1, 0]\n#[[view]]\n#projection = \"front\"\n#name = \"section\"\n#section = \"A\"\n";
+}
+
+// Points of faces, for dimensions, details and leaders.
+std::string faces_text(const world::Placed& placed, const surfaces::PartFaces& part) {
+  const std::vector<int> order = surfaces::numbered_faces(*placed.mesh, part);
+  if (order.empty()) return "";
+  const std::vector<Vec3> middles = surfaces::middles_of_faces(*placed.mesh, part);
+  std::string text = "\n# Faces and their middles. They are points as holes are: from = \"face 1\", to = \"hole 1\".\n";
+  for (std::size_t i = 0; i < std::min(order.size(), max_lines); ++i) {
+    const auto face = static_cast<std::size_t>(order[i]);
+    text += "# face " + std::to_string(i + 1) + ": " +
+            surfaces::surface_kind_names[static_cast<std::size_t>(part.faces[face].surface.kind)] + ", " +
+            triple(Vec3(placed.to_world * Vec4(middles[face], 1))) + "\n";
+  }
+  if (order.size() > max_lines)
+    text += "# and " + std::to_string(order.size() - max_lines) + " more: epura info --json lists them\n";
+  return text;
 }
 
 std::string bodies_text(const mesh::MeshReport& report) {
   if (report.bodies < 2) return "";
   std::string text = "\n# Bodies: " + std::to_string(report.bodies) +
                      ". What is left whole in sections, such as bolts, has cut = false.\n";
-  for (std::size_t i = 0; i < std::min(report.body_names.size(), max_bodies); ++i)
+  for (std::size_t i = 0; i < std::min(report.body_names.size(), max_lines); ++i)
     text += "#[[style]]\n#match = " + toml_text(report.body_names[i]) + "\n#cut = false\n";
-  if (report.body_names.size() > max_bodies)
-    text += "# and " + std::to_string(report.body_names.size() - max_bodies) + " more: epura info lists them\n";
+  if (report.body_names.size() > max_lines)
+    text += "# and " + std::to_string(report.body_names.size() - max_lines) + " more: epura info lists them\n";
   return text + "#[[explode]]\n#factor = 1.5\n#[parts_list]\n";
 }
 
@@ -159,7 +174,8 @@ std::string views_text() {
 
 std::string scene_text(const std::string& file, const world::World& world) {
   const world::Placed& placed = world.models.front();
-  const std::vector<EqualHoles> groups = groups_of(holes_in_world(placed));
+  const surfaces::PartFaces part = placed.part != nullptr ? *placed.part : surfaces::recognise_faces(*placed.mesh);
+  const std::vector<EqualHoles> groups = groups_of(holes_in_world(placed, part));
   const Vec3 size = world.box.size();
   const std::string name = fs::path(importer::parse_model_request(file).path).stem().string();
   return "# " + one_line(file) + ": " + format_rounded(size.x, 5) + " x " + format_rounded(size.y, 5) + " x " +
@@ -168,7 +184,7 @@ std::string scene_text(const std::string& file, const world::World& world) {
          "= " +
          toml_text(file) + "\n#unit = \"mm\"\n#transform = \"rotate:z,0\"\n" + views_text() +
          section_text(groups, world.box) + "\n[[dimension]]\ntype = \"auto\"\n" + holes_text(groups) +
-         bodies_text(placed.mesh->report) +
+         faces_text(placed, part) + bodies_text(placed.mesh->report) +
          "\n[[sheet]]\nsize = \"A3\"\n#scale = \"auto\"\n\n[title_block]\ntitle = " + toml_text(name) +
          "\n#owner = \"\"\n#number = \"\"\n";
 }

@@ -93,33 +93,6 @@ StatedDimension written(scene::DimensionDescription dimension, const ModelRequir
 
 // Circles.
 
-// In order along a face that is less than a full turn; empty for others.
-std::vector<Vec3> arc_of(const PartFace& face, const std::vector<Vec3>& points, double along) {
-  constexpr int steps = 16;
-  if (face.sweep >= surfaces::whole_turn || points.empty()) return {};
-  const Vec3& axis = face.surface.axis;
-  const Vec3 centre = face.surface.origin + along * axis;
-  const Vec3 off = points.front() - centre, u = glm::normalize(off - glm::dot(off, axis) * axis);
-  const Vec3 v = glm::cross(axis, u);
-  std::vector<double> angles;
-  for (const Vec3& p : points) angles.push_back(portable_atan2(glm::dot(p - centre, v), glm::dot(p - centre, u)));
-  std::sort(angles.begin(), angles.end());
-  double from = angles.back() - 2 * std::numbers::pi, widest = 0;
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    const double before = i == 0 ? angles.back() - 2 * std::numbers::pi : angles[i - 1];
-    if (angles[i] - before <= widest) continue;
-    widest = angles[i] - before;
-    from = angles[i];
-  }
-  const double sweep = 2 * std::numbers::pi - widest;
-  std::vector<Vec3> arc;
-  for (int i = 0; i <= steps; ++i) {
-    const double angle = from + sweep * i / steps;
-    arc.push_back(centre + face.surface.radius * (portable_cos(angle) * u + portable_sin(angle) * v));
-  }
-  return arc;
-}
-
 /// A view of a round face, and how it is seen.
 struct CircleView {
   const FaceView* view = nullptr;
@@ -322,6 +295,32 @@ StatedDimension state_angle(scene::DimensionDescription dimension, const ModelRe
 }
 
 }  // namespace
+
+std::vector<Vec3> arc_of(const PartFace& face, const std::vector<Vec3>& points, double along) {
+  constexpr int steps = 16;
+  if (face.sweep >= surfaces::whole_turn || points.empty()) return {};
+  const Vec3& axis = face.surface.axis;
+  const Vec3 centre = face.surface.origin + along * axis;
+  const Vec3 off = points.front() - centre, u = glm::normalize(off - glm::dot(off, axis) * axis);
+  const Vec3 v = glm::cross(axis, u);
+  std::vector<double> angles;
+  for (const Vec3& p : points) angles.push_back(portable_atan2(glm::dot(p - centre, v), glm::dot(p - centre, u)));
+  std::sort(angles.begin(), angles.end());
+  double from = angles.back() - 2 * std::numbers::pi, widest = 0;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const double before = i == 0 ? angles.back() - 2 * std::numbers::pi : angles[i - 1];
+    if (angles[i] - before <= widest) continue;
+    widest = angles[i] - before;
+    from = angles[i];
+  }
+  const double sweep = 2 * std::numbers::pi - widest;
+  std::vector<Vec3> arc;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = from + sweep * i / steps;
+    arc.push_back(centre + face.surface.radius * (portable_cos(angle) * u + portable_sin(angle) * v));
+  }
+  return arc;
+}
 
 std::vector<std::vector<int>> face_places(const std::vector<int>& faces, const world::PlacedPart& part) {
   constexpr double same = 1e-6;  // of the size of a face

@@ -37,6 +37,10 @@ StatedDimension state_dimension(const importer::ModelRequirement& requirement, c
 /// Numbers of places at which faces are: those of one plane or of one axis are at one.
 std::vector<std::vector<int>> face_places(const std::vector<int>& faces, const world::PlacedPart& part);
 
+/// Points in order along a face that turns about an axis by less than a full turn, at a place along it; empty for full
+/// turns. `points` are those of the face.
+std::vector<Vec3> arc_of(const surfaces::PartFace& face, const std::vector<Vec3>& points, double along);
+
 /// What leaders and dimensions need to be seen.
 inline constexpr const char* not_seen = "no orthographic view of the sheet shows its faces: add a view or a section";
 

@@ -181,12 +181,14 @@ TomlContent InWords::operator()(const ParameterValue& parameter) const {
 
 TomlContent InWords::operator()(const DimensionAnchor& anchor) const {
   if (const auto* vertex = std::get_if<std::array<int, 2>>(&anchor)) return (*this)(*vertex);
+  if (const auto* feature = std::get_if<std::string>(&anchor)) return *feature;
   return table_of("point", std::get<std::array<double, 3>>(anchor)).content;
 }
 
 TomlContent InWords::operator()(const LeaderTarget& target) const {
   if (const auto* page = std::get_if<std::array<double, 2>>(&target)) return table_of("page", *page).content;
   if (const auto* vertex = std::get_if<std::array<int, 2>>(&target)) return (*this)(*vertex);
+  if (const auto* feature = std::get_if<std::string>(&target)) return *feature;
   return table_of("point", std::get<std::array<double, 3>>(target)).content;
 }
 

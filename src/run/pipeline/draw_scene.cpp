@@ -17,8 +17,8 @@
 #include "composition/seen_items.hpp"
 #include "composition/tell.hpp"
 #include "drawing/drawing.hpp"
-#include "features/place_threads.hpp"
 #include "mesh/read.hpp"
+#include "pipeline/find_features.hpp"
 #include "pipeline/read_models.hpp"
 #include "pipeline/recognise_parts.hpp"
 #include "pipeline/replace_helical_threads.hpp"
@@ -515,13 +515,6 @@ FinishedSheet Run::draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views
   return std::move(best.sheet);
 }
 
-void place_threads(world::World& world, const scene::SceneDescription& scene) {
-  std::vector<Vec3> positions;
-  for (const scene::ThreadDescription& thread : scene.threads)
-    positions.push_back(sheet::position_of(world, *thread.at, thread.at.where));
-  features::place_threads(world, scene.threads, positions);
-}
-
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
   ReadWorld read = read_models(scene, reading_of(scene, options, fineness), gathered.report.meshes, messages, progress);
   parts = std::move(read.parts);
@@ -532,9 +525,10 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   watch.lap("read");
   recognise_parts(world, scene, options, gathered.report, progress);
   doubt_unit(messages, scene, world, read.without_unit);
+  find_features(scene, world);
   if (std::any_of(sheets.begin(), sheets.end(), shows_parts))
     world = replace_helical_threads(std::move(world), scene, messages, progress);
-  place_threads(world, scene);
+  find_threads(world, scene);
   complete_mass(scene, world, messages);
   refers_to_models = refer_to_models(scene, world);
   if (refers_to_models) warn_of_unrecognised(messages, scene, world);
@@ -544,12 +538,13 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   const ShownWorlds worlds(std::move(world), scene, messages, progress);
   if (!scene.explosions.empty() || !worlds.surfaces().empty()) watch.lap("section");
   std::vector<FinishedSheet> finished;
-  warn_of_unmatched(messages, scene, gathered.sizes, gathered.matched);
   for (SheetOfViews sheet : sheets) {
     sheet.states_error = options.error_note;
+    find_details(sheet, scene);
     finished.push_back(draw_best_sheet(worlds, std::move(sheet)));
     take_back(required, finished.back().unplaced);
   }
+  warn_of_unmatched(messages, scene, gathered.sizes, gathered.matched);
   gathered.report.requirements = end_ledger(required, messages, options.allow_missing);
   if (options.lint) {
     add_uncovered_sizes(gathered.report, worlds.main(), scene, gathered.dimensioned, progress);

@@ -32,7 +32,8 @@ const std::string dimension = view + "[[dimension]]\ntype = 'linear'\n";  // lin
 const std::string quotes = "put it in quotes";
 const std::string values = "values are like \"text\", 1.5, true or [1, 2]; see toml.io";
 const std::string empty = "omit it, or give a value";
-const std::string anchors = "[model, vertex] or {point = [x, y, z]}";
+const std::string features = "write \"hole 3\" or \"face 12\": epura info and epura new-scene number them";
+const std::string anchors = "[model, vertex], {point = [x, y, z]} or a feature, \"hole 3\"";
 
 TEST(SceneRefusal, WhatIsMissing) {
   const std::string hint = "a scene file needs at least:  [[model]]  file = \"part.obj\"";
@@ -158,12 +159,12 @@ TEST(SceneRefusal, Anchors) {
                       {"from = [1, 1]\nto = [0, 2]", "7:8: there is no model 1", "models are numbered from 0 to 0"},
                       {"from = ['b', 1]\nto = [0, 2]", "7:8: there is no model 'b'", "known: a"},
                       {"from = [0, -1]", "7:12: 'from' is -1, allowed is 0 or more", ""},
-                      {"from = [0, 'x']", "7:12: 'from' is a text, a number is wanted", ""},
+                      {"from = [0, 'x']", "7:12: 'x' is not a feature", features},
                       {"from = [0]", "7:8: 'from' has 1 elements instead of [model, vertex]",
                        "a point of the world is {point = [x, y, z]}"},
                       {"from = {piont = [0, 0, 0]}", "7:8: 'from' is not an anchor", anchors},
                       {"from = {point = [0, 0]}", "7:17: 'point' has 2 elements, 3 numbers are wanted", ""},
-                      {"from = 'a:1'", "7:8: 'from' is a text, [model, vertex] or {point = [x, y, z]} is wanted", ""},
+                      {"from = 'a:1'", "7:8: 'a:1' is not a feature", features},
                   });
   expect_refusals(
       view + "[[dimension]]\n",

@@ -160,6 +160,7 @@ AnchoredDimension anchored(const world::World& world, Asked& asked, const scene:
 
 Vec3 position_of(const world::World& world, const scene::Anchor& anchor, const std::string& where) {
   const auto* vertex = std::get_if<std::array<int, 2>>(&anchor);
+  check(!std::holds_alternative<scene::FeatureName>(anchor), "features are found once the models are read");
   const Vec3 place = vertex ? place_of_vertex(world, *vertex, where) : std::get<Vec3>(anchor);
   if (!finite(place)) refuse_input(where, "the coordinates of an anchor are not finite");
   return place;

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/find_features.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "composition/stated_dimensions.hpp"
+#include "features/place_threads.hpp"
+#include "scene/body_styles.hpp"
+#include "scene/details.hpp"
+#include "scene/scene_values.hpp"
+#include "sheet/dimensions/anchors.hpp"
+#include "surfaces/numbers.hpp"
+#include "world/placed_part.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+using scene::FeatureCircle;
+using scene::FeatureName;
+using surfaces::SurfaceKind;
+
+struct FoundFeature {
+  Vec3 centre;   ///< on its axis, if it has one
+  Vec3 surface;  ///< on its rim or face
+  std::optional<FeatureCircle> circle{};
+};
+
+/// The features of a model as it is placed, in the order of their numbers.
+struct NumberedFeatures {
+  std::vector<FoundFeature> holes, faces;
+};
+
+Vec3 any_across(const Vec3& axis) {
+  return glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+}
+
+// The middle of the facet that is nearest to a place; among equally near ones, the one that most likely is seen: from
+// the front, above and the left.
+Vec3 facet_near(const std::vector<std::array<Vec3, 3>>& facets, const Vec3& place) {
+  constexpr double alike = 1e-3;
+  const Vec3 seen(-1, -2, 3);
+  Vec3 best = place;
+  double nearest = HUGE_VAL, most = -HUGE_VAL;
+  for (const auto& [a, b, c] : facets) {
+    const Vec3 middle = (a + b + c) / 3.0;
+    const double far = glm::distance(middle, place), facing = glm::dot(middle - place, seen);
+    if (far > nearest * (1 + alike) || (far >= nearest * (1 - alike) && facing <= most)) continue;
+    nearest = std::min(nearest, far);
+    most = facing;
+    best = middle;
+  }
+  return best;
+}
+
+std::vector<FoundFeature> faces_of(const world::Placed& placed, const surfaces::PartFaces& part) {
+  world::Placed with_part = placed;
+  with_part.part = std::make_shared<surfaces::PartFaces>(part);
+  const auto in_world = world::place_part(with_part);
+  if (!in_world) return {};
+  std::vector<std::vector<std::array<Vec3, 3>>> facets(part.faces.size());
+  const auto at = [&](int vertex) { return Vec3(placed.to_world * Vec4(placed.mesh->point(vertex), 1)); };
+  for (int t = 0; t < static_cast<int>(part.face_of_triangle.size()); ++t) {
+    const auto [a, b, c] = placed.mesh->triangle(t);
+    if (const int face = part.face_of_triangle[static_cast<std::size_t>(t)]; face >= 0)
+      facets[static_cast<std::size_t>(face)].push_back({at(a), at(b), at(c)});
+  }
+  const std::vector<Vec3> middles = surfaces::middles_of_faces(*placed.mesh, part);
+  std::vector<FoundFeature> faces;
+  for (const int number : surfaces::numbered_faces(*placed.mesh, part)) {
+    const auto i = static_cast<std::size_t>(number);
+    const surfaces::PartFace& face = in_world->faces[i];
+    const surfaces::PartSurface& surface = face.surface;
+    const Vec3 middle(placed.to_world * Vec4(middles[i], 1));
+    FoundFeature found{middle, facet_near(facets[i], middle)};
+    if (surfaces::has_axis(surface.kind))
+      found.centre = surface.origin + glm::dot(middle - surface.origin, surface.axis) * surface.axis;
+    if (surface.kind == SurfaceKind::sphere) found.centre = surface.origin;
+    if (surface.kind == SurfaceKind::cylinder) {
+      std::vector<Vec3> points;
+      for (const auto& corners : facets[i]) points.insert(points.end(), corners.begin(), corners.end());
+      const double along = glm::dot(found.centre - surface.origin, surface.axis);
+      found.circle = FeatureCircle{found.centre, surface.axis, surface.radius, arc_of(face, points, along)};
+    }
+    faces.push_back(std::move(found));
+  }
+  return faces;
+}
+
+std::vector<FoundFeature> holes_of(const world::Placed& placed, const surfaces::PartFaces& part) {
+  const auto scale = surfaces::similarity_scale(placed.to_world);
+  if (!scale) return {};
+  const std::vector<surfaces::Hole> all = surfaces::find_holes(*placed.mesh, part);
+  std::vector<FoundFeature> holes;
+  for (const int number : surfaces::numbered_holes(all)) {
+    const surfaces::Hole& hole = all[static_cast<std::size_t>(number)];
+    const Vec3 from = surfaces::mouth_of(hole), to = from == hole.from ? hole.to : hole.from;
+    const Vec3 mouth(placed.to_world * Vec4(from, 1));
+    const Vec3 axis = glm::normalize(Vec3(placed.to_world * Vec4(from - to, 0)));
+    const double radius = *scale * hole.diameters.back() / 2;
+    holes.push_back(
+        {mouth, mouth + radius * any_across(axis), FeatureCircle{mouth, axis, *scale * hole.diameters.front() / 2}});
+  }
+  return holes;
+}
+
+/// Finds features by their names, those of each model once.
+class Features {
+ public:
+  Features(const scene::SceneDescription& scene, const world::World& world) : scene_(scene), world_(world) {}
+
+  const FoundFeature& find(const FeatureName& name, const std::string& where) {
+    const int model = model_of(name, where);
+    const auto [known, is_new] = of_models_.try_emplace(model);
+    if (is_new) known->second = numbered(model);
+    const auto [kind, number] = scene::parse_feature(name.text, where);
+    const std::vector<FoundFeature>& list = kind == "hole" ? known->second.holes : known->second.faces;
+    if (number > list.size())
+      refuse_input(
+          where, "'" + scene::name_of(scene_.models[static_cast<std::size_t>(model)]) + "' has no " + name.text,
+          list.empty() ? "no " + kind + " of it is recognised"
+                       : "it has " + kind + " 1" + (list.size() > 1 ? " to " + std::to_string(list.size()) : "") +
+                             "; epura info says where");
+    return list[number - 1];
+  }
+
+  const FeatureCircle& circle(const FeatureName& name, const std::string& where) {
+    const FoundFeature& found = find(name, where);
+    if (!found.circle)
+      refuse_input(where, name.text + " is not cylindrical and has no circle", "name a hole or a cylinder");
+    return *found.circle;
+  }
+
+ private:
+  [[nodiscard]] int model_of(const FeatureName& name, const std::string& where) const {
+    const int count = static_cast<int>(scene_.models.size());
+    std::vector<std::string> names;
+    for (const scene::ModelDescription& model : scene_.models) names.push_back(scene::name_of(model));
+    if (const int* number = std::get_if<int>(&name.model)) {
+      if (*number >= 0 && *number < count) return *number;
+      if (*number < 0 && count == 1) return 0;
+      refuse_input(where,
+                   *number < 0 ? "there are " + std::to_string(count) + " models that have '" + name.text + "'"
+                               : "there is no model " + std::to_string(*number),
+                   "name one of them: [\"" + names.front() + "\", \"" + name.text + "\"]");
+    }
+    const auto& wanted = std::get<std::string>(name.model);
+    if (std::count(names.begin(), names.end(), wanted) > 1)
+      refuse_input(where, "several models are called '" + wanted + "'", "give them different names, or use a number");
+    const auto found = std::find(names.begin(), names.end(), wanted);
+    if (found == names.end()) refuse_input(where, "there is no model '" + wanted + "'", did_you_mean(wanted, names));
+    return static_cast<int>(found - names.begin());
+  }
+
+  [[nodiscard]] NumberedFeatures numbered(int model) const {
+    const world::Placed& placed = world_.models[static_cast<std::size_t>(model)];
+    const surfaces::PartFaces part = placed.part != nullptr ? *placed.part : surfaces::recognise_faces(*placed.mesh);
+    return {holes_of(placed, part), faces_of(placed, part)};
+  }
+
+  const scene::SceneDescription& scene_;
+  const world::World& world_;
+  std::map<int, NumberedFeatures> of_models_;
+};
+
+void find_anchors_of(scene::DimensionDescription& dimension, Features& features) {
+  const DimensionType type = dimension.type.value_or(DimensionType::automatic);
+  const bool is_round = type == DimensionType::radius || type == DimensionType::diameter || type == DimensionType::arc;
+  for (scene::Anchor& anchor : dimension.anchors) {
+    const auto* name = std::get_if<FeatureName>(&anchor);
+    if (name == nullptr) continue;
+    if (is_round) dimension.circle = features.circle(*name, dimension.where);
+    const Vec3 centre = features.find(*name, dimension.where).centre;
+    anchor = centre;
+  }
+}
+
+}  // namespace
+
+void find_features(scene::SceneDescription& scene, const world::World& world) {
+  Features features(scene, world);
+  const auto point = [&features](const scene::Located<FeatureName>& at, auto& place) {
+    if (at.given()) place = features.find(*at, at.where).centre;
+  };
+  for (scene::SectionDescription& one : scene.sections) point(one.at, one.point);
+  for (scene::DetailDescription& one : scene.details) point(one.at, one.centre.value);
+  for (scene::BrokenOutDescription& one : scene.broken_outs) point(one.at, one.point.value);
+  for (scene::RevolvedDescription& one : scene.revolved) point(one.at, one.point.value);
+  for (scene::DimensionDescription& one : scene.dimensions) find_anchors_of(one, features);
+  for (scene::ThreadDescription& one : scene.threads)
+    if (const auto* name = std::get_if<FeatureName>(&*one.at)) {
+      const Vec3 centre = features.find(*name, one.at.where).centre;
+      one.at.value = centre;
+    }
+  for (scene::CalloutDescription& one : scene.callouts) {
+    const auto* anchor = one.to.given() ? std::get_if<scene::Anchor>(&*one.to) : nullptr;
+    if (anchor == nullptr) continue;
+    if (const auto* name = std::get_if<FeatureName>(anchor)) {
+      const Vec3 surface = features.find(*name, one.to.where).surface;
+      one.to.value = scene::LeaderTarget(scene::Anchor(surface));
+    }
+  }
+}
+
+void find_details(SheetOfViews& sheet, const scene::SceneDescription& scene) {
+  for (PlannedView& view : sheet.plans)
+    if (std::optional<scene::DetailDescription>& detail = view.options.detail)
+      detail->centre = scene::find_detail(scene, *detail->name)->centre;
+}
+
+void find_threads(world::World& world, const scene::SceneDescription& scene) {
+  std::vector<Vec3> positions;
+  for (const scene::ThreadDescription& thread : scene.threads)
+    positions.push_back(sheet::position_of(world, *thread.at, thread.at.where));
+  features::place_threads(world, scene.threads, positions);
+}
+
+}  // namespace epura::pipeline

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points of a scene that are given by the name of a feature, "hole 3" or "face 12".
+#pragma once
+
+#include "scene/description.hpp"
+#include "views/view_plan.hpp"
+#include "world/world.hpp"
+
+namespace epura::pipeline {
+
+/// Puts points of the world in the places of features, which the scene numbers as surfaces/numbers.hpp does:
+/// - a hole: where its axis leaves the material
+/// - a face: its middle, that of a cylinder, cone, sphere or torus on its axis
+/// - of radii, diameters and arcs: the circle of the narrowest bore or of the cylinder
+/// - of leaders: a point of the rim or face
+/// Throws Error{input} that says what there is for features that do not exist or are none of one model.
+void find_features(scene::SceneDescription& scene, const world::World& world);
+
+/// Gives the details that a sheet shows the centres that the scene has found for them.
+void find_details(SheetOfViews& sheet, const scene::SceneDescription& scene);
+
+/// Puts the threads of the scene on the holes and shafts of the world at their points.
+void find_threads(world::World& world, const scene::SceneDescription& scene);
+
+}  // namespace epura::pipeline
