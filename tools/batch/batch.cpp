@@ -141,7 +141,8 @@ int workers_of(const BatchOptions& options) {
 int batch(const BatchOptions& options) {
   if (!options.merge.empty()) return merge(options);
   const Shard shard = parse_shard(options.shard);
-  BatchPlan plan{options.sources.draw, plan_jobs(options.sources), {}, basis_of(options), options.job_memory, {}};
+  auto [jobs, passed_over] = plan_jobs(options.sources);
+  BatchPlan plan{options.sources.draw, std::move(jobs), {}, basis_of(options), options.job_memory, {}};
   plan.pictures = folder_of_pictures(options, plan.jobs);
   // Several jobs use the cores better than several threads in each.
   if (plan.common.run.threads == 0) plan.common.run.threads = 1;
@@ -164,6 +165,7 @@ int batch(const BatchOptions& options) {
   if (!plan.pictures.empty()) create_folders({(plan.pictures / "picture").string()});
   ProgressBoard board;
   Console console(board, shows_progress(options.progress));
+  if (!passed_over.empty()) console.warn(passed_over);
   board.begin("drawing", numbers.size());
   Counts counts;
   do_jobs(plan, numbers, {workers_of(options), options.job_time}, [&](JobResult result) {

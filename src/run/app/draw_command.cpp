@@ -44,7 +44,11 @@ int draw_each(const DrawOptions& options) {
   sources.draw = options;
   for (const std::string& output : options.outputs)
     sources.later.push_back({"-o,--output", scene::value_of_option("--output", output)});
-  const std::vector<Job> jobs = plan_jobs(sources);
+  const auto [jobs, passed_over] = plan_jobs(sources);
+  if (!passed_over.empty()) {
+    ProgressBoard board;
+    Console(board, false).warn(passed_over);
+  }
   for (const Job& job : jobs) create_folders(job.outputs);
   confine_if_asked(options, files_of(jobs));
   int code = 0;

@@ -118,6 +118,21 @@ TEST(Batch, FoldersMayLinkToThemselves) {
   EXPECT_EQ(parts.run({"parts/**/*.obj", "-o", "pattern/{name}.svg"}).out, "3 drawn, 0 failed\n");
 }
 
+TEST(Batch, TellsModelsItPassesOver) {
+  const Parts parts(2);
+  EXPECT_EQ(parts.draw_all().err.find("passed over"), std::string::npos);
+  write_file(parts.folder / "parts/a/...obj", block(1));
+  write_file(parts.folder / "parts/a/.notes", "no model");
+  EXPECT_PRED2(contains, parts.draw_all().err, "epura: parts/a/...obj is passed over");
+  write_file(parts.folder / "parts/b/.m.obj", block(2));
+  const Outcome two = parts.draw_all();
+  EXPECT_EQ(two.code, 0);
+  EXPECT_PRED2(contains, two.err, "epura: parts/a/...obj and 1 more are passed over");
+  EXPECT_EQ(parts.drawings().size(), 2U);
+  const Outcome named = epura({"draw", "parts", "-o", "{name}.svg", "--projection", "top"}, parts.folder / "");
+  EXPECT_PRED2(contains, named.err, "epura: parts/a/...obj and 1 more are passed over");
+}
+
 TEST(Batch, DrawSaysTheSameInSmall) {
   const Parts parts(2);
   const Outcome run = epura({"draw", "parts/a/m0.obj", "parts/b/m1.obj", "-o", "{name}.svg"}, parts.folder / "");

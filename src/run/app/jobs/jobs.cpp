@@ -200,12 +200,23 @@ scene::Options<DrawOptions> job_options() {
   return options;
 }
 
-std::vector<Job> plan_jobs(const JobSources& sources) {
+namespace {
+
+std::string sentence_of(const std::vector<std::string>& passed_over) {
+  if (passed_over.empty()) return {};
+  const std::size_t more = passed_over.size() - 1;
+  return passed_over.front() + (more > 0 ? " and " + std::to_string(more) + " more are" : " is") +
+         " passed over, since names that begin with a dot are drawn only where they are given themselves";
+}
+
+}  // namespace
+
+JobPlan plan_jobs(const JobSources& sources) {
   for (const LaterOption& later : sources.later)
     if (is_output(later)) expect_known_placeholders(text_of(later.value), "--output");
   std::vector<Job> jobs;
-  for (const std::string& model : models_of_sources(sources.draw.models, sources.draw.run.plugin_path))
-    jobs.push_back(finished({model}, sources.later, jobs.size() + 1));
+  const FoundModels found = models_of_sources(sources.draw.models, sources.draw.run.plugin_path);
+  for (const std::string& model : found.models) jobs.push_back(finished({model}, sources.later, jobs.size() + 1));
   const std::map<std::string, Column> known = columns();
   for (const std::string& table : sources.tables)
     for (const TableRow& row : read_job_table(table)) append_row(jobs, row, known, sources);
@@ -213,7 +224,7 @@ std::vector<Job> plan_jobs(const JobSources& sources) {
     throw Error(ErrorKind::input, "command line", "there are no jobs", "name models, folders, patterns or a --table");
   refuse_equal_outputs(jobs);
   tell_apart(jobs);
-  return jobs;
+  return {std::move(jobs), sentence_of(found.passed_over)};
 }
 
 void create_folders(const std::vector<std::string>& outputs) {

@@ -37,9 +37,14 @@ struct Job {
 /// The options of `epura draw` that a job may have.
 scene::Options<DrawOptions> job_options();
 
+struct JobPlan {
+  std::vector<Job> jobs;
+  std::string passed_over;  ///< a sentence about models in folders that are not drawn, or empty
+};
+
 /// Returns all jobs in the order of the command line. Throws Error{input} for sources without models, unknown columns
 /// and placeholders, and for two jobs with one output.
-std::vector<Job> plan_jobs(const JobSources& sources);
+JobPlan plan_jobs(const JobSources& sources);
 
 /// Creates the folders of outputs. Throws Error{output}.
 void create_folders(const std::vector<std::string>& outputs);

@@ -27,29 +27,31 @@ bool is_pattern(std::string_view text) { return text.find_first_of("*?[") != std
 using Wanted = std::function<bool(const fs::path&)>;
 
 // Folders that may not be read are passed over, and links to folders are not followed: they may lead in a circle.
-void add_files_below(const fs::path& folder, const Wanted& is_wanted, std::vector<std::string>& files) {
+void add_files_below(const fs::path& folder, const Wanted& is_wanted, FoundModels& files) {
   std::error_code failure, unreadable;
   for (const std::string& name : names_in(folder.empty() ? "." : folder, failure)) {
-    if (name.starts_with('.')) continue;
     const fs::path path = folder / name;
-    if (fs::is_directory(fs::symlink_status(path, unreadable)))
-      add_files_below(path, is_wanted, files);
-    else if (is_wanted(path) && fs::is_regular_file(path, unreadable))
-      files.push_back(path.string());
+    const bool is_passed_over = name.starts_with('.');
+    if (fs::is_directory(fs::symlink_status(path, unreadable))) {
+      if (!is_passed_over) add_files_below(path, is_wanted, files);
+    } else if (is_wanted(path) && fs::is_regular_file(path, unreadable)) {
+      (is_passed_over ? files.passed_over : files.models).push_back(path.string());
+    }
   }
   if (failure && failure != std::errc::permission_denied)
     throw Error(ErrorKind::input, folder.string(), "cannot be listed: " + failure.message());
 }
 
 // Returns the files below a folder, in which an empty path stands for the current one, that are wanted.
-std::vector<std::string> files_below(const fs::path& folder, const Wanted& is_wanted) {
-  std::vector<std::string> files;
+FoundModels files_below(const fs::path& folder, const Wanted& is_wanted) {
+  FoundModels files;
   add_files_below(folder, is_wanted, files);
-  std::sort(files.begin(), files.end());
+  std::sort(files.models.begin(), files.models.end());
+  std::sort(files.passed_over.begin(), files.passed_over.end());
   return files;
 }
 
-std::vector<std::string> files_of_pattern(const fs::path& pattern) {
+FoundModels files_of_pattern(const fs::path& pattern) {
   fs::path folder;
   for (const fs::path& part : pattern.parent_path()) {
     if (is_pattern(part.string())) break;
@@ -70,7 +72,7 @@ std::set<std::string> model_extensions(const std::vector<fs::path>& plugin_path)
   return extensions;
 }
 
-std::vector<std::string> models_below(const fs::path& folder, const std::set<std::string>& extensions) {
+FoundModels models_below(const fs::path& folder, const std::set<std::string>& extensions) {
   return files_below(folder, [&](const fs::path& path) {
     const std::string extension = to_lower(path.extension().string());
     return !extension.empty() && extensions.count(extension.substr(1)) > 0;
@@ -108,16 +110,15 @@ bool fits_pattern(const fs::path& path, const fs::path& pattern) {
   return fits(path.begin(), path.end(), pattern.begin(), pattern.end());
 }
 
-std::vector<std::string> models_of_sources(const std::vector<std::string>& sources,
-                                           const std::vector<fs::path>& plugin_path) {
-  std::vector<std::string> models;
+FoundModels models_of_sources(const std::vector<std::string>& sources, const std::vector<fs::path>& plugin_path) {
+  FoundModels all;
   std::set<std::string> extensions;
   for (const std::string& source : sources) {
     std::error_code ignored;
-    std::vector<std::string> found;
+    FoundModels found;
     std::string without = "no file fits this pattern";
     if (source == importer::standard_input) {
-      found = listed_on_standard_input();
+      found.models = listed_on_standard_input();
       without = "the list on standard input is empty";
     } else if (fs::is_directory(source, ignored)) {
       if (extensions.empty()) extensions = model_extensions(plugin_path);
@@ -126,13 +127,14 @@ std::vector<std::string> models_of_sources(const std::vector<std::string>& sourc
     } else if (is_pattern(source) && !fs::exists(importer::parse_model_request(source).path, ignored)) {
       found = files_of_pattern(source);
     } else {
-      found = {source};
+      found.models = {source};
     }
-    if (found.empty())
+    if (found.models.empty())
       throw Error(ErrorKind::input, source, without, "'epura importers' lists the files that are read");
-    models.insert(models.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
+    all.models.insert(all.models.end(), found.models.begin(), found.models.end());
+    all.passed_over.insert(all.passed_over.end(), found.passed_over.begin(), found.passed_over.end());
   }
-  return models;
+  return all;
 }
 
 }  // namespace epura
