@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Visible lines of a mesh by Blender's Line Art, for comparison:
-    blender -b --factory-startup --python-exit-code 2 -P bench/blender_lines.py -- [intersections] MODEL LINES.txt
+    blender -b --factory-startup --python-exit-code 2 -P bench/blender_lines.py -- [front|top] [intersections] MODEL LINES.txt
 
-Isometric; contours, creases from 30 degrees and open edges, and with `intersections` lines where faces cross. MODEL: .off,
+Isometric, or from the front or the top; contours, creases from 30 degrees and open edges, and with `intersections` lines where faces cross. MODEL: .off,
 or what Blender reads (.stl, .ply, .obj). Writes a row "x0 y0 x1 y1" for each line, in units of the model, as `epura study
 paper --rival` wants it, and prints the seconds of each stage on stderr: `hlr` is the evaluation of the modifier.
 """
@@ -13,6 +13,9 @@ import time
 
 import bpy
 from mathutils import Matrix, Vector
+
+
+VIEWERS = {"front": (0, -1, 0), "top": (0, 0, 1), "isometric": (1, -1, 1)}
 
 
 def read_off(path):
@@ -87,8 +90,8 @@ def main(*arguments):
         bpy.data.objects.remove(item)
     start = time.perf_counter()
     model = read(path)
-    viewer = Vector((1, -1, 1)).normalized()
-    right = Vector((0, 0, 1)).cross(viewer).normalized()
+    viewer = Vector(next((VIEWERS[word] for word in options if word in VIEWERS), VIEWERS["isometric"])).normalized()
+    right = Vector((0, 1, 0) if viewer.z == 1 else (0, 0, 1)).cross(viewer).normalized()
     up = viewer.cross(right)
     look_at(model, right, up, viewer)
     bpy.context.view_layer.update()
