@@ -67,7 +67,10 @@ std::string edges_at(const mesh::Mesh& mesh, int vertex) {
   std::size_t count = 0;
   for (const mesh::MeshEdge& edge : mesh.edges) {
     if (edge.vertex[0] != vertex && edge.vertex[1] != vertex) continue;
-    if (++count <= max_candidates) text += " " + std::to_string(edge.vertex[0]) + "-" + std::to_string(edge.vertex[1]);
+    const mesh::EdgeOrigin origin = mesh.origin_of(edge);
+    if (!origin.in_file) continue;
+    const auto [a, b] = origin.vertex;
+    if (++count <= max_candidates) text += " " + std::to_string(a) + "-" + std::to_string(b);
   }
   if (count == 0) return text + " none";
   return count > max_candidates ? text + " and " + std::to_string(count - max_candidates) + " more" : text;
@@ -88,18 +91,17 @@ std::vector<Subject> find(const ExplainInput& drawn_view, const ByVertices& want
     if (vertex >= mesh.report.vertices)
       throw Error(ErrorKind::input, option, mesh.report.name + " has no vertex " + std::to_string(vertex),
                   "its vertices are numbered from 0 to " + std::to_string(mesh.report.vertices - 1));
-  // An aligned section may show an edge in several planes.
+  // An aligned section may show an edge in several planes, and cuts and contours divide edges.
   std::vector<Subject> subjects;
   for (int model = 0; model < static_cast<int>(drawn_view.world.models.size()); ++model) {
     if (drawn_view.world.number_in_scene(model) != wanted.model) continue;
     const mesh::Mesh& shown = *drawn_view.world.models[static_cast<std::size_t>(model)].mesh;
-    const auto edge = std::find_if(shown.edges.begin(), shown.edges.end(), [&](const mesh::MeshEdge& e) {
-      const mesh::EdgeOrigin origin = shown.origin_of(e);
-      return origin.in_file && origin.vertex == wanted.vertex;
-    });
-    if (edge == shown.edges.end()) continue;
-    const int number = static_cast<int>(edge - shown.edges.begin());
-    subjects.push_back({model, number, drawn_number(drawn_view.drawn, model, number)});
+    for (std::size_t e = 0; e < shown.edges.size(); ++e) {
+      const mesh::EdgeOrigin origin = shown.origin_of(shown.edges[e]);
+      if (!origin.in_file || origin.vertex != wanted.vertex) continue;
+      const int number = static_cast<int>(e);
+      subjects.push_back({model, number, drawn_number(drawn_view.drawn, model, number)});
+    }
   }
   if (subjects.empty())
     throw Error(ErrorKind::input, option,

@@ -135,15 +135,20 @@ class MissingLines {
     return faults;
   }
 
+  // Names of the file: of the edge of which this one is a part, or of a facet inside which it lies.
   [[nodiscard]] report::OutlineFault fault_of(const MeshLine& edge, double length) const {
     const auto place = on_.scene.line_of(edge);
-    const int model = on_.rule.sheets_at(edge).model, first = on_.input.world.first_vertex[model];
-    return {"missing",
-            0.5 * ((*place)[0] + (*place)[1]) + on_.scene.origin,
-            length,
-            on_.input.world.number_in_scene(model),
-            {edge[0] - first, edge[1] - first},
-            {}};
+    const FoldRule::Sheets sheets = on_.rule.sheets_at(edge);
+    const int model = on_.input.world.number_in_scene(sheets.model);
+    report::OutlineFault fault{"missing", 0.5 * ((*place)[0] + (*place)[1]) + on_.scene.origin, length, model, {-1, -1},
+                               {}};
+    const mesh::Mesh& mesh = *on_.input.world.models[sheets.model].mesh;
+    const mesh::EdgeOrigin origin = mesh.origin_of(*sheets.edge);
+    if (origin.in_file) fault.edge = origin.vertex;
+    if (!origin.in_file)
+      for (const int triangle : mesh.triangles_of(*sheets.edge))
+        fault.facets.push_back({model, mesh.polygon[triangle]});
+    return fault;
   }
 
   const OutlineScan& on_;

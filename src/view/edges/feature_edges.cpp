@@ -14,6 +14,7 @@
 #include "edges/slivers.hpp"
 #include "edges/tangent_edges.hpp"
 #include "edges/walls.hpp"
+#include "refine/facing.hpp"
 #include "view/page_height.hpp"
 #include "world/placed_part.hpp"
 
@@ -102,6 +103,18 @@ struct EdgeJudge {
     return before_viewer ? side_on_page(edge, corner, reach) : side_in_space(edge, corner);
   }
 
+  // The same of a triangle at the edge, as its surface tells if that is known.
+  [[nodiscard]] int side_at(const std::array<int, 2>& edge, int triangle, int apex, double reach) const {
+    if (const int facing = around.facing_of(triangle); facing != 0) {
+      const std::array<int, 3> c = around.corners(triangle);
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (c[i] == edge[0] && c[(i + 1) % 3] == edge[1]) return facing;
+        if (c[i] == edge[1] && c[(i + 1) % 3] == edge[0]) return -facing;
+      }
+    }
+    return side_of(edge, apex, reach);
+  }
+
   [[nodiscard]] bool is_of_wall(int triangle) const {
     return part != nullptr && walls[static_cast<std::size_t>(part->face_of_triangle[triangle])] != 0;
   }
@@ -129,8 +142,8 @@ struct EdgeJudge {
   [[nodiscard]] bool is_contour(const std::array<int, 2>& edge, const Pair& pair) const {
     const double reach = are_of_smooth_face(pair.first, pair.second) ? edge_on_grid : edge_on;
     const bool wall_one = is_of_wall(pair.first), wall_two = is_of_wall(pair.second);
-    const int side_one = wall_one ? 0 : side_of(edge, pair.apexes[0], reach);
-    const int side_two = wall_two ? 0 : side_of(edge, pair.apexes[1], reach);
+    const int side_one = wall_one ? 0 : side_at(edge, pair.first, pair.apexes[0], reach);
+    const int side_two = wall_two ? 0 : side_at(edge, pair.second, pair.apexes[1], reach);
     if (side_one != side_two) return side_one == 0 || side_two == 0;
     if (side_one != 0) return true;
     const bool first_edge_on = wall_one || is_edge_on(pair.first, reach);
@@ -220,7 +233,8 @@ struct EdgeJudge {
 
   [[nodiscard]] Pair pair_at(const std::array<int, 2>& ends, int first, int second) const {
     const Pair plain = plain_pair(ends, first, second);
-    if (!(glm::dot(plain.normals[0], plain.normals[1]) < 0)) return plain;
+    const bool is_told = around.facing_of(first) != 0 || around.facing_of(second) != 0;
+    if (is_told || !(glm::dot(plain.normals[0], plain.normals[1]) < 0)) return plain;
     if (const auto next = behind_pleat(ends, first, second)) return plain_pair(ends, first, *next);
     if (const auto next = behind_pleat(ends, second, first)) return plain_pair(ends, *next, second);
     return plain;
@@ -369,7 +383,8 @@ void continue_creases(const mesh::Mesh& mesh, const std::vector<char>& is_weak,
 
 std::vector<std::optional<EdgeKind>> feature_edges(const world::World& world, const view::ProjectedScene& view,
                                                    int model, const EdgeOptions& options, const Progress& progress) {
-  const EdgeSurroundings around{world, model, view.map.normalisation, world.models[model].mesh->uncut.get()};
+  const std::vector<signed char> facing = refine::facing_by_surface(world.models[model], view.projection);
+  const EdgeSurroundings around{world, model, view.map.normalisation, world.models[model].mesh->uncut.get(), facing};
   return feature_edges(view, options, around, Slivers(around, view, progress), progress);
 }
 

@@ -15,6 +15,7 @@
 #include "edges/slivers.hpp"
 #include "edges/smooth_contours.hpp"
 #include "edges/thread_lines.hpp"
+#include "refine/facing.hpp"
 
 namespace epura::edges {
 
@@ -38,12 +39,14 @@ void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, 
   const world::World& world = around.world;
   const int model = around.model;
   const mesh::Mesh* uncut = world.models[model].mesh->uncut.get();
-  const EdgeSurroundings whole{world, model, around.normalisation, uncut};
+  const std::vector<signed char> facing = refine::facing_by_surface(world.models[model], view.projection);
+  const EdgeSurroundings whole{world, model, around.normalisation, uncut, facing};
   const Slivers of_whole(whole, view, progress);
   const std::vector<std::optional<EdgeKind>> kinds = feature_edges(view, options, whole, of_whole, progress);
-  // Edges are judged by the uncut faces, but the triangles that meet in them are the pieces that a cut left.
+  // Edges are judged by the uncut faces, but the triangles that meet in them are the pieces that a cut left; and beside
+  // a contour, low triangles lead to others, though their surface tells how they turn.
   const Slivers of_pieces(around, SliverRule(around, view));
-  const Slivers& slivers = uncut == nullptr ? of_whole : of_pieces;
+  const Slivers& slivers = uncut == nullptr && facing.empty() ? of_whole : of_pieces;
   const auto& edges = world.models[model].mesh->edges;
   const int first = world.first_vertex[model];
   check(kinds.size() == edges.size(), "every edge of a mesh is judged");

@@ -95,6 +95,7 @@ SliverRule::SliverRule(const EdgeSurroundings& around, const view::ProjectedScen
       on_page_(lowest_on_page * view::page_resolution(around.world, view)) {}
 
 bool SliverRule::holds_for(int triangle) const {
+  if (around_.facing_of(triangle) != 0) return false;
   const std::array<int, 3> corners = around_.corners(triangle);
   const double height = height_of(around_, triangle);
   if (height <= lowest_) return true;

@@ -31,7 +31,7 @@ struct Exit {
   std::optional<int> next;  ///< the triangle beyond the side, if there is exactly one
 };
 
-/// Decides which triangles of a model are slivers in a view.
+/// Decides which triangles of a model are slivers in a view. Those of which a surface tells how they turn are none.
 class SliverRule {
  public:
   SliverRule(const EdgeSurroundings& around, const view::ProjectedScene& view);

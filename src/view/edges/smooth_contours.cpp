@@ -34,8 +34,10 @@ bool is_smoothed(const world::Placed& placed, int triangle) {
   return kind == SurfaceKind::sphere || kind == SurfaceKind::torus;
 }
 
-// Whether contours at a triangle are straight. They are moved to the surface at vertices inside the face.
+// Whether contours at a triangle are straight. They are moved to the surface at vertices inside the face, unless they
+// are edges of the mesh on it already (refine/refine_world.hpp).
 bool is_straight(const world::Placed& placed, int triangle) {
+  if (placed.mesh->uncut == nullptr && !placed.mesh->cut_vertices.empty()) return false;
   const SurfaceKind kind = kind_at(placed, triangle);
   return kind == SurfaceKind::cylinder || kind == SurfaceKind::cone;
 }

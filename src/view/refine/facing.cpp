@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "refine/facing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "refine/contour_plane.hpp"
+#include "refine/limits.hpp"
+
+namespace epura::refine {
+
+namespace {
+
+int sign_of(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+
+/// How the triangles of a polygon of the file, or of a face of the part, turn.
+struct Turn {
+  Vec3 normal{0};       ///< twice its vector area
+  double outwards = 0;  ///< positive if its triangles turn counterclockwise seen from outside of their surface
+  double area = 0;      ///< twice its area
+  double longest = 0;   ///< side of a triangle
+
+  void add(const std::array<Vec3, 3>& p, const Vec3& out) {
+    const Vec3 across = glm::cross(p[1] - p[0], p[2] - p[0]);
+    normal += across;
+    outwards += glm::dot(across, out);
+    area += glm::length(across);
+    longest = std::max({longest, glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
+  }
+  /// Whether rounding does not decide how it turns.
+  [[nodiscard]] bool is_told(double tolerance) const {
+    return area > told_from * tolerance * longest && std::abs(outwards) >= min_agreement * area;
+  }
+};
+
+struct Turns {
+  std::vector<Turn> of_polygon, of_face;
+};
+
+Turns turns_of(const mesh::Mesh& mesh, const surfaces::PartFaces& part) {
+  Turns turns;
+  turns.of_face.resize(part.faces.size());
+  for (std::size_t t = 0; t < mesh.polygon.size(); ++t) {
+    const auto number = static_cast<std::size_t>(mesh.polygon[t]);
+    if (number >= turns.of_polygon.size()) turns.of_polygon.resize(number + 1);
+    const auto [a, b, c] = mesh.triangle(static_cast<int>(t));
+    const std::array<Vec3, 3> corners{mesh.point(a), mesh.point(b), mesh.point(c)};
+    const auto face = static_cast<std::size_t>(part.face_of_triangle[t]);
+    const surfaces::PartSurface& surface = part.faces[face].surface;
+    const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    const Vec3 out = has_contour_plane(surface.kind) ? surfaces::normal_near(surface, middle) : Vec3(0);
+    turns.of_polygon[number].add(corners, out);
+    turns.of_face[face].add(corners, out);
+  }
+  return turns;
+}
+
+// The side of a contour plane on which a triangle lies: that of its farthest corner.
+int side_of(const ContourPlane& plane, const mesh::Mesh& mesh, int triangle) {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const int v : mesh.triangle(triangle)) {
+    low = std::min(low, plane.height(mesh.point(v)));
+    high = std::max(high, plane.height(mesh.point(v)));
+  }
+  return sign_of(low + high);
+}
+
+}  // namespace
+
+std::vector<signed char> facing_by_surface(const world::Placed& placed, const projection::Projection& projection) {
+  const bool is_refined = placed.mesh->uncut == nullptr && !placed.mesh->cut_vertices.empty();
+  if (placed.part == nullptr || placed.part->faces.empty() || !is_refined) return {};
+  const mesh::Mesh& mesh = *placed.mesh;
+  const surfaces::PartFaces& part = *placed.part;
+  const Viewer viewer = viewer_of(placed, projection);
+  std::vector<std::optional<ContourPlane>> planes;
+  for (const surfaces::PartFace& face : part.faces) planes.push_back(contour_plane(face.surface, viewer));
+  const Turns turns = turns_of(mesh, part);
+  const int mirrored = glm::determinant(Mat3(placed.to_world)) < 0 ? -1 : 1;
+  std::vector<signed char> facing(part.face_of_triangle.size(), 0);
+  for (std::size_t t = 0; t < facing.size(); ++t) {
+    const int triangle = static_cast<int>(t);
+    const auto face = static_cast<std::size_t>(part.face_of_triangle[t]);
+    const Turn& polygon = turns.of_polygon[static_cast<std::size_t>(mesh.polygon[t])];
+    if (planes[face]) {
+      const Turn& turn = polygon.is_told(part.tolerance) ? polygon : turns.of_face[face];
+      const int side = side_of(*planes[face], mesh, triangle);
+      facing[t] = static_cast<signed char>(mirrored * sign_of(turn.outwards) * side);
+    } else if (part.faces[face].surface.kind == surfaces::SurfaceKind::plane &&
+               std::ranges::any_of(mesh.triangle(triangle), [&](int v) { return v >= mesh.first_cut_vertex; })) {
+      // A new vertex at a hollow rim may lie beyond a thin triangle of a plane, which is folded over by that.
+      const Vec3 to = viewer.seen_from(mesh.point(mesh.triangle(triangle)[0]));
+      const double seen = glm::dot(polygon.normal, to);
+      if (std::abs(seen) > edge_on * glm::length(polygon.normal) * glm::length(to))
+        facing[t] = static_cast<signed char>(mirrored * sign_of(seen));
+    }
+  }
+  return facing;
+}
+
+}  // namespace epura::refine

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "refine/refine_world.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/groups.hpp"
+#include "mesh/edge_table.hpp"
+#include "refine/contour_plane.hpp"
+#include "refine/limits.hpp"
+#include "refine/split_triangle.hpp"
+
+namespace epura::refine {
+
+namespace {
+
+using surfaces::PartFaces;
+
+/// A new vertex on an edge of the mesh, where the contour of a face crosses it.
+struct Split {
+  int edge;
+  double t;
+  int face;
+  int vertex = -1;
+};
+
+/// Where the contours of faces cross the mesh.
+struct Crossings {
+  std::vector<Split> splits;                     ///< inside edges; by edge and place
+  std::vector<std::pair<int, int>> at_vertices;  ///< face and vertex; ascending
+};
+
+/// The heights of a face's vertices over its contour plane.
+class Heights {
+ public:
+  explicit Heights(std::size_t vertices) : heights_(vertices, 0), faces_(vertices, -1) {}
+
+  void set(int face, int vertex, double height) {
+    heights_[static_cast<std::size_t>(vertex)] = height;
+    faces_[static_cast<std::size_t>(vertex)] = face;
+  }
+  [[nodiscard]] bool has(int face, int vertex) const { return faces_[static_cast<std::size_t>(vertex)] == face; }
+  [[nodiscard]] double of(int vertex) const { return heights_[static_cast<std::size_t>(vertex)]; }
+
+ private:
+  std::vector<double> heights_;
+  std::vector<int> faces_;  ///< to which the heights belong
+};
+
+/// What the contours of one model are found from.
+struct Model {
+  const mesh::Mesh& mesh;
+  const PartFaces& part;
+  std::vector<std::optional<ContourPlane>> planes;  ///< by face
+
+  [[nodiscard]] const ContourPlane* plane_at(int triangle) const {
+    const auto& plane = planes[static_cast<std::size_t>(part.face_of_triangle[static_cast<std::size_t>(triangle)])];
+    return plane ? &*plane : nullptr;
+  }
+};
+
+double parameter_of_zero(double from, double to) { return from / (from - to); }
+
+// Sets the heights of a face; 0 for vertices through which its contour passes.
+void find_heights(const Model& model, int face, std::span<const int> triangles, Heights& heights) {
+  const ContourPlane& plane = *model.planes[static_cast<std::size_t>(face)];
+  for (const int t : triangles)
+    for (const int v : model.mesh.triangle(t))
+      if (!heights.has(face, v)) heights.set(face, v, plane.height(model.mesh.point(v)));
+  for (const int t : triangles) {
+    const std::array<int, 3> corners = model.mesh.triangle(t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int a = corners[i], b = corners[(i + 1) % 3];
+      const double from = heights.of(a), to = heights.of(b);
+      if (!(from * to < 0)) continue;
+      const double at = parameter_of_zero(from, to);
+      if (at < at_corner) heights.set(face, a, 0);
+      if (at > 1 - at_corner) heights.set(face, b, 0);
+    }
+  }
+}
+
+void add_crossings(const Model& model, int face, std::span<const int> triangles, const Heights& heights,
+                   Crossings& crossings) {
+  for (const int t : triangles) {
+    const std::array<int, 3> corners = model.mesh.triangle(t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (heights.of(corners[i]) == 0) crossings.at_vertices.emplace_back(face, corners[i]);
+      const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 3]);
+      if (!(heights.of(low) * heights.of(high) < 0)) continue;
+      const mesh::MeshEdge* edge = model.mesh.edge_between({low, high});
+      check(edge != nullptr, "the sides of triangles are edges");
+      crossings.splits.push_back({static_cast<int>(edge - model.mesh.edges.data()),
+                                  parameter_of_zero(heights.of(low), heights.of(high)), face});
+    }
+  }
+}
+
+Crossings find_crossings(const Model& model) {
+  const std::vector<int>& face_of = model.part.face_of_triangle;
+  const Groups<int> by_face(model.planes.size(), [&](const auto& visit) {
+    for (std::size_t t = 0; t < face_of.size(); ++t)
+      if (model.plane_at(static_cast<int>(t)) != nullptr)
+        visit(static_cast<std::size_t>(face_of[t]), static_cast<int>(t));
+  });
+  Crossings crossings;
+  Heights heights(model.mesh.points.size());
+  for (std::size_t f = 0; f < model.planes.size(); ++f) {
+    if (!model.planes[f]) continue;
+    const int face = static_cast<int>(f);
+    find_heights(model, face, by_face[f], heights);
+    add_crossings(model, face, by_face[f], heights, crossings);
+  }
+  const auto drop_repeated = [](auto& items, const auto& key) {
+    const auto rest = std::ranges::unique(items, {}, key);
+    items.erase(rest.begin(), rest.end());
+  };
+  // Both triangles at an edge find its splits.
+  std::ranges::sort(crossings.splits, {}, [](const Split& s) { return std::tuple(s.edge, s.t, s.face); });
+  drop_repeated(crossings.splits, [](const Split& s) { return std::tuple(s.edge, s.t, s.face); });
+  std::ranges::sort(crossings.at_vertices);
+  drop_repeated(crossings.at_vertices, std::identity());
+  return crossings;
+}
+
+// The surface beyond the side of a face; null if none is known.
+const surfaces::PartSurface* surface_beyond(const Model& model, const mesh::MeshEdge& edge, int face) {
+  const std::span<const int> beside = model.mesh.triangles_of(edge);
+  if (beside.size() != 2) return nullptr;
+  for (const int t : beside) {
+    const int other = model.part.face_of_triangle[static_cast<std::size_t>(t)];
+    if (other != face) return &model.part.faces[static_cast<std::size_t>(other)].surface;
+  }
+  return nullptr;
+}
+
+// Where the vertex of a split lies.
+Vec3 place_of(const Model& model, const Split& split) {
+  const mesh::MeshEdge& edge = model.mesh.edges[static_cast<std::size_t>(split.edge)];
+  const auto face = static_cast<std::size_t>(split.face);
+  const Vec3 a = model.mesh.point(edge.vertex[0]), b = model.mesh.point(edge.vertex[1]);
+  const Vec3 place = a + split.t * (b - a);
+  const std::span<const int> beside = model.mesh.triangles_of(edge);
+  const bool is_inside = beside.size() == 2 && std::ranges::all_of(beside, [&](int t) {
+                           return model.part.face_of_triangle[static_cast<std::size_t>(t)] == split.face;
+                         });
+  std::optional<Rim> rim;
+  if (!is_inside) rim = Rim{glm::normalize(b - a), surface_beyond(model, edge, split.face)};
+  return place_on_contour(model.part.faces[face].surface, *model.planes[face], place, rim, glm::distance(a, b) / 2);
+}
+
+// Adds a vertex for each split; one for contours of two faces that cross their border in one place.
+void add_vertices(const Model& model, std::vector<Split>& splits, mesh::Mesh& refined) {
+  refined.first_cut_vertex = static_cast<int>(refined.points.size());
+  for (std::size_t i = 0; i < splits.size(); ++i) {
+    Split& split = splits[i];
+    if (i > 0 && splits[i - 1].edge == split.edge && split.t - splits[i - 1].t < at_corner) {
+      split.vertex = splits[i - 1].vertex;
+      continue;
+    }
+    split.vertex = static_cast<int>(refined.points.size());
+    const Vec3 place = place_of(model, split);
+    refined.points.push_back({place.x, place.y, place.z});
+    refined.cut_vertices.push_back({model.mesh.edges[static_cast<std::size_t>(split.edge)].vertex, split.t});
+  }
+}
+
+std::span<const Split> splits_at(const std::vector<Split>& splits, std::ptrdiff_t edge) {
+  const auto [first, last] = std::ranges::equal_range(splits, static_cast<int>(edge), {}, &Split::edge);
+  return {first, last};
+}
+
+/// A triangle to be split.
+struct Facet {
+  const Model& model;
+  const Crossings& crossings;
+  const mesh::Mesh& refined;  ///< has all vertices
+  std::array<int, 3> corners;
+  int face;
+  const ContourPlane* plane;  ///< of the face; null if it has none
+
+  [[nodiscard]] int side_of(const Vec3& place) const { return plane == nullptr || plane->height(place) > 0 ? 1 : -1; }
+  [[nodiscard]] int side_of_corner(std::size_t i) const {
+    const bool is_on =
+        plane != nullptr && std::ranges::binary_search(crossings.at_vertices, std::pair(face, corners[i]));
+    return is_on ? 0 : side_of(model.mesh.point(corners[i]));
+  }
+};
+
+// Adds the splits at a side of a triangle.
+void add_side(const Facet& facet, std::size_t i, std::vector<RingPoint>& ring) {
+  constexpr std::array<Vec2, 3> in_triangle{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)};
+  const mesh::Mesh& mesh = facet.model.mesh;
+  const int from = facet.corners[i], to = facet.corners[(i + 1) % 3];
+  const Vec2 flat = in_triangle[i], along = in_triangle[(i + 1) % 3] - flat;
+  ring.push_back({from, flat, mesh.point(from), facet.side_of_corner(i)});
+  const mesh::MeshEdge* edge = mesh.edge_between({std::min(from, to), std::max(from, to)});
+  check(edge != nullptr, "the sides of triangles are edges");
+  const std::span<const Split> here = splits_at(facet.crossings.splits, edge - mesh.edges.data());
+  for (std::size_t k = 0; k < here.size(); ++k) {
+    const Split& split = here[from < to ? k : here.size() - 1 - k];
+    const bool is_own = facet.plane != nullptr && split.face == facet.face;
+    if (ring.back().vertex != split.vertex) {
+      const double t = from < to ? split.t : 1 - split.t;
+      const Vec3 on_side = mesh.point(from) + t * (mesh.point(to) - mesh.point(from));
+      ring.push_back({split.vertex, flat + t * along, facet.refined.point(split.vertex), facet.side_of(on_side)});
+    }
+    if (is_own) ring.back().side = 0;
+  }
+}
+
+void split_triangles(const Model& model, const Crossings& crossings, mesh::Mesh& refined, PartFaces& part) {
+  std::vector<char> is_split(model.part.face_of_triangle.size(), 0);
+  for (const Split& split : crossings.splits)
+    for (const int t : model.mesh.triangles_of(model.mesh.edges[static_cast<std::size_t>(split.edge)]))
+      is_split[static_cast<std::size_t>(t)] = 1;
+  const auto add = [&](const std::array<int, 3>& corners, std::size_t t) {
+    refined.corners.insert(refined.corners.end(), corners.begin(), corners.end());
+    refined.polygon.push_back(model.mesh.polygon[t]);
+    refined.body.push_back(model.mesh.body[t]);
+    part.face_of_triangle.push_back(model.part.face_of_triangle[t]);
+  };
+  for (std::size_t t = 0; t < is_split.size(); ++t) {
+    const int triangle = static_cast<int>(t);
+    if (is_split[t] == 0) {
+      add(model.mesh.triangle(triangle), t);
+      continue;
+    }
+    const Facet facet{model,
+                      crossings,
+                      refined,
+                      model.mesh.triangle(triangle),
+                      model.part.face_of_triangle[t],
+                      model.plane_at(triangle)};
+    std::vector<RingPoint> ring;
+    for (std::size_t i = 0; i < 3; ++i) add_side(facet, i, ring);
+    for (const std::array<int, 3>& corners : split_triangle(ring)) add(corners, t);
+  }
+}
+
+/// A part of an edge of the original mesh.
+struct EdgePart {
+  int whole;
+  double from;  ///< parameter along it
+  int edge;     ///< of the refined mesh
+};
+
+// Makes the edges of the refined mesh, with the marks of those of which they are parts. Returns these parts, by whole
+// edge and place.
+std::vector<EdgePart> make_edges(const Model& model, const std::vector<Split>& splits, mesh::Mesh& refined) {
+  std::vector<std::array<int, 2>> wires;
+  for (std::size_t e = 0; e < model.mesh.edges.size(); ++e)
+    if (model.mesh.edges[e].wire && splits_at(splits, static_cast<std::ptrdiff_t>(e)).empty())
+      wires.push_back(model.mesh.edges[e].vertex);
+  mesh::make_edges(refined, wires);
+  std::vector<EdgePart> parts;
+  parts.reserve(refined.edges.size());
+  std::size_t next = 0;  // edges of both meshes are sorted by their vertices
+  for (std::size_t e = 0; e < refined.edges.size(); ++e) {
+    mesh::MeshEdge& edge = refined.edges[e];
+    const mesh::EdgeOrigin origin = refined.origin_of(edge);
+    if (!origin.in_file) continue;
+    const mesh::MeshEdge* whole = nullptr;
+    if (edge.vertex[1] < refined.first_cut_vertex) {
+      while (model.mesh.edges[next].vertex < edge.vertex) ++next;
+      whole = &model.mesh.edges[next];
+    } else {
+      whole = model.mesh.edge_between(origin.vertex);
+    }
+    check(whole != nullptr && whole->vertex == origin.vertex, "a part of an edge belongs to an edge");
+    edge.wire = whole->wire;
+    parts.push_back(
+        {static_cast<int>(whole - model.mesh.edges.data()), std::min(origin.t[0], origin.t[1]), static_cast<int>(e)});
+  }
+  std::ranges::sort(parts, {}, [](const EdgePart& p) { return std::pair(p.whole, p.from); });
+  return parts;
+}
+
+// Replaces the edges of borders by their parts, in order along the borders.
+void divide_borders(const Model& model, const std::vector<EdgePart>& parts, std::size_t edge_count, PartFaces& part) {
+  part.border_of_edge.assign(edge_count, -1);
+  for (std::size_t b = 0; b < part.borders.size(); ++b) {
+    const std::vector<int> wholes = std::exchange(part.borders[b].edges, {});
+    for (std::size_t i = 0; i < wholes.size(); ++i) {
+      const auto vertices_of = [&](std::size_t k) {
+        return model.mesh.edges[static_cast<std::size_t>(wholes[k])].vertex;
+      };
+      const std::array<int, 2> own = vertices_of(i);
+      const auto has = [&](std::size_t k, int vertex) { return std::ranges::count(vertices_of(k), vertex) > 0; };
+      const bool is_last = i + 1 == wholes.size();
+      const bool backwards = is_last ? i > 0 && has(i - 1, own[1]) : has(i + 1, own[0]);
+      const auto found = std::ranges::equal_range(parts, wholes[i], {}, &EdgePart::whole);
+      std::vector<int>& edges = part.borders[b].edges;
+      for (const EdgePart& one : found) {
+        edges.push_back(one.edge);
+        part.border_of_edge[static_cast<std::size_t>(one.edge)] = static_cast<int>(b);
+      }
+      if (backwards) std::reverse(edges.end() - std::ssize(found), edges.end());
+    }
+  }
+}
+
+std::optional<world::Placed> refine_model(const world::Placed& placed, const projection::Projection& projection) {
+  if (placed.part == nullptr || placed.part->faces.empty() || placed.mesh->uncut != nullptr) return std::nullopt;
+  Model model{*placed.mesh, *placed.part, {}};
+  const Viewer viewer = viewer_of(placed, projection);
+  for (const surfaces::PartFace& face : placed.part->faces) model.planes.push_back(contour_plane(face.surface, viewer));
+  Crossings crossings = find_crossings(model);
+  if (crossings.splits.empty()) return std::nullopt;
+  auto refined = std::make_shared<mesh::Mesh>();
+  refined->points = placed.mesh->points;
+  refined->report = placed.mesh->report;
+  add_vertices(model, crossings.splits, *refined);
+  auto part = std::make_shared<PartFaces>(*placed.part);
+  part->face_of_triangle.clear();
+  split_triangles(model, crossings, *refined, *part);
+  const std::vector<EdgePart> parts = make_edges(model, crossings.splits, *refined);
+  divide_borders(model, parts, refined->edges.size(), *part);
+  world::Placed result = placed;
+  result.mesh = std::move(refined);
+  result.part = std::move(part);
+  return result;
+}
+
+}  // namespace
+
+std::optional<world::World> refine_world(const world::World& world, const projection::Projection& projection) {
+  std::vector<world::Placed> models = world.models;
+  bool any = false;
+  for (world::Placed& placed : models)
+    if (std::optional<world::Placed> refined = refine_model(placed, projection)) {
+      placed = std::move(*refined);
+      any = true;
+    }
+  if (!any) return std::nullopt;
+  world::World refined = world::make_world(std::move(models));
+  refined.box = world.box;
+  refined.rounding = world.rounding;
+  refined.one_rounding = world.one_rounding;
+  refined.styles = world.styles;
+  return refined;
+}
+
+}  // namespace epura::refine

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes that are split along the contours of their cylinders and cones, against the formulas of these contours.
+#include "refine/refine_world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "shapes.hpp"
+
+namespace epura::test::refine_world_test {
+namespace {
+
+using refine::refine_world;
+
+constexpr double degree = std::numbers::pi / 180;
+
+Result draw_refined(world::World world, const projection::Projection& view) {
+  std::optional<world::World> refined = refine_world(world, view);
+  return draw(refined ? std::move(*refined) : std::move(world), view);
+}
+
+Vec3 tilted(double degrees, double turn) {
+  return {std::sin(degrees * degree) * std::cos(turn * degree), std::sin(degrees * degree) * std::sin(turn * degree),
+          std::cos(degrees * degree)};
+}
+
+// A frustum about z with these radii at the heights 0 and 30.
+constexpr double height = 30;
+world::World frustum_world(double radius, double top, int sides) {
+  return recognised(world_of(frustum(radius, top, height, sides)));
+}
+
+/// The frustum's own n . (towards the viewer), times a positive factor.
+struct Formula {
+  double radius, top;
+
+  [[nodiscard]] double facing(const Vec3& p, const projection::Projection& view) const {
+    const double slope = (top - radius) / height, out = std::hypot(p.x, p.y);
+    const Vec3 normal(p.x / out, p.y / out, -slope);
+    const Vec3 to = view.central ? view.projector - p : view.projector;
+    return glm::dot(normal, glm::normalize(to)) / glm::length(normal);
+  }
+  [[nodiscard]] double off(const Vec3& p) const {
+    return std::abs(std::hypot(p.x, p.y) - (radius + (top - radius) * p.z / height));
+  }
+};
+
+// The angle of a contour beside the direction across the axis to the viewer, by the formula for parallel projectors.
+double contour_angle(double radius, double top, const Vec3& towards) {
+  const double slope = (top - radius) / height;
+  return std::acos(slope * towards.z / std::hypot(towards.x, towards.y));
+}
+
+// Every contour segment of the drawing of one frustum, and how long they are in all.
+double length_of_contours(const Result& drawn, bool visible) {
+  double length = 0;
+  for (const drawing::Segment& s : drawn.drawing.segments)
+    if (s.kind == EdgeKind::contour && s.visible == visible && s.crossing >= 0) length += glm::distance(s.from, s.to);
+  return length * drawn.unit;
+}
+
+void expect_closed(const mesh::Mesh& mesh) {
+  for (const mesh::MeshEdge& edge : mesh.edges) EXPECT_EQ(edge.count, 2);
+}
+
+// No facet of a round face reaches across the contour, and new vertices lie on the surface.
+void expect_split(const world::World& world, const Formula& formula, const projection::Projection& view) {
+  const world::Placed& placed = world.models.front();
+  const mesh::Mesh& mesh = *placed.mesh;
+  expect_closed(mesh);
+  for (std::size_t v = static_cast<std::size_t>(mesh.first_cut_vertex); v < mesh.points.size(); ++v) {
+    const Vec3 p = mesh.point(static_cast<int>(v));
+    EXPECT_LT(formula.off(p), 1e-9);
+    EXPECT_NEAR(formula.facing(p, view), 0, 1e-9);
+    EXPECT_GE(p.z, -1e-9);
+    EXPECT_LE(p.z, height + 1e-9);
+  }
+  // A hundredth of what a corner may be beside the plane of the contours.
+  double slack = 0;
+  const auto beside = [&](int v) {
+    return formula.facing(mesh.point(v), view) * std::hypot(mesh.point(v).x, mesh.point(v).y);
+  };
+  for (const int v : mesh.corners) slack = std::max(slack, 0.01 * std::abs(beside(v)));
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const int face = placed.part->face_of_triangle[static_cast<std::size_t>(t)];
+    if (placed.part->faces[static_cast<std::size_t>(face)].surface.kind == surfaces::SurfaceKind::plane) continue;
+    double low = 0, high = 0;
+    for (const int v : mesh.triangle(t)) {
+      low = std::min(low, beside(v));
+      high = std::max(high, beside(v));
+    }
+    EXPECT_LE(std::min(-low, high), slack) << t;
+  }
+}
+
+TEST(RefineWorld, SplitsFrustumsAlongTheirContours) {
+  for (const double top : {10.0, 6.0, 1.0})
+    for (const int sides : {12, 17, 48})
+      for (const double tilt : {35.0, 60.0, 75.0, 90.0, 110.0}) {
+        const projection::Projection view = orthographic(tilted(tilt, 21));
+        const auto refined = refine_world(frustum_world(10, top, sides), view);
+        ASSERT_TRUE(refined) << top << " " << sides << " " << tilt;
+        expect_split(*refined, {10, top}, view);
+      }
+}
+
+TEST(RefineWorld, SplitsFrustumsInPerspective) {
+  for (const double top : {10.0, 6.0})
+    for (const Vec3 eye : {Vec3(40, 25, 50), Vec3(15, 3, 10), Vec3(100, -70, -40)}) {
+      const projection::Projection view = perspective(eye, {0, 0, 15}, glm::normalize(eye - Vec3(0, 0, 15)), {0, 0, 1});
+      const auto refined = refine_world(frustum_world(10, top, 19), view);
+      ASSERT_TRUE(refined);
+      expect_split(*refined, {10, top}, view);
+    }
+}
+
+// Along the axis there is no contour; a plane and a ball have none of this kind.
+TEST(RefineWorld, LeavesWhatHasNoContour) {
+  EXPECT_FALSE(refine_world(frustum_world(10, 10, 24), orthographic({0, 0, 1}, {0, 1, 0})));
+  EXPECT_FALSE(refine_world(frustum_world(10, 6, 24), orthographic({0, 0, 1}, {0, 1, 0})));
+  EXPECT_FALSE(refine_world(recognised(world_of(box({0, 0, 0}, {1, 2, 3}))), orthographic({1, 2, 3})));
+  EXPECT_FALSE(refine_world(world_of(frustum(10, 10, height, 24)), orthographic({1, 2, 3})));
+}
+
+// A contour that passes a corner within a hundredth of a facet passes through it.
+TEST(RefineWorld, AddsNoNeedlesAtCorners) {
+  const int sides = 24;
+  EXPECT_FALSE(refine_world(frustum_world(10, 10, sides), orthographic(tilted(60, 0))));
+  EXPECT_FALSE(refine_world(frustum_world(10, 10, sides), orthographic(tilted(60, 0.005 * 360 / sides))));
+  EXPECT_TRUE(refine_world(frustum_world(10, 10, sides), orthographic(tilted(60, 0.02 * 360 / sides))));
+}
+
+TEST(RefineWorld, KeepsTheNamesOfEdgesAndFaces) {
+  const world::World world = frustum_world(10, 10, 20);
+  const world::World refined = *refine_world(world, orthographic(tilted(60, 10)));
+  const mesh::Mesh &whole = *world.models.front().mesh, &mesh = *refined.models.front().mesh;
+  const surfaces::PartFaces &faces = *world.models.front().part, &parts = *refined.models.front().part;
+  ASSERT_EQ(parts.borders.size(), faces.borders.size());
+  int split = 0;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const mesh::EdgeOrigin origin = mesh.origin_of(mesh.edges[e]);
+    const mesh::MeshEdge* original = whole.edge_between(origin.vertex);
+    if (!origin.in_file) {
+      EXPECT_EQ(parts.border_of_edge[e], -1);
+      EXPECT_TRUE(mesh.edges[e].diagonal);
+      continue;
+    }
+    ASSERT_NE(original, nullptr);
+    EXPECT_EQ(parts.border_of_edge[e], faces.border_of_edge[static_cast<std::size_t>(original - whole.edges.data())]);
+    EXPECT_EQ(mesh.edges[e].diagonal, original->diagonal);
+    split += origin.t != std::array<double, 2>{0, 1} ? 1 : 0;
+  }
+  EXPECT_EQ(split, 2 * 2 * 3);  // of two quadrilaterals: both rims and the diagonal
+  for (const surfaces::PartBorder& border : parts.borders)
+    for (std::size_t i = 1; i < border.edges.size(); ++i) {
+      const auto& a = mesh.edges[static_cast<std::size_t>(border.edges[i - 1])].vertex;
+      const auto& b = mesh.edges[static_cast<std::size_t>(border.edges[i])].vertex;
+      EXPECT_TRUE(std::ranges::any_of(a, [&](int v) { return v == b[0] || v == b[1]; })) << "in order along the border";
+    }
+}
+
+// Where a chamfer meets a shaft, both have contours through one chord of their common rim.
+TEST(RefineWorld, SplitsARimAtTheContoursOfBothFaces) {
+  for (const double turn : {4.0, 7.0, 11.0}) {
+    Shape shape = revolved({{10, 0}, {10, 20}, {7, 24}}, 24);
+    std::vector<int> below, above;
+    for (int i = 0; i < 24; ++i) {
+      below.push_back(23 - i);
+      above.push_back(48 + i);
+    }
+    shape.faces.push_back(below);
+    shape.faces.push_back(above);
+    const projection::Projection view = orthographic(tilted(70, turn));
+    const auto refined = refine_world(recognised(world_of(shape)), view);
+    ASSERT_TRUE(refined);
+    const mesh::Mesh& mesh = *refined->models.front().mesh;
+    expect_closed(mesh);
+    for (std::size_t v = static_cast<std::size_t>(mesh.first_cut_vertex); v < mesh.points.size(); ++v) {
+      const Vec3 p = mesh.point(static_cast<int>(v));
+      if (std::abs(p.z - 20) < 1e-6) {
+        EXPECT_NEAR(std::hypot(p.x, p.y), 10, 1e-9);
+      }
+    }
+  }
+}
+
+// Where a plane cuts a cylinder at a slant, the new vertices of the rim lie in the plane as well.
+TEST(RefineWorld, KeepsSlantedRimsInTheirPlane) {
+  Shape shape = frustum(10, 10, height, 20);
+  for (int i = 20; i < 40; ++i)
+    shape.points[static_cast<std::size_t>(i)][2] += 0.5 * shape.points[static_cast<std::size_t>(i)][0];
+  const auto refined = refine_world(recognised(world_of(shape)), orthographic(tilted(70, 33)));
+  ASSERT_TRUE(refined);
+  const mesh::Mesh& mesh = *refined->models.front().mesh;
+  expect_closed(mesh);
+  int on_top = 0;
+  for (std::size_t v = static_cast<std::size_t>(mesh.first_cut_vertex); v < mesh.points.size(); ++v) {
+    const Vec3 p = mesh.point(static_cast<int>(v));
+    EXPECT_NEAR(std::hypot(p.x, p.y), 10, 1e-9);
+    const auto& edge = mesh.cut_vertices[v - static_cast<std::size_t>(mesh.first_cut_vertex)].edge;
+    if (edge[0] < 20) continue;  // not of the upper rim
+    ++on_top;
+    EXPECT_NEAR(p.z, height + 0.5 * p.x, 1e-9);
+  }
+  EXPECT_EQ(on_top, 2);
+}
+
+// Both contours are drawn, exactly where the formula has them, from rim to rim.
+TEST(RefineWorld, ContoursOfFrustumsAreDrawnWhereTheyAre) {
+  for (const double top : {10.0, 6.0})
+    for (const int sides : {12, 25})
+      for (const double tilt : {40.0, 65.0, 88.0}) {
+        const Vec3 towards = tilted(tilt, 13);
+        const Result drawn = draw_refined(frustum_world(10, top, sides), orthographic(towards));
+        const double angle = contour_angle(10, top, towards);
+        double length = 0;
+        for (const double side : {-1.0, 1.0}) {
+          const double at = 13 * degree + side * angle;
+          const Vec3 low(10 * std::cos(at), 10 * std::sin(at), 0), high(top * std::cos(at), top * std::sin(at), height);
+          length += glm::length(glm::cross(high - low, towards));
+        }
+        EXPECT_NEAR(length_of_contours(drawn, true), length, 1e-6 * length) << top << " " << sides << " " << tilt;
+        EXPECT_NEAR(length_of_contours(drawn, false), 0, 1e-9);
+      }
+}
+
+// Two cylinders of one radius that cross at 90 and 60 degrees, as two bodies, seen at right angles to both axes: each
+// hides the other's contours inside it, which meet at the ends of the rhombus of Steinmetz.
+TEST(RefineWorld, ContoursOfCrossingCylindersEndInEachOther) {
+  for (const double angle : {90.0, 60.0})
+    for (const int sides : {24, 30}) {
+      const double radius = 10, length = 80;
+      const auto lying = [&](double turn) {
+        Shape shape = frustum(radius, radius, length, sides);
+        for (Point& p : shape.points) {
+          const Vec3 q(p[2] - length / 2, p[0], p[1]);
+          const double c = std::cos(turn * degree), s = std::sin(turn * degree);
+          p = {c * q.x - s * q.y, s * q.x + c * q.y, q.z};
+        }
+        return shape;
+      };
+      const world::World world = recognised(world_of(std::vector<Shape>{lying(0), lying(angle)}));
+      const Result drawn = draw_refined(world, orthographic({0, 0, 1}, {0, 1, 0}));
+      // Along each of the four contours, the other cylinder hides 2 r / sin(angle). The four ends are seen edge-on.
+      const double visible = 4 * (length - 2 * radius / std::sin(angle * degree)) + 4 * 2 * radius;
+      double contours = 0;
+      for (const drawing::Segment& s : drawn.drawing.segments)
+        if (s.kind == EdgeKind::contour && s.visible) contours += glm::distance(s.from, s.to) * drawn.unit;
+      EXPECT_NEAR(contours, visible, 1e-6 * visible) << angle << " " << sides;
+    }
+}
+
+}  // namespace
+}  // namespace epura::test::refine_world_test
