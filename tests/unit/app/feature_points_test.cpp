@@ -102,7 +102,7 @@ TEST_F(FeaturePoints, ThatAreNotThereAreRefusedWithWhatThereIs) {
 
 TEST_F(FeaturePoints, HaveTheirNumbersInInfo) {
   for (const char* model : {"four.obj", "anew.obj"}) {
-    const Outcome run = epura({"info", folder / model});
+    const Outcome run = epura({"info", model}, folder / "");
     EXPECT_TRUE(contains(run.out, "hole 1 to 4: 4 x Ø8")) << run.out;
     EXPECT_TRUE(contains(run.out, "6 planes; face 1 to 6")) << run.out;
     EXPECT_TRUE(contains(run.out, "face 7 to 10")) << run.out;

@@ -28,7 +28,7 @@ TEST(NewScene, IsDrawnAsItIsAndWithAllItsProposals) {
   ASSERT_EQ(made.code, 0) << made.err;
   EXPECT_TRUE(contains(made.out, "epura draw flange.toml -o flange.pdf")) << made.out;
   const std::string scene = read_file(folder / "flange.toml");
-  EXPECT_TRUE(contains(scene, "# hole 1, 2, 4 to 6, 8, 9: ")) << scene;
+  EXPECT_TRUE(contains(scene, "# hole 1 to 4, 6 to 9: 8 x Ø18, through, along z, the first one from [")) << scene;
   EXPECT_TRUE(contains(scene, "file = \"flange.obj\"")) << scene;
   const Outcome drawn = epura({"draw", "flange.toml", "-o", "a.svg"}, folder / "");
   EXPECT_EQ(drawn.code, 0) << drawn.err;
