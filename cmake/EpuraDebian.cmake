@@ -109,7 +109,7 @@ install(FILES cmake/debian/lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR
 # What policy wants of every package. Headers of these libraries are compiled into the program.
 set(licences ${CMAKE_CURRENT_BINARY_DIR}/debian/copyright)
 configure_file(cmake/debian/copyright ${licences} COPYONLY)
-foreach(package libcli11-dev libglm-dev libtomlplusplus-dev libutfcpp-dev rapidjson-dev)
+foreach(package libcli11-dev libeigen3-dev libglm-dev libtomlplusplus-dev libutfcpp-dev rapidjson-dev)
   file(READ /usr/share/doc/${package}/copyright text)
   file(APPEND ${licences} "\n-- ${package} --\n\n${text}")
 endforeach()

@@ -20,6 +20,7 @@ set(materials
   "libmeshoptimizer-dev|MIT|DYNAMIC_LINK"
   "libocct-foundation-dev|LGPL-2.1-only WITH OCCT-exception-1.0|DYNAMIC_LINK"
   "libcli11-dev|BSD-3-Clause|STATIC_LINK"
+  "libeigen3-dev|MPL-2.0|STATIC_LINK"
   "libglm-dev|MIT|STATIC_LINK"
   "libtomlplusplus-dev|MIT|STATIC_LINK"
   "libutfcpp-dev|BSL-1.0|STATIC_LINK"

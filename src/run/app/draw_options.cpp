@@ -356,6 +356,10 @@ scene::Options<DrawOptions> lint_options() {
                                      .help = "list all findings; otherwise three of those that differ in numbers alone",
                                      .nature = scene::Nature::run},
                                     &Draw::lint_all, scene::truth()));
+  all.push_back(scene::option<Draw>({.flag = "--free-faces",
+                                     .help = "tell which faces the dimensions leave free to move, turn or grow",
+                                     .nature = scene::Nature::run},
+                                    &Draw::lint_free_faces, scene::truth()));
   return all;
 }
 

@@ -113,6 +113,7 @@ std::string printed_findings(const std::vector<report::Finding>& findings, bool 
 
 int lint(DrawOptions options) {
   options.run.lint = true;
+  options.run.free_faces = options.lint_free_faces;
   if (!options.lint_json.empty()) pipeline::refuse_overwriting({options.lint_json}, options.models);
   ProgressBoard board;
   Console console(board, shows_progress(options.progress), options.run.time_limit);

@@ -56,9 +56,10 @@ struct DrawOptions {
   pipeline::RunOptions run;
   bool timings = false;
   ShowProgress progress = ShowProgress::automatic;
-  std::string lint_json;  ///< lint: file of its findings; empty: none
-  bool lint_all = false;  ///< lint: print those that differ in numbers alone, too
-  bool measure = false;   ///< measure the time saved by shortcuts, by runs without them
+  std::string lint_json;         ///< lint: file of its findings; empty: none
+  bool lint_all = false;         ///< lint: print those that differ in numbers alone, too
+  bool lint_free_faces = false;  ///< lint: tell of faces that the dimensions leave free
+  bool measure = false;          ///< measure the time saved by shortcuts, by runs without them
 };
 
 struct PluginsOptions {

@@ -10,6 +10,7 @@
 #include "composition/free_forms.hpp"
 #include "features/assembly_features.hpp"
 #include "features/true_extents.hpp"
+#include "sheet/dimensions/free_faces.hpp"
 
 namespace epura::pipeline {
 
@@ -92,6 +93,15 @@ void add_uncovered_sizes(report::Report& report, const world::World& world, cons
   for (const std::string& what : coverage.repeated) findings.push_back({report::FindingKind::repeated, "", what});
   report.sizes = std::move(coverage.counts);
   report.views_to_add = std::move(coverage.views_to_add);
+}
+
+void add_free_faces(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
+                    std::span<const sheet::DimensionsInView> views) {
+  const auto extents = features::true_extents(world);
+  sheet::FreeFaces free = sheet::find_free_faces(views, world, extents, notation_of(world, scene.sheets.front()));
+  for (const std::string& what : free.sentences)
+    report.findings.push_back({report::FindingKind::undimensioned, "", what});
+  if (free.count.all > 0) report.sizes.push_back(std::move(free.count));
 }
 
 std::vector<report::Finding> undefined_free_forms(const world::World& world, const scene::SceneDescription& scene,

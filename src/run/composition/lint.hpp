@@ -26,6 +26,10 @@ void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::ve
 void add_uncovered_sizes(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
                          std::span<const sheet::DimensionsInView> views, const Progress& progress);
 
+/// Adds the faces that the dimensions leave free to a report, and how many they hold.
+void add_free_faces(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
+                    std::span<const sheet::DimensionsInView> views);
+
 /// Models whose faces are not recognised, and faces of free form, that neither a tolerance nor a note gives.
 std::vector<report::Finding> undefined_free_forms(const world::World& world, const scene::SceneDescription& scene,
                                                   bool noted);

@@ -548,6 +548,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   gathered.report.requirements = end_ledger(required, messages, options.allow_missing);
   if (options.lint) {
     add_uncovered_sizes(gathered.report, worlds.main(), scene, gathered.dimensioned, progress);
+    if (options.free_faces) add_free_faces(gathered.report, worlds.main(), scene, gathered.dimensioned);
     add_all(gathered.report.findings, undefined_free_forms(worlds.main(), scene, refers_to_models));
   }
   return finished;

@@ -60,6 +60,7 @@ struct RunOptions {
   Shortcuts plan;               ///< shortcuts in use
   bool explain = false;         ///< print the steps
   bool lint = false;            ///< report faults of the dimensions
+  bool free_faces = false;      ///< with these, faces that the dimensions leave free
   bool allow_missing = false;   ///< sheets may lack what model files require
   bool error_note = false;      ///< sheets state above the title block how far lines may be from those of the part
   bool judges = false;          ///< finds the error budgets of the views

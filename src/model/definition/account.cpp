@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "definition/account.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+#include "definition/limits.hpp"
+#include "definition/rank.hpp"
+
+namespace epura::definition {
+
+namespace {
+
+using Rigid = std::array<double, 6>;
+
+double dot(const Rigid& a, const Rigid& b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); }
+
+// What is left of a vector beside unit vectors that are square to each other.
+Rigid rest_of(Rigid vector, const std::vector<Rigid>& basis) {
+  for (const Rigid& unit : basis) {
+    const double along = dot(vector, unit);
+    for (std::size_t i = 0; i < 6; ++i) vector[i] -= along * unit[i];
+  }
+  return vector;
+}
+
+// The largest faces, as datum features are chosen: three unknowns of the first one, two of the second, one of the
+// third. As rows that hold these still; whatever the part does as a whole is then nothing.
+std::vector<Row> base_rows(const Part& part, const Unknowns& unknowns) {
+  std::vector<int> order(part.faces.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return part.faces[static_cast<std::size_t>(a)].area >
+           part.faces[static_cast<std::size_t>(b)].area * (1 + same_size);
+  });
+  std::vector<Rigid> basis;
+  std::vector<Row> rows;
+  for (const double enough : {good_base, seen_at_all})
+    for (const int face : order)
+      for (int i = unknowns.first(face); i < unknowns.first(face + 1); ++i) {
+        Rigid rest = rest_of(unknowns.rigid(i), basis);
+        const double length = std::sqrt(dot(rest, rest));
+        if (length < enough) continue;
+        for (double& value : rest) value /= length;
+        basis.push_back(rest);
+        rows.push_back({{i, 1.0}});
+      }
+  return rows;
+}
+
+// Changes as the whole part makes them, and a choice of these.
+class Relative {
+ public:
+  Relative(const Part& part, const Unknowns& unknowns) : part_(part), unknowns_(unknowns) {
+    for (int i = 0; i < unknowns.count(); ++i) rigid_.push_back(unknowns.rigid(i));
+  }
+
+  // Relative to the face to which most of the area keeps still.
+  [[nodiscard]] Motion motion(const Row& change) const {
+    std::vector<double> values(rigid_.size(), 0.0);
+    for (const Term& term : change) values[static_cast<std::size_t>(term.unknown)] = term.factor;
+    std::vector<double> best = values;
+    double least = moving_area(values);
+    for (const int face : moving(values)) {
+      const std::vector<double> other = held_at(face, values);
+      // A later one must be better by more than the last digits.
+      if (const double area = moving_area(other); area < least * (1 - same_size)) {
+        least = area;
+        best = other;
+      }
+    }
+    Motion found{moving(best), {}};
+    for (std::size_t i = 0; i < best.size(); ++i)
+      if (best[i] != 0) found.change.push_back({static_cast<int>(i), best[i]});
+    return found;
+  }
+
+ private:
+  [[nodiscard]] std::vector<int> moving(const std::vector<double>& values) const {
+    std::vector<int> faces;
+    for (int face = 0; face < static_cast<int>(part_.faces.size()); ++face)
+      for (int i = unknowns_.first(face); i < unknowns_.first(face + 1); ++i)
+        if (values[static_cast<std::size_t>(i)] != 0 && (faces.empty() || faces.back() != face)) faces.push_back(face);
+    return faces;
+  }
+
+  // Faces that are alike in all but their number do not decide; each counts for something.
+  [[nodiscard]] double moving_area(const std::vector<double>& values) const {
+    double area = 0;
+    for (const int face : moving(values)) area += part_.faces[static_cast<std::size_t>(face)].area;
+    return area;
+  }
+
+  // With the least motion of the whole part that undoes what a face does.
+  [[nodiscard]] std::vector<double> held_at(int face, std::vector<double> values) const {
+    std::vector<Rigid> basis;
+    Rigid whole{};
+    for (int i = unknowns_.first(face); i < unknowns_.first(face + 1); ++i) {
+      const Rigid& row = rigid_[static_cast<std::size_t>(i)];
+      Rigid rest = rest_of(row, basis);
+      const double length = std::sqrt(dot(rest, rest));
+      if (length < seen_at_all) continue;
+      for (double& value : rest) value /= length;
+      basis.push_back(rest);
+      const double lacking = (values[static_cast<std::size_t>(i)] - dot(row, whole)) / length;
+      for (std::size_t k = 0; k < 6; ++k) whole[k] += lacking * rest[k];
+    }
+    double largest = 0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] -= dot(rigid_[i], whole);
+      if (std::abs(values[i]) <= moves * largest) values[i] = 0;
+    }
+    return values;
+  }
+
+  const Part& part_;
+  const Unknowns& unknowns_;
+  std::vector<Rigid> rigid_;
+};
+
+// Rows in terms of vectors that they may combine.
+std::vector<Row> in_terms_of(std::span<const Row> rows, std::span<const Row> vectors, int count) {
+  std::vector<Row> of_unknown(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    for (const Term& term : vectors[i])
+      of_unknown[static_cast<std::size_t>(term.unknown)].push_back({static_cast<int>(i), term.factor});
+  std::vector<Row> found;
+  for (const Row& row : rows) {
+    found.push_back(combined(row, of_unknown));
+    std::erase_if(found.back(), [](const Term& term) { return std::abs(term.factor) <= surely_zero; });
+  }
+  return found;
+}
+
+struct Said {
+  std::vector<Row> rows;
+  std::vector<int> of;  // the statement of each
+};
+
+Row of_length_one(Row row) {
+  double squares = 0;
+  for (const Term& term : row) squares += term.factor * term.factor;
+  for (Term& term : row) term.factor /= std::sqrt(squares);
+  return row;
+}
+
+Said said_by(std::span<const Statement> statements, bool with_doubtful) {
+  Said said;
+  for (std::size_t i = 0; i < statements.size(); ++i)
+    for (const Row& row : statements[i].rows)
+      if (statements[i].is_certain || with_doubtful) {
+        said.rows.push_back(of_length_one(row));
+        said.of.push_back(static_cast<int>(i));
+      }
+  return said;
+}
+
+struct Free {
+  std::vector<Row> allowed;     // by the rules
+  std::vector<Row> dimensions;  // in terms of what these allow
+  std::vector<int> of;
+  std::vector<Motion> motions;
+  bool is_certain;
+};
+
+Free find_free(const Part& part, const Unknowns& unknowns, std::span<const Statement> rules,
+               std::span<const Statement> dimensions, bool with_doubtful) {
+  std::vector<Row> rows = base_rows(part, unknowns);
+  for (Row& row : said_by(rules, with_doubtful).rows) rows.push_back(std::move(row));
+  NullSpace by_rules = null_space(unknowns.count(), rows);
+  Said said = said_by(dimensions, with_doubtful);
+  Free free{std::move(by_rules.vectors), {}, std::move(said.of), {}, by_rules.is_certain};
+  free.dimensions = in_terms_of(said.rows, free.allowed, unknowns.count());
+  const NullSpace left = null_space(static_cast<int>(free.allowed.size()), free.dimensions);
+  free.is_certain = free.is_certain && left.is_certain;
+  const Relative relative(part, unknowns);
+  for (const Row& vector : left.vectors) free.motions.push_back(relative.motion(combined(vector, free.allowed)));
+  return free;
+}
+
+void mark(std::vector<FaceState>& states, const std::vector<Motion>& motions, FaceState state) {
+  for (const Motion& motion : motions)
+    for (const int face : motion.faces) states[static_cast<std::size_t>(face)] = state;
+}
+
+}  // namespace
+
+bool Account::is_complete() const {
+  return is_certain && std::all_of(states.begin(), states.end(), [](FaceState state) {
+           return state == FaceState::fixed || state == FaceState::by_model;
+         });
+}
+
+Account take_account(const Part& part, const Unknowns& unknowns, std::span<const Statement> rules,
+                     std::span<const Statement> dimensions) {
+  const auto is_doubtful = [](const Statement& statement) { return !statement.is_certain; };
+  const bool any_doubt = std::any_of(rules.begin(), rules.end(), is_doubtful) ||
+                         std::any_of(dimensions.begin(), dimensions.end(), is_doubtful);
+  Free surely = find_free(part, unknowns, rules, dimensions, true);
+  Account account;
+  account.is_certain = surely.is_certain;
+  account.states.assign(part.faces.size(), FaceState::fixed);
+  for (std::size_t i = 0; i < part.faces.size(); ++i)
+    if (part.faces[i].surface.kind == surfaces::SurfaceKind::free_form) account.states[i] = FaceState::by_model;
+  if (any_doubt) {
+    const Free perhaps = find_free(part, unknowns, rules, dimensions, false);
+    mark(account.states, perhaps.motions, FaceState::uncertain);
+    account.is_certain = account.is_certain && perhaps.motions.size() == surely.motions.size();
+  }
+  mark(account.states, surely.motions, FaceState::free);
+  account.needed = static_cast<int>(surely.allowed.size());
+  account.motions = std::move(surely.motions);
+  for (const std::vector<int>& rows : dependent_rows(surely.dimensions)) {
+    std::vector<int> list;
+    for (const int row : rows)
+      if (const int number = surely.of[static_cast<std::size_t>(row)];
+          std::find(list.begin(), list.end(), number) == list.end())
+        list.push_back(number);
+    account.repeated.push_back(std::move(list));
+  }
+  return account;
+}
+
+}  // namespace epura::definition

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a sheet defines a part: what its faces can still do, by the rank of what is said of them. Which features they
+// form is of no concern.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "definition/rules.hpp"
+
+namespace epura::definition {
+
+/// A change of the part that nothing on the sheet forbids, relative to as many faces as possible.
+struct Motion {
+  std::vector<int> faces;  ///< that change, ascending
+  Row change;              ///< tidy: what each unknown changes by
+};
+
+enum class FaceState : unsigned char { fixed, free, uncertain, by_model };
+
+struct Account {
+  int needed = 0;                 ///< independent numbers that define the part beside the rules
+  std::vector<Motion> motions;    ///< one for each that is missing
+  std::vector<FaceState> states;  ///< of each face; `uncertain` where only doubtful statements hold it, or a rank is
+  /// Numbers of dimensions of which the first follows from the others. It stands alone if the rules say it.
+  std::vector<std::vector<int>> repeated;
+  bool is_certain = true;  ///< the ranks are proved, and no statement in doubt matters
+
+  [[nodiscard]] bool is_complete() const;
+};
+
+/// The part has common directions (see with_common_directions).
+Account take_account(const Part& part, const Unknowns& unknowns, std::span<const Statement> rules,
+                     std::span<const Statement> dimensions);
+
+}  // namespace epura::definition

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "definition/rank.hpp"
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+#include "base/disjoint_sets.hpp"
+#include "base/error.hpp"
+#include "definition/limits.hpp"
+
+namespace epura::definition {
+
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+
+double largest_of(const Row& row) {
+  double largest = 0;
+  for (const Term& term : row) largest = std::max(largest, std::abs(term.factor));
+  return largest;
+}
+
+// Unknowns as multiples of others: those that rows of one or two of them determine.
+class Links {
+ public:
+  explicit Links(int count) : links_(static_cast<std::size_t>(count)) {
+    for (int i = 0; i < count; ++i) links_[static_cast<std::size_t>(i)] = {i, 1};
+  }
+
+  // The factor is 0 for an unknown that is zero.
+  [[nodiscard]] Term root(int unknown) const {
+    Term at{unknown, 1};
+    for (const Term* next = &link(unknown); next->unknown != at.unknown && at.factor != 0; next = &link(at.unknown))
+      at = {next->unknown, at.factor * next->factor};
+    if (link(at.unknown).factor == 0) at.factor = 0;
+    return at;
+  }
+
+  [[nodiscard]] Row reduced(const Row& row) const {
+    Row sum;
+    for (const Term& term : row)
+      if (const Term to = root(term.unknown); to.factor != 0) sum.push_back({to.unknown, term.factor * to.factor});
+    sum = tidy(std::move(sum));
+    // What is small beside the row as it was is what its terms leave when they cancel.
+    std::erase_if(sum, [](const Term& term) { return std::abs(term.factor) <= surely_zero; });
+    return sum;
+  }
+
+  // Returns whether the row, which is reduced, is used up.
+  bool use(const Row& row) {
+    if (row.empty()) return true;
+    if (row.size() > 2 || largest_of(row) < surely_not_zero) return false;
+    const bool is_first = row.size() == 1 || std::abs(row[0].factor) > std::abs(row[1].factor);
+    const Term &replaced = row[is_first ? 0 : 1], &kept = row[is_first ? row.size() - 1 : 0];
+    links_[static_cast<std::size_t>(replaced.unknown)] =
+        row.size() == 1 ? Term{replaced.unknown, 0} : Term{kept.unknown, -kept.factor / replaced.factor};
+    return true;
+  }
+
+ private:
+  [[nodiscard]] const Term& link(int unknown) const { return links_[static_cast<std::size_t>(unknown)]; }
+
+  std::vector<Term> links_;
+};
+
+// Uses rows up as long as there are short ones; returns the others, reduced.
+std::vector<Row> use_short_rows(Links& links, std::span<const Row> rows) {
+  std::vector<Row> open(rows.begin(), rows.end());
+  for (bool any = true; any;) {
+    any = false;
+    std::vector<Row> rest;
+    for (Row& row : open)
+      if (links.use(links.reduced(row)))
+        any = true;
+      else
+        rest.push_back(std::move(row));
+    open = std::move(rest);
+  }
+  for (Row& row : open) row = links.reduced(row);
+  std::erase_if(open, [](const Row& row) { return row.empty(); });
+  return open;
+}
+
+// Rows that have unknowns in common, and these.
+struct Group {
+  std::vector<int> unknowns;  // ascending
+  std::vector<int> rows;
+
+  [[nodiscard]] int place_of(int unknown) const {
+    return static_cast<int>(std::lower_bound(unknowns.begin(), unknowns.end(), unknown) - unknowns.begin());
+  }
+  [[nodiscard]] Matrix matrix(std::span<const Row> all) const {
+    Matrix matrix = Matrix::Zero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(unknowns.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (const Term& term : all[static_cast<std::size_t>(rows[i])])
+        matrix(static_cast<Eigen::Index>(i), place_of(term.unknown)) = term.factor;
+    return matrix;
+  }
+};
+
+std::vector<Group> groups_of(std::span<const Row> rows) {
+  int count = 0;
+  for (const Row& row : rows)
+    for (const Term& term : row) count = std::max(count, term.unknown + 1);
+  DisjointSets sets(static_cast<std::size_t>(count));
+  std::vector<bool> is_used(static_cast<std::size_t>(count), false);
+  for (const Row& row : rows)
+    for (const Term& term : row) {
+      sets.join(row.front().unknown, term.unknown);
+      is_used[static_cast<std::size_t>(term.unknown)] = true;
+    }
+  std::map<int, std::size_t> number;
+  std::vector<Group> groups;
+  for (int unknown = 0; unknown < count; ++unknown) {
+    if (!is_used[static_cast<std::size_t>(unknown)]) continue;
+    const auto [group, is_new] = number.try_emplace(sets.root(unknown), groups.size());
+    if (is_new) groups.emplace_back();
+    groups[group->second].unknowns.push_back(unknown);
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (!rows[i].empty()) groups[number[sets.root(rows[i].front().unknown)]].rows.push_back(static_cast<int>(i));
+  return groups;
+}
+
+// Columns that span the same space, each with a row in which it alone is 1: Gauss and Jordan, with largest pivots.
+Matrix echelon(Matrix columns) {
+  std::vector<bool> is_done(static_cast<std::size_t>(columns.rows()), false);
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    Eigen::Index row = 0, column = k;
+    double largest = 0;
+    for (Eigen::Index i = 0; i < columns.rows(); ++i)
+      for (Eigen::Index j = k; j < columns.cols() && !is_done[static_cast<std::size_t>(i)]; ++j)
+        // Of equal ones the first, whatever the last digits are.
+        if (std::abs(columns(i, j)) > largest * (1 + surely_zero)) {
+          largest = std::abs(columns(i, j));
+          row = i;
+          column = j;
+        }
+    columns.col(k).swap(columns.col(column));
+    columns.col(k) /= columns(row, k);
+    is_done[static_cast<std::size_t>(row)] = true;
+    for (Eigen::Index j = 0; j < columns.cols(); ++j)
+      if (j != k) columns.col(j) -= (columns(row, j) * columns.col(k)).eval();
+  }
+  return columns;
+}
+
+// The null space of a group, over the unknowns of the whole.
+NullSpace null_space_of(const Group& group, std::span<const Row> rows) {
+  const Matrix matrix = group.matrix(rows);
+  const Eigen::BDCSVD<Matrix> svd(matrix, Eigen::ComputeFullV);
+  const auto& values = svd.singularValues();
+  NullSpace found;
+  Eigen::Index rank = 0;
+  // Rows were of length 1 before others were put into them: what is left of all of a group may be small.
+  const double scale = std::max(values(0), 1.0);
+  for (; rank < values.size() && values(rank) > surely_zero * scale; ++rank)
+    if (values(rank) < surely_not_zero * scale) found.is_certain = false;
+  if (rank == matrix.cols()) return found;
+  const Matrix free = echelon(svd.matrixV().rightCols(matrix.cols() - rank));
+  for (Eigen::Index k = 0; k < free.cols(); ++k) {
+    Row vector;
+    for (Eigen::Index i = 0; i < free.rows(); ++i)
+      if (std::abs(free(i, k)) > surely_zero)
+        vector.push_back({group.unknowns[static_cast<std::size_t>(i)], free(i, k)});
+    found.vectors.push_back(std::move(vector));
+  }
+  return found;
+}
+
+// How a row follows from earlier ones: zero or more of them, or nothing if it does not.
+class Followers {
+ public:
+  explicit Followers(const Matrix& rows) : rows_(rows), base_(0, rows.cols()) {}
+
+  std::vector<std::vector<int>> find() {
+    std::vector<std::vector<int>> found;
+    for (Eigen::Index i = 0; i < rows_.rows(); ++i) {
+      const Eigen::VectorXd row = rows_.row(i).transpose();
+      Eigen::VectorXd factors(base_.rows()), rest = row;
+      if (base_.rows() > 0) {
+        factors = base_.transpose().colPivHouseholderQr().solve(row);
+        rest -= base_.transpose() * factors;
+      }
+      if (rest.norm() > surely_not_zero) {
+        base_.conservativeResize(base_.rows() + 1, Eigen::NoChange);
+        base_.row(base_.rows() - 1) = rows_.row(i);
+        kept_.push_back(static_cast<int>(i));
+        continue;
+      }
+      if (rest.norm() > surely_zero) continue;
+      std::vector<int> list{static_cast<int>(i)};
+      for (Eigen::Index k = 0; k < factors.size(); ++k)
+        if (std::abs(factors(k)) > surely_zero) list.push_back(kept_[static_cast<std::size_t>(k)]);
+      found.push_back(std::move(list));
+    }
+    return found;
+  }
+
+ private:
+  const Matrix& rows_;
+  Matrix base_;
+  std::vector<int> kept_;
+};
+
+}  // namespace
+
+Row combined(const Row& row, std::span<const Row> vectors) {
+  Row sum;
+  for (const Term& term : row) add(sum, vectors[static_cast<std::size_t>(term.unknown)], term.factor);
+  return tidy(std::move(sum));
+}
+
+NullSpace null_space(int count, std::span<const Row> rows) {
+  Links links(count);
+  const std::vector<Row> open = use_short_rows(links, rows);
+  NullSpace found;
+  std::vector<bool> is_grouped(static_cast<std::size_t>(count), false);
+  for (const Group& group : groups_of(open)) {
+    NullSpace more = null_space_of(group, open);
+    found.is_certain = found.is_certain && more.is_certain;
+    for (Row& vector : more.vectors) found.vectors.push_back(std::move(vector));
+    for (const int unknown : group.unknowns) is_grouped[static_cast<std::size_t>(unknown)] = true;
+  }
+  std::vector<Row> followers(static_cast<std::size_t>(count));  // of each root: itself and what hangs on it
+  for (int unknown = 0; unknown < count; ++unknown) {
+    const Term to = links.root(unknown);
+    if (to.factor != 0) followers[static_cast<std::size_t>(to.unknown)].push_back({unknown, to.factor});
+  }
+  for (int unknown = 0; unknown < count; ++unknown) {
+    const Term to = links.root(unknown);
+    if (to.unknown == unknown && to.factor != 0 && !is_grouped[static_cast<std::size_t>(unknown)])
+      found.vectors.push_back({{unknown, 1.0}});
+  }
+  for (Row& vector : found.vectors) vector = combined(vector, followers);
+  return found;
+}
+
+std::vector<std::vector<int>> dependent_rows(std::span<const Row> rows) {
+  std::vector<std::vector<int>> found;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i].empty()) found.push_back({static_cast<int>(i)});
+  for (const Group& group : groups_of(rows)) {
+    const Matrix matrix = group.matrix(rows);
+    for (std::vector<int>& list : Followers(matrix).find()) {
+      for (int& number : list) number = group.rows[static_cast<std::size_t>(number)];
+      found.push_back(std::move(list));
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace epura::definition

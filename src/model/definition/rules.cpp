@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "definition/rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "definition/limits.hpp"
+#include "surfaces/least_squares.hpp"
+
+namespace epura::definition {
+
+namespace {
+
+using surfaces::PartSurface;
+using surfaces::SurfaceKind;
+
+Row difference(Row row, const Row& other, double factor = 1) {
+  add(row, other, -factor);
+  return tidy(std::move(row));
+}
+
+const PartSurface& surface_of(const Part& part, int face) { return part.faces[static_cast<std::size_t>(face)].surface; }
+
+std::size_t number_of(const Part& part) { return part.faces.size(); }
+
+// All faces with the direction of another one turn with it.
+void state_parallel(const Part& part, const Directions& directions, const Unknowns& unknowns, const Marks&,
+                    Statement& statement) {
+  for (std::size_t i = 0; i < number_of(part); ++i) {
+    const int direction = directions.of_face[i], face = static_cast<int>(i);
+    if (direction < 0) continue;
+    const int first = directions.first_face[static_cast<std::size_t>(direction)];
+    if (first == face) continue;
+    for (const Vec3& across : surfaces::square_to(directions.directions[static_cast<std::size_t>(direction)]))
+      statement.rows.push_back(difference(unknowns.turn(face, across), unknowns.turn(first, across)));
+  }
+}
+
+void state_perpendicular(const Part&, const Directions& directions, const Unknowns& unknowns, const Marks&,
+                         Statement& statement) {
+  for (std::size_t i = 0; i < directions.directions.size(); ++i)
+    for (std::size_t j = i + 1; j < directions.directions.size(); ++j) {
+      const Vec3 &a = directions.directions[i], &b = directions.directions[j];
+      if (std::abs(glm::dot(a, b)) > drawn_parallel) continue;
+      const Vec3 about = glm::cross(a, b);
+      statement.rows.push_back(
+          difference(unknowns.turn(directions.first_face[i], about), unknowns.turn(directions.first_face[j], about)));
+    }
+}
+
+// Whether a face has a place along a direction: as a plane, an axis or a centre.
+bool has_place_along(const PartSurface& surface, const Vec3& along) {
+  const double cosine = std::abs(glm::dot(surface.axis, along));
+  switch (surface.kind) {
+    case SurfaceKind::plane:
+      return cosine > 1 - drawn_parallel * drawn_parallel;
+    case SurfaceKind::cylinder:
+    case SurfaceKind::cone:
+      return cosine <= drawn_parallel;
+    case SurfaceKind::torus:
+      return cosine <= drawn_parallel || cosine > 1 - drawn_parallel * drawn_parallel;
+    case SurfaceKind::sphere:
+      return true;
+    case SurfaceKind::free_form:
+      break;
+  }
+  return false;
+}
+
+// What lies on one line square to a direction, which is that of a face, is one place. Beside planes, lines align only
+// along the axes of the views.
+void state_in_line(const Part& part, const Directions& directions, const Unknowns& unknowns, const Marks& marks,
+                   Statement& statement) {
+  for (std::size_t d = 0; d < directions.directions.size(); ++d) {
+    const Vec3& along = directions.directions[d];
+    const bool is_main = std::any_of(marks.axes.begin(), marks.axes.end(), [&](const Vec3& axis) {
+      return glm::length(glm::cross(axis, along)) <= drawn_parallel;
+    });
+    std::vector<std::pair<double, int>> places;
+    for (int face = 0; face < static_cast<int>(number_of(part)); ++face)
+      if (const PartSurface& surface = surface_of(part, face);
+          has_place_along(surface, along) && (is_main || surface.kind == SurfaceKind::plane))
+        places.emplace_back(glm::dot(unknowns.anchor(face), along), face);
+    std::sort(places.begin(), places.end());
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      const auto& [from, first] = places[i - 1];
+      const auto& [to, face] = places[i];
+      if (to - from > drawn_in_line * part.size) continue;
+      const Vec3 arm = (unknowns.anchor(face) - unknowns.anchor(first)) / part.size;
+      Row row = unknowns.axis_motion(face, unknowns.anchor(face), along);
+      add(row, unknowns.axis_motion(first, unknowns.anchor(first), along), -1);
+      add(row, unknowns.turn(directions.first_face[d], glm::cross(along, arm)));
+      statement.rows.push_back(tidy(std::move(row)));
+    }
+  }
+}
+
+double off_axis(const Vec3& point, const PartSurface& line) {
+  const Vec3 off = point - line.origin;
+  return glm::length(off - glm::dot(off, line.axis) * line.axis);
+}
+
+// Axes that are drawn as one centre line, and centres on it; equal radii of faces that something interrupts.
+void state_coaxial(const Part& part, const Directions& directions, const Unknowns& unknowns, const Marks&,
+                   Statement& statement) {
+  const double slack = drawn_in_line * part.size;
+  for (int face = 0; face < static_cast<int>(number_of(part)); ++face) {
+    const PartSurface& surface = surface_of(part, face);
+    if (!surfaces::has_axis(surface.kind) && surface.kind != SurfaceKind::sphere) continue;
+    for (int other = 0; other < static_cast<int>(number_of(part)); ++other) {
+      const PartSurface& axis = surface_of(part, other);
+      const bool is_ball = surface.kind == SurfaceKind::sphere;
+      if (!surfaces::has_axis(axis.kind) || (!is_ball && other >= face) ||
+          off_axis(unknowns.anchor(face), axis) > slack ||
+          (!is_ball &&
+           directions.of_face[static_cast<std::size_t>(face)] != directions.of_face[static_cast<std::size_t>(other)]))
+        continue;
+      for (const Vec3& across : surfaces::square_to(axis.axis))
+        statement.rows.push_back(difference(unknowns.axis_motion(face, unknowns.anchor(face), across),
+                                            unknowns.axis_motion(other, unknowns.anchor(face), across)));
+      break;
+    }
+  }
+}
+
+// Faces of one round surface that something interrupts, and concentric spheres.
+void state_same(const Part& part, const Directions&, const Unknowns& unknowns, const Marks&, Statement& statement) {
+  for (int face = 0; face < static_cast<int>(number_of(part)); ++face)
+    for (int other = 0; other < face; ++other) {
+      const PartSurface &one = surface_of(part, face), &two = surface_of(part, other);
+      if (one.kind != two.kind || one.kind == SurfaceKind::plane || one.kind == SurfaceKind::free_form) continue;
+      const bool are_concentric =
+          one.kind == SurfaceKind::sphere && glm::distance(one.origin, two.origin) <= drawn_in_line * part.size;
+      for (int axis = 0; axis < 3 && are_concentric; ++axis)
+        statement.rows.push_back(difference(unknowns.axis_motion(face, one.origin, Mat3(1)[axis]),
+                                            unknowns.axis_motion(other, one.origin, Mat3(1)[axis])));
+      if (!surfaces::are_one(one, two)) continue;
+      if (one.kind == SurfaceKind::cone) {
+        const Vec3 out = surfaces::square_to(one.axis)[0];
+        const Vec3 rim = unknowns.anchor(face) + one.radius * out;
+        statement.rows.push_back(
+            difference(unknowns.surface_motion(face, rim, out), unknowns.surface_motion(other, rim, out)));
+      } else {
+        statement.rows.push_back(
+            difference(unknowns.growth(face, UnknownKind::radius), unknowns.growth(other, UnknownKind::radius)));
+      }
+      for (const UnknownKind size : {UnknownKind::minor, UnknownKind::angle})
+        if (Row row = difference(unknowns.growth(face, size), unknowns.growth(other, size)); !row.empty())
+          statement.rows.push_back(std::move(row));
+      break;
+    }
+}
+
+// The surfaces keep touching wherever they do: what one moves along the common normal, the other does. Normals of both
+// differ by the errors of the file, so those of one count: of a plane, if there is one.
+void state_tangent(const Part& part, const Directions&, const Unknowns& unknowns, const Marks&, Statement& statement) {
+  for (const Contact& contact : part.contacts) {
+    if (!contact.is_tangent) continue;
+    auto [face, other] = contact.faces;
+    if (surface_of(part, other).kind == SurfaceKind::plane) std::swap(face, other);
+    if (surface_of(part, other).kind == SurfaceKind::free_form) continue;
+    for (const Vec3& point : contact.points) {
+      const Vec3 normal = surfaces::normal_near(surface_of(part, face), point);
+      if (glm::length(normal) > 0)
+        statement.rows.push_back(
+            difference(unknowns.surface_motion(face, point, normal), unknowns.surface_motion(other, point, normal)));
+    }
+  }
+}
+
+// Points, and directions along which they tell where a plane, an axis or a centre is.
+std::vector<std::array<Vec3, 2>> held_points(const Part& part, const Unknowns& unknowns, int face) {
+  const PartSurface& surface = surface_of(part, face);
+  const Vec3& at = unknowns.anchor(face);
+  if (surface.kind == SurfaceKind::sphere) return {{at, Vec3(1, 0, 0)}, {at, Vec3(0, 1, 0)}, {at, Vec3(0, 0, 1)}};
+  const auto [u, v] = surfaces::square_to(surface.axis);
+  const Vec3 along = part.size * surface.axis;
+  if (surface.kind == SurfaceKind::plane)
+    return {{at, surface.axis}, {at + part.size * u, surface.axis}, {at + part.size * v, surface.axis}};
+  std::vector<std::array<Vec3, 2>> held{{at, u}, {at, v}, {at + along, u}, {at + along, v}};
+  if (surface.kind == SurfaceKind::torus) held.push_back({at, surface.axis});
+  return held;
+}
+
+// The image of one face of a pair is the other one; a plane of symmetry that moves takes it along twice.
+void state_symmetric(const Part& part, const Directions&, const Unknowns& unknowns, const Marks& marks,
+                     Statement& statement) {
+  for (const SymmetryLine& line : marks.symmetries) {
+    const PartSurface& mirror = surface_of(part, line.face);
+    for (const int face : line.axes)
+      for (const double along : {0.0, part.size}) {
+        const PartSurface& surface = surface_of(part, face);
+        if (along > 0 && !surfaces::has_axis(surface.kind)) continue;
+        const Vec3 point = unknowns.anchor(face) + along * surface.axis;
+        statement.rows.push_back(difference(unknowns.axis_motion(face, point, mirror.axis),
+                                            unknowns.axis_motion(line.face, point, mirror.axis)));
+      }
+    for (const auto& [face, image] : line.pairs) {
+      const auto mirrored = [&](const Vec3& v) { return v - 2 * glm::dot(v, mirror.axis) * mirror.axis; };
+      for (const auto& [point, along] : held_points(part, unknowns, image)) {
+        const Vec3 from = mirror.origin + mirrored(point - mirror.origin);
+        Row row =
+            difference(unknowns.axis_motion(image, point, along), unknowns.axis_motion(face, from, mirrored(along)));
+        add(row, unknowns.axis_motion(line.face, point, along), -2);
+        statement.rows.push_back(tidy(std::move(row)));
+      }
+      for (const UnknownKind size : {UnknownKind::radius, UnknownKind::minor, UnknownKind::angle})
+        if (Row row = difference(unknowns.growth(image, size), unknowns.growth(face, size)); !row.empty())
+          statement.rows.push_back(std::move(row));
+    }
+  }
+}
+
+void state_on_circle(const Part& part, const Directions&, const Unknowns& unknowns, const Marks& marks,
+                     Statement& statement) {
+  for (const PitchCircle& circle : marks.circles) {
+    const PartSurface& drawn = surface_of(part, circle.face);
+    Row first;
+    for (const int face : circle.axes) {
+      const Vec3& at = unknowns.anchor(circle.face);
+      const PartSurface& axis = surface_of(part, face);
+      const Vec3 point = axis.origin + glm::dot(at - axis.origin, axis.axis) * axis.axis;
+      const Vec3 out = surfaces::normal_near(drawn, point), around = glm::cross(drawn.axis, out);
+      statement.rows.push_back(
+          difference(unknowns.axis_motion(face, point, out), unknowns.surface_motion(circle.face, point, out)));
+      if (!circle.is_even) continue;
+      const Row turned =
+          difference(unknowns.axis_motion(face, point, around), unknowns.axis_motion(circle.face, at, around));
+      if (first.empty())
+        first = turned;
+      else
+        statement.rows.push_back(difference(turned, first));
+    }
+  }
+}
+
+void state_equal(const Part&, const Directions&, const Unknowns& unknowns, const Marks& marks, Statement& statement) {
+  for (const std::vector<int>& faces : marks.equal)
+    for (std::size_t i = 1; i < faces.size(); ++i)
+      statement.rows.push_back(difference(unknowns.growth(faces[i], UnknownKind::radius),
+                                          unknowns.growth(faces.front(), UnknownKind::radius)));
+}
+
+constexpr const char *iso_sizes = "ISO 129-1", *iso_lines = "ISO 128-2";
+constexpr const char *asme = "ASME Y14.5", *asme_right = "ASME Y14.5-2009 1.4 (i)",
+                     *asme_zero = "ASME Y14.5-2009 1.4 (k)";
+
+constexpr std::array<Rule, 9> rules{{
+    {"parallel", "lines that are drawn parallel", {nullptr, iso_sizes, asme_right}, state_parallel},
+    {"perpendicular", "lines that are drawn at right angles", {nullptr, iso_sizes, asme_right}, state_perpendicular},
+    {"in line", "faces and centre lines that are drawn as one line", {nullptr, iso_sizes, asme_zero}, state_in_line},
+    {"coaxial", "a common centre line", {nullptr, iso_lines, asme_zero}, state_coaxial},
+    {"same", "a round outline that something interrupts", {nullptr, iso_sizes, asme_zero}, state_same},
+    {"tangent", "an outline that turns without a corner", {nullptr, iso_sizes, asme}, state_tangent},
+    {"symmetric", "a line of symmetry", {nullptr, iso_lines, asme_zero}, state_symmetric},
+    {"on a circle", "a pitch circle", {nullptr, iso_sizes, asme}, state_on_circle},
+    {"equal", "a number of equal features, as 4×", {nullptr, iso_sizes, asme}, state_equal},
+}};
+
+}  // namespace
+
+std::span<const Rule> all_rules() { return rules; }
+
+std::vector<Statement> state_rules(const Part& part, const Directions& directions, const Unknowns& unknowns,
+                                   const Marks& marks, Standard standard) {
+  std::vector<Statement> statements;
+  for (const Rule& rule : rules) {
+    if (rule.clause[static_cast<std::size_t>(standard)] == nullptr) continue;
+    statements.push_back({rule.name, {}});
+    rule.state(part, directions, unknowns, marks, statements.back());
+  }
+  return statements;
+}
+
+}  // namespace epura::definition

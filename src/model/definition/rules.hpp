@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rules that every reader of a sheet applies without a number: each is a row of one table.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "definition/statements.hpp"
+
+namespace epura::definition {
+
+/// A plane of symmetry: the part has a symmetry line there on the sheet.
+struct SymmetryLine {
+  int face;                                 ///< of the plane among those of the part, where it is only drawn
+  std::vector<std::array<int, 2>> pairs{};  ///< faces that it makes equal
+  std::vector<int> axes{};                  ///< of faces, and centres, that lie in it
+};
+
+/// A circle through axes, evenly spaced on it.
+struct PitchCircle {
+  int face;               ///< of the cylinder through the axes, where it is only drawn
+  std::vector<int> axes;  ///< of faces
+  bool is_even = true;
+};
+
+/// What is on the sheet beside dimensions.
+struct Marks {
+  std::vector<Vec3> axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};  ///< of the views: along which lines align
+  std::vector<SymmetryLine> symmetries{};
+  std::vector<PitchCircle> circles{};
+  std::vector<std::vector<int>> equal{};  ///< round faces of one radius, as "4×" says
+};
+
+/// Whose rules count; `none` for a reader who applies none.
+enum class Standard : unsigned char { none, iso, asme };
+
+struct Rule {
+  const char* name;
+  const char* mark;                   ///< what is on the sheet
+  std::array<const char*, 3> clause;  ///< of each standard; null: it has no such rule
+  void (*state)(const Part&, const Directions&, const Unknowns&, const Marks&, Statement&);
+};
+
+std::span<const Rule> all_rules();
+
+/// What the rules of a standard say of a part, one statement for each.
+std::vector<Statement> state_rules(const Part& part, const Directions& directions, const Unknowns& unknowns,
+                                   const Marks& marks, Standard standard);
+
+}  // namespace epura::definition

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "definition/statements.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "definition/limits.hpp"
+
+namespace epura::definition {
+
+namespace {
+
+struct Hold {
+  int face;
+  Vec3 normal;
+};
+
+std::vector<Hold> holds_of(const Part& part, const End& end) {
+  std::vector<Hold> holds;
+  for (const int face : end.faces) {
+    const Vec3 normal = surfaces::normal_near(part.faces[static_cast<std::size_t>(face)].surface, end.at);
+    if (glm::length(normal) > 0) holds.push_back({face, normal});
+  }
+  return holds;
+}
+
+// The direction as a sum of two or three normals, if it is one.
+std::optional<std::vector<double>> sum_of(const std::vector<const Hold*>& holds, const Vec3& along) {
+  Mat3 normals(0);
+  for (std::size_t i = 0; i < holds.size(); ++i) normals[static_cast<int>(i)] = holds[i]->normal;
+  if (holds.size() == 1) {
+    const double cosine = glm::dot(normals[0], along);
+    if (glm::length(along - cosine * normals[0]) > drawn_parallel) return std::nullopt;
+    return std::vector<double>{cosine};
+  }
+  if (holds.size() == 2) normals[2] = glm::cross(normals[0], normals[1]);
+  if (std::abs(glm::determinant(normals)) < good_base * good_base) return std::nullopt;
+  const Vec3 factors = glm::inverse(normals) * along;
+  if (holds.size() == 2 && std::abs(factors.z) > drawn_parallel) return std::nullopt;
+  return holds.size() == 2 ? std::vector<double>{factors.x, factors.y}
+                           : std::vector<double>{factors.x, factors.y, factors.z};
+}
+
+Row motion_of(const Unknowns& unknowns, const std::vector<const Hold*>& holds, const Vec3& at,
+              const std::vector<double>& factors) {
+  Row row;
+  for (std::size_t i = 0; i < holds.size(); ++i)
+    add(row, unknowns.surface_motion(holds[i]->face, at, holds[i]->normal), factors[i]);
+  return row;
+}
+
+}  // namespace
+
+// The fewest faces that hold the place along the direction, and of these the first ones.
+Row end_motion(const Unknowns& unknowns, const Part& part, const End& end, const Vec3& along) {
+  if (end.is_axis) return unknowns.axis_motion(end.faces.front(), end.at, along);
+  const std::vector<Hold> holds = holds_of(part, end);
+  const std::size_t count = holds.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (const auto factors = sum_of({&holds[i]}, along)) return motion_of(unknowns, {&holds[i]}, end.at, *factors);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      if (const auto factors = sum_of({&holds[i], &holds[j]}, along))
+        return motion_of(unknowns, {&holds[i], &holds[j]}, end.at, *factors);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      for (std::size_t k = j + 1; k < count; ++k)
+        if (const auto factors = sum_of({&holds[i], &holds[j], &holds[k]}, along))
+          return motion_of(unknowns, {&holds[i], &holds[j], &holds[k]}, end.at, *factors);
+  return {};
+}
+
+Row length(const Unknowns& unknowns, const Part& part, const std::array<End, 2>& ends, const Vec3& along,
+           int direction_face) {
+  Row row = end_motion(unknowns, part, ends[1], along);
+  const Row other = end_motion(unknowns, part, ends[0], along);
+  if (row.empty() || other.empty()) return {};
+  add(row, other, -1);
+  const Vec3 across = glm::cross(along, (ends[1].at - ends[0].at) / part.size);
+  if (direction_face >= 0) add(row, unknowns.turn(direction_face, across));
+  return tidy(std::move(row));
+}
+
+Row diameter(const Unknowns& unknowns, const Part& part, const std::array<End, 2>& ends) {
+  return length(unknowns, part, ends, glm::normalize(ends[1].at - ends[0].at), -1);
+}
+
+Row angle(const Unknowns& unknowns, const std::array<End, 2>& sides, const Vec3& sight) {
+  Row row = unknowns.side_turn(sides[1].faces.front(), sides[1].at, sight);
+  add(row, unknowns.side_turn(sides[0].faces.front(), sides[0].at, sight), -1);
+  return tidy(std::move(row));
+}
+
+}  // namespace epura::definition

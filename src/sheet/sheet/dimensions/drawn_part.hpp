@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// A part with what a sheet draws beside its faces: pitch circles, and planes of symmetry through centre lines.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "definition/rules.hpp"
+#include "sheet/dimensions/coverage.hpp"
+
+namespace epura::sheet {
+
+struct DrawnPart {
+  definition::Part part;  ///< what is only drawn follows the faces of the model
+  std::size_t faces;      ///< of the model
+  definition::Marks marks;
+};
+
+/// A diameter through the axes of two or more faces is a pitch circle. Planes that are equally far from the axis of a
+/// round part, whose centre line the sheet draws, are symmetrical to it.
+DrawnPart with_drawn_lines(definition::Part part, std::span<const DimensionsInView> views,
+                           std::span<const features::Extent, 3> extents);
+
+/// How far apart what is the same on a drawing may be.
+double slack_of(const definition::Part& part);
+
+}  // namespace epura::sheet

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet/dimensions/face_statements.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "definition/limits.hpp"
+#include "features/tolerances.hpp"
+#include "sheet/dimensions/equal_features.hpp"
+#include "sheet/dimensions/feature_table.hpp"
+#include "sheet/dimensions/measured_faces.hpp"
+#include "sheet/dimensions/place_joins.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using definition::End;
+using definition::Row;
+using definition::Statement;
+using definition::UnknownKind;
+using surfaces::PartSurface;
+using surfaces::SurfaceKind;
+
+// All numbers of a text, without the count before "×" at its beginning.
+std::vector<double> numbers_in(std::string text) {
+  if (repeats_of(text) > 1) text.erase(0, text.find("×"));
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < text.size();) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data() + i, text.data() + text.size(), value);
+    const bool is_number = error == std::errc() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+    if (is_number) numbers.push_back(value);
+    i = is_number ? static_cast<std::size_t>(end - text.data()) : i + 1;
+  }
+  return numbers;
+}
+
+class Reader {
+ public:
+  Reader(const DrawnPart& drawn, const definition::Directions& directions, const definition::Unknowns& unknowns,
+         const Notation& notation)
+      : part_(drawn.part),
+        count_(drawn.faces),
+        directions_(directions),
+        unknowns_(unknowns),
+        measured_(drawn, directions, unknowns, notation),
+        slack_(slack_of(drawn.part)) {}
+
+  FaceStatements read(std::span<const DimensionsInView> views) {
+    for (const DimensionsInView& view : views)
+      for (const AnchoredDimension& dimension : view.dimensions)
+        if (!is_auxiliary(dimension)) read(dimension, view);
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] const PartSurface& surface(int face) const {
+    return part_.faces[static_cast<std::size_t>(face)].surface;
+  }
+  [[nodiscard]] int all_faces() const { return static_cast<int>(part_.faces.size()); }
+
+  void read(const AnchoredDimension& dimension, const DimensionsInView& view) {
+    const std::size_t before = found_.statements.size();
+    switch (dimension.type) {
+      case DimensionType::overall:
+        read_overall(dimension);
+        break;
+      case DimensionType::linear:
+      case DimensionType::aligned:
+        read_length(dimension, view);
+        break;
+      case DimensionType::angular:
+        read_angle(dimension);
+        break;
+      case DimensionType::radius:
+      case DimensionType::diameter:
+        read_circle(dimension);
+        break;
+      default:
+        break;
+    }
+    if (found_.statements.size() == before)
+      found_.unread.push_back(dimension.where.empty() ? dimension.text : dimension.where);
+  }
+
+  void say(std::string name, std::vector<Row> rows, bool is_certain = true) {
+    std::erase_if(rows, [](const Row& row) { return row.empty(); });
+    if (!rows.empty()) found_.statements.push_back({std::move(name), std::move(rows), is_certain});
+  }
+
+  void read_overall(const AnchoredDimension& dimension) {
+    const int axis = axis_of(*dimension.direction);
+    const Vec3 along = Mat3(1)[axis];
+    say(dimension.where, {measured_.length(dimension.points[0], dimension.points[1], along)});
+  }
+
+  void read_length(const AnchoredDimension& dimension, const DimensionsInView& view) {
+    const std::optional<Vec3> along = measured_along(dimension, view);
+    if (!along) return;
+    const std::vector<Vec3>& points = dimension.points;
+    std::vector<Row> rows;
+    const bool is_chain = dimension.arrangement && *dimension.arrangement == DimensionArrangement::chain;
+    std::vector<Vec3> places = points;
+    if (is_chain)
+      std::sort(places.begin(), places.end(),
+                [&](const Vec3& a, const Vec3& b) { return glm::dot(a - b, *along) < 0; });
+    for (std::size_t i = 1; i < places.size(); ++i)
+      rows.push_back(measured_.length(places[is_chain ? i - 1 : 0], places[i], *along));
+    const int repeats = repeats_of(dimension.text);
+    if (repeats > 1 && dimension.text.find('=') != std::string::npos)
+      for (int i = 1; i < repeats; ++i)
+        rows.push_back(measured_.length(points[0], points[0] + double(i) / repeats * (points[1] - points[0]), *along));
+    say(dimension.where, std::move(rows));
+    if (dimension.text.find("45°") != std::string::npos) say_chamfer(dimension, *along, view.projection.n);
+    if (dimension.text.find("45°") != std::string::npos ||
+        (repeats > 1 && dimension.text.find('=') == std::string::npos))
+      say_of_equal_lengths(dimension, *along);
+  }
+
+  // The note of a chamfer gives the length, and the angle to it.
+  void say_chamfer(const AnchoredDimension& dimension, const Vec3& along, const Vec3& sight) {
+    Row row = measured_.turn_of_leg(dimension.points[0], dimension.points[1], sight);
+    const int fixed = measured_.face_along(along);
+    if (row.empty() || fixed < 0) return;
+    definition::add(row, unknowns_.turn(fixed, sight), -1);
+    say(dimension.where, {definition::tidy(std::move(row))});
+  }
+
+  // Lengths of the same value, and slopes between them, wherever they are: as "4×" may say.
+  void say_of_equal_lengths(const AnchoredDimension& dimension, const Vec3& measured) {
+    const double value = std::abs(glm::dot(dimension.points[1] - dimension.points[0], measured));
+    std::vector<Row> rows;
+    for (int face = 0; face < static_cast<int>(count_); ++face) {
+      const PartSurface& one = surface(face);
+      if (one.kind != SurfaceKind::plane && one.kind != SurfaceKind::cone) continue;
+      std::vector<Vec3> points;
+      for (const definition::Contact& contact : part_.contacts)
+        if (contact.faces[0] == face || contact.faces[1] == face)
+          points.insert(points.end(), contact.points.begin(), contact.points.end());
+      const std::size_t before = rows.size();
+      for (int axis = 0; axis < 3; ++axis)
+        for (std::size_t i = 1; i < points.size() && measured_.face_along(Mat3(1)[axis]) >= 0; ++i)
+          if (agree(std::abs(points[i][axis] - points[0][axis]), value))
+            rows.push_back(measured_.length(points[0], points[i], Mat3(1)[axis]));
+      if (rows.size() > before) add_turns(rows, face);
+    }
+    say(dimension.where, std::move(rows), false);
+    for (int face = 0; face < static_cast<int>(count_); ++face)
+      for (int other = 0; other < face; ++other)
+        if (surface(face).kind == SurfaceKind::cylinder && surface(other).kind == SurfaceKind::cylinder &&
+            features::are_parallel(surface(face).axis, surface(other).axis)) {
+          const Vec3 off = unknowns_.anchor(face) - unknowns_.anchor(other);
+          const Vec3 across = off - glm::dot(off, surface(face).axis) * surface(face).axis;
+          if (!agree(glm::length(across), value)) continue;
+          const Vec3 at = unknowns_.anchor(other) + across;
+          say(dimension.where,
+              {definition::length(unknowns_, part_,
+                                  {End{unknowns_.anchor(other), {other}, true}, End{at, {face}, true}},
+                                  glm::normalize(across), -1)},
+              false);
+        }
+  }
+
+  // All angles of a face.
+  void add_turns(std::vector<Row>& rows, int face) const {
+    const int first = directions_.first_face.front();
+    for (int axis = 0; axis < 3; ++axis) {
+      Row row = unknowns_.turn(face, Mat3(1)[axis]);
+      const int fixed = measured_.face_along(Mat3(1)[(axis + 1) % 3]);
+      if (fixed < 0 || first < 0) continue;
+      definition::add(row, unknowns_.turn(fixed, Mat3(1)[axis]), -1);
+      rows.push_back(definition::tidy(std::move(row)));
+    }
+    rows.push_back(unknowns_.growth(face, UnknownKind::angle));
+  }
+
+  void read_angle(const AnchoredDimension& dimension) {
+    const std::vector<Vec3>& at = dimension.points;
+    const Vec3 across = glm::cross(at[1] - at[0], at[2] - at[0]);
+    if (!(glm::length(across) > 0)) return;
+    const Vec3 sight = glm::normalize(across);
+    Row row = measured_.turn_of_leg(at[0], at[1], sight);
+    const Row other = measured_.turn_of_leg(at[0], at[2], sight);
+    if (!row.empty() && !other.empty()) {
+      definition::add(row, other, -1);
+      say(dimension.where, {definition::tidy(std::move(row))});
+    }
+    const double cosine = glm::dot(glm::normalize(at[1] - at[0]), glm::normalize(at[2] - at[0]));
+    if (repeats_of(dimension.text) > 1) say_of_equal_angles(dimension.where, std::acos(cosine));
+  }
+
+  void say_of_equal_angles(const std::string& name, double angle) {
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < directions_.directions.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const Vec3 &a = directions_.directions[i], &b = directions_.directions[j];
+        const double between = std::acos(std::clamp(std::abs(glm::dot(a, b)), 0.0, 1.0));
+        const auto is_it = [&](double one) { return std::abs(one - angle) <= size_agrees; };
+        if (!is_it(between) && !is_it(M_PI / 2 - between) && !is_it(M_PI - between)) continue;
+        Row row = unknowns_.turn(directions_.first_face[i], glm::normalize(glm::cross(a, b)));
+        definition::add(row, unknowns_.turn(directions_.first_face[j], glm::normalize(glm::cross(a, b))), -1);
+        rows.push_back(definition::tidy(std::move(row)));
+      }
+    for (int face = 0; face < all_faces(); ++face) rows.push_back(unknowns_.growth(face, UnknownKind::angle));
+    say(name, std::move(rows), false);
+  }
+
+  void read_circle(const AnchoredDimension& dimension) {
+    const bool many = repeats_of(dimension.text) > 1 || dimension.type == DimensionType::radius;
+    std::vector<Row> own, equal;
+    for (const WorldCircle& circle : dimension.circles)
+      for (int face = 0; face < all_faces(); ++face) {
+        Row row = measured_.size(face, circle.radius);
+        // A dimension of a radius gives those of all fillets that are equal on paper.
+        if (!row.empty()) (measured_.is_around(face, circle) ? own : equal).push_back(std::move(row));
+      }
+    for (const WorldCircle& circle : dimension.circles) {
+      own.push_back(measured_.rim(circle));
+      if (dimension.is_label)
+        for (int axis = 0; axis < 3; ++axis)
+          if (std::abs(circle.axis[axis]) <= features::parallel) say_place(dimension.where, circle.centre, axis);
+    }
+    say(dimension.where, std::move(own));
+    if (many) say(dimension.where, std::move(equal), dimension.type == DimensionType::radius);
+    if (!dimension.circles.empty()) read_note(dimension);
+  }
+
+  // A table gives places from one end of the models, where a plane or the axis of the whole is.
+  void say_place(const std::string& name, const Vec3& centre, int axis) {
+    const Vec3 along = Mat3(1)[axis];
+    std::optional<Vec3> from;
+    for (std::size_t i = 0; i < count_; ++i)
+      if (const PartSurface& one = part_.faces[i].surface; one.kind == SurfaceKind::plane &&
+                                                           features::are_parallel(one.axis, along) &&
+                                                           (!from || (*from)[axis] > one.origin[axis]))
+        from = one.origin;
+    if (from) say(name, {measured_.length(*from, centre, along)});
+  }
+
+  // What stands behind a diameter: depths, counterbores, countersinks and threads of faces around the axis, and for
+  // "4×" around all axes with the same circle. Nothing else than its size tells which face a number means.
+  void read_note(const AnchoredDimension& dimension) {
+    const WorldCircle& circle = dimension.circles.front();
+    const std::vector<double> numbers = numbers_in(dimension.text);
+    std::vector<WorldCircle> circles{circle};
+    for (int face = 0; face < static_cast<int>(count_) && repeats_of(dimension.text) > 1; ++face)
+      if (const PartSurface& one = surface(face);
+          one.kind == SurfaceKind::cylinder && !measured_.is_around(face, circle))
+        circles.push_back({one.origin, one.axis, one.radius, {}, true});
+    for (const WorldCircle& one : circles) {
+      std::vector<Row> rows;
+      for (const double number : numbers) {
+        add_depths(rows, one, number);
+        add_sizes(rows, one, number);
+      }
+      if (dimension.text.find('M') != std::string::npos || dimension.text.find('G') != std::string::npos)
+        add_thread(rows, one);
+      say(dimension.where, std::move(rows), false);
+    }
+  }
+
+  [[nodiscard]] std::vector<Vec3> rims_around(const WorldCircle& circle) const {
+    std::vector<Vec3> rims;
+    for (const definition::Contact& contact : part_.contacts)
+      if (measured_.is_around(contact.faces[0], circle) || measured_.is_around(contact.faces[1], circle))
+        rims.insert(rims.end(), contact.points.begin(), contact.points.end());
+    return rims;
+  }
+
+  void add_depths(std::vector<Row>& rows, const WorldCircle& circle, double depth) const {
+    const std::vector<Vec3> rims = rims_around(circle);
+    std::vector<double> done;
+    for (std::size_t i = 0; i < rims.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const double off = std::abs(glm::dot(rims[i] - rims[j], circle.axis)),
+                     at = glm::dot(rims[i] + rims[j], circle.axis);
+        const bool is_done =
+            std::any_of(done.begin(), done.end(), [&](double one) { return std::abs(one - at) <= slack_; });
+        if (!measured_.are_alike(off, depth) || is_done) continue;
+        rows.push_back(measured_.length(rims[j], rims[i], circle.axis));
+        done.push_back(at);
+      }
+  }
+
+  void add_sizes(std::vector<Row>& rows, const WorldCircle& circle, double number) const {
+    for (int face = 0; face < static_cast<int>(count_); ++face) {
+      if (!measured_.is_around(face, circle)) continue;
+      rows.push_back(measured_.size(face, number / 2));
+      if (surface(face).kind != SurfaceKind::cone) continue;
+      const double half = std::atan(std::abs(surface(face).slope)) * 180 / M_PI;
+      if (measured_.are_alike(2 * half, number) || measured_.are_alike(half, number))
+        rows.push_back(unknowns_.growth(face, UnknownKind::angle));
+      for (const Vec3& rim : rims_around(circle))
+        if (measured_.are_alike(2 * features::distance_from_line(rim, circle.centre, circle.axis), number))
+          rows.push_back(measured_.rim({circle.centre + glm::dot(rim - circle.centre, circle.axis) * circle.axis,
+                                        circle.axis,
+                                        number / 2,
+                                        {},
+                                        true}));
+    }
+  }
+
+  // A standard thread gives the hole that is drilled for it, and its point.
+  void add_thread(std::vector<Row>& rows, const WorldCircle& circle) const {
+    constexpr double core = 0.7;  // of the diameter, at least
+    for (int face = 0; face < static_cast<int>(count_); ++face)
+      if (const PartSurface& one = surface(face);
+          measured_.is_around(face, circle) && one.radius >= core * circle.radius)
+        rows.push_back(unknowns_.growth(face, UnknownKind::radius));
+  }
+
+  const definition::Part& part_;
+  std::size_t count_;  // of faces of the model
+  const definition::Directions& directions_;
+  const definition::Unknowns& unknowns_;
+  MeasuredFaces measured_;
+  double slack_;
+  FaceStatements found_;
+};
+
+}  // namespace
+
+FaceStatements state_dimensions(std::span<const DimensionsInView> views, const DrawnPart& drawn,
+                                const definition::Directions& directions, const definition::Unknowns& unknowns,
+                                const Notation& notation) {
+  return Reader(drawn, directions, unknowns, notation).read(views);
+}
+
+}  // namespace epura::sheet

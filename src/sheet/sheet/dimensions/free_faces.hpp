@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which faces of a part can move, turn or grow although all dimensions of its sheets hold.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "features/true_extents.hpp"
+#include "report/report.hpp"
+#include "sheet/dimensions/coverage.hpp"
+#include "sheet/notation.hpp"
+
+namespace epura::sheet {
+
+struct FreeFaces {
+  std::vector<std::string> sentences;
+  report::SizeCount count{"faces held by dimensions", 0, 0};  ///< of all kinds; none of free forms
+};
+
+/// By the rank of what the dimensions and the rules of ISO 129-1 say of the faces, without regard to features. Faces of
+/// which only a doubtful reading of a text holds one are not counted as held; and where nobody can tell what a
+/// dimension measures, a sentence says so instead of those that would be free without it. Nothing for an assembly.
+FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::World& world,
+                          const std::array<features::Extent, 3>& extents, const Notation& notation);
+
+}  // namespace epura::sheet
