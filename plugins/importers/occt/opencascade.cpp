@@ -37,9 +37,10 @@ void import(Read read, const Source& source, Sink& sink) {
     const occt::Extent extent = occt::extent_of(model);
     const double given = source.values[0];
     const double tolerance = (given > 0 ? given : source.tolerance_of(extent.diagonal)) / extent.scale;
-    const occt::Fineness wanted{tolerance, source.values[1], source.threads};
-    occt::tessellate(model, wanted, sink);
-    return wanted;
+    occt::Fineness fineness{tolerance, source.values[1], source.threads};
+    if (!(given > 0)) fineness = occt::affordable(model, fineness);
+    occt::tessellate(model, fineness, sink);
+    return fineness;
   });
   occt::guarded("cannot be handed over", [&] { occt::hand_over(model, chosen, sink); });
 }

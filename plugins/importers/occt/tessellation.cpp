@@ -30,6 +30,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "face_mesh.hpp"
 #include "readers.hpp"
@@ -86,6 +87,44 @@ void add(const TopoDS_Edge& edge, Bnd_Box& box) {
   const BRepAdaptor_Curve curve(edge);
   const double first = curve.FirstParameter(), last = curve.LastParameter();
   for (int i = 0; i <= steps; ++i) box.Add(curve.Value(first + (last - first) * i / steps));
+}
+
+/// Facets of one free form, which Open CASCADE makes in 20 s and 1 GB; both grow faster than their number.
+constexpr double most_facets = 100'000;
+
+/// The number of steps in which a surface is sampled in one direction: four between two knots.
+int steps_between(int knots) { return std::clamp(4 * (knots - 1), 12, 200); }
+
+/// In how many pieces the deflection and the angle divide the line through three points.
+double pieces(const gp_Pnt& a, const gp_Pnt& b, const gp_Pnt& c, const Fineness& fineness) {
+  const gp_Vec first(a, b), second(b, c);
+  const double sagitta = (second - first).Magnitude() / 2, angle = fineness.angle * std::numbers::pi / 180;
+  const bool is_folded = first.Magnitude() > 0 && second.Magnitude() > 0;
+  return std::max(std::sqrt(sagitta / fineness.deflection), is_folded ? first.Angle(second) / angle : 0.0);
+}
+
+/// About how many facets a spline surface needs; 0 for others.
+double facets_of(const TopoDS_Face& face, const Fineness& fineness) {
+  const BRepAdaptor_Surface surface(face, /*Restriction=*/false);
+  if (surface.GetType() != GeomAbs_BSplineSurface && surface.GetType() != GeomAbs_BezierSurface) return 0;
+  std::array<double, 4> range{};
+  BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
+  const bool is_spline = surface.GetType() == GeomAbs_BSplineSurface;
+  const int along = steps_between(is_spline ? surface.NbUKnots() : surface.UDegree());
+  const int across = steps_between(is_spline ? surface.NbVKnots() : surface.VDegree());
+  std::vector<std::vector<gp_Pnt>> at(static_cast<std::size_t>(along) + 1);
+  for (int i = 0; i <= along; ++i)
+    for (int j = 0; j <= across; ++j)
+      at[i].push_back(
+          surface.Value(range[0] + (range[1] - range[0]) * i / along, range[2] + (range[3] - range[2]) * j / across));
+  double facets = 0;
+  for (int i = 1; i < along; ++i)
+    for (int j = 1; j < across; ++j) {  // half of what two steps need, but one piece for the whole surface
+      const double u = std::max(pieces(at[i - 1][j], at[i][j], at[i + 1][j], fineness) / 2, 1.0 / along);
+      const double v = std::max(pieces(at[i][j - 1], at[i][j], at[i][j + 1], fineness) / 2, 1.0 / across);
+      facets += 2 * u * v;
+    }
+  return facets;
 }
 
 Bnd_Box box_of(const Part& part) {
@@ -191,6 +230,27 @@ Extent extent_of(const Model& model) {
   }
   if (!all.IsVoid()) extent.diagonal = std::sqrt(all.SquareExtent());
   return extent;
+}
+
+Fineness affordable(Model& model, Fineness wanted) {
+  double most = 0;
+  for (const Part& part : model.parts)
+    for (const Body& body : part.bodies)
+      for (TopExp_Explorer faces(body.shape, TopAbs_FACE); faces.More(); faces.Next())
+        most = std::max(most, facets_of(TopoDS::Face(faces.Current()), wanted));
+  if (!(most > most_facets)) return wanted;
+  // The number of facets is inverse to their height, and to the square of the angle between them.
+  const double coarser = most / most_facets;
+  Fineness fineness = wanted;
+  fineness.deflection *= coarser;
+  fineness.angle = std::min(wanted.angle * std::sqrt(coarser), 60.0);
+  std::ostringstream note;
+  note.precision(2);
+  note << "a free form would take about " << std::llround(most / 1000)
+       << " 000 facets: all are coarser, and off by up to " << fineness.deflection << " mm instead of "
+       << wanted.deflection << " mm";
+  model.notes.push_back(note.str());
+  return fineness;
 }
 
 void tessellate(Model& model, const Fineness& fineness, epura::plugin::Sink& sink) {

@@ -25,6 +25,10 @@ struct Fineness {
   unsigned threads;
 };
 
+/// The same, or coarser if a free form would take more facets than Open CASCADE makes in about a minute: then a note
+/// says so. Estimated from the surfaces before there is any facet.
+Fineness affordable(Model& model, Fineness wanted);
+
 /// The share of meshing in the work reported by Sink::progress.
 inline constexpr double share_of_meshing = 0.4;
 

@@ -20,7 +20,9 @@ namespace {
 importer::ReadModel read(const Folder& folder, const Handle(Geom_BSplineSurface) & surface, const char* deflection) {
   const std::string path = (folder / "face.brep").string();
   EXPECT_TRUE(BRepTools::Write(BRepBuilderAPI_MakeFace(surface, 1e-7).Shape(), path.c_str()));
-  return importer::read_model(path, {{"deflection", deflection}}, {.plugin_path = {EPURA_TEST_IMPORTERS}});
+  foreign::Assignments given;
+  if (deflection != nullptr) given.emplace_back("deflection", deflection);
+  return importer::read_model(path, given, {.plugin_path = {EPURA_TEST_IMPORTERS}});
 }
 
 // x^2 + y^2 - z^2 / 2 = 200 between two circles of radius 20, the upper one turned by 90 degrees. The seam is straight,
@@ -51,6 +53,37 @@ Handle(Geom_BSplineSurface) hyperboloid() {
 
 // Both lie on the ruling from (20, 0, -20) to (0, 20, 20).
 bool is_on_seam(const Vec3& p) { return std::abs(p.x + p.y - 20) < 1e-6 && std::abs(p.x + p.z / 2 - 10) < 1e-6; }
+
+// A sheet of 8 m with a hill or a hollow at every pole.
+Handle(Geom_BSplineSurface) rough_sheet(int count) {
+  constexpr int degree = 3;
+  TColgp_Array2OfPnt poles(1, count, 1, count);
+  for (int i = 1; i <= count; ++i)
+    for (int j = 1; j <= count; ++j)
+      poles(i, j) = gp_Pnt(8000.0 * i / count, 8000.0 * j / count, (i * 7 + j * 5) % 11 * 180.0);
+  const int knots = count - degree + 1;
+  TColStd_Array1OfReal at(1, knots);
+  TColStd_Array1OfInteger times(1, knots);
+  for (int i = 1; i <= knots; ++i) {
+    at(i) = i;
+    times(i) = i == 1 || i == knots ? degree + 1 : 1;
+  }
+  return new Geom_BSplineSurface(poles, at, at, times, times, degree, degree);
+}
+
+// One that would take half a million facets, and minutes, gets fewer, and says so; a given deflection is kept.
+TEST(SplineFaces, AreAsFineAsTheyCanBeMadeInAMinute) {
+  const Folder folder;
+  const auto is_about_facets = [](const std::string& note) { return contains(note, "a free form would take about"); };
+  const importer::ReadModel model = read(folder, rough_sheet(40), nullptr);
+  const std::vector<std::string>& notes = model.mesh.report.notes;
+  EXPECT_EQ(std::count_if(notes.begin(), notes.end(), is_about_facets), 1);
+  EXPECT_GT(model.mesh.report.triangles, 20'000);
+  EXPECT_LT(model.mesh.report.triangles, 300'000);
+  const importer::ReadModel small = read(folder, rough_sheet(5), nullptr);
+  const std::vector<std::string>& none = small.mesh.report.notes;
+  EXPECT_EQ(std::count_if(none.begin(), none.end(), is_about_facets), 0);
+}
 
 TEST(SplineFaces, FacetsAtTheSeamOfARuledFaceFaceAsItDoes) {
   const Folder folder;
