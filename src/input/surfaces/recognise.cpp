@@ -178,15 +178,20 @@ Regions find_inexact_cylinders(const Facets& facets, Regions found, const Progre
 
 PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& options, const Progress& progress) {
   const Facets facets = make_facets(mesh);
-  Regions found = grow_blends(facets, find_round_regions(facets, progress));
+  Regions found = find_round_regions(facets, progress);
+  progress.expect_time();
+  found = grow_blends(facets, std::move(found));
   // The few flat places of a scan or an artist's mesh do not belong to a part.
   PartFaces nothing{{}, std::vector<int>(mesh.polygon.size(), -1), {}, {}, facets.tolerance / facets.scale, 0};
   if (is_scan(facets, found.region_of)) return nothing;
   found = merge_regions(facets, std::move(found));
+  progress.expect_time();
   found = dissolve_rows(facets, std::move(found));
   found = take_chords(facets, std::move(found));
   found = find_inexact_cylinders(facets, std::move(found), progress);
+  progress.expect_time();
   found = complete_regions(facets, std::move(found));
+  progress.expect_time();
   found = merge_regions(facets, std::move(found));
   PartFaces result = Result(mesh, facets, found.region_of, found.regions).faces();
   nothing.recognised = result.recognised;

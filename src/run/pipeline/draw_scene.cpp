@@ -35,6 +35,7 @@
 #include "views/questions.hpp"
 #include "views/sections.hpp"
 #include "views/shown_worlds.hpp"
+#include "views/time_for_lines.hpp"
 #include "views/view_error.hpp"
 #include "views/view_plan.hpp"
 
@@ -189,9 +190,10 @@ void Run::note(const FinishedSheet& sheet) {
   warn_about(messages, sheet.sheet);
 }
 
-// The sheet and the files use the time that views leave.
+// The sheet and the files use the time that views leave: as much as a part of a view.
+constexpr double views_for_the_rest = 0.25;
+
 ViewTime Run::time_of_next_view() {
-  constexpr double views_for_the_rest = 0.25;
   return {progress,
           progress.with_part_of_the_time(1 / (static_cast<double>(gathered.views_left--) + views_for_the_rest))};
 }
@@ -523,7 +525,10 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   scene.explosions = std::move(read.explosions);
   world::World world = std::move(read.world);
   watch.lap("read");
-  recognise_parts(world, scene, options, gathered.report, progress);
+  // Without its faces a part is drawn as a mesh; without time for lines, nothing is.
+  const double for_views = seconds_for_lines(world, seconds_now(progress)) *
+                           (static_cast<double>(scene.views.size()) + 2 * views_for_the_rest);
+  recognise_parts(world, scene, options, gathered.report, progress.with_more_time(-for_views));
   doubt_unit(messages, scene, world, read.without_unit);
   find_features(scene, world);
   if (std::any_of(sheets.begin(), sheets.end(), shows_parts))

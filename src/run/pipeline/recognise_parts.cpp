@@ -12,16 +12,13 @@
 #include "composition/annotations.hpp"
 #include "edges/find_edges.hpp"
 #include "surfaces/recognise.hpp"
+#include "views/time_for_lines.hpp"
 #include "views/view_plan.hpp"
 #include "world/facet_heights.hpp"
 
 namespace epura::pipeline {
 
 namespace {
-
-// Fraction of the time left after reading. What comes later shows the longest lines if there is little time, but
-// without its faces a part is drawn as a mesh.
-constexpr double part_for_faces = 0.6;
 
 // Degrees.
 constexpr double flat = 0.005;
@@ -55,12 +52,19 @@ double min_fold(const world::World& world, const scene::SceneDescription& scene,
                                                                                               : std::max(least, flat);
 }
 
+/// How much time there is; none if there is so little that nothing would end.
+struct TimeForFaces {
+  Progress until;
+  bool any;
+};
+
 std::shared_ptr<const surfaces::PartFaces> part_of(const mesh::Mesh& mesh, std::optional<double> least,
-                                                   const Progress& progress) {
+                                                   const TimeForFaces& time) {
   // Contours of coarse facets are moved to the surface; those of very fine ones are on it.
   constexpr int fine = 50000;
   if (least && !surfaces::has_shallow_folds(mesh, mesh.triangle_count() < fine ? flat : *least)) return nullptr;
-  auto part = std::make_shared<surfaces::PartFaces>(surfaces::recognise_faces(mesh, {}, progress));
+  if (!time.any) throw OutOfTime{recognising_faces};
+  auto part = std::make_shared<surfaces::PartFaces>(surfaces::recognise_faces(mesh, {}, time.until));
   return part->faces.empty() ? nullptr : part;
 }
 
@@ -84,16 +88,17 @@ void recognise_parts(world::World& world, const scene::SceneDescription& scene, 
     wanted[known->second].push_back(model);
   }
   progress.begin(recognising_faces, wanted.size());
-  const Progress limited = progress.with_part_of_the_time(part_for_faces);
+  const double read = seconds_now(progress);
+  const TimeForFaces time{progress, !progress.is_limited() || *progress.time_limit() - read >= read};
   try {
-    parallel_for(wanted.size(), 1, limited, [&](std::size_t begin, std::size_t end) {
+    parallel_for(wanted.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const auto part = part_of(*world.models[wanted[i].front()].mesh, least, limited);
+        const auto part = part_of(*world.models[wanted[i].front()].mesh, least, time);
         for (const int model : wanted[i]) world.models[model].part = part;
         progress.advance(1);
       }
     });
-    if (const double error = world::tessellation_error(world, limited); error > 0) report.tessellation = {error, 0};
+    if (const double error = world::tessellation_error(world, progress); error > 0) report.tessellation = {error, 0};
   } catch (const OutOfTime& cut) {
     report.partial.add_stage(cut.stage);
   }

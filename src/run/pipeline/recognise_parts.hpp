@@ -14,7 +14,8 @@ namespace epura::pipeline {
 inline constexpr const char* recognising_faces = "recognising faces";
 
 /// Recognises faces that the file does not declare, if requested and useful, and adds a step to the plan of the report.
-/// Models for which there is no time are drawn as meshes, and reported. The report also has the error of tessellation.
+/// Models for which there is no time are drawn as meshes, and reported; it is not begun with less time than there has
+/// been until now, for reading: it takes longer. The report also has the error of tessellation.
 void recognise_parts(world::World& world, const scene::SceneDescription& scene, const RunOptions& options,
                      report::Report& report, Progress progress);
 

@@ -22,10 +22,12 @@
 #include "verify/verify.hpp"
 #include "views/breaks.hpp"
 #include "views/details.hpp"
+#include "views/time_for_lines.hpp"
 #include "views/view_error.hpp"
 #include "visibility/clear_contours.hpp"
 #include "visibility/folds.hpp"
 #include "visibility/height_field.hpp"
+#include "visibility/in_sight.hpp"
 
 namespace epura::pipeline {
 
@@ -65,6 +67,7 @@ report::PlanStep clip_step(const world::World& world, const view::ProjectedScene
 struct Candidates {
   edges::CrossingCandidates crossing;
   report::PlanStep step;
+  bool left_out = false;  ///< there is no time for the search
 };
 
 // Fraction of the time, for excluding bodies from the search for intersections.
@@ -132,6 +135,14 @@ report::InkCheck unjudged(const drawing::ViewDrawing& drawing, const std::string
   return check;
 }
 
+// The last time, if models were read again.
+double seconds_of_reading(const Stopwatch& watch) {
+  double seconds = 0;
+  for (const auto& [stage, took] : watch.laps())
+    if (stage == "read") seconds = took;
+  return seconds;
+}
+
 struct DrawnLines {
   drawing::ViewDrawing drawing;
   drawing::CurveReport curves;
@@ -197,7 +208,7 @@ class ViewRun {
   void find_clear_contours();
   void hide_folds();
   visibility::HiddenSpans hidden_in_time();
-  bool keep_longest(const std::string& stage, std::size_t lines);
+  bool leave_undecided(const std::string& stage, std::vector<int> edges);
   [[nodiscard]] drawing::DrawingOptions drawing_options(double least_crease) const;
   drawing::ViewDrawing drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges, double least_crease,
                                 const Progress& progress) const;
@@ -242,9 +253,12 @@ Candidates ViewRun::find_candidates(bool may_leave_out, const Progress& progress
   return candidates;
 }
 
-// If there is no time to determine which triangles may cross, all may.
+// If there is no time to determine which triangles may cross, all may. If hiding lines would need the time, none do.
 Candidates ViewRun::find_candidates_in_time() const {
   budget_.lines.begin("finding separate bodies");
+  const double for_lines = seconds_for_lines(input_.world, seconds_of_reading(watch_));
+  if (options_.edges.intersection && budget_.lines.with_more_time(-for_lines).is_out_of_time())
+    return {{}, {"intersections", false, "no time", count_of(input_.world.triangles.size()), 0}, true};
   try {
     return find_candidates(options_.leave_out.intersections, budget_.lines.with_part_of_the_time(part_for_candidates));
   } catch (const OutOfTime&) {
@@ -283,6 +297,7 @@ void ViewRun::find_edges() {
       return edges::find_feature_edges(input_.world, view_, options, crossing, budget_.lines);
     };
     drawn_ = known != nullptr ? find(known->found) : find(candidates.crossing);
+    if (candidates.left_out) drawn_.searched = 0;
     keep_intersections(candidates.step);
     if (drawn_.searched < 1) partial_.add_stage("finding intersections");
     partial_.searched = drawn_.searched;
@@ -294,9 +309,9 @@ void ViewRun::find_edges() {
   plan_.push_back(std::move(candidates.step));
 }
 
-// Leaves all but the longest edges undecided. Returns whether so few are left that they take negligible time.
-bool ViewRun::keep_longest(const std::string& stage, std::size_t lines) {
-  hidden_.undecided = visibility::all_but_longest(view_, drawn_.edges, lines);
+// Leaves all but these edges undecided. Returns whether so few are left that they take negligible time.
+bool ViewRun::leave_undecided(const std::string& stage, std::vector<int> edges) {
+  hidden_.undecided = std::move(edges);
   partial_.add_stage(stage);
   partial_.undecided += count_of(hidden_.undecided.size());
   visibility::keep_decided(drawn_, hidden_);
@@ -305,19 +320,20 @@ bool ViewRun::keep_longest(const std::string& stage, std::size_t lines) {
 
 visibility::HiddenSpans ViewRun::hidden_in_time() {
   int cuts = 0;
-  // After two failed attempts, it is the faces that take the time, and fewer lines do not help there: so few are tested
-  // against all faces that there is always something to show.
-  const auto is_direct = [&] { return cuts == 2; };
+  // It is the faces that take the time, and fewer lines do not help there: a few in sight are tested against all faces,
+  // and in the end so few that there is always something to show.
   const auto make = [&](const Progress& progress) {
-    return is_direct() ? visibility::find_hidden_directly(input_.world, view_, drawn_, progress)
-                       : visibility::find_hidden(input_.world, view_, drawn_, progress);
+    return cuts > 0 ? visibility::find_hidden_directly(input_.world, view_, drawn_, progress)
+                    : visibility::find_hidden(input_.world, view_, drawn_, progress);
   };
   const auto leave_out = [&](const std::string& stage) {
-    if (is_direct()) throw OutOfTime{stage};
-    ++cuts;
     hidden_ = visibility::nothing_hidden(drawn_);
-    keep_longest(stage, is_direct() ? few_lines : fewer(drawn_.edges.size()));
-    return is_direct();
+    if (cuts++ == 0)
+      leave_undecided(stage,
+                      visibility::all_but_longest_in_sight(input_.world, view_, drawn_, few_lines, budget_.last()));
+    else
+      leave_undecided(stage, visibility::all_but_longest(view_, drawn_.edges, few_lines / 4));
+    return cuts > 1;
   };
   try {
     return make_in_time(budget_.lines.with_part_of_the_time(part_for_hiding), budget_.last(), make, leave_out);
@@ -390,7 +406,9 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
       lines.curves = curves_of(options_, input_.world, lines.drawing, progress);
     return lines;
   };
-  const auto leave_out = [&](const std::string& stage) { return keep_longest(stage, fewer(drawn_.edges.size())); };
+  const auto leave_out = [&](const std::string& stage) {
+    return leave_undecided(stage, visibility::all_but_longest(view_, drawn_.edges, fewer(drawn_.edges.size())));
+  };
   DrawnLines lines = make_in_time(budget_.lines, budget_.last(), make, leave_out);
   double moved = 0;
   if (const CutSection* section = input_.section) {

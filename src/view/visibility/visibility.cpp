@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "visibility/in_sight.hpp"
 #include "visibility/occluders.hpp"
 #include "visibility/occlusion_query.hpp"
 #include "visibility/spans.hpp"
@@ -47,19 +48,6 @@ struct Occlusion {
 };
 
 constexpr std::size_t edges_at_once = 256;
-
-std::vector<int> longest_first(const view::ProjectedScene& view, const std::vector<edges::FeatureEdge>& edges) {
-  std::vector<int> order(edges.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::vector<double> length(edges.size());
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const view::PageVertex& p = view.vertices[edges[e].vertex[0]];
-    const view::PageVertex& q = view.vertices[edges[e].vertex[1]];
-    length[e] = std::hypot(q.x - p.x, q.y - p.y);
-  }
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return length[a] > length[b]; });
-  return order;
-}
 
 // The order in which edges are decided. It matters only if time may run out.
 std::vector<int> work_order(const view::ProjectedScene& view, const std::vector<edges::FeatureEdge>& edges,

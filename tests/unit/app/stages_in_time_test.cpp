@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "base/vec.hpp"
 #include "errors.hpp"
 #include "long_model.hpp"
 #include "program.hpp"
@@ -161,15 +162,68 @@ TEST(StagesInTime, WithoutAnyTimeForHidingTheLongestLinesAreShown) {
 TEST(StagesInTime, WithoutTimeForFacesTheSheetIsMarked) {
   const Folder folder;
   const std::string svg = (folder / "x.svg").string();
-  double now = 0;
+  double now = 0.02 * limit;  // when it is read: lines get 2.5 times that for each view, and a part for the rest
   const auto clock = [&](const std::string& stage, int look) {
-    if (stage == "recognising faces" && look > 1) now = 0.7 * limit;  // the first look is for what it may take
+    if (stage == "recognising faces" && look > 1) now = 0.876 * limit;  // the first look is for what it may take
     return now;
   };
   const Drawn run = draw_by(clock, {sample("shaft.obj"), "--views", "front,top", "-o", svg});
   EXPECT_EQ(run.error, "");
   EXPECT_EQ(run.stages, std::vector<std::string>{"recognising faces"});
   EXPECT_TRUE(contains(read_file(svg), "-sheet-partial\" inkscape:groupmode"));
+}
+
+// Reading took so long that recognition would leave no time for lines: it is not begun, and all lines are there.
+TEST(StagesInTime, FacesAreNotRecognisedAtTheExpenseOfLines) {
+  const Folder folder;
+  const std::string json = (folder / "x.json").string();
+  const auto drawn = [&](double read) {
+    return draw_by([&](const std::string&, int) { return read * limit; }, {sample("shaft.obj"), "-o", json});
+  };
+  EXPECT_EQ(drawn(0.15).stages, std::vector<std::string>());
+  const std::set<std::string> of_part = segments_of(read_file(json));
+  const Drawn run = drawn(0.2);
+  EXPECT_EQ(run.error, "");
+  EXPECT_EQ(run.stages, std::vector<std::string>{"recognising faces"});
+  EXPECT_LE(run.looks.at("recognising faces"), 8);
+  const std::set<std::string> shown = segments_of(read_file(json));
+  draw_struck_at("", {sample("shaft.obj"), "-o", json, "--surfaces", "mesh"});
+  EXPECT_EQ(shown, segments_of(read_file(json)));
+  EXPECT_NE(shown, of_part);
+}
+
+std::string box(const Vec3& min, const Vec3& max) {
+  std::string obj;
+  for (int i = 0; i < 8; ++i)
+    obj += "v " + std::to_string(i % 2 == 0 ? min.x : max.x) + " " + std::to_string(i / 2 % 2 == 0 ? min.y : max.y) +
+           " " + std::to_string(i / 4 == 0 ? min.z : max.z) + "\n";
+  return obj + "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n";
+}
+
+// The longest edges are rods behind a wall of bricks.
+TEST(StagesInTime, OfLinesForWhichThereIsTimeThoseInSightAreShown) {
+  const Folder folder;
+  std::string obj;
+  for (int x = 0; x < 5; ++x)
+    for (int z = 0; z < 5; ++z) {
+      const double front = (x + z) % 2 == 0 ? 0 : 3;
+      obj += box({3.0 * x, front, 3.0 * z}, {3.0 * x + 3.2, front + 2, 3.0 * z + 3.2});
+    }
+  for (int i = 0; i < 100; ++i) obj += box({1, 10.0 + i, 1 + 0.1 * i}, {14, 10.5 + i, 1.05 + 0.1 * i});
+  const std::string model = folder.file("wall.obj", obj), json = (folder / "x.json").string();
+  const std::vector<std::string> arguments{model, "-o", json, "--projection", "front", "--join-within", "0"};
+  draw_struck_at("", arguments);
+  const std::set<std::string> whole = segments_of(read_file(json));
+  bool struck = false;
+  const auto clock = [&](const std::string& stage, int) {
+    struck = struck || stage == "finding occluders";
+    return struck ? 1.06 * limit : 0;
+  };
+  const Drawn run = draw_by(clock, arguments);
+  EXPECT_EQ(run.error, "");
+  const std::set<std::string> shown = segments_of(read_file(json));
+  EXPECT_GE(shown.size(), 10U);
+  for (const std::string& segment : shown) EXPECT_TRUE(whole.contains(segment)) << segment;
 }
 
 // The model is there, though the line at which a leader ends may be one of those that are left out.
