@@ -141,7 +141,7 @@ struct Wishes {
     if (has('d')) vector.decimals = 2;
     if (has('g')) vector.text = SvgText::text;
     vector.dxf_blocks = has('b');
-    vector.dxf_entities = {has('D'), has('H')};
+    vector.dxf_entities = {has('D'), has('H'), has('D'), has('H'), has('D')};
     if (has('E')) vector.dxf_arcs = output::DxfArcs::entities;
     if (has('O')) vector.dxf_version = output::DxfVersion::r2000;
     return vector;

@@ -42,6 +42,10 @@ void expect_outputs(const DrawOptions& options) {
   if (options.measure && options.run.time_limit)
     throw Error(ErrorKind::input, "--measure", "draws several times and cannot be combined with --time-limit",
                 "omit one of them");
+  const output::DxfEntities& entities = options.vector.dxf_entities;
+  if ((entities.leaders || entities.tables) && options.vector.dxf_version == output::DxfVersion::r2000)
+    throw Error(ErrorKind::input, "--dxf-entities", "DXF 2000 has no entities for leaders and tables",
+                "omit --dxf-version, or draw them as lines and texts");
 }
 
 // Repeats the whole run, including reading, with other shortcuts.

@@ -75,14 +75,15 @@ scene::ValueKind<std::string> id_prefix() {
 }
 
 scene::ValueKind<output::DxfEntities> dxf_entities() {
-  const std::vector<std::string> words = {"dimensions", "hatches"};
+  std::vector<std::string> words;
+  for (const output::DxfEntityWord& row : output::dxf_entity_words) words.emplace_back(row.word);
   scene::ValueForm form{"list of texts", "KINDS", words};
   form.is_list = form.is_closed = true;
   return {std::move(form), [words](const scene::TomlValue& value) {
             output::DxfEntities entities;
             for (const scene::LocatedText& word : scene::each_word(value)) {
               const scene::TomlValue one = scene::value_of_option(value.where, *word);
-              (scene::read_word(one, words) == 0 ? entities.dimensions : entities.hatches) = true;
+              entities.*output::dxf_entity_words[scene::read_word(one, words)].member = true;
             }
             return entities;
           }};

@@ -111,7 +111,13 @@ std::vector<std::string> captions_of(const SheetInput& input) {
   return {std::string(sheet::caption("hole", language)), "X", "Y", std::string(sheet::caption("hole_size", language))};
 }
 
+// Of objects, only tables are in both.
 void append(sheet::Layer& layer, sheet::Layer more) {
+  for (sheet::TableObject& table : more.tables) {
+    table.strokes = {table.strokes.begin + layer.strokes.size(), table.strokes.end + layer.strokes.size()};
+    table.texts = {table.texts.begin + layer.texts.size(), table.texts.end + layer.texts.size()};
+    layer.tables.push_back(std::move(table));
+  }
   std::move(more.strokes.begin(), more.strokes.end(), std::back_inserter(layer.strokes));
   std::move(more.fills.begin(), more.fills.end(), std::back_inserter(layer.fills));
   std::move(more.texts.begin(), more.texts.end(), std::back_inserter(layer.texts));

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // DXF: the shapes, fills and texts of a sheet as entities in millimetres.
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "base/angle.hpp"
 #include "base/portable_math.hpp"
+#include "output/dxf_annotations.hpp"
 #include "output/dxf_entities.hpp"
 #include "output/dxf_shapes.hpp"
 #include "output/dxf_tables.hpp"
@@ -24,7 +24,14 @@ namespace {
 struct LayerInFile {
   const sheet::Layer& layer;  ///< where its block has its origin
   std::string name;
-  std::vector<std::string> blocks;  ///< with the ink of its dimensions
+  std::vector<std::size_t> dimensions{}, tables{};  ///< numbers of the blocks with their ink
+};
+
+/// What all layers share.
+struct Drawn {
+  const VectorOptions& options;
+  const std::vector<DxfBlock>& blocks;
+  const DxfHandles& handles;
 };
 
 void add_shape(DxfWriter& dxf, const Place& place, const BulgedLine& line) {
@@ -92,54 +99,78 @@ void add_fill(DxfWriter& dxf, int owner, const LayerInFile& layer, const sheet::
   if (!fill.rings.empty()) add_solid(dxf, {owner, layer.name, false, true}, fill);
 }
 
-// The ink of a layer outside its objects, and these.
-void add_layer(DxfWriter& dxf, int owner, const LayerInFile& layer, const VectorOptions& options,
-               const Progress& progress) {
-  const DxfEntities& wanted = options.dxf_entities;
-  const auto& dimensions = layer.layer.dimensions;
-  const auto& hatched = layer.layer.hatched;
-  const auto each_outside = [&](const auto& ink, const auto& of_dimension, const auto& add) {
-    std::size_t dimension = wanted.dimensions ? 0 : dimensions.size(), hatch = wanted.hatches ? 0 : hatched.size();
-    constexpr bool are_strokes = std::is_same_v<std::decay_t<decltype(ink[0])>, sheet::Stroke>;
-    for (std::size_t i = 0; i < ink.size(); ++i) {
-      while (dimension < dimensions.size() && of_dimension(dimensions[dimension]).end <= i) ++dimension;
-      while (hatch < hatched.size() && hatched[hatch].strokes.end <= i) ++hatch;
-      const bool in_dimension = dimension < dimensions.size() && of_dimension(dimensions[dimension]).begin <= i;
-      const bool in_hatch = are_strokes && hatch < hatched.size() && hatched[hatch].strokes.begin <= i;
-      if (!in_dimension && !in_hatch) add(ink[i]);
+/// Ink of a layer that entities stand for.
+struct Replaced {
+  std::vector<sheet::InkRange> strokes{}, fills{}, texts{};
+
+  template <class Objects>
+  void add(bool wanted, const Objects& objects) {
+    if (!wanted) return;
+    for (const auto& object : objects) {
+      strokes.push_back(object.strokes);
+      if constexpr (requires { object.fills; }) fills.push_back(object.fills);
+      if constexpr (requires { object.texts; }) texts.push_back(object.texts);
     }
-  };
-  each_outside(
-      layer.layer.fills, [](const auto& one) { return one.fills; },
-      [&](const sheet::Fill& fill) { add_fill(dxf, owner, layer, fill); });
-  if (wanted.hatches)
-    for (const sheet::HatchedFace& face : hatched) add_hatch(dxf, {owner, layer.name, false, true}, face);
-  each_outside(
-      layer.layer.strokes, [](const auto& one) { return one.strokes; },
-      [&](const sheet::Stroke& stroke) {
-        progress.expect_time();
-        progress.advance(1);
-        add_stroke(dxf, owner, layer, options.dxf_arcs, stroke);
-      });
-  each_outside(
-      layer.layer.texts, [](const auto& one) { return one.texts; },
-      [&](const sheet::Text& text) {
-        add_text(dxf, {owner, layer.name, false, true}, text);
-      });
-  if (wanted.dimensions)
-    for (std::size_t i = 0; i < dimensions.size(); ++i)
-      add_dimension(dxf, {owner, layer.name, false, true}, dimensions[i], layer.blocks[i]);
+  }
+};
+
+Replaced replaced_ink(const sheet::Layer& layer, const DxfEntities& wanted) {
+  Replaced replaced;
+  replaced.add(wanted.dimensions, layer.dimensions);
+  replaced.add(wanted.hatches, layer.hatched);
+  replaced.add(wanted.leaders, layer.leaders);
+  replaced.add(wanted.tolerances, layer.tolerances);
+  replaced.add(wanted.tables, layer.tables);
+  return replaced;
 }
 
-// What a dimension looks like, for programs that do not draw dimensions themselves.
-void add_ink_of(DxfWriter& dxf, int owner, const LayerInFile& layer, DxfArcs arcs,
-                const sheet::DimensionObject& dimension) {
-  for (std::size_t i = dimension.fills.begin; i < dimension.fills.end; ++i)
-    add_fill(dxf, owner, layer, layer.layer.fills[i]);
-  for (std::size_t i = dimension.strokes.begin; i < dimension.strokes.end; ++i)
-    add_stroke(dxf, owner, layer, arcs, layer.layer.strokes[i]);
-  for (std::size_t i = dimension.texts.begin; i < dimension.texts.end; ++i)
-    add_text(dxf, {owner, layer.name, false, true}, layer.layer.texts[i]);
+template <class Ink, class Add>
+void each_outside(const std::vector<Ink>& ink, std::vector<sheet::InkRange> ranges, const Add& add) {
+  std::ranges::sort(ranges, {}, &sheet::InkRange::begin);
+  auto range = ranges.begin();
+  for (std::size_t i = 0; i < ink.size(); ++i) {
+    while (range != ranges.end() && range->end <= i) ++range;
+    if (range == ranges.end() || i < range->begin) add(ink[i]);
+  }
+}
+
+int head_of(const sheet::LeaderObject& leader, const Drawn& drawn) {
+  const char* name = leader.end == LeaderEnd::dot ? dxf_dot_head : leader.end == LeaderEnd::arrow ? "" : dxf_no_head;
+  const auto block = std::ranges::find(drawn.blocks, name, &DxfBlock::name);
+  return block == drawn.blocks.end() ? 0 : drawn.handles.block(static_cast<std::size_t>(block - drawn.blocks.begin()));
+}
+
+void add_objects(DxfWriter& dxf, const Place& place, const LayerInFile& layer, const Drawn& drawn) {
+  const DxfEntities& wanted = drawn.options.dxf_entities;
+  if (wanted.dimensions)
+    for (std::size_t i = 0; i < layer.dimensions.size(); ++i)
+      add_dimension(dxf, place, layer.layer.dimensions[i], drawn.blocks[layer.dimensions[i]].name);
+  if (wanted.leaders)
+    for (const sheet::LeaderObject& leader : layer.layer.leaders)
+      add_leader(dxf, place, leader, head_of(leader, drawn), drawn.handles);
+  if (wanted.tolerances)
+    for (const sheet::ToleranceObject& tolerance : layer.layer.tolerances)
+      if (!tolerance.rows.empty()) add_tolerance(dxf, place, tolerance);
+  if (wanted.tables)
+    for (std::size_t i = 0; i < layer.tables.size(); ++i)
+      add_table(dxf, place, layer.layer.tables[i],
+                {drawn.blocks[layer.tables[i]].name, drawn.handles.block(layer.tables[i])}, drawn.handles);
+}
+
+// The ink of a layer outside its objects, and these.
+void add_layer(DxfWriter& dxf, int owner, const LayerInFile& layer, const Drawn& drawn, const Progress& progress) {
+  const Replaced replaced = replaced_ink(layer.layer, drawn.options.dxf_entities);
+  const Place place{owner, layer.name, false, true};
+  each_outside(layer.layer.fills, replaced.fills, [&](const sheet::Fill& fill) { add_fill(dxf, owner, layer, fill); });
+  if (drawn.options.dxf_entities.hatches)
+    for (const sheet::HatchedFace& face : layer.layer.hatched) add_hatch(dxf, place, face);
+  each_outside(layer.layer.strokes, replaced.strokes, [&](const sheet::Stroke& stroke) {
+    progress.expect_time();
+    progress.advance(1);
+    add_stroke(dxf, owner, layer, drawn.options.dxf_arcs, stroke);
+  });
+  each_outside(layer.layer.texts, replaced.texts, [&](const sheet::Text& text) { add_text(dxf, place, text); });
+  add_objects(dxf, place, layer, drawn);
 }
 
 void add_insert(DxfWriter& dxf, int model_space, const DxfBlock& block) {
@@ -149,35 +180,55 @@ void add_insert(DxfWriter& dxf, int model_space, const DxfBlock& block) {
   dxf.add(10, block.place);
 }
 
-/// The blocks of the file: views, and then what dimensions look like.
+/// An object of a layer, whose ink is a block.
+struct OwnerOfInk {
+  std::size_t layer, number;
+};
+
+/// The blocks of the file: views, then what dimensions and tables look like, then arrowheads.
 struct Blocks {
   std::vector<DxfBlock> blocks{};
   std::size_t views = 0;
-  std::vector<int> of_layer{};                             ///< the view that is a block; -1: none
-  std::vector<std::array<std::size_t, 2>> of_dimension{};  ///< layer and number in it, for each block after the views
+  std::vector<int> of_layer{};        ///< the view that is a block; -1: none
+  std::vector<OwnerOfInk> objects{};  ///< of the blocks after the views
 };
+
+void add_views(Blocks& result, const sheet::Sheet& sheet, DxfVersion version) {
+  std::vector<std::string> names;
+  for (const sheet::ViewFrame& view : sheet.views) names.push_back(view.name);
+  const std::vector<std::string> in_file = dxf_names(names, {}, version);
+  for (std::size_t v = 0; v < sheet.views.size(); ++v) {
+    result.blocks.push_back({in_file[v], (sheet.views[v].min + sheet.views[v].max) * 0.5});
+    for (std::size_t i = 0; i < sheet.layers.size(); ++i)
+      if (result.of_layer[i] < 0 && sheet.layers[i].name.starts_with(names[v] + "/"))
+        result.of_layer[i] = static_cast<int>(v);
+  }
+  result.views = result.blocks.size();
+}
+
+// Anonymous ones are numbered.
+template <class Object>
+void add_objects(Blocks& result, const sheet::Sheet& sheet, std::vector<Object> sheet::Layer::*objects,
+                 const DxfBlock& like) {
+  int count = 0;
+  for (std::size_t i = 0; i < sheet.layers.size(); ++i)
+    for (std::size_t k = 0; k < (sheet.layers[i].*objects).size(); ++k) {
+      result.objects.push_back({i, k});
+      result.blocks.push_back({like.name + std::to_string(++count), Vec2(0), like.kind});
+    }
+}
 
 Blocks blocks_of(const sheet::Sheet& sheet, const VectorOptions& options) {
   Blocks result;
   result.of_layer.assign(sheet.layers.size(), -1);
-  if (options.dxf_blocks) {
-    std::vector<std::string> names;
-    for (const sheet::ViewFrame& view : sheet.views) names.push_back(view.name);
-    const std::vector<std::string> in_file = dxf_names(names, {}, options.dxf_version);
-    for (std::size_t v = 0; v < sheet.views.size(); ++v) {
-      result.blocks.push_back({in_file[v], (sheet.views[v].min + sheet.views[v].max) * 0.5});
-      for (std::size_t i = 0; i < sheet.layers.size(); ++i)
-        if (result.of_layer[i] < 0 && sheet.layers[i].name.starts_with(names[v] + "/"))
-          result.of_layer[i] = static_cast<int>(v);
-    }
-  }
-  result.views = result.blocks.size();
-  if (!options.dxf_entities.dimensions) return result;
-  for (std::size_t i = 0; i < sheet.layers.size(); ++i)
-    for (std::size_t k = 0; k < sheet.layers[i].dimensions.size(); ++k) {
-      result.of_dimension.push_back({i, k});
-      result.blocks.push_back({"*D" + std::to_string(result.of_dimension.size()), Vec2(0), true});
-    }
+  if (options.dxf_blocks) add_views(result, sheet, options.dxf_version);
+  if (options.dxf_entities.dimensions)
+    add_objects(result, sheet, &sheet::Layer::dimensions, {"*D", Vec2(0), DxfBlockKind::dimension});
+  if (options.dxf_entities.tables)
+    add_objects(result, sheet, &sheet::Layer::tables, {"*T", Vec2(0), DxfBlockKind::table});
+  if (options.dxf_entities.leaders)
+    for (const char* head : {dxf_dot_head, dxf_no_head})
+      result.blocks.push_back({head, Vec2(0), DxfBlockKind::arrowhead});
   return result;
 }
 
@@ -204,13 +255,62 @@ void move(sheet::DimensionObject& dimension, const Vec2& by) {
   dimension.text_middle += by;
 }
 
+void move(sheet::LeaderObject& leader, const Vec2& by) {
+  for (Vec2& point : leader.points) point += by;
+  leader.text_corner += by;
+}
+
 sheet::Layer moved(sheet::Layer layer, const Vec2& by) {
   for (sheet::Stroke& stroke : layer.strokes) move(stroke, by);
   for (sheet::Fill& fill : layer.fills) move(fill, by);
   for (sheet::Text& text : layer.texts) text.at += by;
   for (sheet::HatchedFace& hatched : layer.hatched) move(hatched, by);
   for (sheet::DimensionObject& dimension : layer.dimensions) move(dimension, by);
+  for (sheet::LeaderObject& leader : layer.leaders) move(leader, by);
+  for (sheet::ToleranceObject& tolerance : layer.tolerances) tolerance.at += by;
+  for (sheet::TableObject& table : layer.tables) table.corner += by;
   return layer;
+}
+
+/// An object of a layer, whose ink is a block.
+struct NumberedObject {
+  DxfBlockKind kind;
+  std::size_t number;
+};
+
+// What an entity looks like, for programs that do not draw it themselves: a dimension in the coordinates of its layer,
+// a table with its upper left corner at the origin.
+void add_ink_of(DxfWriter& dxf, int owner, const LayerInFile& layer, const NumberedObject& object, DxfArcs arcs) {
+  sheet::Layer ink{layer.layer.name, layer.layer.style, {}};
+  const auto take = [](auto& part, const auto& all, const sheet::InkRange& range) {
+    part.assign(all.begin() + static_cast<std::ptrdiff_t>(range.begin),
+                all.begin() + static_cast<std::ptrdiff_t>(range.end));
+  };
+  const auto take_ink_of = [&](const auto& one, const sheet::InkRange& fills) {
+    take(ink.fills, layer.layer.fills, fills);
+    take(ink.strokes, layer.layer.strokes, one.strokes);
+    take(ink.texts, layer.layer.texts, one.texts);
+  };
+  if (object.kind == DxfBlockKind::table) {
+    const sheet::TableObject& table = layer.layer.tables[object.number];
+    take_ink_of(table, {});
+    ink = moved(std::move(ink), -table.corner);
+  } else {
+    const sheet::DimensionObject& dimension = layer.layer.dimensions[object.number];
+    take_ink_of(dimension, dimension.fills);
+  }
+  const LayerInFile own{ink, layer.name};
+  for (const sheet::Fill& fill : ink.fills) add_fill(dxf, owner, own, fill);
+  for (const sheet::Stroke& stroke : ink.strokes) add_stroke(dxf, owner, own, arcs, stroke);
+  for (const sheet::Text& text : ink.texts) add_text(dxf, {owner, layer.name, false, true}, text);
+}
+
+// Height of the texts in tolerance frames; 0 if there are none.
+double text_of_frames(const sheet::Sheet& sheet) {
+  for (const sheet::Layer& layer : sheet.layers)
+    for (const sheet::ToleranceObject& tolerance : layer.tolerances)
+      if (!tolerance.rows.empty()) return tolerance.text_height;
+  return 0;
 }
 
 // Layers of blocks have the coordinates of these.
@@ -227,9 +327,12 @@ std::vector<LayerInFile> layers_of(const std::vector<sheet::Layer>& in_blocks, c
   for (const sheet::Layer& layer : in_blocks) names.push_back(layer.name);
   names = dxf_names(names, {"0"}, version);
   std::vector<LayerInFile> layers;
-  for (std::size_t i = 0; i < names.size(); ++i) layers.push_back({in_blocks[i], names[i], {}});
-  for (std::size_t k = 0; k < blocks.of_dimension.size(); ++k)
-    layers[blocks.of_dimension[k][0]].blocks.push_back(blocks.blocks[blocks.views + k].name);
+  for (std::size_t i = 0; i < names.size(); ++i) layers.push_back({in_blocks[i], names[i]});
+  for (std::size_t k = 0; k < blocks.objects.size(); ++k) {
+    const std::size_t block = blocks.views + k;
+    LayerInFile& layer = layers[blocks.objects[k].layer];
+    (blocks.blocks[block].kind == DxfBlockKind::table ? layer.tables : layer.dimensions).push_back(block);
+  }
   return layers;
 }
 
@@ -242,25 +345,34 @@ std::string to_dxf(const sheet::Sheet& sheet, const VectorOptions& options, cons
   const std::vector<LayerInFile> layers =
       layers_of(blocks.views == 0 ? sheet.layers : in_blocks, blocks, options.dxf_version);
   DxfWriter dxf(options.dxf_version);
+  const DxfEntities& entities = options.dxf_entities;
+  DxfHandles handles;
+  if (entities.leaders) handles.leader_style = dxf.next_handle();
+  if (entities.tables) handles.table_style = dxf.next_handle();
   const auto add_layers_of = [&](int view, int owner) {
     for (std::size_t i = 0; i < layers.size(); ++i)
-      if (blocks.of_layer[i] == view) add_layer(dxf, owner, layers[i], options, progress);
+      if (blocks.of_layer[i] == view) add_layer(dxf, owner, layers[i], {options, blocks.blocks, handles}, progress);
   };
   const auto add_block = [&](std::size_t block, int owner) {
     if (block < blocks.views) return add_layers_of(static_cast<int>(block), owner);
-    const auto [layer, number] = blocks.of_dimension[block - blocks.views];
-    add_ink_of(dxf, owner, layers[layer], options.dxf_arcs, sheet.layers[layer].dimensions[number]);
+    if (blocks.blocks[block].name == dxf_dot_head) return add_dot_head(dxf, owner);
+    if (blocks.blocks[block].kind == DxfBlockKind::arrowhead) return;
+    const auto& [layer, number] = blocks.objects[block - blocks.views];
+    add_ink_of(dxf, owner, layers[layer], {blocks.blocks[block].kind, number}, options.dxf_arcs);
   };
   std::vector<std::string> names;
   for (const LayerInFile& layer : layers) names.push_back(layer.name);
-  const int model_space = add_dxf_tables(dxf, sheet, names, blocks.blocks, add_block);
+  const double frame_text = entities.tolerances ? text_of_frames(sheet) : 0;
+  add_dxf_tables(dxf, {sheet, names, blocks.blocks, frame_text}, handles, add_block);
   dxf.add(0, "SECTION");
   dxf.add(2, "ENTITIES");
-  for (std::size_t view = 0; view < blocks.views; ++view) add_insert(dxf, model_space, blocks.blocks[view]);
-  add_layers_of(-1, model_space);
+  for (std::size_t view = 0; view < blocks.views; ++view) add_insert(dxf, handles.model_space, blocks.blocks[view]);
+  add_layers_of(-1, handles.model_space);
   dxf.add(0, "ENDSEC");
-  add_dxf_objects(dxf);
-  return dxf_header(sheet, blocks.blocks, dxf.handles(), options.dxf_version) + dxf.take();
+  add_dxf_objects(dxf, handles);
+  DxfWriter classes(options.dxf_version);
+  add_dxf_classes(classes, entities);
+  return dxf_header(sheet, blocks.blocks, dxf.handles(), options.dxf_version) + classes.take() + dxf.take();
 }
 
 }  // namespace epura::output

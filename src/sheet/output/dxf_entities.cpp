@@ -96,11 +96,6 @@ ShapeInFile shape_in_file(sheet::DimensionShape shape) {
   return {3, "AcDbDiametricDimension"};
 }
 
-void add_point(DxfWriter& dxf, int code, const Vec2& point) {
-  dxf.add(code, point);
-  dxf.add(code + 20, 0);
-}
-
 // The point that all dimensions have: where the dimension line is, or the origin; of radii, the centre; of diameters,
 // the point opposite to the leader.
 Vec2 line_point(const sheet::DimensionObject& dimension) {
@@ -120,18 +115,18 @@ Vec2 line_point(const sheet::DimensionObject& dimension) {
 void add_points(DxfWriter& dxf, const sheet::DimensionObject& dimension) {
   const std::vector<Vec2>& points = dimension.points;
   if (dimension.shape == sheet::DimensionShape::diameter || dimension.shape == sheet::DimensionShape::radius) {
-    add_point(dxf, 15, points[1]);
+    dxf.add_point(15, points[1]);
     dxf.add(40, dimension.leader);
     return;
   }
   if (dimension.shape == sheet::DimensionShape::ordinate) {
-    add_point(dxf, 13, points[1]);
-    return add_point(dxf, 14, points[2]);
+    dxf.add_point(13, points[1]);
+    return dxf.add_point(14, points[2]);
   }
   const std::size_t first = dimension.shape == sheet::DimensionShape::angular ? 1 : 0;
-  add_point(dxf, 13, points[first]);
-  add_point(dxf, 14, points[first + 1]);
-  if (first == 1) return add_point(dxf, 15, points[0]);
+  dxf.add_point(13, points[first]);
+  dxf.add_point(14, points[first + 1]);
+  if (first == 1) return dxf.add_point(15, points[0]);
   dxf.add(50, dimension.angle);
   if (dimension.oblique != 0) dxf.add(52, dimension.oblique);
   dxf.add(100, "AcDbRotatedDimension");
@@ -187,8 +182,8 @@ void add_dimension(DxfWriter& dxf, const Place& place, const sheet::DimensionObj
   const ShapeInFile shape = shape_in_file(dimension.shape);
   begin_entity(dxf, place, "DIMENSION", "AcDbDimension");
   dxf.add(2, block);
-  add_point(dxf, 10, line_point(dimension));
-  add_point(dxf, 11, dimension.text_middle);
+  dxf.add_point(10, line_point(dimension));
+  dxf.add_point(11, dimension.text_middle);
   dxf.add(70, shape.type + own_block + text_has_place + (is_abscissa ? along_x : 0));
   dxf.add(71, middle);
   dxf.add(1, dxf_paragraph(dimension.text, dxf.version()));

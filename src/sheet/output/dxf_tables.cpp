@@ -202,7 +202,7 @@ int add_text_styles(DxfWriter& dxf, const std::string& file) {
 // Dimensions that are entities.
 std::vector<const sheet::DimensionObject*> dimensions_in(const sheet::Sheet& sheet,
                                                          const std::vector<DxfBlock>& blocks) {
-  const auto is_dimension = [](const DxfBlock& block) { return block.is_dimension; };
+  const auto is_dimension = [](const DxfBlock& block) { return block.kind == DxfBlockKind::dimension; };
   std::vector<const sheet::DimensionObject*> dimensions;
   if (std::none_of(blocks.begin(), blocks.end(), is_dimension)) return dimensions;
   for (const sheet::Layer& layer : sheet.layers)
@@ -239,12 +239,21 @@ void add_variable(DxfWriter& dxf, int code, const DimensionVariable& variable) {
     dxf.add(code, static_cast<int>(variable.value));
 }
 
-// The one of factor 1, which is always there, and more of dimensions at other scales.
+// That of tolerance frames: they are two heights of their texts high.
+void add_frame_style(DxfWriter& dxf, int table, double text_height, int text_style) {
+  begin_entry(dxf, "DIMSTYLE", table, "AcDbDimStyleTableRecord", dxf_frame_style);
+  dxf.add(40, 1.0);
+  dxf.add(140, text_height);
+  dxf.add(147, text_height / 2);
+  dxf.add_handle(340, text_style);
+}
+
+// The one of factor 1, which is always there, more of dimensions at other scales, and that of frames of this height.
 void add_dimension_styles(DxfWriter& dxf, const std::vector<const sheet::DimensionObject*>& dimensions,
-                          int text_style) {
+                          double frame_text, int text_style) {
   std::map<double, const sheet::DimensionObject*> styles{{1, dimensions.empty() ? nullptr : dimensions.front()}};
   for (const sheet::DimensionObject* dimension : dimensions) styles.emplace(factor_of(*dimension), dimension);
-  add_table(dxf, "DIMSTYLE", styles.size(), [&](int table) {
+  add_table(dxf, "DIMSTYLE", styles.size() + (frame_text > 0 ? 1 : 0), [&](int table) {
     for (const auto& [factor, dimension] : styles) {
       begin_entry(dxf, "DIMSTYLE", table, "AcDbDimStyleTableRecord", dxf_dimension_style(factor));
       if (dimension == nullptr) continue;
@@ -252,6 +261,7 @@ void add_dimension_styles(DxfWriter& dxf, const std::vector<const sheet::Dimensi
         add_variable(dxf, variable.code, variable);
       dxf.add_handle(340, text_style);
     }
+    if (frame_text > 0) add_frame_style(dxf, table, frame_text, text_style);
   });
 }
 
@@ -287,7 +297,7 @@ void add_blocks(DxfWriter& dxf, int model_space, const std::vector<DxfBlock>& bl
     dxf.add(100, "AcDbBlockBegin");
     dxf.add(2, blocks[i].name);
     constexpr int anonymous = 1;
-    dxf.add(70, blocks[i].is_dimension ? anonymous : 0);
+    dxf.add(70, blocks[i].name.starts_with("*D") || blocks[i].name.starts_with("*T") ? anonymous : 0);
     dxf.add(10, Vec2(0, 0));  // FreeCAD and OpenSCAD take no other one into account
     dxf.add(30, 0);
     dxf.add(3, blocks[i].name);
@@ -306,39 +316,27 @@ std::string dxf_dimension_style(double factor) {
   return factor == 1 ? "STANDARD" : "TIMES-" + format_rounded(factor, 9);
 }
 
-int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std::string>& layers,
-                   const std::vector<DxfBlock>& blocks, const std::function<void(std::size_t, int)>& add_entities) {
+void add_dxf_tables(DxfWriter& dxf, const DxfParts& parts, DxfHandles& handles,
+                    const std::function<void(std::size_t, int)>& add_entities) {
+  const sheet::Sheet& sheet = parts.sheet;
   const std::vector<LineType> types = line_types(sheet);
   dxf.add(0, "SECTION");
   dxf.add(2, "TABLES");
   add_viewports(dxf, sheet);
   add_line_types(dxf, types);
-  add_layers(dxf, sheet, layers, types);
-  const int text_style = add_text_styles(dxf, sheet.font.file.filename().string());
+  add_layers(dxf, sheet, parts.layers, types);
+  handles.text_style = add_text_styles(dxf, sheet.font.file.filename().string());
   for (const char* empty : {"VIEW", "UCS"}) add_table(dxf, empty, 0, [](int) {});
   add_table(dxf, "APPID", 1, [&](int table) { begin_entry(dxf, "APPID", table, "AcDbRegAppTableRecord", "ACAD"); });
-  add_dimension_styles(dxf, dimensions_in(sheet, blocks), text_style);
-  const std::vector<DxfBlock> all = with_spaces(blocks);
-  const std::size_t spaces = all.size() - blocks.size();
-  const int model_space = add_block_records(dxf, all);
+  add_dimension_styles(dxf, dimensions_in(sheet, parts.blocks), parts.frame_text, handles.text_style);
+  const std::vector<DxfBlock> all = with_spaces(parts.blocks);
+  const std::size_t spaces = all.size() - parts.blocks.size();
+  handles.model_space = add_block_records(dxf, all);
+  handles.first_block = handles.model_space + static_cast<int>(spaces);
   dxf.add(0, "ENDSEC");
-  add_blocks(dxf, model_space, all, [&](std::size_t block, int owner) {
+  add_blocks(dxf, handles.model_space, all, [&](std::size_t block, int owner) {
     if (block >= spaces) add_entities(block - spaces, owner);
   });
-  return model_space;
-}
-
-void add_dxf_objects(DxfWriter& dxf) {
-  dxf.add(0, "SECTION");
-  dxf.add(2, "OBJECTS");
-  const int root = dxf.begin("DICTIONARY", 0, "AcDbDictionary");
-  dxf.add(281, 1);
-  dxf.add(3, "ACAD_GROUP");
-  dxf.add_handle(350, root + 1);
-  dxf.begin("DICTIONARY", root, "AcDbDictionary");
-  dxf.add(281, 1);
-  dxf.add(0, "ENDSEC");
-  dxf.add(0, "EOF");
 }
 
 std::string dxf_header(const sheet::Sheet& sheet, const std::vector<DxfBlock>& blocks, int handles,

@@ -89,18 +89,28 @@ void DxfWriter::add(int code, const Vec2& point) {
   add(code + 10, point.y);
 }
 
+void DxfWriter::add_point(int code, const Vec2& point) {
+  add(code, point);
+  add(code + 20, 0);
+}
+
 void DxfWriter::add_handle(int code, int handle) {
   add(code, std::string_view(hexadecimal(static_cast<unsigned>(handle))));
 }
 
 int DxfWriter::begin(std::string_view type, int owner, std::string_view first_class, std::string_view second_class) {
   const int handle = next_handle();
+  begin_as(handle, type, owner, first_class, second_class);
+  return handle;
+}
+
+void DxfWriter::begin_as(int handle, std::string_view type, int owner, std::string_view first_class,
+                         std::string_view second_class) {
   add(0, type);
   add_handle(type == "DIMSTYLE" ? 105 : 5, handle);  // code 5 is the name of a block there
   add_handle(330, owner);
   add(100, first_class);
   if (!second_class.empty()) add(100, second_class);
-  return handle;
 }
 
 std::string dxf_text(std::string_view text, DxfVersion version) {

@@ -24,6 +24,8 @@ class DxfWriter {
   void add(int code, double value);
   /// x under `code`, y under `code` + 10.
   void add(int code, const Vec2& point);
+  /// The same with the height 0 under `code` + 20.
+  void add_point(int code, const Vec2& point);
 
   /// Adds the handle under `code`, in hexadecimal digits like all handles.
   void add_handle(int code, int handle);
@@ -33,6 +35,9 @@ class DxfWriter {
 
   /// Adds "0 type", a new handle under 5, the owner and the names of the classes. Returns the handle.
   int begin(std::string_view type, int owner, std::string_view first_class, std::string_view second_class = {});
+  /// The same with a handle that something refers to already.
+  void begin_as(int handle, std::string_view type, int owner, std::string_view first_class,
+                std::string_view second_class = {});
 
   std::string take() { return std::move(text_); }
 

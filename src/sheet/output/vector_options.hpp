@@ -42,10 +42,19 @@ struct epura::scene::Words<epura::output::DxfArcs> {
 
 namespace epura::output {
 
-/// What is one entity in DXF, instead of single lines, fills and texts.
+/// What is one entity in DXF, instead of single lines, fills and texts. Leaders and tables need version 2007.
 struct DxfEntities {
-  bool dimensions = false, hatches = false;
+  bool dimensions = false, hatches = false, leaders = false, tolerances = false, tables = false;
 };
+
+struct DxfEntityWord {
+  const char* word;
+  bool DxfEntities::*member;
+};
+inline constexpr std::array dxf_entity_words{
+    DxfEntityWord{"dimensions", &DxfEntities::dimensions}, DxfEntityWord{"hatches", &DxfEntities::hatches},
+    DxfEntityWord{"leaders", &DxfEntities::leaders}, DxfEntityWord{"tolerances", &DxfEntities::tolerances},
+    DxfEntityWord{"tables", &DxfEntities::tables}};
 
 struct VectorOptions {
   bool plain = false;             ///< omit the origin of lines

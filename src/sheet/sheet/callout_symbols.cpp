@@ -154,6 +154,29 @@ void add_above(Callout& callout, Callout frame, double bottom) {
   callout.size.x = std::max(callout.size.x, frame.size.x);
 }
 
+// What was added to a callout for a frame, as an object: one with all that share its symbol.
+void add_object(Callout& callout, const scene::ToleranceFrame& frame, double bottom, const DimensionStyle& style) {
+  if (!frame.is_composite) {
+    ToleranceObject& object = callout.tolerances.emplace_back();
+    object.at = {0, bottom + frame_height / 2 * style.text};
+    object.text_height = style.text;
+    if (callout.tolerances.size() > 1) {
+      const ToleranceObject& last = callout.tolerances[callout.tolerances.size() - 2];
+      object.strokes.begin = last.strokes.end;
+      object.fills.begin = last.fills.end;
+      object.texts.begin = last.texts.end;
+    }
+  }
+  ToleranceObject& object = callout.tolerances.back();
+  FrameRow& row = object.rows.emplace_back(FrameRow{frame.characteristic, {frame.zone}});
+  row.cells.insert(row.cells.end(), frame.datums.begin(), frame.datums.end());
+  for (scene::FrameCell& cell : row.cells)
+    for (scene::FramePiece& piece : cell) piece.text = with_own_signs(std::move(piece.text), style);
+  object.strokes.end = callout.strokes.size();
+  object.fills.end = callout.fills.size();
+  object.texts.end = callout.texts.size();
+}
+
 }  // namespace
 
 // Several frames of one feature stand below each other; the leader leads to the first one.
@@ -170,9 +193,13 @@ Callout tolerance_frame(const scene::ToleranceFrame& frame, const DimensionStyle
     return rows;
   };
   add_above(callout, single_frame(frame, rows_from(0), style), bottom);
-  for (std::size_t i = 0; i < frame.also.size(); ++i)
-    add_above(callout, single_frame(frame.also[i], frame.also[i].is_composite ? 0 : rows_from(i + 1), style),
-              bottom - height * static_cast<double>(i + 1));
+  add_object(callout, frame, bottom, style);
+  for (std::size_t i = 0; i < frame.also.size(); ++i) {
+    const scene::ToleranceFrame& also = frame.also[i];
+    const double below = bottom - height * static_cast<double>(i + 1);
+    add_above(callout, single_frame(also, also.is_composite ? 0 : rows_from(i + 1), style), below);
+    add_object(callout, also, below, style);
+  }
   if (!frame.above.empty()) {
     callout.texts.push_back(
         {with_own_signs(frame.above, style), {0, bottom + height + above_frame * h}, h, 0, Align::left, "tolerance"});

@@ -264,8 +264,23 @@ Fill datum_triangle(const CalloutTarget& target, const Vec2& leader, const Dimen
   return {{{target.point + across, target.point - across, target.point + triangle * style.text * along}}};
 }
 
+// Before the callout is drawn. A callout without lines of its own is a text; its leader has it.
+LeaderObject leader_object(const Layer& notes, const Callout& callout, const Spot& spot, const DimensionStyle& style) {
+  LeaderObject object{notes.strokes.back().points, spot.target.end, style.arrow()};
+  const std::size_t texts = notes.texts.size();
+  const bool is_text = callout.form == LeaderForm::reference && callout.strokes.empty() && callout.fills.empty();
+  object.texts = {texts, texts + (is_text ? callout.texts.size() : 0)};
+  if (!is_text) return object;
+  for (const Text& text : callout.texts) object.lines.push_back(text.text);
+  object.text_corner = {spot.box.min.x, spot.box.max.y};
+  object.text_height = style.text;
+  object.text_width = spot.box.size().x;
+  return object;
+}
+
 void draw_callout(CalloutLayers& layers, const Callout& callout, const Spot& spot, const DimensionStyle& style) {
   const CalloutTarget& target = spot.target;
+  const std::size_t fills = layers.notes.fills.size();
   const Vec2 along = glm::normalize(spot.leader[1] - target.point);
   Stroke& leader = layers.notes.strokes.emplace_back();
   for (const Vec2& p : spot.leader)
@@ -278,6 +293,12 @@ void draw_callout(CalloutLayers& layers, const Callout& callout, const Spot& spo
     layers.notes.fills.push_back(arrow_at(target.point, -along, style));
   else if (target.end == LeaderEnd::dot)
     layers.notes.fills.push_back(dot_at(target.point));
+  if (callout.form != LeaderForm::datum) {
+    LeaderObject object = leader_object(layers.notes, callout, spot, style);
+    object.strokes = {layers.notes.strokes.size() - 1, layers.notes.strokes.size()};
+    object.fills = {fills, layers.notes.fills.size()};
+    layers.notes.leaders.push_back(std::move(object));
+  }
   draw_at(layers, callout, {spot.box.min.x, spot.box.max.y});
 }
 
@@ -365,6 +386,16 @@ Rectangle box_at(const Callout& callout, const Vec2& upper_left) {
 
 void draw_at(CalloutLayers& layers, const Callout& callout, const Vec2& upper_left) {
   const Vec2 corner = box_at(callout, upper_left).min;
+  const auto after = [](const InkRange& range, std::size_t before) {
+    return InkRange{before + range.begin, before + range.end};
+  };
+  for (const ToleranceObject& tolerance : callout.tolerances) {
+    layers.notes.tolerances.push_back({tolerance.rows, corner + tolerance.at, tolerance.text_height});
+    layers.notes.tolerances.back().texts = after(tolerance.texts, layers.notes.texts.size());
+    layers.symbols.tolerances.emplace_back();
+    layers.symbols.tolerances.back().strokes = after(tolerance.strokes, layers.symbols.strokes.size());
+    layers.symbols.tolerances.back().fills = after(tolerance.fills, layers.symbols.fills.size());
+  }
   for (Text text : callout.texts) {
     text.at += corner;
     layers.notes.texts.push_back(std::move(text));

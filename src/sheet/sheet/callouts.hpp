@@ -36,6 +36,7 @@ struct Callout {
   std::vector<Text> texts{};
   std::vector<Stroke> strokes{};  ///< as wide as the lines of the lettering
   std::vector<Fill> fills{};
+  std::vector<ToleranceObject> tolerances{};  ///< their ink is that of the callout
   Vec2 size{0, 0};
   LeaderForm form = LeaderForm::reference;
   double attach = 0;                      ///< height at which a landing meets it

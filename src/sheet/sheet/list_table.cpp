@@ -67,20 +67,28 @@ std::vector<std::string> draw_list(Layer& layer, std::vector<ListColumn> columns
     if (column.width == 0) column.width = rest;
   for (const ListColumn& column : columns)
     check(column.texts.size() == columns.front().texts.size(), "the columns of a list are equally long");
+  TableObject object{{box.min.x, box.max.y}, {}, list_row, text_height, list_padding};
+  object.strokes.begin = layer.strokes.size();
   draw_rules(layer, columns, box);
   const std::size_t first = layer.texts.size();
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i <= columns.front().texts.size(); ++i) {
     const double bottom = box.min.y + list_row * static_cast<double>(i);
     double x = box.min.x;
+    std::vector<TableCell>& row = *object.rows.emplace(object.rows.begin());
     for (const ListColumn& column : columns) {
       const Rectangle cell{{x, bottom}, {x + column.width, bottom + list_row}};
       const std::string& words = i == 0 ? column.caption : column.texts[i - 1];
       if (write_cell(layer, words, cell, column.is_number ? Align::right : Align::left, lettering))
         warnings.push_back("the " + names.name + " has no room for all of '" + words + "'");
+      row.push_back({words, column.is_number});
       x += column.width;
     }
   }
+  for (const ListColumn& column : columns) object.widths.push_back(column.width);
+  object.strokes.end = layer.strokes.size();
+  object.texts = {first, layer.texts.size()};
+  layer.tables.push_back(std::move(object));
   for (std::size_t i = first; i < layer.texts.size(); ++i) layer.texts[i].role = names.role;
   return warnings;
 }

@@ -163,8 +163,14 @@ void make_real(Layer& layer) {
   begins.push_back(strokes.size());
   layer.strokes = std::move(strokes);
   layer.style.dashes = {};
-  for (HatchedFace& face : layer.hatched) face.strokes = moved(face.strokes, begins);
-  for (DimensionObject& dimension : layer.dimensions) dimension.strokes = moved(dimension.strokes, begins);
+  const auto move = [&](auto& objects) {
+    for (auto& object : objects) object.strokes = moved(object.strokes, begins);
+  };
+  move(layer.hatched);
+  move(layer.dimensions);
+  move(layer.leaders);
+  move(layer.tolerances);
+  move(layer.tables);
 }
 
 }  // namespace

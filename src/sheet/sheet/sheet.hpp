@@ -17,6 +17,7 @@
 #include "drawing/curve_part.hpp"
 #include "edges/edge_kind.hpp"
 #include "scene/choices.hpp"
+#include "scene/geometric_tolerances.hpp"
 
 namespace epura::sheet {
 
@@ -127,6 +128,45 @@ struct DimensionObject {
   InkRange strokes{}, fills{}, texts{};
 };
 
+/// A leader as one thing, likewise, perhaps with the text on its last piece.
+struct LeaderObject {
+  std::vector<Vec2> points;  ///< from what it means
+  LeaderEnd end;             ///< not automatic
+  double arrow;              ///< its length, mm
+  std::vector<std::string> lines{};
+  Vec2 text_corner{0, 0};  ///< the upper left one
+  double text_height = 0, text_width = 0;
+  InkRange strokes{}, fills{}, texts{};
+};
+
+/// A row of a tolerance frame: compartments after the symbol.
+struct FrameRow {
+  Characteristic characteristic;
+  std::vector<scene::FrameCell> cells;
+};
+
+/// A tolerance frame as one thing, likewise. Without rows: ink of one that is in another layer.
+struct ToleranceObject {
+  std::vector<FrameRow> rows{};  ///< from above; further ones have the symbol of the first
+  Vec2 at{0, 0};                 ///< the middle of the left side of the first one
+  double text_height = 0;
+  InkRange strokes{}, fills{}, texts{};
+};
+
+struct TableCell {
+  std::string text;
+  bool is_right = false;  ///< aligned
+};
+
+/// A table as one thing, likewise. A row of one cell is as wide as the table.
+struct TableObject {
+  Vec2 corner{0, 0};  ///< the upper left one
+  std::vector<double> widths{};
+  double row_height = 0, text_height = 0, margin = 0;  ///< the last one beside texts
+  std::vector<std::vector<TableCell>> rows{};
+  InkRange strokes{}, texts{};
+};
+
 /// A picture of pixels in an upright rectangle.
 struct Picture {
   std::shared_ptr<const std::string> png;  ///< bytes of the file
@@ -134,15 +174,19 @@ struct Picture {
   Vec2 min, max;                           ///< mm
 };
 
+/// The objects of a layer come in the order of their ink.
 struct Layer {
   std::string name;  ///< "isometric/visible"
   LineStyle style;
   std::vector<Stroke> strokes;
   std::vector<Fill> fills{};
   std::vector<Text> texts{};
-  std::vector<HatchedFace> hatched{};         ///< in the order of their strokes
-  std::vector<DimensionObject> dimensions{};  ///< in the order of their ink
-  std::vector<Picture> pictures{};            ///< below all other ink of the layer
+  std::vector<HatchedFace> hatched{};
+  std::vector<DimensionObject> dimensions{};
+  std::vector<LeaderObject> leaders{};
+  std::vector<ToleranceObject> tolerances{};
+  std::vector<TableObject> tables{};
+  std::vector<Picture> pictures{};  ///< below all other ink of the layer
 };
 
 /// Position of a view, for bookmarks and descriptions.

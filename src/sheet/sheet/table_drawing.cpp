@@ -81,11 +81,21 @@ void TableDrawing::draw(Layer& layer, const Vec2& corner, const std::string& rol
     const double bottom = corner.y - static_cast<double>(rows.size()) * height;
     // The title is one cell.
     const double below_title = corner.y - (table_.title.empty() ? 0 : height);
+    TableObject object{{left, corner.y}, widths_, height, style_.text, side * style_.text};
+    object.strokes.begin = layer.strokes.size();
+    object.texts.begin = layer.texts.size();
+    for (const std::vector<std::string>* row : rows) {
+      std::vector<TableCell>& cells = object.rows.emplace_back();
+      for (const std::string& words : *row) cells.push_back({words});
+    }
     for (const double x : edges)
       add_line(layer, {x, bottom}, {x, x == left || x == edges.back() ? corner.y : below_title});
     for (std::size_t i = 0; i < rows.size(); ++i)
       draw_row(layer, *rows[i], edges, corner.y - static_cast<double>(i) * height);
     add_line(layer, {left, bottom}, {edges.back(), bottom});
+    object.strokes.end = layer.strokes.size();
+    object.texts.end = layer.texts.size();
+    layer.tables.push_back(std::move(object));
     left = edges.back() + between_blocks * style_.text;
   }
   for (std::size_t i = first_text; i < layer.texts.size(); ++i) layer.texts[i].role = role;
