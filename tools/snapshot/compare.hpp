@@ -16,7 +16,7 @@ struct CompareOptions {
   std::vector<scene::Located<scene::ProjectionRequest>> views;  ///< views of models
   std::vector<std::filesystem::path> plugin_path;
   bool allow_outside = false;
-  double tolerance = 0.001;   ///< mm
+  double tolerance = 0.001;             ///< mm
   std::string json, markdown, overlay;  ///< files to write; empty: none
 };
 

@@ -17,8 +17,8 @@ namespace epura::surfaces {
 /// Cosine of 45.6 degrees, about an eighth of a turn: coarse tessellations have such folds inside faces, and a facet
 /// faces no farther away from its surface.
 inline constexpr double smooth_cosine = 0.7;
-inline constexpr double coarse_fold = 0.185;       ///< 21 degrees: folds inside faces are rarely larger
-inline constexpr double max_smooth = 0.277;        ///< 31 degrees: folds of free forms are no larger
+inline constexpr double coarse_fold = 0.185;  ///< 21 degrees: folds inside faces are rarely larger
+inline constexpr double max_smooth = 0.277;   ///< 31 degrees: folds of free forms are no larger
 /// Of 51.7 degrees: neither a region nor a paraboloid extends over a sharper fold.
 inline constexpr double min_fold_cosine = 0.62;
 inline constexpr double fading_cosine = 0.766;     ///< of 40 degrees: sharper edges inside a free form fade out at ends

@@ -48,7 +48,9 @@ std::vector<RequirementChange> compare_requirements(std::vector<RequirementRow> 
   };
   take_pairs(
       before, after,
-      [&](const RequirementRow& one, const RequirementRow& other) { return one.id == other.id && are_alike(one, other); },
+      [&](const RequirementRow& one, const RequirementRow& other) {
+        return one.id == other.id && are_alike(one, other);
+      },
       take);
   take_pairs(before, after, are_alike, take);
   for (const RequirementRow& one : before) changes.push_back({one.what, {}});

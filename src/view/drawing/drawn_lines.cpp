@@ -70,10 +70,7 @@ std::vector<DrawnLine> drawn_lines(const std::vector<Chain>& chains, const std::
 }
 
 DrawnLines::DrawnLines(std::vector<DrawnLine> all, double near, double touching)
-    : all_(std::move(all)),
-      near_(near),
-      touching_(touching),
-      at_(facets_of(all_), near) {}
+    : all_(std::move(all)), near_(near), touching_(touching), at_(facets_of(all_), near) {}
 
 bool DrawnLines::is_at(const DrawnLine& one, const Vec2& place) const {
   return distance_to_segment(place, one.facets[0], one.facets[1]) <= near_;
