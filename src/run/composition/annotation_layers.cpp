@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "composition/construction_layers.hpp"
 #include "composition/occupied_room.hpp"
+#include "composition/tell.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/balloons.hpp"
 #include "sheet/captions.hpp"
@@ -291,30 +292,6 @@ sheet::Neighbours in_the_way(sheet::Neighbours around, const SheetInput& input, 
     add_boxes(neighbours.boxes, origin, style.lettering);
   }
   return neighbours;
-}
-
-std::string and_others(std::size_t count) {
-  return " and " + std::to_string(count) + (count == 1 ? " other" : " others");
-}
-
-// The first ones of the many lengths of a row: "0, 12, 20 and 30 others".
-std::string shortened(const std::string& text) {
-  constexpr std::size_t longest = 40;
-  std::size_t end = text.find(", ", longest), more = 0;
-  if (end == std::string::npos) return text;
-  for (std::size_t at = end; at != std::string::npos; at = text.find(", ", at + 1)) ++more;
-  return text.substr(0, end) + and_others(more);
-}
-
-// "'⌀8', '20', '30' and 3 others (epura lint lists all)"
-std::string first_of(const std::vector<std::string>& texts) {
-  constexpr std::size_t most = 3;
-  std::string list;
-  for (std::size_t i = 0; i < std::min(most, texts.size()); ++i)
-    list += (i > 0 ? ", '" : "'") + shortened(texts[i]) + "'";
-  const std::size_t more = texts.size() - std::min(most, texts.size());
-  if (more > 0) list += and_others(more) + " (epura lint lists all)";
-  return list;
 }
 
 // Dimensions without room, without anything to measure, and without time.

@@ -151,8 +151,7 @@ void match_found(std::vector<std::vector<scene::DimensionDescription>>& found, s
     for (auto* automatic : {&overall, &found[i]}) {
       sheet::Matches matches = sheet::take_matches(*automatic, wishes, world, projections, notation);
       append(of_view.dimensions, std::move(matches.matched));
-      append(of_view.matched, std::move(matches.met));
-      append(of_view.sizes, std::move(matches.sizes));
+      of_view.sizes.add({std::move(matches.sizes), std::move(matches.met)});
     }
     append(of_view.dimensions, std::move(overall));
   }

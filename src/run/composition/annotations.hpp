@@ -23,6 +23,17 @@ struct ViewArrow {
   Vec2 sight;
 };
 
+/// Automatic sizes, and what the scene says more of them by their texts.
+struct MatchedSizes {
+  std::vector<std::string> texts{};  ///< of all sizes
+  std::vector<std::string> where{};  ///< the places of [[dimension]]s whose pattern is met
+
+  void add(const MatchedSizes& more) {
+    texts.insert(texts.end(), more.texts.begin(), more.texts.end());
+    where.insert(where.end(), more.where.begin(), more.where.end());
+  }
+};
+
 struct Annotations {
   std::vector<scene::DimensionDescription> dimensions;
   std::size_t found = 0;  ///< how many of them, the first ones, the scene does not ask for one by one
@@ -35,8 +46,7 @@ struct Annotations {
   std::vector<scene::CalloutDescription> attached{};    ///< in line with dimensions of this view
   bool balloons = false;                                ///< the view may have balloons
   std::optional<Vec3> centre_of_gravity{};              ///< of the models, if its symbol is wanted
-  std::vector<std::string> sizes{};    ///< if the scene says more of automatic ones by their text: these texts
-  std::vector<std::string> matched{};  ///< where the scene says what is met here
+  MatchedSizes sizes{};                                 ///< if the scene says more of automatic ones by their text
 };
 
 /// By view of the sheet; `seen` has the projected views in the same order. A dimension without a view belongs to the

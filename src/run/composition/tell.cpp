@@ -43,6 +43,19 @@ std::string sentence_of_scale(const SheetPlan& plan) {
   return scale + ", the largest of ISO 5455 that fits";
 }
 
+std::string and_others(std::size_t count) {
+  return " and " + std::to_string(count) + (count == 1 ? " other" : " others");
+}
+
+// The first ones of the many lengths of a row: "0, 12, 20 and 30 others".
+std::string shortened(const std::string& text) {
+  constexpr std::size_t longest = 40;
+  std::size_t end = text.find(", ", longest), more = 0;
+  if (end == std::string::npos) return text;
+  for (std::size_t at = end; at != std::string::npos; at = text.find(", ", at + 1)) ++more;
+  return text.substr(0, end) + and_others(more);
+}
+
 }  // namespace
 
 void tell_of_requirements(const Messages& messages, const std::vector<report::RequirementRow>& rows, bool is_allowed) {
@@ -84,15 +97,26 @@ void tell_of_scales(const Messages& messages, const SheetPlan& plan, const scene
   if (!unusual.empty()) messages.warn("not a scale of ISO 5455: " + unusual);
 }
 
-void warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, std::vector<std::string> sizes,
-                       const std::vector<std::string>& matched) {
-  std::sort(sizes.begin(), sizes.end());
-  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+std::string first_of(const std::vector<std::string>& texts) {
+  constexpr std::size_t most = 3;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, texts.size()); ++i)
+    list += (i > 0 ? ", '" : "'") + shortened(texts[i]) + "'";
+  const std::size_t more = texts.size() - std::min(most, texts.size());
+  if (more > 0) list += and_others(more) + " (epura lint lists all)";
+  return list;
+}
+
+void warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, MatchedSizes sizes) {
+  std::sort(sizes.texts.begin(), sizes.texts.end());
+  sizes.texts.erase(std::unique(sizes.texts.begin(), sizes.texts.end()), sizes.texts.end());
   for (const scene::DimensionDescription& wish : scene.dimensions) {
-    if (!wish.match.given() || std::find(matched.begin(), matched.end(), wish.where) != matched.end()) continue;
+    if (!wish.match.given() || std::find(sizes.where.begin(), sizes.where.end(), wish.where) != sizes.where.end())
+      continue;
     messages.warn(wish.match.where + ": no automatic size is '" + *wish.match + "'\n  hint: " +
-                  (sizes.empty() ? "there are none without a [[dimension]] of type auto or overall, or --dimensions"
-                                 : did_you_mean(*wish.match, sizes)));
+                  (sizes.texts.empty()
+                       ? "there are none without a [[dimension]] of type auto or overall, or --dimensions"
+                       : did_you_mean(*wish.match, sizes.texts)));
   }
 }
 

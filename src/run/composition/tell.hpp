@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "composition/annotations.hpp"
 #include "composition/layout.hpp"
 #include "report/report.hpp"
 #include "sheet/sheet.hpp"
@@ -21,10 +22,11 @@ void warn_about(const Messages& messages, const SheetPlan& plan);
 void tell_of_scales(const Messages& messages, const SheetPlan& plan, const scene::SheetDescription& sheet,
                     const SheetOfViews& views);
 
-/// For each [[dimension]] whose pattern no automatic size matches: `sizes` are their texts, `matched` the places of the
-/// others.
-void warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, std::vector<std::string> sizes,
-                       const std::vector<std::string>& matched);
+/// The first of many texts: "'⌀8', '20', '30' and 3 others (epura lint lists all)".
+std::string first_of(const std::vector<std::string>& texts);
+
+/// For each [[dimension]] whose pattern no automatic size matches.
+void warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, MatchedSizes sizes);
 
 /// Warns of a view without lines of the selected kinds, or without any in its window. Throws Error{input} for a view
 /// that should have lines, but has lost all of them in the rounding of coordinates.

@@ -63,7 +63,7 @@ struct Gathered {
   bool has_lines = false;
   std::string answers{};
   std::vector<sheet::DimensionsInView> dimensioned{};  ///< for lint
-  std::vector<std::string> sizes{}, matched{};         ///< as in Annotations
+  MatchedSizes sizes{};
 };
 
 /// A sheet before its views are positioned.
@@ -190,9 +190,6 @@ void Run::note(const FinishedSheet& sheet) {
   warn_about(messages, sheet.sheet);
 }
 
-// The sheet and the files use the time that views leave: as much as a part of a view.
-constexpr double views_for_the_rest = 0.25;
-
 ViewTime Run::time_of_next_view() {
   return {progress,
           progress.with_part_of_the_time(1 / (static_cast<double>(gathered.views_left--) + views_for_the_rest))};
@@ -273,10 +270,7 @@ PreparedSheet Run::prepare_sheet(const ShownWorlds& worlds, SheetOfViews views) 
   views.items = items_of(whole, views);
   state_requirements(scene, required, {views, seen, worlds});
   std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
-  for (const Annotations& of_view : annotations) {
-    gathered.sizes.insert(gathered.sizes.end(), of_view.sizes.begin(), of_view.sizes.end());
-    gathered.matched.insert(gathered.matched.end(), of_view.matched.begin(), of_view.matched.end());
-  }
+  for (const Annotations& of_view : annotations) gathered.sizes.add(of_view.sizes);
   std::vector<sheet::DimensionsInView> anchored;
   if (options.lint) anchored = anchored_dimensions(whole, views, seen, annotations);
   return {std::move(views), std::move(seen), std::move(annotations), std::move(anchored)};
@@ -526,8 +520,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   world::World world = std::move(read.world);
   watch.lap("read");
   // Without its faces a part is drawn as a mesh; without time for lines, nothing is.
-  const double for_views = seconds_for_lines(world, seconds_now(progress)) *
-                           (static_cast<double>(scene.views.size()) + 2 * views_for_the_rest);
+  const double for_views = seconds_for_views(world, seconds_now(progress), scene.views.size());
   recognise_parts(world, scene, options, gathered.report, progress.with_more_time(-for_views));
   doubt_unit(messages, scene, world, read.without_unit);
   find_features(scene, world);
@@ -549,7 +542,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
     finished.push_back(draw_best_sheet(worlds, std::move(sheet)));
     take_back(required, finished.back().unplaced);
   }
-  warn_of_unmatched(messages, scene, gathered.sizes, gathered.matched);
+  warn_of_unmatched(messages, scene, gathered.sizes);
   gathered.report.requirements = end_ledger(required, messages, options.allow_missing);
   if (options.lint) {
     add_uncovered_sizes(gathered.report, worlds.main(), scene, gathered.dimensioned, progress);

@@ -135,14 +135,6 @@ report::InkCheck unjudged(const drawing::ViewDrawing& drawing, const std::string
   return check;
 }
 
-// The last time, if models were read again.
-double seconds_of_reading(const Stopwatch& watch) {
-  double seconds = 0;
-  for (const auto& [stage, took] : watch.laps())
-    if (stage == "read") seconds = took;
-  return seconds;
-}
-
 struct DrawnLines {
   drawing::ViewDrawing drawing;
   drawing::CurveReport curves;
