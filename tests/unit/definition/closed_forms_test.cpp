@@ -7,7 +7,7 @@
 
 #include "made_parts.hpp"
 
-namespace epura::definition {
+namespace epura::definition::closed_forms_test {
 
 namespace {
 
@@ -332,4 +332,4 @@ TEST(Definition, Each_rule_tells_its_mark_and_its_source) {
   }
 }
 
-}  // namespace epura::definition
+}  // namespace epura::definition::closed_forms_test

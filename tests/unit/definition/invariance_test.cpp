@@ -13,7 +13,7 @@
 
 #include "made_parts.hpp"
 
-namespace epura::definition {
+namespace epura::definition::invariance_test {
 
 namespace {
 
@@ -211,4 +211,4 @@ TEST(DefinitionInvariance, Ranks_are_those_of_exact_arithmetic) {
   }
 }
 
-}  // namespace epura::definition
+}  // namespace epura::definition::invariance_test

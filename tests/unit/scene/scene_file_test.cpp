@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/text.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
 #include "scene/scene_keys.hpp"
@@ -147,6 +148,19 @@ TEST(SceneFile, AGivenNameComesBeforeOneOfAProjection) {
   EXPECT_EQ(*scene.views.at(1).name, "front");
 }
 
+// "model:vertex", or coordinates.
+std::vector<std::string> texts_of(const std::vector<scene::Anchor>& anchors) {
+  std::vector<std::string> texts;
+  for (const scene::Anchor& anchor : anchors)
+    if (const auto* vertex = std::get_if<std::array<int, 2>>(&anchor)) {
+      texts.push_back(std::to_string((*vertex)[0]) + ":" + std::to_string((*vertex)[1]));
+    } else {
+      const Vec3& point = std::get<Vec3>(anchor);
+      texts.push_back(format_number(point.x) + " " + format_number(point.y) + " " + format_number(point.z));
+    }
+  return texts;
+}
+
 TEST(SceneFile, AnchorsAreVerticesOrPoints) {
   const scene::SceneDescription scene =
       scene_of(model + "[[model]]\nfile = 'b.stl'\n[[model]]\nfile = 'b.stl'\nname = 'plate'\n" + view +
@@ -157,15 +171,14 @@ TEST(SceneFile, AnchorsAreVerticesOrPoints) {
                "[[dimension]]\ntype = 'overall'\ndirection = 'width'\n");
   ASSERT_EQ(scene.dimensions.size(), 4U);
   const scene::DimensionDescription& angle = scene.dimensions[0];
-  const auto vertex = [](int number, int of_model) { return scene::Anchor(std::array<int, 2>{of_model, number}); };
-  EXPECT_EQ(angle.anchors, (std::vector<scene::Anchor>{vertex(0, 0), vertex(7, 2), vertex(9, 2)}));
+  EXPECT_EQ(texts_of(angle.anchors), (std::vector<std::string>{"0:0", "2:7", "2:9"}));
   EXPECT_EQ(*angle.view, "front");
   EXPECT_EQ(*angle.offset, -12);
   EXPECT_EQ(*angle.text, "<> max.");
   EXPECT_TRUE(angle.where.ends_with("scene.toml:10:1"));
-  EXPECT_EQ(scene.dimensions[1].anchors, (std::vector<scene::Anchor>{Vec3(1, 2, 3.5), vertex(4, 1)}));
+  EXPECT_EQ(texts_of(scene.dimensions[1].anchors), (std::vector<std::string>{"1 2 3.5", "1:4"}));
   EXPECT_EQ(*scene.dimensions[1].direction, DimensionDirection::vertical);
-  EXPECT_EQ(scene.dimensions[2].anchors, (std::vector<scene::Anchor>{vertex(5, 0)}));
+  EXPECT_EQ(texts_of(scene.dimensions[2].anchors), std::vector<std::string>{"0:5"});
   EXPECT_TRUE(scene.dimensions[3].anchors.empty());
 }
 

@@ -108,9 +108,8 @@ TEST(FreeFaces, AreToldForEachDimensionThatIsMissing) {
 // Notches, slopes, round ends, grooves, ribs, pockets, lugs: automatic dimensions define them, one less does not.
 TEST(FreeFaces, AreThoseOfPartsWithOneDimensionLess) {
   std::size_t parts = 0, removed = 0, told = 0;
-  for (const auto& family :
-       {v_notches(), planes_between_slopes(), slopes_to_rounded_corners(), round_ends(), channels(),
-        blocks_with_grooves(), bases_with_ribs(), plates_with_pockets(), bases_with_lugs()})
+  for (const auto& family : {v_notches(), planes_between_slopes(), slopes_to_rounded_corners(), round_ends(),
+                             blocks_with_grooves(), bases_with_ribs(), plates_with_pockets(), bases_with_lugs()})
     for (std::size_t i = 0; i < family.size(); i += 4, ++parts) {
       const Sheet sheet(family[i].obj);
       const sheet::FreeFaces all = sheet.free();
