@@ -71,10 +71,10 @@ TEST_F(FeaturePoints, AreThoseOfSectionsDetailsAndLeaders) {
                            "[[detail]]\nname = \"X\"\nview = \"top\"\ncentre = \"hole 2\"\nradius = 6\n"
                            "[[view]]\ndetail = \"X\"\nscale = \"5:1\"\n"
                            "[[note]]\nview = \"top\"\ntext = \"drilled\"\nto = \"hole 4\"\n"
-                           "[[thread]]\nthread = \"M10\"\nat = \"hole 1\"\n");
+                           "[[thread]]\nthread = \"M9\"\nat = \"hole 1\"\n");
   EXPECT_EQ(run.code, 0) << run.err;
   const std::string svg = read_file(folder / "x.svg");
-  for (const char* text : {"A-A", "X", "drilled", "M10"})
+  for (const char* text : {"A-A", "X", "drilled", "M9"})
     EXPECT_TRUE(contains(svg, "aria-label=\"" + std::string(text))) << text;
 }
 

@@ -26,9 +26,10 @@ TEST(InfoCommand, TellsWhatAPartIs) {
   for (const char* words :
        {"bracket.obj\n", "OBJ, rounded to 1e-06, 584 vertices, 896 faces, 1184 triangles\n",
         "80 x 70 x 75, from (0, 0, 0) to (80, 70, 75)\n", "not in the file; probably mm\n", "1, closed\n",
-        "20; 100 % of the area is recognised\n", "12 planes\n", "8 cylinders: R 3.5 (2), R 5.5 (4), R 12, R 13\n",
-        "\u00d826, through, 10 long, along y, from (40, 60, 48)\n",
-        "2 x \u00d87, through, 10 long, along y, from (14, 60, 62), (66, 60, 62)\n", "repairs   none\n"})
+        "20; 100 % of the area is recognised\n", "12 planes; face 1 to 12\n",
+        "8 cylinders: R 3.5 (2), R 5.5 (4), R 12, R 13; face 13 to 20\n",
+        "hole 2: \u00d826, through, 10 long, along y, from (40, 70, 48)\n",
+        "hole 1, 3: 2 x \u00d87, through, 10 long, along y, from (14, 70, 62), (66, 70, 62)\n", "repairs   none\n"})
     EXPECT_TRUE(contains(run.out, words)) << words << "\n" << run.out;
 }
 
