@@ -276,11 +276,11 @@ std::string machine(int boxes) {
 }
 
 TEST_F(AutomaticDimensions, LintAdvisesToDrawThePartsOfMachines) {
-  const std::string hint = "  hint: the models have 12 bodies: draw the parts on sheets of their own";
-  const std::string part = folder.file("machine.obj", machine(12));
+  const std::string hint = "  hint: the models have 24 bodies: draw the parts on sheets of their own";
+  const std::string part = folder.file("machine.obj", machine(24));
   EXPECT_TRUE(contains(lint(part, "overall").out, hint));
-  EXPECT_FALSE(contains(lint(folder.file("machine.obj", machine(6)), "overall").out, "draw the parts"));
-  folder.file("machine.obj", machine(30));
+  EXPECT_FALSE(contains(lint(folder.file("machine.obj", machine(12)), "overall").out, "draw the parts"));
+  folder.file("machine.obj", machine(60));
   const Outcome small = epura({"lint", part, "--views", "front,top,left", "--dimensions", "auto", "--sheet", "A4",
                                "--frame", "none", "--scale", "1:1"},
                               folder / "");

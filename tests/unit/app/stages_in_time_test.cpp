@@ -222,8 +222,13 @@ TEST(StagesInTime, OfLinesForWhichThereIsTimeThoseInSightAreShown) {
   const Drawn run = draw_by(clock, arguments);
   EXPECT_EQ(run.error, "");
   const std::set<std::string> shown = segments_of(read_file(json));
-  EXPECT_GE(shown.size(), 10U);
-  for (const std::string& segment : shown) EXPECT_TRUE(whole.contains(segment)) << segment;
+  int visible = 0;
+  for (const std::string& segment : shown) {
+    if (!contains(segment, "\"visible\": true")) continue;  // hidden ones may be on lines that are left out
+    ++visible;
+    EXPECT_TRUE(whole.contains(segment)) << segment;
+  }
+  EXPECT_GE(visible, 10);
 }
 
 // The model is there, though the line at which a leader ends may be one of those that are left out.
