@@ -175,6 +175,8 @@ void add_object(Callout& callout, const scene::ToleranceFrame& frame, double bot
   object.strokes.end = callout.strokes.size();
   object.fills.end = callout.fills.size();
   object.texts.end = callout.texts.size();
+  check(object.strokes.begin <= object.strokes.end && object.texts.begin <= object.texts.end,
+        "the ink of a frame follows that of the one before");
 }
 
 }  // namespace

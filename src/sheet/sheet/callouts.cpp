@@ -285,6 +285,7 @@ void draw_callout(CalloutLayers& layers, const Callout& callout, const Spot& spo
   Stroke& leader = layers.notes.strokes.emplace_back();
   for (const Vec2& p : spot.leader)
     if (leader.points.empty() || leader.points.back() != p) leader.points.push_back(p);
+  check(!leader.points.empty(), "a leader begins at its target");
   constexpr double around = 0.5;  // heights of capitals. ISO 1101
   if (callout.all_around) layers.symbols.strokes.push_back(circle_at(spot.leader[1], around * style.text));
   if (callout.form == LeaderForm::datum)
@@ -400,6 +401,7 @@ void draw_at(CalloutLayers& layers, const Callout& callout, const Vec2& upper_le
     text.at += corner;
     layers.notes.texts.push_back(std::move(text));
   }
+  check(layers.notes.texts.size() >= callout.texts.size(), "all texts of a callout are drawn");
   for (Stroke stroke : callout.strokes) {
     for (Vec2& p : stroke.points) p += corner;
     for (drawing::CurvePart& curve : stroke.curves) curve.centre += corner;

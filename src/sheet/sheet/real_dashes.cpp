@@ -161,6 +161,7 @@ void make_real(Layer& layer) {
     for (Stroke& dash : dashes_of(stroke)) strokes.push_back(std::move(dash));
   }
   begins.push_back(strokes.size());
+  check(begins.size() == layer.strokes.size() + 1, "each stroke has its place among the dashes");
   layer.strokes = std::move(strokes);
   layer.style.dashes = {};
   const auto move = [&](auto& objects) {

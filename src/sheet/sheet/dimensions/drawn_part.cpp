@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "definition/limits.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/feature_table.hpp"
@@ -59,6 +60,7 @@ void add_pitch_circle(DrawnPart& drawn, const WorldCircle& circle) {
     axes.push_back(static_cast<int>(i));
     angles.push_back(angle_of(surface, circle));
   }
+  check(axes.size() == angles.size(), "each axis on a circle has its angle");
   if (axes.size() < 2) return;
   const PartSurface line{
       .kind = SurfaceKind::cylinder, .origin = circle.centre, .axis = circle.axis, .radius = circle.radius};
@@ -89,6 +91,7 @@ void add_symmetry(DrawnPart& drawn, const features::Extent& extent) {
           {static_cast<int>(drawn.part.faces.size()), {{static_cast<int>(i), static_cast<int>(j)}}, {axis}});
       drawn.part.faces.push_back({middle, extent.centre});
     }
+  check(drawn.part.faces.size() >= drawn.faces, "the faces of the model come before what is only drawn");
 }
 
 }  // namespace
@@ -115,6 +118,8 @@ DrawnPart with_drawn_lines(Part part, std::span<const DimensionsInView> views,
         std::none_of(extents.begin(), extents.begin() + static_cast<std::ptrdiff_t>(i),
                      [&](const features::Extent& one) { return one.is_same_as(extents[i]); }))
       add_symmetry(drawn, extents[i]);
+  check(drawn.part.faces.size() == faces + drawn.marks.circles.size() + drawn.marks.symmetries.size(),
+        "each circle and plane of symmetry has a face of its own");
   return drawn;
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "base/error.hpp"
 #include "definition/limits.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
@@ -87,8 +88,10 @@ class Reader {
       default:
         break;
     }
+    check(found_.statements.size() >= before, "no dimension takes back what another one says");
     if (found_.statements.size() == before)
-      found_.unread.push_back(dimension.where.empty() ? dimension.text : dimension.where);
+      found_.unread.push_back(dimension.text.empty() ? dimension.where
+                                                     : "'" + dimension.text + "' of " + dimension.where);
   }
 
   void say(std::string name, std::vector<Row> rows, bool is_certain = true) {
@@ -114,6 +117,7 @@ class Reader {
                 [&](const Vec3& a, const Vec3& b) { return glm::dot(a - b, *along) < 0; });
     for (std::size_t i = 1; i < places.size(); ++i)
       rows.push_back(measured_.length(places[is_chain ? i - 1 : 0], places[i], *along));
+    check(rows.size() + 1 == places.size(), "each place after the first one is measured");
     const int repeats = repeats_of(dimension.text);
     if (repeats > 1 && dimension.text.find('=') != std::string::npos)
       for (int i = 1; i < repeats; ++i)

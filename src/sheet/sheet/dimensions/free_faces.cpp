@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/error.hpp"
 #include "definition/account.hpp"
 #include "definition/part_of_model.hpp"
 #include "definition/words.hpp"
@@ -20,7 +21,7 @@ namespace {
 using definition::Account;
 using definition::FaceState;
 
-constexpr std::size_t most_faces = 2000;  // a second; of a thousand, a tenth
+constexpr std::size_t most_faces = 2000;  // ranks take time as the cube of the faces that hang together
 
 std::string of_faces(std::ptrdiff_t count) { return std::to_string(count) + (count == 1 ? " face" : " faces"); }
 
@@ -81,6 +82,7 @@ FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::
   found.count.given = static_cast<int>(std::count(account.states.begin(), of_model, FaceState::fixed));
   found.count.all = static_cast<int>(drawn.faces) -
                     static_cast<int>(std::count(account.states.begin(), of_model, FaceState::by_model));
+  check(found.count.given <= found.count.all, "no more faces are held than there are");
   return found;
 }
 
