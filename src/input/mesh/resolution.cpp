@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <ranges>
 #include <string>
 #include <vector>
 
@@ -164,7 +163,8 @@ bool is_chosen(const LatticeStep& step) {
     };
     return is_whole(power_of_ten(first_place(length) - 2)) || is_whole(std::ldexp(1, std::ilogb(length) - bits));
   };
-  const auto parts = std::views::iota(1, most_parts + 1);
+  std::array<double, most_parts> parts{};
+  std::iota(parts.begin(), parts.end(), 1.0);
   return std::any_of(factors.begin(), factors.end(), is_round) || std::any_of(parts.begin(), parts.end(), is_round);
 }
 

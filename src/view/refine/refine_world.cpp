@@ -121,8 +121,8 @@ Crossings find_crossings(const Model& model) {
     add_crossings(model, face, by_face[f], heights, crossings);
   }
   const auto drop_repeated = [](auto& items, const auto& key) {
-    const auto rest = std::ranges::unique(items, {}, key);
-    items.erase(rest.begin(), rest.end());
+    const auto is_same = [&](const auto& a, const auto& b) { return key(a) == key(b); };
+    items.erase(std::unique(items.begin(), items.end(), is_same), items.end());
   };
   // Both triangles at an edge find its splits.
   std::ranges::sort(crossings.splits, {}, [](const Split& s) { return std::tuple(s.edge, s.t, s.face); });
@@ -175,7 +175,8 @@ void add_vertices(const Model& model, std::vector<Split>& splits, mesh::Mesh& re
 }
 
 std::span<const Split> splits_at(const std::vector<Split>& splits, std::ptrdiff_t edge) {
-  const auto [first, last] = std::ranges::equal_range(splits, static_cast<int>(edge), {}, &Split::edge);
+  const auto [first, last] = std::equal_range(splits.begin(), splits.end(), Split{static_cast<int>(edge), 0, 0},
+                                              [](const Split& a, const Split& b) { return a.edge < b.edge; });
   return {first, last};
 }
 
@@ -298,7 +299,10 @@ void divide_borders(const Model& model, const std::vector<EdgePart>& parts, std:
       const auto has = [&](std::size_t k, int vertex) { return std::ranges::count(vertices_of(k), vertex) > 0; };
       const bool is_last = i + 1 == wholes.size();
       const bool backwards = is_last ? i > 0 && has(i - 1, own[1]) : has(i + 1, own[0]);
-      const auto found = std::ranges::equal_range(parts, wholes[i], {}, &EdgePart::whole);
+      const auto [first, last] =
+          std::equal_range(parts.begin(), parts.end(), EdgePart{wholes[i], 0, 0},
+                           [](const EdgePart& a, const EdgePart& b) { return a.whole < b.whole; });
+      const std::span<const EdgePart> found(first, last);
       std::vector<int>& edges = part.borders[b].edges;
       for (const EdgePart& one : found) {
         edges.push_back(one.edge);
