@@ -7,10 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "definition/limits.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/feature_table.hpp"
+#include "surfaces/least_squares.hpp"
 
 namespace epura::sheet {
 
@@ -28,21 +30,20 @@ bool is_on(const WorldCircle& circle, const PartSurface& axis, double slack) {
 // Where an axis crosses the plane of a circle, as an angle.
 double angle_of(const PartSurface& axis, const WorldCircle& circle) {
   const Vec3 off = axis.origin - circle.centre;
-  const Vec3 u = std::abs(circle.axis.x) < 0.6 ? glm::normalize(glm::cross(circle.axis, Vec3(1, 0, 0)))
-                                               : glm::normalize(glm::cross(circle.axis, Vec3(0, 1, 0)));
-  return std::atan2(glm::dot(off, glm::cross(circle.axis, u)), glm::dot(off, u));
+  const auto [u, v] = surfaces::square_to(circle.axis);
+  return std::atan2(glm::dot(off, v), glm::dot(off, u));
 }
 
 // Whether angles divide the turn evenly; those of one axis count once.
 bool are_even(std::vector<double> angles) {
-  constexpr double turn = 2 * M_PI, slack = definition::drawn_parallel * 10;
+  constexpr double slack = definition::drawn_parallel * 10;
   std::sort(angles.begin(), angles.end());
   std::vector<double> once;
   for (const double angle : angles)
     if (once.empty() || angle - once.back() > slack) once.push_back(angle);
   for (std::size_t i = 0; i < once.size(); ++i) {
-    const double next = i + 1 < once.size() ? once[i + 1] : once[0] + turn;
-    if (std::abs(next - once[i] - turn / static_cast<double>(once.size())) > slack) return false;
+    const double next = i + 1 < once.size() ? once[i + 1] : once[0] + full_turn;
+    if (std::abs(next - once[i] - full_turn / static_cast<double>(once.size())) > slack) return false;
   }
   return once.size() > 1;
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "definition/limits.hpp"
 #include "features/tolerances.hpp"
@@ -175,11 +176,10 @@ class Reader {
 
   // All angles of a face.
   void add_turns(std::vector<Row>& rows, int face) const {
-    const int first = directions_.first_face.front();
     for (int axis = 0; axis < 3; ++axis) {
       Row row = unknowns_.turn(face, Mat3(1)[axis]);
       const int fixed = measured_.face_along(Mat3(1)[(axis + 1) % 3]);
-      if (fixed < 0 || first < 0) continue;
+      if (fixed < 0) continue;
       definition::add(row, unknowns_.turn(fixed, Mat3(1)[axis]), -1);
       rows.push_back(definition::tidy(std::move(row)));
     }
@@ -208,7 +208,7 @@ class Reader {
         const Vec3 &a = directions_.directions[i], &b = directions_.directions[j];
         const double between = std::acos(std::clamp(std::abs(glm::dot(a, b)), 0.0, 1.0));
         const auto is_it = [&](double one) { return std::abs(one - angle) <= size_agrees; };
-        if (!is_it(between) && !is_it(M_PI / 2 - between) && !is_it(M_PI - between)) continue;
+        if (!is_it(between) && !is_it(full_turn / 4 - between) && !is_it(full_turn / 2 - between)) continue;
         Row row = unknowns_.turn(directions_.first_face[i], glm::normalize(glm::cross(a, b)));
         definition::add(row, unknowns_.turn(directions_.first_face[j], glm::normalize(glm::cross(a, b))), -1);
         rows.push_back(definition::tidy(std::move(row)));
@@ -299,7 +299,7 @@ class Reader {
       if (!measured_.is_around(face, circle)) continue;
       rows.push_back(measured_.size(face, number / 2));
       if (surface(face).kind != SurfaceKind::cone) continue;
-      const double half = std::atan(std::abs(surface(face).slope)) * 180 / M_PI;
+      const double half = std::atan(std::abs(surface(face).slope)) * degrees;
       if (measured_.are_alike(2 * half, number) || measured_.are_alike(half, number))
         rows.push_back(unknowns_.growth(face, UnknownKind::angle));
       for (const Vec3& rim : rims_around(circle))

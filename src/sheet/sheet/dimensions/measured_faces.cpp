@@ -12,6 +12,7 @@
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/feature_table.hpp"
+#include "surfaces/least_squares.hpp"
 
 namespace epura::sheet {
 
@@ -69,9 +70,7 @@ std::optional<End> MeasuredFaces::side_at(const Vec3& point, const Vec3& along) 
     const double off = glm::dot(point - anchor, along);
     if (std::abs(std::abs(off) - reach) > slack_) continue;
     Vec3 at = anchor + (off < 0 ? -reach : reach) * along;
-    if (one.kind == SurfaceKind::torus && !is_across)
-      at +=
-          one.radius * glm::normalize(glm::cross(one.axis, std::abs(one.axis.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+    if (one.kind == SurfaceKind::torus && !is_across) at += one.radius * surfaces::square_to(one.axis)[0];
     return End{at, {face}};
   }
   return std::nullopt;
@@ -129,8 +128,7 @@ Row MeasuredFaces::size(int face, double radius) const {
 
 // The diameter of a circle that faces leave where they meet: the end of a cone, or a ring of a torus.
 Row MeasuredFaces::rim(const WorldCircle& circle) const {
-  const Vec3 out =
-      glm::normalize(glm::cross(circle.axis, std::abs(circle.axis.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+  const Vec3 out = surfaces::square_to(circle.axis)[0];
   std::array<End, 2> ends;
   for (const int side : {0, 1}) {
     const Vec3 at = circle.centre + (side == 0 ? -circle.radius : circle.radius) * out;
