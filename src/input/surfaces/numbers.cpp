@@ -81,8 +81,7 @@ Vec3 mouth_of(const Hole& hole) {
   return hole.from;
 }
 
-std::vector<int> numbered_faces(const mesh::Mesh& mesh, const PartFaces& part) {
-  const std::vector<Vec3> middles = middles_of_faces(mesh, part);
+std::vector<int> numbered_faces(const PartFaces& part, const std::vector<Vec3>& middles) {
   std::vector<Numbered> all;
   for (std::size_t i = 0; i < middles.size(); ++i)
     all.push_back({static_cast<int>(part.faces[i].surface.kind), middles[i], part.faces[i].area});

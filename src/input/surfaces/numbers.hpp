@@ -19,8 +19,8 @@ Vec3 mouth_of(const Hole& hole);
 
 /// Indices of faces in the order of their numbers from 1: by kind, then from left to right (x), from the front to the
 /// rear (y), upwards (z), by area. Places that differ by less than a ten-thousandth of the size of the part are one, so
-/// that rounding does not matter.
-std::vector<int> numbered_faces(const mesh::Mesh& mesh, const PartFaces& part);
+/// that rounding does not matter. `middles` are those of the faces.
+std::vector<int> numbered_faces(const PartFaces& part, const std::vector<Vec3>& middles);
 
 /// Likewise of holes, by the places of their mouths, then by diameter.
 std::vector<int> numbered_holes(const std::vector<Hole>& holes);

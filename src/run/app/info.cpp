@@ -99,8 +99,8 @@ ModelInfo info_of(const std::string& path, const InfoOptions& options) {
   info.is_declared = read.part != nullptr;
   info.report.name = request.path;
   info.holes = surfaces::find_holes(mesh, info.part);
-  info.face_numbers = surfaces::numbers_in(surfaces::numbered_faces(mesh, info.part));
   info.face_middles = surfaces::middles_of_faces(mesh, info.part);
+  info.face_numbers = surfaces::numbers_in(surfaces::numbered_faces(info.part, info.face_middles));
   if (!read.unit) info.guessed_unit = features::guess_unit(info.box, info.part);
   measure(info, mesh, options.density);
   return info;
@@ -412,24 +412,17 @@ std::string json_of(const ModelInfo& info) {
   text += ",\n   \"parts\": " + tree_json(info.tree);
   text += ",\n   \"tolerance\": " + json_number(info.part.tolerance) +
           ", \"recognised\": " + json_number(info.part.recognised);
-  const auto number_of = [](const std::vector<int>& numbers, const auto& list, const auto& one) {
-    return numbers[static_cast<std::size_t>(&one - list.data())];
-  };
-  text += ",\n   \"part_faces\": " + json_list(
-                                         info.part.faces,
-                                         [&](const surfaces::PartFace& f) {
-                                           return json_of(f, number_of(info.face_numbers, info.part.faces, f),
-                                                          info.face_middles[std::size_t(&f - info.part.faces.data())]);
-                                         },
-                                         ",\n    ");
+  const auto as_it_is = [](const std::string& item) { return item; };
+  std::vector<std::string> faces, holes;
+  for (std::size_t i = 0; i < info.part.faces.size(); ++i)
+    faces.push_back(json_of(info.part.faces[i], info.face_numbers[i], info.face_middles[i]));
+  text += ",\n   \"part_faces\": " + json_list(faces, as_it_is, ",\n    ");
   text += ",\n   \"part_edges\": {\"sharp\": " + std::to_string(count_borders(info.part, surfaces::BorderKind::sharp)) +
           number("tangent", count_borders(info.part, surfaces::BorderKind::tangent)) +
           number("open", count_open(info)) + number("shared", info.shared_borders) + "}";
   const std::vector<int> hole_numbers = surfaces::numbers_in(surfaces::numbered_holes(info.holes));
-  text += ",\n   \"holes\": " +
-          json_list(
-              info.holes, [&](const surfaces::Hole& h) { return json_of(h, number_of(hole_numbers, info.holes, h)); },
-              ",\n    ");
+  for (std::size_t i = 0; i < info.holes.size(); ++i) holes.push_back(json_of(info.holes[i], hole_numbers[i]));
+  text += ",\n   \"holes\": " + json_list(holes, as_it_is, ",\n    ");
   if (!info.requirements.empty()) {
     text += ",\n   \"requirements\": {";
     for (const auto kind :

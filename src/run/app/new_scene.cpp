@@ -139,9 +139,9 @@ std::string section_text(const std::vector<EqualHoles>& groups, const Box& box) 
 
 // Points of faces, for dimensions, details and leaders.
 std::string faces_text(const world::Placed& placed, const surfaces::PartFaces& part) {
-  const std::vector<int> order = surfaces::numbered_faces(*placed.mesh, part);
-  if (order.empty()) return "";
   const std::vector<Vec3> middles = surfaces::middles_of_faces(*placed.mesh, part);
+  const std::vector<int> order = surfaces::numbered_faces(part, middles);
+  if (order.empty()) return "";
   std::string text = "\n# Faces and their middles. They are points as holes are: from = \"face 1\", to = \"hole 1\".\n";
   for (std::size_t i = 0; i < std::min(order.size(), max_lines); ++i) {
     const auto face = static_cast<std::size_t>(order[i]);

@@ -78,7 +78,7 @@ std::vector<FoundFeature> faces_of(const world::Placed& placed, const surfaces::
   }
   const std::vector<Vec3> middles = surfaces::middles_of_faces(*placed.mesh, part);
   std::vector<FoundFeature> faces;
-  for (const int number : surfaces::numbered_faces(*placed.mesh, part)) {
+  for (const int number : surfaces::numbered_faces(part, middles)) {
     const auto i = static_cast<std::size_t>(number);
     const surfaces::PartFace& face = in_world->faces[i];
     const surfaces::PartSurface& surface = face.surface;
