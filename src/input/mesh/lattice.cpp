@@ -95,7 +95,8 @@ std::optional<Counting> counted_in(const std::vector<Distance>& distances, int d
 LatticeStep lattice_of(const Points& points, double noise) {
   const double doubt = 2 * noise;
   const std::vector<Distance> distances = distances_in(points, 2 * doubt);
-  if (distances.empty()) return {};
+  const auto news = std::count_if(distances.begin(), distances.end(), [](const Distance& d) { return d.is_new; });
+  if (max_bits_of_one * static_cast<double>(news) < min_lattice_bits) return {};  // too few to prove anything
   for (int divisor = 1; divisor <= max_divisors; ++divisor) {
     if (distances.front().length < 4 * doubt * divisor) break;
     // What lies on a coarse lattice lies on all of its divisions, too, which tell nothing.
