@@ -111,13 +111,18 @@ bool is_described(const FoundThread& found, const world::World& world, const sce
   });
 }
 
-void tell(const Messages& messages, const std::vector<FoundThread>& found) {
-  std::map<std::string, int> counts;
-  for (const FoundThread& one : found) ++counts[one.thread.text];
+// "M6, 2× M8".
+std::string list_of(const std::map<std::string, int>& counts) {
   std::string list;
   for (const auto& [text, count] : counts)
     list += (list.empty() ? "" : ", ") + (count > 1 ? std::to_string(count) + "× " : "") + text;
-  messages.warn("helical threads are drawn as in ISO 6410-1: " + list +
+  return list;
+}
+
+void tell(const Messages& messages, const std::vector<FoundThread>& found) {
+  std::map<std::string, int> counts;
+  for (const FoundThread& one : found) ++counts[one.thread.text];
+  messages.warn("helical threads are drawn as in ISO 6410-1: " + list_of(counts) +
                 "\n  hint: --surfaces mesh draws them as they are modelled");
 }
 
@@ -126,10 +131,7 @@ void tell(const Messages& messages, const std::vector<features::OtherHelix>& oth
   std::map<std::string, int> counts;
   for (const features::OtherHelix& one : others)
     ++counts["⌀" + format_rounded(one.diameter, 4) + " with a pitch of " + format_rounded(one.pitch, 4)];
-  std::string list;
-  for (const auto& [text, count] : counts)
-    list += (list.empty() ? "" : ", ") + (count > 1 ? std::to_string(count) + "× " : "") + text;
-  messages.warn("helical faces are drawn as they are modelled, because ISO 261 has no such thread: " + list +
+  messages.warn("helical faces are drawn as they are modelled, because ISO 261 has no such thread: " + list_of(counts) +
                 " mm\n  hint: model a cylinder and give it a [[thread]] to draw it as in ISO 6410-1");
 }
 
