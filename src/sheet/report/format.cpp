@@ -85,9 +85,9 @@ std::string format_verification(const Verification& v) {
     text += "wrong: " + position_of(mismatch) + " is " + mismatch.what + ", but " + reason_of(mismatch) + "\n";
   text += format_outline(v.outline) + format_ink(v.ink);
   if (!v.is_conclusive())
-    text +=
-        "inconclusive: more than half of the points are undecided, so this proves nothing; turn the view a little, or "
-        "leave out models that lie behind one another\n";
+    text += "inconclusive: only " + std::to_string(v.decided) + " of " + std::to_string(v.points) +
+            " points are decided, so this proves nothing about what is hidden; turn the view a little, or leave out "
+            "models that lie behind one another\n";
   return text;
 }
 

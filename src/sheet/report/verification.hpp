@@ -99,8 +99,9 @@ struct Verification {
   InkCheck ink;
 
   [[nodiscard]] int errors() const { return wrong + outline.wrong() + ink.faults; }
-  /// Whether so many points tell something of the drawing that their being right says that it is right.
-  [[nodiscard]] bool is_conclusive() const { return 2 * (decided + either_way) >= points; }
+  /// Whether so many points tell something of the drawing that their being right says that it is right: half of them,
+  /// counting those whose ink is right either way, and a tenth by their own answers.
+  [[nodiscard]] bool is_conclusive() const { return 2 * (decided + either_way) >= points && 10 * decided >= points; }
   [[nodiscard]] bool is_right() const { return errors() == 0 && is_conclusive(); }
 };
 

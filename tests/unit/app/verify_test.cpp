@@ -84,6 +84,24 @@ TEST(Verify, AWrongDrawingEndsWithOne) {
   EXPECT_EQ(exit_code_of(drawn), 1);
 }
 
+// A prism in two storeys, cut open at the top: walls seen edge-on hide all that is drawn, so no point has an answer.
+TEST(Verify, APassNeedsPointsThatAreDecided) {
+  const Folder folder;
+  const std::string walls =
+      folder.file("walls.obj",
+                  "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 5\nv 9 0 5\nv 0 9 5\nv 0 0 10\nv 9 0 10\nv 0 9 10\n"
+                  "f 3 2 1\nf 1 2 5 4\nf 2 3 6 5\nf 3 1 4 6\nf 4 5 8 7\nf 5 6 9 8\nf 6 4 7 9\nf 7 8 9\n");
+  const auto verify = [&](const char* near) {
+    return epura({"draw", walls, "--projection", "top", near, "--verify", "-o", "x.svg"}, folder / "");
+  };
+  const Outcome whole = verify("--near=-30");
+  EXPECT_EQ(whole.code, 0) << whole.err;
+  const Outcome cut = verify("--near=-2");
+  EXPECT_EQ(cut.code, 1) << cut.err;
+  EXPECT_TRUE(contains(cut.err, "inconclusive: only 0 of ")) << cut.err;
+  EXPECT_TRUE(contains(cut.err, "turn the view a little")) << cut.err;
+}
+
 class VerifySample : public testing::TestWithParam<const char*> {};
 
 TEST_P(VerifySample, HasItsOutline) {
