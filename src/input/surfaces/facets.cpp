@@ -74,7 +74,8 @@ Facets read_triangles(const mesh::Mesh& mesh) {
   const double by_rounding = std::max(mesh::roundings * rounding, min_tolerance * size);
   const double by_grid = mesh::roundings * mesh.report.resolution / 2;
   f.tolerance = std::max(by_rounding, by_grid) * f.scale;
-  f.slack = by_grid > by_rounding ? grid_slack : usual_slack;
+  // The step of a grid is all that vertices are off: how many lie so near is judged as evidence.
+  f.slack = by_grid > by_rounding ? 1 : usual_slack;
   return f;
 }
 

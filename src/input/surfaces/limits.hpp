@@ -54,8 +54,6 @@ inline constexpr double min_tolerance = 3e-7;
 /// Tolerances by which vertices may lie off a face whose facets allow for it; tolerance of cylinders of which no facet
 /// has all its vertices on them.
 inline constexpr double usual_slack = 4;
-/// Tolerances that a face rises at least over its facets on a grid, where the step is all that vertices are off.
-inline constexpr double grid_slack = 2;
 inline constexpr double max_allowance = 16;  ///< tolerances: in files of low precision; heights of one circle
 /// Tolerances. CAD kernels trim faces along inexact curves: vertices there may lie off both surfaces, by less than the
 /// sagitta of the tessellation.

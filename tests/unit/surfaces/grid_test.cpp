@@ -14,8 +14,8 @@ namespace epura::test::grid_test {
 namespace {
 
 // A disc with a bore, not at the origin of the grid, whose step is `step` in every axis.
-Part disc_on_grid(int segments, double step) {
-  Part disc = revolved({{5, 0}, {20, 0}, {20, 6}, {5, 6}, {5, 0}}, segments).triangulate();
+Part disc_on_grid(int segments, double step, double bore = 5) {
+  Part disc = revolved({{bore, 0}, {20, 0}, {20, 6}, {bore, 6}, {bore, 0}}, segments).triangulate();
   disc.is_printed = true;
   return disc.move([step](const Vec3& p) {
     const Vec3 from(3.7, -2.3, 0);
@@ -37,6 +37,14 @@ TEST(Grid, HasBores) {
       EXPECT_NEAR(radii[0], 5, step) << step << ' ' << segments;
       EXPECT_NEAR(radii[1], 20, step) << step << ' ' << segments;
     }
+}
+
+// Facets of 2.8 degrees rise 0.0009 over a bore of this radius, hardly more than the grid moves their vertices.
+TEST(Grid, HasBoresWhoseFacetsRiseByAStep) {
+  const auto part = surfaces::recognise_faces(disc_on_grid(128, 0.001, 3).mesh());
+  EXPECT_TRUE(std::ranges::any_of(part.faces, [](const surfaces::PartFace& face) {
+    return face.surface.kind == surfaces::SurfaceKind::cylinder && std::abs(face.surface.radius - 3) < 0.001;
+  }));
 }
 
 // Vertices leave a slanted plane by half the diagonal of a cell of the grid, at most.
