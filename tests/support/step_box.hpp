@@ -165,6 +165,27 @@ inline std::string step_length(int number, const std::string& value, const std::
          "),#20)" + more + "REPRESENTATION_ITEM('" + name + "'));\n";
 }
 
+/// The number of the edge between two corners of the box. Corners are numbered by bits: 1 right, 2 back, 4 top.
+inline int step_box_edge(int from, int to) {
+  const std::string text = step_box_detail::Writer({1, 1, 1}).faces();
+  const std::size_t at =
+      text.find("=EDGE_CURVE('',#" + std::to_string(210 + from) + ",#" + std::to_string(210 + to) + ",");
+  return std::stoi(text.substr(text.rfind('#', at) + 1));
+}
+
+/// A datum target that is a circle of 4 about a place, in the unit of the file; takes ten numbers.
+inline std::string step_target(int number, const std::string& name, const std::array<double, 3>& place) {
+  const auto n = [number](int more) { return "#" + std::to_string(number + more); };
+  std::string at;
+  for (const double x : place) at += (at.empty() ? "" : ",") + std::to_string(x);
+  return n(0) + "=PLACED_DATUM_TARGET_FEATURE('','circle',#10,.T.,'" + name + "');\n" + n(1) +
+         "=PROPERTY_DEFINITION('',''," + n(0) + ");\n" + n(2) + "=SHAPE_DEFINITION_REPRESENTATION(" + n(1) + "," +
+         n(3) + ");\n" + n(3) + "=SHAPE_REPRESENTATION_WITH_PARAMETERS('',(" + n(4) + "," + n(5) + "),#30);\n" +
+         step_length(number + 4, "4.", "target diameter") + n(5) + "=AXIS2_PLACEMENT_3D('orientation'," + n(6) + "," +
+         n(7) + "," + n(8) + ");\n" + n(6) + "=CARTESIAN_POINT('',(" + at + "));\n" + n(7) +
+         "=DIRECTION('',(0.,0.,1.));\n" + n(8) + "=DIRECTION('',(1.,0.,0.));\n";
+}
+
 /// The values of a dimension, which are statements of these numbers, separated by commas; takes two numbers.
 inline std::string step_values(int number, int dimension, const std::string& items) {
   const std::string own = std::to_string(number);

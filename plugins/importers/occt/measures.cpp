@@ -127,6 +127,15 @@ Measure measure_of(const StepGraph& graph, EntityNumber number) {
   return measure;
 }
 
+double length_unit_of(const StepGraph& graph, EntityNumber context) {
+  const Statement* statement = graph.find(context);
+  const Record* units = statement == nullptr ? nullptr : record_of(*statement, "GLOBAL_UNIT_ASSIGNED_CONTEXT");
+  if (units != nullptr)
+    for (const EntityNumber number : references_in(units->arguments))
+      if (const auto unit = unit_of(graph, number, 0); unit && !unit->is_angle) return unit->size;
+  return std::nan("");
+}
+
 std::string printed_length(double value) {
   constexpr int digits = 9;
   std::array<char, 32> text{};

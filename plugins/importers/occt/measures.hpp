@@ -21,6 +21,9 @@ struct Measure {
 /// The measure with this number. Its value is NaN if there is none.
 Measure measure_of(const StepGraph& graph, EntityNumber number);
 
+/// The unit of length of a context of representations, in mm; NaN: it states none.
+double length_unit_of(const StepGraph& graph, EntityNumber context);
+
 /// Adds what these qualifiers say of a measure.
 void qualify(Measure& measure, const StepGraph& graph, const std::vector<EntityNumber>& qualifiers);
 

@@ -57,7 +57,8 @@ struct Requirement {
   int decimals = -1;
   std::string fit{}, modifiers{}, zone{}, datums{}, above{}, missing{};
   std::vector<unsigned long long> items{};  ///< numbers of the faces, edges and points of the file that it belongs to
-  std::vector<TopoDS_Shape> faces{};        ///< those of them that are faces
+  double length_unit = 1;                   ///< of the points among them, mm
+  std::vector<TopoDS_Shape> faces{};        ///< that they are or stand for
 };
 
 /// Lengths in millimetres.

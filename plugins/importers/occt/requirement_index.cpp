@@ -17,13 +17,15 @@ struct Join {
   References RequirementIndex::*table;
 };
 
-constexpr std::array<Join, 9> joins{
+constexpr std::array<Join, 11> joins{
     {{"GEOMETRIC_ITEM_SPECIFIC_USAGE", 2, 4, &RequirementIndex::items},
      {"ITEM_IDENTIFIED_REPRESENTATION_USAGE", 2, 4, &RequirementIndex::items},
      {"SHAPE_ASPECT_RELATIONSHIP", 2, 3, &RequirementIndex::parts},
      {"SHAPE_ASPECT_DERIVING_RELATIONSHIP", 2, 3, &RequirementIndex::parts},
      {"FEATURE_FOR_DATUM_TARGET_RELATIONSHIP", 2, 3, &RequirementIndex::parts},
      {"DIMENSIONAL_CHARACTERISTIC_REPRESENTATION", 0, 1, &RequirementIndex::representations},
+     {"SHAPE_DEFINITION_REPRESENTATION", 0, 1, &RequirementIndex::representations},
+     {"PROPERTY_DEFINITION_REPRESENTATION", 0, 1, &RequirementIndex::representations},
      {"PLUS_MINUS_TOLERANCE", 1, 0, &RequirementIndex::bounds},
      {"TOLERANCE_ZONE", 4, 5, &RequirementIndex::zones},
      {"MEASURE_QUALIFICATION", 2, 3, &RequirementIndex::qualifiers}}};
@@ -75,6 +77,8 @@ RequirementIndex index_of(const StepGraph& graph) {
       for (const Join& join : joins)
         if (record.keyword == join.keyword) add(index, join, record);
       if (record.keyword == "GEOMETRIC_TOLERANCE_RELATIONSHIP") add_composite(index, record);
+      if (record.keyword == "PROPERTY_DEFINITION")
+        index.properties[reference_in(argument_of(record, 2))].push_back(number);
     }
   }
   separate_datums(index, graph);

@@ -259,10 +259,30 @@ class RequirementReader {
       const Statement* statement = graph_.find(feature);
       const bool is_target = statement != nullptr && has(*statement, is_datum);
       has_targets = has_targets || is_target;
-      if (!is_target) add_items(feature, requirement);
+      add_items(feature, requirement);
+      if (is_target) add_area(feature, requirement, nullptr);
     }
     if (has_targets) append(requirement.modifiers, "targets");
     if (requirement.items.empty() && !has_targets) append(requirement.missing, "a face that it belongs to");
+  }
+
+  // The place of a target, as an item, and in words its size.
+  void add_area(EntityNumber target, Requirement& requirement, std::string* size) const {
+    for (const EntityNumber property : listed(index_.properties, target))
+      for (const EntityNumber number : listed(index_.representations, property)) {
+        const Statement* statement = graph_.find(number);
+        const Record* area =
+            statement == nullptr ? nullptr : record_of(*statement, "SHAPE_REPRESENTATION_WITH_PARAMETERS");
+        if (area == nullptr) continue;
+        requirement.length_unit = length_unit_of(graph_, reference_in(argument_of(*area, 2)));
+        for (const EntityNumber item : references_in(argument_of(*area, 1))) {
+          const Measure length = measure(item);
+          if (std::isnan(length.value))
+            requirement.items.push_back(item);
+          else if (size != nullptr)
+            append(*size, length.name + " " + printed_length(length.value) + " mm");
+        }
+      }
   }
 
   void read_target(EntityNumber number, const Statement& statement, Requirement& requirement) {
@@ -276,7 +296,8 @@ class RequirementReader {
       requirement.datums = letter_of(graph_, datum) + unquoted(last_argument_of(*record));
     add_items(number, requirement);
     if (requirement.datums.empty()) append(requirement.missing, "the datum that it is a target of");
-    if (record->keyword == "PLACED_DATUM_TARGET_FEATURE") append(requirement.missing, "the place and size of its area");
+    add_area(number, requirement, &requirement.modifiers);
+    if (requirement.items.empty()) append(requirement.missing, "the place of its area");
   }
 
   const StepGraph graph_;

@@ -8,7 +8,6 @@
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepRepr_RepresentationItem.hxx>
-#include <StepShape_FaceSurface.hxx>
 #include <StepShape_ShapeRepresentation.hxx>
 #include <StepShape_ShellBasedSurfaceModel.hxx>
 #include <StepShape_SolidModel.hxx>
@@ -21,8 +20,8 @@
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
+#include "item_faces.hpp"
 #include "part21.hpp"
 #include "readers.hpp"
 #include "requirements.hpp"
@@ -126,31 +125,10 @@ std::vector<TopoDS_Shape> shapes_without_products(STEPControl_Reader& reader) {
   return shapes;
 }
 
-/// The faces of the file by their numbers in it.
-std::map<unsigned long long, TopoDS_Shape> numbered_faces(const STEPControl_Reader& reader) {
-  const Handle(StepData_StepModel) model = reader.StepModel();
-  std::map<unsigned long long, TopoDS_Shape> faces;
-  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    const auto face = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
-    if (face.IsNull()) continue;
-    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
-    if (!shape.IsNull()) faces.emplace(model->IdentLabel(face), shape);
-  }
-  return faces;
-}
-
 /// The requirements of the file, on the faces that have become shapes.
 std::vector<Requirement> requirements_of(const STEPControl_Reader& reader, std::string_view text) {
   std::vector<Requirement> requirements = requirements_in_step(text);
-  if (requirements.empty()) return requirements;
-  const std::map<unsigned long long, TopoDS_Shape> faces = numbered_faces(reader);
-  for (Requirement& requirement : requirements) {
-    for (const unsigned long long item : requirement.items)
-      if (const auto face = faces.find(item); face != faces.end()) requirement.faces.push_back(face->second);
-    if (const std::size_t others = requirement.items.size() - requirement.faces.size(); others > 0)
-      requirement.missing += (requirement.missing.empty() ? "" : ", ") + counted(others, "item") + " other than faces";
-  }
+  find_faces(requirements, reader);
   return requirements;
 }
 

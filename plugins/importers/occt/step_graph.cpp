@@ -10,9 +10,21 @@ namespace occt {
 namespace {
 
 bool tells_of_requirements(std::string_view keyword) {
-  constexpr std::array<std::string_view, 12> parts{
-      "TOLERANCE", "DIMENSION",     "DATUM",           "SHAPE_ASPECT",       "UNIT", "MEASURE", "QUALIF", "FITS",
-      "ANGULAR",   "ITEM_SPECIFIC", "ITEM_IDENTIFIED", "REPRESENTATION_ITEM"};
+  constexpr std::array<std::string_view, 15> parts{"TOLERANCE",
+                                                   "DIMENSION",
+                                                   "DATUM",
+                                                   "SHAPE_ASPECT",
+                                                   "UNIT",
+                                                   "MEASURE",
+                                                   "QUALIF",
+                                                   "FITS",
+                                                   "ANGULAR",
+                                                   "ITEM_SPECIFIC",
+                                                   "ITEM_IDENTIFIED",
+                                                   "REPRESENTATION_ITEM",
+                                                   "PROPERTY_DEFINITION",
+                                                   "SHAPE_DEFINITION",
+                                                   "WITH_PARAMETERS"};
   return keyword == "PRODUCT_DEFINITION_SHAPE" || std::any_of(parts.begin(), parts.end(), [&](std::string_view part) {
            return keyword.find(part) != std::string_view::npos;
          });

@@ -56,6 +56,8 @@ bool gives_value(const ModelRequirement& one) {
   return std::isfinite(one.value) || one.bounds == importer::RequirementBounds::limits;
 }
 
+bool is_target(const ModelRequirement& one) { return one.type == "datum target"; }
+
 bool is_wanted(RequirementKind kind, Pmi wanted) {
   if (wanted == Pmi::dimensions) return kind == RequirementKind::dimension;
   if (wanted == Pmi::tolerances) return kind != RequirementKind::dimension;
@@ -76,7 +78,7 @@ class Statement {
     unite_equal();
     for (scene::DimensionDescription& dimension : dimensions_) scene_.dimensions.push_back(std::move(dimension));
     for (std::size_t i = 0; i < file_.all.size(); ++i)
-      if (file_.all[i].kind == RequirementKind::datum && is_open(i)) add_datum(i);
+      if (file_.all[i].kind == RequirementKind::datum && !is_target(file_.all[i]) && is_open(i)) add_datum(i);
     for (std::vector<std::size_t>& stack : stacks_of(file_.all)) {
       std::erase_if(stack, [this](std::size_t i) { return !is_open(i); });
       if (!stack.empty()) add_frame(stack);
@@ -156,13 +158,23 @@ class Statement {
     dimensions_ = std::move(united);
   }
 
+  // The targets of a datum have its letter, and numbers behind it.
+  [[nodiscard]] std::vector<std::size_t> targets_of(const std::string& letter) const {
+    std::vector<std::size_t> targets;
+    for (std::size_t i = 0; i < file_.all.size(); ++i) {
+      const std::string& name = file_.all[i].datums;
+      if (is_target(file_.all[i]) && is_open(i) && name.substr(0, name.find_first_of("0123456789")) == letter)
+        targets.push_back(i);
+    }
+    return targets;
+  }
+
+  // Targets are one letter at the feature of their datum.
   void add_datum(std::size_t i) {
     const ModelRequirement& one = file_.all[i];
     std::string& why = file_.rows[i].why;
-    if (one.type == "datum target" || one.modifiers.find("targets") != std::string::npos) {
-      why = "datum targets are not drawn yet";
-      return;
-    }
+    const std::vector<std::size_t> targets = targets_of(one.datums);
+    for (const std::size_t target : targets) file_.rows[target].why = "its datum " + one.datums + " is not drawn";
     if (one.faces.empty()) return;
     const auto has_letter = [&](const scene::CalloutDescription& callout) {
       const auto* datum = std::get_if<scene::DatumFeature>(&callout.content);
@@ -186,6 +198,11 @@ class Statement {
       return;
     }
     set_drawn(i, *callout.view);
+    for (const std::size_t target : targets) {
+      callout.requirement += " " + key_of(file_, file_.all[target].id);
+      set_drawn(target, *callout.view);
+      file_.rows[target].why = "as the letter of its datum: its place and size are not drawn";
+    }
     scene_.callouts.push_back(std::move(callout));
   }
 

@@ -173,6 +173,63 @@ TEST(Requirements, CommonDatumsAreOneReferenceAndFramesOfACompositeStandBelow) {
   EXPECT_EQ(named(model, "#1125").value, 0.1);
 }
 
+// A distance of 40 between two edges of the box.
+std::string between_edges(int one, int other) {
+  return step_aspect(1000, one) + step_aspect(1002, other) +
+         "#1004=DIMENSIONAL_LOCATION('linear distance','',#1000,#1002);\n" + step_length(1010, "40.", "nominal value") +
+         step_values(1012, 1004, "#1010");
+}
+
+TEST(Requirements, EdgesThatAreApartStandForTheOnlyFacesAtADistance) {
+  const int bottom_left = step_box_edge(0, 2), top_left = step_box_edge(4, 6), top_right = step_box_edge(5, 7);
+  const ReadModel model = read(between_edges(top_left, top_right));
+  EXPECT_EQ(normals(model, model.requirements.at(0)), "-x+x");
+  EXPECT_EQ(model.requirements.at(0).missing, "");
+  const ReadModel with_face = read(between_edges(top_left, right_face));
+  EXPECT_EQ(normals(with_face, with_face.requirements.at(0)), "-x+x");
+  const ReadModel askew = read(between_edges(bottom_left, top_right));  // 40 apart, and 20
+  EXPECT_EQ(normals(askew, askew.requirements.at(0)), "");
+  EXPECT_EQ(askew.requirements.at(0).missing, "2 items without a face");
+}
+
+TEST(Requirements, ACircleStandsForItsCylinderExceptForItsForm) {
+  const Folder folder;
+  const ReadModel model = read_by_importer(folder.file(
+      "shaft.step", step_shaft(6, 30,
+                               step_aspect(1000, 240) + "#1002=DIMENSIONAL_SIZE(#1000,'diameter');\n" +
+                                   step_length(1003, "12.", "nominal value") + step_values(1004, 1002, "#1003") +
+                                   step_length(1006, "0.1", "") + "#1007=ROUNDNESS_TOLERANCE('','',#1006,#1000);\n" +
+                                   "#1008=POSITION_TOLERANCE('','',#1006,#1000,());\n")));
+  ASSERT_EQ(named(model, "#1002").faces.size(), 1U);
+  const int face = named(model, "#1002").faces[0];
+  EXPECT_EQ(model.part->faces.at(static_cast<std::size_t>(face)).surface.kind, surfaces::SurfaceKind::cylinder);
+  EXPECT_EQ(named(model, "#1002").missing, "");
+  EXPECT_EQ(named(model, "#1008").faces, named(model, "#1002").faces);
+  EXPECT_EQ(named(model, "#1007").faces.size(), 0U);
+  EXPECT_EQ(named(model, "#1007").missing, "1 item without a face");
+}
+
+// Two areas, one of which is a place beside the part.
+TEST(Requirements, DatumTargetsHaveTheFaceOfTheirPlace) {
+  for (const bool in_inches : {false, true}) {
+    const ReadModel model =
+        read(step_target(1100, "1", {10, 10, 20}) + step_target(1120, "2", {10, 10, 21}) +
+                 "#1140=DATUM('','',#10,.F.,'A');\n#1141=SHAPE_ASPECT_RELATIONSHIP('','',#1100,#1140);\n"
+                 "#1142=SHAPE_ASPECT_RELATIONSHIP('','',#1120,#1140);\n",
+             in_inches);
+    const ModelRequirement &on = named(model, "#1100"), &off = named(model, "#1120"), &datum = named(model, "#1140");
+    EXPECT_EQ(on.datums, "A1");
+    EXPECT_EQ(on.zone, "circle");
+    EXPECT_EQ(on.modifiers, in_inches ? "target diameter 101.6 mm" : "target diameter 4 mm");
+    EXPECT_EQ(normals(model, on), "+z");
+    EXPECT_EQ(on.missing, "");
+    EXPECT_EQ(off.faces.size(), 0U);
+    EXPECT_EQ(off.missing, "1 item without a face");
+    EXPECT_EQ(normals(model, datum), "+z");
+    EXPECT_EQ(datum.modifiers, "targets");
+  }
+}
+
 TEST(Requirements, WhatCannotBeReadIsSaid) {
   const ReadModel model = read(
       "#1000=SHAPE_ASPECT('','',#10,.T.);\n#1001=DIMENSIONAL_SIZE(#1000,'diameter');\n" + step_aspect(1002, top_face) +

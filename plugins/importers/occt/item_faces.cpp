@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "item_faces.hpp"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <Precision.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepGeom_Axis2Placement3d.hxx>
+#include <StepGeom_CartesianPoint.hxx>
+#include <StepShape_Edge.hxx>
+#include <StepShape_EdgeLoop.hxx>
+#include <StepShape_FaceBound.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <StepShape_OrientedEdge.hxx>
+#include <TopoDS.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "readers.hpp"
+
+namespace occt {
+
+namespace {
+
+using Number = unsigned long long;
+
+/// What items can be, by their numbers in the file.
+struct Items {
+  std::map<Number, TopoDS_Shape> faces;
+  std::map<Number, std::set<Number>> beside;  ///< of an edge: the faces that it bounds
+  std::map<Number, gp_Pnt> places;            ///< in the unit of the file
+};
+
+void add_edges(const StepShape_FaceSurface& face, Number number, const StepData_StepModel& model, Items& items) {
+  for (int i = 1; i <= face.NbBounds(); ++i) {
+    const auto loop = Handle(StepShape_EdgeLoop)::DownCast(face.BoundsValue(i)->Bound());
+    for (int k = 1; !loop.IsNull() && k <= loop->NbEdgeList(); ++k)
+      items.beside[static_cast<Number>(model.IdentLabel(loop->EdgeListValue(k)->EdgeElement()))].insert(number);
+  }
+}
+
+std::optional<gp_Pnt> place_of(const Handle(Standard_Transient) & entity) {
+  auto point = Handle(StepGeom_CartesianPoint)::DownCast(entity);
+  if (const auto placement = Handle(StepGeom_Axis2Placement3d)::DownCast(entity); !placement.IsNull())
+    point = placement->Location();
+  if (point.IsNull() || point->NbCoordinates() != 3) return std::nullopt;
+  return gp_Pnt(point->CoordinatesValue(1), point->CoordinatesValue(2), point->CoordinatesValue(3));
+}
+
+// `wanted` are the numbers that requirements name: places are many in a file.
+Items items_of(const STEPControl_Reader& reader, const std::set<Number>& wanted) {
+  const Handle(StepData_StepModel) model = reader.StepModel();
+  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
+  Items items;
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(Standard_Transient) entity = model->Value(i);
+    const auto number = static_cast<Number>(model->IdentLabel(entity));
+    if (const auto face = Handle(StepShape_FaceSurface)::DownCast(entity); !face.IsNull()) {
+      const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
+      if (shape.IsNull()) continue;
+      items.faces.emplace(number, shape);
+      add_edges(*face, number, *model, items);
+    } else if (wanted.count(number) != 0) {
+      if (const auto place = place_of(entity)) items.places.emplace(number, *place);
+    }
+  }
+  return items;
+}
+
+// Of planes and cylinders; none if they are neither, or stand askew.
+std::optional<double> distance_between(const TopoDS_Shape& one, const TopoDS_Shape& other) {
+  if (one.ShapeType() != TopAbs_FACE || other.ShapeType() != TopAbs_FACE) return std::nullopt;
+  const BRepAdaptor_Surface a(TopoDS::Face(one)), b(TopoDS::Face(other));
+  const bool a_is_plane = a.GetType() == GeomAbs_Plane, b_is_plane = b.GetType() == GeomAbs_Plane;
+  if ((!a_is_plane && a.GetType() != GeomAbs_Cylinder) || (!b_is_plane && b.GetType() != GeomAbs_Cylinder))
+    return std::nullopt;
+  const gp_Ax1 along_a = a_is_plane ? a.Plane().Axis() : a.Cylinder().Axis();
+  const gp_Ax1 along_b = b_is_plane ? b.Plane().Axis() : b.Cylinder().Axis();
+  const gp_Dir &u = along_a.Direction(), &v = along_b.Direction();
+  const bool is_square = a_is_plane != b_is_plane;  // an axis lies along a plane
+  if (is_square ? !u.IsNormal(v, Precision::Angular()) : !u.IsParallel(v, Precision::Angular())) return std::nullopt;
+  const gp_Vec between(along_a.Location(), along_b.Location());
+  if (a_is_plane || b_is_plane) return std::abs(between.Dot(gp_Vec(a_is_plane ? u : v)));
+  return between.Crossed(gp_Vec(u)).Magnitude();
+}
+
+class FaceFinder {
+ public:
+  explicit FaceFinder(Items items) : items_(std::move(items)) {}
+
+  // Returns how many items stand for no face.
+  std::size_t find(Requirement& requirement) {
+    std::size_t lost = 0;
+    const bool is_distance = add_apart(requirement);
+    for (const Number item : requirement.items) {
+      if (is_distance) break;
+      std::size_t before = requirement.faces.size();
+      if (const auto face = items_.faces.find(item); face != items_.faces.end())
+        requirement.faces.push_back(face->second);
+      else if (const auto edge = items_.beside.find(item); edge != items_.beside.end() && means_axis(requirement))
+        add_cylinder(edge->second, requirement);
+      else if (const auto place = items_.places.find(item); place != items_.places.end())
+        add_below(place->second, requirement);
+      lost += requirement.faces.size() == before ? 1 : 0;
+    }
+    return lost;
+  }
+
+ private:
+  // Form tolerances and runouts of an edge mean the edge.
+  static bool means_axis(const Requirement& requirement) {
+    constexpr std::array<std::string_view, 4> of_axes{"position", "coaxiality", "concentricity", "symmetry"};
+    return requirement.kind != EPURA_TOLERANCE ||
+           std::find(of_axes.begin(), of_axes.end(), requirement.type) != of_axes.end();
+  }
+
+  [[nodiscard]] std::set<Number> candidates(Number item) const {
+    if (items_.faces.count(item) != 0) return {item};
+    const auto edge = items_.beside.find(item);
+    return edge == items_.beside.end() ? std::set<Number>() : edge->second;
+  }
+
+  bool add_apart(Requirement& requirement) const {
+    const std::vector<Number>& two = requirement.items;
+    if (requirement.kind != EPURA_DIMENSION || requirement.is_angle || two.size() != 2) return false;
+    if (items_.beside.count(two[0]) == 0 && items_.beside.count(two[1]) == 0) return false;
+    std::vector<std::pair<Number, Number>> apart;
+    for (const Number one : candidates(two[0]))
+      for (const Number other : candidates(two[1]))
+        if (const auto distance = distance_between(items_.faces.at(one), items_.faces.at(other));
+            distance && *distance > Precision::Confusion())
+          apart.emplace_back(one, other);
+    if (apart.size() != 1) return false;
+    requirement.faces = {items_.faces.at(apart[0].first), items_.faces.at(apart[0].second)};
+    return true;
+  }
+
+  void add_cylinder(const std::set<Number>& beside, Requirement& requirement) const {
+    std::vector<TopoDS_Shape> cylinders;
+    for (const Number number : beside)
+      if (const TopoDS_Shape& face = items_.faces.at(number);
+          face.ShapeType() == TopAbs_FACE && BRepAdaptor_Surface(TopoDS::Face(face)).GetType() == GeomAbs_Cylinder)
+        cylinders.push_back(face);
+    if (cylinders.size() == 1) requirement.faces.push_back(cylinders.front());
+  }
+
+  void add_below(const gp_Pnt& place, Requirement& requirement) {
+    if (std::isnan(requirement.length_unit)) return;
+    if (boxes_.empty())
+      for (const auto& [number, face] : items_.faces) BRepBndLib::Add(face, boxes_[number]);
+    const gp_Pnt point(place.XYZ() * requirement.length_unit);
+    const TopoDS_Shape vertex = BRepBuilderAPI_MakeVertex(point);
+    std::vector<TopoDS_Shape> below;
+    for (const auto& [number, box] : boxes_) {
+      if (box.IsOut(point)) continue;
+      const TopoDS_Shape& face = items_.faces.at(number);
+      const BRepExtrema_DistShapeShape distance(vertex, face);
+      if (distance.IsDone() && distance.Value() <= BRep_Tool::MaxTolerance(face, TopAbs_FACE)) below.push_back(face);
+    }
+    if (below.size() == 1) requirement.faces.push_back(below.front());
+  }
+
+  const Items items_;
+  std::map<Number, Bnd_Box> boxes_{};  ///< of faces; empty until a place is looked for
+};
+
+}  // namespace
+
+void find_faces(std::vector<Requirement>& requirements, const STEPControl_Reader& reader) {
+  std::set<Number> wanted;
+  for (const Requirement& requirement : requirements) wanted.insert(requirement.items.begin(), requirement.items.end());
+  if (wanted.empty()) return;
+  FaceFinder finder(items_of(reader, wanted));
+  for (Requirement& requirement : requirements)
+    if (const std::size_t lost = finder.find(requirement); lost > 0)
+      requirement.missing += (requirement.missing.empty() ? "" : ", ") + counted(lost, "item") + " without a face";
+}
+
+}  // namespace occt
