@@ -24,6 +24,24 @@ int find_or_add(Directions& found, const Vec3& direction, int face) {
 
 }  // namespace
 
+bool has_place_along(const surfaces::PartSurface& surface, const Vec3& along) {
+  const double cosine = std::abs(glm::dot(surface.axis, along));
+  switch (surface.kind) {
+    case SurfaceKind::plane:
+      return cosine > 1 - drawn_parallel * drawn_parallel;
+    case SurfaceKind::cylinder:
+    case SurfaceKind::cone:
+      return cosine <= drawn_parallel;
+    case SurfaceKind::torus:
+      return cosine <= drawn_parallel || cosine > 1 - drawn_parallel * drawn_parallel;
+    case SurfaceKind::sphere:
+      return true;
+    case SurfaceKind::free_form:
+      break;
+  }
+  return false;
+}
+
 Directions find_directions(const std::vector<Face>& faces) {
   Directions found;
   for (std::size_t i = 0; i < faces.size(); ++i) {

@@ -28,6 +28,9 @@ struct Part {
   double size = 1;  ///< diagonal of its box
 };
 
+/// Whether a face has a place along a unit vector: as a plane, an axis or a centre.
+bool has_place_along(const surfaces::PartSurface& surface, const Vec3& along);
+
 /// Directions of faces: normals and axes, each once.
 struct Directions {
   std::vector<Vec3> directions;  ///< unit

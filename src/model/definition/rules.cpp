@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 #include "definition/limits.hpp"
@@ -50,23 +51,37 @@ void state_perpendicular(const Part&, const Directions& directions, const Unknow
     }
 }
 
-// Whether a face has a place along a direction: as a plane, an axis or a centre.
-bool has_place_along(const PartSurface& surface, const Vec3& along) {
-  const double cosine = std::abs(glm::dot(surface.axis, along));
-  switch (surface.kind) {
-    case SurfaceKind::plane:
-      return cosine > 1 - drawn_parallel * drawn_parallel;
-    case SurfaceKind::cylinder:
-    case SurfaceKind::cone:
-      return cosine <= drawn_parallel;
-    case SurfaceKind::torus:
-      return cosine <= drawn_parallel || cosine > 1 - drawn_parallel * drawn_parallel;
-    case SurfaceKind::sphere:
-      return true;
-    case SurfaceKind::free_form:
-      break;
+// Axes that are one line in a view, in whose direction one lies behind the other.
+void state_in_view(const Part& part, const Directions& directions, const Unknowns& unknowns, const Vec3& sight,
+                   Statement& statement) {
+  const auto seen = std::find_if(directions.directions.begin(), directions.directions.end(), [&](const Vec3& one) {
+    return glm::length(glm::cross(one, sight)) <= drawn_parallel;
+  });
+  if (seen == directions.directions.end()) return;
+  const int behind = directions.first_face[static_cast<std::size_t>(seen - directions.directions.begin())];
+  std::map<int, std::vector<std::pair<double, int>>> places;  // of each direction
+  for (int face = 0; face < static_cast<int>(number_of(part)); ++face) {
+    const PartSurface& surface = surface_of(part, face);
+    if (!surfaces::has_axis(surface.kind) || std::abs(glm::dot(surface.axis, sight)) > drawn_parallel) continue;
+    const Vec3 across = glm::cross(surface.axis, sight);
+    places[directions.of_face[static_cast<std::size_t>(face)]].emplace_back(glm::dot(unknowns.anchor(face), across),
+                                                                            face);
   }
-  return false;
+  for (auto& [direction, list] : places) {
+    std::sort(list.begin(), list.end());
+    for (std::size_t i = 1; i < list.size(); ++i) {
+      const auto& [from, first] = list[i - 1];
+      const auto& [to, face] = list[i];
+      if (to - from > drawn_in_line * part.size) continue;
+      const Vec3 &axis = surface_of(part, face).axis, &at = unknowns.anchor(face);
+      const Vec3 across = glm::cross(axis, sight);
+      const Vec3 before = unknowns.anchor(first) + glm::dot(at - unknowns.anchor(first), axis) * axis;
+      Row row = unknowns.axis_motion(face, at, across);
+      add(row, unknowns.axis_motion(first, before, across), -1);
+      add(row, unknowns.turn(behind, glm::cross(across, (at - before) / part.size)));
+      statement.rows.push_back(tidy(std::move(row)));
+    }
+  }
 }
 
 // What lies on one line square to a direction, which is that of a face, is one place. Beside planes, lines align only
@@ -95,6 +110,7 @@ void state_in_line(const Part& part, const Directions& directions, const Unknown
       statement.rows.push_back(tidy(std::move(row)));
     }
   }
+  for (const Vec3& sight : marks.axes) state_in_view(part, directions, unknowns, sight, statement);
 }
 
 double off_axis(const Vec3& point, const PartSurface& line) {
@@ -122,6 +138,33 @@ void state_coaxial(const Part& part, const Directions& directions, const Unknown
                                             unknowns.axis_motion(other, unknowns.anchor(face), across)));
       break;
     }
+  }
+}
+
+// Axes that are drawn as centre lines which cross stay in one plane.
+void state_crossing(const Part& part, const Directions& directions, const Unknowns& unknowns, const Marks&,
+                    Statement& statement) {
+  std::vector<int> lines;  // of those with one axis, the first
+  for (int face = 0; face < static_cast<int>(number_of(part)); ++face) {
+    if (!surfaces::has_axis(surface_of(part, face).kind)) continue;
+    const auto direction_of = [&](int one) { return directions.of_face[static_cast<std::size_t>(one)]; };
+    const Vec3& at = unknowns.anchor(face);
+    const bool is_known = std::any_of(lines.begin(), lines.end(), [&](int line) {
+      return direction_of(line) == direction_of(face) &&
+             off_axis(at, surface_of(part, line)) <= drawn_in_line * part.size;
+    });
+    if (is_known) continue;
+    for (const int line : lines) {
+      const PartSurface &one = surface_of(part, line), &two = surface_of(part, face);
+      if (direction_of(line) == direction_of(face)) continue;
+      const Vec3 across = glm::normalize(glm::cross(one.axis, two.axis)), off = at - unknowns.anchor(line);
+      if (std::abs(glm::dot(off, across)) > drawn_in_line * part.size) continue;
+      const Vec3 square = glm::cross(across, two.axis);
+      const Vec3 crossing = unknowns.anchor(line) + glm::dot(off, square) / glm::dot(one.axis, square) * one.axis;
+      statement.rows.push_back(
+          difference(unknowns.axis_motion(face, crossing, across), unknowns.axis_motion(line, crossing, across)));
+    }
+    lines.push_back(face);
   }
 }
 
@@ -236,6 +279,22 @@ void state_on_circle(const Part& part, const Directions&, const Unknowns& unknow
   }
 }
 
+// Its sides keep their angles and touch one circle.
+void state_regular(const Part& part, const Directions&, const Unknowns& unknowns, const Marks& marks,
+                   Statement& statement) {
+  for (const Hexagon& hexagon : marks.hexagons) {
+    const PartSurface& circle = surface_of(part, hexagon.face);
+    for (const int side : hexagon.sides) {
+      const Vec3& normal = surface_of(part, side).axis;
+      const Vec3 at = circle.origin + glm::dot(unknowns.anchor(side) - circle.origin, normal) * normal;
+      statement.rows.push_back(
+          difference(unknowns.turn(side, circle.axis), unknowns.turn(hexagon.sides.front(), circle.axis)));
+      statement.rows.push_back(
+          difference(unknowns.surface_motion(side, at, normal), unknowns.surface_motion(hexagon.face, at, normal)));
+    }
+  }
+}
+
 void state_equal(const Part&, const Directions&, const Unknowns& unknowns, const Marks& marks, Statement& statement) {
   for (const std::vector<int>& faces : marks.equal)
     for (std::size_t i = 1; i < faces.size(); ++i)
@@ -244,18 +303,19 @@ void state_equal(const Part&, const Directions&, const Unknowns& unknowns, const
 }
 
 constexpr const char *iso_sizes = "ISO 129-1", *iso_lines = "ISO 128-2";
-constexpr const char *asme = "ASME Y14.5", *asme_right = "ASME Y14.5-2009 1.4 (i)",
-                     *asme_zero = "ASME Y14.5-2009 1.4 (k)";
+constexpr const char* asme = "ASME Y14.5";
 
-constexpr std::array<Rule, 9> rules{{
-    {"parallel", "lines that are drawn parallel", {nullptr, iso_sizes, asme_right}, state_parallel},
-    {"perpendicular", "lines that are drawn at right angles", {nullptr, iso_sizes, asme_right}, state_perpendicular},
-    {"in line", "faces and centre lines that are drawn as one line", {nullptr, iso_sizes, asme_zero}, state_in_line},
-    {"coaxial", "a common centre line", {nullptr, iso_lines, asme_zero}, state_coaxial},
-    {"same", "a round outline that something interrupts", {nullptr, iso_sizes, asme_zero}, state_same},
+constexpr std::array<Rule, 11> rules{{
+    {"parallel", "lines that are drawn parallel", {nullptr, iso_sizes, asme}, state_parallel},
+    {"perpendicular", "lines that are drawn at right angles", {nullptr, iso_sizes, asme}, state_perpendicular},
+    {"in line", "faces and centre lines that are drawn as one line", {nullptr, iso_sizes, asme}, state_in_line},
+    {"coaxial", "a common centre line", {nullptr, iso_lines, asme}, state_coaxial},
+    {"crossing", "centre lines that cross", {nullptr, iso_lines, asme}, state_crossing},
+    {"same", "a round outline that something interrupts", {nullptr, iso_sizes, asme}, state_same},
     {"tangent", "an outline that turns without a corner", {nullptr, iso_sizes, asme}, state_tangent},
-    {"symmetric", "a line of symmetry", {nullptr, iso_lines, asme_zero}, state_symmetric},
+    {"symmetric", "a line of symmetry", {nullptr, iso_lines, asme}, state_symmetric},
     {"on a circle", "a pitch circle", {nullptr, iso_sizes, asme}, state_on_circle},
+    {"regular", "a hexagon with equal sides", {nullptr, iso_sizes, asme}, state_regular},
     {"equal", "a number of equal features, as 4×", {nullptr, iso_sizes, asme}, state_equal},
 }};
 

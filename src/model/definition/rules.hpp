@@ -24,11 +24,18 @@ struct PitchCircle {
   bool is_even = true;
 };
 
+/// A regular hexagon: six planes about an axis.
+struct Hexagon {
+  int face;  ///< of the cylinder that touches all six, where it is only drawn
+  std::vector<int> sides;
+};
+
 /// What is on the sheet beside dimensions.
 struct Marks {
   std::vector<Vec3> axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};  ///< of the views: along which lines align
   std::vector<SymmetryLine> symmetries{};
   std::vector<PitchCircle> circles{};
+  std::vector<Hexagon> hexagons{};
   std::vector<std::vector<int>> equal{};  ///< round faces of one radius, as "4×" says
 };
 

@@ -101,6 +101,7 @@ void add_free_faces(report::Report& report, const world::World& world, const sce
   sheet::FreeFaces free = sheet::find_free_faces(views, world, extents, notation_of(world, scene.sheets.front()));
   for (const std::string& what : free.sentences)
     report.findings.push_back({report::FindingKind::undimensioned, "", what});
+  for (const std::string& what : free.undecided) report.findings.push_back({report::FindingKind::undecided, "", what});
   if (free.count.all > 0) report.sizes.push_back(std::move(free.count));
 }
 

@@ -68,9 +68,9 @@ struct Tessellation {
   double on_paper = 0;  ///< the same in the largest view, mm
 };
 
-enum class FindingKind { undimensioned, repeated, crossing, small_text, off_sheet };
-inline constexpr std::array finding_names{"not dimensioned", "dimensioned twice", "crossing", "too small",
-                                          "off the sheet"};
+enum class FindingKind { undimensioned, undecided, repeated, contradictory, untrue, crossing, small_text, off_sheet };
+inline constexpr std::array finding_names{"not dimensioned", "cannot tell", "dimensioned twice", "contradictory",
+                                          "untrue",          "crossing",    "too small",         "off the sheet"};
 
 /// A fault of the dimensions of a drawing.
 struct Finding {

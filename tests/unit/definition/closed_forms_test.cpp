@@ -315,6 +315,47 @@ TEST(Definition, A_slope_held_at_two_places_that_nearly_coincide_cannot_be_told)
   }
 }
 
+// Six sides about z, the first one towards y, then bottom and top; the circle that touches the sides is only drawn.
+TEST(Definition, A_regular_hexagon_has_a_width_and_a_height) {
+  Part prism{{}, {}, 40};
+  for (int side = 0; side < 6; ++side) {
+    const double at = (side + 1.5) * M_PI / 3;
+    const Vec3 out(std::cos(at), std::sin(at), 0);
+    prism.faces.push_back(plane(15.0 * out + 10.0 * z, out, 300));
+  }
+  prism = with(prism, {plane({0, 0, 0}, -z, 700), plane({0, 0, 20}, z, 700), cylinder({0, 0, 10}, z, 15, 0)});
+  EXPECT_EQ(MadeSheet(prism).needed() - 3, 7);  // beside the circle: four places, two angles, a height
+  MadeSheet sheet(prism, Marks{.hexagons = {{8, {0, 1, 2, 3, 4, 5}}}});
+  EXPECT_EQ(sheet.needed(), 2);
+  sheet.distance(0, 3, 0).distance(6, 7, 6);
+  EXPECT_TRUE(sheet.account().is_complete());
+  expect_moves_with_part(sheet);
+}
+
+TEST(Definition, A_hole_whose_centre_line_crosses_that_of_a_tube_has_a_place_and_a_diameter) {
+  const auto tube = [&](double off) {
+    Part part{{cylinder({0, 0, 20}, z, 20, 5000), plane({0, 0, 0}, -z, 600), plane({0, 0, 40}, z, 600),
+               cylinder(Vec3(15, 8, 12) + off * Vec3(8, -15, 0), {15, 8, 0}, 3, 200)}};
+    part.size = 70;
+    return part;
+  };
+  MadeSheet sheet(tube(0));
+  EXPECT_EQ(sheet.needed(), 2 + 2);
+  EXPECT_EQ(MadeSheet(tube(0.1)).needed(), 2 + 3);
+  expect_moves_with_part(sheet);
+}
+
+TEST(Definition, Axes_behind_each_other_in_a_view_are_one_line) {
+  const auto wedge = [](double off) {
+    const Vec3 out(-0.6, 0, 0.8), along(0.8, 0, 0.6);
+    return with(box({60, 40, 50}), {plane(Vec3(30, 20, 30), out, 2500), cylinder(Vec3(30, 10, 30), out, 3, 200),
+                                    cylinder(Vec3(30, 30, 30) + off * along, out, 3, 200)});
+  };
+  MadeSheet sheet(wedge(0));
+  EXPECT_EQ(sheet.needed() + 1, MadeSheet(wedge(2)).needed());
+  expect_moves_with_part(sheet);
+}
+
 TEST(Definition, A_free_form_is_given_by_the_model) {
   Part part = box({60, 40, 10});
   part.faces.push_back({{}, {20, 20, 10}, 50});

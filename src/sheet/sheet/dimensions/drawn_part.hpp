@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A part with what a sheet draws beside its faces: pitch circles, and planes of symmetry through centre lines.
+// A part with what a sheet draws beside its faces: pitch circles, planes of symmetry through centre lines, and
+// hexagons.
 #pragma once
 
 #include <array>
@@ -17,7 +18,9 @@ struct DrawnPart {
 };
 
 /// A diameter through the axes of two or more faces is a pitch circle. Planes that are equally far from the axis of a
-/// round part, whose centre line the sheet draws, are symmetrical to it.
+/// round part, whose centre line the sheet draws, are symmetrical to it; so are those nearest to where a length ends
+/// amid faces without having a face there. Three pairs of planes of one width about one axis, at 60 degrees to each
+/// other, are a hexagon.
 DrawnPart with_drawn_lines(definition::Part part, std::span<const DimensionsInView> views,
                            std::span<const features::Extent, 3> extents);
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/angle.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "definition/limits.hpp"
 #include "features/tolerances.hpp"
@@ -19,6 +20,7 @@
 #include "sheet/dimensions/feature_table.hpp"
 #include "sheet/dimensions/measured_faces.hpp"
 #include "sheet/dimensions/place_joins.hpp"
+#include "surfaces/least_squares.hpp"
 
 namespace epura::sheet {
 
@@ -43,6 +45,24 @@ std::vector<double> numbers_in(std::string text) {
     i = is_number ? static_cast<std::size_t>(end - text.data()) : i + 1;
   }
   return numbers;
+}
+
+// One thing that a number in a text may mean: it determines one of two from the other. -1: what is fixed.
+struct Candidate {
+  Row row;
+  int one, other;
+};
+
+// How many independent things candidates determine.
+int rank_of(const std::vector<Candidate>& candidates, int count) {
+  DisjointSets sets(static_cast<std::size_t>(count) + 1);
+  int rank = 0;
+  for (const Candidate& candidate : candidates)
+    if (const int one = sets.root(candidate.one + 1), other = sets.root(candidate.other + 1); one != other) {
+      sets.join(one, other);
+      ++rank;
+    }
+  return rank;
 }
 
 class Reader {
@@ -100,10 +120,18 @@ class Reader {
     if (!rows.empty()) found_.statements.push_back({std::move(name), std::move(rows), is_certain});
   }
 
+  // Of "3×": for certain if there are no more than three things that it can mean.
+  void say_one_of(const std::string& name, std::vector<Candidate> candidates, int repeats) {
+    const bool is_certain = rank_of(candidates, all_faces()) <= repeats;
+    std::vector<Row> rows;
+    for (Candidate& candidate : candidates) rows.push_back(definition::tidy(std::move(candidate.row)));
+    say(name, std::move(rows), is_certain);
+  }
+
   void read_overall(const AnchoredDimension& dimension) {
     const int axis = axis_of(*dimension.direction);
     const Vec3 along = Mat3(1)[axis];
-    say(dimension.where, {measured_.length(dimension.points[0], dimension.points[1], along)});
+    say(dimension.where, measured_.lengths(dimension.points[0], dimension.points[1], along));
   }
 
   void read_length(const AnchoredDimension& dimension, const DimensionsInView& view) {
@@ -143,21 +171,29 @@ class Reader {
   void say_of_equal_lengths(const AnchoredDimension& dimension, const Vec3& measured) {
     const double value = std::abs(glm::dot(dimension.points[1] - dimension.points[0], measured));
     std::vector<Row> rows;
+    int sloped = 0;
     for (int face = 0; face < static_cast<int>(count_); ++face) {
       const PartSurface& one = surface(face);
       if (one.kind != SurfaceKind::plane && one.kind != SurfaceKind::cone) continue;
-      std::vector<Vec3> points;
+      std::vector<Vec3> points;  // not at corners, which other faces of the kind may hold as well
       for (const definition::Contact& contact : part_.contacts)
-        if (contact.faces[0] == face || contact.faces[1] == face)
-          points.insert(points.end(), contact.points.begin(), contact.points.end());
+        if (contact.faces[0] == face || contact.faces[1] == face) {
+          const bool is_straight = std::all_of(contact.faces.begin(), contact.faces.end(),
+                                               [&](int other) { return surface(other).kind == SurfaceKind::plane; });
+          points.push_back(is_straight ? surfaces::mean_of(contact.points) : contact.points.front());
+        }
       const std::size_t before = rows.size();
       for (int axis = 0; axis < 3; ++axis)
         for (std::size_t i = 1; i < points.size() && measured_.face_along(Mat3(1)[axis]) >= 0; ++i)
-          if (agree(std::abs(points[i][axis] - points[0][axis]), value))
-            rows.push_back(measured_.length(points[0], points[i], Mat3(1)[axis]));
-      if (rows.size() > before) add_turns(rows, face);
+          for (std::size_t j = 0; j < i; ++j)
+            if (agree(std::abs(points[i][axis] - points[j][axis]), value))
+              rows.push_back(measured_.length(points[j], points[i], Mat3(1)[axis]));
+      if (rows.size() == before) continue;
+      add_turns(rows, face);
+      ++sloped;
     }
-    say(dimension.where, std::move(rows), false);
+    const bool is_chamfer = dimension.text.find("45°") != std::string::npos;
+    say(dimension.where, std::move(rows), is_chamfer && sloped <= repeats_of(dimension.text));
     for (int face = 0; face < static_cast<int>(count_); ++face)
       for (int other = 0; other < face; ++other)
         if (surface(face).kind == SurfaceKind::cylinder && surface(other).kind == SurfaceKind::cylinder &&
@@ -197,34 +233,86 @@ class Reader {
       definition::add(row, other, -1);
       say(dimension.where, {definition::tidy(std::move(row))});
     }
-    const double cosine = glm::dot(glm::normalize(at[1] - at[0]), glm::normalize(at[2] - at[0]));
-    if (repeats_of(dimension.text) > 1) say_of_equal_angles(dimension.where, std::acos(cosine));
+    if (const int repeats = repeats_of(dimension.text); repeats > 1) {
+      const double cosine = glm::dot(glm::normalize(at[1] - at[0]), glm::normalize(at[2] - at[0]));
+      say_one_of(dimension.where, equal_angles(std::acos(cosine)), repeats);
+      say_one_of(dimension.where, equal_angles_about(dimension, sight, std::acos(cosine)), repeats);
+    }
   }
 
-  void say_of_equal_angles(const std::string& name, double angle) {
-    std::vector<Row> rows;
+  // Between directions of faces; of cones.
+  [[nodiscard]] std::vector<Candidate> equal_angles(double angle) const {
+    const auto is_it = [&](double one) { return std::abs(one - angle) <= size_agrees; };
+    std::vector<Candidate> found;
     for (std::size_t i = 0; i < directions_.directions.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const Vec3 &a = directions_.directions[i], &b = directions_.directions[j];
         const double between = std::acos(std::clamp(std::abs(glm::dot(a, b)), 0.0, 1.0));
-        const auto is_it = [&](double one) { return std::abs(one - angle) <= size_agrees; };
         if (!is_it(between) && !is_it(full_turn / 4 - between) && !is_it(full_turn / 2 - between)) continue;
-        Row row = unknowns_.turn(directions_.first_face[i], glm::normalize(glm::cross(a, b)));
-        definition::add(row, unknowns_.turn(directions_.first_face[j], glm::normalize(glm::cross(a, b))), -1);
-        rows.push_back(definition::tidy(std::move(row)));
+        const Vec3 about = glm::normalize(glm::cross(a, b));
+        Row row = unknowns_.turn(directions_.first_face[i], about);
+        definition::add(row, unknowns_.turn(directions_.first_face[j], about), -1);
+        found.push_back({std::move(row), directions_.first_face[i], directions_.first_face[j]});
       }
-    for (int face = 0; face < all_faces(); ++face) rows.push_back(unknowns_.growth(face, UnknownKind::angle));
-    say(name, std::move(rows), false);
+    for (int face = 0; face < all_faces(); ++face) {
+      const double half = std::atan(std::abs(surface(face).slope));
+      if (surface(face).kind == SurfaceKind::cone && (is_it(half) || is_it(2 * half) || is_it(full_turn / 4 - half)))
+        found.push_back({unknowns_.growth(face, UnknownKind::angle), face, -1});
+    }
+    check(std::all_of(found.begin(), found.end(), [](const Candidate& one) { return one.one != one.other; }),
+          "an angle is between two");
+    return found;
+  }
+
+  // Between axes on one circle, and from these to centre lines.
+  [[nodiscard]] std::vector<Candidate> equal_angles_about(const AnchoredDimension& dimension, const Vec3& sight,
+                                                          double angle) const {
+    const Vec3& corner = dimension.points[0];
+    const double radius = glm::distance(corner, dimension.points[2]);
+    std::vector<int> axes;
+    std::vector<Vec3> legs;
+    for (int face = 0; face < static_cast<int>(count_); ++face) {
+      const PartSurface& one = surface(face);
+      if (one.kind != SurfaceKind::cylinder || !features::are_parallel(one.axis, sight)) continue;
+      const Vec3 off = one.origin - corner, across = off - glm::dot(off, sight) * sight;
+      if (std::abs(glm::length(across) - radius) > slack_ || measured_.axis_through(corner + across, sight) != face)
+        continue;
+      axes.push_back(face);
+      legs.push_back(across);
+    }
+    check(axes.size() == legs.size(), "each axis has its leg");
+    const std::size_t count = axes.size();
+    const Vec3 first = glm::normalize(dimension.points[1] - corner);
+    for (const Vec3& fixed : {first, -first, glm::cross(sight, first), -glm::cross(sight, first)})
+      if (measured_.face_along(fixed) >= 0) legs.push_back(radius * fixed);
+    std::vector<Candidate> found;
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = i + 1; j < legs.size(); ++j) {
+        const double cosine = glm::dot(glm::normalize(legs[i]), glm::normalize(legs[j]));
+        if (std::abs(std::acos(std::clamp(cosine, -1.0, 1.0)) - angle) > size_agrees) continue;
+        Row row = measured_.turn_of_leg(corner, corner + legs[i], sight);
+        const Row other = measured_.turn_of_leg(corner, corner + legs[j], sight);
+        if (row.empty() || other.empty()) continue;
+        definition::add(row, other, -1);
+        found.push_back({std::move(row), axes[i], j < count ? axes[j] : -1});
+      }
+    return found;
   }
 
   void read_circle(const AnchoredDimension& dimension) {
-    const bool many = repeats_of(dimension.text) > 1 || dimension.type == DimensionType::radius;
+    const int repeats = repeats_of(dimension.text);
     std::vector<Row> own, equal;
+    std::vector<int> lines;  // the first faces of axes with that diameter
     for (const WorldCircle& circle : dimension.circles)
       for (int face = 0; face < all_faces(); ++face) {
         Row row = measured_.size(face, circle.radius);
+        if (row.empty()) continue;
         // A dimension of a radius gives those of all fillets that are equal on paper.
-        if (!row.empty()) (measured_.is_around(face, circle) ? own : equal).push_back(std::move(row));
+        (measured_.is_around(face, circle) ? own : equal).push_back(std::move(row));
+        if (!features::are_parallel(surface(face).axis, circle.axis)) continue;
+        if (const int line = measured_.axis_through(unknowns_.anchor(face), circle.axis);
+            std::find(lines.begin(), lines.end(), line) == lines.end())
+          lines.push_back(line);
       }
     for (const WorldCircle& circle : dimension.circles) {
       own.push_back(measured_.rim(circle));
@@ -233,7 +321,9 @@ class Reader {
           if (std::abs(circle.axis[axis]) <= features::parallel) say_place(dimension.where, circle.centre, axis);
     }
     say(dimension.where, std::move(own));
-    if (many) say(dimension.where, std::move(equal), dimension.type == DimensionType::radius);
+    const bool is_radius = dimension.type == DimensionType::radius;
+    if (is_radius || repeats > 1)
+      say(dimension.where, std::move(equal), is_radius || static_cast<int>(lines.size()) <= repeats);
     if (!dimension.circles.empty()) read_note(dimension);
   }
 
@@ -252,23 +342,43 @@ class Reader {
   // What stands behind a diameter: depths, counterbores, countersinks and threads of faces around the axis, and for
   // "4×" around all axes with the same circle. Nothing else than its size tells which face a number means.
   void read_note(const AnchoredDimension& dimension) {
-    const WorldCircle& circle = dimension.circles.front();
     const std::vector<double> numbers = numbers_in(dimension.text);
-    std::vector<WorldCircle> circles{circle};
-    for (int face = 0; face < static_cast<int>(count_) && repeats_of(dimension.text) > 1; ++face)
-      if (const PartSurface& one = surface(face);
-          one.kind == SurfaceKind::cylinder && !measured_.is_around(face, circle))
-        circles.push_back({one.origin, one.axis, one.radius, {}, true});
+    const std::vector<WorldCircle> circles = equal_circles(dimension);
+    const bool are_all = static_cast<int>(circles.size()) <= repeats_of(dimension.text);
     for (const WorldCircle& one : circles) {
-      std::vector<Row> rows;
       for (const double number : numbers) {
+        std::vector<Row> rows;
         add_depths(rows, one, number);
         add_sizes(rows, one, number);
+        const bool is_only = rows.size() == 1;
+        say(dimension.where, std::move(rows), are_all && is_only);
       }
+      std::vector<Row> rows;
       if (dimension.text.find('M') != std::string::npos || dimension.text.find('G') != std::string::npos)
         add_thread(rows, one);
       say(dimension.where, std::move(rows), false);
     }
+  }
+
+  // The circle of a dimension, and for "4×" those about other axes: of the same size, or if there are none, of any.
+  [[nodiscard]] std::vector<WorldCircle> equal_circles(const AnchoredDimension& dimension) const {
+    const WorldCircle& circle = dimension.circles.front();
+    std::vector<WorldCircle> equal{circle}, any{circle};
+    for (int face = 0; face < static_cast<int>(count_) && repeats_of(dimension.text) > 1; ++face) {
+      const PartSurface& one = surface(face);
+      if (one.kind != SurfaceKind::cylinder) continue;
+      const auto is_new = [&](const std::vector<WorldCircle>& list) {
+        return std::none_of(list.begin(), list.end(),
+                            [&](const WorldCircle& known) { return measured_.is_around(face, known); });
+      };
+      const WorldCircle own{one.origin, one.axis, one.radius, {}, true};
+      if (is_new(equal) && measured_.are_alike(one.radius, circle.radius) &&
+          features::are_parallel(one.axis, circle.axis))
+        equal.push_back(own);
+      if (is_new(any)) any.push_back(own);
+    }
+    check(any.size() >= equal.size(), "those of the same size are some of all");
+    return equal.size() > 1 ? equal : any;
   }
 
   [[nodiscard]] std::vector<Vec3> rims_around(const WorldCircle& circle) const {
@@ -289,7 +399,7 @@ class Reader {
         const bool is_done =
             std::any_of(done.begin(), done.end(), [&](double one) { return std::abs(one - at) <= slack_; });
         if (!measured_.are_alike(off, depth) || is_done) continue;
-        rows.push_back(measured_.length(rims[j], rims[i], circle.axis));
+        if (Row row = measured_.length(rims[j], rims[i], circle.axis); !row.empty()) rows.push_back(std::move(row));
         done.push_back(at);
       }
   }
@@ -297,7 +407,7 @@ class Reader {
   void add_sizes(std::vector<Row>& rows, const WorldCircle& circle, double number) const {
     for (int face = 0; face < static_cast<int>(count_); ++face) {
       if (!measured_.is_around(face, circle)) continue;
-      rows.push_back(measured_.size(face, number / 2));
+      if (Row row = measured_.size(face, number / 2); !row.empty()) rows.push_back(std::move(row));
       if (surface(face).kind != SurfaceKind::cone) continue;
       const double half = std::atan(std::abs(surface(face).slope)) * degrees;
       if (measured_.are_alike(2 * half, number) || measured_.are_alike(half, number))

@@ -31,19 +31,6 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-// Three directions at 60 degrees to each other: to readers, a hexagon is regular, and no rule of the table says it.
-bool has_hexagon(const definition::Directions& directions) {
-  const auto are_at_60 = [&](std::size_t i, std::size_t j) {
-    return std::abs(std::abs(glm::dot(directions.directions[i], directions.directions[j])) - 0.5) <= features::parallel;
-  };
-  const std::size_t count = directions.directions.size();
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t j = i + 1; j < count; ++j)
-      for (std::size_t k = j + 1; k < count && are_at_60(i, j); ++k)
-        if (are_at_60(i, k) && are_at_60(j, k)) return true;
-  return false;
-}
-
 }  // namespace
 
 FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::World& world,
@@ -53,7 +40,7 @@ FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::
   auto faces = definition::part_of_model(world, 0);
   if (!faces) return found;
   if (faces->faces.size() > most_faces) {
-    found.sentences.push_back("cannot tell whether " + of_faces(static_cast<std::ptrdiff_t>(faces->faces.size())) +
+    found.undecided.push_back("whether " + of_faces(static_cast<std::ptrdiff_t>(faces->faces.size())) +
                               " are free: at most " + std::to_string(most_faces) + " are looked at");
     return found;
   }
@@ -63,22 +50,37 @@ FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::
   const definition::Unknowns unknowns(drawn.part, directions);
   const auto rules = definition::state_rules(drawn.part, directions, unknowns, drawn.marks, definition::Standard::iso);
   const FaceStatements said = state_dimensions(views, drawn, directions, unknowns, notation);
+  if (getenv("DBG")) {
+    for (auto& s : said.statements) {
+      printf("  ST %s certain %d\n", s.name.c_str(), s.is_certain);
+      for (auto& r : s.rows) {
+        printf("     ");
+        for (auto& t : r)
+          printf(" %.3f*[f%d k%d (%.2f %.2f %.2f)]", t.factor, unknowns[t.unknown].face, int(unknowns[t.unknown].kind),
+                 unknowns[t.unknown].along.x, unknowns[t.unknown].along.y, unknowns[t.unknown].along.z);
+        printf("\n");
+      }
+    }
+    for (auto& l : drawn.marks.symmetries) printf("  SYM %d: %d %d\n", l.face, l.pairs[0][0], l.pairs[0][1]);
+    for (std::size_t i = 0; i < drawn.part.faces.size(); ++i)
+      printf("  F%zu kind %d n %.2f %.2f %.2f at %.2f %.2f %.2f\n", i, int(drawn.part.faces[i].surface.kind),
+             drawn.part.faces[i].surface.axis.x, drawn.part.faces[i].surface.axis.y, drawn.part.faces[i].surface.axis.z,
+             drawn.part.faces[i].at.x, drawn.part.faces[i].at.y, drawn.part.faces[i].at.z);
+  }
   const Account account = definition::take_account(drawn.part, unknowns, rules, said.statements);
   const auto of_model = account.states.begin() + static_cast<std::ptrdiff_t>(drawn.faces);
   const auto uncertain = std::count(account.states.begin(), of_model, FaceState::uncertain);
   const auto free = std::count(account.states.begin(), of_model, FaceState::free);
-  std::vector<std::string> doubts = said.unread;
-  if (has_hexagon(directions)) doubts.emplace_back("a hexagon, which may be regular");
   const auto length = [&](double value) { return length_text(value, notation); };
   for (const definition::Motion& motion : account.motions)
     if (std::string sentence = definition::sentence_of(motion, drawn.part, unknowns, length);
-        doubts.empty() && !sentence.empty())
+        said.unread.empty() && !sentence.empty())
       found.sentences.push_back(std::move(sentence));
-  if (free > 0 && !doubts.empty())
-    found.sentences.push_back("cannot tell whether " + of_faces(free) +
-                              " can move, for nobody can tell what this says of them: " + listed(doubts));
+  if (free > 0 && !said.unread.empty())
+    found.undecided.push_back("whether " + of_faces(free) +
+                              " can move, for nobody can tell what this says of them: " + listed(said.unread));
   if (uncertain > 0 || !account.is_certain)
-    found.sentences.push_back("cannot tell whether the texts of dimensions hold " + of_faces(uncertain));
+    found.undecided.push_back("whether the texts of dimensions hold " + of_faces(uncertain));
   found.count.given = static_cast<int>(std::count(account.states.begin(), of_model, FaceState::fixed));
   found.count.all = static_cast<int>(drawn.faces) -
                     static_cast<int>(std::count(account.states.begin(), of_model, FaceState::by_model));

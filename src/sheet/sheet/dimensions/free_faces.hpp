@@ -16,12 +16,13 @@ namespace epura::sheet {
 
 struct FreeFaces {
   std::vector<std::string> sentences;
+  std::vector<std::string> undecided;                         ///< what keeps anyone from telling
   report::SizeCount count{"faces held by dimensions", 0, 0};  ///< of all kinds; none of free forms
 };
 
 /// By the rank of what the dimensions and the rules of ISO 129-1 say of the faces, without regard to features. Faces of
 /// which only a doubtful reading of a text holds one are not counted as held; and where nobody can tell what a
-/// dimension measures, a sentence says so instead of those that would be free without it. Nothing for an assembly.
+/// dimension measures, `undecided` says so instead of those that would be free without it. Nothing for an assembly.
 FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::World& world,
                           const std::array<features::Extent, 3>& extents, const Notation& notation);
 

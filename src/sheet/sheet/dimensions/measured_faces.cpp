@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.hpp"
 #include "definition/limits.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
@@ -45,14 +46,11 @@ int MeasuredFaces::face_along(const Vec3& along) const {
 std::optional<End> MeasuredFaces::place_at(const Vec3& point, const Vec3& along) const {
   for (int face = 0; face < all_faces(); ++face) {
     const PartSurface& one = surface(face);
-    const double cosine = std::abs(glm::dot(one.axis, along));
-    const bool is_plane = one.kind == SurfaceKind::plane;
-    const bool has_place = is_plane ? features::are_parallel(one.axis, along)
-                           : surfaces::has_axis(one.kind)
-                               ? cosine <= features::parallel || one.kind == SurfaceKind::torus
-                               : one.kind == SurfaceKind::sphere;
-    const Vec3& anchor = unknowns_.anchor(face);
-    if (has_place && std::abs(glm::dot(point - anchor, along)) <= slack_) return End{anchor, {face}, !is_plane};
+    Vec3 anchor = unknowns_.anchor(face);
+    if (!definition::has_place_along(one, along) || std::abs(glm::dot(point - anchor, along)) > slack_) continue;
+    if (one.kind == SurfaceKind::cylinder || one.kind == SurfaceKind::cone)
+      anchor += glm::dot(point - anchor, one.axis) * one.axis;
+    return End{anchor, {face}, one.kind != SurfaceKind::plane};
   }
   return std::nullopt;
 }
@@ -92,19 +90,43 @@ std::optional<End> MeasuredFaces::corner_at(const Vec3& point) const {
   return end;
 }
 
+// Edges whose place along a direction this is.
+std::vector<End> MeasuredFaces::edges_at(const Vec3& point, const Vec3& along) const {
+  std::vector<End> ends;
+  for (const definition::Contact& contact : part_.contacts)
+    for (const Vec3& one : contact.points)
+      if (std::abs(glm::dot(one - point, along)) <= slack_)
+        if (std::optional<End> end = corner_at(one);
+            end && !definition::end_motion(unknowns_, part_, *end, along).empty())
+          ends.push_back(std::move(*end));
+  return ends;
+}
+
 Row MeasuredFaces::length(const Vec3& from, const Vec3& to, const Vec3& along) const {
-  std::array<std::optional<End>, 2> ends;
+  std::vector<Row> rows = lengths(from, to, along);
+  return rows.empty() ? Row{} : std::move(rows.front());
+}
+
+std::vector<Row> MeasuredFaces::lengths(const Vec3& from, const Vec3& to, const Vec3& along) const {
+  std::array<std::vector<End>, 2> ends;
   const int direction = face_along(along);
   for (const int side : {0, 1}) {
     const Vec3& point = side == 0 ? from : to;
-    auto& end = ends[static_cast<std::size_t>(side)];
-    for (const auto& found : {place_at(point, along), corner_at(point), side_at(point, along)})
-      if (!end && found && !definition::end_motion(unknowns_, part_, *found, along).empty()) end = found;
-    if (!end) return {};
+    std::vector<End>& found = ends[static_cast<std::size_t>(side)];
+    for (const auto& end : {place_at(point, along), corner_at(point), side_at(point, along)})
+      if (found.empty() && end && !definition::end_motion(unknowns_, part_, *end, along).empty()) found.push_back(*end);
+    if (found.empty()) found = edges_at(point, along);
   }
-  const Vec3 off = ends[1]->at - ends[0]->at;
-  if (direction < 0 && glm::length(glm::cross(off, along)) > slack_) return {};
-  return definition::length(unknowns_, part_, {*ends[0], *ends[1]}, along, direction);
+  std::vector<Row> rows;
+  for (const End& first : ends[0])
+    for (const End& second : ends[1]) {
+      const Vec3 off = second.at - first.at;
+      if (direction < 0 && glm::length(glm::cross(off, along)) > slack_) continue;
+      if (Row row = definition::length(unknowns_, part_, {first, second}, along, direction); !row.empty())
+        rows.push_back(std::move(row));
+    }
+  check(rows.size() <= ends[0].size() * ends[1].size(), "a length is between two ends");
+  return rows;
 }
 
 bool MeasuredFaces::are_alike(double a, double b) const { return agree(a, b) || are_written_alike(a, b, notation_); }
@@ -145,7 +167,8 @@ Row MeasuredFaces::rim(const WorldCircle& circle) const {
   return definition::diameter(unknowns_, part_, ends);
 }
 
-// A face of which a leg lies in its side, seen along a direction; its axis if the leg is a centre line.
+// A face of which a leg lies in its side, seen along a direction; its axis if the leg is a centre line; two axes if it
+// goes from one to the other.
 Row MeasuredFaces::turn_of_leg(const Vec3& corner, const Vec3& end, const Vec3& sight) const {
   const Vec3 leg = glm::normalize(end - corner), normal = glm::cross(sight, leg);
   for (int face = 0; face < all_faces(); ++face) {
@@ -157,7 +180,23 @@ Row MeasuredFaces::turn_of_leg(const Vec3& corner, const Vec3& end, const Vec3& 
   }
   for (const Vec3& wanted : {normal, leg})
     if (const int face = face_along(wanted); face >= 0) return unknowns_.turn(face, sight);
-  return {};
+  const int from = axis_through(corner, sight), to = axis_through(end, sight);
+  if (from < 0 || to < 0 || from == to) return {};
+  check(from != to, "a leg has two ends");
+  Row row = unknowns_.axis_motion(to, end, normal);
+  definition::add(row, unknowns_.axis_motion(from, corner, normal), -1);
+  Row turn;
+  definition::add(turn, row, part_.size / glm::distance(corner, end));
+  return definition::tidy(std::move(turn));
+}
+
+int MeasuredFaces::axis_through(const Vec3& point, const Vec3& along) const {
+  for (int face = 0; face < all_faces(); ++face)
+    if (const PartSurface& one = surface(face); surfaces::has_axis(one.kind) &&
+                                                features::are_parallel(one.axis, along) &&
+                                                features::distance_from_line(point, one.origin, one.axis) <= slack_)
+      return face;
+  return -1;
 }
 
 }  // namespace epura::sheet

@@ -23,16 +23,21 @@ class MeasuredFaces {
         slack_(slack_of(drawn.part)) {}
 
   /// The length along a direction between two places: of planes, axes and centres that are at the same place along it,
-  /// otherwise of corners and of sides of round faces. Nothing if faces hold none of these.
+  /// otherwise of corners, of sides of round faces and of edges. Nothing if faces hold none of these.
   [[nodiscard]] definition::Row length(const Vec3& from, const Vec3& to, const Vec3& along) const;
+  /// The same of all edges in line with the places, if there is nothing else at them.
+  [[nodiscard]] std::vector<definition::Row> lengths(const Vec3& from, const Vec3& to, const Vec3& along) const;
   /// The diameter of a circle that faces leave where they meet: the end of a cone, the ring of a torus.
   [[nodiscard]] definition::Row rim(const WorldCircle& circle) const;
-  /// The turn of a face in whose side a leg of an angle lies, seen along a direction, or of which it is the axis.
+  /// The turn of a face in whose side a leg of an angle lies, seen along a direction, or of which it is the axis; of
+  /// the line between two axes if it goes from one to the other.
   [[nodiscard]] definition::Row turn_of_leg(const Vec3& corner, const Vec3& end, const Vec3& sight) const;
   /// The size of a round face that this radius on paper may be.
   [[nodiscard]] definition::Row size(int face, double radius) const;
   /// Whether a face has the axis of a circle, or its centre on it.
   [[nodiscard]] bool is_around(int face, const WorldCircle& circle) const;
+  /// A face whose axis goes along a direction through a point; -1 if there is none.
+  [[nodiscard]] int axis_through(const Vec3& point, const Vec3& along) const;
   /// A face with this direction; -1 if there is none.
   [[nodiscard]] int face_along(const Vec3& along) const;
   /// Whether two lengths are the same on paper.
@@ -46,6 +51,7 @@ class MeasuredFaces {
   [[nodiscard]] std::optional<definition::End> place_at(const Vec3& point, const Vec3& along) const;
   [[nodiscard]] std::optional<definition::End> side_at(const Vec3& point, const Vec3& along) const;
   [[nodiscard]] std::optional<definition::End> corner_at(const Vec3& point) const;
+  [[nodiscard]] std::vector<definition::End> edges_at(const Vec3& point, const Vec3& along) const;
 
   const definition::Part& part_;
   const definition::Directions& directions_;
