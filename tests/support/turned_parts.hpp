@@ -120,8 +120,8 @@ inline std::string ring_with_holes(const std::vector<double>& angles, double pit
 /// Unevenly spaced holes on a pitch circle: those at one angle from the axes have one dimension.
 inline std::vector<KnownPart> uneven_pitch_circles() {
   std::vector<KnownPart> parts;
-  const auto add = [&](const std::vector<double>& angles, const Words& texts) {
-    Words all{"⌀100", "⌀30", "8", std::to_string(angles.size()) + "× ⌀8", "⌀70"};
+  const auto add = [&](const std::vector<double>& angles, const std::vector<std::string>& texts) {
+    std::vector<std::string> all{"⌀100", "⌀30", "8", std::to_string(angles.size()) + "× ⌀8", "⌀70"};
     all.insert(all.end(), texts.begin(), texts.end());
     parts.push_back({"holes at " + number(angles.front()), ring_with_holes(angles, 35, 4), all});
   };

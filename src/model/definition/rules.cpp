@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "definition/limits.hpp"
@@ -196,6 +197,26 @@ void state_same(const Part& part, const Directions&, const Unknowns& unknowns, c
     }
 }
 
+// A cone that is the end of a bore, and touches nothing else, has the angle of a drill.
+void state_drilled(const Part& part, const Directions&, const Unknowns& unknowns, const Marks&, Statement& statement) {
+  std::vector<std::vector<int>> touched(number_of(part));
+  for (const Contact& contact : part.contacts)
+    for (const int side : {0, 1})
+      touched[static_cast<std::size_t>(contact.faces[static_cast<std::size_t>(side)])].push_back(
+          contact.faces[static_cast<std::size_t>(1 - side)]);
+  for (int face = 0; face < static_cast<int>(number_of(part)); ++face) {
+    const std::vector<int>& others = touched[static_cast<std::size_t>(face)];
+    if (surface_of(part, face).kind != SurfaceKind::cone || others.empty()) continue;
+    const bool is_point = std::all_of(others.begin(), others.end(), [&](int other) {
+      const PartSurface& bore = surface_of(part, other);
+      return bore.kind == SurfaceKind::cylinder &&
+             off_axis(unknowns.anchor(other), surface_of(part, face)) <= drawn_in_line * part.size;
+    });
+    if (is_point && std::set<int>(others.begin(), others.end()).size() == 1)
+      statement.rows.push_back(unknowns.growth(face, UnknownKind::angle));
+  }
+}
+
 // The surfaces keep touching wherever they do: what one moves along the common normal, the other does. Normals of both
 // differ by the errors of the file, so those of one count: of a plane, if there is one.
 void state_tangent(const Part& part, const Directions&, const Unknowns& unknowns, const Marks&, Statement& statement) {
@@ -305,13 +326,14 @@ void state_equal(const Part&, const Directions&, const Unknowns& unknowns, const
 constexpr const char *iso_sizes = "ISO 129-1", *iso_lines = "ISO 128-2";
 constexpr const char* asme = "ASME Y14.5";
 
-constexpr std::array<Rule, 11> rules{{
+constexpr std::array<Rule, 12> rules{{
     {"parallel", "lines that are drawn parallel", {nullptr, iso_sizes, asme}, state_parallel},
     {"perpendicular", "lines that are drawn at right angles", {nullptr, iso_sizes, asme}, state_perpendicular},
     {"in line", "faces and centre lines that are drawn as one line", {nullptr, iso_sizes, asme}, state_in_line},
     {"coaxial", "a common centre line", {nullptr, iso_lines, asme}, state_coaxial},
     {"crossing", "centre lines that cross", {nullptr, iso_lines, asme}, state_crossing},
     {"same", "a round outline that something interrupts", {nullptr, iso_sizes, asme}, state_same},
+    {"drilled", "the point of a blind hole", {nullptr, iso_sizes, asme}, state_drilled},
     {"tangent", "an outline that turns without a corner", {nullptr, iso_sizes, asme}, state_tangent},
     {"symmetric", "a line of symmetry", {nullptr, iso_lines, asme}, state_symmetric},
     {"on a circle", "a pitch circle", {nullptr, iso_sizes, asme}, state_on_circle},

@@ -65,6 +65,14 @@ int rank_of(const std::vector<Candidate>& candidates, int count) {
   return rank;
 }
 
+// To an axis of the world.
+bool is_at_45_degrees(const PartSurface& surface) {
+  if (surface.kind == SurfaceKind::cone) return std::abs(std::abs(surface.slope) - 1) <= size_agrees;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(std::abs(surface.axis[axis]) - std::sqrt(0.5)) <= size_agrees) return true;
+  return false;
+}
+
 class Reader {
  public:
   Reader(const DrawnPart& drawn, const definition::Directions& directions, const definition::Unknowns& unknowns,
@@ -171,10 +179,12 @@ class Reader {
   void say_of_equal_lengths(const AnchoredDimension& dimension, const Vec3& measured) {
     const double value = std::abs(glm::dot(dimension.points[1] - dimension.points[0], measured));
     std::vector<Row> rows;
+    const bool is_chamfer = dimension.text.find("45°") != std::string::npos;
     int sloped = 0;
     for (int face = 0; face < static_cast<int>(count_); ++face) {
       const PartSurface& one = surface(face);
       if (one.kind != SurfaceKind::plane && one.kind != SurfaceKind::cone) continue;
+      if (is_chamfer && !is_at_45_degrees(one)) continue;
       std::vector<Vec3> points;  // not at corners, which other faces of the kind may hold as well
       for (const definition::Contact& contact : part_.contacts)
         if (contact.faces[0] == face || contact.faces[1] == face) {
@@ -192,7 +202,6 @@ class Reader {
       add_turns(rows, face);
       ++sloped;
     }
-    const bool is_chamfer = dimension.text.find("45°") != std::string::npos;
     say(dimension.where, std::move(rows), is_chamfer && sloped <= repeats_of(dimension.text));
     for (int face = 0; face < static_cast<int>(count_); ++face)
       for (int other = 0; other < face; ++other)

@@ -2,7 +2,6 @@
 #include "sheet/dimensions/free_faces.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -11,8 +10,9 @@
 #include "definition/part_of_model.hpp"
 #include "definition/words.hpp"
 #include "features/assembly_features.hpp"
-#include "features/tolerances.hpp"
+#include "features/engraving.hpp"
 #include "sheet/dimensions/face_statements.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::sheet {
 
@@ -39,6 +39,10 @@ FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::
   if (features::is_assembly(world) || world.models.size() != 1) return found;
   auto faces = definition::part_of_model(world, 0);
   if (!faces) return found;
+  // Letters are given by their text.
+  const std::vector<char> letters = features::walls_of_letters(world.models[0], *world::place_part(world.models[0]));
+  for (std::size_t i = 0; i < faces->faces.size(); ++i)
+    if (letters[i] != 0) faces->faces[i].surface.kind = surfaces::SurfaceKind::free_form;
   if (faces->faces.size() > most_faces) {
     found.undecided.push_back("whether " + of_faces(static_cast<std::ptrdiff_t>(faces->faces.size())) +
                               " are free: at most " + std::to_string(most_faces) + " are looked at");

@@ -113,7 +113,7 @@ std::vector<Row> MeasuredFaces::lengths(const Vec3& from, const Vec3& to, const 
   for (const int side : {0, 1}) {
     const Vec3& point = side == 0 ? from : to;
     std::vector<End>& found = ends[static_cast<std::size_t>(side)];
-    for (const auto& end : {place_at(point, along), corner_at(point), side_at(point, along)})
+    for (const auto& end : {corner_at(point), place_at(point, along), side_at(point, along)})
       if (found.empty() && end && !definition::end_motion(unknowns_, part_, *end, along).empty()) found.push_back(*end);
     if (found.empty()) found = edges_at(point, along);
   }

@@ -22,8 +22,8 @@ class MeasuredFaces {
         notation_(notation),
         slack_(slack_of(drawn.part)) {}
 
-  /// The length along a direction between two places: of planes, axes and centres that are at the same place along it,
-  /// otherwise of corners, of sides of round faces and of edges. Nothing if faces hold none of these.
+  /// The length along a direction between two places: of corners, otherwise of planes, axes and centres that are at the
+  /// same place along it, of sides of round faces and of edges. Nothing if faces hold none of these.
   [[nodiscard]] definition::Row length(const Vec3& from, const Vec3& to, const Vec3& along) const;
   /// The same of all edges in line with the places, if there is nothing else at them.
   [[nodiscard]] std::vector<definition::Row> lengths(const Vec3& from, const Vec3& to, const Vec3& along) const;
