@@ -138,15 +138,15 @@ std::vector<Row> in_terms_of(std::span<const Row> rows, std::span<const Row> vec
 }
 
 struct Said {
-  std::vector<Row> rows;
-  std::vector<int> of;  // the statement of each
+  std::vector<Row> rows;        // of length 1
+  std::vector<int> of;          // the statement of each
+  std::vector<double> lengths;  // of each row in its statement
 };
 
-Row of_length_one(Row row) {
+double length_of(const Row& row) {
   double squares = 0;
   for (const Term& term : row) squares += term.factor * term.factor;
-  for (Term& term : row) term.factor /= std::sqrt(squares);
-  return row;
+  return std::sqrt(squares);
 }
 
 Said said_by(std::span<const Statement> statements, bool with_doubtful) {
@@ -154,7 +154,9 @@ Said said_by(std::span<const Statement> statements, bool with_doubtful) {
   for (std::size_t i = 0; i < statements.size(); ++i)
     for (const Row& row : statements[i].rows)
       if (statements[i].is_certain || with_doubtful) {
-        said.rows.push_back(of_length_one(row));
+        said.lengths.push_back(length_of(row));
+        said.rows.push_back(row);
+        for (Term& term : said.rows.back()) term.factor /= said.lengths.back();
         said.of.push_back(static_cast<int>(i));
       }
   return said;
@@ -163,7 +165,7 @@ Said said_by(std::span<const Statement> statements, bool with_doubtful) {
 struct Free {
   std::vector<Row> allowed;     // by the rules
   std::vector<Row> dimensions;  // in terms of what these allow
-  std::vector<int> of;
+  Said said;
   std::vector<Motion> motions;
   bool is_certain;
 };
@@ -174,13 +176,39 @@ Free find_free(const Part& part, const Unknowns& unknowns, std::span<const State
   for (Row& row : said_by(rules, with_doubtful).rows) rows.push_back(std::move(row));
   NullSpace by_rules = null_space(unknowns.count(), rows);
   Said said = said_by(dimensions, with_doubtful);
-  Free free{std::move(by_rules.vectors), {}, std::move(said.of), {}, by_rules.is_certain};
-  free.dimensions = in_terms_of(said.rows, free.allowed, unknowns.count());
+  Free free{std::move(by_rules.vectors), {}, std::move(said), {}, by_rules.is_certain};
+  free.dimensions = in_terms_of(free.said.rows, free.allowed, unknowns.count());
   const NullSpace left = null_space(static_cast<int>(free.allowed.size()), free.dimensions);
   free.is_certain = free.is_certain && left.is_certain;
   const Relative relative(part, unknowns);
   for (const Row& vector : left.vectors) free.motions.push_back(relative.motion(combined(vector, free.allowed)));
   return free;
+}
+
+// The statements of a row and of those from which it follows, each once.
+std::vector<int> statements_of(const DependentRow& one, const Said& said) {
+  std::vector<int> list{said.of[static_cast<std::size_t>(one.row)]};
+  for (const Term& term : one.others)
+    if (const int number = said.of[static_cast<std::size_t>(term.unknown)];
+        std::find(list.begin(), list.end(), number) == list.end())
+      list.push_back(number);
+  return list;
+}
+
+// Whether the texts say something else of a row than those of the others do, beyond their last digits.
+bool contradict(const DependentRow& one, const Said& said, std::span<const Statement> statements) {
+  double more = 0, slack = 0;
+  bool is_certain = true;
+  const auto add_text = [&](int row, double factor) {
+    const Statement& statement = statements[static_cast<std::size_t>(said.of[static_cast<std::size_t>(row)])];
+    const double length = said.lengths[static_cast<std::size_t>(row)];
+    more += factor * statement.more / length;
+    slack += std::abs(factor) * statement.slack / length;
+    is_certain = is_certain && statement.is_certain;
+  };
+  add_text(one.row, 1);
+  for (const Term& term : one.others) add_text(term.unknown, -term.factor);
+  return is_certain && std::abs(more) > slack + surely_zero;
 }
 
 void mark(std::vector<FaceState>& states, const std::vector<Motion>& motions, FaceState state) {
@@ -215,13 +243,9 @@ Account take_account(const Part& part, const Unknowns& unknowns, std::span<const
   mark(account.states, surely.motions, FaceState::free);
   account.needed = static_cast<int>(surely.allowed.size());
   account.motions = std::move(surely.motions);
-  for (const std::vector<int>& rows : dependent_rows(surely.dimensions)) {
-    std::vector<int> list;
-    for (const int row : rows)
-      if (const int number = surely.of[static_cast<std::size_t>(row)];
-          std::find(list.begin(), list.end(), number) == list.end())
-        list.push_back(number);
-    account.repeated.push_back(std::move(list));
+  for (const DependentRow& one : dependent_rows(surely.dimensions)) {
+    account.repeated.push_back(statements_of(one, surely.said));
+    if (contradict(one, surely.said, dimensions)) account.contradictory.push_back(account.repeated.back());
   }
   return account;
 }

@@ -25,7 +25,8 @@ struct Account {
   std::vector<FaceState> states;  ///< of each face; `uncertain` where only doubtful statements hold it, or a rank is
   /// Numbers of dimensions of which the first follows from the others. It stands alone if the rules say it.
   std::vector<std::vector<int>> repeated;
-  bool is_certain = true;  ///< the ranks are proved, and no statement in doubt matters
+  std::vector<std::vector<int>> contradictory;  ///< those of them whose texts cannot all be true
+  bool is_certain = true;                       ///< the ranks are proved, and no statement in doubt matters
 
   [[nodiscard]] bool is_complete() const;
 };

@@ -173,13 +173,13 @@ NullSpace null_space_of(const Group& group, std::span<const Row> rows) {
   return found;
 }
 
-// How a row follows from earlier ones: zero or more of them, or nothing if it does not.
+// Which rows follow from earlier ones, and how.
 class Followers {
  public:
   explicit Followers(const Matrix& rows) : rows_(rows), base_(0, rows.cols()) {}
 
-  std::vector<std::vector<int>> find() {
-    std::vector<std::vector<int>> found;
+  std::vector<DependentRow> find() {
+    std::vector<DependentRow> found;
     for (Eigen::Index i = 0; i < rows_.rows(); ++i) {
       const Eigen::VectorXd row = rows_.row(i).transpose();
       Eigen::VectorXd factors(base_.rows()), rest = row;
@@ -194,10 +194,10 @@ class Followers {
         continue;
       }
       if (rest.norm() > surely_zero) continue;
-      std::vector<int> list{static_cast<int>(i)};
+      DependentRow one{static_cast<int>(i), {}};
       for (Eigen::Index k = 0; k < factors.size(); ++k)
-        if (std::abs(factors(k)) > surely_zero) list.push_back(kept_[static_cast<std::size_t>(k)]);
-      found.push_back(std::move(list));
+        if (std::abs(factors(k)) > surely_zero) one.others.push_back({kept_[static_cast<std::size_t>(k)], factors(k)});
+      found.push_back(std::move(one));
     }
     return found;
   }
@@ -241,18 +241,19 @@ NullSpace null_space(int count, std::span<const Row> rows) {
   return found;
 }
 
-std::vector<std::vector<int>> dependent_rows(std::span<const Row> rows) {
-  std::vector<std::vector<int>> found;
+std::vector<DependentRow> dependent_rows(std::span<const Row> rows) {
+  std::vector<DependentRow> found;
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (rows[i].empty()) found.push_back({static_cast<int>(i)});
+    if (rows[i].empty()) found.push_back({static_cast<int>(i), {}});
   for (const Group& group : groups_of(rows)) {
     const Matrix matrix = group.matrix(rows);
-    for (std::vector<int>& list : Followers(matrix).find()) {
-      for (int& number : list) number = group.rows[static_cast<std::size_t>(number)];
-      found.push_back(std::move(list));
+    for (DependentRow& one : Followers(matrix).find()) {
+      one.row = group.rows[static_cast<std::size_t>(one.row)];
+      for (Term& term : one.others) term.unknown = group.rows[static_cast<std::size_t>(term.unknown)];
+      found.push_back(std::move(one));
     }
   }
-  std::sort(found.begin(), found.end());
+  std::sort(found.begin(), found.end(), [](const DependentRow& a, const DependentRow& b) { return a.row < b.row; });
   return found;
 }
 

@@ -20,9 +20,14 @@ struct NullSpace {
 /// `surely_not_zero` are the borders of the gap that proves them.
 NullSpace null_space(int count, std::span<const Row> rows);
 
-/// The numbers of rows of which each follows from the others of its list: the first one from those after it, which all
-/// come before it among the rows and are independent. Rows of nothing are a list of their own.
-std::vector<std::vector<int>> dependent_rows(std::span<const Row> rows);
+/// A row that is the sum of factor · row over others, which all come before it and are independent.
+struct DependentRow {
+  int row;
+  Row others;  ///< their unknowns are numbers of rows; none for a row of nothing
+};
+
+/// All that follow from others.
+std::vector<DependentRow> dependent_rows(std::span<const Row> rows);
 
 /// The sum of factor · vector over the terms of a row, whose unknowns are numbers of vectors.
 Row combined(const Row& row, std::span<const Row> vectors);

@@ -17,6 +17,8 @@ struct Statement {
   std::string name;  ///< by which it is told of: "52 along x"
   std::vector<Row> rows;
   bool is_certain = true;  ///< otherwise it may be that the sheet says this
+  double more = 0;         ///< what its text says beyond what the part has, as each row counts it
+  double slack = 0;        ///< how far that may be off, by the last digit of the text
 };
 
 /// Where a length begins or ends: on faces, all of which go through the place, or on the axis or at the centre of one.

@@ -102,6 +102,9 @@ void add_free_faces(report::Report& report, const world::World& world, const sce
   for (const std::string& what : free.sentences)
     report.findings.push_back({report::FindingKind::undimensioned, "", what});
   for (const std::string& what : free.undecided) report.findings.push_back({report::FindingKind::undecided, "", what});
+  for (const std::string& what : free.contradictory)
+    report.findings.push_back({report::FindingKind::contradictory, "", what});
+  for (const std::string& what : free.untrue) report.findings.push_back({report::FindingKind::untrue, "", what});
   if (free.count.all > 0) report.sizes.push_back(std::move(free.count));
 }
 

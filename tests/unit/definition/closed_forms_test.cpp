@@ -289,6 +289,20 @@ TEST(Definition, What_is_said_twice_is_told_with_what_says_it) {
   EXPECT_EQ(sheet.account().repeated, (std::vector<std::vector<int>>{{3, 0, 1}, {4}})) << "drawn at right angles";
 }
 
+// Of 20 and 40, which are 60 together, one text is larger by 1; with half a unit of slack in each, all may be true.
+TEST(Definition, Texts_contradict_that_cannot_all_be_true) {
+  MadeSheet sheet(with(box({60, 40, 10}), {plane({20, 20, 8}, x, 80), plane({20, 20, 6}, z, 80)}));
+  sheet.distance(left, 6, left).distance(6, right, left).distance(front, back, front).distance(left, right, left);
+  EXPECT_TRUE(sheet.account().contradictory.empty());
+  sheet.dimensions[3].more = -1 / sheet.part.size;  // the direction is that of the left face, outwards
+  EXPECT_EQ(sheet.account().contradictory, (std::vector<std::vector<int>>{{3, 0, 1}}));
+  sheet.dimensions[0].more = -1 / sheet.part.size;
+  EXPECT_TRUE(sheet.account().contradictory.empty()) << "19 and 40 are 59";
+  sheet.dimensions[0].more = 0;
+  for (const std::size_t number : {0, 1, 3}) sheet.dimensions[number].slack = 0.5 / sheet.part.size;
+  EXPECT_TRUE(sheet.account().contradictory.empty());
+}
+
 TEST(Definition, What_may_be_said_leaves_faces_in_doubt) {
   MadeSheet sheet(box({60, 40, 10}));
   sheet.distance(left, right, left).distance(front, back, front).distance(bottom, top, bottom);

@@ -74,6 +74,20 @@ class Sheet {
     return sheet::find_free_faces(views, world_, extents_, {});
   }
 
+  /// With another text of one of them, and with a second one of the same if `doubled`.
+  [[nodiscard]] sheet::FreeFaces with_text(std::size_t number, const std::string& text, bool doubled) const {
+    std::vector<sheet::DimensionsInView> views = views_;
+    for (sheet::DimensionsInView& view : views) {
+      if (number < view.dimensions.size()) {
+        if (doubled) view.dimensions.push_back(view.dimensions[number]);
+        view.dimensions[number].text = text;
+        break;
+      }
+      number -= view.dimensions.size();
+    }
+    return sheet::find_free_faces(views, world_, extents_, {});
+  }
+
   std::vector<std::string> texts;
 
  private:
@@ -112,6 +126,25 @@ TEST(FreeFaces, AreToldForEachDimensionThatIsMissing) {
     EXPECT_NE(free.sentences[0].find("; add a"), std::string::npos) << free.sentences[0];
     EXPECT_LT(free.count.given, free.count.all);
   }
+}
+
+TEST(FreeFaces, AreOfNoConcernToTextsThatAreUntrue) {
+  const Sheet sheet(sloped_block);
+  for (std::size_t i = 0; i < sheet.texts.size(); ++i) {
+    const sheet::FreeFaces changed = sheet.with_text(i, "71", false);
+    EXPECT_EQ(told(changed), "") << i;
+    EXPECT_EQ(changed.untrue.size(), 1U) << i;
+    EXPECT_TRUE(changed.contradictory.empty()) << i;
+    const sheet::FreeFaces doubled = sheet.with_text(i, "71", true);
+    EXPECT_EQ(doubled.untrue.size(), 1U) << i;
+    ASSERT_EQ(doubled.contradictory.size(), 1U) << i;
+    EXPECT_NE(doubled.contradictory[0].find("cannot all be true"), std::string::npos) << doubled.contradictory[0];
+    const sheet::FreeFaces repeated = sheet.with_text(i, "<>", true);
+    EXPECT_TRUE(repeated.contradictory.empty()) << i;
+    EXPECT_TRUE(repeated.untrue.empty()) << i;
+  }
+  EXPECT_TRUE(sheet.with_text(0, "60 ±0.1", true).contradictory.empty());
+  EXPECT_EQ(sheet.with_text(0, "60.5", true).contradictory.size(), 1U);
 }
 
 // Automatic dimensions define all families of parts with known sizes, one less does not. How a tube or a block as a

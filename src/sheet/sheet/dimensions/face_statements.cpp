@@ -14,12 +14,14 @@
 #include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "definition/limits.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/feature_table.hpp"
 #include "sheet/dimensions/measured_faces.hpp"
 #include "sheet/dimensions/place_joins.hpp"
+#include "sheet/dimensions/stated_values.hpp"
 #include "surfaces/least_squares.hpp"
 
 namespace epura::sheet {
@@ -118,9 +120,27 @@ class Reader {
         break;
     }
     check(found_.statements.size() >= before, "no dimension takes back what another one says");
+    if (found_.statements.size() > before) state_text(found_.statements[before], dimension, view);
     if (found_.statements.size() == before)
       found_.unread.push_back(dimension.text.empty() ? dimension.where
                                                      : "'" + dimension.text + "' of " + dimension.where);
+  }
+
+  // What its text says of the statement that a dimension makes first.
+  void state_text(Statement& statement, const AnchoredDimension& dimension, const DimensionsInView& view) {
+    const std::optional<StatedSize> size = stated_size(dimension, view);
+    if (!size) return;
+    statement.name = "'" + size->text + "' of " + statement.name;
+    double factor = 1 / part_.size;
+    if (dimension.type == DimensionType::diameter) factor /= 2;
+    if (dimension.type == DimensionType::angular) factor = -1 / degrees;
+    if (const std::optional<Vec3> along = measured_along(dimension, view))
+      factor = std::copysign(factor, glm::dot(dimension.points[1] - dimension.points[0], *along));
+    statement.more = factor * (size->stated - size->measured);
+    statement.slack = std::abs(factor) * size->slack;
+    if (std::abs(size->stated - size->measured) > size->slack * (1 + definition::same_size))
+      found_.untrue.push_back("'" + size->text + "' of " + dimension.where + ": the part has " +
+                              format_rounded(size->measured, 6));
   }
 
   void say(std::string name, std::vector<Row> rows, bool is_certain = true) {
@@ -324,7 +344,9 @@ class Reader {
           lines.push_back(line);
       }
     for (const WorldCircle& circle : dimension.circles) {
-      own.push_back(measured_.rim(circle));
+      Row rim = measured_.rim(circle);
+      for (definition::Term& term : rim) term.factor /= 2;  // as that of a radius
+      own.push_back(std::move(rim));
       if (dimension.is_label)
         for (int axis = 0; axis < 3; ++axis)
           if (std::abs(circle.axis[axis]) <= features::parallel) say_place(dimension.where, circle.centre, axis);

@@ -14,6 +14,7 @@ namespace epura::sheet {
 struct FaceStatements {
   std::vector<definition::Statement> statements;
   std::vector<std::string> unread;  ///< dimensions of which nobody can tell what they measure
+  std::vector<std::string> untrue;  ///< texts that state another value than the part has
 };
 
 /// Of auxiliary dimensions, which are in brackets, nothing. What a text says beside the measured value is a statement

@@ -85,6 +85,13 @@ FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::
                               " can move, for nobody can tell what this says of them: " + listed(said.unread));
   if (uncertain > 0 || !account.is_certain)
     found.undecided.push_back("whether the texts of dimensions hold " + of_faces(uncertain));
+  found.untrue = said.untrue;
+  for (const std::vector<int>& list : account.contradictory) {
+    std::vector<std::string> names;
+    for (const int number : list) names.push_back(said.statements[static_cast<std::size_t>(number)].name);
+    found.contradictory.push_back(listed(names) +
+                                  (names.size() == 1 ? " against what the views show" : " cannot all be true"));
+  }
   found.count.given = static_cast<int>(std::count(account.states.begin(), of_model, FaceState::fixed));
   found.count.all = static_cast<int>(drawn.faces) -
                     static_cast<int>(std::count(account.states.begin(), of_model, FaceState::by_model));

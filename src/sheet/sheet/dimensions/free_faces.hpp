@@ -17,6 +17,8 @@ namespace epura::sheet {
 struct FreeFaces {
   std::vector<std::string> sentences;
   std::vector<std::string> undecided;                         ///< what keeps anyone from telling
+  std::vector<std::string> contradictory;                     ///< dimensions that cannot all be true
+  std::vector<std::string> untrue;                            ///< texts that state another value than the part has
   report::SizeCount count{"faces held by dimensions", 0, 0};  ///< of all kinds; none of free forms
 };
 
