@@ -89,4 +89,78 @@ def duct():
     return Part.makeLoft([square, Part.Wire(Part.makeCircle(12, Vector(10, 0, 40)))], True)
 
 
-MADE = {part.__name__: part for part in (bracket, flange, shaft, tee, rounded, housing, cone, link, elbow, duct)}
+def plate_of(points, thickness, at=0):
+    """The area within a polygon, from the height z = `at` upwards."""
+    corners = [Vector(x, y, at) for x, y in points]
+    return Part.Face(Part.makePolygon(corners + corners[:1])).extrude(Vector(0, 0, thickness))
+
+
+def slot(x0, y0, x1, y1, width, z, depth):
+    """A slot with round ends, from the height z downwards."""
+    length, angle = math.hypot(x1 - x0, y1 - y0), math.degrees(math.atan2(y1 - y0, x1 - x0))
+    ends = [cylinder(width / 2, depth, (x, 0, -depth)) for x in (0, length)]
+    body = box((length, width, depth), (0, -width / 2, -depth)).multiFuse(ends).removeSplitter() if length else ends[0]
+    body.rotate(Vector(0, 0, 0), Z, angle)
+    body.translate(Vector(x0, y0, z))
+    return body
+
+
+def stud():
+    """A turned bolt of rings as close as the turns of a thread, a neck, a keyway with round ends and chamfered ends."""
+    outline = [(0, 0), (0, 5), (1, 6)]
+    for k in range(16):
+        outline += [(2 + 1.5 * k, 6), (2.75 + 1.5 * k, 5.1)]
+    outline += [(26, 6), (27, 6), (27, 4.8), (30, 4.8), (30, 9), (68, 9), (70, 7), (70, 0)]
+    corners = [Vector(x, 0, z) for x, z in outline]
+    turned = Part.Face(Part.makePolygon(corners + corners[:1])).revolve(Vector(0, 0, 0), X, 360)
+    return turned.cut(slot(40, 0, 58, 0, 5, 20, 15))
+
+
+def sheet():
+    """A bent sheet of 2 mm: two bends of inner radius 2, a long hole, round holes and a cut corner."""
+    outside, inside = (body.makeFillet(radius, [edge for edge in body.Edges if edge.BoundBox.YLength > 1 and edge.BoundBox.ZMax < 3])
+                       for body, radius in ((box((60, 40, 25)), 4), (box((56, 60, 40), (2, -10, 2)), 2)))
+    holes = [slot(20, 20, 40, 20, 8, 5, 10), *(cylinder(3, 80, (-10, y, 16), X) for y in (10, 30))]
+    corner = Part.Face(Part.makePolygon([Vector(50, 0, 26), Vector(50, 0, 15), Vector(50, 12, 26), Vector(50, 0, 26)])).extrude(Vector(20, 0, 0))
+    return outside.cut(inside).cut(Part.makeCompound([*holes, corner]))
+
+
+def casting():
+    """A bearing block as cast: a foot, a round eye and ribs, with fillets between them, and machined faces and holes."""
+    foot = box((80, 36, 10), (-40, -18, 0))
+    foot = foot.makeFillet(8, [edge for edge in foot.Edges if edge.BoundBox.ZLength > 1])
+    wall = plate_of([(-20, 0), (20, 0), (16, 40), (-16, 40)], 16, -8)
+    wall.rotate(Vector(0, 0, 0), X, 90)
+    wall.translate(Vector(0, 0, 5))
+    raw = foot.multiFuse([wall, cylinder(18, 26, (0, -13, 42), Y), box((3, 30, 30), (-1.5, -15, 5))]).removeSplitter()
+    inner = [edge for edge in raw.Edges if edge.BoundBox.ZLength < 1e-3 and abs(edge.BoundBox.ZMin - 10) < 1e-3 and edge.BoundBox.DiagonalLength < 60]
+    raw = raw.makeFillet(2, [edge for edge in inner if abs(edge.BoundBox.XMin) < 21 and abs(edge.BoundBox.XMax) < 21])
+    holes = [cylinder(4.5, 30, (x, 0, -5)) for x in (-30, 30)] + [cylinder(8, 5, (x, 0, 9)) for x in (-30, 30)]
+    return raw.cut(Part.makeCompound([cylinder(11, 60, (0, -30, 42), Y), *holes]))
+
+
+def clamp():
+    """An assembly of five parts that touch: two plates, a disc between them and two bolts through all."""
+    holes = lambda radius: Part.makeCompound([cylinder(radius, 80, (x, 0, -20)) for x in (-25, 25)])
+    plates = [box((70, 30, 8), (-35, -15, z)).cut(holes(4)) for z in (0, 20)]
+    spacer = cylinder(14, 12, (0, 0, 8)).cut(cylinder(6, 30, (0, 0, 0)))
+    hexagon = lambda x: plate_of([(x + 7 * math.cos(a), 7 * math.sin(a)) for a in (k * math.pi / 3 for k in range(6))], 5, 28)
+    bolts = [cylinder(4, 34, (x, 0, -6)).fuse(hexagon(x)).removeSplitter() for x in (-25, 25)]
+    return Part.makeCompound([*plates, spacer, *bolts])
+
+
+def engraved():
+    """A label with round corners: letters of grooves with round ends, 0.8 mm deep, and holes in its corners."""
+    plate = box((80, 30, 4))
+    plate = plate.makeFillet(4, [edge for edge in plate.Edges if 3.9 < edge.BoundBox.ZLength])
+    strokes = [(12, 8, 12, 22), (12, 8, 20, 8), (12, 15, 18, 15), (12, 22, 20, 22),  # E
+               (28, 8, 28, 22), (28, 22, 36, 22), (36, 22, 36, 15), (36, 15, 28, 15),  # P
+               (44, 8, 48, 22), (48, 22, 52, 8),  # A without its bar
+               (60, 15, 60, 15), (66, 8, 66, 22)]  # a dot and an I
+    groove = slot(*strokes[0], 1.6, 5, 1.8).multiFuse([slot(*stroke, 1.6, 5, 1.8) for stroke in strokes[1:]]).removeSplitter()
+    holes = [cylinder(1.75, 10, (x, y, -2)) for x in (5, 75) for y in (5, 25)]
+    return plate.cut(groove).cut(Part.makeCompound(holes))
+
+
+MADE = {part.__name__: part for part in (
+    bracket, flange, shaft, tee, rounded, housing, cone, link, elbow, duct, stud, sheet, casting, clamp, engraved)}

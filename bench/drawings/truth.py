@@ -185,7 +185,8 @@ def half_of(shape, cut):
     margin = Vector(1, 1, 1)
     low, high = Vector(space.XMin, cut, space.ZMin), Vector(space.XMax, space.YMax, space.ZMax)
     size = high - low + 2 * margin
-    return shape.common(Part.makeBox(size.x, size.y, size.z, low - Vector(1, 0, 1)))
+    behind = Part.makeBox(size.x, size.y, size.z, low - Vector(1, 0, 1))
+    return Part.makeCompound([solid.common(behind) for solid in shape.Solids])  # those that touch are not cut as one
 
 
 def write(shape, path):
