@@ -57,6 +57,10 @@ scene::Options<RequirementsOptions> requirements_options() {
                             file_name("FILE")),
       scene::option<Ledger>({.flag = "--csv", .help = "the same as a table; - for standard output"}, &Ledger::csv,
                             file_name("FILE")),
+      scene::option<Ledger>({.flag = "--as9102",
+                             .help = "what is to be measured as a table with the columns of form 3 of AS9102 (first "
+                                     "article inspection); - for standard output"},
+                            &Ledger::as9102, file_name("FILE")),
   };
 }
 

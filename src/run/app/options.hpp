@@ -110,7 +110,7 @@ struct NewSceneOptions {
 struct RequirementsOptions {
   std::vector<std::string> models;
   std::vector<std::filesystem::path> plugin_path;
-  std::string json, csv;  ///< files to write; empty: none
+  std::string json, csv, as9102;  ///< files to write; empty: none
 };
 
 struct InfoOptions {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -27,16 +28,25 @@ using output::json_list;
 using output::json_number;
 using output::json_string;
 
+struct LedgerRow : ModelRequirement {
+  int characteristic;  ///< its number in an inspection; 0: it is not measured
+};
+
 /// The ledger of one model.
 struct Ledger {
   std::string model;
-  std::vector<ModelRequirement> requirements;
+  std::string counts;  ///< in words
+  std::vector<LedgerRow> requirements;
 };
 
 Ledger ledger_of(const std::string& model, const RequirementsOptions& options) {
   const importer::ModelRequest request = importer::parse_model_request(model);
-  return {request.path,
-          importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path}).requirements};
+  std::vector<ModelRequirement> all =
+      importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path}).requirements;
+  const std::vector<int> characteristics = pipeline::characteristic_numbers(all);
+  Ledger ledger{request.path, importer::counted_requirements(all), {}};
+  for (std::size_t i = 0; i < all.size(); ++i) ledger.requirements.push_back({std::move(all[i]), characteristics[i]});
+  return ledger;
 }
 
 std::string faces_text(const std::vector<int>& faces) {
@@ -60,11 +70,11 @@ FieldValue given(double number) { return std::isfinite(number) ? FieldValue(numb
 /// A field of JSON and a column of CSV.
 struct Field {
   std::string_view name;
-  FieldValue (*value)(const ModelRequirement& one);
+  FieldValue (*value)(const LedgerRow& one);
 };
 
 const std::vector<Field>& fields() {
-  using One = const ModelRequirement&;
+  using One = const LedgerRow&;
   static const std::vector<Field> all{
       {"id", [](One one) { return given(one.id); }},
       {"kind",
@@ -90,6 +100,8 @@ const std::vector<Field>& fields() {
          return FieldValue(TextList{one.datums, " | "});
        }},
       {"above", [](One one) { return given(one.above); }},
+      {"characteristic",
+       [](One one) { return one.characteristic > 0 ? given(double(one.characteristic)) : FieldValue(); }},
       {"faces", [](One one) { return FieldValue(one.faces); }},
       {"missing", [](One one) { return given(one.missing); }}};
   return all;
@@ -108,7 +120,7 @@ struct JsonValue {
   }
 };
 
-std::string json_of(const ModelRequirement& one) {
+std::string json_of(const LedgerRow& one) {
   std::string json;
   for (const Field& field : fields())
     json += (json.empty() ? "{" : ", ") + json_string(field.name) + ": " + std::visit(JsonValue{}, field.value(one));
@@ -119,7 +131,7 @@ std::string json_of(const std::vector<Ledger>& ledgers) {
   const auto write = [](const Ledger& ledger) {
     return "{\"name\": " + json_string(ledger.model) + ", \"requirements\": " +
            output::json_lines(
-               ledger.requirements, [](const ModelRequirement& one) { return json_of(one); }, "\n    ") +
+               ledger.requirements, [](const LedgerRow& one) { return json_of(one); }, "\n    ") +
            "}";
   };
   return "{\"epura_requirements\": 1, \"models\": " + output::json_lines(ledgers, write, "\n  ") + "}\n";
@@ -139,7 +151,7 @@ std::string csv_of(const std::vector<Ledger>& ledgers) {
   for (const Field& field : fields()) csv.append(",").append(field.name);
   csv += "\r\n";
   for (const Ledger& ledger : ledgers)
-    for (const ModelRequirement& one : ledger.requirements) {
+    for (const LedgerRow& one : ledger.requirements) {
       csv += csv_field(ledger.model);
       for (const Field& field : fields()) csv += "," + std::visit(CsvValue{}, field.value(one));
       csv += "\r\n";
@@ -147,12 +159,65 @@ std::string csv_of(const std::vector<Ledger>& ledgers) {
   return csv;
 }
 
+/// A column of form 3 of AS9102, with its number there.
+struct FormColumn {
+  std::string_view heading;
+  std::string (*text)(const Ledger& ledger, const LedgerRow& one);
+};
+
+std::string left_blank(const Ledger&, const LedgerRow&) { return {}; }
+
+const std::vector<FormColumn>& form_columns() {
+  using One = const LedgerRow&;
+  using In = const Ledger&;
+  static const std::vector<FormColumn> all{
+      {"5. Char. No.", [](In, One one) { return std::to_string(one.characteristic); }},
+      {"6. Reference Location", [](In in, One one) { return in.model + " " + one.id; }},
+      {"7. Characteristic Designator", left_blank},
+      {"8. Requirement", [](In, One one) { return pipeline::requirement_sentence(one); }},
+      {"9. Results", left_blank},
+      {"10. Designed / Qualified Tooling", left_blank},
+      {"11. Nonconformance Number", left_blank},
+      {"12. Additional Data / Comments",
+       [](In, One one) { return one.missing.empty() ? std::string() : "not read: " + one.missing; }}};
+  return all;
+}
+
+std::string form_of(const std::vector<Ledger>& ledgers) {
+  std::string form;
+  for (const FormColumn& column : form_columns())
+    form.append(form.empty() ? "" : ",").append(csv_field(std::string(column.heading)));
+  form += "\r\n";
+  for (const Ledger& ledger : ledgers)
+    for (const LedgerRow& one : ledger.requirements) {
+      if (one.characteristic == 0) continue;
+      for (const FormColumn& column : form_columns())
+        form += (&column == form_columns().data() ? "" : ",") + csv_field(column.text(ledger, one));
+      form += "\r\n";
+    }
+  return form;
+}
+
+/// What the ledger can be written as.
+struct LedgerFormat {
+  std::string RequirementsOptions::*file;
+  std::string (*text)(const std::vector<Ledger>& ledgers);
+};
+
+const std::vector<LedgerFormat>& ledger_formats() {
+  static const std::vector<LedgerFormat> all{
+      {&RequirementsOptions::json, [](const std::vector<Ledger>& all) { return json_of(all); }},
+      {&RequirementsOptions::csv, csv_of},
+      {&RequirementsOptions::as9102, form_of}};
+  return all;
+}
+
 // For people.
 
 std::string text_of(const Ledger& ledger) {
   std::string text = one_line(ledger.model) + "\n";
   if (ledger.requirements.empty()) return text + "  the file states no requirements that are read\n";
-  for (const ModelRequirement& one : ledger.requirements) {
+  for (const LedgerRow& one : ledger.requirements) {
     std::string id = one.id;
     id.resize(std::max<std::size_t>(8, id.size() + 1), ' ');
     text += "  " + id + one_line(pipeline::requirement_sentence(one));
@@ -160,26 +225,27 @@ std::string text_of(const Ledger& ledger) {
     if (!one.missing.empty()) text += "; not read: " + one_line(one.missing);
     text += "\n";
   }
-  return text + "  " + importer::counted_requirements(ledger.requirements) + "\n";
+  return text + "  " + ledger.counts + "\n";
 }
 
 bool is_incomplete(const Ledger& ledger) {
   return std::any_of(ledger.requirements.begin(), ledger.requirements.end(),
-                     [](const ModelRequirement& one) { return !one.missing.empty(); });
+                     [](const LedgerRow& one) { return !one.missing.empty(); });
 }
 
 }  // namespace
 
 int requirements(const RequirementsOptions& options) {
   std::vector<std::string> files;
-  for (const std::string& file : {options.json, options.csv})
-    if (!file.empty()) files.push_back(file);
+  for (const LedgerFormat& format : ledger_formats())
+    if (const std::string& file = options.*format.file; !file.empty()) files.push_back(file);
   if (!files.empty()) pipeline::refuse_overwriting(files, options.models);
   std::vector<Ledger> ledgers;
   for (const std::string& model : options.models) ledgers.push_back(ledger_of(model, options));
-  if (!options.json.empty()) pipeline::write({options.json, json_of(ledgers)}, {});
-  if (!options.csv.empty()) pipeline::write({options.csv, csv_of(ledgers)}, {});
-  if (options.json != "-" && options.csv != "-")
+  for (const LedgerFormat& format : ledger_formats())
+    if (const std::string& file = options.*format.file; !file.empty())
+      pipeline::write({file, format.text(ledgers)}, {});
+  if (std::find(files.begin(), files.end(), "-") == files.end())
     for (const Ledger& ledger : ledgers) std::fputs(text_of(ledger).c_str(), stdout);
   return std::any_of(ledgers.begin(), ledgers.end(), is_incomplete) ? found_wrong_exit_code : 0;
 }

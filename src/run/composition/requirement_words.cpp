@@ -84,6 +84,17 @@ std::string requirement_sentence(const ModelRequirement& one) {
   return text;
 }
 
+std::vector<int> characteristic_numbers(const std::vector<ModelRequirement>& requirements) {
+  std::vector<int> numbers;
+  int last = 0;
+  for (const ModelRequirement& one : requirements) {
+    const std::vector<std::string> modifiers = items_of(one.modifiers, ", ");
+    const bool is_auxiliary = std::find(modifiers.begin(), modifiers.end(), "auxiliary") != modifiers.end();
+    numbers.push_back(one.kind == RequirementKind::datum || is_auxiliary ? 0 : ++last);
+  }
+  return numbers;
+}
+
 std::vector<std::pair<std::string, std::string>> requirement_lines(const std::vector<ModelRequirement>& requirements) {
   constexpr std::array<std::pair<RequirementKind, const char*>, 3> kinds{{{RequirementKind::dimension, "dimensions"},
                                                                           {RequirementKind::tolerance, "tolerances"},

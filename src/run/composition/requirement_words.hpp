@@ -23,6 +23,10 @@ std::vector<std::string> items_of(std::string_view text, std::string_view separa
 /// "diameter 35 -0.2/+0 mm", "position 0.75 mm to A | B | C", in the unit and with the decimals of the file.
 std::string requirement_sentence(const importer::ModelRequirement& requirement);
 
+/// The number by which an inspection calls each: from 1 in their order, those that are to be measured; 0 of datums and
+/// of auxiliary dimensions, which are not.
+std::vector<int> characteristic_numbers(const std::vector<importer::ModelRequirement>& requirements);
+
 /// For each kind, how many there are and of which types: {"dimensions", "12: 9 diameter, 2 linear distance, 1 angle"}.
 std::vector<std::pair<std::string, std::string>> requirement_lines(
     const std::vector<importer::ModelRequirement>& requirements);

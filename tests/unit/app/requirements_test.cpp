@@ -96,6 +96,33 @@ TEST_F(RequirementsCommand, WritesJsonAndCsv) {
   EXPECT_TRUE(contains(csv, "box.step,#1021,tolerance,flatness,\"flat, \"\"top\"\"\",0.05,,,none,no,1,,,")) << csv;
 }
 
+// Rows of form 3 of AS9102: datums and auxiliary dimensions are not measured.
+TEST_F(RequirementsCommand, WritesTheFormOfFirstArticles) {
+  const std::string auxiliary = "#1030=DIMENSIONAL_LOCATION('linear distance','',#1002,#1000);\n" +
+                                step_length(1031, "20.", "nominal value") +
+                                "#1032=DESCRIPTIVE_REPRESENTATION_ITEM('dimensional note','auxiliary');\n" +
+                                step_values(1033, 1030, "#1031,#1032");
+  const std::string datum = step_aspect(1040, bottom_face, "DATUM_FEATURE") + "#1042=DATUM('','',#10,.F.,'A');\n" +
+                            "#1043=SHAPE_ASPECT_RELATIONSHIP('','',#1040,#1042);\n";
+  const std::string length = step_aspect(1050, left_face) + step_aspect(1052, right_face) +
+                             "#1054=DIMENSIONAL_LOCATION('linear distance','',#1050,#1052);\n" +
+                             step_length(1055, "40.", "nominal value") + step_values(1056, 1054, "#1055");
+  const std::string all = some_requirements() + auxiliary + datum + length;
+  const Outcome listed = run({"requirements", "box.step", "--as9102", "form.csv", "--json", "a.json"}, all);
+  if (contains(listed.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
+  EXPECT_EQ(listed.code, 0) << listed.err;
+  EXPECT_EQ(text("form.csv"),
+            "5. Char. No.,6. Reference Location,7. Characteristic Designator,8. Requirement,9. Results,"
+            "10. Designed / Qualified Tooling,11. Nonconformance Number,12. Additional Data / Comments\r\n"
+            "1,box.step #1004,,linear distance 20.00 -0.1/+0.3 mm,,,,\r\n"
+            "2,box.step #1021,,flatness 0.05 mm,,,,\r\n"
+            "3,box.step #1054,,linear distance 40 mm,,,,\r\n");
+  const Json rows = JsonReader(text("a.json")).read()["models"].items.at(0)["requirements"];
+  std::string numbers;
+  for (const Json& row : rows.items) numbers += row["characteristic"].type == 'n' ? "-" : row["characteristic"].text;
+  EXPECT_EQ(numbers, "12--3");
+}
+
 TEST_F(RequirementsCommand, InfoCountsThemAndADrawingSaysThatTheyAreNotDrawn) {
   const Outcome info = run({"info", "box.step"}, some_requirements());
   if (contains(info.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
