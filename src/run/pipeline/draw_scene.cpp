@@ -91,15 +91,14 @@ struct Run {
   PartsByModel known_parts{};
   std::vector<FileRequirements> required{};
 
-  double fineness = 1;  ///< of imported surfaces, as a multiple of what --max-error usually needs
+  double facets = usual_facets;  ///< mm on paper by which those of imported surfaces are off
   std::optional<world::FacetHeights> heights{};
-  bool declares_surfaces = false;   ///< all files have those of their parts
   std::string cut_before_sheets{};  ///< the first stage on the models that the time limit cut short
 
   void note(const ViewResult& result);
   void note(const FinishedSheet& sheet);
-  void judge(const ViewResult& result);
-  [[nodiscard]] bool may_be_finer(double factor) const;
+  void judge(const std::vector<report::ViewError>& errors) const;
+  [[nodiscard]] bool has_imported() const;
   void find_heights(const world::World& world);
   std::vector<std::vector<sheet::BalloonTarget>> balloons_of(
       const SheetOfViews& views, const std::vector<std::vector<std::optional<SeenPoint>>>& seen) const;
@@ -123,16 +122,8 @@ struct Run {
   std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
 
-/// An attempt whose facets are too coarse for --max-error, by this factor.
-struct TooCoarse {
-  double factor;
-};
-
 void Run::find_heights(const world::World& world) {
   if (!options.judges && !options.max_error && !options.error_note && !options.verify) return;
-  declares_surfaces = std::all_of(world.models.begin(), world.models.end(), [](const world::Placed& placed) {
-    return placed.part != nullptr && placed.part->declared;
-  });
   progress.begin("judging facets");
   try {
     heights = world::facet_heights(world, progress.with_part_of_the_time(part_for_judging));
@@ -141,33 +132,19 @@ void Run::find_heights(const world::World& world) {
   }
 }
 
-// Whether a model comes from an importer, which chooses facets, and facets finer by a factor may be asked of it.
-bool Run::may_be_finer(double factor) const {
-  constexpr double finest = 20, most = 160;  // beyond, with the last step, meshes become hundreds of times as large
-  const auto is_imported = [](const mesh::MeshReport& mesh) {
+// Whether a model comes from an importer, which chooses facets.
+bool Run::has_imported() const {
+  return std::any_of(gathered.report.meshes.begin(), gathered.report.meshes.end(), [](const mesh::MeshReport& mesh) {
     return !mesh.format.empty() && mesh::format_named(mesh.format) == nullptr;
-  };
-  return fineness < finest && fineness * factor <= most &&
-         std::any_of(gathered.report.meshes.begin(), gathered.report.meshes.end(), is_imported);
+  });
 }
 
-void Run::judge(const ViewResult& result) {
-  if (!result.error) return;
-  using report::ErrorTerm;
-  report::ViewError error = *result.error;
-  error[ErrorTerm::writing] = options.writing_error;
-  gathered.report.errors.push_back(error);
+void Run::judge(const std::vector<report::ViewError>& errors) const {
   if (!options.max_error) return;
-  const double by_facets = error[ErrorTerm::surface] + error[ErrorTerm::intersections] + error[ErrorTerm::contours];
-  const double part = std::min(part_for_facets(*options.max_error, options.arcs.has_value()),
-                               *options.max_error - (error.total() - by_facets));
-  // Heights over facets are as the squares of their lengths; ends of contours are off by lengths, or gone: tried once.
-  const double ratio = by_facets / part;
-  const double factor = error[ErrorTerm::contours] > by_facets / 2 ? ratio * ratio : ratio;
-  if (error.total() > *options.max_error && ratio > 1 && may_be_finer(factor > ratio && fineness == 1 ? 1 : factor))
-    throw TooCoarse{factor};
-  expect_within(*options.max_error, error, declares_surfaces);
-  messages.print(sentence_of(error));
+  double triangles = 0;
+  for (const mesh::MeshReport& mesh : gathered.report.meshes) triangles += static_cast<double>(mesh.triangles);
+  expect_within(*options.max_error, options.arcs.has_value(), errors, {triangles, has_imported()});
+  for (const report::ViewError& error : errors) messages.print(sentence_of(error));
 }
 
 // For several views, the report has everything omitted for lack of time, and the verification that found most errors.
@@ -178,7 +155,10 @@ void Run::note(const ViewResult& result) {
   if (gathered.report.tessellation && !result.drawing.projection.central)
     gathered.report.tessellation->on_paper =
         std::max(gathered.report.tessellation->on_paper, gathered.report.tessellation->error * result.drawing.scale);
-  judge(result);
+  if (result.error) {
+    gathered.report.errors.push_back(*result.error);
+    gathered.report.errors.back()[report::ErrorTerm::writing] = options.writing_error;
+  }
   if (!result.verification) return;
   if (!gathered.report.verification || gathered.report.verification->errors() < result.verification->errors())
     gathered.report.verification = result.verification;
@@ -512,7 +492,7 @@ FinishedSheet Run::draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views
 }
 
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
-  ReadWorld read = read_models(scene, reading_of(scene, options, fineness), gathered.report.meshes, messages, progress);
+  ReadWorld read = read_models(scene, reading_of(scene, options, facets), gathered.report.meshes, messages, progress);
   parts = std::move(read.parts);
   required = std::move(read.required);
   choose_unit(scene, required);
@@ -553,32 +533,44 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
 }
 
 DrawnScene draw_once(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context,
-                     const std::vector<SheetOfViews>& sheets, double fineness) {
+                     const std::vector<SheetOfViews>& sheets, double facets) {
   Run run{scene, options, context.messages, context.progress, context.watch, {scene.views.size()}};
-  run.fineness = fineness;
+  run.facets = facets;
   run.gathered.report.plan.push_back(plugins_step(sheets));
   std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
   context.progress.expect_not_stopped();
   // An empty sheet is not a drawing.
   if (!run.gathered.report.partial.stages.empty() && !run.gathered.has_lines)
     throw OutOfTime{run.gathered.report.partial.stages.front()};
+  run.judge(run.gathered.report.errors);
   return {std::move(finished), std::move(run.gathered.report), std::move(run.gathered.answers)};
 }
 
-// Reads surfaces again, with finer facets, while these alone prevent --max-error.
+// Reads surfaces again, with finer facets, while lines are farther off than --max-error. Attempts hardly depend on it,
+// so it is known which one is kept.
 DrawnScene draw_within_error(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context,
                              const std::vector<SheetOfViews>& sheets) {
-  constexpr double reserve = 1.5, max_at_once = 8;
-  expect_certain(*options.max_error, reading_of(scene, options).options.relative_tolerance, options.arcs.has_value());
-  for (double fineness = 1;;) {
+  constexpr double finer = 4;  // each time
+  expect_certain(*options.max_error, reading_of(scene, options, *options.max_error).options.relative_tolerance);
+  std::optional<TooFar> last, best;
+  for (double facets = usual_facets;; facets /= finer) {
     HeldMessages held;
     const Messages messages = held.messages();
     try {
-      DrawnScene drawn = draw_once(scene, options, {messages, context.progress, context.watch}, sheets, fineness);
+      DrawnScene drawn = draw_once(scene, options, {messages, context.progress, context.watch}, sheets, facets);
       held.tell(context.messages);
       return drawn;
-    } catch (const TooCoarse& attempt) {
-      fineness *= std::min(max_at_once, reserve * attempt.factor);
+    } catch (const TooFar& attempt) {
+      if (!best || attempt.least < best->least) best = attempt;
+      if (!may_be_finer(attempt, last, finer)) {
+        held.tell(context.messages);
+        refuse(*options.max_error, *best);
+      }
+      last = attempt;
+    } catch (const Error&) {
+      held.tell(context.messages);
+      if (best) refuse(*options.max_error, *best);  // too much for the importer
+      throw;
     } catch (...) {
       held.tell(context.messages);
       throw;
@@ -593,7 +585,7 @@ DrawnScene draw_scene(const scene::SceneDescription& scene, const RunOptions& op
   const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, options));
   context.watch.lap("prepare");
   return options.max_error ? draw_within_error(scene, options, context, sheets)
-                           : draw_once(scene, options, context, sheets, 1);
+                           : draw_once(scene, options, context, sheets, usual_facets);
 }
 
 }  // namespace epura::pipeline

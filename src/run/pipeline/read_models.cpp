@@ -22,7 +22,6 @@
 #include "scene/transform.hpp"
 #include "sheet/paper.hpp"
 #include "views/choose.hpp"
-#include "views/view_error.hpp"
 #include "world/expect_usable.hpp"
 
 namespace epura::pipeline {
@@ -165,10 +164,7 @@ void take_requirements(std::vector<FileRequirements>& required, const scene::Sce
 
 }  // namespace
 
-Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double fineness) {
-  constexpr double usual_error = 0.02;  // mm on paper
-  const double error =
-      (options.max_error ? part_for_facets(*options.max_error, options.arcs.has_value()) : usual_error) / fineness;
+Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double facets) {
   importer::ReadOptions read{.plugin_path = options.plugin_path,
                              .relative_tolerance = 0,
                              .threads = options.threads,
@@ -179,11 +175,11 @@ Reading reading_of(const scene::SceneDescription& scene, const RunOptions& optio
     const scene::SheetDescription& sheet = scene.sheets[std::min(number, scene.sheets.size() - 1)];
     const scene::ScaleChoice scale = view.scale.value_or(sheet.scale.value_or({}));
     if (scale.fixed) {
-      const double tolerance = error / *scale.fixed;
+      const double tolerance = facets / *scale.fixed;
       read.tolerance = read.tolerance > 0 ? std::min(read.tolerance, tolerance) : tolerance;
     } else {
       const sheet::Paper paper = largest_paper(sheet, scene.views.size());
-      const double tolerance = error / std::hypot(paper.width, paper.height);
+      const double tolerance = facets / std::hypot(paper.width, paper.height);
       read.relative_tolerance = read.relative_tolerance > 0 ? std::min(read.relative_tolerance, tolerance) : tolerance;
     }
   }

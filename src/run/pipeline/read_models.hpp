@@ -22,9 +22,12 @@ struct Reading {
   std::shared_ptr<KeptModels> kept{};  ///< null: every file is read, once
 };
 
-/// The precision that the drawings need so that no ink is off by more than RunOptions::max_error: from the given
-/// scales, otherwise from the paper on which the drawings must fit.
-Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double fineness = 1);
+/// How far facets of imported surfaces are off on paper, mm, unless --max-error asks for finer ones.
+inline constexpr double usual_facets = 0.02;
+
+/// The precision that the drawings need so that facets of imported surfaces are off by no more than `facets` mm on
+/// paper: from the given scales, otherwise from the paper on which the drawings must fit.
+Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double facets = usual_facets);
 
 struct ReadWorld {
   world::World world;

@@ -41,8 +41,7 @@ double error_of_writing(std::span<const Target> targets, const output::VectorOpt
 
 std::string sentence_of_choices(double max_error, bool has_arcs, const output::VectorOptions& options) {
   const double curves = row_of(ErrorTerm::curves).share * max_error;
-  return "max-error " + format_number(max_error) + " mm: facets of imported surfaces within " +
-         format_rounded(part_for_facets(max_error, has_arcs), 3) + " mm, lines merged within " +
+  return "max-error " + format_number(max_error) + " mm: lines merged within " +
          format_rounded(drawing::NearLines{join_within(max_error, ViewOptions{}.join_within)}.reach_in_all(), 3) +
          " mm, " + (has_arcs ? "arcs within " + format_rounded(curves, 3) + " mm, " : "") +
          std::to_string(options.decimals.value_or(output::usual_decimals)) +

@@ -40,17 +40,34 @@ inline constexpr double guaranteed_part = 1e-6;
 
 // What --max-error chooses.
 
-/// Returns the part of --max-error for facets, mm. It includes that of arcs if none are drawn.
-double part_for_facets(double max_error, bool has_arcs);
 /// Returns the distance within which lines are merged, mm.
 double join_within(double max_error, double usual);
-/// Refuses a --max-error that is below what is certain of any drawing. `facets`: its part for facets, as a fraction of
-/// the largest drawing; 0: unknown. Throws Error{input}.
-void expect_certain(double max_error, double facets, bool has_arcs);
+/// Refuses a --max-error that is below what is certain of any drawing. `part`: it, as a fraction of the largest
+/// drawing; 0: unknown. Throws Error{input}.
+void expect_certain(double max_error, double part);
 
-/// Refuses a view whose error exceeds --max-error. `declares_surfaces`: all files have the surfaces of their parts, of
-/// which finer facets have been asked for already. Throws Error{input}.
-void expect_within(double max_error, const report::ViewError& error, bool declares_surfaces);
+/// What is drawn, as far as it decides on finer facets.
+struct Facets {
+  double triangles;  ///< of all models
+  bool is_imported;  ///< some may be asked to be finer
+};
+
+/// An attempt whose lines are farther off than --max-error.
+struct TooFar {
+  report::ViewError worst;
+  double least;  ///< the --max-error that it keeps, mm: what is chosen by it keeps to its share
+  Facets facets;
+};
+
+/// Throws TooFar if a view is farther off than --max-error.
+void expect_within(double max_error, bool has_arcs, std::span<const report::ViewError> errors, const Facets& facets);
+
+/// Whether facets that are finer by a factor may keep --max-error, and are made in about a minute. From facets as
+/// coarse as is usual on, their number grows as it did at the last step.
+bool may_be_finer(const TooFar& attempt, const std::optional<TooFar>& last, double factor);
+
+/// Refuses --max-error, and names the value that the best attempt keeps. Throws Error{input}.
+[[noreturn]] void refuse(double max_error, const TooFar& best);
 
 /// "front: lines are within 0.021 mm of the part; most of it, 0.02 mm, by facets instead of their surface (measured)"
 std::string sentence_of(const report::ViewError& error);

@@ -44,7 +44,7 @@ struct ErrorTermRow {
 
 /// By ErrorTerm. Of `surface`, the evidence is `estimated` where ViewError::estimated says so.
 inline constexpr std::array<ErrorTermRow, 10> error_terms{{
-    {"surface", Evidence::measured, 0.35, "facets instead of their surface",
+    {"surface", Evidence::measured, 0, "facets instead of their surface",
      "export the model with finer facets, or draw it from STEP"},
     {"intersections", Evidence::estimated, 0, "facets of faces that cross at a small angle, or that a section grazes",
      "export the model with finer facets, or draw it from STEP"},
