@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # OpenSCAD 2021.01 writes DXF, SVG, STL and AMF with six digits of each number: a plate 10.4 mm wide that stands 123 m from the origin, as on
-# the drawing of a site, becomes 10 mm wide, and a plate 0.2 mm thick there vanishes without a word.
+# the drawing of a site, becomes 11 mm wide, and a plate 0.2 mm thick there vanishes without a word.
 # Believed: as many digits as a double has, or at least 0.001 mm.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 debian_packages openscad=2021.01-6
