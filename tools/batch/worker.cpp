@@ -18,7 +18,7 @@
 #include "app/confinement.hpp"
 #include "app/describe.hpp"
 #include "app/draw_files.hpp"
-#include "app/jobs/content_hash.hpp"
+#include "app/jobs/placeholders.hpp"
 #include "app/resource_limit.hpp"
 #include "base/broken.hpp"
 #include "base/error.hpp"

@@ -25,16 +25,31 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "importer/read_model.hpp"
+#include "output/html.hpp"
 #include "output/json_text.hpp"
 #include "serve/admission.hpp"
 #include "serve/drawings.hpp"
 #include "serve/http/library.hpp"
-#include "serve/play_page.hpp"
+#include "serve/play_parts.hpp"
 #include "serve/seen_model.hpp"
 
 namespace epura {
 
 namespace {
+
+/// `title` is text, `data` JSON.
+std::string play_page(const std::string& title, const std::string& data) {
+  return output::filled_page(play_frame, {{"title", output::html_text(title)},
+                                          {"style", std::string(play_style)},
+                                          {"script", std::string(play_script)},
+                                          {"data", output::within_script(data)}});
+}
+
+/// Its Content-Security-Policy: its own script and style sheet, requests to its own server, and pictures made of them.
+std::string play_policy() {
+  return output::content_policy(play_script_hash, play_style_hash, "img-src blob: data:; connect-src 'self'") +
+         "; frame-ancestors 'none'";
+}
 
 using Clock = Drawings::Clock;
 

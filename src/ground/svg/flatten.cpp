@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "base/error.hpp"
 
 namespace epura::svg {
 
@@ -23,6 +26,22 @@ void append_cubic(std::vector<Vec2>& points, const CubicCurve& curve, PieceRoom&
     points.push_back(s * s * s * from + 3 * s * s * t * a + 3 * s * t * t * b + t * t * t * to);
   }
   points.push_back(to);
+}
+
+namespace {
+
+constexpr std::size_t always_room = 250'000;
+
+}  // namespace
+
+PieceRoom::PieceRoom(std::size_t bytes, std::string where)
+    : where_(std::move(where)), max_(always_room + bytes / 2), left_(max_) {}
+
+void PieceRoom::take(std::size_t pieces) {
+  if (pieces > left_)
+    throw Error(ErrorKind::input, where_, "stands for more than " + std::to_string(max_) + " pieces of lines",
+                "a drawing of this file size has fewer");
+  left_ -= pieces;
 }
 
 }  // namespace epura::svg

@@ -2,12 +2,28 @@
 // Curves as polylines.
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 #include "base/vec.hpp"
-#include "svg/piece_room.hpp"
 
 namespace epura::svg {
+
+/// How many more pieces of lines a file may contain. A line takes at least two bytes, but a piece of a curve takes
+/// fewer.
+class PieceRoom {
+ public:
+  /// Allows 250 000, and one for every two bytes. `where` names the file in errors.
+  PieceRoom(std::size_t bytes, std::string where);
+
+  /// Throws Error{input} if there are too many.
+  void take(std::size_t pieces);
+
+ private:
+  std::string where_;
+  std::size_t max_, left_;
+};
 
 /// The number of equal parts into which to divide a curve so that they stay within 0.0001 mm of it. `sagitta` is the
 /// error of a single chord in mm; the error falls with the square of the number.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "svg/piece_room.hpp"
+#include "svg/flatten.hpp"
 
 namespace epura::svg {
 

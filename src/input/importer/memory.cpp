@@ -2,6 +2,8 @@
 // Memory of the program epura-importer: where there is none, the process ends, which is told. The libraries of
 // importers may go on instead: Open CASCADE leaves out the face for which it had no memory, and some of its algorithms
 // say nothing.
+#include "importer/memory.hpp"
+
 #include <dlfcn.h>
 #include <malloc.h>
 #include <unistd.h>
@@ -12,7 +14,6 @@
 #include <cstdlib>
 
 #include "foreign/child_process.hpp"
-#include "importer/own_memory.hpp"
 
 #ifndef EPURA_FOREIGN_MEMORY
 namespace {

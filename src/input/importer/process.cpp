@@ -19,7 +19,7 @@
 #include "foreign/messages.hpp"
 #include "foreign/sandbox.hpp"
 #include "importer/bounds.hpp"
-#include "importer/own_memory.hpp"
+#include "importer/memory.hpp"
 
 namespace epura::importer {
 

@@ -2,7 +2,7 @@
 // Reads Geomview's Object File Format: [ST][C][N]OFF, counts, one vertex per line, one face per line.
 // Format: http://www.geomview.org/docs/html/OFF.html
 #include "base/text.hpp"
-#include "mesh/off_keyword.hpp"
+#include "mesh/bytes.hpp"
 #include "mesh/read.hpp"
 #include "mesh/text_cursor.hpp"
 

@@ -11,8 +11,7 @@
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "mesh/build.hpp"
-#include "mesh/off_keyword.hpp"
-#include "mesh/stl_kind.hpp"
+#include "mesh/bytes.hpp"
 #include "mesh/text_cursor.hpp"
 
 namespace epura::mesh {

@@ -7,7 +7,6 @@
 #include "base/text.hpp"
 #include "mesh/bytes.hpp"
 #include "mesh/read.hpp"
-#include "mesh/stl_kind.hpp"
 #include "mesh/text_cursor.hpp"
 
 namespace epura::mesh {

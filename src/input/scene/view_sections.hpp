@@ -17,4 +17,9 @@ namespace epura::scene {
 /// Throws Error{input} with the place of the view.
 void take_view_sections(SceneDescription& scene);
 
+/// Writes the name of its view into each broken-out section. Views have names, and details their parents. Throws
+/// Error{input} for sections without a closed line or with two, and for views that do not exist, show a detail, or show
+/// another section.
+void complete_broken_outs(SceneDescription& scene);
+
 }  // namespace epura::scene

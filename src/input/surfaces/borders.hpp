@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "mesh/mesh.hpp"
 #include "surfaces/facets.hpp"
 #include "surfaces/recognise.hpp"
 #include "surfaces/region.hpp"
@@ -21,5 +22,12 @@ double angle_of_most(std::vector<AngleAlong> angles, double most);
 /// `tangent_angle` degrees along all of it, except a tenth of its length. Borders are ordered by their first edges.
 std::vector<PartBorder> find_borders(const mesh::Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
                                      const std::vector<Region>& regions, double tangent_angle);
+
+/// The two triangles of one body at an edge, in the order of the mesh.
+using TrianglePair = std::array<int, 2>;
+
+/// Returns the pair of each body at an edge; none if any body has one triangle there, or more than two. Two triangles
+/// alone are a pair, whatever their bodies are called.
+std::vector<TrianglePair> pairs_by_body(const mesh::Mesh& mesh, const mesh::MeshEdge& edge);
 
 }  // namespace epura::surfaces

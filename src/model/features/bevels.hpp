@@ -6,7 +6,6 @@
 #include <functional>
 #include <vector>
 
-#include "features/face_borders.hpp"
 #include "features/part_features.hpp"
 #include "features/plane_faces.hpp"
 #include "world/placed_part.hpp"

@@ -18,7 +18,6 @@
 #include "features/cavities.hpp"
 #include "features/centred_features.hpp"
 #include "features/engraving.hpp"
-#include "features/face_borders.hpp"
 #include "features/hole_features.hpp"
 #include "features/opposite_sides.hpp"
 #include "features/place_threads.hpp"

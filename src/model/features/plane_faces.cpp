@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/error.hpp"
 #include "features/tolerances.hpp"
 
 namespace epura::features {
@@ -26,6 +27,19 @@ std::vector<PlaneFace> find_plane_faces(const world::World& world, int model, co
     for (const int v : plane.vertices) plane.corners.emplace_back(Vec3(placed.to_world * Vec4(mesh.point(v), 1)));
   }
   return planes;
+}
+
+std::vector<std::vector<FaceBorder>> borders_of_faces(const world::Placed& placed) {
+  check(placed.part != nullptr, "a model has faces if its part is recognised");
+  std::vector<std::vector<FaceBorder>> beside(placed.part->faces.size());
+  for (const surfaces::PartBorder& border : placed.part->borders) {
+    const auto [a, b] = border.faces;
+    if (a < 0 || a == b) continue;
+    const bool tangent = border.kind == surfaces::BorderKind::tangent;
+    beside[static_cast<std::size_t>(a)].push_back({b, tangent});
+    beside[static_cast<std::size_t>(b)].push_back({a, tangent});
+  }
+  return beside;
 }
 
 }  // namespace epura::features

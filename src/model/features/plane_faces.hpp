@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "world/placed_part.hpp"
+#include "world/world.hpp"
 
 namespace epura::features {
 
@@ -17,5 +18,14 @@ struct PlaneFace {
 
 /// The faces of one model by their numbers. Those that are parallel to no axis of the world have no corners.
 std::vector<PlaneFace> find_plane_faces(const world::World& world, int model, const world::PlacedPart& part);
+
+/// A border of a face.
+struct FaceBorder {
+  int other;     ///< the face behind it
+  bool tangent;  ///< both have one plane there
+};
+
+/// By face of a model whose part is recognised, in the order of its borders; without open ends.
+std::vector<std::vector<FaceBorder>> borders_of_faces(const world::Placed& placed);
 
 }  // namespace epura::features

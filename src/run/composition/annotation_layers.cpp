@@ -20,7 +20,7 @@
 #include "sheet/dimensions/dimensions.hpp"
 #include "sheet/frame.hpp"
 #include "sheet/free_rectangles.hpp"
-#include "sheet/gravity_symbol.hpp"
+#include "sheet/projection_symbol.hpp"
 #include "sheet/sight_arrows.hpp"
 #include "views/details.hpp"
 

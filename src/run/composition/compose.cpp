@@ -25,7 +25,6 @@
 #include "sheet/notation.hpp"
 #include "sheet/sheet_layers.hpp"
 #include "sheet/standard_scale.hpp"
-#include "sheet/view_labels.hpp"
 #include "sheet/view_lines.hpp"
 #include "views/constructions.hpp"
 

@@ -9,7 +9,6 @@
 #include "cut/revolved.hpp"
 #include "importer/read_model.hpp"
 #include "scene/arrow_views.hpp"
-#include "scene/broken_outs.hpp"
 #include "scene/details.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/view_names.hpp"

@@ -31,7 +31,6 @@
 #include "views/coarse_meshes.hpp"
 #include "views/constructions.hpp"
 #include "views/mass.hpp"
-#include "views/plan_steps.hpp"
 #include "views/questions.hpp"
 #include "views/sections.hpp"
 #include "views/shown_worlds.hpp"

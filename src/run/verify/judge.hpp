@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "base/vec.hpp"
 #include "verify/cover.hpp"
 #include "verify/verify_input.hpp"
 
@@ -31,5 +32,11 @@ struct ProbeVerdict {
 /// longer. Throws OutOfTime.
 std::vector<ProbeVerdict> judge(const VerifyInput& input, const Tolerance& tolerance, std::span<const Probe> probes,
                                 bool name_facets, const Progress& progress = {});
+
+/// The corners of a convex polygon, in either direction.
+using ConvexPolygon = std::vector<Vec2>;
+
+/// Returns the area of the square from (-1, -1) to (1, 1) that none of the polygons covers, 0 to 4.
+double uncovered(const std::vector<ConvexPolygon>& polygons);
 
 }  // namespace epura::verify

@@ -8,9 +8,19 @@
 
 #include "verify/fold_rule.hpp"
 #include "verify/slice.hpp"
-#include "verify/upper_envelope.hpp"
 
 namespace epura::verify {
+
+/// An interval of the line over which one piece is in front.
+struct SeenPart {
+  double from, to;
+  int piece;  ///< of the slice
+};
+
+/// Returns the parts in ascending order; where nothing is seen, there is none. Merges halves (Hershberger, Finding the
+/// upper envelope of n line segments in O(n log n) time, IPL 1989, without its refinement). Of two equal pieces, the
+/// first wins.
+std::vector<SeenPart> upper_envelope(const Slice& slice);
 
 /// A position that requires a line.
 struct LineMark {

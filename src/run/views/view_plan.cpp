@@ -2,11 +2,14 @@
 #include "views/view_plan.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
+#include <set>
 
 #include "scene/body_styles.hpp"
 #include "scene/details.hpp"
 #include "sheet/arrangement.hpp"
+#include "sheet/lettering.hpp"
 #include "views/choose.hpp"
 #include "views/view_error.hpp"
 
@@ -164,6 +167,32 @@ view::ProjectedScene project_scene(const world::World& world, const PlannedView&
                                plan.options.leave_out.clip ? view::Clipping::where_needed : view::Clipping::everywhere);
   };
   return at_place(description.projection, look);
+}
+
+report::PlanStep plugins_step(const std::vector<SheetOfViews>& sheets) {
+  std::set<std::filesystem::path> opened;
+  long long views = 0;
+  for (const SheetOfViews& sheet : sheets)
+    for (const PlannedView& view : sheet.plans) {
+      opened.insert(view.entry.plugin);
+      ++views;
+    }
+  return {"plugins", false, "only those that views name are opened", views, static_cast<long long>(opened.size())};
+}
+
+report::PlanStep text_step(const sheet::Sheet& sheet, bool leave_out) {
+  long long texts = 0;
+  for (const sheet::Layer& layer : sheet.layers) texts += static_cast<long long>(layer.texts.size());
+  if (texts == 0 && !leave_out) sheet::Lettering();
+  return {"text",
+          texts > 0 || !leave_out,
+          texts > 0    ? "there are texts"
+          : !leave_out ? "requested by --plan"
+                       : "there are no texts: no font is opened",
+          texts,
+          texts,
+          {},
+          texts == 0 && leave_out ? 1 : 0};
 }
 
 }  // namespace epura::pipeline

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "projection/catalogue.hpp"
+#include "report/report.hpp"
 #include "scene/description.hpp"
+#include "sheet/sheet.hpp"
 #include "views/draw_view.hpp"
 #include "views/options.hpp"
 #include "world/items.hpp"
@@ -65,5 +67,10 @@ sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::V
 /// The projected world, not on paper yet. Throws Error{input} for parameter values that do not fit the world.
 view::ProjectedScene project_scene(const world::World& world, const PlannedView& plan,
                                    const scene::ViewDescription& description);
+
+/// Views in, opened plugins out.
+report::PlanStep plugins_step(const std::vector<SheetOfViews>& sheets);
+/// Texts in and out. Without texts, no font is opened unless `leave_out` is false.
+report::PlanStep text_step(const sheet::Sheet& sheet, bool leave_out);
 
 }  // namespace epura::pipeline

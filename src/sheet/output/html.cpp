@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include "base/error.hpp"
-#include "output/base64.hpp"
 #include "output/xml_text.hpp"
 
 namespace epura::output {

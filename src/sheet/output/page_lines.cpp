@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "edges/edge_kind.hpp"
-#include "output/base64.hpp"
 #include "output/json_text.hpp"
 #include "output/svg_path_text.hpp"
+#include "output/xml_text.hpp"
 #include "scene/choices.hpp"
 
 namespace epura::output {

@@ -8,7 +8,6 @@
 
 #include "base/text.hpp"
 #include "base/utf8.hpp"
-#include "output/base64.hpp"
 #include "output/svg_path_text.hpp"
 #include "output/text_place.hpp"
 #include "output/xml_text.hpp"

@@ -15,4 +15,6 @@ void append_attribute(std::string& text, std::string_view name, std::string_view
 /// `<name>value</name>` and a line break.
 void append_element(std::string& text, std::string_view name, std::string_view value);
 
+std::string base64(std::string_view bytes);
+
 }  // namespace epura::output

@@ -5,22 +5,77 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "scene/line_roles.hpp"
+#include "scene/title_fields.hpp"
 #include "sheet/fit_text.hpp"
-#include "sheet/form_fields.hpp"
 #include "sheet/frame.hpp"
 #include "sheet/projection_symbol.hpp"
+#include "svg/artwork.hpp"
 
 namespace epura::sheet {
 
 namespace {
+
+struct UsualNames {
+  std::string_view field;
+  std::string_view names;  ///< in small letters, without blanks, hyphens and underscores
+};
+
+// Of the templates of FreeCAD 0.20 to 1.0 (English, French, Italian, Spanish, Russian, Chinese).
+constexpr std::array<UsualNames, 16> usual_names{{
+    {"title", "title drawingtitle drawingtitle1 fctitle titleline1 partname titre titolo denominacion Название"},
+    {"supplementary_title", "subtitle drawingtitle2 titleline2 soustitre sottotitolo"},
+    {"owner", "owner ownername companyname company organization organisation societe ditta empresa Организация2"},
+    {"creator", "author authorname drawnby designedbyname nomauteur nomeprogettista nombredibujo Разработал"},
+    {"approver", "approvername supervisorname approved1 nomsuperviseur supervisore nombreaprobacion Утвердил"},
+    {"number", "drawingnumber dn partcodename n°plano Номер"},
+    {"date", "date date1 fcdate creationdate datedecreation datadicreazione fechadedibujo Датаразработки"},
+    {"revision", "revision fcrev version numerodiversione"},
+    {"scale", "scale fcscale fcsc echelle scala escala Масштаб"},
+    {"size", "size fcsi a3"},
+    {"sheet", "sheet sheetnumber fcsh feuille foglio"},
+    {"page_number", "ofsheet Лист"},
+    {"page_count", "totalsheets Листов"},
+    {"mass", "weight poids peso Масса"},
+    {"material", "materialmark Материал2"},
+    {"general_tolerance", "tolerance tolerancia"},
+}};
+
+/// The named fields, and those that the sheet has by itself.
+std::vector<std::string> known_fields() {
+  std::vector<std::string> names = {"scale", "size", "sheet", "page_number", "page_count"};
+  for (const scene::TitleField& field : scene::title_fields()) names.push_back(field.name);
+  return names;
+}
+
+/// A field as forms name it: "Surface treatment" -> "surface_treatment".
+std::string form_name(const std::string& field) {
+  std::string name = to_lower(field);
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
+  return name;
+}
+
+/// The name of the field of a text. Names that are usual in FreeCAD's templates, in several languages, become those of
+/// the known fields: "AUTHOR_NAME" -> "creator".
+std::string field_of(const svg::Words& words) {
+  if (!words.is_field) return words.name;
+  std::string plain = words.name;
+  std::erase(plain, '_');
+  for (const UsualNames& usual : usual_names)
+    for (const std::string_view name : split(usual.names, ' '))
+      if (name == plain) return std::string(usual.field);
+  return words.name;
+}
 
 constexpr std::array<std::string_view, 4> area_names = {"drawing_area", "title_block", "projection_symbol", "logo"};
 

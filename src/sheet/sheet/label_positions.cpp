@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "scene/line_roles.hpp"
 #include "sheet/dimensions/boxes.hpp"
-#include "sheet/view_labels.hpp"
+#include "sheet/standard_scale.hpp"
 
 namespace epura::sheet {
 
@@ -116,6 +116,23 @@ void clear_labels(Sheet& sheet, const Rectangle& area, const Lettering& letterin
     for (Text& text : layer.texts)
       if (text.role == "label") text.at += move_of(text, sheet, area, lettering);
   }
+}
+
+namespace {
+
+constexpr double height = 5;
+constexpr double above_ink = 3;  // together with the height less than label_room
+
+}  // namespace
+
+std::string view_label(const std::string& label, std::optional<double> scale, double main_scale, DecimalSign sign) {
+  const std::string ratio = scale && *scale != main_scale ? with_decimal_sign(ratio_text(*scale), sign) : "";
+  if (ratio.empty()) return label;
+  return (label.empty() ? "" : label + " ") + "(" + ratio + ")";
+}
+
+Text label_above(const std::string& label, const Rectangle& ink) {
+  return {label, {ink.centre().x, ink.max.y + above_ink}, height, 0, Align::middle, "label"};
 }
 
 }  // namespace epura::sheet

@@ -7,6 +7,7 @@
 
 #include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
+#include "sheet/dimensions/marks.hpp"
 
 namespace epura::sheet {
 
@@ -57,6 +58,18 @@ Furniture projection_symbol(ProjectionAngle angle, double height, const Vec2& ce
                    centre_line(circles - Vec2(reach, 0), circles + Vec2(reach, 0)),
                    centre_line(circles - Vec2(0, reach), circles + Vec2(0, reach))};
   return symbol;
+}
+
+void add_gravity_symbol(Layer& layer, const Vec2& centre, double radius) {
+  constexpr int parts = 16;
+  constexpr double quarter = std::numbers::pi / 2;
+  layer.strokes.push_back(circle_at(centre, radius));
+  for (const double begin : {quarter, -quarter}) {
+    Fill& fill = layer.fills.emplace_back();
+    std::vector<Vec2>& ring = fill.rings.emplace_back();
+    ring.push_back(centre);
+    for (int i = 0; i <= parts; ++i) ring.push_back(centre + radius * turned_to(begin + quarter * i / parts));
+  }
 }
 
 }  // namespace epura::sheet

@@ -4,6 +4,7 @@
 
 #include "scene/choices.hpp"
 #include "sheet/furniture.hpp"
+#include "sheet/sheet.hpp"
 
 namespace epura::sheet {
 
@@ -15,5 +16,7 @@ Furniture projection_symbol(ProjectionAngle angle, double height, const Vec2& ce
 
 /// Size of the symbol with its centre lines, mm.
 Vec2 projection_symbol_size(double height);
+
+void add_gravity_symbol(Layer& layer, const Vec2& centre, double radius);
 
 }  // namespace epura::sheet

@@ -8,7 +8,6 @@
 #include <cstddef>
 
 #include "base/angle.hpp"
-#include "base/directions.hpp"
 
 namespace epura::drawing {
 

@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-#include "base/directions.hpp"
+#include "base/angle.hpp"
 
 namespace epura::edges {
 

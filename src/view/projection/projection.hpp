@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/directions.hpp"
+#include "base/angle.hpp"
 #include "base/vec.hpp"
 
 namespace epura::projection {

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "../app/long_model.hpp"
-#include "app/jobs/estimate.hpp"
+#include "app/jobs/jobs.hpp"
 #include "errors.hpp"
 #include "program.hpp"
 #include "variable.hpp"

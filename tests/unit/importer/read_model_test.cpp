@@ -7,7 +7,7 @@
 
 #include "importer/bounds.hpp"
 #include "importer/catalogue.hpp"
-#include "importer/own_memory.hpp"
+#include "importer/memory.hpp"
 #include "support.hpp"
 
 namespace epura::test::read_model_test {

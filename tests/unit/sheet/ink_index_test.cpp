@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sheet/dimensions/ink_index.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
 #include "drawing/drawing.hpp"
+#include "sheet/dimensions/surroundings.hpp"
 
 namespace epura::ink_index_test {
 namespace {

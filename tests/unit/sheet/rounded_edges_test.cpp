@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the radius of a rounded edge is measured if slots have left parts of it.
-#include "sheet/dimensions/rounded_edges.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "dimensions_support.hpp"
+#include "sheet/dimensions/radius_dimensions.hpp"
 
 namespace epura::test::rounded_edges_test {
 namespace {

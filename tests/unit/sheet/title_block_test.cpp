@@ -10,8 +10,8 @@
 #include "scene/title_fields.hpp"
 #include "sheet/fit_text.hpp"
 #include "sheet/frame.hpp"
+#include "sheet/label_positions.hpp"
 #include "sheet/sheet_layers.hpp"
-#include "sheet/view_labels.hpp"
 
 namespace epura::title_block_test {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verify/patch.hpp"
-
 #include <gtest/gtest.h>
+
+#include "verify/judge.hpp"
 
 namespace epura::test::patch_test {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verify/upper_envelope.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
+
+#include "verify/line_marks.hpp"
 
 namespace epura::test::upper_envelope_test {
 namespace {

@@ -52,4 +52,8 @@ void create_folders(const std::vector<std::string>& outputs);
 /// Returns the options of a job. Throws Error{input} for wrong values.
 DrawOptions options_of(const Job& job, const DrawOptions& common);
 
+/// An estimate in microseconds, from the number of triangles: that in the header of STL, PLY and OFF, otherwise from
+/// the size of the file. What matters is the order of jobs, and that it is the same on all machines.
+double estimated_time(const std::vector<std::string>& models);
+
 }  // namespace epura

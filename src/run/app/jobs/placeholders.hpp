@@ -2,6 +2,7 @@
 // Placeholders in the names of files and in texts of a batch: {name}, {folder}, {number} and {hash}.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -27,5 +28,11 @@ std::string filled(std::string_view text, const PlaceholderValues& values);
 
 /// Returns the path with the placeholder {folder} that was replaced by nothing tidied up: "out//x.pdf" is "out/x.pdf".
 std::string filled_path(std::string_view text, const PlaceholderValues& values);
+
+/// 32 hexadecimal digits.
+std::string hash_of_bytes(std::string_view bytes);
+
+/// The hash of a file's contents. Throws Error{input} if it cannot be read.
+std::string hash_of_file(const std::filesystem::path& path);
 
 }  // namespace epura

@@ -14,7 +14,6 @@
 #include "sheet/dimensions/cylinder_dimensions.hpp"
 #include "sheet/dimensions/hexagon_widths.hpp"
 #include "sheet/dimensions/hole_dimensions.hpp"
-#include "sheet/dimensions/level_coordinates.hpp"
 #include "sheet/dimensions/planning.hpp"
 #include "sheet/dimensions/prism_dimensions.hpp"
 #include "sheet/dimensions/radius_dimensions.hpp"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/directions.hpp"
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "sheet/dimensions/equal_features.hpp"
 #include "sheet/dimensions/thread_notes.hpp"

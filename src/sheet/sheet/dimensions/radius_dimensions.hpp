@@ -2,9 +2,13 @@
 // Dimensions of fillets and rounded corners, rounded edges, and spheres.
 #pragma once
 
+#include <optional>
 #include <span>
 
+#include "features/part_features.hpp"
+#include "scene/description.hpp"
 #include "sheet/dimensions/planning.hpp"
+#include "sheet/dimensions/view_choice.hpp"
 
 namespace epura::sheet {
 
@@ -20,5 +24,15 @@ Planned arc_dimensions(const Planning& plan);
 /// Rounded edges and spheres whose radius is not that of one of the dimensions so far, to which they belong.
 Planned round_dimensions(const Planning& plan, std::span<const scene::DimensionDescription> so_far);
 Planned ball_dimensions(const Planning& plan, std::span<const scene::DimensionDescription> so_far);
+
+/// A section of a rounded edge, and the view on whose outline it lies.
+struct SeenSection {
+  const NamedProjection* view;
+  scene::FeatureCircle circle;
+};
+
+/// The first view that shows a section in its true form; otherwise, beside a slot along the view, one that shortens it
+/// by a twenty-fifth at most. Nothing if there is none.
+std::optional<SeenSection> seen_section(const features::RoundFeature& round, const ViewChoice& views);
 
 }  // namespace epura::sheet

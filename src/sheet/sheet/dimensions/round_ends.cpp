@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
-#include "features/face_borders.hpp"
+#include "features/plane_faces.hpp"
 #include "features/tolerances.hpp"
 #include "world/placed_part.hpp"
 

@@ -2,8 +2,12 @@
 // Dimensions of plane faces that are perpendicular to no axis of the world.
 #pragma once
 
+#include <vector>
+
 #include "sheet/dimensions/anchors.hpp"
+#include "sheet/dimensions/coordinates.hpp"
 #include "sheet/dimensions/planning.hpp"
+#include "sheet/dimensions/view_choice.hpp"
 
 namespace epura::sheet {
 
@@ -20,5 +24,12 @@ bool are_equal(const features::BevelFeature& a, const features::BevelFeature& b)
 /// Chamfered corners have a note; other slopes have an angle or the positions of their ends, those of the largest ones
 /// first.
 Planned slope_dimensions(const Planning& plan);
+
+/// The area below which a face is no step or slope to be dimensioned, for models in a box.
+double min_area(const Box& box);
+
+/// Places of the steps that are not known yet, at most `max_levels` along one axis in a view, the largest ones.
+std::vector<Coordinate> level_coordinates(const DimensionSubject& subject, const ViewChoice& views,
+                                          const Coordinates& known);
 
 }  // namespace epura::sheet

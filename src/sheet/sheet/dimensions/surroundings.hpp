@@ -6,13 +6,27 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
+#include "drawing/ink_cells.hpp"
+#include "drawing/view_drawing.hpp"
 #include "sheet/dimensions/box_index.hpp"
+#include "sheet/dimensions/boxes.hpp"
 #include "sheet/dimensions/conflicts.hpp"
-#include "sheet/dimensions/ink_index.hpp"
 #include "sheet/dimensions/marks.hpp"
 #include "sheet/rectangle.hpp"
 
 namespace epura::sheet {
+
+class InkIndex {
+ public:
+  explicit InkIndex(const drawing::ViewDrawing& drawing);
+
+  /// How many lines of the drawing pass through the box, as ink_in counts them.
+  [[nodiscard]] int in(const TurnedBox& box) const;
+
+ private:
+  const drawing::ViewDrawing& drawing_;
+  drawing::InkCells cells_;  ///< numbers of segments
+};
 
 // Faults that make a drawing hard to read outweigh all those that only make it less tidy.
 inline constexpr double cost_of_zone = 1000;   ///< two dimensions at the same position, or one inside another view
